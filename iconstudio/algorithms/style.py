@@ -1,0 +1,52 @@
+"""Style consistency (section 3.5): blackness, and the four overlapping intervals."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import ConvexHull, QhullError
+
+
+@dataclass(frozen=True, slots=True)
+class Style:
+    """A closed interval of blackness."""
+
+    name: str
+    low: float
+    high: float
+
+    def admits(self, blackness: float) -> bool:
+        """Whether a pictogram of this blackness belongs to the style."""
+        return self.low <= blackness <= self.high
+
+
+STYLES = (
+    Style("lightest", 0.0, 0.4),
+    Style("light", 0.2, 0.6),
+    Style("medium", 0.4, 0.8),
+    Style("dark", 0.6, 1.0),
+)
+"""The table of section 3.5."""
+
+
+def blackness(ink: NDArray[np.bool_]) -> float:
+    """Return the proportion of black pixels in the convex hull of a pictogram.
+
+    ``ink`` is (h, w) bool. Pixels are unit squares, so a filled rectangle measures exactly 1.
+    Without ink the answer is 0.
+    """
+    ys, xs = np.nonzero(ink)
+    if len(ys) == 0:
+        return 0.0
+    # Only the ends of each row can be corners of the hull.
+    rows, first = np.unique(ys, return_index=True)
+    last = np.append(first[1:], len(ys)) - 1
+    left, right = xs[first], xs[last] + 1
+    corners = np.concatenate(
+        [np.stack([x, rows + dy], axis=1) for x in (left, right) for dy in (0, 1)]
+    )
+    try:
+        area = ConvexHull(corners).volume
+    except QhullError:  # pragma: no cover - unit squares always span an area
+        return 0.0
+    return min(1.0, len(ys) / area)

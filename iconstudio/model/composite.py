@@ -1,0 +1,42 @@
+"""A remixed icon: who owns each pixel, what it cost, and how it is drawn."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from iconstudio.model.placement import Source
+
+
+@dataclass(frozen=True, eq=False)
+class Composite:
+    """The labelling L of equation 5 with its energy.
+
+    ``energy == data_cost + lambda_s * smoothness_cost``.
+    """
+
+    style: str
+    lambda_s: float
+    sources: tuple[Source, ...]
+    labels: NDArray[np.uint8]
+    """(CANVAS, CANVAS): index into ``sources`` of each pixel's owner."""
+    energy: float
+    data_cost: float
+    smoothness_cost: float
+    shares: tuple[float, ...]
+    """Part of the result's ink that each source owns; they sum to 1."""
+    iou: float
+    """Intersection over union of the filled result and the filled sketch."""
+
+
+@dataclass(frozen=True, eq=False)
+class Drawing:
+    """A composite redrawn and traced: the icon itself.
+
+    ``path`` is the ``d`` attribute of one SVG path in canvas units (0 to CANVAS), to be
+    filled with the nonzero rule. ``coverage`` is the same drawing, (n, n) uint8 with n a multiple of
+    CANVAS, 255 = ink.
+    """
+
+    path: str
+    coverage: NDArray[np.uint8]

@@ -1,0 +1,45 @@
+"""Where an exemplar is put on the canvas: the transformation T of equation 4."""
+
+from dataclasses import dataclass
+
+from iconstudio.model.canvas import CANVAS
+from iconstudio.model.exemplar import Exemplar, Frame
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class Placement:
+    """Mirror about the vertical centre line, scale about the centre, then shift by whole pixels.
+
+    A canvas point p goes to ``c + scale * F(p - c) + (dx, dy)`` with c the centre of
+    the canvas and F the mirroring of x if ``flip``.
+    """
+
+    scale: float = 1.0
+    flip: bool = False
+    dx: int = 0
+    dy: int = 0
+
+    def frame(self, frame: Frame) -> Frame:
+        """Return the part of the pictogram that the canvas shows *before* mirroring.
+
+        Rendering this frame, and mirroring the picture left to right if ``flip``,
+        draws the pictogram at this placement at any resolution.
+        """
+        unit = frame.size / CANVAS
+        size = frame.size / self.scale
+        dx = -self.dx if self.flip else self.dx
+        centre_x = frame.x + frame.size / 2 - dx * unit / self.scale
+        centre_y = frame.y + frame.size / 2 - self.dy * unit / self.scale
+        return Frame(centre_x - size / 2, centre_y - size / 2, size)
+
+
+@dataclass(frozen=True, eq=False)
+class Source:
+    """An exemplar at a placement: one label of the graph cut (section 3.4)."""
+
+    exemplar: Exemplar
+    placement: Placement
+    error: float = 0.0
+    """Matching error of equation 4 in its region; 0 if it was not matched."""
+    region: int = -1
+    """Number of the salient region it was matched for; -1 if none."""

@@ -1,0 +1,121 @@
+"""The user's input: a rough polygon, and what to look for."""
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+from iconstudio.model.canvas import CANVAS, MARGIN
+from iconstudio.model.errors import IconstudioError
+
+Point = tuple[float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Polygon:
+    """A closed polygon, y down, in any unit; the last vertex joins the first."""
+
+    vertices: tuple[Point, ...] = ()
+
+    @classmethod
+    def of(cls, points: Iterable[Iterable[float]]) -> "Polygon":
+        """Return the polygon of ``points``; repeated neighbours are dropped.
+
+        Raises
+        ------
+        IconstudioError
+            If a coordinate is no finite number, or a point is no pair.
+        """
+        vertices: list[Point] = []
+        for number, point in enumerate(points, start=1):
+            try:
+                x, y = (float(value) for value in point)
+            except (TypeError, ValueError):
+                raise IconstudioError(
+                    f"Point {number} of the polygon is not a pair of numbers: {point!r}."
+                ) from None
+            if not (math.isfinite(x) and math.isfinite(y)):
+                raise IconstudioError(
+                    f"Point {number} of the polygon is not finite: ({x}, {y}). Remove it."
+                )
+            if max(abs(x), abs(y)) > 1e9:
+                raise IconstudioError(
+                    f"Point {number} of the polygon, ({x:g}, {y:g}), is out of all scale. "
+                    "Use coordinates below a thousand million."
+                )
+            if not vertices or (x, y) != vertices[-1]:
+                vertices.append((x, y))
+        if len(vertices) > 1 and vertices[0] == vertices[-1]:
+            vertices.pop()
+        return cls(tuple(vertices))
+
+    @property
+    def bounds(self) -> tuple[float, float, float, float]:
+        """Left, top, right, bottom."""
+        xs, ys = zip(*self.vertices, strict=True)
+        return min(xs), min(ys), max(xs), max(ys)
+
+    @property
+    def crosses_itself(self) -> bool:
+        """Whether two edges that are not neighbours meet."""
+        v = self.vertices
+        n = len(v)
+        return any(
+            _segments_meet(v[i], v[(i + 1) % n], v[j], v[(j + 1) % n])
+            for i in range(n)
+            for j in range(i + 2, n)
+            if not (i == 0 and j == n - 1)
+        )
+
+    def fitted(self) -> "Polygon":
+        """Return the polygon scaled by its bounding box to the canvas, and centred.
+
+        Raises
+        ------
+        IconstudioError
+            If there are fewer than three vertices, or they enclose no area.
+        """
+        if len(self.vertices) < 3:
+            raise IconstudioError(
+                f"The polygon has {len(self.vertices)} different points; draw at least 3."
+            )
+        left, top, right, bottom = self.bounds
+        width, height = right - left, bottom - top
+        size = max(width, height)
+        if min(width, height) <= 0.02 * size or self._is_flat(size):
+            raise IconstudioError(
+                "The polygon encloses no area: its points lie on a line. Draw around the object."
+            )
+        k = (CANVAS - 2 * MARGIN) / size
+        cx, cy = (left + right) / 2, (top + bottom) / 2
+        return Polygon(
+            tuple(
+                ((x - cx) * k + CANVAS / 2, (y - cy) * k + CANVAS / 2) for x, y in self.vertices
+            )
+        )
+
+    def _is_flat(self, size: float) -> bool:
+        """Whether all vertices lie within a hundredth of ``size`` of one line."""
+        (x0, y0) = self.vertices[0]
+        (x1, y1) = max(self.vertices, key=lambda p: math.dist(p, (x0, y0)))
+        length = math.dist((x0, y0), (x1, y1))
+        return all(
+            abs((x1 - x0) * (y - y0) - (y1 - y0) * (x - x0)) <= 0.01 * size * length
+            for x, y in self.vertices
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Sketch:
+    """What the user drew and typed (section 3)."""
+
+    polygon: Polygon = Polygon()
+    keyword: str = ""
+    exclude: frozenset[str] = field(default_factory=frozenset)
+    """Identifiers of pictograms that must not be used."""
+
+
+def _segments_meet(a: Point, b: Point, c: Point, d: Point) -> bool:
+    def side(p: Point, q: Point, r: Point) -> float:
+        return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+
+    return side(a, b, c) * side(a, b, d) < 0 and side(c, d, a) * side(c, d, b) < 0

@@ -1,0 +1,54 @@
+"""What every workflow yields: progress, and what it has finished so far."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+from iconstudio.model import Composite, Drawing, Point, Source
+
+Stage = Literal["search", "prepare", "match", "remix", "vectorize"]
+
+
+@dataclass(frozen=True, slots=True)
+class Progress:
+    """How far a stage is: ``done`` from 0 to 1, ``message`` for the user."""
+
+    stage: Stage
+    done: float
+    message: str
+
+
+@dataclass(frozen=True, slots=True)
+class RegionsFound:
+    """Centres of the salient regions in canvas pixels, most salient first (section 3.2)."""
+
+    centres: tuple[Point, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class StyleMatched:
+    """The best sources of a style, ``matches[region][rank]`` (section 3.3)."""
+
+    style: str
+    retrieved: int
+    """How many exemplars the style had to choose from."""
+    matches: tuple[tuple[Source, ...], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class StyleSkipped:
+    """A style that has too few exemplars to give a good result, with the sentence that says so."""
+
+    style: str
+    retrieved: int
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class Result:
+    """A finished icon."""
+
+    composite: Composite
+    drawing: Drawing
+
+
+Event = Progress | RegionsFound | StyleMatched | StyleSkipped | Result
