@@ -1,0 +1,99 @@
+"""Rasterising (section 3.4): a pictogram becomes an exemplar on the canvas of side m = 256."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from iconstudio.library.resvg import render_coverage, view_box
+from iconstudio.library.svgcheck import check
+from iconstudio.model import CANVAS, MARGIN, Frame, IconstudioError
+
+_COARSE = 128
+_TOLERANCE = 1 / 3
+"""How far the bounding box may be off, in canvas pixels."""
+_ROUNDS = 4
+
+
+def rasterise(svg: str) -> tuple[Frame, NDArray[np.uint8]]:
+    """Draw a document so that its ink's tight bounding box fits the canvas, centred.
+
+    Ink is what is more than half dark; a paler layer neither counts nor sets the
+    bounding box. The document is hostile: call this in a worker process.
+
+    Returns
+    -------
+    frame, coverage:
+        The square of user space that fills the canvas, and its (CANVAS, CANVAS) uint8 picture.
+
+    Raises
+    ------
+    IconstudioError
+        If the document is refused, cannot be drawn, or has no ink.
+    """
+    check(svg)
+    x, y, width, height = view_box(svg)
+    size = max(width, height)
+    frame = Frame(x + (width - size) / 2, y + (height - size) / 2, size)
+    bounds = ink_bounds(render_coverage(svg, frame, _COARSE))
+    if bounds is not None:
+        frame = _zoom(frame, bounds, _COARSE)
+    # At the final resolution, thin parts may show that the coarse one missed.
+    for _ in range(_ROUNDS):
+        coverage = render_coverage(svg, frame, CANVAS)
+        bounds = ink_bounds(coverage)
+        if bounds is None:
+            raise IconstudioError("It has no dark ink.")
+        if _fits(bounds):
+            break
+        frame = _zoom(frame, bounds, CANVAS)
+    return frame, coverage
+
+
+def ink_bounds(coverage: NDArray[np.uint8]) -> tuple[float, float, float, float] | None:
+    """Return left, top, right, bottom of the ink in pixels; None if there is none.
+
+    A pixel's coverage says how far an edge reaches into it, so bounds are fractions
+    of a pixel.
+    """
+    left, right = _extent(coverage.max(axis=0))
+    top, bottom = _extent(coverage.max(axis=1))
+    return None if left == right else (left, top, right, bottom)
+
+
+def _extent(profile: NDArray[np.uint8]) -> tuple[float, float]:
+    """Return where ``profile`` crosses half dark for the first and the last time."""
+    dark = np.flatnonzero(profile > 127)
+    if not len(dark):
+        return 0.0, 0.0
+    first, last = int(dark[0]), int(dark[-1])
+    return first + 1 - _reach(profile, first, -1), last + _reach(profile, last, 1)
+
+
+def _reach(profile: NDArray[np.uint8], end: int, step: int) -> float:
+    """Return how far ink reaches from the inner side of the pixel ``end`` outwards, in pixels."""
+
+    def at(i: int) -> float:
+        return int(profile[i]) / 255 if 0 <= i < len(profile) else 0.0
+
+    # What lies two pixels out is no part of the edge but a paler layer.
+    pale = at(end + 2 * step)
+    return at(end) + max(0.0, at(end + step) - pale)
+
+
+def _fits(bounds: tuple[float, float, float, float]) -> bool:
+    left, top, right, bottom = bounds
+    errors = (
+        max(right - left, bottom - top) - (CANVAS - 2 * MARGIN),
+        (left + right - CANVAS) / 2,
+        (top + bottom - CANVAS) / 2,
+    )
+    return max(map(abs, errors)) <= _TOLERANCE
+
+
+def _zoom(frame: Frame, bounds: tuple[float, float, float, float], resolution: int) -> Frame:
+    """Return the frame in which ``bounds`` fill the canvas but for its margin."""
+    left, top, right, bottom = bounds
+    unit = frame.size / resolution
+    size = max(right - left, bottom - top) * unit * CANVAS / (CANVAS - 2 * MARGIN)
+    x = frame.x + (left + right) / 2 * unit - size / 2
+    y = frame.y + (top + bottom) / 2 * unit - size / 2
+    return Frame(x, y, size)

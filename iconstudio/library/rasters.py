@@ -1,0 +1,173 @@
+"""Exemplars of many pictograms: from the disk cache, or rasterised in worker processes."""
+
+import hashlib
+import struct
+import zlib
+from collections.abc import Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, wait
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from iconstudio.files import write_atomically
+from iconstudio.library.rasterise import rasterise
+from iconstudio.library.resvg import VERSION
+from iconstudio.model import CANVAS, Exemplar, Frame, IconstudioError, Pictogram
+from iconstudio.workers import Workers
+
+FORMAT = 1
+"""To be raised when the drawing or the files change; older files are then left alone."""
+
+_CHUNK = 8
+_CHUNK_SECONDS = 10.0
+_ONE_SECONDS = 5.0
+
+_FRAME = struct.Struct("<3d")
+_DRAWN, _REFUSED = b"D", b"R"
+
+
+class RasterCache:
+    """Rasterises pictograms and remembers the exemplars in ``folder``, by content.
+
+    Several processes may use the same folder. A file that is broken is made again; where the
+    folder cannot be written, everything works without it.
+
+    Attributes
+    ----------
+    trouble:
+        A sentence for the user if the folder cannot be used, else None.
+    """
+
+    def __init__(self, folder: Path, workers: Workers) -> None:
+        self.trouble: str | None = None
+        self._folder = folder
+        self._workers = workers
+        self._refusals: dict[str, str] = {}
+
+    def exemplars(
+        self, pictograms: Sequence[Pictogram]
+    ) -> Iterator[tuple[int, Exemplar | IconstudioError]]:
+        """Yield the index of each pictogram with its exemplar, cached ones first.
+
+        A pictogram that is empty or refused, or crashes or hangs the renderer, yields the error
+        instead. Closing the generator cancels what has not begun.
+        """
+        missing: list[tuple[int, str]] = []
+        for index, pictogram in enumerate(pictograms):
+            key = _key(pictogram.svg)
+            found = self._read(key, pictogram)
+            if found is None:
+                missing.append((index, key))
+            else:
+                yield index, found
+        for index, key, entry in self._render(missing, pictograms):
+            yield index, self._keep(key, entry, pictograms[index])
+
+    def _render(
+        self, missing: list[tuple[int, str]], pictograms: Sequence[Pictogram]
+    ) -> Iterator[tuple[int, str, bytes | str]]:
+        """Yield index, key and entry, or the reason why the renderer did not survive."""
+        waiting: dict[Future[Any], list[tuple[int, str]]] = {}
+
+        def submit(chunk: list[tuple[int, str]], seconds: float) -> None:
+            documents = [pictograms[index].svg for index, _ in chunk]
+            waiting[self._workers.submit(draw_entries, documents, timeout=seconds)] = chunk
+
+        for start in range(0, len(missing), _CHUNK):
+            submit(missing[start : start + _CHUNK], _CHUNK_SECONDS)
+        try:
+            while waiting:
+                for future in wait(waiting, return_when=FIRST_COMPLETED).done:
+                    chunk = waiting.pop(future)
+                    failure = _failure(future)
+                    if failure is None:
+                        for (index, key), entry in zip(chunk, future.result(), strict=True):
+                            yield index, key, entry
+                    elif len(chunk) == 1:
+                        yield *chunk[0], failure
+                    else:  # find the culprit
+                        for member in chunk:
+                            submit([member], _ONE_SECONDS)
+        finally:
+            for future in waiting:
+                if not future.running():
+                    future.cancel()
+
+    def _read(self, key: str, pictogram: Pictogram) -> Exemplar | IconstudioError | None:
+        if key in self._refusals:
+            return _refusal(pictogram, self._refusals[key])
+        try:
+            return _decoded(self._path(key).read_bytes(), pictogram)
+        except (OSError, ValueError, zlib.error, struct.error):
+            return None
+
+    def _keep(
+        self, key: str, entry: bytes | str, pictogram: Pictogram
+    ) -> Exemplar | IconstudioError:
+        if isinstance(entry, str):
+            # Not written down: on a quieter day it may be drawn in time.
+            self._refusals[key] = entry
+            return _refusal(pictogram, entry)
+        if self.trouble is None:
+            path = self._path(key)
+            try:
+                path.parent.mkdir(parents=True, exist_ok=True)
+                write_atomically(path, entry)
+            except OSError as error:
+                self.trouble = (
+                    f"Drawings are not kept in {self._folder}: {error.strerror or error}. "
+                    "The next start will be slower."
+                )
+        return _decoded(entry, pictogram)
+
+    def _path(self, key: str) -> Path:
+        return self._folder / key[:2] / key[2:]
+
+
+def draw_entries(documents: Sequence[str]) -> list[bytes]:
+    """Rasterise documents into cache entries; runs in a worker process."""
+    return [_entry(svg) for svg in documents]
+
+
+def _entry(svg: str) -> bytes:
+    try:
+        frame, coverage = rasterise(svg)
+    except IconstudioError as error:
+        data = _REFUSED + str(error).encode()
+    else:
+        data = _DRAWN + _FRAME.pack(frame.x, frame.y, frame.size) + coverage.tobytes()
+    return zlib.compress(data, 1)
+
+
+def _decoded(entry: bytes, pictogram: Pictogram) -> Exemplar | IconstudioError:
+    """Return what an entry holds; zlib's checksum tells if it is damaged."""
+    data = zlib.decompress(entry)
+    if data[:1] == _REFUSED:
+        return _refusal(pictogram, data[1:].decode())
+    frame = Frame(*_FRAME.unpack_from(data, 1))
+    coverage = np.frombuffer(data, np.uint8, offset=1 + _FRAME.size)
+    return Exemplar(pictogram, frame, coverage.reshape(CANVAS, CANVAS))
+
+
+def _refusal(pictogram: Pictogram, reason: str) -> IconstudioError:
+    return IconstudioError(f"{pictogram.id} cannot be used. {reason}")
+
+
+def _failure(future: "Future[Any]") -> str | None:
+    """Return why a chunk was lost; None if it was not."""
+    from pebble import ProcessExpired
+
+    error = future.exception()
+    if error is None:
+        return None
+    if isinstance(error, TimeoutError):
+        return "Drawing it takes too long."
+    if isinstance(error, ProcessExpired):
+        return "The renderer crashes on it."
+    raise error
+
+
+def _key(svg: str) -> str:
+    text = f"{FORMAT} {VERSION} {CANVAS}\n{svg}"
+    return hashlib.sha256(text.encode(errors="surrogatepass")).hexdigest()[:40]

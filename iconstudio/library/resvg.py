@@ -1,0 +1,162 @@
+"""The adapter of resvg: draws a square of an SVG document as an array.
+
+The document is nested in a new root whose ``viewBox`` is the square to show. Clipping to the
+document's own canvas is done in the array, which takes a third off resvg's time.
+"""
+
+import io
+import math
+import re
+import xml.etree.ElementTree as ET
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+from resvg_py import __version__, svg_to_bytes
+
+from iconstudio.model import Frame, IconstudioError, Placement
+
+__all__ = ["VERSION", "Box", "render_coverage", "render_placed", "view_box"]
+
+VERSION = __version__
+"""Of resvg-py: another version may draw differently."""
+
+Box = tuple[float, float, float, float]
+"""x, y, width and height in user space."""
+
+_SVG = "http://www.w3.org/2000/svg"
+_NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?")
+_PIXELS = {
+    "": 1, "px": 1, "pt": 96 / 72, "pc": 16, "mm": 96 / 25.4, "cm": 96 / 2.54, "in": 96,
+    "em": 16, "rem": 16, "ex": 8,
+}  # fmt: skip
+_LARGEST = 1e6
+
+
+def view_box(svg: str) -> Box:
+    """Return the canvas of a document, in the user space that a ``Frame`` refers to.
+
+    That is its ``viewBox``; where ``width`` and ``height`` have another ratio, the height
+    is changed to theirs. Without ``viewBox``, it is (0, 0, width, height) in CSS pixels.
+
+    Raises
+    ------
+    IconstudioError
+        If the document has no size, or none that can be drawn.
+    """
+    return _view_box(_root(svg))
+
+
+def render_coverage(svg: str, frame: Frame, size: int) -> NDArray[np.uint8]:
+    """Draw ``frame`` of a document, ``currentColor`` being black.
+
+    Parameters
+    ----------
+    svg:
+        A complete document that has passed ``svgcheck.check``.
+    frame:
+        The square of its user space to show; what lies outside its ``view_box`` stays empty.
+    size:
+        Side of the picture in pixels.
+
+    Returns
+    -------
+    (size, size) uint8: alpha times darkness, 255 = opaque black.
+
+    Raises
+    ------
+    IconstudioError
+        If resvg cannot read the document.
+    """
+    root = _root(svg)
+    box = _view_box(root)
+    for name, value in zip(("x", "y", "width", "height"), box, strict=True):
+        root.set(name, repr(value))
+    if "viewBox" not in root.attrib:
+        root.set("viewBox", _numbers(box))
+    root.set("overflow", "visible")
+    shown = _numbers((frame.x, frame.y, frame.size, frame.size))
+    side = str(size)
+    outer = ET.Element(f"{{{_SVG}}}svg", viewBox=shown, width=side, height=side)
+    outer.append(root)
+    try:
+        png = svg_to_bytes(
+            svg_string=ET.tostring(outer, encoding="unicode"),
+            # Over white, 255 - grey is alpha times darkness.
+            background="#ffffff",
+            # Without it, sizes in pt or mm raise.
+            dpi=96,
+            skip_system_fonts=True,
+        )
+    except ValueError as error:
+        raise IconstudioError(f"The SVG cannot be drawn: {error}.") from None
+    with Image.open(io.BytesIO(png)) as image:
+        coverage = 255 - np.asarray(image.convert("L"))
+    _clip(coverage, box, frame)
+    return coverage
+
+
+def render_placed(svg: str, frame: Frame, placement: Placement, size: int) -> NDArray[np.uint8]:
+    """Draw the exemplar of ``frame`` at ``placement``: the canvas, (size, size) uint8."""
+    coverage = render_coverage(svg, placement.frame(frame), size)
+    return np.ascontiguousarray(coverage[:, ::-1]) if placement.flip else coverage
+
+
+def _root(svg: str) -> ET.Element:
+    try:
+        return ET.fromstring(svg)
+    except ET.ParseError as error:
+        raise IconstudioError(f"The SVG is not well-formed XML: {error}.") from None
+
+
+def _view_box(root: ET.Element) -> Box:
+    sizes = _pixels(root.get("width")), _pixels(root.get("height"))
+    numbers = [float(value) for value in _NUMBER.findall(root.get("viewBox", ""))]
+    if len(numbers) == 4:
+        x, y, width, height = numbers
+        if None not in sizes and sizes[0] > 0:
+            height = width * sizes[1] / sizes[0]
+    elif None not in sizes:
+        x, y, width, height = 0.0, 0.0, *sizes
+    else:
+        raise IconstudioError("The SVG has no size: give its root a viewBox.")
+    if not (
+        max(abs(x), abs(y)) <= _LARGEST
+        and min(width, height) >= 1 / _LARGEST
+        and max(width, height) <= _LARGEST
+    ):
+        raise IconstudioError(
+            f"The SVG's size of {width:g} by {height:g} at ({x:g}, {y:g}) is out of all scale."
+        )
+    return x, y, width, height
+
+
+def _pixels(length: str | None) -> float | None:
+    """Return a CSS length in pixels; None if absent or relative to the page."""
+    match = re.fullmatch(rf"\s*({_NUMBER.pattern})\s*([a-z]*)\s*", length or "")
+    if match is None or match[2] not in _PIXELS:
+        return None
+    return float(match[1]) * _PIXELS[match[2]]
+
+
+def _numbers(values: Box) -> str:
+    return " ".join(map(repr, values))
+
+
+def _clip(coverage: NDArray[np.uint8], box: Box, frame: Frame) -> None:
+    """Empty what lies outside ``box``, fading the pixels that its edges cross."""
+    size = len(coverage)
+    unit = frame.size / size
+    edges = (
+        (coverage.T, (box[0] - frame.x) / unit, (box[0] + box[2] - frame.x) / unit),
+        (coverage, (box[1] - frame.y) / unit, (box[1] + box[3] - frame.y) / unit),
+    )
+    for rows, low, high in edges:
+        low, high = min(max(low, 0.0), size), min(max(high, 0.0), size)
+        first, last = math.floor(low), math.ceil(high)
+        rows[:first] = 0
+        rows[last:] = 0
+        if first < size and low > first:
+            rows[first] = rows[first] * (first + 1 - low)
+        if last > 0 and high < last:
+            rows[last - 1] = rows[last - 1] * (high - last + 1)
