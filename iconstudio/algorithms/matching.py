@@ -6,7 +6,7 @@ followed up to full resolution, so that the errors that rank them are equation 4
 """
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Generator, Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -26,6 +26,10 @@ COARSEN = 4
 """The exhaustive search sees every 4 x 4 pixels as one."""
 SHORTLIST = 12
 """How many exemplars of each region are followed up to full resolution."""
+REACH = 2
+"""How far around a coarse match the next finer resolution looks, in its pixels."""
+HIT = np.dtype([("error", "f4"), ("variant", "i2"), ("dx", "i2"), ("dy", "i2")])
+"""The best coarse match of one exemplar in one region."""
 FAR = np.float32(D_MAX / CANVAS)
 """The field's value far outside: fields are stored less this, so that zero padding is exact."""
 
@@ -150,94 +154,99 @@ def direct_error(
     return float(np.einsum("ij,ij,ij->", mask, difference, difference))
 
 
-def match(
+def coarse_search(
     sketch_field: NDArray[np.float32],
     regions: Sequence[Region],
     exemplars: Sequence[PreparedExemplar],
-    *,
-    keep: int = SHORTLIST,
-    on_progress: Callable[[float], None] = lambda done: None,
-) -> list[list[Match]]:
-    """Return the best matches of every region, best first, one for each exemplar.
+) -> Generator[float, None, NDArray[np.void]]:
+    """Try every exemplar at every translation, on reduced fields; yield the part that is done.
 
     Parameters
     ----------
     sketch_field
         The sketch's TSDF, (CANVAS, CANVAS) float32.
-    keep
-        How many exemplars of each region are followed up, and returned.
+
+    Returns
+    -------
+    (regions, exemplars) records of ``HIT``: the least error of each exemplar in each region, and the
+    variant and the translation, in blocks of ``COARSEN`` pixels, that have it
+    """
+    hits = np.zeros((len(regions), len(exemplars)), dtype=HIT)
+    if not exemplars:
+        return hits
+    masks = np.stack([reduced(region.mask) for region in regions])
+    window = SlidingWindow(
+        reduced(sketch_field - FAR), masks, exemplars[0].variants[0].coarse.shape[0]
+    )
+    for index, prepared in enumerate(exemplars):
+        hits[:, index] = _least_errors(window, prepared)
+        yield (index + 1) / len(exemplars)
+    return hits
+
+
+def refine(
+    sketch_field: NDArray[np.float32],
+    regions: Sequence[Region],
+    exemplars: Sequence[PreparedExemplar],
+    hits: NDArray[np.void],
+    admitted: Sequence[int],
+    *,
+    keep: int = SHORTLIST,
+) -> list[list[Match]]:
+    """Return the best matches of every region among the ``admitted`` exemplars.
+
+    The ``keep`` best of the coarse search are followed up to full resolution.
 
     Returns
     -------
     list
         ``matches[region]``: at most ``keep`` matches of different exemplars by rising error.
     """
-    if not exemplars:
-        return [[] for _ in regions]
     field = sketch_field - FAR
-    masks = np.stack([region.mask for region in regions])
-    coarse_field = reduced(field)
-    coarse_masks = np.stack([reduced(mask) for mask in masks])
-    window = SlidingWindow(coarse_field, coarse_masks, exemplars[0].variants[0].coarse.shape[0])
-    found: list[list[tuple[float, int, int, int, int]]] = [[] for _ in regions]
-    for index, prepared in enumerate(exemplars):
-        best = _coarse_search(window, prepared)
-        for row, hit in zip(found, best, strict=True):
-            row.append((hit[0], index, *hit[1:]))
-        on_progress(0.8 * (index + 1) / len(exemplars))
+    chosen = np.array(admitted, dtype=int)
     matches = []
-    for number, row in enumerate(found):
-        row.sort()
-        refined = [
-            _refine(field, masks[number], exemplars[index], index, variant, dx, dy)
-            for _, index, variant, dx, dy in row[:keep]
-        ]
+    for region, row in zip(regions, hits, strict=True):
+        best = chosen[np.argsort(row["error"][chosen], kind="stable")[:keep]]
+        refined = [_follow(field, region.mask, exemplars[i], int(i), row[i]) for i in best]
         matches.append(sorted(refined, key=lambda m: (m.error, m.index)))
-        on_progress(0.8 + 0.2 * (number + 1) / len(found))
     return matches
 
 
-def _coarse_search(
-    window: SlidingWindow, prepared: PreparedExemplar
-) -> list[tuple[float, int, int, int]]:
-    """Return for each region the least error, and the variant and translation that has it."""
-    best: list[tuple[float, int, int, int]] = []
+def _least_errors(window: SlidingWindow, prepared: PreparedExemplar) -> NDArray[np.void]:
+    """Return for each region the least error of one exemplar, as records of ``HIT``."""
+    best: NDArray[np.void] | None = None
     for number, variant in enumerate(prepared.variants):
         errors = window.errors(variant.coarse)
         flat = errors.reshape(len(errors), -1)
+        hits = np.zeros(len(flat), dtype=HIT)
         at = flat.argmin(axis=1)
-        hits = []
-        for row, position in zip(flat, at, strict=True):
-            dx, dy = window.translation(*divmod(int(position), window.size))
-            hits.append((float(row[position]), number, dx, dy))
-        best = [min(pair) for pair in zip(best, hits, strict=True)] if best else hits
+        hits["error"], hits["variant"] = flat[np.arange(len(flat)), at], number
+        for hit, position in zip(hits, at, strict=True):
+            hit["dx"], hit["dy"] = window.translation(*divmod(int(position), window.size))
+        best = hits if best is None else np.where(hits["error"] < best["error"], hits, best)
     return best
 
 
-def _refine(
+def _follow(
     field: NDArray[np.float32],
     mask: NDArray[np.float32],
     prepared: PreparedExemplar,
     index: int,
-    number: int,
-    dx: int,
-    dy: int,
+    hit: np.void,
 ) -> Match:
     """Follow a coarse match to full resolution: halve the pixels, look around, twice."""
-    variant = prepared.variants[number]
-    best = (math.inf, dx, dy)
+    variant = prepared.variants[hit["variant"]]
+    error, dx, dy = math.inf, int(hit["dx"]), int(hit["dy"])
     factor = COARSEN
     while factor > 1:
         factor //= 2
-        reach = 2
         small = [reduced(a, factor) if factor > 1 else a for a in (field, mask, variant.field)]
-        centre_x, centre_y = 2 * best[1], 2 * best[2]
-        best = min(
-            (direct_error(*small, x, y), x, y)
-            for y in range(centre_y - reach, centre_y + reach + 1)
-            for x in range(centre_x - reach, centre_x + reach + 1)
+        around = range(-REACH, REACH + 1)
+        error, dx, dy = min(
+            (direct_error(*small, 2 * dx + x, 2 * dy + y), 2 * dx + x, 2 * dy + y)
+            for y in around
+            for x in around
         )
-    error, dx, dy = best
     return Match(index, Placement(variant.scale, variant.flip, dx, dy), error)
 
 

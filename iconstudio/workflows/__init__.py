@@ -1,0 +1,1 @@
+"""Workflows (section 4): generators that yield progress and finished results."""

@@ -1,9 +1,12 @@
 """What every workflow yields: progress, and what it has finished so far."""
 
+from collections.abc import Generator
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, TypeVar
 
-from iconstudio.model import Composite, Drawing, Point, Source
+from iconstudio.model import Composite, Drawing, Exemplar, Point, Source
+
+T = TypeVar("T")
 
 Stage = Literal["search", "prepare", "match", "remix", "vectorize"]
 
@@ -15,6 +18,14 @@ class Progress:
     stage: Stage
     done: float
     message: str
+
+
+@dataclass(frozen=True, slots=True)
+class Retrieved:
+    """The exemplars of the keyword, best first (section 3.1)."""
+
+    keyword: str
+    exemplars: tuple[Exemplar, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,4 +62,15 @@ class Result:
     drawing: Drawing
 
 
-Event = Progress | RegionsFound | StyleMatched | StyleSkipped | Result
+Event = Progress | Retrieved | RegionsFound | StyleMatched | StyleSkipped | Result
+
+
+def staged(
+    stage: Stage, message: str, work: Generator[float, None, T]
+) -> Generator[Progress, None, T]:
+    """Turn the fractions that ``work`` yields into progress, and return what it returns."""
+    try:
+        while True:
+            yield Progress(stage, next(work), message)
+    except StopIteration as end:
+        return end.value

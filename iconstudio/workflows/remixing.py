@@ -1,0 +1,156 @@
+"""Remixing placed sources, several problems at once: what all workflows share (section 3.4)."""
+
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, wait
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from iconstudio.algorithms.energy import Labels, RemixProblem
+from iconstudio.algorithms.expansion import remix
+from iconstudio.algorithms.raster import solid
+from iconstudio.algorithms.redraw import SCALE, redraw
+from iconstudio.model import CANVAS, Composite, Drawing, Frame, IconstudioError, Placement, Source
+from iconstudio.workers import Workers
+from iconstudio.workflows.events import Progress, Result
+
+Render = Callable[[str, Frame, Placement, int], NDArray[np.uint8]]
+"""Draws (svg, frame, placement, n): the canvas with an exemplar at its placement, (n, n) uint8."""
+
+
+@dataclass(frozen=True, eq=False)
+class Job:
+    """A problem to solve for several lambda_S, from the highest down, each from the last."""
+
+    style: str
+    sources: tuple[Source, ...]
+    problem: RemixProblem
+    lambdas: tuple[float, ...]
+    target: NDArray[np.bool_]
+    """(CANVAS, CANVAS): the filled outline that the result is compared with."""
+
+
+class Remixing:
+    """Solves jobs in worker processes; results come out as they are ready.
+
+    Parameters
+    ----------
+    total
+        How many results are expected in all, for the progress.
+    """
+
+    def __init__(self, workers: Workers, render: Render, total: int) -> None:
+        self._workers = workers
+        self._render = render
+        self._total = total
+        self._done = 0
+        self._running: dict[Future[Any], tuple[Job, float]] = {}
+
+    @property
+    def busy(self) -> bool:
+        """Whether results are still to come."""
+        return bool(self._running)
+
+    def start(self, job: Job) -> None:
+        """Begin with the highest lambda_S of a job."""
+        self._submit(job, max(job.lambdas), None)
+
+    def expect_fewer(self, count: int) -> None:
+        """Take ``count`` results off the expected total."""
+        self._total -= count
+
+    def ready(self, timeout: float | None = 0.0) -> Iterator[Progress | Result]:
+        """Yield what has been finished; wait at most ``timeout`` seconds for something."""
+        finished = wait(self._running, timeout, return_when=FIRST_COMPLETED).done
+        for future in finished:
+            job, lambda_s = self._running.pop(future)
+            labels, costs, drawing = _answer(future)
+            lower = [value for value in job.lambdas if value < lambda_s]
+            if lower:
+                self._submit(job, max(lower), labels)
+            self._done += 1
+            yield Result(composite(job, lambda_s, labels, *costs), drawing)
+            yield Progress("remix", self._done / max(1, self._total), "Joining parts")
+
+    def cancel(self) -> None:
+        """Kill what still runs."""
+        for future in self._running:
+            future.cancel()
+        self._running.clear()
+
+    def _submit(self, job: Job, lambda_s: float, start: Labels | None) -> None:
+        drawn = [
+            (s.exemplar.pictogram.svg, s.exemplar.frame, s.placement) for s in job.sources
+        ]
+        future = self._workers.submit(
+            remix_and_draw, job.problem, lambda_s, start, drawn, self._render
+        )
+        self._running[future] = job, lambda_s
+
+
+def remix_and_draw(
+    problem: RemixProblem,
+    lambda_s: float,
+    start: Labels | None,
+    drawn: Sequence[tuple[str, Frame, Placement]],
+    render: Render,
+) -> tuple[Labels, tuple[float, float], Drawing]:
+    """Cut, redraw and trace: one result. Runs in a worker process."""
+    labels = remix(problem, lambda_s, start)
+    return labels, problem.costs(labels), draw(labels, drawn, render)
+
+
+def draw(
+    labels: Labels, drawn: Sequence[tuple[str, Frame, Placement]], render: Render
+) -> Drawing:
+    """Redraw a labelling from its owners' SVG, and trace it."""
+    from iconstudio.algorithms.vectorize import trace
+
+    coverages = {
+        int(label): _rendered(render, *drawn[label], SCALE * CANVAS) for label in np.unique(labels)
+    }
+    coverage = redraw(labels, coverages)
+    half = coverage.reshape(CANVAS * SCALE // 2, 2, CANVAS * SCALE // 2, 2).mean(axis=(1, 3))
+    return Drawing(trace(coverage), half.round().astype(np.uint8))
+
+
+@lru_cache(maxsize=64)
+def _rendered(
+    render: Render, svg: str, frame: Frame, placement: Placement, size: int
+) -> NDArray[np.uint8]:
+    """Remember drawings, 1 MiB each: the results of one style share most of their sources."""
+    return render(svg, frame, placement, size)
+
+
+def composite(
+    job: Job, lambda_s: float, labels: Labels, data_cost: float, smoothness_cost: float
+) -> Composite:
+    """Return the labelling with its energy, its shares of ink, and its likeness to the target."""
+    ink = np.take_along_axis(job.problem.ink, labels[None].astype(int), axis=0)[0]
+    owned = np.bincount(labels[ink], minlength=len(job.sources))
+    filled = solid(ink)
+    either = (filled | job.target).sum()
+    return Composite(
+        style=job.style,
+        lambda_s=lambda_s,
+        sources=job.sources,
+        labels=labels,
+        energy=data_cost + lambda_s * smoothness_cost,
+        data_cost=data_cost,
+        smoothness_cost=smoothness_cost,
+        shares=tuple((owned / max(1, owned.sum())).tolist()),
+        iou=float((filled & job.target).sum() / either) if either else 1.0,
+    )
+
+
+def _answer(future: "Future[Any]") -> Any:
+    try:
+        return future.result()
+    except (TimeoutError, OSError, RuntimeError) as error:
+        raise IconstudioError(
+            "A worker process ended before its work was done, perhaps for lack of memory. "
+            "Close other programs and run again."
+        ) from error
