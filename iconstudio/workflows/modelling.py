@@ -91,7 +91,7 @@ def model(
             remixing.start(Job(style.name, sources, problem, settings.lambdas, target))
             yield from remixing.ready()
         while remixing.busy:
-            yield from remixing.ready(timeout=None)
+            yield from remixing.ready(timeout=0.1)
     finally:
         remixing.cancel()
 

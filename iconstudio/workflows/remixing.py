@@ -62,8 +62,11 @@ class Remixing:
         """Take ``count`` results off the expected total."""
         self._total -= count
 
-    def ready(self, timeout: float | None = 0.0) -> Iterator[Progress | Result]:
-        """Yield what has been finished; wait at most ``timeout`` seconds for something."""
+    def ready(self, timeout: float = 0.0) -> Iterator[Progress | Result]:
+        """Yield what has been finished, then the progress.
+
+        Waits at most ``timeout`` seconds for something, so that whoever iterates can stop soon.
+        """
         finished = wait(self._running, timeout, return_when=FIRST_COMPLETED).done
         for future in finished:
             job, lambda_s = self._running.pop(future)
@@ -73,7 +76,7 @@ class Remixing:
                 self._submit(job, max(lower), labels)
             self._done += 1
             yield Result(composite(job, lambda_s, labels, *costs), drawing)
-            yield Progress("remix", self._done / max(1, self._total), "Joining parts")
+        yield Progress("remix", self._done / max(1, self._total), "Joining parts")
 
     def cancel(self) -> None:
         """Kill what still runs."""
