@@ -1,0 +1,66 @@
+"""Open the window."""
+
+import sys
+
+from PySide6.QtCore import QObject, Qt
+from PySide6.QtWidgets import QApplication
+
+from iconstudio.gui import files, theme
+from iconstudio.gui.main_window import MainWindow
+from iconstudio.model import IconstudioError
+from iconstudio.session import Session
+
+
+def application() -> QApplication:
+    """Return the application, with the program's look, which follows the system's colour scheme."""
+    app = QApplication.instance() or QApplication(sys.argv[:1])
+    app.setApplicationName("iconstudio")
+    app.setApplicationDisplayName("Iconstudio")
+    theme.load_fonts(app)
+    theme.apply(app, theme.current())
+    _Follower(app)
+    return app
+
+
+def run(example: str | None = None, session: Session | None = None) -> int:
+    """Open the window and return the exit code once it is closed.
+
+    Parameters
+    ----------
+    example
+        File name, without ``.json``, of an example sketch to load and remix at once.
+    session
+        The session to work with; by default one of its own.
+
+    Raises
+    ------
+    IconstudioError
+        If there is no such example.
+    """
+    app = application()
+    window = MainWindow(session or Session())
+    if example is not None:
+        start(window, example)
+    window.show()
+    return app.exec()
+
+
+def start(window: MainWindow, example: str) -> None:
+    """Load an example and remix it as soon as it is there."""
+    path = files.example_path(example)
+    if path is None:
+        raise IconstudioError(f"There is no example “{example}”.")
+    window.opener.opened.connect(window.run, Qt.ConnectionType.SingleShotConnection)
+    window.opener.open_sketch(str(path))
+
+
+class _Follower(QObject):
+    """Gives the application the other look when the system changes its colour scheme."""
+
+    def __init__(self, app: QApplication) -> None:
+        super().__init__(app)
+        self._app = app
+        app.styleHints().colorSchemeChanged.connect(self._follow)
+
+    def _follow(self) -> None:
+        theme.apply(self._app, theme.current())

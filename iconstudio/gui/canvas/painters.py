@@ -1,0 +1,128 @@
+"""What lies on the canvas, layer by layer, each drawn by one function.
+
+All draw in view coordinates (device-independent pixels).
+"""
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QFont, QPainter, QPainterPath, QPen, QPolygonF
+
+from iconstudio.gui.canvas.camera import Camera
+from iconstudio.gui.document import Page
+from iconstudio.gui.photo import Photo
+from iconstudio.gui.theme import UNIT, Theme
+from iconstudio.model import CANVAS, MARGIN, Point
+
+_SOLID = Qt.PenStyle.SolidLine
+
+REGION = 100.0
+"""Side of a salient region in canvas pixels (section 3.2)."""
+
+
+def paint_backdrop(painter: QPainter, area: QRectF, camera: Camera, theme: Theme) -> None:
+    """Fill the canvas, with a faint lattice of dots that moves with the page."""
+    painter.fillRect(area, theme.color("surface"))
+    step = 16 * camera.zoom
+    while step < 16:
+        step *= 2
+    while step > 32:
+        step /= 2
+    columns = range(int(area.width() / step) + 2)
+    rows = range(int(area.height() / step) + 2)
+    left, top = camera.x % step - step, camera.y % step - step
+    painter.setPen(QPen(theme.color("border"), 1.6, _SOLID, Qt.PenCapStyle.RoundCap))
+    painter.drawPoints(
+        [QPointF(left + column * step, top + row * step) for column in columns for row in rows]
+    )
+
+
+def paint_photo(
+    painter: QPainter, photo: Photo, dim: float, camera: Camera, ratio: float, theme: Theme
+) -> None:
+    """Draw the photo; ``dim`` from 0 (as it is) to 1 (gone)."""
+    target = camera.transform.mapRect(QRectF(0, 0, photo.width, photo.height))
+    image = photo.level(camera.zoom * ratio)
+    painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform, camera.zoom * ratio < 4)
+    painter.drawImage(target, image, QRectF(image.rect()))
+    painter.fillRect(target, theme.color("surface", dim))
+
+
+def paint_outline(painter: QPainter, page: Page, camera: Camera, theme: Theme) -> None:
+    """Draw the outline, filled once it is closed; a pale rim keeps it visible on any photo."""
+    if len(page.vertices) < 2:
+        return
+    points = QPolygonF([camera.to_view(vertex) for vertex in page.vertices])
+    path = QPainterPath()
+    path.addPolygon(points)
+    if page.closed:
+        path.closeSubpath()
+        painter.fillPath(path, theme.color("accent", 0.18))
+    join = Qt.PenJoinStyle.RoundJoin
+    for color, width in ((theme.color("surface", 0.8), 5.0), (theme.color("accent"), 2.0)):
+        painter.strokePath(path, QPen(color, width, _SOLID, Qt.PenCapStyle.RoundCap, join))
+
+
+def paint_regions(
+    painter: QPainter, page: Page, centres: Sequence[Point], camera: Camera, theme: Theme
+) -> None:
+    """Draw the salient regions over the outline they were found in, the most salient first."""
+    left, top, right, bottom = page.sketch.polygon.bounds
+    unit = max(right - left, bottom - top) / (CANVAS - 2 * MARGIN)
+    middle = (left + right) / 2, (top + bottom) / 2
+    painter.setFont(_sized(painter.font(), 11, bold=True))
+    for number, (x, y) in enumerate(centres, start=1):
+        centre = camera.to_view(
+            (middle[0] + (x - CANVAS / 2) * unit, middle[1] + (y - CANVAS / 2) * unit)
+        )
+        radius = REGION / 2 * unit * camera.zoom
+        painter.setPen(QPen(theme.color("accent", 0.55), 1, Qt.PenStyle.DashLine))
+        painter.setBrush(theme.color("accent", 0.05))
+        painter.drawEllipse(centre, radius, radius)
+        badge = QRectF(centre.x() - 9, centre.y() - 9, 18, 18)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(theme.color("accent"))
+        painter.drawEllipse(badge)
+        painter.setPen(theme.color("on_accent"))
+        painter.drawText(badge, Qt.AlignmentFlag.AlignCenter, str(number))
+
+
+def paint_welcome(painter: QPainter, area: QRectF, theme: Theme) -> None:
+    """Say what to do first."""
+    centre = area.center()
+    painter.setPen(theme.color("text"))
+    painter.setFont(_sized(painter.font(), 20, bold=True))
+    box = QRectF(area.left(), centre.y() - 104, area.width(), 32)
+    painter.drawText(box, Qt.AlignmentFlag.AlignCenter, "Open a photo, or just start drawing")
+    painter.setPen(theme.color("muted"))
+    painter.setFont(_sized(painter.font(), 14))
+    width = min(360.0, area.width() - 4 * UNIT)
+    box = QRectF(centre.x() - width / 2, centre.y() - 64, width, 72)
+    text = (
+        "Click around an object to trace its outline. Name it below, "
+        "and press Remix: new icons are put together from parts of real ones."
+    )
+    wrapped = int(Qt.AlignmentFlag.AlignHCenter) | int(Qt.TextFlag.TextWordWrap)
+    painter.drawText(box, wrapped, text)
+
+
+def paint_hint(painter: QPainter, area: QRectF, text: str, theme: Theme) -> None:
+    """Write a short sentence in a pill at the bottom of the canvas."""
+    painter.setFont(_sized(painter.font(), 12))
+    metrics = painter.fontMetrics()
+    room = int(area.width() - 6 * UNIT)
+    text = metrics.elidedText(text, Qt.TextElideMode.ElideRight, room)
+    width = metrics.horizontalAdvance(text) + 3 * UNIT
+    pill = QRectF(area.center().x() - width / 2, area.bottom() - 40, width, 28)
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(QColor(20, 20, 24, 215))
+    painter.drawRoundedRect(pill, 14, 14)
+    painter.setPen(QColor("#ffffff"))
+    painter.drawText(pill, Qt.AlignmentFlag.AlignCenter, text)
+
+
+def _sized(font: QFont, pixels: int, bold: bool = False) -> QFont:
+    font = QFont(font)
+    font.setPixelSize(pixels)
+    font.setWeight(QFont.Weight.DemiBold if bold else QFont.Weight.Normal)
+    return font

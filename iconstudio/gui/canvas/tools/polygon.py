@@ -1,0 +1,275 @@
+"""Trace a polygon: click to add, drag to move, click an edge to insert, close on the first."""
+
+import itertools
+import math
+from dataclasses import dataclass
+from typing import Literal
+
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QKeyEvent, QPainter, QPen
+
+from iconstudio.gui import commands
+from iconstudio.gui.canvas.camera import Camera
+from iconstudio.gui.canvas.tools.base import Pointer, Tool
+from iconstudio.gui.document import Document
+from iconstudio.gui.theme import Theme
+from iconstudio.model import Point
+
+GRIP = 9.0
+"""Pixels within which the pointer finds a vertex."""
+
+EDGE_GRIP = 6.0
+"""Pixels within which the pointer finds an edge."""
+
+_gestures = itertools.count()
+_NUDGES = {
+    Qt.Key.Key_Left: (-1, 0),
+    Qt.Key.Key_Right: (1, 0),
+    Qt.Key.Key_Up: (0, -1),
+    Qt.Key.Key_Down: (0, 1),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Hit:
+    """What lies under the pointer, at ``point``: vertex ``index``, or the edge from there."""
+
+    kind: Literal["vertex", "edge"]
+    index: int
+    point: Point
+
+
+class PolygonTool(Tool):
+    """Draws and corrects the document's outline."""
+
+    def __init__(self, document: Document) -> None:
+        self._document = document
+        self._hover: Hit | None = None
+        self._dragged: int | None = None
+        self._gesture = 0
+        self._pointer: Pointer | None = None
+        self.selected: int | None = None
+        document.page_changed.connect(self._page_changed)
+
+    # -- what the canvas shows -----------------------------------------------------------------
+
+    @property
+    def cursor(self) -> Qt.CursorShape:
+        """A cross for adding, a hand for what can be taken hold of."""
+        if self._hover is None:
+            closed = self._document.page.closed
+            return Qt.CursorShape.ArrowCursor if closed else Qt.CursorShape.CrossCursor
+        if self._hover.kind == "edge":
+            return Qt.CursorShape.CrossCursor
+        return Qt.CursorShape.PointingHandCursor
+
+    @property
+    def hint(self) -> str:
+        """What can be done now."""
+        page = self._document.page
+        if page.closed:
+            return "Drag a point · click an edge to add one · right-click a point to remove it"
+        count = len(page.vertices)
+        if count == 0:
+            return "Click around the object to trace its outline"
+        if count < 3:
+            return "Click the next point · Esc gives up the outline"
+        return "Click the first point, or press Enter, to close · Esc gives up the outline"
+
+    def paint(self, painter: QPainter, camera: Camera, theme: Theme) -> None:
+        """Draw the next edge, the handles, and what a click would do."""
+        page = self._document.page
+        accent = theme.color("accent")
+        points = [camera.to_view(vertex) for vertex in page.vertices]
+        if points and not page.closed and self._pointer is not None and self._hover is None:
+            painter.setPen(QPen(accent, 1.5, Qt.PenStyle.DashLine))
+            painter.drawLine(points[-1], self._pointer.view)
+        for index, point in enumerate(points):
+            self._paint_handle(painter, theme, index, point)
+        if self._hover is not None and self._hover.kind == "edge":
+            painter.setPen(QPen(accent, 1.5))
+            painter.setBrush(theme.color("surface", 0.8))
+            painter.drawEllipse(camera.to_view(self._hover.point), 4.5, 4.5)
+
+    def _paint_handle(self, painter: QPainter, theme: Theme, index: int, point: QPointF) -> None:
+        hovered = self._hover == Hit("vertex", index, self._document.page.vertices[index])
+        selected = index in (self.selected, self._dragged)
+        radius = 6.0 if hovered or selected else 4.0
+        accent = theme.color("accent")
+        if hovered and self._closes(index):
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(theme.color("accent", 0.25))
+            painter.drawEllipse(point, 13, 13)
+        painter.setPen(QPen(accent, 2))
+        painter.setBrush(accent if selected else theme.color("surface"))
+        if index == 0 and not self._document.page.closed:
+            painter.drawRect(QRectF(point.x() - radius, point.y() - radius, 2 * radius, 2 * radius))
+        else:
+            painter.drawEllipse(point, radius, radius)
+
+    # -- pointer -------------------------------------------------------------------------------
+
+    def press(self, pointer: Pointer) -> None:
+        """Add, insert, take hold of, or remove a vertex, or close the outline."""
+        self.move(pointer)
+        hit = self._hover
+        if pointer.button == Qt.MouseButton.RightButton:
+            if hit is not None and hit.kind == "vertex":
+                self._delete(hit.index)
+            return
+        if hit is None:
+            self._press_nowhere(pointer)
+        elif hit.kind == "edge":
+            self._push(commands.InsertVertex(self._document, hit.index, hit.point))
+            self._take(hit.index + 1)
+        elif self._closes(hit.index):
+            self.close_outline()
+        else:
+            self._take(hit.index)
+
+    def move(self, pointer: Pointer) -> None:
+        """Drag the vertex that is held, or look at what lies under the pointer."""
+        self._pointer = pointer
+        if self._dragged is None:
+            self._hover = self.hit(pointer)
+        elif pointer.page != self._document.page.vertices[self._dragged]:
+            self._move(self._dragged, pointer.page)
+
+    def release(self, pointer: Pointer) -> None:
+        """Let go of the vertex."""
+        self._dragged = None
+        self._hover = self.hit(pointer)
+
+    def double_click(self, pointer: Pointer) -> None:
+        """Close the outline; the first of the two clicks has put its last vertex here."""
+        page = self._document.page
+        if page.closed or pointer.button != Qt.MouseButton.LeftButton:
+            return
+        self.close_outline()
+
+    def leave(self) -> None:
+        """Forget the pointer."""
+        self._pointer = None
+        self._hover = None
+
+    def hit(self, pointer: Pointer) -> Hit | None:
+        """Return the vertex or edge under the pointer; vertices come first."""
+        page, camera = self._document.page, pointer.camera
+        points = [camera.to_view(vertex) for vertex in page.vertices]
+        if not points:
+            return None
+        gaps = [_distance(point, pointer.view) for point in points]
+        nearest = min(range(len(points)), key=gaps.__getitem__)
+        if gaps[nearest] <= GRIP:
+            return Hit("vertex", nearest, page.vertices[nearest])
+        # The edge that would close an open outline is not there yet.
+        edges = range(len(points) if page.closed else len(points) - 1)
+        feet = [_foot(points[i], points[(i + 1) % len(points)], pointer.view) for i in edges]
+        index = min(edges, key=lambda i: _distance(feet[i], pointer.view), default=None)
+        if index is None or _distance(feet[index], pointer.view) > EDGE_GRIP:
+            return None
+        return Hit("edge", index, camera.to_page(feet[index]))
+
+    # -- keys ----------------------------------------------------------------------------------
+
+    def key(self, event: QKeyEvent) -> bool:
+        """Enter closes, Backspace removes, arrows nudge, Page Up and Down select a vertex."""
+        key = event.key()
+        if key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            return self.close_outline()
+        if key in (Qt.Key.Key_Backspace, Qt.Key.Key_Delete):
+            return self.delete_selected()
+        count = len(self._document.page.vertices)
+        if count == 0:
+            return False
+        if key in (Qt.Key.Key_PageUp, Qt.Key.Key_PageDown):
+            step = 1 if key == Qt.Key.Key_PageDown else -1
+            start = -step if self.selected is None and step == 1 else self.selected or 0
+            self.selected = (start + step) % count
+            self._gesture = next(_gestures)
+            return True
+        if key in _NUDGES and self.selected is not None:
+            (dx, dy), (x, y) = _NUDGES[key], self._document.page.vertices[self.selected]
+            far = 10 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1
+            self._move(self.selected, (x + far * dx, y + far * dy))
+            return True
+        return False
+
+    def cancel(self) -> bool:
+        """Give up an open outline; undo brings it back."""
+        page = self._document.page
+        if page.closed or not page.vertices:
+            deselected, self.selected = self.selected is not None, None
+            return deselected
+        self._push(commands.ClearOutline(self._document))
+        return True
+
+    def close_outline(self) -> bool:
+        """Join the last vertex to the first, if there are enough."""
+        page = self._document.page
+        if page.closed or len(page.vertices) < 3:
+            return False
+        self._push(commands.CloseOutline(self._document))
+        self._hover = self._dragged = self.selected = None
+        return True
+
+    def delete_selected(self) -> bool:
+        """Remove the selected vertex; while tracing, the last one."""
+        page = self._document.page
+        index = self.selected
+        if index is None and not page.closed and page.vertices:
+            index = len(page.vertices) - 1
+        if index is None:
+            return False
+        self._delete(index)
+        return True
+
+    # -- edits ---------------------------------------------------------------------------------
+
+    def _press_nowhere(self, pointer: Pointer) -> None:
+        self.selected = None
+        if not self._document.page.closed:
+            self._push(commands.AddVertex(self._document, pointer.page))
+            self._take(len(self._document.page.vertices) - 1)
+
+    def _closes(self, index: int) -> bool:
+        page = self._document.page
+        return index == 0 and not page.closed and len(page.vertices) >= 3
+
+    def _take(self, index: int) -> None:
+        self._dragged = index
+        self.selected = index if self._document.page.closed else None
+        self._gesture = next(_gestures)
+        self._hover = Hit("vertex", index, self._document.page.vertices[index])
+
+    def _move(self, index: int, point: Point) -> None:
+        self._push(commands.MoveVertex(self._document, index, point, self._gesture))
+        self._hover = Hit("vertex", index, point)
+
+    def _delete(self, index: int) -> None:
+        self._dragged = self._hover = self.selected = None
+        self._push(commands.DeleteVertex(self._document, index))
+
+    def _push(self, command: commands.PageCommand) -> None:
+        self._document.undo_stack.push(command)
+
+    def _page_changed(self) -> None:
+        count = len(self._document.page.vertices)
+        if self._hover is not None and self._hover.index >= count:
+            self._hover = None
+        if self.selected is not None and self.selected >= count:
+            self.selected = None
+        if self._dragged is not None and self._dragged >= count:
+            self._dragged = None
+
+
+def _distance(a: QPointF, b: QPointF) -> float:
+    return math.hypot(a.x() - b.x(), a.y() - b.y())
+
+
+def _foot(a: QPointF, b: QPointF, p: QPointF) -> QPointF:
+    """Return the point of segment ab that is nearest to p."""
+    along = b - a
+    length = QPointF.dotProduct(along, along)
+    t = QPointF.dotProduct(p - a, along) / length if length else 0.0
+    return a + along * min(1.0, max(0.0, t))

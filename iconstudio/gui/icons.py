@@ -1,0 +1,68 @@
+"""The window's own small line icons, drawn on a grid of 24 units."""
+
+from PySide6.QtCore import QByteArray, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QIcon, QPainter, QPixmap
+from PySide6.QtSvg import QSvgRenderer
+
+from iconstudio.gui.theme import Theme
+
+_SHAPES = {
+    "photo": '<rect x="3" y="4" width="18" height="16" rx="2"/><circle cx="8.5" cy="9.5" r="1.8"/>'
+    '<path d="M4 18l5.5-5 3.5 3 3.5-4 4.5 5"/>',
+    "examples": '<rect x="3" y="3" width="8" height="8" rx="1.5"/>'
+    '<circle cx="17" cy="7" r="4"/><path d="M7 13l4 8H3z"/>'
+    '<path d="M14 14h7v7h-7z"/>',
+    "undo": '<path d="M8 5L4 9l4 4M4 9h10a5.5 5.5 0 0 1 0 11H9"/>',
+    "redo": '<path d="M16 5l4 4-4 4M20 9H10a5.5 5.5 0 0 0 0 11h5"/>',
+    "polygon": '<path d="M6 18L4.5 8 13 4l7 6-4 8z"/><circle cx="4.5" cy="8" r="2" fill="ink"/>'
+    '<circle cx="13" cy="4" r="2" fill="ink"/><circle cx="20" cy="10" r="2" fill="ink"/>'
+    '<circle cx="16" cy="18" r="2" fill="ink"/><circle cx="6" cy="18" r="2" fill="ink"/>',
+    "pan": '<path d="M12 3v18M3 12h18M9 6l3-3 3 3M9 18l3 3 3-3M6 9l-3 3 3 3M18 9l3 3-3 3"/>',
+    "fit": '<path d="M4 9V4h5M20 9V4h-5M4 15v5h5M20 15v5h-5"/><rect x="9" y="9" width="6" '
+    'height="6" rx="1"/>',
+    "clear": '<path d="M4 7h16M9 7V4h6v3M6 7l1 13h10l1-13M10 11v5M14 11v5"/>',
+    "colours": '<circle cx="9" cy="9" r="5.5"/><circle cx="15" cy="9" r="5.5"/>'
+    '<circle cx="12" cy="15" r="5.5"/>',
+    "icon": '<circle cx="12" cy="12" r="8" fill="ink"/>',
+    "regions": '<circle cx="12" cy="12" r="8"/><circle cx="12" cy="12" r="3"/>'
+    '<path d="M12 2v4M12 18v4M2 12h4M18 12h4"/>',
+    "search": '<circle cx="10.5" cy="10.5" r="6"/><path d="M15 15l5 5"/>',
+    "dim": '<circle cx="12" cy="12" r="8"/><path d="M12 4v16a8 8 0 0 0 0-16z" fill="ink"/>',
+    "save": '<path d="M12 4v11M7.5 11l4.5 4.5 4.5-4.5M4 20h16"/>',
+    "copy": '<rect x="8" y="8" width="12" height="12" rx="2"/><path d="M16 8V6a2 2 0 0 0-2-2H6a2 '
+    '2 0 0 0-2 2v8a2 2 0 0 0 2 2h2"/>',
+    "close": '<path d="M6 6l12 12M18 6L6 18"/>',
+    "stop": '<rect x="6" y="6" width="12" height="12" rx="2" fill="ink"/>',
+    "remix": '<path d="M10 4l1.8 5.2L17 11l-5.2 1.8L10 18l-1.8-5.2L3 11l5.2-1.8z" fill="ink"/>'
+    '<path d="M18 3v5M15.5 5.5h5M18.5 16v4M16.5 18h4"/>',
+    "warning": '<path d="M12 4L2.8 20h18.4zM12 10v5M12 17.4v.2"/>',
+}
+
+
+def pixmap(name: str, color: QColor, size: int = 20, ratio: float = 2.0) -> QPixmap:
+    """Draw the icon ``name`` in ``color``; ``size`` in device-independent pixels."""
+    ink = color.name()
+    shapes = _SHAPES[name].replace('fill="ink"', f'fill="{ink}"')
+    svg = (
+        '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24" fill="none" '
+        f'stroke="{ink}" stroke-width="1.6" stroke-linecap="round" stroke-linejoin="round">'
+        f"{shapes}</svg>"
+    )
+    side = round(size * ratio)
+    picture = QPixmap(QSize(side, side))
+    picture.fill(Qt.GlobalColor.transparent)
+    with QPainter(picture) as painter:
+        painter.setOpacity(color.alphaF())
+        QSvgRenderer(QByteArray(svg.encode())).render(painter, QRectF(0, 0, side, side))
+    picture.setDevicePixelRatio(ratio)
+    return picture
+
+
+def icon(name: str, theme: Theme, token: str = "text") -> QIcon:
+    """Return the icon ``name`` in a colour of the theme, crisp at any usual pixel density."""
+    result = QIcon()
+    for ratio in (1.0, 2.0, 3.0):
+        result.addPixmap(pixmap(name, theme.color(token), ratio=ratio))
+        faint = pixmap(name, theme.color(token, 0.35), ratio=ratio)
+        result.addPixmap(faint, QIcon.Mode.Disabled)
+    return result

@@ -1,0 +1,344 @@
+"""The window: puts the parts together and wires them."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtGui import QCloseEvent, QGuiApplication
+from PySide6.QtWidgets import (
+    QApplication,
+    QFileDialog,
+    QMainWindow,
+    QMessageBox,
+    QSplitter,
+    QVBoxLayout,
+    QWidget,
+)
+
+from iconstudio import __version__
+from iconstudio.gui import commands, files, theme
+from iconstudio.gui.actions import Actions
+from iconstudio.gui.canvas.tools.polygon import PolygonTool
+from iconstudio.gui.canvas.view import CanvasView
+from iconstudio.gui.document import Document, Page
+from iconstudio.gui.modelling import Modelling
+from iconstudio.gui.opening import Opener
+from iconstudio.gui.panels.canvas import CanvasPanel
+from iconstudio.gui.panels.detail import DetailPanel
+from iconstudio.gui.panels.keyword import KeywordPanel
+from iconstudio.gui.panels.notice import Notice
+from iconstudio.gui.panels.progress import ProgressStrip
+from iconstudio.gui.panels.results import ResultsPanel
+from iconstudio.gui.pictures import Picture
+from iconstudio.gui.theme import UNIT
+from iconstudio.gui.worker import Worker
+from iconstudio.model import IconstudioError, Sketch
+from iconstudio.session import ModelSettings, Session
+from iconstudio.workflows.events import Progress
+
+ABOUT = """<h3>Iconstudio {version}</h3>
+<p>Makes new icons out of parts of real ones, after the paper
+<i>Data-Driven Iconification</i>.</p>
+<p>Free software under the GNU General Public License, version 3 or later. Every icon it
+makes carries the credits of its sources: their authors and licences are in the saved SVG.</p>
+<p>Made with Qt, NumPy, SciPy, scikit-image, PyMaxflow, FFTW, resvg and potracer.
+The icons come from the open sets of Iconify; the file CREDITS beside the
+collection names them all.</p>
+"""
+
+
+class MainWindow(QMainWindow):
+    """Canvas and keyword on the left, results and details on the right, progress below."""
+
+    def __init__(self, session: Session) -> None:
+        super().__init__()
+        self._session = session
+        self._files_worker = Worker(self)
+        self._session_worker = Worker(self)
+        self.document = Document(self)
+        self.opener = Opener(self.document, self._files_worker, self)
+        self.modelling = Modelling(self.document, session, self._session_worker, self)
+        self._ran: Sketch | None = None
+        self._regions: tuple = ()
+
+        self.tool = PolygonTool(self.document)
+        self.view = CanvasView(self.document, self.tool)
+        self.actions_by_name = Actions(self, self.document.undo_stack)
+        self.canvas_panel = CanvasPanel(self.view)
+        self.canvas_panel.fill_bar(self.actions_by_name.bar(), self.actions_by_name.examples)
+        self.keyword_panel = KeywordPanel()
+        self.results = ResultsPanel()
+        self.detail = DetailPanel()
+        self.notice = Notice()
+        self.strip = ProgressStrip()
+
+        self._lay_out()
+        self._wire_actions()
+        self._wire_panels()
+        self._wire_modelling()
+        self.refresh_look()
+        self._show_page(self.document.page)
+        self._update_actions()
+        self.strip.rest("")
+        self.modelling.open()
+
+    # -- putting together ----------------------------------------------------------------------
+
+    def _lay_out(self) -> None:
+        self.setWindowTitle("Iconstudio")
+        left = QSplitter(Qt.Orientation.Vertical)
+        left.addWidget(self.canvas_panel)
+        left.addWidget(self.keyword_panel)
+        left.setSizes([440, 190])
+        right = QSplitter(Qt.Orientation.Vertical)
+        right.addWidget(self.results)
+        right.addWidget(self.detail)
+        right.setSizes([400, 210])
+        both = QSplitter(Qt.Orientation.Horizontal)
+        both.addWidget(left)
+        both.addWidget(right)
+        both.setSizes([460, 800])
+        for splitter, first in ((left, 1), (right, 1), (both, 0)):
+            splitter.setHandleWidth(UNIT)
+            splitter.setChildrenCollapsible(False)
+            splitter.setStretchFactor(0, first)
+            splitter.setStretchFactor(1, 1 - first)
+        centre = QWidget()
+        layout = QVBoxLayout(centre)
+        layout.setContentsMargins(UNIT, 0, UNIT, 0)
+        layout.setSpacing(UNIT)
+        layout.addWidget(self.notice)
+        layout.addWidget(both, 1)
+        layout.addWidget(self.strip)
+        self.setCentralWidget(centre)
+        room = QGuiApplication.primaryScreen().availableSize()
+        self.resize(min(1360, room.width()), min(860, room.height()))
+
+    def _wire_actions(self) -> None:
+        self.actions_by_name.connect(
+            {
+                "new": self._new,
+                "photo": self._choose_photo,
+                "paste": lambda: self.opener.open_mime(QApplication.clipboard().mimeData()),
+                "open": self._choose_sketch,
+                "save": self._save_sketch,
+                "svg": lambda: self._save_icon("svg"),
+                "png": lambda: self._save_icon("png"),
+                "copy": self._copy_svg,
+                "quit": self.close,
+                "delete": self.tool.delete_selected,
+                "clear": self._clear_outline,
+                "run": self.run,
+                "cancel": self.modelling.cancel,
+                "trace": lambda on: self.view.set_tool(self.tool if on else self.view.pan_tool),
+                "zoom_in": self.view.zoom_in,
+                "zoom_out": self.view.zoom_out,
+                "fit": self.view.fit,
+                "coded": self.results.set_coded,
+                "regions": self._show_regions,
+                "about": self._about,
+            }
+        )
+        for example in files.examples():
+            action = self.actions_by_name.examples.addAction(example.title)
+            action.triggered.connect(lambda _=False, e=example: self.opener.open_example(e))
+
+    def _wire_panels(self) -> None:
+        panel, document = self.keyword_panel, self.document
+        panel.edited.connect(lambda text: self._push(commands.SetKeyword(document, text)))
+        panel.run.connect(self.run)
+        panel.toggled.connect(self._toggle_icon)
+        panel.restored.connect(lambda: self._push(commands.ExcludeIcons(document, frozenset())))
+        document.page_changed.connect(self._show_page)
+        self.view.files_dropped.connect(self.opener.open_mime)
+        self.opener.failed.connect(self.notice.say)
+        self.opener.opened.connect(self._say_opened)
+        self.results.picked.connect(self.detail.show_picture)
+        self.results.picked.connect(self._update_actions)
+        self.results.coded_changed.connect(self.detail.large.set_coded)
+        self.results.coded_changed.connect(self.actions_by_name["coded"].setChecked)
+        self.detail.save_svg.connect(lambda: self._save_icon("svg"))
+        self.detail.save_png.connect(lambda: self._save_icon("png"))
+        self.detail.copy_svg.connect(self._copy_svg)
+        self.strip.cancelled.connect(self.modelling.cancel)
+
+    def _wire_modelling(self) -> None:
+        modelling = self.modelling
+        modelling.preparing.connect(self.keyword_panel.set_searching)
+        modelling.retrieved.connect(self.keyword_panel.show_exemplars)
+        modelling.prepare_failed.connect(self.keyword_panel.show_error)
+        modelling.started.connect(self._begin)
+        modelling.regions.connect(self._keep_regions)
+        modelling.matched.connect(self.results.show_matched)
+        modelling.skipped.connect(self.results.show_skipped)
+        modelling.finished_icon.connect(self._add_picture)
+        modelling.progress.connect(self._show_progress)
+        modelling.failed.connect(self.notice.say)
+        modelling.ended.connect(self._end)
+        modelling.idle.connect(self._rest)
+
+    # -- modelling -----------------------------------------------------------------------------
+
+    def run(self) -> None:
+        """Remix for the sketch."""
+        self.notice.hide()
+        if not self.modelling.run() and not self.document.sketch.keyword.strip():
+            self.keyword_panel.field.setFocus()
+
+    def _begin(self, sketch: Sketch, settings: ModelSettings) -> None:
+        self._ran = sketch
+        self.results.begin(settings.styles, settings.lambdas)
+        self._show_page(self.document.page)
+        self._update_actions()
+        if sketch.polygon.crosses_itself:
+            self.notice.say(
+                "The outline crosses itself; everything that it encloses counts as inside."
+            )
+
+    def _add_picture(self, picture: Picture) -> None:
+        self.results.add(picture)
+        if self.detail.picture is None:
+            composite = picture.result.composite
+            self.results.pick(composite.style, composite.lambda_s)
+
+    def _show_progress(self, progress: Progress) -> None:
+        finished = len(self.results.pictures) if self.modelling.running else 0
+        self.strip.show_progress(progress, f"{finished} finished" if finished else "")
+
+    def _end(self, complete: bool) -> None:
+        self.results.end()
+        self._update_actions()
+
+    def _rest(self) -> None:
+        count = len(self.results.pictures)
+        self.strip.rest(f"{count} icons" if count else "")
+
+    def _toggle_icon(self, icon: str) -> None:
+        exclude = self.document.sketch.exclude ^ {icon}
+        self._push(commands.ExcludeIcons(self.document, exclude))
+
+    def _keep_regions(self, centres: tuple) -> None:
+        self._regions = centres
+        self._show_regions()
+
+    def _show_regions(self) -> None:
+        same = self._ran is not None and self._ran.polygon == self.document.sketch.polygon
+        wanted = self.actions_by_name["regions"].isChecked() and same
+        self.view.set_regions(self._regions if wanted else ())
+
+    # -- document ------------------------------------------------------------------------------
+
+    def _show_page(self, page: Page) -> None:
+        self.keyword_panel.set_sketch(page.sketch.keyword, page.sketch.exclude)
+        self.canvas_panel.show_page(page)
+        self._show_regions()
+        stale = self._ran is not None and self._ran != page.sketch
+        self.results.note.setText("of an earlier sketch – press Remix to renew" if stale else "")
+        for name in ("clear", "delete", "save"):
+            self.actions_by_name[name].setEnabled(bool(page.vertices))
+
+    def _new(self) -> None:
+        self._push(commands.LoadSketch(self.document, Sketch(), text="new sketch"))
+
+    def _clear_outline(self) -> None:
+        if self.document.page.vertices:
+            self._push(commands.ClearOutline(self.document))
+
+    def _push(self, command: commands.PageCommand) -> None:
+        self.document.undo_stack.push(command)
+
+    def _say_opened(self, message: str) -> None:
+        self.notice.hide()
+        if not self.strip.bar.isVisible():
+            self.strip.rest(message)
+
+    # -- files ---------------------------------------------------------------------------------
+
+    def _choose_photo(self) -> None:
+        kinds = "Photos (*.png *.jpg *.jpeg *.webp *.tif *.tiff *.gif *.bmp);;All files (*)"
+        path, _ = QFileDialog.getOpenFileName(self, "Open a photo to trace over", "", kinds)
+        if path:
+            self.opener.open_photo(path)
+
+    def _choose_sketch(self) -> None:
+        path, _ = QFileDialog.getOpenFileName(self, "Open a sketch", "", "Sketches (*.json)")
+        if path:
+            self.opener.open_sketch(path)
+
+    def _save_sketch(self) -> None:
+        page = self.document.page
+        name = f"{_file_name(page.sketch.keyword)}.json"
+        path, _ = QFileDialog.getSaveFileName(self, "Save the sketch", name, "Sketches (*.json)")
+        if path:
+            photo = page.photo.path if page.photo is not None else ""
+            self._write(path, lambda: files.write_sketch(Path(path), page.sketch, photo))
+
+    def _save_icon(self, kind: str) -> None:
+        picture = self.detail.picture
+        if picture is None:
+            return
+        title = self._ran.keyword.strip() if self._ran is not None else "icon"
+        name = f"{_file_name(title)}-{picture.result.composite.style}.{kind}"
+        path, _ = QFileDialog.getSaveFileName(
+            self, f"Save the icon as {kind.upper()}", name, f"{kind.upper()} (*.{kind})"
+        )
+        if not path:
+            return
+        if kind == "svg":
+            self._write(path, lambda: files.write_svg(Path(path), picture, title))
+        else:
+            self._write(path, lambda: files.write_png(Path(path), picture, self.results.coded))
+
+    def _copy_svg(self) -> None:
+        picture = self.detail.picture
+        if picture is not None:
+            title = self._ran.keyword.strip() if self._ran is not None else "icon"
+            QApplication.clipboard().setText(files.svg_text(picture, title))
+            self._say_opened("The icon is on the clipboard as SVG, with its credits.")
+
+    def _write(self, path: str, write: Callable[[], None]) -> None:
+        try:
+            write()
+        except IconstudioError as error:
+            self.notice.say(str(error))
+        else:
+            self._say_opened(f"Saved “{path}”.")
+
+    # -- the window itself ---------------------------------------------------------------------
+
+    def refresh_look(self) -> None:
+        """Draw all icons in the colours of the present theme."""
+        look = theme.current()
+        for part in (self.actions_by_name, self.canvas_panel, self.detail, self.notice):
+            part.refresh_icons(look)
+
+    def _update_actions(self) -> None:
+        for name in ("svg", "png", "copy"):
+            self.actions_by_name[name].setEnabled(self.detail.picture is not None)
+        self.actions_by_name["cancel"].setEnabled(self.modelling.running)
+
+    def _about(self) -> None:
+        box = QMessageBox(self)
+        box.setWindowTitle("About Iconstudio")
+        box.setTextFormat(Qt.TextFormat.RichText)
+        box.setText(ABOUT.format(version=__version__))
+        box.open()
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the system between light and dark."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "strip"):
+            self.refresh_look()
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Stop all work and wait until the threads have ended."""
+        self.modelling.cancel()
+        self._files_worker.close()
+        self._session_worker.close(self._session.close)
+        self._session.close()
+        super().closeEvent(event)
+
+
+def _file_name(keyword: str) -> str:
+    """Return a keyword as the beginning of a file name."""
+    return "".join(c if c.isalnum() else "-" for c in keyword.strip().lower()).strip("-") or "icon"

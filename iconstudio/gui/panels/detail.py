@@ -1,0 +1,248 @@
+"""The result that was picked, large, beside the icons that it owes its parts to."""
+
+from html import escape
+
+from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QPainter, QPaintEvent
+from PySide6.QtWidgets import (
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QScrollArea,
+    QSizePolicy,
+    QStackedLayout,
+    QVBoxLayout,
+    QWidget,
+)
+
+from iconstudio.gui import icons, theme
+from iconstudio.gui.pictures import Picture, SourcePicture, source_pictures
+from iconstudio.gui.theme import UNIT
+
+
+class LargePicture(QWidget):
+    """A result on a sheet of its own."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._picture: Picture | None = None
+        self._coded = False
+        self.setMinimumSize(20 * UNIT, 20 * UNIT)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Expanding)
+        self.setAccessibleName("The picked icon")
+
+    def sizeHint(self) -> QSize:
+        """Return a square as high as there is room."""
+        side = max(self.height(), 20 * UNIT)
+        return QSize(side, side)
+
+    def show_picture(self, picture: Picture | None) -> None:
+        """Show another result."""
+        self._picture = picture
+        self.update()
+
+    def set_coded(self, coded: bool) -> None:
+        """Switch between icon and colour code."""
+        self._coded = coded
+        self.update()
+
+    def resizeEvent(self, event) -> None:
+        """Stay square."""
+        self.updateGeometry()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Draw the sheet and the icon."""
+        look = theme.current()
+        with QPainter(self) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            side = min(self.width(), self.height())
+            sheet = QRectF(0, 0, side, side)
+            sheet.moveCenter(QRectF(self.rect()).center())
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(look.color("window"))
+            painter.drawRoundedRect(sheet, 8, 8)
+            if self._picture is not None:
+                target = sheet.adjusted(UNIT, UNIT, -UNIT, -UNIT)
+                self._picture.paint(painter, target, look.color("text"), self._coded)
+
+
+class SourceThumbnail(QWidget):
+    """A source at its placement, the part that is used in its colour."""
+
+    def __init__(self, picture: SourcePicture, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._picture = picture
+        self.setFixedSize(6 * UNIT, 6 * UNIT)
+        self.setToolTip(_placement_text(picture))
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Draw the source."""
+        with QPainter(self) as painter:
+            painter.setRenderHints(
+                QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform
+            )
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(theme.current().color("window"))
+            painter.drawRoundedRect(QRectF(self.rect()), 6, 6)
+            painter.drawImage(QRectF(self.rect()).adjusted(2, 2, -2, -2), self._picture.image)
+
+
+class SourceRow(QWidget):
+    """One source: thumbnail, share, name, author and licence."""
+
+    def __init__(self, picture: SourcePicture, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        credit = picture.source.exemplar.pictogram.credit
+        title = QLabel(f"{picture.source.exemplar.id}")
+        title.setProperty("heading", True)
+        share = QLabel(f"{picture.share:.0%}")
+        share.setProperty("heading", True)
+        share.setFixedWidth(5 * UNIT)
+        share.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        share.setToolTip("Part of the icon's ink that comes from this source")
+        text = QLabel(_credit_text(picture))
+        text.setProperty("muted", True)
+        text.setOpenExternalLinks(True)
+        text.setTextFormat(Qt.TextFormat.RichText)
+        text.setToolTip(escape(credit.url))
+        for label in (title, text):
+            label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        words = QVBoxLayout()
+        words.setSpacing(1)
+        words.addStretch()
+        words.addWidget(title)
+        words.addWidget(text)
+        words.addStretch()
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, UNIT, 0)
+        row.setSpacing(UNIT * 3 // 2)
+        row.addWidget(SourceThumbnail(picture))
+        row.addLayout(words, 1)
+        row.addWidget(share)
+        self.setAccessibleName(f"{picture.source.exemplar.id}, {picture.share:.0%}")
+
+
+class DetailPanel(QFrame):
+    """The picked result, its sources and credits, and the ways to take it along.
+
+    Signals
+    -------
+    save_svg(), save_png(), copy_svg()
+        What to do with the picked result.
+    """
+
+    save_svg = Signal()
+    save_png = Signal()
+    copy_svg = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setProperty("card", True)
+        self.picture: Picture | None = None
+        self.large = LargePicture()
+        self._title = QLabel()
+        self._title.setProperty("title", True)
+        self._about = QLabel()
+        self._about.setProperty("muted", True)
+        self._about.setToolTip("How far the icon's filled shape and the sketch's cover each other")
+        self._rows = QVBoxLayout()
+        self._rows.setContentsMargins(0, 0, 0, 0)
+        self._rows.setSpacing(UNIT // 2)
+        empty = QLabel(
+            "Pick a result to see it large, with the icons that its parts come from.",
+            alignment=Qt.AlignmentFlag.AlignCenter,
+            wordWrap=True,
+        )
+        empty.setProperty("muted", True)
+        full = QWidget()
+        row = QHBoxLayout(full)
+        row.setContentsMargins(UNIT * 3 // 2, UNIT * 3 // 2, UNIT, UNIT * 3 // 2)
+        row.setSpacing(2 * UNIT)
+        row.addWidget(self.large)
+        row.addLayout(self._side(), 1)
+        self._stack = QStackedLayout(self)
+        self._stack.addWidget(empty)
+        self._stack.addWidget(full)
+        self.setMinimumHeight(23 * UNIT)
+
+    def show_picture(self, picture: Picture | None) -> None:
+        """Show a result, or nothing."""
+        self.picture = picture
+        self.large.show_picture(picture)
+        self._stack.setCurrentIndex(0 if picture is None else 1)
+        while self._rows.count():
+            item = self._rows.takeAt(0)
+            if item.widget() is not None:
+                item.widget().hide()
+                item.widget().deleteLater()
+        if picture is None:
+            return
+        composite = picture.result.composite
+        self._title.setText(f"{composite.style.capitalize()}, λ {composite.lambda_s:.2f}")
+        sources = source_pictures(composite)
+        count = "1 icon" if len(sources) == 1 else f"{len(sources)} icons"
+        self._about.setText(f"Parts of {count} · covers the sketch by {composite.iou:.0%}")
+        for source in sources:
+            self._rows.addWidget(SourceRow(source))
+        self._rows.addStretch()
+
+    def refresh_icons(self, look: theme.Theme) -> None:
+        """Draw the icons in the colours of ``look``."""
+        for button, name in self._buttons.items():
+            button.setIcon(icons.icon(name, look))
+            button.setIconSize(QSize(16, 16))
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Draw again in the new colours."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            self.update()
+
+    def _side(self) -> QVBoxLayout:
+        svg = QPushButton("Save SVG…", toolTip="Save the icon as SVG, with credits (Ctrl+E)")
+        png = QPushButton("PNG…", toolTip="Save the icon as PNG (Ctrl+Shift+E)")
+        copy = QPushButton("Copy SVG", toolTip="Copy the icon as SVG (Ctrl+Shift+C)")
+        svg.clicked.connect(self.save_svg)
+        png.clicked.connect(self.save_png)
+        copy.clicked.connect(self.copy_svg)
+        self._buttons = {svg: "save", png: "save", copy: "copy"}
+        top = QHBoxLayout()
+        top.setSpacing(UNIT)
+        words = QVBoxLayout()
+        words.setSpacing(1)
+        words.addWidget(self._title)
+        words.addWidget(self._about)
+        top.addLayout(words, 1)
+        for button in self._buttons:
+            top.addWidget(button, 0, Qt.AlignmentFlag.AlignTop)
+        inner = QWidget()
+        inner.setLayout(self._rows)
+        scroll = QScrollArea(widgetResizable=True)
+        scroll.setWidget(inner)
+        scroll.viewport().setAutoFillBackground(False)
+        inner.setAutoFillBackground(False)
+        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        scroll.setAccessibleName("Sources of the picked icon")
+        side = QVBoxLayout()
+        side.setSpacing(UNIT)
+        side.addLayout(top)
+        side.addWidget(scroll, 1)
+        return side
+
+
+def _credit_text(picture: SourcePicture) -> str:
+    credit = picture.source.exemplar.pictogram.credit
+    color = theme.current().accent
+    author, license = escape(credit.author), escape(credit.license)
+    url = escape(credit.url, quote=True)
+    return (
+        f"{author} · {license} · "
+        f"<a href='{url}' style='color:{color}; text-decoration:none'>see the original</a>"
+    )
+
+
+def _placement_text(picture: SourcePicture) -> str:
+    placement = picture.source.placement
+    mirrored = ", mirrored" if placement.flip else ""
+    return f"Scaled {placement.scale:g}×, shifted by {placement.dx}, {placement.dy}{mirrored}"

@@ -1,0 +1,295 @@
+"""The grid of results: a row a style, a column a lambda_S."""
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QRectF, Qt, Signal
+from PySide6.QtGui import QKeyEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import (
+    QButtonGroup,
+    QFrame,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QSizePolicy,
+    QStackedLayout,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from iconstudio.gui import theme
+from iconstudio.gui.panels.cell import ResultCell
+from iconstudio.gui.pictures import Picture
+from iconstudio.gui.theme import UNIT
+from iconstudio.workflows.events import StyleMatched, StyleSkipped
+
+HINTS = {
+    "lightest": "thin lines",
+    "light": "lines",
+    "medium": "lines and areas",
+    "dark": "solid",
+}
+"""What the styles of section 3.5 look like."""
+
+WELCOME = (
+    "Your icons appear here: a row for each style, from thin lines to solid.\n"
+    "On the left they stay closer to your sketch; to the right, larger parts join more smoothly."
+)
+
+_HEAD = 13 * UNIT
+_STEPS = {
+    Qt.Key.Key_Left: (0, -1),
+    Qt.Key.Key_Right: (0, 1),
+    Qt.Key.Key_Up: (-1, 0),
+    Qt.Key.Key_Down: (1, 0),
+}
+
+
+class Scale(QWidget):
+    """The axis above the columns: “closer to the sketch” on one side, “smoother” on the other."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._lambdas: Sequence[float] = ()
+        self.setFixedHeight(4 * UNIT + 4)
+        self.setToolTip("λ: how much smooth seams weigh against the sketch (λ_S in the paper)")
+        self.setAccessibleName("Columns: from closer to the sketch to smoother")
+
+    def set_lambdas(self, lambdas: Sequence[float]) -> None:
+        """Write the numbers of the columns."""
+        self._lambdas = lambdas
+        self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Draw names, arrow and numbers."""
+        look = theme.current()
+        with QPainter(self) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            font = painter.font()
+            font.setPixelSize(12)
+            painter.setFont(font)
+            left, right = "Closer to the sketch", "Smoother"
+            metrics = painter.fontMetrics()
+            line = QRectF(2, 0, self.width() - 4, 18)
+            painter.setPen(look.color("text"))
+            painter.drawText(line, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, left)
+            painter.drawText(
+                line, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, right
+            )
+            start = line.left() + metrics.horizontalAdvance(left) + UNIT
+            end = line.right() - metrics.horizontalAdvance(right) - UNIT
+            painter.setPen(QPen(look.color("muted", 0.6), 1.2))
+            painter.drawLine(int(start), 10, int(end), 10)
+            painter.drawLine(int(end) - 4, 6, int(end), 10)
+            painter.drawLine(int(end) - 4, 14, int(end), 10)
+            font.setPixelSize(11)
+            painter.setFont(font)
+            painter.setPen(look.color("muted"))
+            width = self.width() / max(1, len(self._lambdas))
+            for column, value in enumerate(self._lambdas):
+                box = QRectF(column * width, 18, width, 16)
+                painter.drawText(box, Qt.AlignmentFlag.AlignCenter, f"λ {value:.2f}")
+
+
+class RowHead(QWidget):
+    """Name of a style, what it looks like, and how many icons it had to choose from."""
+
+    def __init__(self, style: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setFixedWidth(_HEAD)
+        name = QLabel(style.capitalize())
+        name.setProperty("heading", True)
+        self._hint = QLabel(HINTS.get(style, ""))
+        self._hint.setProperty("muted", True)
+        self._count = QLabel()
+        self._count.setProperty("muted", True)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, UNIT, 0)
+        layout.setSpacing(1)
+        layout.addStretch()
+        for label in (name, self._hint, self._count):
+            layout.addWidget(label)
+        layout.addStretch()
+
+    def set_count(self, count: int | None) -> None:
+        """Say how many icons the style had to choose from."""
+        self._count.setText("" if count is None else f"from {count} icons")
+
+
+class ResultsPanel(QFrame):
+    """All results of a run; fills while it goes on.
+
+    Signals
+    -------
+    picked(object)
+        The Picture that the user looks at, or None.
+    coded_changed(bool)
+        Whether the results are colour-coded.
+    """
+
+    picked = Signal(object)
+    coded_changed = Signal(bool)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setProperty("card", True)
+        self._cells: dict[tuple[str, float], ResultCell] = {}
+        self._heads: dict[str, RowHead] = {}
+        self._reasons: dict[str, QLabel] = {}
+        self._rows: list[list[ResultCell]] = []
+        self._group = QButtonGroup(self)
+        self._group.setExclusive(True)
+        self._group.buttonClicked.connect(self._pick)
+        self.coded = False
+
+        title = QLabel("Results")
+        title.setProperty("title", True)
+        self.note = QLabel()
+        self.note.setProperty("muted", True)
+        top = QHBoxLayout()
+        top.setSpacing(UNIT)
+        top.addWidget(title)
+        top.addWidget(self.note, 1)
+        top.addWidget(self._segments())
+        self.scale = Scale()
+        self._grid_widget = QWidget()
+        self._grid = QGridLayout(self._grid_widget)
+        self._grid.setContentsMargins(0, 0, 0, 0)
+        self._grid.setSpacing(0)
+        self._welcome = QLabel(WELCOME, alignment=Qt.AlignmentFlag.AlignCenter, wordWrap=True)
+        self._welcome.setProperty("muted", True)
+        self._stack = QStackedLayout()
+        self._stack.addWidget(self._welcome)
+        self._stack.addWidget(self._grid_widget)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(2 * UNIT, UNIT * 3 // 2, 2 * UNIT, UNIT)
+        layout.setSpacing(UNIT)
+        layout.addLayout(top)
+        layout.addLayout(self._stack, 1)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+
+    @property
+    def pictures(self) -> list[Picture]:
+        """The results that are there."""
+        return [cell.picture for cell in self._cells.values() if cell.picture is not None]
+
+    def cell(self, style: str, lambda_s: float) -> ResultCell:
+        """Return the cell of a style and a lambda_S."""
+        return self._cells[style, lambda_s]
+
+    def begin(self, styles: Sequence[str], lambdas: Sequence[float]) -> None:
+        """Make room for the results of a new run."""
+        self._clear()
+        self.scale.set_lambdas(lambdas)
+        self._grid.addWidget(self.scale, 0, 1, 1, len(lambdas))
+        self.scale.show()
+        for row, style in enumerate(styles, start=1):
+            self._heads[style] = RowHead(style)
+            self._grid.addWidget(self._heads[style], row, 0)
+            self._grid.setRowStretch(row, 1)
+            cells = []
+            for column, value in enumerate(lambdas, start=1):
+                cell = ResultCell(f"{style.capitalize()}, λ {value:.2f}")
+                cell.set_coded(self.coded)
+                cell.expect(True)
+                self._group.addButton(cell)
+                self._grid.addWidget(cell, row, column)
+                self._grid.setColumnStretch(column, 1)
+                self._cells[style, value] = cell
+                cells.append(cell)
+            self._rows.append(cells)
+        self._stack.setCurrentWidget(self._grid_widget)
+
+    def show_matched(self, event: StyleMatched) -> None:
+        """Say how many icons a style had to choose from."""
+        self._heads[event.style].set_count(event.retrieved)
+
+    def show_skipped(self, event: StyleSkipped) -> None:
+        """Give the reason in place of the results of a style."""
+        row = list(self._heads).index(event.style)
+        for cell in self._rows[row]:
+            cell.expect(False)
+            cell.hide()
+        reason = QLabel(event.reason, wordWrap=True)
+        reason.setProperty("muted", True)
+        reason.setContentsMargins(UNIT, 0, UNIT, 0)
+        self._reasons[event.style] = reason
+        self._grid.addWidget(reason, row + 1, 1, 1, -1)
+
+    def add(self, picture: Picture) -> None:
+        """Put a result into its cell."""
+        composite = picture.result.composite
+        self._cells[composite.style, composite.lambda_s].show_picture(picture)
+
+    def end(self) -> None:
+        """Nothing more is to come: empty the cells that still wait."""
+        for cell in self._cells.values():
+            if cell.picture is None:
+                cell.expect(False)
+
+    def pick(self, style: str, lambda_s: float) -> None:
+        """Pick a result, as a click on it would."""
+        self.cell(style, lambda_s).click()
+
+    def set_coded(self, coded: bool) -> None:
+        """Show the results as icons, or coded by source."""
+        if coded == self.coded:
+            return
+        self.coded = coded
+        self._icon_button.setChecked(not coded)
+        self._coded_button.setChecked(coded)
+        for cell in self._cells.values():
+            cell.set_coded(coded)
+        self.coded_changed.emit(coded)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Go from result to result with the arrow keys."""
+        cell = self.focusWidget()
+        if event.key() not in _STEPS or not isinstance(cell, ResultCell):
+            super().keyPressEvent(event)
+            return
+        row = next(i for i, cells in enumerate(self._rows) if cell in cells)
+        column = self._rows[row].index(cell)
+        down, right = _STEPS[event.key()]
+        while True:
+            row, column = row + down, column + right
+            if not (0 <= row < len(self._rows) and 0 <= column < len(self._rows[row])):
+                return
+            target = self._rows[row][column]
+            if target.isEnabled():
+                target.setFocus(Qt.FocusReason.OtherFocusReason)
+                target.click()
+                return
+
+    def _pick(self, cell: ResultCell) -> None:
+        self.picked.emit(cell.picture)
+
+    def _clear(self) -> None:
+        self.picked.emit(None)
+        for cell in self._cells.values():
+            self._group.removeButton(cell)
+        for widget in (*self._cells.values(), *self._heads.values(), *self._reasons.values()):
+            self._grid.removeWidget(widget)
+            widget.hide()
+            widget.deleteLater()
+        self._grid.removeWidget(self.scale)
+        self._cells, self._heads, self._reasons, self._rows = {}, {}, {}, []
+
+    def _segments(self) -> QFrame:
+        frame = QFrame()
+        frame.setProperty("segments", True)
+        row = QHBoxLayout(frame)
+        row.setContentsMargins(2, 2, 2, 2)
+        row.setSpacing(2)
+        self._icon_button = QToolButton(text="Icon", checkable=True, checked=True)
+        self._coded_button = QToolButton(text="Colour code", checkable=True)
+        self._coded_button.setToolTip(
+            "One hue for each source icon, one lightness for each of its placements (Ctrl+K)"
+        )
+        group = QButtonGroup(frame)
+        for button in (self._icon_button, self._coded_button):
+            button.setProperty("segment", True)
+            group.addButton(button)
+            row.addWidget(button)
+        self._coded_button.toggled.connect(self.set_coded)
+        return frame

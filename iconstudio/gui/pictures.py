@@ -1,0 +1,137 @@
+"""Pictures that the panels show, made from the values of the model."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QRectF, Qt
+from PySide6.QtGui import QColor, QImage, QPainter, QPainterPath, QTransform
+
+from iconstudio.gui.vector import painter_path
+from iconstudio.model import CANVAS, Composite, Placement, Source
+from iconstudio.workflows.events import Event, Result
+
+COLOUR_CODE_SIZE = 512
+"""Side of a colour-coded picture in pixels: enough for the large view at two pixels a point."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Picture:
+    """A result, ready to be drawn: as the icon (a vector) and coded by source (pixels)."""
+
+    result: Result
+    outline: QPainterPath
+    coded: QImage
+
+    def paint(self, painter: QPainter, target: QRectF, ink: QColor, coded: bool) -> None:
+        """Draw into the square ``target``."""
+        painter.save()
+        painter.setRenderHints(
+            QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform
+        )
+        if coded:
+            painter.drawImage(target, self.coded)
+        else:
+            painter.translate(target.topLeft())
+            painter.scale(target.width() / CANVAS, target.height() / CANVAS)
+            painter.fillPath(self.outline, ink)
+        painter.restore()
+
+
+def pictured(events: Iterator[Event]) -> Iterator[Event | Picture]:
+    """Pass ``events`` on, with a ``Picture`` in place of each result.
+
+    Runs where the events are made, so that the window's thread has nothing to compute.
+    """
+    from iconstudio.output.colours import colour_code
+
+    try:
+        for event in events:
+            if isinstance(event, Result):
+                coded = colour_code(event.composite, event.drawing, COLOUR_CODE_SIZE)
+                yield Picture(event, painter_path(event.drawing.path), rgba_image(coded))
+            else:
+                yield event
+    finally:
+        close = getattr(events, "close", None)
+        if close is not None:
+            close()
+
+
+def rgba_image(pixels: NDArray[np.uint8]) -> QImage:
+    """Return (h, w, 4) uint8 RGBA, alpha not multiplied in, as an image."""
+    pixels = np.ascontiguousarray(pixels)
+    height, width, _ = pixels.shape
+    image = QImage(pixels.data, width, height, 4 * width, QImage.Format.Format_RGBA8888)
+    return image.convertToFormat(QImage.Format.Format_ARGB32_Premultiplied)
+
+
+def stencil(coverage: NDArray[np.uint8], color: QColor) -> QImage:
+    """Return (h, w) uint8 ``coverage`` as an image in one colour."""
+    pixels = np.empty((*coverage.shape, 4), np.uint8)
+    pixels[..., :3] = color.red(), color.green(), color.blue()
+    pixels[..., 3] = coverage
+    return rgba_image(pixels)
+
+
+def shrunk(image: QImage, side: int) -> QImage:
+    """Return ``image`` smoothly scaled to ``side`` pixels."""
+    return image.scaled(
+        side, side, Qt.AspectRatioMode.KeepAspectRatio, Qt.TransformationMode.SmoothTransformation
+    )
+
+
+def placed(image: QImage, placement: Placement) -> QImage:
+    """Return a picture of the canvas with ``image``, the size of the canvas, at its placement."""
+    half = CANVAS / 2
+    mirror = -1 if placement.flip else 1
+    transform = QTransform()
+    transform.translate(half + placement.dx, half + placement.dy)
+    transform.scale(placement.scale * mirror, placement.scale)
+    transform.translate(-half, -half)
+    result = QImage(CANVAS, CANVAS, QImage.Format.Format_ARGB32_Premultiplied)
+    result.fill(Qt.GlobalColor.transparent)
+    with QPainter(result) as painter:
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+        painter.setTransform(transform)
+        painter.drawImage(0, 0, image)
+    return result
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SourcePicture:
+    """A source that contributes significantly: its share of the ink, colour, and where it lies."""
+
+    source: Source
+    share: float
+    color: QColor
+    image: QImage
+
+
+def source_pictures(composite: Composite) -> list[SourcePicture]:
+    """Return the significant sources, the largest share first.
+
+    Each is drawn pale at its placement, with the part that it owns in its colour.
+    """
+    from iconstudio.output.colours import significant_sources, source_colours
+
+    colours = source_colours(composite)
+    pictures = []
+    for label in significant_sources(composite):
+        source = composite.sources[label]
+        color = QColor(*(int(value) for value in colours[label][:3]))
+        whole = placed(stencil(source.exemplar.coverage, color), source.placement)
+        image = _with_part(whole, composite.labels == label)
+        pictures.append(SourcePicture(source, composite.shares[label], color, image))
+    return pictures
+
+
+def _with_part(image: QImage, part: NDArray[np.bool_]) -> QImage:
+    """Return ``image`` faded except where ``part`` is."""
+    veil = np.where(part, 255, 56).astype(np.uint8)
+    result = QImage(image)
+    with QPainter(result) as painter:
+        painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_DestinationIn)
+        painter.drawImage(0, 0, stencil(veil, QColor("black")))
+    return result

@@ -1,0 +1,33 @@
+"""SVG path data as a Qt path, so that icons are drawn crisp at any size and pixel density."""
+
+import re
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QPainterPath
+
+_TOKEN = re.compile(r"[MLCZ]|[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
+_COUNT = {"M": 2, "L": 2, "C": 6}
+
+
+def painter_path(d: str) -> QPainterPath:
+    """Return the outline of path data made of the absolute commands M, L, C and Z.
+
+    That is what ``Drawing.path`` consists of; the path is filled with the nonzero rule.
+    """
+    path = QPainterPath()
+    path.setFillRule(Qt.FillRule.WindingFill)
+    draw = {"M": path.moveTo, "L": path.lineTo, "C": path.cubicTo}
+    tokens = _TOKEN.findall(d)
+    command, at = "", 0
+    while at < len(tokens):
+        if tokens[at].isalpha():
+            command = tokens[at]
+            at += 1
+            if command == "Z":
+                path.closeSubpath()
+                continue
+        count = _COUNT[command]
+        draw[command](*map(float, tokens[at : at + count]))
+        at += count
+        command = "L" if command == "M" else command
+    return path

@@ -1,0 +1,153 @@
+"""A session that needs no collection: the same interface, on a few simple bitmaps, at once."""
+
+import threading
+from collections.abc import Iterator
+
+import numpy as np
+
+from iconstudio.model import (
+    CANVAS,
+    Composite,
+    Credit,
+    Drawing,
+    Exemplar,
+    Frame,
+    IconstudioError,
+    Pictogram,
+    Placement,
+    Sketch,
+    Source,
+)
+from iconstudio.session import ModelSettings
+from iconstudio.workflows.events import (
+    Event,
+    Progress,
+    RegionsFound,
+    Result,
+    Retrieved,
+    StyleMatched,
+    StyleSkipped,
+)
+
+
+def exemplar(number: int) -> Exemplar:
+    """A ring, square, cross or triangle of its own size."""
+    y, x = np.mgrid[:CANVAS, :CANVAS] - CANVAS / 2 + 0.5
+    size = 60 + number % 7 * 8
+    kind = number % 4
+    if kind == 0:
+        ink = (np.hypot(x, y) < size) & (np.hypot(x, y) > size / 2)
+    elif kind == 1:
+        ink = (abs(x) < size) & (abs(y) < size) & ((abs(x) > size / 2) | (abs(y) > size / 2))
+    elif kind == 2:
+        ink = ((abs(x) < size / 3) | (abs(y) < size / 3)) & (abs(x) < size) & (abs(y) < size)
+    else:
+        ink = (y < size) & (abs(x) < (y + size) / 2)
+    name = ("ring", "frame", "cross", "triangle")[kind]
+    credit = Credit(
+        f"{name} {number}",
+        "Ada Example",
+        "CC-BY-4.0",
+        "https://example.org/licence",
+        f"https://example.org/{name}-{number}",
+    )
+    coverage = np.where(ink, 255, 0).astype(np.uint8)
+    coverage.flags.writeable = False
+    svg = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 1 1'/>"
+    pictogram = Pictogram(f"shapes:{name}-{number}", svg, credit)
+    return Exemplar(pictogram, Frame(0, 0, CANVAS), coverage)
+
+
+def drawing(sketch: Sketch, row: int, column: int) -> Drawing:
+    """The sketch with a hole that grows from row to row."""
+    outer = sketch.polygon.fitted().vertices
+    hole = 10 * (3 - row) + 2 * column
+    middle = CANVAS / 2
+    inner = [(-hole, -hole), (-hole, hole), (hole, hole), (hole, -hole)]
+    area = sum(
+        x0 * y1 - x1 * y0 for (x0, y0), (x1, y1) in zip(outer, outer[1:] + outer[:1], strict=True)
+    )
+    if area < 0:
+        inner.reverse()
+    subpaths = [outer, [(middle + x, middle + y) for x, y in inner]]
+    path = "".join(
+        "M" + "L".join(f"{x:.2f} {y:.2f}" for x, y in subpath) + "Z" for subpath in subpaths
+    )
+    coverage = np.zeros((CANVAS, CANVAS), np.uint8)
+    coverage[40:216, 40:216] = 255
+    return Drawing(path, coverage)
+
+
+class FakeSession:
+    """Same interface as ``Session``.
+
+    ``gate``: a run waits for it before each result, so that a test can look at half a run.
+    ``stuck``: a run that comes to no ``yield`` until ``close``.
+    """
+
+    def __init__(self, skip: str = "dark") -> None:
+        self.skip = skip
+        self.gate: threading.Semaphore | None = None
+        self.stuck = False
+        self.closed = threading.Event()
+        self.calls: list[tuple] = []
+        self.generators_closed = 0
+        self.thread_ids: set[int] = set()
+
+    def open(self) -> Iterator[Event]:
+        yield Progress("search", 0.5, "Opening the collection")
+        yield Progress("search", 1.0, "Opening the collection")
+
+    def search(self, keyword: str, exclude: frozenset[str] = frozenset()):
+        if keyword.startswith("zz"):
+            raise IconstudioError(f"No icon is found for “{keyword}”. Near: “zebra”, “zip”.")
+        return tuple(e.pictogram for e in self._exemplars(exclude))
+
+    def prepare(self, keyword, exclude=frozenset(), scales=(0.9, 1.0, 1.1)) -> Iterator[Event]:
+        self.calls.append(("prepare", keyword, exclude))
+        self.thread_ids.add(threading.get_ident())
+        self.search(keyword, exclude)
+        yield Progress("prepare", 0.2, f"Drawing the icons for “{keyword}”")
+        yield Retrieved(keyword, tuple(self._exemplars(exclude)))
+        yield Progress("prepare", 1.0, f"Drawing the icons for “{keyword}”")
+
+    def model(self, sketch: Sketch, settings: ModelSettings = ModelSettings()) -> Iterator[Event]:  # noqa: B008
+        self.calls.append(("model", sketch, settings))
+        try:
+            yield from self._model(sketch, settings)
+        finally:
+            self.generators_closed += 1
+
+    def close(self) -> None:
+        self.closed.set()
+
+    def _exemplars(self, exclude: frozenset[str]) -> list[Exemplar]:
+        return [e for e in map(exemplar, range(60)) if e.id not in exclude]
+
+    def _model(self, sketch: Sketch, settings: ModelSettings) -> Iterator[Event]:
+        exemplars = self._exemplars(sketch.exclude)
+        if self.stuck:
+            yield Progress("match", 0.1, "Matching")
+            self.closed.wait()
+            raise IconstudioError("The session was closed.")
+        yield RegionsFound(tuple((64.0 + 64 * (i % 3), 64.0 + 64 * (i // 3)) for i in range(9)))
+        sources = tuple(
+            Source(exemplars[i], Placement((0.9, 1.0, 1.1)[i % 3], i % 2 == 1, 9 - i, i))
+            for i in range(27)
+        )
+        labels = np.zeros((CANVAS, CANVAS), np.uint8)
+        labels[:, 128:] = 1
+        labels[150:, :] = 2
+        shares = (0.5, 0.3, 0.2) + (0.0,) * 24
+        for row, style in enumerate(settings.styles):
+            yield Progress("match", row / 4, f"Matching the {style} icons")
+            if style == self.skip:
+                yield StyleSkipped(style, 4, f"Only 4 icons are {style}; at least 9 are needed.")
+                continue
+            yield StyleMatched(style, 120 - row, (sources[:3],) * 9)
+            for column, lambda_s in enumerate(settings.lambdas):
+                if self.gate is not None:
+                    while not self.gate.acquire(timeout=0.02):
+                        yield Progress("remix", column / 8, f"Remixing the {style} icons")
+                composite = Composite(style, lambda_s, sources, labels, 3.0, 2.0, 1.0, shares, 0.87)
+                yield Result(composite, drawing(sketch, row, column))
