@@ -1,0 +1,223 @@
+"""The bundled collection, opened: icons by keyword and by identifier."""
+
+import os
+import sqlite3
+import threading
+from collections.abc import Generator, Iterable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from iconstudio.library import database, search
+from iconstudio.library.archive import Archive
+from iconstudio.library.drawings import document
+from iconstudio.library.fingerprint import stack
+from iconstudio.library.progress import Progress
+from iconstudio.model import Credit, IconstudioError, Pictogram
+from iconstudio.resources import resource
+
+LIMIT = 200
+"""Most pictograms for a keyword (section 3.1)."""
+
+_MATCHES = """
+SELECT icon, MIN(relation.rank + reading.tier)
+FROM relation JOIN reading USING (term) JOIN naming USING (phrase)
+WHERE relation.word = ? AND (relation.rank < 3 OR reading.tier < 6)
+GROUP BY icon
+"""
+
+
+def cache_folder() -> Path:
+    """Return the folder in which the program keeps what it can make again."""
+    if named := os.environ.get("ICONSTUDIO_CACHE"):
+        return Path(named)
+    from platformdirs import user_cache_path
+
+    return user_cache_path("iconstudio", appauthor=False)
+
+
+class Collection:
+    """Icons with their credits. May be used by several threads at once.
+
+    Made by ``open`` or ``opening``; ``close`` it, or use it in a ``with`` block.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self._lock = threading.Lock()
+        self._database = sqlite3.connect(
+            f"{path.absolute().as_uri()}?mode=ro&immutable=1", uri=True, check_same_thread=False
+        )
+        try:
+            ((cells, blackness),) = self._rows("SELECT cells, blackness FROM shapes")
+            self._sets = {row[0]: row[1:] for row in self._rows("SELECT * FROM icon_set")}
+        except BaseException:
+            self.close()
+            raise
+        self._cells: NDArray[np.uint64] = stack([cells])
+        self._blackness = np.frombuffer(blackness, dtype=np.uint8)
+
+    @classmethod
+    def opening(
+        cls, folder: Path | None = None, cache: Path | None = None
+    ) -> "Generator[Progress, None, Collection]":
+        """Open a collection, yielding progress; the generator's return value is the collection.
+
+        Parameters
+        ----------
+        folder:
+            Where the builder wrote it; without it, the bundled one.
+        cache:
+            Where to unpack it the first time; without it, ``cache_folder()``.
+
+        Raises
+        ------
+        IconstudioError
+            If the collection is damaged, or the cache is full or cannot be written.
+        """
+        archive = Archive.at(folder or resource("collection"))
+        path = (cache or cache_folder()) / f"collection-{archive.digest}.sqlite"
+        if not database.is_complete(path):
+            yield from database.unpack(archive, path)
+        try:
+            return cls(path)
+        except (sqlite3.Error, ValueError) as error:
+            raise IconstudioError(
+                f"The unpacked icon collection is damaged ({error}). Delete {path}."
+            ) from None
+
+    @classmethod
+    def open(cls, folder: Path | None = None, cache: Path | None = None) -> "Collection":
+        """Open a collection without showing progress; see ``opening``."""
+        steps = cls.opening(folder, cache)
+        while True:
+            try:
+                next(steps)
+            except StopIteration as stop:
+                return stop.value
+
+    def close(self) -> None:
+        """Close the file."""
+        self._database.close()
+
+    def __enter__(self) -> "Collection":
+        return self
+
+    def __exit__(self, *exc: object) -> None:
+        self.close()
+
+    def __len__(self) -> int:
+        return len(self._blackness)
+
+    def search(
+        self, keyword: str, limit: int = LIMIT, exclude: frozenset[str] = frozenset()
+    ) -> tuple[Pictogram, ...]:
+        """Return drawings of a thing, the best first, no two alike.
+
+        Raises
+        ------
+        IconstudioError
+            If the keyword is empty, or nothing answers it; the message names what is near.
+        """
+        forms = search.spellings(keyword)
+        if not forms:
+            raise IconstudioError("The keyword is empty. Name the thing to draw, such as 'dog'.")
+        scores = self._scores(forms)
+        for number in self._numbers(exclude):
+            scores.pop(number, None)
+        found = self._choose(scores, limit)
+        if not found:
+            raise IconstudioError(self._nothing(keyword, forms[0], bool(exclude)))
+        return self._pictograms(found)
+
+    def get(self, identifier: str) -> Pictogram:
+        """Return the pictogram ``set:name``.
+
+        Raises
+        ------
+        IconstudioError
+            If there is none; the message names what is near.
+        """
+        numbers = self._numbers([identifier])
+        if not numbers:
+            prefix = identifier.partition(":")[0]
+            rows = self._rows("SELECT id FROM icon WHERE id GLOB ?", (_glob(prefix) + ":*",))
+            near = search.nearest(identifier, [row[0] for row in rows])
+            raise IconstudioError(f"The collection has no icon '{identifier}'.{_hint(near)}")
+        return self._pictograms(numbers)[0]
+
+    def suggest(self, keyword: str) -> tuple[str, ...]:
+        """Return keywords near to ``keyword`` in spelling that do have results."""
+        forms = search.spellings(keyword)
+        if not forms:
+            return ()
+        words = [row[0] for row in self._rows("SELECT DISTINCT word FROM relation WHERE rank < 2")]
+        return search.nearest(forms[0], words)
+
+    def _scores(self, forms: list[str]) -> dict[int, int]:
+        """Return the icons that answer a keyword, each with its score: the lower the better."""
+        scores: dict[int, int] = {}
+        for form in forms:
+            scores = dict(self._rows(_MATCHES, (form,)))
+            if scores:
+                break
+        words = forms[0].split()
+        if len(words) > 1:
+            parts = [self._scores(search.spellings(word)) for word in words]
+            for icon in set(parts[0]).intersection(*parts[1:]):
+                score = parts[-1][icon]
+                scores[icon] = min(score, scores.get(icon, score))
+            scores = scores or parts[-1]  # nothing is an old red house: show houses
+        return scores
+
+    def _choose(self, scores: dict[int, int], limit: int) -> list[int]:
+        icons = np.fromiter(scores.keys(), dtype=np.int64, count=len(scores))
+        values = np.fromiter(scores.values(), dtype=np.int64, count=len(scores))
+        relevant = values <= search.RELEVANT
+        chosen = self._different(icons[relevant], values[relevant], limit)
+        if len(chosen) < search.ENOUGH:
+            chosen = self._different(icons, values, min(limit, search.ENOUGH))
+        return chosen
+
+    def _different(
+        self, icons: NDArray[np.int64], scores: NDArray[np.int64], limit: int
+    ) -> list[int]:
+        ordered = search.in_order(icons, scores, self._blackness)
+        return [int(ordered[i]) for i in search.different(self._cells[ordered], limit)]
+
+    def _nothing(self, keyword: str, form: str, excluded: bool) -> str:
+        if excluded and self._scores(search.spellings(keyword)):
+            return f"Every icon for '{keyword}' is excluded. Exclude fewer."
+        return f"No icon is called '{keyword}'.{_hint(self.suggest(form))}"
+
+    def _numbers(self, identifiers: Iterable[str]) -> list[int]:
+        query = "SELECT number FROM icon WHERE id = ?"
+        return [row[0] for one in identifiers for row in self._rows(query, (one,))]
+
+    def _pictograms(self, numbers: list[int]) -> tuple[Pictogram, ...]:
+        marks = ",".join("?" * len(numbers))
+        rows = self._rows(
+            f"SELECT number, id, set_number, view_box, body FROM icon WHERE number IN ({marks})",
+            numbers,
+        )
+        found = {row[0]: self._pictogram(*row[1:]) for row in rows}
+        return tuple(found[number] for number in numbers)
+
+    def _pictogram(self, identifier: str, set_number: int, view_box: str, body: str) -> Pictogram:
+        author, licence, licence_url, url = self._sets[set_number]
+        title = identifier.partition(":")[2].replace("-", " ")
+        credit = Credit(title, author, licence, licence_url, url)
+        return Pictogram(identifier, document(body, view_box), credit)
+
+    def _rows(self, query: str, values: Iterable[Any] = ()) -> list[tuple[Any, ...]]:
+        with self._lock:
+            return self._database.execute(query, tuple(values)).fetchall()
+
+
+def _hint(near: tuple[str, ...]) -> str:
+    return f" Did you mean {', '.join(near)}?" if near else ""
+
+
+def _glob(text: str) -> str:
+    return "".join(f"[{c}]" if c in "*?[" else c for c in text)

@@ -1,0 +1,161 @@
+"""The unpacked collection: one SQLite file in the user's cache, made at the first opening.
+
+It is written beside its final place and moved there when it is complete, so an
+interrupted first opening leaves nothing that could be taken for a collection, and two programs
+that open at the same time do no harm: the last one's file replaces an equal one.
+"""
+
+import errno
+import os
+import sqlite3
+import tempfile
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import closing
+from itertools import repeat
+from pathlib import Path
+from typing import Any
+
+from iconstudio.library.archive import MANIFEST, Archive, damaged
+from iconstudio.library.progress import Progress
+from iconstudio.model import IconstudioError
+
+_SCHEMA = """
+CREATE TABLE icon (
+    number INTEGER PRIMARY KEY, id TEXT, set_number INTEGER, view_box TEXT, body TEXT);
+CREATE TABLE naming (phrase INTEGER, icon INTEGER, PRIMARY KEY (phrase, icon)) WITHOUT ROWID;
+CREATE TABLE reading (
+    term TEXT, phrase INTEGER, tier INTEGER, PRIMARY KEY (term, phrase)) WITHOUT ROWID;
+CREATE TABLE relation (
+    word TEXT, term TEXT, rank INTEGER, PRIMARY KEY (word, term)) WITHOUT ROWID;
+CREATE TABLE icon_set (
+    number INTEGER PRIMARY KEY, author TEXT, license TEXT, license_url TEXT, url TEXT);
+CREATE TABLE shapes (cells BLOB, blackness BLOB);
+"""
+
+
+def unpack(archive: Archive, path: Path) -> Iterator[Progress]:
+    """Write the collection of ``archive`` to the database ``path``, yielding progress.
+
+    Raises
+    ------
+    IconstudioError
+        If the collection is damaged, or the folder of ``path`` is full or cannot be written.
+    """
+    temporary = None
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        handle, name = tempfile.mkstemp(prefix=".unpacking-", suffix=".sqlite", dir=path.parent)
+        os.close(handle)
+        temporary = Path(name)
+        yield from _fill(archive, temporary)
+        os.replace(temporary, path)
+    except (OSError, sqlite3.OperationalError) as error:
+        if path.is_file():  # another program, which may hold the file open, was first
+            return
+        raise IconstudioError(_no_room(path.parent, error)) from None
+    finally:
+        if temporary is not None:
+            temporary.unlink(missing_ok=True)
+
+
+def _no_room(folder: Path, error: Exception) -> str:
+    full = getattr(error, "errno", None) == errno.ENOSPC or "full" in str(error)
+    reason = "The disk is full" if full else f"It cannot be written ({error})"
+    return (
+        f"The icon collection cannot be unpacked into {folder}. {reason}. Make room for 150 MB "
+        "there, or name another folder in the environment variable ICONSTUDIO_CACHE."
+    )
+
+
+def _fill(archive: Archive, path: Path) -> Iterator[Progress]:
+    import json
+
+    yield Progress(0.0, "Unpacking the icon collection (only this once)")
+    with ThreadPoolExecutor(3) as pool:  # liblzma lets other threads run
+        bodies, index, shapes = (
+            pool.submit(archive.read, name)
+            for name in ("bodies.txt.xz", "index.json.xz", "shapes.bin.xz")
+        )
+        columns = _decoded(archive, lambda: json.loads(index.result()))
+        yield Progress(0.3, "Unpacking the icon collection: the words")
+        with closing(sqlite3.connect(path, isolation_level=None)) as database:
+            database.executescript(
+                "PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; BEGIN;" + _SCHEMA
+            )
+            _insert_words(database, columns)
+            yield Progress(0.6, "Unpacking the icon collection: the drawings")
+            lines = bodies.result().decode().split("\n")
+            cells = shapes.result()
+            count = archive.icons
+            if len(lines) != count or len(columns["names"]) != count:
+                raise damaged(archive.folder / MANIFEST, "the files do not belong together")
+            _insert_icons(database, columns, lines)
+            database.execute("INSERT INTO shapes VALUES (?, ?)", (cells[:-count], cells[-count:]))
+            database.execute("COMMIT")
+    yield Progress(1.0, "The icon collection is unpacked")
+
+
+def _decoded(archive: Archive, read: Any) -> dict[str, Any]:
+    try:
+        return read()
+    except ValueError as error:
+        raise damaged(archive.folder / "index.json.xz", str(error)) from None
+
+
+def _insert_words(database: sqlite3.Connection, columns: dict[str, Any]) -> None:
+    database.executemany(
+        "INSERT INTO reading VALUES (?, ?, ?)",
+        (
+            (term, phrase, tier)
+            for term, pairs in columns["readings"].items()
+            for phrase, tier in zip(pairs[::2], pairs[1::2], strict=True)
+        ),
+    )
+    database.executemany(
+        "INSERT INTO relation VALUES (?, ?, ?)",
+        (
+            (word, term, rank)
+            for word, pairs in columns["relations"].items()
+            for term, rank in zip(pairs[::2], pairs[1::2], strict=True)
+        ),
+    )
+    named = sorted(
+        pair
+        for icon, phrases in enumerate(columns["phrases"])
+        for pair in zip(phrases, repeat(icon))
+    )
+    database.executemany("INSERT INTO naming VALUES (?, ?)", named)
+
+
+def _insert_icons(database: sqlite3.Connection, columns: dict[str, Any], bodies: list[str]) -> None:
+    sets = columns["sets"]
+    database.executemany(
+        "INSERT INTO icon_set VALUES (?, ?, ?, ?, ?)",
+        (
+            (number, one["author"], one["license"], one["license_url"], one["url"])
+            for number, one in enumerate(sets)
+        ),
+    )
+    rows = zip(columns["set_of"], columns["names"], columns["view_boxes"], bodies, strict=True)
+    database.executemany(
+        "INSERT INTO icon VALUES (?, ?, ?, ?, ?)",
+        (
+            (number, f"{sets[one]['prefix']}:{name}", one, view_box, body)
+            for number, (one, name, view_box, body) in enumerate(rows)
+        ),
+    )
+    database.execute("CREATE UNIQUE INDEX icon_by_id ON icon (id)")
+
+
+def is_complete(path: Path) -> bool:
+    """Whether ``path`` is a database as long as its header says."""
+    try:
+        with path.open("rb") as file:
+            header = file.read(100)
+        page = int.from_bytes(header[16:18], "big")
+        page = 65536 if page == 1 else page
+        pages = int.from_bytes(header[28:32], "big")
+        return header.startswith(b"SQLite format 3\0") and path.stat().st_size == page * pages
+    except OSError:
+        return False

@@ -1,0 +1,73 @@
+"""Draws every icon of a build once, in worker processes, to take its fingerprint.
+
+Bodies come from outside: one that the checks refuse, that no renderer survives, or that
+shows nothing, has no fingerprint.
+"""
+
+from collections.abc import Iterator, Sequence
+from concurrent.futures import Future
+from typing import Any
+
+from iconstudio.library.fingerprint import Fingerprint, fingerprint
+from iconstudio.library.iconify import RawIcon
+from iconstudio.library.progress import Progress
+from iconstudio.library.resvg import render_coverage
+from iconstudio.library.svgcheck import check
+from iconstudio.model import Frame, IconstudioError
+from iconstudio.workers import Workers
+
+_SIZE = 96
+_BATCH = 512
+_SECONDS = 60.0
+
+
+def document(body: str, view_box: str) -> str:
+    """Return the complete SVG document of an icon."""
+    xlink = ' xmlns:xlink="http://www.w3.org/1999/xlink"' if "xlink:" in body else ""
+    return f'<svg xmlns="http://www.w3.org/2000/svg"{xlink} viewBox="{view_box}">{body}</svg>'
+
+
+def fingerprints(
+    icons: Sequence[RawIcon], workers: Workers
+) -> Iterator[Progress | list[Fingerprint | None]]:
+    """Yield progress, and at last the fingerprint of every icon, None where there is none."""
+    batches = [icons[i : i + _BATCH] for i in range(0, len(icons), _BATCH)]
+    futures = [workers.submit(_draw_all, batch, timeout=_SECONDS) for batch in batches]
+    found: list[Fingerprint | None] = []
+    for batch, future in zip(batches, futures, strict=True):
+        drawn = _result(future)
+        found += drawn if drawn is not None else _one_by_one(batch, workers)
+        yield Progress(len(found) / len(icons), f"Drawing icons ({len(found)} of {len(icons)})")
+    yield found
+
+
+def _one_by_one(batch: Sequence[RawIcon], workers: Workers) -> list[Fingerprint | None]:
+    """Draw a batch that took its worker down: only the culprits are lost."""
+    drawn = (_result(workers.submit(_draw_all, [icon], timeout=5.0)) for icon in batch)
+    return [one[0] if one else None for one in drawn]
+
+
+def _result(future: "Future[Any]") -> list[Fingerprint | None] | None:
+    """Return what a worker has drawn; None if it died or took too long."""
+    from pebble import ProcessExpired
+
+    try:
+        return future.result()
+    except (TimeoutError, ProcessExpired):
+        return None
+
+
+def _draw_all(icons: Sequence[RawIcon]) -> list[Fingerprint | None]:
+    return [_draw(icon) for icon in icons]
+
+
+def _draw(icon: RawIcon) -> Fingerprint | None:
+    left, top, width, height = map(float, icon.view_box.split())
+    side = max(width, height)
+    frame = Frame(left - (side - width) / 2, top - (side - height) / 2, side)
+    svg = document(icon.body, icon.view_box)
+    try:
+        check(svg)
+        return fingerprint(render_coverage(svg, frame, _SIZE))
+    except IconstudioError:
+        return None

@@ -1,0 +1,73 @@
+"""How the drawings that answer a keyword are put in order, and made different from one another."""
+
+import re
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from iconstudio.library.fingerprint import unlikeness
+from iconstudio.library.wordnet import singulars
+
+ALIKE = 0.25
+"""Drawings that differ by less look the same to somebody who looks for parts."""
+
+RELEVANT = 8
+"""Drawings that score higher only mention the thing, or carry a badge of another."""
+
+ENOUGH = 60
+"""With so many relevant drawings, the others are left out."""
+
+
+def spellings(keyword: str) -> list[str]:
+    """Return what a keyword may be listed as: lower case, in the singular, in one word or two."""
+    plain = " ".join(re.findall(r"[^\W_]+", keyword.lower()))
+    forms = [plain, *singulars(plain)]
+    forms += [form.replace(" ", "") for form in forms if " " in form]
+    return list(dict.fromkeys(form for form in forms if form))
+
+
+def in_order(
+    icons: NDArray[np.int64], scores: NDArray[np.int64], blackness: NDArray[np.uint8]
+) -> NDArray[np.int64]:
+    """Return the numbers of ``icons``, the best score first.
+
+    Among equal scores, line drawings and solid ones take turns, so that every style (section 3.5)
+    has its part of what is shown; the sets are shuffled, always the same way.
+    """
+    shade = np.minimum(blackness[icons] // 20, 4).astype(np.int64)
+    shuffled = (icons * 2654435761) % (1 << 32)
+    order = np.lexsort((shuffled, shade, scores))
+    groups = np.stack([scores[order], shade[order]], axis=1)
+    starts = np.r_[True, (groups[1:] != groups[:-1]).any(axis=1)]
+    firsts = np.flatnonzero(starts)
+    turn = np.arange(len(order)) - firsts[np.cumsum(starts) - 1]
+    return icons[order[np.lexsort((shade[order], turn, scores[order]))]]
+
+
+def different(cells: NDArray[np.uint64], limit: int, alike: float = ALIKE) -> list[int]:
+    """Return at most ``limit`` indices of ``cells`` (n, WORDS), the first of those alike.
+
+    They are in rising order, and no two of them differ by less than ``alike``.
+    """
+    open_ = np.arange(len(cells))
+    kept: list[int] = []
+    while len(open_) and len(kept) < limit:
+        first = int(open_[0])
+        kept.append(first)
+        open_ = open_[1:]
+        open_ = open_[unlikeness(cells[first], cells[open_]) >= alike]
+    return kept
+
+
+def nearest(keyword: str, words: Sequence[str], count: int = 3) -> tuple[str, ...]:
+    """Return the words that are spelt most nearly like ``keyword``."""
+    from difflib import get_close_matches
+
+    likely = [
+        word
+        for word in words
+        if abs(len(word) - len(keyword)) <= 2
+        and (word[:2] == keyword[:2] or word[-2:] == keyword[-2:] or word[:1] == keyword[1:2])
+    ]
+    return tuple(get_close_matches(keyword, likely, n=count, cutoff=0.7))

