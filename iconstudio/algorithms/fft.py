@@ -11,6 +11,8 @@ import pyfftw
 from numpy.typing import NDArray
 
 _THREADS = os.cpu_count() or 1
+_WORTH_THREADS = 256
+"""Smaller transforms are over before a second thread has begun, and suffer when cores are busy."""
 
 
 def fast_size(least: int) -> int:
@@ -45,5 +47,5 @@ def _plan(count: int, size: int, forwards: bool) -> pyfftw.FFTW:
         axes=(1, 2),
         direction="FFTW_FORWARD" if forwards else "FFTW_BACKWARD",
         flags=("FFTW_MEASURE", "FFTW_DESTROY_INPUT"),
-        threads=_THREADS,
+        threads=_THREADS if size >= _WORTH_THREADS else 1,
     )
