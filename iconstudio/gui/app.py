@@ -5,10 +5,10 @@ import sys
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtWidgets import QApplication
 
-from iconstudio.gui import files, theme
+from iconstudio.gui import theme
 from iconstudio.gui.main_window import MainWindow
-from iconstudio.model import IconstudioError
 from iconstudio.session import Session
+from iconstudio.sketchfile import example as read_example
 
 
 def application() -> QApplication:
@@ -47,11 +47,9 @@ def run(example: str | None = None, session: Session | None = None) -> int:
 
 def start(window: MainWindow, example: str) -> None:
     """Load an example and remix it as soon as it is there."""
-    path = files.example_path(example)
-    if path is None:
-        raise IconstudioError(f"There is no example “{example}”.")
+    sketch = read_example(example)
     window.opener.opened.connect(window.run, Qt.ConnectionType.SingleShotConnection)
-    window.opener.open_sketch(str(path))
+    window.opener.open_example(sketch)
 
 
 class _Follower(QObject):

@@ -21,18 +21,10 @@ _SHAPES = {
     "fit": '<path d="M4 9V4h5M20 9V4h-5M4 15v5h5M20 15v5h-5"/><rect x="9" y="9" width="6" '
     'height="6" rx="1"/>',
     "clear": '<path d="M4 7h16M9 7V4h6v3M6 7l1 13h10l1-13M10 11v5M14 11v5"/>',
-    "colours": '<circle cx="9" cy="9" r="5.5"/><circle cx="15" cy="9" r="5.5"/>'
-    '<circle cx="12" cy="15" r="5.5"/>',
-    "icon": '<circle cx="12" cy="12" r="8" fill="ink"/>',
     "regions": '<circle cx="12" cy="12" r="8"/><circle cx="12" cy="12" r="3"/>'
     '<path d="M12 2v4M12 18v4M2 12h4M18 12h4"/>',
-    "search": '<circle cx="10.5" cy="10.5" r="6"/><path d="M15 15l5 5"/>',
     "dim": '<circle cx="12" cy="12" r="8"/><path d="M12 4v16a8 8 0 0 0 0-16z" fill="ink"/>',
-    "save": '<path d="M12 4v11M7.5 11l4.5 4.5 4.5-4.5M4 20h16"/>',
-    "copy": '<rect x="8" y="8" width="12" height="12" rx="2"/><path d="M16 8V6a2 2 0 0 0-2-2H6a2 '
-    '2 0 0 0-2 2v8a2 2 0 0 0 2 2h2"/>',
     "close": '<path d="M6 6l12 12M18 6L6 18"/>',
-    "stop": '<rect x="6" y="6" width="12" height="12" rx="2" fill="ink"/>',
     "remix": '<path d="M10 4l1.8 5.2L17 11l-5.2 1.8L10 18l-1.8-5.2L3 11l5.2-1.8z" fill="ink"/>'
     '<path d="M18 3v5M15.5 5.5h5M18.5 16v4M16.5 18h4"/>',
     "warning": '<path d="M12 4L2.8 20h18.4zM12 10v5M12 17.4v.2"/>',

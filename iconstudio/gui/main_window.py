@@ -1,22 +1,17 @@
 """The window: puts the parts together and wires them."""
 
-from collections.abc import Callable
-from pathlib import Path
-
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QCloseEvent, QGuiApplication
 from PySide6.QtWidgets import (
     QApplication,
-    QFileDialog,
     QMainWindow,
-    QMessageBox,
     QSplitter,
     QVBoxLayout,
     QWidget,
 )
 
-from iconstudio import __version__
-from iconstudio.gui import commands, files, theme
+from iconstudio.gui import commands, theme
+from iconstudio.gui.about import show_about
 from iconstudio.gui.actions import Actions
 from iconstudio.gui.canvas.tools.polygon import PolygonTool
 from iconstudio.gui.canvas.view import CanvasView
@@ -30,21 +25,13 @@ from iconstudio.gui.panels.notice import Notice
 from iconstudio.gui.panels.progress import ProgressStrip
 from iconstudio.gui.panels.results import ResultsPanel
 from iconstudio.gui.pictures import Picture
+from iconstudio.gui.saving import Saver
 from iconstudio.gui.theme import UNIT
 from iconstudio.gui.worker import Worker
-from iconstudio.model import IconstudioError, Sketch
+from iconstudio.model import Sketch
 from iconstudio.session import ModelSettings, Session
+from iconstudio.sketchfile import examples
 from iconstudio.workflows.events import Progress
-
-ABOUT = """<h3>Iconstudio {version}</h3>
-<p>Makes new icons out of parts of real ones, after the paper
-<i>Data-Driven Iconification</i>.</p>
-<p>Free software under the GNU General Public License, version 3 or later. Every icon it
-makes carries the credits of its sources: their authors and licences are in the saved SVG.</p>
-<p>Made with Qt, NumPy, SciPy, scikit-image, PyMaxflow, FFTW, resvg and potracer.
-The icons come from the open sets of Iconify; the file CREDITS beside the
-collection names them all.</p>
-"""
 
 
 class MainWindow(QMainWindow):
@@ -57,6 +44,7 @@ class MainWindow(QMainWindow):
         self._session_worker = Worker(self)
         self.document = Document(self)
         self.opener = Opener(self.document, self._files_worker, self)
+        self.saver = Saver(self)
         self.modelling = Modelling(self.document, session, self._session_worker, self)
         self._ran: Sketch | None = None
         self._regions: tuple = ()
@@ -118,13 +106,13 @@ class MainWindow(QMainWindow):
         self.actions_by_name.connect(
             {
                 "new": self._new,
-                "photo": self._choose_photo,
+                "photo": self.opener.choose_photo,
                 "paste": lambda: self.opener.open_mime(QApplication.clipboard().mimeData()),
-                "open": self._choose_sketch,
-                "save": self._save_sketch,
-                "svg": lambda: self._save_icon("svg"),
-                "png": lambda: self._save_icon("png"),
-                "copy": self._copy_svg,
+                "open": self.opener.choose_sketch,
+                "save": lambda: self.saver.save_sketch(self.document.page),
+                "svg": self.saver.save_svg,
+                "png": lambda: self.saver.save_png(self.results.coded),
+                "copy": self.saver.copy_svg,
                 "quit": self.close,
                 "delete": self.tool.delete_selected,
                 "clear": self._clear_outline,
@@ -136,10 +124,10 @@ class MainWindow(QMainWindow):
                 "fit": self.view.fit,
                 "coded": self.results.set_coded,
                 "regions": self._show_regions,
-                "about": self._about,
+                "about": lambda: show_about(self),
             }
         )
-        for example in files.examples():
+        for example in examples():
             action = self.actions_by_name.examples.addAction(example.title)
             action.triggered.connect(lambda _=False, e=example: self.opener.open_example(e))
 
@@ -152,14 +140,17 @@ class MainWindow(QMainWindow):
         document.page_changed.connect(self._show_page)
         self.view.files_dropped.connect(self.opener.open_mime)
         self.opener.failed.connect(self.notice.say)
-        self.opener.opened.connect(self._say_opened)
+        self.opener.opened.connect(self._say)
+        self.saver.failed.connect(self.notice.say)
+        self.saver.saved.connect(self._say)
         self.results.picked.connect(self.detail.show_picture)
+        self.results.picked.connect(self.saver.pick)
         self.results.picked.connect(self._update_actions)
         self.results.coded_changed.connect(self.detail.large.set_coded)
         self.results.coded_changed.connect(self.actions_by_name["coded"].setChecked)
-        self.detail.save_svg.connect(lambda: self._save_icon("svg"))
-        self.detail.save_png.connect(lambda: self._save_icon("png"))
-        self.detail.copy_svg.connect(self._copy_svg)
+        self.detail.save_svg.connect(self.saver.save_svg)
+        self.detail.save_png.connect(self.actions_by_name["png"].trigger)
+        self.detail.copy_svg.connect(self.saver.copy_svg)
         self.strip.cancelled.connect(self.modelling.cancel)
 
     def _wire_modelling(self) -> None:
@@ -181,12 +172,15 @@ class MainWindow(QMainWindow):
 
     def run(self) -> None:
         """Remix for the sketch."""
+        if self.modelling.running and self._ran == self.document.sketch:
+            return
         self.notice.hide()
         if not self.modelling.run() and not self.document.sketch.keyword.strip():
             self.keyword_panel.field.setFocus()
 
     def _begin(self, sketch: Sketch, settings: ModelSettings) -> None:
         self._ran = sketch
+        self.saver.set_title(sketch.keyword.strip())
         self.results.begin(settings.styles, settings.lambdas)
         self._show_page(self.document.page)
         self._update_actions()
@@ -247,82 +241,23 @@ class MainWindow(QMainWindow):
     def _push(self, command: commands.PageCommand) -> None:
         self.document.undo_stack.push(command)
 
-    def _say_opened(self, message: str) -> None:
+    def _say(self, message: str) -> None:
         self.notice.hide()
         if not self.strip.bar.isVisible():
             self.strip.rest(message)
-
-    # -- files ---------------------------------------------------------------------------------
-
-    def _choose_photo(self) -> None:
-        kinds = "Photos (*.png *.jpg *.jpeg *.webp *.tif *.tiff *.gif *.bmp);;All files (*)"
-        path, _ = QFileDialog.getOpenFileName(self, "Open a photo to trace over", "", kinds)
-        if path:
-            self.opener.open_photo(path)
-
-    def _choose_sketch(self) -> None:
-        path, _ = QFileDialog.getOpenFileName(self, "Open a sketch", "", "Sketches (*.json)")
-        if path:
-            self.opener.open_sketch(path)
-
-    def _save_sketch(self) -> None:
-        page = self.document.page
-        name = f"{_file_name(page.sketch.keyword)}.json"
-        path, _ = QFileDialog.getSaveFileName(self, "Save the sketch", name, "Sketches (*.json)")
-        if path:
-            photo = page.photo.path if page.photo is not None else ""
-            self._write(path, lambda: files.write_sketch(Path(path), page.sketch, photo))
-
-    def _save_icon(self, kind: str) -> None:
-        picture = self.detail.picture
-        if picture is None:
-            return
-        title = self._ran.keyword.strip() if self._ran is not None else "icon"
-        name = f"{_file_name(title)}-{picture.result.composite.style}.{kind}"
-        path, _ = QFileDialog.getSaveFileName(
-            self, f"Save the icon as {kind.upper()}", name, f"{kind.upper()} (*.{kind})"
-        )
-        if not path:
-            return
-        if kind == "svg":
-            self._write(path, lambda: files.write_svg(Path(path), picture, title))
-        else:
-            self._write(path, lambda: files.write_png(Path(path), picture, self.results.coded))
-
-    def _copy_svg(self) -> None:
-        picture = self.detail.picture
-        if picture is not None:
-            title = self._ran.keyword.strip() if self._ran is not None else "icon"
-            QApplication.clipboard().setText(files.svg_text(picture, title))
-            self._say_opened("The icon is on the clipboard as SVG, with its credits.")
-
-    def _write(self, path: str, write: Callable[[], None]) -> None:
-        try:
-            write()
-        except IconstudioError as error:
-            self.notice.say(str(error))
-        else:
-            self._say_opened(f"Saved “{path}”.")
 
     # -- the window itself ---------------------------------------------------------------------
 
     def refresh_look(self) -> None:
         """Draw all icons in the colours of the present theme."""
         look = theme.current()
-        for part in (self.actions_by_name, self.canvas_panel, self.detail, self.notice):
+        for part in (self.actions_by_name, self.canvas_panel, self.notice):
             part.refresh_icons(look)
 
     def _update_actions(self) -> None:
         for name in ("svg", "png", "copy"):
             self.actions_by_name[name].setEnabled(self.detail.picture is not None)
         self.actions_by_name["cancel"].setEnabled(self.modelling.running)
-
-    def _about(self) -> None:
-        box = QMessageBox(self)
-        box.setWindowTitle("About Iconstudio")
-        box.setTextFormat(Qt.TextFormat.RichText)
-        box.setText(ABOUT.format(version=__version__))
-        box.open()
 
     def changeEvent(self, event: QEvent) -> None:
         """Follow the system between light and dark."""
@@ -337,8 +272,3 @@ class MainWindow(QMainWindow):
         self._session_worker.close(self._session.close)
         self._session.close()
         super().closeEvent(event)
-
-
-def _file_name(keyword: str) -> str:
-    """Return a keyword as the beginning of a file name."""
-    return "".join(c if c.isalnum() else "-" for c in keyword.strip().lower()).strip("-") or "icon"

@@ -6,13 +6,17 @@ from typing import Any
 
 from PySide6.QtCore import QMimeData, QObject, Signal
 from PySide6.QtGui import QImage
+from PySide6.QtWidgets import QFileDialog, QWidget
 
 from iconstudio.gui import commands
 from iconstudio.gui.document import Document
-from iconstudio.gui.files import SketchFile, read_sketch
 from iconstudio.gui.photo import Photo, photo_from_image, read_photo
 from iconstudio.gui.worker import Worker
 from iconstudio.model import IconstudioError
+from iconstudio.sketchfile import SketchFile, read_sketch
+
+_PHOTOS = "Photos (*.png *.jpg *.jpeg *.webp *.tif *.tiff *.gif *.bmp);;All files (*)"
+_SKETCHES = "Sketches (*.json);;All files (*)"
 
 
 class Opener(QObject):
@@ -29,10 +33,25 @@ class Opener(QObject):
     failed = Signal(str)
     opened = Signal(str)
 
-    def __init__(self, document: Document, worker: Worker, parent: QObject | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, document: Document, worker: Worker, window: QWidget) -> None:
+        super().__init__(window)
+        self._window = window
         self._document = document
         self._worker = worker
+
+    def choose_photo(self) -> None:
+        """Ask for a photo."""
+        path, _ = QFileDialog.getOpenFileName(
+            self._window, "Open a photo to trace over", "", _PHOTOS
+        )
+        if path:
+            self.open_photo(path)
+
+    def choose_sketch(self) -> None:
+        """Ask for a sketch file."""
+        path, _ = QFileDialog.getOpenFileName(self._window, "Open a sketch", "", _SKETCHES)
+        if path:
+            self.open_sketch(path)
 
     def open_photo(self, path: str) -> None:
         """Put the photo of a file under the drawing."""
@@ -90,9 +109,9 @@ def _sketch_and_photo(read: Callable[[], SketchFile]) -> Iterator[object]:
     """Yield a sketch with its photo; if only the photo is missing, a remark and no photo."""
     file = read()
     photo = None
-    if file.photo:
+    if file.photo is not None:
         try:
-            photo = read_photo(file.photo)
+            photo = read_photo(str(file.photo))
         except IconstudioError as error:
             yield f"The sketch was opened without its photo: {error}"
     yield file, photo

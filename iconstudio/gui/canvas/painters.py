@@ -54,6 +54,7 @@ def paint_outline(painter: QPainter, page: Page, camera: Camera, theme: Theme) -
         return
     points = QPolygonF([camera.to_view(vertex) for vertex in page.vertices])
     path = QPainterPath()
+    path.setFillRule(Qt.FillRule.WindingFill)
     path.addPolygon(points)
     if page.closed:
         path.closeSubpath()

@@ -2,32 +2,26 @@
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
+from PySide6.QtCore import QEvent, QRectF, Qt, Signal
 from PySide6.QtGui import (
-    QInputDevice,
     QKeyEvent,
     QMouseEvent,
-    QNativeGestureEvent,
     QPainter,
     QPaintEvent,
-    QResizeEvent,
-    QWheelEvent,
 )
 from PySide6.QtWidgets import QWidget
 
 from iconstudio.gui import theme
 from iconstudio.gui.canvas import painters
-from iconstudio.gui.canvas.camera import Camera
+from iconstudio.gui.canvas.navigation import CameraView
 from iconstudio.gui.canvas.tools.base import Pointer, Tool
 from iconstudio.gui.canvas.tools.pan import PanTool
 from iconstudio.gui.document import Document
 from iconstudio.gui.theme import UNIT
 from iconstudio.model import Point
 
-ZOOM_STEP = 1.25
 
-
-class CanvasView(QWidget):
+class CanvasView(CameraView):
     """The page, with the tool in use. Space or the middle button pans with any tool.
 
     Signals
@@ -46,8 +40,6 @@ class CanvasView(QWidget):
         self._panning = False
         self._regions: Sequence[Point] = ()
         self._dim = 0.35
-        self._camera = Camera()
-        self._fitted = True
         self.setMouseTracking(True)
         self.setAcceptDrops(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -59,10 +51,9 @@ class CanvasView(QWidget):
 
     # -- what is shown -------------------------------------------------------------------------
 
-    @property
-    def camera(self) -> Camera:
-        """Which part of the page is shown."""
-        return self._camera
+    def content(self) -> QRectF:
+        """Return the area of the page."""
+        return self._document.page.bounds()
 
     @property
     def tool(self) -> Tool:
@@ -88,34 +79,6 @@ class CanvasView(QWidget):
     def set_regions(self, centres: Sequence[Point]) -> None:
         """Show the salient regions at these centres (canvas pixels); none hides them."""
         self._regions = centres
-        self.update()
-
-    def fit(self) -> None:
-        """Show the whole page."""
-        self._camera = self._fitting()
-        self._fitted = True
-        self.update()
-
-    def zoom_by(self, factor: float, anchor: QPointF | None = None) -> None:
-        """Zoom about ``anchor``, by default the middle."""
-        middle = QPointF(self.width() / 2, self.height() / 2)
-        base = self._fitting().zoom
-        self._camera = self._camera.zoomed(factor, anchor or middle, base)
-        self._fitted = False
-        self.update()
-
-    def zoom_in(self) -> None:
-        """Zoom in by a step."""
-        self.zoom_by(ZOOM_STEP)
-
-    def zoom_out(self) -> None:
-        """Zoom out by a step."""
-        self.zoom_by(1 / ZOOM_STEP)
-
-    def pan(self, by: QPointF) -> None:
-        """Move the page by view pixels."""
-        self._camera = self._camera.panned(by)
-        self._fitted = False
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
@@ -167,26 +130,6 @@ class CanvasView(QWidget):
         self._tool.leave()
         self._refresh()
 
-    def wheelEvent(self, event: QWheelEvent) -> None:
-        """Zoom with a wheel; with a touch pad pan, and zoom while Ctrl is down."""
-        touch = event.pointingDevice().type() == QInputDevice.DeviceType.TouchPad
-        if touch and not event.modifiers() & Qt.KeyboardModifier.ControlModifier:
-            delta = event.pixelDelta() if not event.pixelDelta().isNull() else event.angleDelta()
-            self.pan(QPointF(delta))
-        else:
-            self.zoom_by(1.0015 ** event.angleDelta().y(), event.position())
-        event.accept()
-
-    def event(self, event: QEvent) -> bool:
-        """Zoom with a pinch."""
-        if (
-            isinstance(event, QNativeGestureEvent)
-            and event.gestureType() == Qt.NativeGestureType.ZoomNativeGesture
-        ):
-            self.zoom_by(1 + event.value(), event.position())
-            return True
-        return super().event(event)
-
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Space pans while it is down, Escape cancels, the rest goes to the tool."""
         if event.key() == Qt.Key.Key_Space:
@@ -216,14 +159,6 @@ class CanvasView(QWidget):
         event.acceptProposedAction()
         self.files_dropped.emit(event.mimeData())
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        """Keep the page fitted, or its middle in the middle."""
-        if self._fitted or not event.oldSize().isValid():
-            self.fit()
-        else:
-            change = event.size() - event.oldSize()
-            self._camera = self._camera.panned(QPointF(change.width(), change.height()) / 2)
-
     # -- helpers -------------------------------------------------------------------------------
 
     def _pointer(self, event: QMouseEvent) -> Pointer:
@@ -231,9 +166,6 @@ class CanvasView(QWidget):
         return Pointer(
             self._camera.to_page(view), view, self._camera, event.button(), event.modifiers()
         )
-
-    def _fitting(self) -> Camera:
-        return Camera.fitting(self._document.page.bounds(), self.size().toSizeF(), 3 * UNIT)
 
     def _page_changed(self) -> None:
         if not self._document.page.vertices:

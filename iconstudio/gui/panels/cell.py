@@ -85,7 +85,7 @@ class ResultCell(QAbstractButton):
                 painter.drawRoundedRect(box, 6, 6)
             else:
                 self._paint_frame(painter, look, box)
-                target = QRectF(0, 0, side - 8, side - 8)
+                target = QRectF(0, 0, side, side)
                 target.moveCenter(box.center())
                 self.picture.paint(painter, target, look.color("text"), self._coded)
 

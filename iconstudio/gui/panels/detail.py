@@ -2,10 +2,11 @@
 
 from html import escape
 
-from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QPainter, QPaintEvent
+from PySide6.QtCore import QEvent, QRectF, Qt, Signal
+from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import (
     QFrame,
+    QGridLayout,
     QHBoxLayout,
     QLabel,
     QPushButton,
@@ -16,7 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from iconstudio.gui import icons, theme
+from iconstudio.gui import theme
 from iconstudio.gui.pictures import Picture, SourcePicture, source_pictures
 from iconstudio.gui.theme import UNIT
 
@@ -32,11 +33,6 @@ class LargePicture(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Expanding)
         self.setAccessibleName("The picked icon")
 
-    def sizeHint(self) -> QSize:
-        """Return a square as high as there is room."""
-        side = max(self.height(), 20 * UNIT)
-        return QSize(side, side)
-
     def show_picture(self, picture: Picture | None) -> None:
         """Show another result."""
         self._picture = picture
@@ -47,9 +43,9 @@ class LargePicture(QWidget):
         self._coded = coded
         self.update()
 
-    def resizeEvent(self, event) -> None:
+    def resizeEvent(self, event: QResizeEvent) -> None:
         """Stay square."""
-        self.updateGeometry()
+        self.setFixedWidth(min(self.height(), 40 * UNIT))
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """Draw the sheet and the icon."""
@@ -94,18 +90,18 @@ class SourceRow(QWidget):
     def __init__(self, picture: SourcePicture, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         credit = picture.source.exemplar.pictogram.credit
-        title = QLabel(f"{picture.source.exemplar.id}")
+        title = QLabel(_title_text(picture), textFormat=Qt.TextFormat.RichText)
         title.setProperty("heading", True)
+        title.setOpenExternalLinks(True)
+        title.setToolTip(f"Open {credit.url}")
         share = QLabel(f"{picture.share:.0%}")
         share.setProperty("heading", True)
         share.setFixedWidth(5 * UNIT)
         share.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         share.setToolTip("Part of the icon's ink that comes from this source")
-        text = QLabel(_credit_text(picture))
+        text = QLabel(f"{credit.author} · {credit.license}", textFormat=Qt.TextFormat.PlainText)
         text.setProperty("muted", True)
-        text.setOpenExternalLinks(True)
-        text.setTextFormat(Qt.TextFormat.RichText)
-        text.setToolTip(escape(credit.url))
+        text.setToolTip(f"{credit.title}, by {credit.author}, {credit.license}")
         for label in (title, text):
             label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         words = QVBoxLayout()
@@ -146,9 +142,12 @@ class DetailPanel(QFrame):
         self._about = QLabel()
         self._about.setProperty("muted", True)
         self._about.setToolTip("How far the icon's filled shape and the sketch's cover each other")
-        self._rows = QVBoxLayout()
-        self._rows.setContentsMargins(0, 0, 0, 0)
-        self._rows.setSpacing(UNIT // 2)
+        self._rows = QGridLayout()
+        self._rows.setContentsMargins(0, 0, UNIT, 0)
+        self._rows.setHorizontalSpacing(3 * UNIT)
+        self._rows.setVerticalSpacing(UNIT // 2)
+        self._rows.setColumnStretch(0, 1)
+        self._rows.setColumnStretch(1, 1)
         empty = QLabel(
             "Pick a result to see it large, with the icons that its parts come from.",
             alignment=Qt.AlignmentFlag.AlignCenter,
@@ -172,10 +171,9 @@ class DetailPanel(QFrame):
         self.large.show_picture(picture)
         self._stack.setCurrentIndex(0 if picture is None else 1)
         while self._rows.count():
-            item = self._rows.takeAt(0)
-            if item.widget() is not None:
-                item.widget().hide()
-                item.widget().deleteLater()
+            row = self._rows.takeAt(0).widget()
+            row.hide()
+            row.deleteLater()
         if picture is None:
             return
         composite = picture.result.composite
@@ -183,15 +181,9 @@ class DetailPanel(QFrame):
         sources = source_pictures(composite)
         count = "1 icon" if len(sources) == 1 else f"{len(sources)} icons"
         self._about.setText(f"Parts of {count} · covers the sketch by {composite.iou:.0%}")
-        for source in sources:
-            self._rows.addWidget(SourceRow(source))
-        self._rows.addStretch()
-
-    def refresh_icons(self, look: theme.Theme) -> None:
-        """Draw the icons in the colours of ``look``."""
-        for button, name in self._buttons.items():
-            button.setIcon(icons.icon(name, look))
-            button.setIconSize(QSize(16, 16))
+        for number, source in enumerate(sources):
+            self._rows.addWidget(SourceRow(source), number // 2, number % 2)
+        self._rows.setRowStretch(self._rows.rowCount(), 1)
 
     def changeEvent(self, event: QEvent) -> None:
         """Draw again in the new colours."""
@@ -201,20 +193,21 @@ class DetailPanel(QFrame):
 
     def _side(self) -> QVBoxLayout:
         svg = QPushButton("Save SVG…", toolTip="Save the icon as SVG, with credits (Ctrl+E)")
-        png = QPushButton("PNG…", toolTip="Save the icon as PNG (Ctrl+Shift+E)")
+        png = QPushButton("Save PNG…", toolTip="Save the icon as PNG (Ctrl+Shift+E)")
         copy = QPushButton("Copy SVG", toolTip="Copy the icon as SVG (Ctrl+Shift+C)")
         svg.clicked.connect(self.save_svg)
         png.clicked.connect(self.save_png)
         copy.clicked.connect(self.copy_svg)
-        self._buttons = {svg: "save", png: "save", copy: "copy"}
         top = QHBoxLayout()
         top.setSpacing(UNIT)
+        for label in (self._title, self._about):
+            label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         words = QVBoxLayout()
         words.setSpacing(1)
         words.addWidget(self._title)
         words.addWidget(self._about)
         top.addLayout(words, 1)
-        for button in self._buttons:
+        for button in (svg, png, copy):
             top.addWidget(button, 0, Qt.AlignmentFlag.AlignTop)
         inner = QWidget()
         inner.setLayout(self._rows)
@@ -231,15 +224,11 @@ class DetailPanel(QFrame):
         return side
 
 
-def _credit_text(picture: SourcePicture) -> str:
-    credit = picture.source.exemplar.pictogram.credit
-    color = theme.current().accent
-    author, license = escape(credit.author), escape(credit.license)
-    url = escape(credit.url, quote=True)
-    return (
-        f"{author} · {license} · "
-        f"<a href='{url}' style='color:{color}; text-decoration:none'>see the original</a>"
-    )
+def _title_text(picture: SourcePicture) -> str:
+    exemplar = picture.source.exemplar
+    url = escape(exemplar.pictogram.credit.url, quote=True)
+    style = f"color:{theme.current().accent}; text-decoration:none"
+    return f"<a href='{url}' style='{style}'>{escape(exemplar.id)}</a>"
 
 
 def _placement_text(picture: SourcePicture) -> str:

@@ -20,7 +20,7 @@ class ProgressStrip(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setFixedHeight(5 * UNIT)
+        self.setFixedHeight(4 * UNIT + 4)
         self.label = QLabel()
         self.label.setProperty("muted", True)
         self.bar = QProgressBar(textVisible=False, maximum=1000)
@@ -30,7 +30,7 @@ class ProgressStrip(QWidget):
         self.button.setToolTip("Stop; finished results stay (Ctrl+.)")
         self.button.clicked.connect(self.cancelled)
         layout = QHBoxLayout(self)
-        layout.setContentsMargins(UNIT, 0, UNIT, 0)
+        layout.setContentsMargins(UNIT, 0, 0, 4)
         layout.setSpacing(UNIT * 3 // 2)
         layout.addWidget(self.label, 1)
         layout.addWidget(self.bar)

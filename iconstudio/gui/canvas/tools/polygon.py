@@ -68,13 +68,13 @@ class PolygonTool(Tool):
         """What can be done now."""
         page = self._document.page
         if page.closed:
-            return "Drag a point · click an edge to add one · right-click a point to remove it"
+            return "Drag points · click an edge to add · right-click to remove"
         count = len(page.vertices)
         if count == 0:
             return "Click around the object to trace its outline"
         if count < 3:
-            return "Click the next point · Esc gives up the outline"
-        return "Click the first point, or press Enter, to close · Esc gives up the outline"
+            return "Click the next point · Esc gives up"
+        return "Click the first point or press Enter to close"
 
     def paint(self, painter: QPainter, camera: Camera, theme: Theme) -> None:
         """Draw the next edge, the handles, and what a click would do."""
@@ -84,23 +84,26 @@ class PolygonTool(Tool):
         if points and not page.closed and self._pointer is not None and self._hover is None:
             painter.setPen(QPen(accent, 1.5, Qt.PenStyle.DashLine))
             painter.drawLine(points[-1], self._pointer.view)
+        crowded = _length(points) < 3 * GRIP * len(points)
         for index, point in enumerate(points):
-            self._paint_handle(painter, theme, index, point)
+            self._paint_handle(painter, theme, index, point, 2.8 if crowded else 4.0)
         if self._hover is not None and self._hover.kind == "edge":
             painter.setPen(QPen(accent, 1.5))
             painter.setBrush(theme.color("surface", 0.8))
             painter.drawEllipse(camera.to_view(self._hover.point), 4.5, 4.5)
 
-    def _paint_handle(self, painter: QPainter, theme: Theme, index: int, point: QPointF) -> None:
+    def _paint_handle(
+        self, painter: QPainter, theme: Theme, index: int, point: QPointF, radius: float
+    ) -> None:
         hovered = self._hover == Hit("vertex", index, self._document.page.vertices[index])
         selected = index in (self.selected, self._dragged)
-        radius = 6.0 if hovered or selected else 4.0
+        radius = 6.0 if hovered or selected else radius
         accent = theme.color("accent")
         if hovered and self._closes(index):
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(theme.color("accent", 0.25))
             painter.drawEllipse(point, 13, 13)
-        painter.setPen(QPen(accent, 2))
+        painter.setPen(QPen(accent, min(2.0, radius / 2)))
         painter.setBrush(accent if selected else theme.color("surface"))
         if index == 0 and not self._document.page.closed:
             painter.drawRect(QRectF(point.x() - radius, point.y() - radius, 2 * radius, 2 * radius))
@@ -261,6 +264,10 @@ class PolygonTool(Tool):
             self.selected = None
         if self._dragged is not None and self._dragged >= count:
             self._dragged = None
+
+
+def _length(points: list[QPointF]) -> float:
+    return sum(map(_distance, points, points[1:]))
 
 
 def _distance(a: QPointF, b: QPointF) -> float:
