@@ -1,0 +1,35 @@
+"""A progress bar on a terminal; nothing elsewhere."""
+
+import sys
+from types import TracebackType
+
+from tqdm import tqdm
+
+
+class ProgressBar:
+    """One bar on standard error for all stages, each named beside it."""
+
+    def __init__(self) -> None:
+        self._bar = tqdm(
+            total=100,
+            disable=not sys.stderr.isatty(),
+            leave=False,
+            bar_format="{desc:<28} {percentage:3.0f}% |{bar}| {elapsed}",
+        )
+
+    def show(self, done: float, message: str) -> None:
+        """Show that ``done`` (0 to 1) of what ``message`` names is over."""
+        self._bar.set_description_str(message, refresh=False)
+        self._bar.n = 100 * done
+        self._bar.refresh()
+
+    def __enter__(self) -> "ProgressBar":
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self._bar.close()

@@ -1,0 +1,50 @@
+"""``iconstudio search``: list what a keyword retrieves."""
+
+from pathlib import Path
+
+import click
+
+from iconstudio.cli.progress import ProgressBar
+from iconstudio.model import Exemplar
+from iconstudio.session import Session
+
+
+@click.command("search")
+@click.argument("word")
+@click.option(
+    "--exclude", multiple=True, metavar="ID", help="Leave out this icon; may be repeated."
+)
+@click.option(
+    "--sheet",
+    type=click.Path(dir_okay=False, path_type=Path),
+    metavar="FILE.png",
+    help="Draw the icons as well.",
+)
+def command(word: str, exclude: tuple[str, ...], sheet: Path | None) -> None:
+    """List the icons that WORD retrieves, best first: identifier, author, licence."""
+    with Session() as session:
+        with ProgressBar() as bar:
+            for step in session.open():
+                bar.show(step.done, step.message)
+        pictograms = session.search(word, frozenset(exclude))
+        if sheet is not None:
+            _draw(session, word, sheet)
+    for pictogram in pictograms:
+        credit = pictogram.credit
+        click.echo(f"{pictogram.id}\t{credit.author}\t{credit.license}")
+
+
+def _draw(session: Session, word: str, sheet: Path) -> None:
+    from iconstudio.output.sheet import search_sheet
+
+    exemplars: tuple[Exemplar, ...] = ()
+    pictograms = session.search(word)
+    with ProgressBar() as bar:
+        steps = session.rasterise(pictograms)
+        try:
+            while True:
+                step = next(steps)
+                bar.show(step.done, step.message)
+        except StopIteration as end:
+            exemplars = end.value
+    search_sheet(exemplars, word, sheet)
