@@ -136,9 +136,7 @@ def expand(
     pairwise = np.maximum(e01 + e10 - e00 - e11, 0)
     joined = np.flatnonzero(movable[p] & movable[q] & (pairwise > 0))
     number = np.cumsum(movable) - 1
-    taken = maxflow.minimise(
-        unary[nodes], number[p[joined]], number[q[joined]], pairwise[joined]
-    )
+    taken = maxflow.minimise(unary[nodes], number[p[joined]], number[q[joined]], pairwise[joined])
     if not taken.any():
         return labels, 0.0
     moved = labels.copy()

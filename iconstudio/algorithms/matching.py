@@ -6,7 +6,7 @@ followed up to full resolution, so that the errors that rank them are equation 4
 """
 
 import math
-from collections.abc import Generator, Iterable, Sequence
+from collections.abc import Callable, Generator, Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -24,12 +24,12 @@ MATCHES = 3
 SCALES = (0.9, 1.0, 1.1)
 COARSEN = 4
 """The exhaustive search sees every 4 x 4 pixels as one."""
-SHORTLIST = 12
-"""How many exemplars of each region are followed up to full resolution."""
+SHORTLIST = 24
+"""How many variants of exemplars are followed up to full resolution in each region."""
 REACH = 2
 """How far around a coarse match the next finer resolution looks, in its pixels."""
-HIT = np.dtype([("error", "f4"), ("variant", "i2"), ("dx", "i2"), ("dy", "i2")])
-"""The best coarse match of one exemplar in one region."""
+HIT = np.dtype([("error", "f4"), ("dx", "i2"), ("dy", "i2")])
+"""The best coarse match of one variant in one region: its error and translation."""
 FAR = np.float32(D_MAX / CANVAS)
 """The field's value far outside: fields are stored less this, so that zero padding is exact."""
 
@@ -109,9 +109,8 @@ class SlidingWindow:
         Side of the exemplars' fields, in the same pixels; at least n.
     """
 
-    def __init__(
-        self, field: NDArray[np.float32], masks: NDArray[np.float32], side: int
-    ) -> None:
+    def __init__(self, field: NDArray[np.float32], masks: NDArray[np.float32], side: int) -> None:
+        self.count = len(masks)
         self.side = side
         self.offset = (side - field.shape[0]) // 2
         self.size = fft.fast_size(field.shape[0] + side - 1)
@@ -168,10 +167,10 @@ def coarse_search(
 
     Returns
     -------
-    (regions, exemplars) records of ``HIT``: the least error of each exemplar in each region, and the
-    variant and the translation, in blocks of ``COARSEN`` pixels, that have it
+    (regions, exemplars, variants) records of ``HIT``, translations in blocks of ``COARSEN`` pixels
     """
-    hits = np.zeros((len(regions), len(exemplars)), dtype=HIT)
+    count = len(exemplars[0].variants) if exemplars else 0
+    hits = np.zeros((len(regions), len(exemplars), count), dtype=HIT)
     if not exemplars:
         return hits
     masks = np.stack([reduced(region.mask) for region in regions])
@@ -179,7 +178,8 @@ def coarse_search(
         reduced(sketch_field - FAR), masks, exemplars[0].variants[0].coarse.shape[0]
     )
     for index, prepared in enumerate(exemplars):
-        hits[:, index] = _least_errors(window, prepared)
+        for number, variant in enumerate(prepared.variants):
+            hits[:, index, number] = _least_errors(window, variant.coarse)
         yield (index + 1) / len(exemplars)
     return hits
 
@@ -195,59 +195,74 @@ def refine(
 ) -> list[list[Match]]:
     """Return the best matches of every region among the ``admitted`` exemplars.
 
-    The ``keep`` best of the coarse search are followed up to full resolution.
+    The ``keep`` best variants of the coarse search are followed up to full resolution.
 
     Returns
     -------
     list
-        ``matches[region]``: at most ``keep`` matches of different exemplars by rising error.
+        ``matches[region]``: matches of different exemplars by rising error.
     """
     field = sketch_field - FAR
     chosen = np.array(admitted, dtype=int)
     matches = []
     for region, row in zip(regions, hits, strict=True):
-        best = chosen[np.argsort(row["error"][chosen], kind="stable")[:keep]]
-        refined = [_follow(field, region.mask, exemplars[i], int(i), row[i]) for i in best]
-        matches.append(sorted(refined, key=lambda m: (m.error, m.index)))
+        errors = row["error"][chosen]
+        best: dict[int, Match] = {}
+        for position in np.argsort(errors, axis=None, kind="stable")[:keep]:
+            nth, number = divmod(int(position), errors.shape[1])
+            index = int(chosen[nth])
+            variant = exemplars[index].variants[number]
+            match = _follow(field, region.mask, variant, index, row[index, number])
+            if index not in best or match.error < best[index].error:
+                best[index] = match
+        matches.append(sorted(best.values(), key=lambda m: (m.error, m.index)))
     return matches
 
 
-def _least_errors(window: SlidingWindow, prepared: PreparedExemplar) -> NDArray[np.void]:
-    """Return for each region the least error of one exemplar, as records of ``HIT``."""
-    best: NDArray[np.void] | None = None
-    for number, variant in enumerate(prepared.variants):
-        errors = window.errors(variant.coarse)
-        flat = errors.reshape(len(errors), -1)
-        hits = np.zeros(len(flat), dtype=HIT)
-        at = flat.argmin(axis=1)
-        hits["error"], hits["variant"] = flat[np.arange(len(flat)), at], number
-        for hit, position in zip(hits, at, strict=True):
-            hit["dx"], hit["dy"] = window.translation(*divmod(int(position), window.size))
-        best = hits if best is None else np.where(hits["error"] < best["error"], hits, best)
-    return best
+def _least_errors(window: SlidingWindow, coarse: NDArray[np.float32]) -> NDArray[np.void]:
+    """Return for each region the least error of one variant, as records of ``HIT``."""
+    flat = window.errors(coarse).reshape(window.count, -1)
+    at = flat.argmin(axis=1)
+    hits = np.zeros(len(flat), dtype=HIT)
+    hits["error"] = flat[np.arange(len(flat)), at]
+    for hit, position in zip(hits, at, strict=True):
+        hit["dx"], hit["dy"] = window.translation(*divmod(int(position), window.size))
+    return hits
 
 
 def _follow(
     field: NDArray[np.float32],
     mask: NDArray[np.float32],
-    prepared: PreparedExemplar,
+    variant: Variant,
     index: int,
     hit: np.void,
 ) -> Match:
-    """Follow a coarse match to full resolution: halve the pixels, look around, twice."""
-    variant = prepared.variants[hit["variant"]]
+    """Follow a coarse match to full resolution: halve the pixels, go downhill, twice."""
     error, dx, dy = math.inf, int(hit["dx"]), int(hit["dy"])
     factor = COARSEN
     while factor > 1:
         factor //= 2
         small = [reduced(a, factor) if factor > 1 else a for a in (field, mask, variant.field)]
-        around = range(-REACH, REACH + 1)
-        error, dx, dy = min(
-            (direct_error(*small, 2 * dx + x, 2 * dy + y), 2 * dx + x, 2 * dy + y)
-            for y in around
-            for x in around
-        )
+        error, dx, dy = _downhill(lambda x, y, s=small: direct_error(*s, x, y), 2 * dx, 2 * dy)
     return Match(index, Placement(variant.scale, variant.flip, dx, dy), error)
+
+
+def _downhill(error_at: Callable[[int, int], float], dx: int, dy: int) -> tuple[float, int, int]:
+    """Return the least error and its translation: look around, go to the best, until at home."""
+    known: dict[tuple[int, int], float] = {}
+    while True:
+        around = [
+            (x, y)
+            for y in range(dy - REACH, dy + REACH + 1)
+            for x in range(dx - REACH, dx + REACH + 1)
+        ]
+        for at in around:
+            if at not in known:
+                known[at] = error_at(*at)
+        best = min(around, key=lambda at: (known[at], at))
+        if known[best] == known[dx, dy]:
+            return known[dx, dy], dx, dy
+        dx, dy = best
 
 
 def sources_of(
@@ -256,8 +271,7 @@ def sources_of(
     """Return the ``count`` best matches of each region as sources (section 3.3)."""
     return tuple(
         tuple(
-            Source(exemplars[m.index].exemplar, m.placement, m.error, region)
-            for m in row[:count]
+            Source(exemplars[m.index].exemplar, m.placement, m.error, region) for m in row[:count]
         )
         for region, row in enumerate(matches)
     )

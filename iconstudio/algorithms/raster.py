@@ -29,10 +29,16 @@ def fill_polygon(polygon: Polygon, size: int = CANVAS) -> Bitmap:
     A pixel is inside if its centre is. Of an outline that crosses itself, all that it encloses
     counts as inside.
     """
+    from PIL import Image, ImageDraw
     from skimage.draw import polygon2mask
 
     corners = np.array([(y - 0.5, x - 0.5) for x, y in polygon.vertices])
-    return solid(polygon2mask((size, size), corners))
+    inside = polygon2mask((size, size), corners)
+    if polygon.crosses_itself:  # the even-odd rule leaves out what is enclosed twice
+        outline = Image.fromarray(inside)
+        ImageDraw.Draw(outline).line([*polygon.vertices, polygon.vertices[0]], fill=1)
+        inside = np.asarray(outline)
+    return solid(inside)
 
 
 def scaled_ink(exemplar: Exemplar, scale: float, pad: int = 0) -> Bitmap:
@@ -77,9 +83,7 @@ def shifted(picture: NDArray, dx: int, dy: int, size: int, fill: object = 0) -> 
     ys = slice(max(0, -y0), min(size, n - y0))
     xs = slice(max(0, -x0), min(size, n - x0))
     if ys.start < ys.stop and xs.start < xs.stop:
-        out[..., ys, xs] = picture[
-            ..., ys.start + y0 : ys.stop + y0, xs.start + x0 : xs.stop + x0
-        ]
+        out[..., ys, xs] = picture[..., ys.start + y0 : ys.stop + y0, xs.start + x0 : xs.stop + x0]
     return out
 
 

@@ -10,6 +10,7 @@ same contents.
 import hashlib
 import json
 import lzma
+import os
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
@@ -54,7 +55,10 @@ class Contents:
 
 
 def write(contents: Contents, folder: Path) -> None:
-    """Write the files of a collection into ``folder``, the manifest last."""
+    """Write the files of a collection into ``folder``, the manifest last.
+
+    Each file replaces an older one at once, or not at all.
+    """
     index = {
         "sets": [asdict(one) | {"url": one.url} for one in contents.sets],
         "set_of": contents.set_of,
@@ -72,10 +76,19 @@ def write(contents: Contents, folder: Path) -> None:
     files: dict[str, dict[str, Any]] = {}
     for name, data in streams.items():
         packed = lzma.compress(data, format=lzma.FORMAT_XZ, filters=_FILTERS)
-        (folder / name).write_bytes(packed)
+        _replace(folder / name, packed)
         files[name] = {"bytes": len(packed), "sha256": hashlib.sha256(packed).hexdigest()}
     manifest = {"format": FORMAT, "icons": len(contents.names), "files": files}
-    (folder / MANIFEST).write_text(json.dumps(manifest, indent=1) + "\n", encoding="utf-8")
+    _replace(folder / MANIFEST, (json.dumps(manifest, indent=1) + "\n").encode())
+
+
+def _replace(path: Path, data: bytes) -> None:
+    temporary = path.with_name(f".{path.name}.{os.getpid()}")
+    try:
+        temporary.write_bytes(data)
+        os.replace(temporary, path)
+    finally:
+        temporary.unlink(missing_ok=True)
 
 
 @dataclass(frozen=True, slots=True)

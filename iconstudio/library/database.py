@@ -6,12 +6,14 @@ that open at the same time do no harm: the last one's file replaces an equal one
 """
 
 import errno
+import json
 import os
 import sqlite3
 import tempfile
+import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import closing
+from contextlib import closing, suppress
 from itertools import repeat
 from pathlib import Path
 from typing import Any
@@ -19,6 +21,9 @@ from typing import Any
 from iconstudio.library.archive import MANIFEST, Archive, damaged
 from iconstudio.library.progress import Progress
 from iconstudio.model import IconstudioError
+
+_ABANDONED = 3600.0
+"""Seconds after which a file that no opening completed or touched may be removed."""
 
 _SCHEMA = """
 CREATE TABLE icon (
@@ -50,6 +55,7 @@ def unpack(archive: Archive, path: Path) -> Iterator[Progress]:
         temporary = Path(name)
         yield from _fill(archive, temporary)
         os.replace(temporary, path)
+        _remove_others(path)
     except (OSError, sqlite3.OperationalError) as error:
         if path.is_file():  # another program, which may hold the file open, was first
             return
@@ -57,6 +63,15 @@ def unpack(archive: Archive, path: Path) -> Iterator[Progress]:
     finally:
         if temporary is not None:
             temporary.unlink(missing_ok=True)
+
+
+def _remove_others(path: Path) -> None:
+    """Remove the collections of other versions, and what killed programs left half unpacked."""
+    old = time.time() - _ABANDONED
+    for other in (*path.parent.glob("collection-*.sqlite"), *path.parent.glob(".unpacking-*")):
+        with suppress(OSError):
+            if other != path and other.stat().st_mtime < old:
+                other.unlink()
 
 
 def _no_room(folder: Path, error: Exception) -> str:
@@ -69,8 +84,6 @@ def _no_room(folder: Path, error: Exception) -> str:
 
 
 def _fill(archive: Archive, path: Path) -> Iterator[Progress]:
-    import json
-
     yield Progress(0.0, "Unpacking the icon collection (only this once)")
     with ThreadPoolExecutor(3) as pool:  # liblzma lets other threads run
         bodies, index, shapes = (

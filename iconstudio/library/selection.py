@@ -6,6 +6,7 @@ animations or national flags; of several sizes of one drawing, one.
 
 import re
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 from pathlib import Path
 
 from iconstudio.library.iconify import IconSet, RawIcon, read_set
@@ -36,9 +37,10 @@ _UNWANTED_NAMES = re.compile(
 _LOGO_CATEGORY = re.compile(
     r"brand|logo|flags?$|social (media|network)|social(media|bookmark)", re.I
 )
-_LOGO_WORDS = words("logo logos logotype wordmark brand brands")
+_LOGO_SET = re.compile(r"brand|logo|devicon")
+_LOGO_WORDS = words("logo logos logotype wordmark brand brands social")
 _COMPANIES = words(
-    "twitter amazon slack discord dropbox android skype reddit google facebook github"
+    "twitter amazon slack discord dropbox android skype reddit google facebook github python"
 )
 """Companies whose names WordNet lists as common nouns, or that name many products after them."""
 _FLAGS = re.compile(r"^(circle-)?flags?-(for|of)-|^flag-[a-z]{2}(-[a-z]+)?$")
@@ -74,22 +76,44 @@ def is_wanted(icon_set: IconSet) -> bool:
     )
 
 
-def brand_names(folder: Path, wordnet: WordNet) -> frozenset[str]:
-    """Return the names of logos that are no common nouns, from the sets of logos themselves."""
+@dataclass(frozen=True, slots=True)
+class Brands:
+    """What sets of logos call their icons."""
+
+    names: frozenset[str]
+    """Names that are no common nouns: an icon so called is a logo."""
+    logos: tuple[tuple[RawIcon, str], ...]
+    """Logos with names that are: an icon called *apple* is a logo if it looks like one of these."""
+
+
+def brands(folder: Path, wordnet: WordNet) -> Brands:
+    """Return the names and the logos of an unpacked ``@iconify/json``."""
     names: set[str] = set()
+    logos: list[tuple[RawIcon, str]] = []
     for path in sorted((folder / "json").glob("*.json")):
         icon_set, icons = read_set(path)
-        if icon_set.category == "Logos":
-            names.update(take_apart(icon.name).phrase for icon in icons)
-    return frozenset(name for name in names if not wordnet.is_noun(wordnet.lemma(name)))
+        only_logos = icon_set.category == "Logos" or bool(_LOGO_SET.search(icon_set.prefix))
+        for icon in icons:
+            spoken = take_apart(icon.name).words
+            name = " ".join(word for word in spoken if word not in _LOGO_WORDS)
+            if not only_logos and not _LOGO_WORDS & set(spoken):
+                continue
+            if not wordnet.is_noun(wordnet.lemma(name)):
+                names.add(name)
+            elif icon_set.monochrome and len(icon.body) <= MAX_BODY:
+                logos.append((icon, name))
+    return Brands(frozenset(names), tuple(logos))
 
 
-def select(icons: Iterable[RawIcon], brands: frozenset[str]) -> Iterator[tuple[RawIcon, Name]]:
-    """Yield the wanted icons of one set, with their names taken apart; of several sizes, one."""
+def select(icons: Iterable[RawIcon], logos: frozenset[str]) -> Iterator[tuple[RawIcon, Name]]:
+    """Yield the wanted icons of one set, with their names taken apart; of several sizes, one.
+
+    ``logos`` are names that only logos have.
+    """
     best: dict[tuple[str, ...], tuple[int, RawIcon, Name]] = {}
     for icon in icons:
         name = take_apart(icon.name)
-        if not _is_pictogram(icon, name, brands):
+        if not _is_pictogram(icon, name, logos):
             continue
         size = name.size or _BEST_SIZE
         distance = abs(size - _BEST_SIZE)
@@ -100,7 +124,7 @@ def select(icons: Iterable[RawIcon], brands: frozenset[str]) -> Iterator[tuple[R
         yield icon, name
 
 
-def _is_pictogram(icon: RawIcon, name: Name, brands: frozenset[str]) -> bool:
+def _is_pictogram(icon: RawIcon, name: Name, logos: frozenset[str]) -> bool:
     spoken = set(name.words)
     return not (
         len(icon.body) > MAX_BODY
@@ -108,7 +132,7 @@ def _is_pictogram(icon: RawIcon, name: Name, brands: frozenset[str]) -> bool:
         or _COLOURED.search(_MASK.sub("", icon.body))
         or is_negated(name.words)
         or spoken & (_LOGO_WORDS | _COMPANIES)
-        or name.phrase in brands
+        or name.phrase in logos
         or _FLAGS.match(icon.name)
         or any(_LOGO_CATEGORY.search(category) for category in icon.categories)
     )

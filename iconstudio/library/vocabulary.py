@@ -10,7 +10,7 @@ STYLES = words(
     """
     fill filled outline outlined bold line linear duotone duo tone twotone thin light solid
     sharp rounded round regular remix broken baseline block flat stroke fat lineal glyph
-    expressive curved basic print alt alternative variant alternate o f rtl ltr mono
+    expressive curved basic alt alternative variant alternate o f rtl ltr mono
     monochrome rough bulk badged
     """
 )
@@ -108,6 +108,7 @@ TECHNICAL = words(
     carrier stock post beam block board chart deck diamond drum feed frame hub mill pad
     platform port rack ring screen seal shell spool stack tablet tap terminal track trunk
     adapter converter connector cell agent host mole pilot token swift kite ram buffer
+    scoter myna lounge boxer springer clipper packer dingo
     """
 )
 """Words that collections of icons use for machines and marks, though WordNet also knows a horse,

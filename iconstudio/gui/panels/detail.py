@@ -180,7 +180,7 @@ class DetailPanel(QFrame):
         self._title.setText(f"{composite.style.capitalize()}, λ {composite.lambda_s:.2f}")
         sources = source_pictures(composite)
         count = "1 icon" if len(sources) == 1 else f"{len(sources)} icons"
-        self._about.setText(f"Parts of {count} · covers the sketch by {composite.iou:.0%}")
+        self._about.setText(f"From {count} · fits the sketch by {composite.iou:.0%}")
         for number, source in enumerate(sources):
             self._rows.addWidget(SourceRow(source), number // 2, number % 2)
         self._rows.setRowStretch(self._rows.rowCount(), 1)
