@@ -259,6 +259,10 @@ class MainWindow(QMainWindow):
             self.actions_by_name[name].setEnabled(self.detail.picture is not None)
         self.actions_by_name["cancel"].setEnabled(self.modelling.running)
 
+    def threads_alive(self) -> bool:
+        """Whether a thread of the window still runs; not once it is closed."""
+        return self._files_worker.alive or self._session_worker.alive
+
     def changeEvent(self, event: QEvent) -> None:
         """Follow the system between light and dark."""
         super().changeEvent(event)

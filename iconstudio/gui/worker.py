@@ -127,6 +127,11 @@ class Worker(QObject):
             interrupt()
         self._thread.wait()
 
+    @property
+    def alive(self) -> bool:
+        """Whether the thread still runs."""
+        return self._thread.isRunning()
+
     def _forget(self) -> None:
         job = self.sender()
         if job in self._jobs:

@@ -1,0 +1,40 @@
+"""Tests run on machines without Qt's system libraries too: those of the window are skipped then."""
+
+import os
+
+import pytest
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+
+PACKAGES = "libgl1 libegl1 libxkbcommon0 libdbus-1-3 libfontconfig1 libglib2.0-0"
+"""What Qt's window needs on Debian and Ubuntu."""
+
+
+def _missing_library() -> str:
+    """Return why Qt cannot be loaded; nothing if it can."""
+    try:
+        import PySide6.QtWidgets  # noqa: F401
+    except ImportError as error:
+        return str(error)
+    return ""
+
+
+MISSING = _missing_library()
+
+if MISSING:
+    # Otherwise pytest-qt would stop the tests that need no Qt as well.
+    from pytestqt.qt_compat import qt_api
+
+    qt_api.set_qt_api = lambda api: None
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    if MISSING:
+        config.pluginmanager.unregister(name="pytest-qt")
+
+
+def pytest_ignore_collect(collection_path, config: pytest.Config) -> bool | None:
+    """Do not import the window's tests without Qt; one test in their place says so."""
+    if MISSING and collection_path.parent.name == "gui":
+        return collection_path.name != "test_qt_is_there.py"
+    return None
