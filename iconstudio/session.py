@@ -26,8 +26,8 @@ _Key = tuple[str, frozenset[str], tuple[float, ...]]
 class Session:
     """The collection, its caches and the worker processes of one run.
 
-    All methods may be called from any thread; the generators work while they are iterated, and closing
-    them cancels the work.
+    All methods may be called from any thread; the generators work while they are iterated, and
+    closing them cancels the work.
     """
 
     def __init__(self, cache: Path | None = None) -> None:
@@ -92,8 +92,9 @@ class Session:
     ) -> Generator[Event, None, tuple[PreparedExemplar, ...]]:
         """Retrieve and rasterise a keyword's icons, and compute their distance fields.
 
-        Yields ``Progress``, and ``Retrieved`` once the icons are drawn; returns the prepared exemplars,
-        best first. They are kept in memory, so that a later ``model`` of the keyword starts at once.
+        Yields ``Progress``, and ``Retrieved`` once the icons are drawn; returns the prepared
+        exemplars, best first. They are kept in memory, so that a later ``model`` of the keyword
+        starts at once.
         """
         key = keyword.strip().casefold(), exclude, scales
         kept = self._prepared.get(key)

@@ -1,12 +1,12 @@
 """Alpha-expansion (section 3.4; Boykov, Veksler and Zabih 2001), coarse to fine.
 
-One expansion lets every site keep its label or take the label alpha, and finds the best of all these
-labellings at once by a minimum cut; the energy never rises. Expansions of all labels are repeated
-until none helps.
+One expansion lets every site keep its label or take the label alpha, and finds the best of all
+these labellings at once by a minimum cut; the energy never rises. Expansions of all labels are
+repeated until none helps.
 
-Cuts of the whole lattice are slow, so the labelling is first found on blocks of 2 x 2 sites: this is
-the same energy, restricted to labellings that are constant on blocks. It is then polished on the
-sites themselves, near the borders of each region.
+Cuts of the whole lattice are slow, so the labelling is first found on blocks of 2 x 2 sites: this
+is the same energy, restricted to labellings that are constant on blocks. It is then polished on
+the sites themselves, near the borders of each region.
 """
 
 from collections.abc import Iterator
@@ -167,15 +167,13 @@ def minimise(lattice: Lattice, labels: Labels, lambda_s: float, band: int | None
 def remix(problem: RemixProblem, lambda_s: float, start: Labels | None = None) -> Labels:
     """Return labels (CANVAS, CANVAS) of low energy (equation 5).
 
-    ``start`` is a labelling to begin with, such as the answer for the next higher lambda_S: sweeping
-    from high to low reaches lower energies than beginning anew. Without it, each site begins with its
-    cheapest label.
+    ``start`` is a labelling to begin with, such as the answer for the next higher lambda_S:
+    sweeping from high to low reaches lower energies than beginning anew. Without it, each site
+    begins with its cheapest label.
     """
     fine, coarse = Lattice(problem), Lattice(problem, BLOCK)
-    if start is None:
-        blocks = coarse.data.argmin(axis=0).astype(np.uint8)
-    else:
-        blocks = coarse.reduced(start)
+    cheapest = coarse.data.argmin(axis=0).astype(np.uint8)
+    blocks = cheapest if start is None else coarse.reduced(start)
     labels = coarse.full(minimise(coarse, blocks, lambda_s))
     if start is not None and energy(problem, start, lambda_s) < energy(problem, labels, lambda_s):
         labels = start

@@ -1,9 +1,10 @@
 """Drawing a labelling at high resolution, without visible seams.
 
 The label map says who owns each pixel of the canvas; the owners are drawn anew from their SVG at
-``SCALE`` times its resolution. Where two sources meet and disagree, their signed distance fields are
-cross-faded over a few canvas pixels, so that the contour of one runs smoothly into the other's. The
-paper (section 3.4, post-processing) traces the 256-pixel bitmap instead, which shows its staircases.
+``SCALE`` times its resolution. Where two sources meet and disagree, their signed distance fields
+are cross-faded over a few canvas pixels, so that the contour of one runs smoothly into the
+other's. The paper (section 3.4, post-processing) traces the 256-pixel bitmap instead, which shows
+its staircases.
 """
 
 from collections.abc import Mapping
@@ -94,7 +95,7 @@ def _part(labels: Labels, owner: int, coverage: NDArray[np.uint8]) -> _Part:
 
 
 def signed_distance(coverage: NDArray[np.uint8], points: NDArray[np.int64]) -> NDArray[np.float64]:
-    """Return the distance in pixels from ``points`` (p, 2), rows of (y, x), to the drawing's contour.
+    """Return the distance in pixels from ``points`` (p, 2), rows of (y, x), to the contour.
 
     Negative inside. The contour is where the coverage, interpolated, is one half. A picture all ink
     or all paper is as far from its contour as the picture is wide.

@@ -16,7 +16,7 @@ SPACING = 75
 LAMBDA_B = 0.1
 """Weight of the black/white balance in equation 3."""
 SQUARE, SIGMA = 100, 40
-"""The mask M: a square of this side, smoothed by a Gaussian of this standard deviation, in pixels."""
+"""The mask M: a square of this side, smoothed by a Gaussian of this deviation, in pixels."""
 _REACH = SQUARE // 2 + 3 * SIGMA
 
 
@@ -51,7 +51,7 @@ def saliency(polygon: Polygon) -> NDArray[np.float64]:
     """Return the saliency map S of a polygon in canvas pixels, (CANVAS, CANVAS) (equation 3).
 
     M is normalised to sum to 1, so that the balance B (equation 2) lies between 0 and 0.5 and the
-    turning angles T (equation 1), which lie between 0 and 1, weigh more. The canvas is white around.
+    turning angles T (equation 1), which lie between 0 and 1, weigh more. The canvas goes on white.
     """
     theta = np.zeros((CANVAS, CANVAS))
     xs, ys = np.clip(np.array(polygon.vertices).T.astype(int), 0, CANVAS - 1)

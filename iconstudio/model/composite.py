@@ -34,8 +34,8 @@ class Drawing:
     """A composite redrawn and traced: the icon itself.
 
     ``path`` is the ``d`` attribute of one SVG path in canvas units (0 to CANVAS), to be
-    filled with the nonzero rule. ``coverage`` is the same drawing, (n, n) uint8 with n a multiple of
-    CANVAS, 255 = ink.
+    filled with the nonzero rule. ``coverage`` is the same drawing, (n, n) uint8 with n a multiple
+    of CANVAS, 255 = ink.
     """
 
     path: str

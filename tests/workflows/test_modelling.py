@@ -1,0 +1,141 @@
+import numpy as np
+import pytest
+
+from iconstudio.algorithms.matching import prepare
+from iconstudio.library.resvg import render_coverage, render_placed
+from iconstudio.model import CANVAS, Frame, IconstudioError, Placement, Polygon, Sketch
+from iconstudio.workers import Workers
+from iconstudio.workflows.events import (
+    Progress,
+    RegionsFound,
+    Result,
+    StyleMatched,
+    StyleSkipped,
+)
+from iconstudio.workflows.modelling import FEWEST, ModelSettings, distinct, model
+from tests.shapes import blob, exemplar
+
+HOUSE = Polygon.of([(16, 128), (128, 16), (240, 128), (210, 128), (210, 240), (46, 240), (46, 128)])
+
+
+@pytest.fixture(scope="module")
+def workers():
+    with Workers() as pool:
+        yield pool
+
+
+def house_ink():
+    from iconstudio.algorithms.raster import fill_polygon
+
+    return fill_polygon(HOUSE)
+
+
+@pytest.fixture(scope="module")
+def prepared():
+    shapes = [exemplar(blob(seed), f"blob-{seed}") for seed in range(FEWEST)]
+    shapes.append(exemplar(house_ink(), "house"))
+    return [prepare(shape) for shape in shapes]
+
+
+@pytest.fixture(scope="module")
+def events(prepared, workers):
+    sketch = Sketch(HOUSE, "house")
+    settings = ModelSettings(styles=("lightest", "dark"), lambdas=(0.05, 0.75))
+    return list(model(sketch, prepared, settings, workers, render_placed))
+
+
+def of(kind, events):
+    return [event for event in events if isinstance(event, kind)]
+
+
+def test_an_exemplar_that_equals_the_sketch_comes_back_exactly(events):
+    results = of(Result, events)
+    assert [round(result.composite.lambda_s, 3) for result in results] == [0.75, 0.05]
+    for result in results:
+        composite = result.composite
+        assert composite.iou == 1
+        assert composite.energy == composite.data_cost == composite.smoothness_cost == 0
+        owner = composite.sources[int(np.argmax(composite.shares))]
+        assert (owner.exemplar.id, owner.placement) == ("test:house", Placement())
+        svg = (
+            '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 256 256">'
+            f'<path d="{result.drawing.path}"/></svg>'
+        )
+        drawn = render_coverage(svg, Frame(0, 0, CANVAS), CANVAS) > 127
+        assert (drawn ^ house_ink()).sum() < 60
+
+
+def test_a_style_with_too_few_exemplars_says_so(events):
+    (skipped,) = of(StyleSkipped, events)
+    assert (skipped.style, skipped.retrieved) == ("lightest", 0)
+    assert "no icons" in skipped.reason
+
+
+def test_matches_come_before_results_and_progress_ends_at_one(events):
+    kinds = [type(event) for event in events if not isinstance(event, Progress)]
+    assert kinds[0] is RegionsFound
+    assert kinds.index(StyleMatched) < kinds.index(Result)
+    remixed = [event.done for event in of(Progress, events) if event.stage == "remix"]
+    assert remixed[-1] == 1
+    assert remixed == sorted(remixed)
+
+
+def test_three_sources_for_each_region(events):
+    (matched,) = of(StyleMatched, events)
+    (found,) = of(RegionsFound, events)
+    assert len(matched.matches) == len(found.centres)
+    assert all(len(row) == 3 for row in matched.matches)
+    sources = distinct(matched.matches)
+    assert len({(s.exemplar.id, s.placement) for s in sources}) == len(sources) <= 27
+
+
+def test_a_result_adds_up(events):
+    composite = of(Result, events)[-1].composite
+    assert sum(composite.shares) == pytest.approx(1)
+    assert composite.labels.shape == (CANVAS, CANVAS)
+    assert composite.labels.max() < len(composite.sources)
+    assert composite.energy == pytest.approx(
+        composite.data_cost + composite.lambda_s * composite.smoothness_cost
+    )
+
+
+def test_closing_the_generator_stops_the_work(prepared, workers):
+    run = model(Sketch(HOUSE, "house"), prepared, ModelSettings(), workers, render_placed)
+    for event in run:
+        if isinstance(event, StyleMatched):
+            break
+    run.close()
+    assert workers.submit(sum, [1, 2, 3]).result(timeout=20) == 6
+
+
+def test_unknown_styles_are_refused(prepared, workers):
+    settings = ModelSettings(styles=("shiny",))
+    with pytest.raises(IconstudioError, match="shiny.*lightest, light, medium, dark"):
+        next(model(Sketch(HOUSE), prepared, settings, workers, render_placed))
+
+
+def test_a_remix_of_two_halves_joins_them(workers):
+    """Left half of the sketch like one exemplar, right half like another."""
+    square, disc = np.zeros((2, CANVAS, CANVAS), bool)
+    square[40:216, 40:216] = True
+    ys, xs = np.mgrid[:CANVAS, :CANVAS] - 127.5
+    disc[np.hypot(xs, ys) < 88] = True
+    shapes = [exemplar(square, "square"), exemplar(disc, "disc")]
+    shapes += [exemplar(blob(seed), f"blob-{seed}") for seed in range(FEWEST)]
+    outline = Polygon.of(
+        [(40, 40), (128, 40)]
+        + [(128 + 88 * np.sin(a), 128 - 88 * np.cos(a)) for a in np.linspace(0, np.pi, 40)]
+        + [(40, 216)]
+    )
+    settings = ModelSettings(styles=("dark",), lambdas=(0.03,), scales=(1.0,))
+    run = model(
+        Sketch(outline), [prepare(s, (1.0,)) for s in shapes], settings, workers, render_placed
+    )
+    (result,) = of(Result, list(run))
+    assert result.composite.iou > 0.93
+    owners = {
+        result.composite.sources[k].exemplar.id
+        for k, share in enumerate(result.composite.shares)
+        if share > 0.2
+    }
+    assert owners == {"test:square", "test:disc"}
