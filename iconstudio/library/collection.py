@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from iconstudio.library import database, search
 from iconstudio.library.archive import Archive
-from iconstudio.library.drawings import document
 from iconstudio.library.fingerprint import stack
+from iconstudio.library.iconify import document
 from iconstudio.library.progress import Progress
 from iconstudio.model import Credit, IconstudioError, Pictogram
 from iconstudio.resources import resource

@@ -9,7 +9,7 @@ from concurrent.futures import Future
 from typing import Any
 
 from iconstudio.library.fingerprint import Fingerprint, fingerprint
-from iconstudio.library.iconify import RawIcon
+from iconstudio.library.iconify import RawIcon, document
 from iconstudio.library.progress import Progress
 from iconstudio.library.resvg import render_coverage
 from iconstudio.library.svgcheck import check
@@ -19,12 +19,6 @@ from iconstudio.workers import Workers
 _SIZE = 96
 _BATCH = 512
 _SECONDS = 60.0
-
-
-def document(body: str, view_box: str) -> str:
-    """Return the complete SVG document of an icon."""
-    xlink = ' xmlns:xlink="http://www.w3.org/1999/xlink"' if "xlink:" in body else ""
-    return f'<svg xmlns="http://www.w3.org/2000/svg"{xlink} viewBox="{view_box}">{body}</svg>'
 
 
 def fingerprints(

@@ -9,7 +9,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image
 
 SIDE = 16
 """Cells along each side of the fingerprint."""
@@ -34,6 +33,8 @@ def fingerprint(coverage: NDArray[np.uint8]) -> Fingerprint | None:
 
     Also None if the drawing is mostly paler than ink (a duotone that has no dark layer).
     """
+    from PIL import Image
+
     from iconstudio.algorithms.style import blackness
 
     ink = coverage > 127

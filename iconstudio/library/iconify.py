@@ -54,6 +54,12 @@ class RawIcon:
         return f"{self.prefix}:{self.name}"
 
 
+def document(body: str, view_box: str) -> str:
+    """Return the complete SVG document of an icon."""
+    xlink = ' xmlns:xlink="http://www.w3.org/1999/xlink"' if "xlink:" in body else ""
+    return f'<svg xmlns="http://www.w3.org/2000/svg"{xlink} viewBox="{view_box}">{body}</svg>'
+
+
 def read_set(path: Path) -> tuple[IconSet, tuple[RawIcon, ...]]:
     """Return a set and its visible icons, in the order of their names.
 

@@ -27,7 +27,8 @@ def spellings(keyword: str) -> list[str]:
     plain = " ".join(re.findall(r"[^\W_]+", keyword.lower()))
     forms = [plain, *singulars(plain)]
     forms += [form.replace(" ", "") for form in forms if " " in form]
-    return list(dict.fromkeys(form for form in forms if form))
+    forms.append(plain + "s")  # a scissor
+    return list(dict.fromkeys(form for form in forms if plain))
 
 
 def in_order(

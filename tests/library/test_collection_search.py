@@ -1,0 +1,203 @@
+"""Search: the thing before what mentions it, in words that the user has; and no drawing twice."""
+
+import numpy as np
+import pytest
+from conftest import icon_set, shape
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as hnp
+
+from iconstudio.library import search
+from iconstudio.library.collection import Collection
+from iconstudio.library.fingerprint import SIDE, WORDS, fingerprint, stack, unlikeness
+from iconstudio.model import IconstudioError
+
+bitmaps = hnp.arrays(np.bool_, (5, SIDE, SIDE))
+
+
+def ids(collection, keyword, **options):
+    return [found.id.partition(":")[2] for found in collection.search(keyword, **options)]
+
+
+def small(*names):
+    return icon_set("a", {name: shape(number) for number, name in enumerate(names)})
+
+
+def test_the_thing_before_what_mentions_it(opened):
+    names = (
+        "dog-bowl", "hot-dog", "man-walking-dog", "dog-plus", "poodle", "police-dog", "dog-sitting",
+        "dog-24-filled", "bowl",
+    )  # fmt: skip
+    found = ids(opened(small(*names)), "dog")
+    assert found[:2] == ["dog-24-filled", "dog-sitting"]
+    assert found[2:4] == ["police-dog", "poodle"]
+    assert set(found[4:6]) == {"dog-plus", "man-walking-dog"}
+    assert set(found[6:]) == {"dog-bowl", "hot-dog"}
+
+
+@pytest.mark.parametrize(
+    ("keyword", "name"),
+    [
+        ("motorbike", "motorcycle"),
+        ("bike", "motorcycle"),
+        ("puppy", "dog"),
+        ("dogs", "dog"),
+        ("DOG ", "dog"),
+        ("mice", "mouse"),
+        ("scissor", "scissors"),
+        ("tea pot", "teapot"),
+        ("table-lamp", "lamp-table"),
+        ("home", "house"),
+        ("old red house", "house"),
+        ("poodle", "dog"),
+    ],
+)
+def test_words_for_the_same_thing(opened, keyword, name):
+    names = ("dog", "motorcycle", "mouse", "scissors", "teapot", "lamp-table", "house", "horse")
+    assert ids(opened(small(*names)), keyword)[0] == name
+
+
+def test_a_word_with_a_technical_meaning_is_no_kind_of_animal(opened):
+    assert ids(opened(small("horse", "charger")), "horse") == ["horse"]
+
+
+def test_two_words_must_both_be_there(opened):
+    collection = opened(small("horse-bowl", "bowl", "horse", "dog-bowl"))
+    assert ids(collection, "horse bowl") == ["horse-bowl"]
+
+
+@pytest.mark.parametrize("keyword", ["", "  ", "-"])
+def test_an_empty_keyword(opened, keyword):
+    with pytest.raises(IconstudioError, match="keyword is empty"):
+        opened(small("dog")).search(keyword)
+
+
+def test_an_unknown_keyword_names_what_is_near(opened):
+    collection = opened(small("motorcycle", "horse"))
+    with pytest.raises(IconstudioError, match=r"'motorbyke'\. Did you mean motorbike"):
+        collection.search("motorbyke")
+    with pytest.raises(IconstudioError, match=r"No icon is called 'zzzz'\.$"):
+        collection.search("zzzz")
+    assert collection.suggest("hrse") == ("horse",)
+
+
+def test_excluded_icons_do_not_come_back(opened):
+    collection = opened(icon_set("a", {"dog": shape(1), "dog-side": shape(2)}))
+    assert ids(collection, "dog", exclude=frozenset({"a:dog", "a:unknown"})) == ["dog-side"]
+    with pytest.raises(IconstudioError, match="is excluded"):
+        collection.search("dog", exclude=frozenset({"a:dog", "a:dog-side"}))
+
+
+def test_the_limit_holds(opened):
+    collection = opened(small(*(f"dog-{number}x" for number in range(9))))
+    assert len(ids(collection, "dog", limit=4)) == 4
+
+
+def test_the_same_drawing_under_other_words_is_shown_once(opened):
+    drawn = {"motorcycle": shape(1), "motorbike": shape(1).replace("M1 1.0h", "M1.01 1.0h")}
+    assert len(ids(opened(icon_set("a", drawn)), "motorcycle")) == 1
+
+
+@given(bitmaps)
+def test_unlikeness_is_the_jaccard_distance(cells):
+    packed = stack([np.packbits(one).tobytes() for one in cells])
+    assert packed.shape == (5, WORDS)
+    slow = [(cells[0] ^ one).sum() / max((cells[0] | one).sum(), 1) for one in cells]
+    np.testing.assert_allclose(unlikeness(packed[0], packed), slow)
+
+
+@given(hnp.arrays(np.uint64, st.tuples(st.integers(0, 12), st.just(WORDS))), st.integers(0, 9))
+def test_different_drawings_differ_and_the_others_are_like_one_before(cells, limit):
+    kept = search.different(cells, limit)
+    assert kept == sorted(kept) and len(kept) <= limit
+    for i, number in enumerate(kept):
+        others = cells[kept[:i]]
+        assert not len(others) or unlikeness(cells[number], others).min() >= search.ALIKE
+    if len(kept) < limit:
+        for number in set(range(len(cells))) - set(kept):
+            before = cells[[k for k in kept if k < number]]
+            assert unlikeness(cells[number], before).min() < search.ALIKE
+
+
+@given(st.lists(st.tuples(st.integers(0, 9), st.integers(0, 100)), max_size=40))
+def test_order_keeps_scores_and_mixes_shades(rows):
+    icons = np.arange(len(rows))
+    scores = np.array([score for score, _ in rows], dtype=np.int64)
+    shades = np.array([shade for _, shade in rows], dtype=np.uint8)
+    order = search.in_order(icons, scores, shades)
+    assert sorted(order.tolist()) == icons.tolist()
+    assert scores[order].tolist() == sorted(scores.tolist())
+    for score in set(scores.tolist()):
+        turns = [min(int(shades[icon]) // 20, 4) for icon in order if scores[icon] == score]
+        first = turns[: len(set(turns))]
+        assert len(set(first)) == len(first), "each shade comes once before any comes twice"
+
+
+def test_fingerprint_ignores_place_and_size_but_not_filling():
+    def ring(size, thick, at):
+        y, x = np.mgrid[:96, :96] - np.array(at)[:, None, None]
+        radius = np.hypot(x, y)
+        return np.where((radius < size) & (radius > size - thick), 255, 0).astype(np.uint8)
+
+    one, moved, disc = ring(40, 8, (48, 48)), ring(20, 4, (30, 60)), ring(40, 40, (48, 48))
+    cells = [fingerprint(picture).cells for picture in (one, moved, disc)]
+    near, far = unlikeness(stack(cells[:1])[0], stack(cells[1:]))
+    assert near < 0.1 and far > 0.4
+    assert fingerprint(disc).blackness > 95 > 60 > fingerprint(one).blackness
+    assert fingerprint(np.full((96, 96), 90, np.uint8)) is None
+
+
+@pytest.fixture(scope="module")
+def bundled(tmp_path_factory):
+    with Collection.open(cache=tmp_path_factory.mktemp("cache")) as collection:
+        yield collection
+
+
+@pytest.mark.parametrize(
+    ("keyword", "mentions"),
+    [
+        ("dog", ("hot-dog", "dog-bowl", "dog-house", "walking", "paw")),
+        ("horse", ("horseshoe", "charger", "seahorse")),
+        ("house", ("plus", "check", "key", "off")),
+        ("fish", ("fishing", "bone", "hook")),
+        ("car", ("wash", "key", "battery")),
+        ("bird", ("house", "cage")),
+    ],
+)
+def test_the_bundled_collection_shows_things_first(bundled, keyword, mentions):
+    found = ids(bundled, keyword)
+    assert len(found) >= 40
+    assert not [name for name in found[:30] if any(word in name for word in mentions)]
+    kept = [keyword in name for name in found[:20]]
+    assert sum(kept) >= 15
+
+
+@pytest.mark.parametrize(
+    ("keyword", "word"),
+    [
+        ("motorbike", "motorcycle"),
+        ("bike", "bicycle"),
+        ("home", "house"),
+        ("puppy", "dog"),
+        ("aeroplane", "airplane"),
+        ("automobile", "car"),
+        ("couch", "sofa"),
+        ("knives", "knife"),
+        ("coffee cup", "coffee-cup"),
+        ("table lamp", "table-lamp"),
+    ],
+)
+def test_the_bundled_collection_knows_other_words(bundled, keyword, word):
+    assert any(word in name for name in ids(bundled, keyword))
+
+
+def test_results_of_the_bundled_collection_differ_and_suit_every_style(bundled):
+    found = bundled.search("house")
+    assert len(found) == 200 == len({one.id for one in found})
+    numbers = bundled._numbers([one.id for one in found])
+    cells = bundled._cells[numbers]
+    for i in range(1, len(cells)):
+        assert unlikeness(cells[i], cells[:i]).min() >= search.ALIKE
+    blackness = bundled._blackness[numbers] / 100
+    for low, high in ((0, 0.4), (0.2, 0.6), (0.4, 0.8), (0.6, 1)):
+        assert ((low <= blackness) & (blackness <= high)).sum() >= 25
