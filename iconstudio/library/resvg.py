@@ -92,6 +92,8 @@ def render_coverage(svg: str, frame: Frame, size: int) -> NDArray[np.uint8]:
         raise IconstudioError(f"The SVG cannot be drawn: {error}.") from None
     with Image.open(io.BytesIO(png)) as image:
         coverage = 255 - np.asarray(image.convert("L"))
+    # A layer of half opacity comes out as 127 or 128; it is not *more* than half dark.
+    coverage[coverage == 128] = 127
     _clip(coverage, box, frame)
     return coverage
 
