@@ -94,6 +94,16 @@ def _part(labels: Labels, owner: int, coverage: NDArray[np.uint8]) -> _Part:
     return _Part(large, weight, coverage)
 
 
+def erase(coverage: NDArray[np.uint8], fragments: NDArray[np.bool_]) -> None:
+    """Take pieces off a drawing, in place.
+
+    ``fragments`` is (CANVAS, CANVAS) bool; what lies within a pixel of it and touches it goes too.
+    """
+    if fragments.any():
+        near = ndimage.binary_dilation(fragments, iterations=2)
+        coverage[near.repeat(SCALE, axis=0).repeat(SCALE, axis=1)] = 0
+
+
 def signed_distance(coverage: NDArray[np.uint8], points: NDArray[np.int64]) -> NDArray[np.float64]:
     """Return the distance in pixels from ``points`` (p, 2), rows of (y, x), to the contour.
 

@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.energy import Labels, RemixProblem
 from iconstudio.algorithms.expansion import remix
+from iconstudio.algorithms.fragments import fragments
 from iconstudio.algorithms.raster import solid
-from iconstudio.algorithms.redraw import SCALE, redraw
+from iconstudio.algorithms.redraw import SCALE, erase, redraw
 from iconstudio.model import CANVAS, Composite, Drawing, Frame, IconstudioError, Placement, Source
 from iconstudio.workers import Workers
 from iconstudio.workflows.events import Progress, Result
@@ -101,17 +102,26 @@ def remix_and_draw(
 ) -> tuple[Labels, tuple[float, float], Drawing]:
     """Cut, redraw and trace: one result. Runs in a worker process."""
     labels = remix(problem, lambda_s, start)
-    return labels, problem.costs(labels), draw(labels, drawn, render)
+    return labels, problem.costs(labels), draw(labels, problem.ink, drawn, render)
 
 
-def draw(labels: Labels, drawn: Sequence[tuple[str, Frame, Placement]], render: Render) -> Drawing:
-    """Redraw a labelling from its owners' SVG, and trace it."""
+def draw(
+    labels: Labels,
+    ink: NDArray[np.bool_],
+    drawn: Sequence[tuple[str, Frame, Placement]],
+    render: Render,
+) -> Drawing:
+    """Redraw a labelling from its owners' SVG without its crumbs, and trace it.
+
+    ``ink`` is (K, CANVAS, CANVAS) bool: the sources on the canvas.
+    """
     from iconstudio.algorithms.vectorize import trace
 
     coverages = {
         int(label): _rendered(render, *drawn[label], SCALE * CANVAS) for label in np.unique(labels)
     }
     coverage = redraw(labels, coverages)
+    erase(coverage, fragments(labels, ink))
     half = coverage.reshape(CANVAS * SCALE // 2, 2, CANVAS * SCALE // 2, 2).mean(axis=(1, 3))
     return Drawing(trace(coverage), half.round().astype(np.uint8))
 

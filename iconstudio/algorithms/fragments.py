@@ -1,0 +1,49 @@
+"""Crumbs that a cut leaves behind, found and removed (an addition to section 3.4).
+
+A cut may leave a small piece of a source floating where the rest of its shape was not taken. Such a
+piece is a fragment; an eye or a spoke, which its source also draws apart, is not.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import ndimage
+
+from iconstudio.algorithms.energy import Labels
+
+SMALL = 0.02
+"""A fragment holds at most this part of the ink."""
+WHOLE = 0.5
+"""A piece that shows more than this part of its source's shapes is no fragment."""
+_EIGHT = np.ones((3, 3), dtype=bool)
+
+
+def fragments(labels: Labels, ink: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return the pixels of all fragments, (h, w) bool.
+
+    Parameters
+    ----------
+    labels
+        (h, w): owner of each pixel.
+    ink
+        (K, h, w) bool: the sources.
+    """
+    joined = np.take_along_axis(ink, labels[None].astype(np.intp), axis=0)[0]
+    pieces, count = ndimage.label(joined, _EIGHT)
+    sizes = np.bincount(pieces.ravel(), minlength=count + 1)
+    found = np.zeros_like(joined)
+    for piece in range(1, count + 1):
+        if sizes[piece] <= SMALL * joined.sum():
+            here = pieces == piece
+            if sizes[piece] <= WHOLE * _original_size(labels, ink, here):
+                found |= here
+    return found
+
+
+def _original_size(labels: Labels, ink: NDArray[np.bool_], here: NDArray[np.bool_]) -> int:
+    """Return the area of the shapes, in their sources, of which a piece shows a part."""
+    size = 0
+    for owner in np.unique(labels[here]):
+        shapes, _ = ndimage.label(ink[owner], _EIGHT)
+        shown = np.unique(shapes[here & (labels == owner)])
+        size += int(np.isin(shapes, shown[shown > 0]).sum())
+    return size
