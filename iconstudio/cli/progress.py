@@ -23,6 +23,10 @@ class ProgressBar:
         self._bar.n = 100 * done
         self._bar.refresh()
 
+    def say(self, sentence: str) -> None:
+        """Print a sentence on standard error without disturbing the bar."""
+        self._bar.write(sentence, file=sys.stderr)
+
     def __enter__(self) -> "ProgressBar":
         return self
 

@@ -56,10 +56,12 @@ class StyleSkipped:
 
 @dataclass(frozen=True, slots=True)
 class Result:
-    """A finished icon."""
+    """A finished icon, and the seconds that cutting and drawing it took a worker process."""
 
     composite: Composite
     drawing: Drawing
+    remix_seconds: float = 0.0
+    vectorize_seconds: float = 0.0
 
 
 Event = Progress | Retrieved | RegionsFound | StyleMatched | StyleSkipped | Result

@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from dataclasses import dataclass
 from functools import lru_cache
+from time import perf_counter
 from typing import Any
 
 import numpy as np
@@ -71,12 +72,12 @@ class Remixing:
         finished = wait(self._running, timeout, return_when=FIRST_COMPLETED).done
         for future in finished:
             job, lambda_s = self._running.pop(future)
-            labels, costs, drawing = _answer(future)
+            labels, costs, drawing, seconds = _answer(future)
             lower = [value for value in job.lambdas if value < lambda_s]
             if lower:
                 self._submit(job, max(lower), labels)
             self._done += 1
-            yield Result(composite(job, lambda_s, labels, *costs), drawing)
+            yield Result(composite(job, lambda_s, labels, *costs), drawing, *seconds)
         yield Progress("remix", self._done / max(1, self._total), "Joining parts")
 
     def cancel(self) -> None:
@@ -99,10 +100,18 @@ def remix_and_draw(
     start: Labels | None,
     drawn: Sequence[tuple[str, Frame, Placement]],
     render: Render,
-) -> tuple[Labels, tuple[float, float], Drawing]:
-    """Cut, redraw and trace: one result. Runs in a worker process."""
+) -> tuple[Labels, tuple[float, float], Drawing, tuple[float, float]]:
+    """Cut, redraw and trace: one result. Runs in a worker process.
+
+    Returns
+    -------
+    labels, (data cost, smoothness cost), drawing, (seconds to cut, seconds to draw)
+    """
+    began = perf_counter()
     labels = remix(problem, lambda_s, start)
-    return labels, problem.costs(labels), draw(labels, problem.ink, drawn, render)
+    cut = perf_counter()
+    drawing = draw(labels, problem.ink, drawn, render)
+    return labels, problem.costs(labels), drawing, (cut - began, perf_counter() - cut)
 
 
 def draw(
