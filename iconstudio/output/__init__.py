@@ -1,1 +1,1 @@
-"""The files and pictures that a run leaves behind."""
+"""What a run leaves behind: SVG with credits, pictures, contact sheets, and a report of it all."""

@@ -1,111 +1,147 @@
-"""Colour code by source (section 4.1): a hue for each pictogram, a lightness for each placement."""
+"""Colour coding by source (section 4.1): a hue a pictogram, a lightness a placement (HSL)."""
 
-import colorsys
-from collections.abc import Iterable
+from collections import Counter
+from collections.abc import Sequence
+from colorsys import hls_to_rgb
 
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 from scipy import ndimage
 
-from iconstudio.model import Composite, Drawing, Placement, Source
+from iconstudio.algorithms.raster import solid
+from iconstudio.model import CANVAS, Composite, Drawing, Placement, Source
 
+Key = tuple[str, Placement]
+"""A source: the pictogram's identifier, and where it lies."""
 RGB = tuple[int, int, int]
-Palette = dict[tuple[str, Placement], RGB]
-"""The colour of an exemplar at a placement."""
+Palette = dict[Key, RGB]
 
+HUES = (
+    (0.595, 0.70, 0.47),  # blue
+    (0.083, 0.92, 0.52),  # orange
+    (0.435, 0.90, 0.33),  # green
+    (0.900, 0.62, 0.60),  # pink
+    (0.138, 0.85, 0.48),  # yellow
+    (0.745, 0.50, 0.54),  # violet
+    (0.525, 0.75, 0.55),  # sky
+    (0.010, 0.72, 0.47),  # red
+    (0.245, 0.55, 0.42),  # leaf
+    (0.060, 0.42, 0.34),  # brown
+)
+"""Hue, saturation and lightness, all 0 to 1. Neighbours in the list differ in blue and yellow
+content or in lightness too, so that who does not see red and green can tell them apart."""
+_LIGHTER = (0.0, 0.17, -0.15, 0.28, -0.08, 0.09)
+"""Added to the lightness for the first, second... placement of a pictogram."""
+TINT = 0.16
+"""Opacity of the interior, the white that the icon encloses."""
 SIGNIFICANT = 0.02
-"""Least share of the ink for a source to be shown beside a result."""
-
-# Degrees. Each is far from those before it; the first ones differ in blue and yellow
-# content, which colour-blind people see too.
-_HUES = (212, 28, 150, 330, 48, 270, 186, 4, 95, 300)
-_GOLDEN_ANGLE = 137.508
-_SATURATION = 0.68
-_LIGHTNESSES = (0.50, 0.70, 0.36, 0.80, 0.26)
-_INTERIOR = 0.16
-"""Opacity of the tint of white interior structure, so that its owner shows."""
-_SOFTNESS = 1.0
-"""Standard deviation, in canvas pixels, that rounds the steps of the label map."""
+"""Least part of the ink for a source to be shown beside a result."""
+_BLUR = 1.2
+"""Standard deviation, in canvas pixels, that rounds the staircase between two owners off."""
+_REACH = 4
 
 
-def significant_sources(composite: Composite, least: float = SIGNIFICANT) -> list[int]:
-    """Return the labels that own at least ``least`` of the ink, largest share first."""
-    labels = [label for label, share in enumerate(composite.shares) if share >= least]
-    return sorted(labels, key=lambda label: -composite.shares[label])
+def significant_sources(composite: Composite, least: float = SIGNIFICANT) -> tuple[int, ...]:
+    """Return the labels that own ink, and at least the share ``least``, by falling share."""
+    shares = composite.shares
+    owners = [k for k, share in enumerate(shares) if share > 0 and share >= least]
+    return tuple(sorted(owners, key=lambda k: -shares[k]))
 
 
-def palette(composites: Iterable[Composite]) -> Palette:
-    """Return one colour for each source, the same in all ``composites``.
+def palette(composites: Sequence[Composite]) -> Palette:
+    """Return one colour for each source of ``composites``, which share their sources.
 
-    Pictograms with most ink get the hues that are easiest to tell apart.
+    A pictogram prefers the hue of its rank among the sources, which is the same in all results of a
+    style. Of two that prefer one hue, the smaller contributor takes a free one, so that the ten
+    largest always differ.
     """
-    ink: dict[tuple[str, Placement], float] = {}
+    owned: Counter[Key] = Counter()
     for composite in composites:
         for source, share in zip(composite.sources, composite.shares, strict=True):
-            ink[_key(source)] = ink.get(_key(source), 0.0) + share
-    pictograms: dict[str, float] = {}
-    for (name, _), share in ink.items():
-        pictograms[name] = pictograms.get(name, 0.0) + share
-    ranks = {name: rank for rank, name in enumerate(sorted(pictograms, key=_most(pictograms)))}
-    placements: dict[str, int] = {}
+            owned[key_of(source)] += share
+    matched = [name for name, _ in Counter(name for name, _ in owned).most_common()]
+    largest = Counter(dict.fromkeys(matched, 0.0))
+    for (name, _), share in owned.items():
+        largest[name] += share
+    hues: dict[str, int] = {}
+    for name, _ in largest.most_common():
+        taken = Counter(hues.values())
+        wanted = matched.index(name)
+        order = [(wanted + step) % len(HUES) for step in range(len(HUES))]
+        hues[name] = min(order, key=taken.__getitem__)
     colours: Palette = {}
-    for key in sorted(ink, key=_most(ink)):
-        name = key[0]
-        number = placements[name] = placements.get(name, -1) + 1
-        colours[key] = _colour(ranks[name], number)
+    placed: Counter[str] = Counter()
+    for key, _ in owned.most_common():
+        colours[key] = _colour(hues[key[0]], placed[key[0]])
+        placed[key[0]] += 1
     return colours
 
 
-def source_colours(composite: Composite, colours: Palette | None = None) -> list[RGB]:
-    """Return the colour of each source; ``colours`` is the composite's own palette by default."""
-    if colours is None:
-        colours = palette([composite])
-    return [colours[_key(source)] for source in composite.sources]
+def source_colours(composite: Composite, colours: Palette | None = None) -> NDArray[np.uint8]:
+    """Return the colour of every source, (K, 3) uint8 RGB; by default from its own palette."""
+    colours = palette([composite]) if colours is None else colours
+    return np.array([colours[key_of(source)] for source in composite.sources], np.uint8)
 
 
 def colour_code(
     composite: Composite, drawing: Drawing, size: int, colours: Palette | None = None
 ) -> NDArray[np.uint8]:
-    """Paint every pixel of a drawing in the colour of its owner.
+    """Paint every pixel of a result in the colour of its owner.
+
+    Ink is opaque, the interior tinted, and what lies outside is transparent.
 
     Returns
     -------
-    (size, size, 4) uint8, RGBA, alpha not multiplied in. White interior structure has a pale tint.
+    (size, size, 4) uint8 RGBA, alpha not multiplied in
     """
-    paint = _smooth(composite.labels, source_colours(composite, colours), size)
-    picture = Image.fromarray(drawing.coverage).resize((size, size), Image.Resampling.BOX)
-    coverage = np.asarray(picture)
-    filled = ndimage.binary_fill_holes(coverage > 127)
-    alpha = np.where(filled, np.maximum(coverage, round(255 * _INTERIOR)), coverage)
-    return np.dstack([paint, alpha.astype(np.uint8)])
+    n = CANVAS * -(-size // CANVAS)
+    coverage = np.asarray(_resized(Image.fromarray(drawing.coverage), n))
+    tint = np.where(solid(coverage > 127), round(255 * TINT), 0)
+    picture = np.empty((n, n, 4), np.uint8)
+    picture[..., :3] = _painted(composite.labels, source_colours(composite, colours), n // CANVAS)
+    picture[..., 3] = np.maximum(coverage, tint)
+    return np.asarray(_resized(Image.fromarray(picture), size))
 
 
-def _smooth(labels: NDArray[np.uint8], colours: list[RGB], size: int) -> NDArray[np.uint8]:
-    """Paint the label map at ``size``, its pixel steps rounded."""
-    total = np.zeros((size, size, 1), np.float32)
-    paint = np.zeros((size, size, 3), np.float32)
-    for label in np.unique(labels):
-        soft = ndimage.gaussian_filter((labels == label).astype(np.float32), _SOFTNESS)
-        large = Image.fromarray(soft).resize((size, size), Image.Resampling.BILINEAR)
-        # The power sharpens the blur to an edge as wide as a pixel or two.
-        weight = np.maximum(np.asarray(large), 1e-4)[..., None] ** 12
-        total += weight
-        paint += weight * np.array(colours[label], np.float32)
-    return (paint / total).round().astype(np.uint8)
-
-
-def _colour(rank: int, placement: int) -> RGB:
-    hue = _HUES[rank] if rank < len(_HUES) else _HUES[-1] + _GOLDEN_ANGLE * (rank - len(_HUES) + 1)
-    lightness = _LIGHTNESSES[placement % len(_LIGHTNESSES)]
-    red, green, blue = colorsys.hls_to_rgb(hue / 360 % 1, lightness, _SATURATION)
-    return round(255 * red), round(255 * green), round(255 * blue)
-
-
-def _key(source: Source) -> tuple[str, Placement]:
+def key_of(source: Source) -> Key:
+    """Return what two sources have in common that draw the same."""
     return source.exemplar.id, source.placement
 
 
-def _most(ink: dict):
-    """Order by falling ink; ties by name, so that the same run has the same colours."""
-    return lambda key: (-round(ink[key], 9), key)
+def _painted(
+    labels: NDArray[np.uint8], colours: NDArray[np.uint8], scale: int
+) -> NDArray[np.float32]:
+    """Paint the label map, enlarged, with smooth borders: (n, n, 3), 0 to 255.
+
+    Each owner's region is blurred; its high power makes borders an edge a pixel wide again.
+    """
+    n = CANVAS * scale
+    total, paint = np.zeros((n, n, 1), np.float32), np.zeros((n, n, 3), np.float32)
+    for label, box in enumerate(ndimage.find_objects(labels.astype(np.int32) + 1)):
+        if box is None:
+            continue
+        ys, xs = (
+            slice(max(0, side.start - _REACH), min(CANVAS, side.stop + _REACH)) for side in box
+        )
+        own = (labels[ys, xs] == label).astype(np.float32)
+        soft = Image.fromarray(ndimage.gaussian_filter(own, _BLUR, radius=_REACH))
+        large = soft.resize((soft.width * scale, soft.height * scale), Image.Resampling.BILINEAR)
+        weight = np.maximum(np.asarray(large), 1e-4)[..., None] ** 8
+        window = tuple(slice(side.start * scale, side.stop * scale) for side in (ys, xs))
+        total[window] += weight
+        paint[window] += weight * colours[label].astype(np.float32)
+    return paint / total
+
+
+def _colour(hue: int, placement: int) -> RGB:
+    h, s, lightness = HUES[hue]
+    lightness += _LIGHTER[placement % len(_LIGHTER)]
+    red, green, blue = hls_to_rgb(h, lightness, s)
+    return round(255 * red), round(255 * green), round(255 * blue)
+
+
+def _resized(picture: Image.Image, size: int) -> Image.Image:
+    if picture.width == size:
+        return picture
+    return picture.resize((size, size), Image.Resampling.LANCZOS)

@@ -8,30 +8,38 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from iconstudio.files import write_atomically
-from iconstudio.model import Drawing, IconstudioError
+from iconstudio.library.resvg import render_coverage
+from iconstudio.model import CANVAS, Drawing, Frame, IconstudioError
 
 SIZE = 1024
 """Side in pixels of a result's picture."""
 
 
-def ink_picture(drawing: Drawing, size: int = SIZE) -> Image.Image:
-    """Return a drawing in black on transparent ground."""
-    coverage = Image.fromarray(drawing.coverage).resize((size, size), Image.Resampling.BOX)
-    picture = Image.new("RGBA", (size, size), (0, 0, 0, 0))
-    picture.putalpha(coverage)
+def coverage(drawing: Drawing, size: int) -> NDArray[np.uint8]:
+    """Draw the path of a drawing at any size, (size, size) uint8, 255 = ink."""
+    svg = (
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {CANVAS} {CANVAS}">'
+        f'<path d="{drawing.path}"/></svg>'
+    )
+    return render_coverage(svg, Frame(0, 0, CANVAS), size)
+
+
+def drawing_pixels(drawing: Drawing, size: int, white: bool = False) -> NDArray[np.uint8]:
+    """Return black (or white) ink on transparent ground, (size, size, 4) uint8 RGBA."""
+    picture = np.full((size, size, 4), 255 if white else 0, np.uint8)
+    picture[..., 3] = coverage(drawing, size)
     return picture
 
 
-def encoded(picture: Image.Image | NDArray[np.uint8]) -> bytes:
-    """Return a picture, or an array of grey or RGBA values, as PNG."""
-    if not isinstance(picture, Image.Image):
-        picture = Image.fromarray(picture)
-    buffer = io.BytesIO()
-    picture.save(buffer, "PNG")
-    return buffer.getvalue()
+def encoded(pixels: NDArray[np.uint8] | Image.Image) -> bytes:
+    """Encode a picture, or (h, w, 4) uint8 RGBA with alpha not multiplied in."""
+    image = pixels if isinstance(pixels, Image.Image) else Image.fromarray(pixels)
+    file = io.BytesIO()
+    image.save(file, "PNG")
+    return file.getvalue()
 
 
-def write(path: Path, data: bytes) -> None:
+def write(path: Path, content: bytes) -> None:
     """Write a file in one step.
 
     Raises
@@ -40,7 +48,7 @@ def write(path: Path, data: bytes) -> None:
         If it cannot be written.
     """
     try:
-        write_atomically(path, data)
+        write_atomically(path, content)
     except OSError as error:
         raise IconstudioError(
             f"“{path}” cannot be written: {error.strerror or error}. Choose another place."

@@ -1,79 +1,82 @@
-"""A drawing as an SVG document that credits everyone whose work is in it."""
+"""A result as an SVG document that names everyone whose icon it was made of."""
 
 import re
 from xml.sax.saxutils import escape, quoteattr
 
-from iconstudio.model import CANVAS, Composite, Credit, Drawing
+from iconstudio.model import CANVAS, Composite, Credit, Drawing, Pictogram
+from iconstudio.output.colours import significant_sources
 
-_FORBIDDEN = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+_NO_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 """Characters that XML cannot hold."""
-
-
-def credited(composite: Composite) -> list[tuple[str, Credit]]:
-    """Return identifier and credit of each pictogram with ink in the result, most ink first."""
-    ink: dict[str, float] = {}
-    found: dict[str, Credit] = {}
-    for source, share in zip(composite.sources, composite.shares, strict=True):
-        if share > 0:
-            name = source.exemplar.id
-            ink[name] = ink.get(name, 0.0) + share
-            found[name] = source.exemplar.pictogram.credit
-    return [(name, found[name]) for name in sorted(found, key=lambda name: (-ink[name], name))]
-
-
-def credits_text(composite: Composite) -> str:
-    """Return the credits as plain text, a line for each pictogram."""
-    lines = [
-        f"“{credit.title}” ({name}) by {credit.author}, {credit.license}"
-        f"{f' <{credit.license_url}>' if credit.license_url else ''}, {credit.url}"
-        for name, credit in credited(composite)
-    ]
-    return "\n".join(["Remixed from parts of:", *lines])
+_REPLACEMENT = "\ufffd"
 
 
 def svg_document(drawing: Drawing, composite: Composite, title: str) -> str:
-    """Return an SVG document of one path filled with ``currentColor``.
+    """Return a drawing as an SVG document: one path in ``currentColor``, with a title.
 
-    Its metadata names title, author, licence and address of every pictogram with ink in it, both
-    in a sentence (``dc:description``) and for programs (``dc:source``).
+    The metadata credit every contributing source, in Dublin Core for machines and in words for
+    people. Characters that XML cannot hold are replaced by U+FFFD.
     """
-    sources = "".join(_work(name, credit) for name, credit in credited(composite))
-    return f"""<?xml version="1.0" encoding="UTF-8"?>
-<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {CANVAS} {CANVAS}">
-<title>{_text(title)}</title>
-<metadata>
-<rdf:RDF xmlns:rdf="http://www.w3.org/1999/02/22-rdf-syntax-ns#" \
-xmlns:dc="http://purl.org/dc/elements/1.1/" xmlns:cc="http://creativecommons.org/ns#">
-<cc:Work rdf:about="">
-<dc:title>{_text(title)}</dc:title>
-<dc:format>image/svg+xml</dc:format>
-<dc:type rdf:resource="http://purl.org/dc/dcmitype/StillImage"/>
-<dc:description>{_text(credits_text(composite))}</dc:description>
-<dc:source><rdf:Bag>
-{sources}</rdf:Bag></dc:source>
-</cc:Work>
-</rdf:RDF>
-</metadata>
-<path fill="currentColor" d={_attribute(drawing.path)}/>
-</svg>
-"""
-
-
-def _work(name: str, credit: Credit) -> str:
-    licence = f"<cc:license rdf:resource={_attribute(credit.license_url)}/>"
+    works = "".join(_work(pictogram) for pictogram in contributors(composite))
     return (
-        f"<rdf:li><cc:Work rdf:about={_attribute(credit.url)}>"
-        f"<dc:identifier>{_text(name)}</dc:identifier>"
-        f"<dc:title>{_text(credit.title)}</dc:title>"
-        f"<dc:creator><cc:Agent><dc:title>{_text(credit.author)}</dc:title></cc:Agent></dc:creator>"
-        f"<dc:rights>{_text(credit.license)}</dc:rights>"
-        f"{licence if credit.license_url else ''}</cc:Work></rdf:li>\n"
+        '<svg xmlns="http://www.w3.org/2000/svg"'
+        f' viewBox="0 0 {CANVAS} {CANVAS}" fill="currentColor">\n'
+        f"<title>{_text(title)}</title>\n"
+        "<metadata>\n"
+        '<rdf:RDF xmlns:rdf="http://www.w3.org/1999/02/22-rdf-syntax-ns#"'
+        ' xmlns:dc="http://purl.org/dc/elements/1.1/"'
+        ' xmlns:cc="http://creativecommons.org/ns#">\n'
+        '<cc:Work rdf:about="">\n'
+        f"<dc:title>{_text(title)}</dc:title>\n"
+        "<dc:format>image/svg+xml</dc:format>\n"
+        f"<dc:rights>{_text(credits_text(composite))}</dc:rights>\n"
+        f"<dc:source>\n<rdf:Bag>\n{works}</rdf:Bag>\n</dc:source>\n"
+        "</cc:Work>\n"
+        "</rdf:RDF>\n"
+        "</metadata>\n"
+        f"<path d={quoteattr(drawing.path)}/>\n"
+        "</svg>\n"
     )
 
 
+def credits_text(composite: Composite) -> str:
+    """Return the credits of every contributing source as plain text, one a line."""
+    lines = [_line(pictogram.credit) for pictogram in contributors(composite)]
+    return "\n".join(["Made of parts of:", *lines]) if lines else ""
+
+
+def contributors(composite: Composite) -> tuple[Pictogram, ...]:
+    """Return the pictograms that own ink, each once, from the largest part down."""
+    shares: dict[Pictogram, float] = {}
+    for label in significant_sources(composite, least=0):
+        pictogram = composite.sources[label].exemplar.pictogram
+        shares[pictogram] = shares.get(pictogram, 0.0) + composite.shares[label]
+    return tuple(sorted(shares, key=shares.__getitem__, reverse=True))
+
+
+def _line(credit: Credit) -> str:
+    licence = f"{credit.license} ({credit.license_url})" if credit.license_url else credit.license
+    return f"“{credit.title}” by {credit.author}, {licence}, {credit.url}"
+
+
+def _work(pictogram: Pictogram) -> str:
+    credit = pictogram.credit
+    return (
+        "<rdf:li>\n<cc:Work>\n"
+        f"<dc:identifier>{_text(pictogram.id)}</dc:identifier>\n"
+        f"<dc:title>{_text(credit.title)}</dc:title>\n"
+        f"<dc:creator>{_text(credit.author)}</dc:creator>\n"
+        f"<dc:rights>{_text(credit.license)}</dc:rights>\n"
+        f"{_link('cc:license', credit.license_url)}{_link('dc:source', credit.url)}"
+        "</cc:Work>\n</rdf:li>\n"
+    )
+
+
+def _link(element: str, address: str) -> str:
+    if not address:
+        return ""
+    return f"<{element} rdf:resource={quoteattr(_NO_XML.sub(_REPLACEMENT, address))}/>\n"
+
+
 def _text(text: str) -> str:
-    return escape(_FORBIDDEN.sub("\ufffd", text))
-
-
-def _attribute(text: str) -> str:
-    return quoteattr(_FORBIDDEN.sub("\ufffd", text))
+    return escape(_NO_XML.sub(_REPLACEMENT, text), {"\r": "&#13;"})

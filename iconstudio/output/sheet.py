@@ -1,0 +1,181 @@
+"""Sheets: the grid of a run, what a search found, and the gallery, as in the paper's figures."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+from iconstudio.algorithms.raster import placed_ink
+from iconstudio.model import CANVAS, Composite, Drawing, Exemplar, Polygon
+from iconstudio.output import png
+from iconstudio.output.colours import Palette, colour_code, palette
+from iconstudio.output.page import INK, MUTED, PALE, WARNING, Page
+
+_EDGE = 40
+_GAP = 12
+_CELL = 168
+"""Side of a result, in pixels."""
+_THUMB = 104
+_ACROSS = 3
+_SIDE = _ACROSS * (_THUMB + _GAP) + 2 * _GAP
+"""Width of the column of sources."""
+_HEAD = 190
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """A style: its results from the lowest lambda_S to the highest, or why it has none."""
+
+    style: str
+    retrieved: int
+    results: tuple[tuple[Composite, Drawing], ...]
+    skipped: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Subject:
+    """A cell of the gallery; without ``result`` it says why there is none."""
+
+    name: str
+    polygon: Polygon
+    result: tuple[Composite, Drawing] | None
+    remark: str = ""
+    failed: bool = False
+
+
+def grid_sheet(
+    keyword: str, polygon: Polygon, lambdas: Sequence[float], rows: Sequence[Row]
+) -> Image.Image:
+    """Return the contact sheet of a run as a picture.
+
+    A row a style, a column a lambda_S, each result above its colour code; at the left the sketch
+    and the sources that contribute most.
+    """
+    lambdas = sorted(lambdas)
+    left = _EDGE + _SIDE + 2 * _GAP
+    height = 2 * _CELL + 3 * _GAP + 46
+    heights = [height if row.results else 110 for row in rows]
+    width = left + len(lambdas) * (_CELL + _GAP) + _EDGE
+    page = Page(max(width, 900), _HEAD + sum(heights) + _EDGE)
+    page.polygon(_EDGE - 8, 24, polygon.fitted().vertices, 150 / CANVAS)
+    page.text(_EDGE + 160, 52, keyword, 34, bold=True, width=_SIDE - 160)
+    page.text(_EDGE + 160, 98, "sketch and keyword", 18, colour=MUTED)
+    _column_heads(page, lambdas, left)
+    top = _HEAD
+    for row, step in zip(rows, heights, strict=True):
+        page.rule(top, _EDGE, page.picture.width - _EDGE)
+        _row(page, row, lambdas, left, top)
+        top += step
+    return page.picture
+
+
+def search_sheet(exemplars: Sequence[Exemplar], word: str, path: Path) -> None:
+    """Draw the exemplars of a keyword into a PNG file, each with its identifier beneath.
+
+    Raises
+    ------
+    IconstudioError
+        If the file cannot be written.
+    """
+    across, side = 10, 120
+    step_x, step_y = side + 2 * _GAP, side + 40
+    lines = -(-len(exemplars) // across)
+    page = Page(2 * _EDGE + across * step_x, 110 + lines * step_y + _EDGE)
+    page.text(_EDGE, 36, word, 34, bold=True, width=across * step_x - 200)
+    count = "1 icon" if len(exemplars) == 1 else f"{len(exemplars)} icons"
+    page.text(page.picture.width - _EDGE, 48, count, 20, colour=MUTED, anchor="ra")
+    for number, exemplar in enumerate(exemplars):
+        x = _EDGE + number % across * step_x
+        y = 100 + number // across * step_y
+        page.stencil(x + _GAP, y, side, exemplar.coverage)
+        page.text(x + _GAP + side / 2, y + side + 2, exemplar.id, 13, colour=MUTED,
+                  width=step_x - 6, anchor="ma")  # fmt: skip
+    png.write(path, png.encoded(page.picture))
+
+
+def gallery_sheet(subjects: Sequence[Subject], across: int = 4) -> Image.Image:
+    """Return a cell for each subject: sketch, result, colour code; failures are marked."""
+    side = 150
+    step_x, step_y = 3 * side + 4 * _GAP + 16, side + 76
+    lines = -(-len(subjects) // across)
+    page = Page(2 * _EDGE + across * step_x - 16, 2 * _EDGE + lines * step_y - 20)
+    for number, subject in enumerate(subjects):
+        x = _EDGE + number % across * step_x
+        y = _EDGE + number // across * step_y
+        colour = WARNING if subject.failed else MUTED
+        page.text(x, y, subject.name, 20, bold=True)
+        page.text(x + 3 * side + 2 * _GAP, y + 3, subject.remark, 16, colour=colour,
+                  width=2 * side, anchor="ra")  # fmt: skip
+        page.polygon(x, y + 30, subject.polygon.fitted().vertices, side / CANVAS)
+        if subject.result is not None:
+            composite, drawing = subject.result
+            page.stencil(x + side + _GAP, y + 30, side, drawing.coverage)
+            page.image(x + 2 * (side + _GAP), y + 30, colour_code(composite, drawing, side))
+        if subject.failed:
+            page.frame(x + side + _GAP - 4, y + 26, side + 8, WARNING)
+    return page.picture
+
+
+def _column_heads(page: Page, lambdas: Sequence[float], left: float) -> None:
+    if not lambdas:
+        return
+    right = left + len(lambdas) * (_CELL + _GAP) - _GAP
+    y = _HEAD - 66
+    if len(lambdas) > 2:
+        page.text(left, y, "closer to the sketch", 22, bold=True)
+        page.text(right, y, "smoother", 22, bold=True, anchor="ra")
+        page.arrow(left + 245, right - 125, y + 14)
+    for number, value in enumerate(lambdas):
+        x = left + number * (_CELL + _GAP) + _CELL / 2
+        page.text(x, _HEAD - 30, f"λ {value:.2g}", 16, colour=MUTED, anchor="ma")
+
+
+def _row(page: Page, row: Row, lambdas: Sequence[float], left: float, top: float) -> None:
+    page.text(_EDGE, top + 16, row.style.capitalize(), 24, bold=True)
+    count = "1 icon" if row.retrieved == 1 else f"{row.retrieved} icons"
+    page.text(_EDGE + _SIDE - 2 * _GAP, top + 22, count, 16, colour=MUTED, anchor="ra")
+    if not row.results:
+        page.paragraph(left, top + 22, row.skipped, 20, page.picture.width - left - _EDGE, MUTED)
+        return
+    colours = palette(composite for composite, _ in row.results)
+    _sources(page, row, colours, top + 58)
+    for composite, drawing in row.results:
+        number = min(range(len(lambdas)), key=lambda i: abs(lambdas[i] - composite.lambda_s))
+        x = left + number * (_CELL + _GAP)
+        page.stencil(x, top + 28, _CELL, drawing.coverage)
+        code = colour_code(composite, drawing, _CELL, colours)
+        page.image(x, top + 28 + _CELL + _GAP, code)
+
+
+def _sources(page: Page, row: Row, colours: Palette, top: float) -> None:
+    """Draw the sources with most ink in the row, in place, what they give in colour."""
+    shares: dict[tuple, float] = {}
+    first = {}
+    used: dict[tuple, NDArray[np.bool_]] = {}
+    for composite, _ in row.results:
+        for label, (source, share) in enumerate(
+            zip(composite.sources, composite.shares, strict=True)
+        ):
+            key = source.exemplar.id, source.placement
+            first.setdefault(key, source)
+            shares[key] = shares.get(key, 0.0) + share / len(row.results)
+            own = composite.labels == label
+            used[key] = used[key] | own if key in used else own
+    best = sorted((key for key in shares if shares[key] >= 0.02), key=lambda key: -shares[key])
+    for number, key in enumerate(best[: 2 * _ACROSS]):
+        x = _EDGE + number % _ACROSS * (_THUMB + _GAP)
+        y = top + number // _ACROSS * (_THUMB + 44)
+        ink, _ = placed_ink(first[key].exemplar, first[key].placement)
+        page.stencil(x, y, _THUMB, _grey(ink), PALE)
+        page.stencil(x, y, _THUMB, _grey(ink & used[key]), colours[key])
+        page.text(x + _THUMB / 2, y + _THUMB + 4, key[0], 13, colour=INK, width=_THUMB + 8,
+                  anchor="ma")  # fmt: skip
+        share = f"{100 * shares[key]:.0f}% of the ink"
+        page.text(x + _THUMB / 2, y + _THUMB + 20, share, 12, colour=MUTED, anchor="ma")
+
+
+def _grey(ink: NDArray[np.bool_]) -> NDArray[np.uint8]:
+    return np.where(ink, np.uint8(255), np.uint8(0))
