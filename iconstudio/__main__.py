@@ -3,18 +3,25 @@
 import sys
 
 
-def open_window(path: str | None = None) -> int:
-    """Open the window, with an example or a sketch file if named; return the exit code."""
-    from iconstudio.gui.app import run
+class _Window:
+    """The window as the command line sees it; Qt is imported when it is asked for."""
 
-    return run(path)
+    def obstacle(self) -> str | None:
+        from iconstudio.gui.availability import obstacle
+
+        return obstacle()
+
+    def open(self, example: str | None) -> int:
+        from iconstudio.gui.app import run
+
+        return run(example)
 
 
 def main() -> None:
     """Run the command line; without a command, open the window."""
     from iconstudio.cli.app import run
 
-    sys.exit(run(sys.argv[1:], open_window))
+    sys.exit(run(sys.argv[1:], _Window()))
 
 
 if __name__ == "__main__":

@@ -1,8 +1,8 @@
 """SKETCH.json: a sketch in a file, and the examples that come with the program.
 
-``{"keyword": "dog", "polygon": [[x, y], ...], "exclude": ["set:name", ...]}``; the polygon is in any
-unit, y down. ``keyword`` and ``exclude`` are optional, and so are ``title`` and ``photo``, the file
-that the polygon was traced over.
+``{"keyword": "dog", "polygon": [[x, y], ...], "exclude": ["set:name", ...]}``; the polygon is in
+any unit, y down. ``keyword`` and ``exclude`` are optional, and so are ``title`` and ``photo``, the
+file that the polygon was traced over.
 """
 
 import json

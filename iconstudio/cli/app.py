@@ -1,8 +1,8 @@
 """The program's commands, and how they end."""
 
 import sys
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
+from typing import Protocol
 
 import click
 
@@ -14,11 +14,14 @@ MISTAKE = 2
 INTERRUPTED = 130
 
 
-@dataclass(frozen=True)
-class Context:
-    """What every command may need."""
+class Window(Protocol):
+    """The window, which the command line knows only by this."""
 
-    open_window: Callable[[str | None], int]
+    def obstacle(self) -> str | None:
+        """Return a sentence that says why no window can open here; None if one can."""
+
+    def open(self, example: str | None) -> int:
+        """Show the window, with an example if named, until it is closed; return the exit code."""
 
 
 class _Commands(click.Group):
@@ -47,29 +50,21 @@ class _Commands(click.Group):
 def commands(ctx: click.Context) -> None:
     """Make new icons out of parts of real ones. Without a command, the window opens."""
     if ctx.invoked_subcommand is None:
-        from iconstudio.windowing import obstacle
-
-        if (reason := obstacle()) is not None:
+        if (reason := ctx.obj.obstacle()) is not None:
             raise IconstudioError(
                 f"{reason}\nWithout a window: iconstudio model SKETCH.json --out FOLDER"
             )
-        ctx.exit(ctx.obj.open_window(None))
+        ctx.exit(ctx.obj.open(None))
 
 
-def run(arguments: Sequence[str], open_window: Callable[[str | None], int]) -> int:
-    """Run the program; mistakes are told in a sentence.
-
-    Parameters
-    ----------
-    open_window
-        Opens the window with the example of a name, or empty, and returns the exit code.
-    """
+def run(arguments: Sequence[str], window: Window) -> int:
+    """Run the program and return its exit code; mistakes are told in a sentence."""
     try:
         code = commands.main(
             list(arguments),
             prog_name="iconstudio",
             standalone_mode=False,
-            obj=Context(open_window),
+            obj=window,
         )
         return code if isinstance(code, int) else 0
     except click.exceptions.Exit as end:

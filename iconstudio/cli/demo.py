@@ -5,7 +5,6 @@ from pathlib import Path
 import click
 
 from iconstudio.sketchfile import example
-from iconstudio.windowing import obstacle
 
 
 @click.command("demo")
@@ -24,9 +23,9 @@ from iconstudio.windowing import obstacle
 def command(ctx: click.Context, name: str, folder: Path, headless: bool) -> None:
     """Remix an example sketch: the motorbike, or the example NAME."""
     sketch = example(name).sketch
-    reason = "No window was wanted." if headless else obstacle()
+    reason = "No window was wanted." if headless else ctx.obj.obstacle()
     if reason is None:
-        ctx.exit(ctx.obj.open_window(name))
+        ctx.exit(ctx.obj.open(name))
     click.echo(f"{reason}\nRemixing without a window.", err=True)
 
     from iconstudio.cli.model import run

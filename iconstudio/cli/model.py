@@ -104,12 +104,13 @@ def command(
 def run(
     session: Session, sketch: Sketch, settings: ModelSettings, folder: Path, *, dump: bool = False
 ) -> None:
-    """Model a sketch, write everything into ``folder``, and say on standard output what is there."""
+    """Model a sketch, write everything into ``folder``, and say what is there."""
     settings.chosen_styles()
     sketch.polygon.fitted()
     if not sketch.keyword.strip():
         raise IconstudioError(
-            'There is no keyword. Say what the sketch shows: --keyword dog, or "keyword" in the file.'
+            "There is no keyword. Say what the sketch shows: "
+            '--keyword dog, or "keyword" in the file.'
         )
     if sketch.polygon.crosses_itself:
         click.echo("The outline crosses itself: all that it encloses counts as inside.", err=True)

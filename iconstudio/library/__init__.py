@@ -1,0 +1,1 @@
+"""Collections of icons: built, opened, searched and rasterised."""

@@ -1,0 +1,86 @@
+"""The house rules that a machine can check."""
+
+import ast
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+PACKAGE = ROOT / "iconstudio"
+ADAPTERS = {
+    "maxflow": "algorithms/maxflow.py",
+    "pyfftw": "algorithms/fft.py",
+    "potrace": "algorithms/vectorize.py",
+    "resvg_py": "library/resvg.py",
+    "pebble": "workers.py",
+    "tqdm": "cli/progress.py",
+}
+
+
+def imported(path: Path) -> set[str]:
+    """Top-level names of all modules that a file imports, also inside functions."""
+    names = set()
+    for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+        if isinstance(node, ast.Import):
+            names |= {alias.name.split(".")[0] for alias in node.names}
+        elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
+            names.add(node.module.split(".")[0])
+    return names
+
+
+def test_import_contracts_hold():
+    run = subprocess.run(
+        [sys.executable, "-c", "from importlinter.cli import lint_imports_command as c; c()"],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert run.returncode == 0, run.stdout + run.stderr
+    assert "0 broken" in run.stdout
+
+
+def test_each_foreign_library_has_one_adapter():
+    for library, adapter in ADAPTERS.items():
+        users = {
+            str(path.relative_to(PACKAGE).as_posix())
+            for path in PACKAGE.rglob("*.py")
+            if library in imported(path)
+        }
+        assert users == {adapter} or (library == "pebble" and adapter in users), (library, users)
+
+
+def test_rooms_stay_small():
+    for path in PACKAGE.rglob("*.py"):
+        text = path.read_text("utf-8")
+        assert text.count("\n") <= 400, f"{path} is over 400 lines long"
+        for node in ast.walk(ast.parse(text)):
+            if isinstance(node, ast.ClassDef):
+                methods = [n for n in node.body if isinstance(n, ast.FunctionDef)]
+                assert len(methods) <= 25, f"{node.name} in {path} has {len(methods)} methods"
+
+
+@pytest.mark.parametrize(
+    "arguments", [["--help"], ["model", "--help"], ["search", "--help"], ["demo", "--help"]]
+)
+def test_no_command_but_the_window_imports_qt(arguments):
+    code = (
+        "import sys\n"
+        "from iconstudio.cli.app import run\n"
+        f"assert run({arguments!r}, None) == 0\n"
+        "assert not [name for name in sys.modules if name.startswith('PySide6')]\n"
+    )
+    subprocess.run([sys.executable, "-c", code], cwd=ROOT, check=True, capture_output=True)
+
+
+def test_code_is_clean():
+    run = subprocess.run(
+        [sys.executable, "-m", "ruff", "check", "."],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert run.returncode == 0, run.stdout
