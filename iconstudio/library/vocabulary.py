@@ -43,7 +43,7 @@ BADGES = words(
     rectangle triangle diamond box badge bubble dot dots shield protection security secure
     bell notification bookmark tag label flag manager management new all list multiple connect
     connected connection disconnect data chart message chat ok done verified approve approved
-    reject success fail scan target move
+    reject success fail scan target move direction git source branch
     """
 )
 """Words that, put before or after a thing, mean a small sign on it or a frame around it."""

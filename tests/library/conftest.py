@@ -32,6 +32,7 @@ SYNSETS = (
     (17, FOOD, ("apple",), ()),
     (18, ACT, ("walking",), ()),
     (19, ARTIFACT, ("house",), ()),
+    (20, ACT, ("police",), ()),
 )
 
 
