@@ -1,6 +1,6 @@
 """Menus, shortcuts and tool bar buttons."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence, QUndoStack
@@ -101,6 +101,9 @@ class Actions:
 
     def __getitem__(self, name: str) -> QAction:
         return self._by_name[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._by_name)
 
     def connect(self, slots: dict[str, Callable[..., object]]) -> None:
         """Connect actions to what they do; checkable ones pass their state."""

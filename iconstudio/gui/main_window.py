@@ -31,7 +31,6 @@ from iconstudio.gui.worker import Worker
 from iconstudio.model import Sketch
 from iconstudio.session import ModelSettings, Session
 from iconstudio.sketchfile import examples
-from iconstudio.workflows.events import Progress
 
 
 class MainWindow(QMainWindow):
@@ -44,7 +43,7 @@ class MainWindow(QMainWindow):
         self._session_worker = Worker(self)
         self.document = Document(self)
         self.opener = Opener(self.document, self._files_worker, self)
-        self.saver = Saver(self)
+        self.saver = Saver(self._files_worker, self)
         self.modelling = Modelling(self.document, session, self._session_worker, self)
         self._ran: Sketch | None = None
         self._regions: tuple = ()
@@ -163,7 +162,7 @@ class MainWindow(QMainWindow):
         modelling.matched.connect(self.results.show_matched)
         modelling.skipped.connect(self.results.show_skipped)
         modelling.finished_icon.connect(self._add_picture)
-        modelling.progress.connect(self._show_progress)
+        modelling.progress.connect(self.strip.show_progress)
         modelling.failed.connect(self.notice.say)
         modelling.ended.connect(self._end)
         modelling.idle.connect(self._rest)
@@ -191,13 +190,10 @@ class MainWindow(QMainWindow):
 
     def _add_picture(self, picture: Picture) -> None:
         self.results.add(picture)
+        self.strip.set_finished(len(self.results.pictures))
         if self.detail.picture is None:
             composite = picture.result.composite
             self.results.pick(composite.style, composite.lambda_s)
-
-    def _show_progress(self, progress: Progress) -> None:
-        finished = len(self.results.pictures) if self.modelling.running else 0
-        self.strip.show_progress(progress, f"{finished} finished" if finished else "")
 
     def _end(self, complete: bool) -> None:
         self.results.end()
@@ -243,8 +239,7 @@ class MainWindow(QMainWindow):
 
     def _say(self, message: str) -> None:
         self.notice.hide()
-        if not self.strip.bar.isVisible():
-            self.strip.rest(message)
+        self.strip.say(message)
 
     # -- the window itself ---------------------------------------------------------------------
 

@@ -1,6 +1,6 @@
 """Bring photos and sketches into the document: from files, the clipboard, a drop, the examples."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator
 from pathlib import Path
 from typing import Any
 
@@ -83,7 +83,7 @@ class Opener(QObject):
         else:
             self.failed.emit("There is no photo to paste. Copy an image first.")
 
-    def _work(self, make: Callable[[], Iterator[Any]]) -> None:
+    def _work(self, make: Callable[[], Generator[Any]]) -> None:
         job = self._worker.submit(make)
         job.event.connect(self._put)
         job.failed.connect(self.failed)
@@ -101,11 +101,11 @@ class Opener(QObject):
                 self.failed.emit(found)
 
 
-def _once(function: Callable[[Any], Any], argument: Any) -> Iterator[Any]:
+def _once(function: Callable[[Any], Any], argument: Any) -> Generator[Any]:
     yield function(argument)
 
 
-def _sketch_and_photo(read: Callable[[], SketchFile]) -> Iterator[object]:
+def _sketch_and_photo(read: Callable[[], SketchFile]) -> Generator[object]:
     """Yield a sketch with its photo; if only the photo is missing, a remark and no photo."""
     file = read()
     photo = None

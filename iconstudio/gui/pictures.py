@@ -1,6 +1,7 @@
 """Pictures that the panels show, made from the values of the model."""
 
-from collections.abc import Iterator
+from collections.abc import Generator
+from contextlib import closing
 from dataclasses import dataclass
 
 import numpy as np
@@ -39,24 +40,20 @@ class Picture:
         painter.restore()
 
 
-def pictured(events: Iterator[Event]) -> Iterator[Event | Picture]:
+def pictured(events: Generator[Event]) -> Generator["Event | Picture"]:
     """Pass ``events`` on, with a ``Picture`` in place of each result.
 
     Runs where the events are made, so that the window's thread has nothing to compute.
     """
     from iconstudio.output.colours import colour_code
 
-    try:
+    with closing(events):
         for event in events:
             if isinstance(event, Result):
                 coded = colour_code(event.composite, event.drawing, COLOUR_CODE_SIZE)
                 yield Picture(event, painter_path(event.drawing.path), rgba_image(coded))
             else:
                 yield event
-    finally:
-        close = getattr(events, "close", None)
-        if close is not None:
-            close()
 
 
 def rgba_image(pixels: NDArray[np.uint8]) -> QImage:

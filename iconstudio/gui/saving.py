@@ -1,20 +1,23 @@
 """Take sketches and icons out of the window: to files and to the clipboard."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Generator
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
-from iconstudio.gui import export
 from iconstudio.gui.document import Page
 from iconstudio.gui.pictures import Picture
+from iconstudio.gui.worker import Worker
 from iconstudio.model import IconstudioError
 from iconstudio.sketchfile import write_sketch
 
+PNG_SIZE = 1024
+"""Side of a saved PNG in pixels."""
+
 
 class Saver(QObject):
-    """Asks where to, and writes.
+    """Asks where to, and writes; icons in the background.
 
     Signals
     -------
@@ -27,21 +30,25 @@ class Saver(QObject):
     failed = Signal(str)
     saved = Signal(str)
 
-    def __init__(self, window: QWidget) -> None:
+    def __init__(self, worker: Worker, window: QWidget) -> None:
         super().__init__(window)
+        self._worker = worker
         self._window = window
         self._picture: Picture | None = None
         self._title = "icon"
 
     def save_sketch(self, page: Page) -> None:
         """Save the sketch as JSON."""
+        path = self.ask_path("sketch", _file_name(page.sketch.keyword), "json")
+        if path is None:
+            return
         photo = Path(page.photo.path) if page.photo is not None and page.photo.path else None
-        self._save(
-            "sketch",
-            _file_name(page.sketch.keyword),
-            "json",
-            lambda path: write_sketch(path, page.sketch, photo),
-        )
+        try:
+            write_sketch(path, page.sketch, photo)
+        except IconstudioError as error:
+            self.failed.emit(str(error))
+        else:
+            self._tell(path)
 
     def pick(self, picture: Picture | None) -> None:
         """Say which result is to be saved from now on."""
@@ -55,20 +62,23 @@ class Saver(QObject):
         """Save the picked result as SVG."""
         picture, title = self._picture, self._title
         if picture is not None:
-            name = self._icon_name(picture)
-            self._save("icon", name, "svg", lambda path: export.write_svg(path, picture, title))
+            self._save("icon", self._icon_name(picture), "svg", lambda: _svg(picture, title))
 
     def save_png(self, coded: bool = False) -> None:
         """Save the picked result as PNG, coded by source or not."""
         picture = self._picture
         if picture is not None:
-            name = self._icon_name(picture)
-            self._save("icon", name, "png", lambda path: export.write_png(path, picture, coded))
+            self._save("icon", self._icon_name(picture), "png", lambda: _png(picture, coded))
 
     def copy_svg(self) -> None:
         """Put the picked result on the clipboard as SVG."""
-        if self._picture is not None:
-            QApplication.clipboard().setText(export.svg_text(self._picture, self._title))
+        if self._picture is None:
+            return
+        try:
+            QApplication.clipboard().setText(_svg(self._picture, self._title).decode())
+        except IconstudioError as error:
+            self.failed.emit(str(error))
+        else:
             self.saved.emit("The icon is on the clipboard as SVG, with its credits.")
 
     def ask_path(self, what: str, name: str, kind: str) -> Path | None:
@@ -82,19 +92,42 @@ class Saver(QObject):
         dialog.deleteLater()
         return Path(chosen[0]) if chosen else None
 
-    def _save(self, what: str, name: str, kind: str, write: Callable[[Path], None]) -> None:
+    def _save(self, what: str, name: str, kind: str, content: Callable[[], bytes]) -> None:
         path = self.ask_path(what, name, kind)
         if path is None:
             return
-        try:
-            write(path)
-        except IconstudioError as error:
-            self.failed.emit(str(error))
-        else:
-            self.saved.emit(f"Saved “{path}”.")
+        job = self._worker.submit(lambda: _writing(path, content))
+        job.event.connect(self._tell)
+        job.failed.connect(self.failed)
+
+    def _tell(self, path: Path) -> None:
+        self.saved.emit(f"Saved “{path}”.")
 
     def _icon_name(self, picture: Picture) -> str:
         return f"{_file_name(self._title)}-{picture.result.composite.style}"
+
+
+def _writing(path: Path, content: Callable[[], bytes]) -> Generator[Path]:
+    from iconstudio.output import png
+
+    png.write(path, content())
+    yield path
+
+
+def _svg(picture: Picture, title: str) -> bytes:
+    from iconstudio.output.svg import svg_document
+
+    return svg_document(picture.result.drawing, picture.result.composite, title).encode()
+
+
+def _png(picture: Picture, coded: bool) -> bytes:
+    from iconstudio.output import png
+    from iconstudio.output.colours import colour_code
+
+    result = picture.result
+    if coded:
+        return png.encoded(colour_code(result.composite, result.drawing, PNG_SIZE))
+    return png.encoded(png.drawing_pixels(result.drawing, PNG_SIZE))
 
 
 def _file_name(keyword: str) -> str:

@@ -3,7 +3,7 @@
 import logging
 import queue
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator
 from contextlib import closing
 from typing import Any
 
@@ -31,15 +31,19 @@ class Job(QObject):
     failed = Signal(str)
     finished = Signal()
 
+    # From the worker's thread to the window's: only there the public signals are sent, so that
+    # whoever connects to them in one go with ``submit`` misses none.
     _yielded = Signal(object)
     _raised = Signal(str)
+    _ended = Signal()
 
-    def __init__(self, make: Callable[[], Iterator[Any]], parent: QObject | None = None) -> None:
+    def __init__(self, make: Callable[[], Generator[Any]], parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._make = make
         self._cancelled = threading.Event()
         self._yielded.connect(self._deliver)
         self._raised.connect(self._complain)
+        self._ended.connect(self._finish)
 
     @property
     def cancelled(self) -> bool:
@@ -65,7 +69,7 @@ class Job(QObject):
                 "Your sketch is untouched; you can try again."
             )
         finally:
-            self.finished.emit()
+            self._ended.emit()
 
     def _drain(self) -> None:
         with closing(self._make()) as events:
@@ -81,6 +85,9 @@ class Job(QObject):
     def _complain(self, message: str) -> None:
         if not self.cancelled:
             self.failed.emit(message)
+
+    def _finish(self) -> None:
+        self.finished.emit()
 
 
 class _Thread(QThread):
@@ -103,7 +110,7 @@ class Worker(QObject):
         self._thread = _Thread(self._queue, self)
         self._thread.start()
 
-    def submit(self, make: Callable[[], Iterator[Any]]) -> Job:
+    def submit(self, make: Callable[[], Generator[Any]]) -> Job:
         """Return a job that runs the generator ``make()`` once the jobs before it have ended.
 
         Its signals arrive only after control is back in the event loop, so connect them at once.

@@ -1,0 +1,192 @@
+"""Photos and sketches: opened, dropped, pasted; good and bad ones."""
+
+import json
+
+import pytest
+from hands import SQUARE, click, trace, type_keyword
+from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
+from PySide6.QtGui import QDropEvent, QImage
+from PySide6.QtWidgets import QApplication, QFileDialog
+
+from iconstudio.gui.photo import LONGEST, photo_from_image, read_photo
+from iconstudio.model import IconstudioError
+from iconstudio.sketchfile import examples
+
+
+@pytest.fixture
+def picture():
+    image = QImage(300, 200, QImage.Format.Format_RGB32)
+    image.fill(Qt.GlobalColor.red)
+    return image
+
+
+@pytest.fixture
+def photo_file(picture, tmp_path):
+    path = tmp_path / "bike.png"
+    assert picture.save(str(path))
+    return path
+
+
+def has_photo(window):
+    return lambda: window.document.page.photo is not None
+
+
+def test_a_photo_is_opened_from_the_menu(window, qtbot, photo_file, monkeypatch):
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(photo_file), ""))
+    window.actions_by_name["photo"].trigger()
+    qtbot.waitUntil(has_photo(window))
+    photo = window.document.page.photo
+    assert (photo.width, photo.height) == (300, 200)
+    assert window.canvas_panel.dim.isVisible()
+    assert "300 × 200" in window.strip.label.text()
+    window.document.undo_stack.undo()
+    assert window.document.page.empty
+
+
+def test_a_dropped_photo_is_opened(window, qtbot, photo_file):
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(str(photo_file))])
+    drop = QDropEvent(
+        QPointF(50, 50),
+        Qt.DropAction.CopyAction,
+        data,
+        Qt.MouseButton.LeftButton,
+        Qt.KeyboardModifier.NoModifier,
+    )
+    window.view.dropEvent(drop)
+    qtbot.waitUntil(has_photo(window))
+
+
+def test_a_photo_on_the_clipboard_is_pasted(window, qtbot, picture):
+    QApplication.clipboard().setImage(picture)
+    window.actions_by_name["paste"].trigger()
+    qtbot.waitUntil(has_photo(window))
+    assert window.document.page.photo.path == ""
+
+
+def test_pasting_words_says_what_to_do(window):
+    QApplication.clipboard().setText("dog")
+    window.actions_by_name["paste"].trigger()
+    assert "no photo to paste" in window.notice.label.text()
+
+
+def test_a_file_that_is_no_photo_is_told_and_nothing_is_lost(window, qtbot, tmp_path):
+    trace(window)
+    before = window.document.page
+    path = tmp_path / "letter.png"
+    path.write_text("Dear dog")
+    window.opener.open_photo(str(path))
+    qtbot.waitUntil(window.notice.isVisible)
+    assert "“letter.png” is not a photo" in window.notice.label.text()
+    assert window.document.page == before
+
+
+def test_a_file_that_is_cut_short_or_gone_is_told(tmp_path, photo_file):
+    half = tmp_path / "half.png"
+    half.write_bytes(photo_file.read_bytes()[:40])
+    with pytest.raises(IconstudioError, match=r"half\.png"):
+        read_photo(str(half))
+    with pytest.raises(IconstudioError, match="no file"):
+        read_photo(str(tmp_path / "gone.png"))
+
+
+def test_a_gigantic_photo_is_kept_smaller_with_its_own_coordinates(tmp_path):
+    path = tmp_path / "wide.png"
+    image = QImage(20000, 1000, QImage.Format.Format_Grayscale8)
+    image.fill(128)
+    assert image.save(str(path))
+    photo = read_photo(str(path))
+    assert (photo.width, photo.height) == (20000, 1000)
+    assert photo.scaled_down
+    assert photo.levels[0].width() == LONGEST
+    assert photo.level(1.0) is photo.levels[0]
+    assert photo.level(0.001) is photo.levels[-1]
+
+
+def test_a_photo_beyond_the_memory_is_told(tmp_path):
+    """A bomb: a header that promises 60,000 by 60,000 pixels."""
+    path = tmp_path / "bomb.bmp"
+    header = b"BM" + (0).to_bytes(8, "little") + (54).to_bytes(4, "little")
+    header += (40).to_bytes(4, "little") + (60000).to_bytes(4, "little") * 2
+    header += (1).to_bytes(2, "little") + (24).to_bytes(2, "little") + bytes(24)
+    path.write_bytes(header)
+    with pytest.raises(IconstudioError, match=r"too large|not a photo"):
+        read_photo(str(path))
+
+
+def test_a_turned_photo_is_turned_back(tmp_path):
+    from PIL import Image
+
+    path = tmp_path / "turned.jpg"
+    exif = Image.Exif()
+    exif[0x0112] = 6
+    Image.new("RGB", (60, 40)).save(path, exif=exif)
+    photo = read_photo(str(path))
+    assert (photo.width, photo.height) == (40, 60)
+    assert photo.levels[0].size().toTuple() == (40, 60)
+
+
+def test_an_empty_image_is_no_photo():
+    with pytest.raises(IconstudioError, match="holds no image"):
+        photo_from_image(QImage())
+
+
+def test_the_dim_slider_fades_the_photo(window, qtbot, photo_file):
+    window.opener.open_photo(str(photo_file))
+    qtbot.waitUntil(has_photo(window))
+    middle = window.view.rect().center()
+    saturations = []
+    for percent in (0, 50, 100):
+        window.canvas_panel.dim.setValue(percent)
+        saturations.append(window.view.grab().toImage().pixelColor(middle).hsvSaturation())
+    assert saturations[0] > 250 > saturations[1] > 60 > saturations[2]
+
+
+def test_every_example_of_the_menu_opens(window, qtbot):
+    titles = [example.title for example in examples()]
+    menu = window.actions_by_name.examples.actions()
+    assert [action.text() for action in menu] == titles
+    assert len(menu) >= 5
+    for action, example in zip(menu, examples(), strict=True):
+        action.trigger()
+        qtbot.waitUntil(lambda sketch=example.sketch: window.document.sketch == sketch)
+        assert window.document.page.closed
+        assert (window.document.page.photo is None) == (example.photo is None)
+        assert window.keyword_panel.field.text() == example.sketch.keyword
+
+
+def test_another_sketch_can_be_undone(window, qtbot):
+    trace(window)
+    type_keyword(window, "dog")
+    before = window.document.page
+    window.opener.open_example(examples()[0])
+    qtbot.waitUntil(lambda: window.document.page != before)
+    window.actions_by_name["undo"].trigger()
+    assert window.document.page == before
+    window.actions_by_name["new"].trigger()
+    assert window.document.page.empty
+    window.actions_by_name["undo"].trigger()
+    assert window.document.page == before
+
+
+def test_a_sketch_without_its_photo_is_opened_all_the_same(window, qtbot, tmp_path):
+    path = tmp_path / "dog.json"
+    path.write_text(json.dumps({"keyword": "dog", "polygon": SQUARE, "photo": "gone.jpg"}))
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(str(path))])
+    window.opener.open_mime(data)
+    qtbot.waitUntil(lambda: window.document.page.closed)
+    assert window.document.page.photo is None
+    assert "without its photo" in window.notice.label.text()
+
+
+@pytest.mark.parametrize("text", ["", "{", "[]", '{"polygon": 3}', '{"polygon": [[1, "a"]]}'])
+def test_a_broken_sketch_is_told_and_nothing_is_lost(window, qtbot, tmp_path, text):
+    click(window, SQUARE[0])
+    before = window.document.page
+    path = tmp_path / "broken.json"
+    path.write_text(text)
+    window.opener.open_sketch(str(path))
+    qtbot.waitUntil(window.notice.isVisible)
+    assert window.notice.label.text()
+    assert window.document.page == before

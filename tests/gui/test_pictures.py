@@ -1,0 +1,142 @@
+"""What is drawn: paths, stencils, placements, icons."""
+
+import numpy as np
+import pytest
+from fake_session import drawing
+from hands import SQUARE, trace
+from images import assert_alike, blank, difference, pixels
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QImage, QPainter
+
+from iconstudio.gui import icons, theme
+from iconstudio.gui.canvas.tools.polygon import PolygonTool
+from iconstudio.gui.pictures import Picture, placed, stencil
+from iconstudio.gui.vector import painter_path
+from iconstudio.model import CANVAS, Placement, Polygon, Sketch
+
+
+def test_the_comparer_can_fail():
+    first, second = blank(64, 64), blank(64, 64)
+    assert_alike(first, second)
+    with QPainter(second) as painter:
+        painter.fillRect(10, 0, 3, 64, Qt.GlobalColor.black)
+    assert difference(first, second) > 0.3
+    with pytest.raises(AssertionError, match="differ by"):
+        assert_alike(first, second, tolerance=0.3)
+    with pytest.raises(AssertionError, match="is not"):
+        assert_alike(first, blank(64, 32))
+
+
+def test_the_comparer_forgives_antialiasing():
+    first, second = blank(64, 64), blank(64, 64)
+    for image, smooth in ((first, True), (second, False)):
+        with QPainter(image) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing, smooth)
+            painter.drawEllipse(QPointF(32, 32), 25, 25)
+    assert first != second
+    assert difference(first, second) < 0.25
+
+
+def test_path_data_become_the_same_outline():
+    path = painter_path("M10 10L90 10L90,90 L 10 90ZM30 30L70 30C70 70 30 70 30 30Z")
+    assert path.boundingRect() == QRectF(10, 10, 80, 80)
+    assert path.elementCount() == 5 + 6
+    assert path.fillRule() == Qt.FillRule.WindingFill
+    assert path.contains(QPointF(50, 40)), "filled with the nonzero rule"
+
+
+def test_numbers_may_be_written_in_any_way():
+    path = painter_path("M1e1-.5L+2.5,3.\n4 5Z")
+    assert [(path.elementAt(i).x, path.elementAt(i).y) for i in range(3)] == [
+        (10, -0.5),
+        (2.5, 3),
+        (4, 5),
+    ]
+
+
+def test_a_stencil_has_the_colour_and_the_coverage():
+    coverage = np.arange(256, dtype=np.uint8).reshape(16, 16)
+    image = stencil(coverage, QColor(255, 128, 0))
+    assert image.size().toTuple() == (16, 16)
+    shown = pixels(image)
+    assert shown[..., 3] == pytest.approx(coverage / 255, abs=1e-6)
+    assert shown[..., 0] == pytest.approx(coverage / 255, abs=1 / 255)
+    assert shown[..., 1] == pytest.approx(coverage / 255 * 128 / 255, abs=1.5 / 255)
+
+
+@pytest.mark.parametrize(
+    ("placement", "expected"),
+    [
+        (Placement(), (40, 60)),
+        (Placement(dx=5, dy=-7), (45, 53)),
+        (Placement(flip=True), (215, 60)),
+        (Placement(flip=True, dx=5), (220, 60)),
+        (Placement(scale=1.1), (31.2, 53.2)),
+        (Placement(scale=0.9, flip=True, dx=-3, dy=2), (203.8, 68.8)),
+    ],
+)
+def test_a_placement_moves_a_dot_as_its_definition_says(placement, expected):
+    coverage = np.zeros((CANVAS, CANVAS), np.uint8)
+    coverage[58:63, 38:43] = 255
+    ink = pixels(placed(stencil(coverage, QColor("black")), placement))[..., 3]
+    y, x = np.average(np.indices(ink.shape).reshape(2, -1), axis=1, weights=ink.ravel())
+    assert (x, y) == pytest.approx(expected, abs=0.6)
+
+
+def test_an_icon_is_drawn_as_its_path_at_any_size():
+    sketch = Sketch(Polygon(tuple(SQUARE)))
+    icon = drawing(sketch, 1, 1)
+    picture = Picture(None, painter_path(icon.path), QImage())
+    small, large = blank(64, 64), blank(512, 512)
+    for image in (small, large):
+        with QPainter(image) as painter:
+            picture.paint(painter, QRectF(image.rect()), QColor("black"), coded=False)
+    smooth = Qt.TransformationMode.SmoothTransformation
+    ratio = Qt.AspectRatioMode.KeepAspectRatio
+    assert_alike(small, large.scaled(64, 64, ratio, smooth))
+    assert pixels(large)[256, 256, 0] == 1, "the hole"
+    assert pixels(large)[256, 100, 0] == 0, "the ink"
+
+
+@pytest.mark.parametrize("name", sorted(icons._SHAPES))
+@pytest.mark.parametrize("look", [theme.LIGHT, theme.DARK], ids=["light", "dark"])
+def test_every_small_icon_shows_something(name, look):
+    shown = pixels(icons.pixmap(name, look.color("text")).toImage())
+    assert 0.02 < shown[..., 3].mean() < 0.6
+    edge = np.concatenate([shown[0], shown[-1], shown[:, 0], shown[:, -1]])
+    assert edge[..., 3].max() < 0.3, "nothing is cut off"
+
+
+@pytest.mark.parametrize("look", [theme.LIGHT, theme.DARK], ids=["light", "dark"])
+def test_words_can_be_read_in_both_themes(look):
+    def luminance(token):
+        channels = [
+            c / 12.92 if c <= 0.03928 else ((c + 0.055) / 1.055) ** 2.4
+            for c in look.color(token).getRgbF()[:3]
+        ]
+        return float(np.dot(channels, (0.2126, 0.7152, 0.0722)))
+
+    for ink, ground in [
+        ("text", "surface"),
+        ("text", "window"),
+        ("muted", "surface"),
+        ("muted", "window"),
+        ("on_accent", "accent"),
+        ("accent", "surface"),
+        ("danger", "surface"),
+        ("text", "danger_soft"),
+    ]:
+        dark, light = sorted((luminance(ink), luminance(ground)))
+        assert (light + 0.05) / (dark + 0.05) >= 4.5, (ink, ground)
+
+
+def test_the_outline_is_drawn_where_it_was_traced(window):
+    before = window.view.grab().toImage()
+    trace(window)
+    window.view.set_tool(PolygonTool(window.document))
+    after = window.view.grab().toImage()
+    camera = window.view.camera
+    inside = camera.to_view((250, 250)).toPoint()
+    outside = camera.to_view((460, 250)).toPoint()
+    assert before.pixelColor(inside) != after.pixelColor(inside)
+    assert before.pixelColor(outside) == after.pixelColor(outside)

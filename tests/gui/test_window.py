@@ -1,0 +1,107 @@
+"""The window as a whole: words, keys, names, looks."""
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractSlider,
+    QApplication,
+    QLineEdit,
+    QMessageBox,
+    QScrollBar,
+    QSplitterHandle,
+    QToolButton,
+)
+
+from iconstudio.gui import app, theme
+from iconstudio.model import IconstudioError
+
+
+def test_everything_that_can_be_used_has_a_name_and_is_reached_by_keys(window):
+    kinds = QAbstractButton, QAbstractSlider, QLineEdit
+    found = [w for kind in kinds for w in window.findChildren(kind) if w.isVisible()]
+    used = [w for w in found if not isinstance(w, QScrollBar | QSplitterHandle)]
+    assert len(used) > 10
+    for widget in used:
+        if isinstance(widget.parent(), QLineEdit):
+            continue
+        name = widget.accessibleName() or getattr(widget, "text", str)()
+        assert name.strip(), widget
+        assert widget.focusPolicy() & Qt.FocusPolicy.TabFocus, name
+
+
+def test_every_button_on_the_bar_has_an_icon_and_says_what_it_does(window):
+    buttons = [b for b in window.canvas_panel.findChildren(QToolButton) if b.defaultAction()]
+    assert len(buttons) == 9
+    for button in buttons:
+        assert not button.icon().isNull()
+        assert len(button.toolTip()) > 3
+
+
+def test_no_two_actions_share_a_shortcut(window):
+    keys = [
+        key.toString()
+        for name in window.actions_by_name
+        for key in window.actions_by_name[name].shortcuts()
+    ]
+    assert len(keys) == len(set(keys)), sorted(keys)
+
+
+def test_letters_in_the_keyword_field_are_no_shortcuts(window):
+    window.keyword_panel.field.setFocus()
+    QTest.keyClicks(window.keyword_panel.field, "hippo r")
+    assert window.document.sketch.keyword == "hippo r"
+    assert window.actions_by_name["trace"].isChecked()
+    assert not window.actions_by_name["regions"].isChecked()
+
+
+def test_tools_are_switched_by_letters(window):
+    window.view.setFocus()
+    QTest.keyClick(window.view, Qt.Key.Key_H)
+    assert window.view.tool is window.view.pan_tool
+    QTest.keyClick(window.view, Qt.Key.Key_P)
+    assert window.view.tool is window.tool
+
+
+def test_about_names_licence_and_credits(window):
+    window.actions_by_name["about"].trigger()
+    box = window.findChild(QMessageBox)
+    assert "General Public License" in box.text()
+    assert "CREDITS" in box.text()
+    box.close()
+
+
+def test_a_message_is_dismissed(window):
+    window.run()
+    assert window.notice.isVisible()
+    window.notice._button.click()
+    assert not window.notice.isVisible()
+
+
+def test_the_window_follows_the_system_into_the_dark(window, monkeypatch, request):
+    application = QApplication.instance()
+    request.addfinalizer(lambda: theme.apply(application, theme.LIGHT))
+    light = window.grab().toImage().pixelColor(3, 400)
+    monkeypatch.setattr(theme, "current", lambda: theme.DARK)
+    theme.apply(application, theme.current())
+    dark = window.grab().toImage().pixelColor(3, 400)
+    assert light.lightness() > 220
+    assert dark.lightness() < 40
+
+
+def test_the_window_fits_a_small_screen(window):
+    window.resize(100, 100)
+    assert window.width() <= 1024
+    assert window.height() <= 700
+
+
+def test_the_demonstration_loads_an_example_and_remixes_it(window, qtbot, session):
+    app.start(window, "motorbike")
+    qtbot.waitUntil(lambda: len(window.results.pictures) == 24, timeout=20000)
+    assert window.document.sketch.keyword == "motorcycle"
+
+
+def test_an_unknown_example_is_told(window):
+    with pytest.raises(IconstudioError, match="motorbike"):
+        app.start(window, "unicorn")
