@@ -57,7 +57,7 @@ def unpack(archive: Archive, path: Path) -> Iterator[Progress]:
         os.replace(temporary, path)
         _remove_others(path)
     except (OSError, sqlite3.OperationalError) as error:
-        if path.is_file():  # another program, which may hold the file open, was first
+        if is_complete(path):  # another program, which may hold the file open, was first
             return
         raise IconstudioError(_no_room(path.parent, error)) from None
     finally:
@@ -90,7 +90,7 @@ def _fill(archive: Archive, path: Path) -> Iterator[Progress]:
             pool.submit(archive.read, name)
             for name in ("bodies.txt.xz", "index.json.xz", "shapes.bin.xz")
         )
-        columns = _decoded(archive, lambda: json.loads(index.result()))
+        columns = json.loads(index.result())
         yield Progress(0.3, "Unpacking the icon collection: the words")
         with closing(sqlite3.connect(path, isolation_level=None)) as database:
             database.executescript(
@@ -107,13 +107,6 @@ def _fill(archive: Archive, path: Path) -> Iterator[Progress]:
             database.execute("INSERT INTO shapes VALUES (?, ?)", (cells[:-count], cells[-count:]))
             database.execute("COMMIT")
     yield Progress(1.0, "The icon collection is unpacked")
-
-
-def _decoded(archive: Archive, read: Any) -> dict[str, Any]:
-    try:
-        return read()
-    except ValueError as error:
-        raise damaged(archive.folder / "index.json.xz", str(error)) from None
 
 
 def _insert_words(database: sqlite3.Connection, columns: dict[str, Any]) -> None:

@@ -13,8 +13,9 @@ CREDITS
 
 The icons of this collection are the work of the authors below. They were taken, through the npm
 package @iconify/json {version}, from the sets listed here, unchanged in their drawing; each stays
-under the licence of its set. The copyright of a set is held by its author. The full text of every
-licence is at the end of this file.
+under the licence of its set. The copyright of a set is held by its author, whose name replaces the
+words in angle brackets in the texts of the licences. The full text of every licence is at the end
+of this file.
 
 The words by which the icons are found were worked out with WordNet 3.1 of Princeton University.
 """
