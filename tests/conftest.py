@@ -6,9 +6,6 @@ import pytest
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
-PACKAGES = "libgl1 libegl1 libxkbcommon0 libdbus-1-3 libfontconfig1 libglib2.0-0"
-"""What Qt's window needs on Debian and Ubuntu."""
-
 
 def _missing_library() -> str:
     """Return why Qt cannot be loaded; nothing if it can."""
@@ -28,9 +25,11 @@ if MISSING:
     qt_api.set_qt_api = lambda api: None
 
 
+@pytest.hookimpl(trylast=True)
 def pytest_configure(config: pytest.Config) -> None:
-    if MISSING:
-        config.pluginmanager.unregister(name="pytest-qt")
+    for name in ("pytest-qt", "_qt_logging") if MISSING else ():
+        if config.pluginmanager.has_plugin(name):
+            config.pluginmanager.unregister(name=name)
 
 
 def pytest_ignore_collect(collection_path, config: pytest.Config) -> bool | None:

@@ -12,6 +12,10 @@ UNIT = 8
 """The rhythm of the layout in device-independent pixels: every distance is a multiple or a half."""
 
 
+STRONG = "Inter Semi Bold"
+"""Family of the headings: the bundled files name each weight as a family of its own."""
+
+
 @dataclass(frozen=True, slots=True)
 class Theme:
     """Colours by what they are for."""
@@ -93,6 +97,20 @@ def load_fonts(application: QApplication) -> None:
     application.setFont(font)
 
 
+def strong(font: QFont) -> QFont:
+    """Return ``font`` for headings."""
+    font = QFont(font)
+    if _has_strong():
+        font.setFamily(STRONG)
+    else:
+        font.setWeight(QFont.Weight.DemiBold)
+    return font
+
+
+def _has_strong() -> bool:
+    return STRONG in QFontDatabase.families()
+
+
 def _palette(theme: Theme) -> QPalette:
     roles = {
         QPalette.ColorRole.Window: theme.window,
@@ -119,7 +137,9 @@ def _palette(theme: Theme) -> QPalette:
 
 
 def _style_sheet(theme: Theme) -> str:
-    sheet = _SHEET
+    sheet = _SHEET.replace(
+        "@strong;", f'font-family: "{STRONG}";' if _has_strong() else "font-weight: 600;"
+    )
     for token in Theme.__slots__:
         sheet = sheet.replace(f"@{token};", f"{getattr(theme, token)};")
     return sheet
@@ -138,8 +158,8 @@ QMenu::separator { height: 1px; background: @border; margin: 4px 8px; }
 
 QFrame[card="true"] { background: @surface; border: 1px solid @border; border-radius: 8px; }
 QFrame[notice="true"] { background: @danger_soft; border: 1px solid @danger; border-radius: 8px; }
-QLabel[heading="true"] { font-weight: 600; }
-QLabel[title="true"] { font-size: 16px; font-weight: 600; }
+QLabel[heading="true"] { @strong; }
+QLabel[title="true"] { font-size: 16px; @strong; }
 QLabel[muted="true"] { color: @muted; font-size: 12px; }
 QLabel[error="true"] { color: @danger; font-size: 12px; }
 
@@ -155,7 +175,7 @@ QPushButton:pressed { background: @border; }
 QPushButton:focus { border: 2px solid @accent; padding: 0 11px; min-height: 28px; }
 QPushButton:disabled { color: @muted; background: @window; }
 QPushButton[primary="true"] { background: @accent; color: @on_accent; border: 0;
-              font-weight: 600; min-height: 32px; padding: 0 16px; }
+              @strong; min-height: 32px; padding: 0 16px; }
 QPushButton[primary="true"]:focus { border: 2px solid @text; min-height: 28px; padding: 0 14px; }
 QPushButton[primary="true"]:disabled { background: @border; color: @muted; }
 

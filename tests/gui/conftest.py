@@ -1,67 +1,15 @@
-"""What the window's tests share: the real window with a session that needs no collection."""
+"""Fixtures of the window's tests, where Qt can be loaded; elsewhere one test says why it cannot."""
 
-import gc
-import threading
-
-import pytest
-from fake_session import FakeSession
-from PySide6.QtCore import QSize, QtMsgType
-from PySide6.QtWidgets import QApplication
-
-from iconstudio.gui.app import application
-from iconstudio.gui.main_window import MainWindow
-
-_HARMLESS = ("This plugin does not support propagateSizeHints()",)
-
-
-@pytest.fixture(scope="session")
-def qapp_cls():
-    return QApplication
-
-
-@pytest.fixture(scope="session", autouse=True)
-def look(qapp):
-    application()
-
-
-@pytest.fixture(autouse=True)
-def no_warnings_of_qt(qtlog):
-    yield
-    bad = [
-        record.message
-        for record in qtlog.records
-        if record.type != QtMsgType.QtDebugMsg and record.message not in _HARMLESS
-    ]
-    assert not bad, bad
-
-
-@pytest.fixture(autouse=True)
-def no_thread_is_left():
-    before = set(threading.enumerate())
-    yield
-    gc.collect()
-    # A QThread that has ended may still be listed as a dummy; it has no life of its own.
-    left = [
-        thread
-        for thread in set(threading.enumerate()) - before
-        if thread.is_alive() and not isinstance(thread, threading._DummyThread)
-    ]
-    assert not left, left
-
-
-@pytest.fixture
-def session():
-    return FakeSession()
-
-
-@pytest.fixture
-def window(qtbot, session, monkeypatch):
-    window = MainWindow(session)
-    qtbot.addWidget(window)
-    window.resize(QSize(1280, 720))
-    window.show()
-    qtbot.waitExposed(window)
-    yield window
-    window.close()
-    assert session.closed.is_set()
-    assert not window.threads_alive()
+try:
+    import PySide6.QtWidgets  # noqa: F401
+except ImportError:
+    pass
+else:
+    from fixtures import (  # noqa: F401
+        look,
+        no_thread_is_left,
+        no_warnings_of_qt,
+        qapp_cls,
+        session,
+        window,
+    )

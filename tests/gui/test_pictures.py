@@ -40,7 +40,7 @@ def test_the_comparer_forgives_antialiasing():
 def test_path_data_become_the_same_outline():
     path = painter_path("M10 10L90 10L90,90 L 10 90ZM30 30L70 30C70 70 30 70 30 30Z")
     assert path.boundingRect() == QRectF(10, 10, 80, 80)
-    assert path.elementCount() == 5 + 6
+    assert path.elementCount() == 5 + 5
     assert path.fillRule() == Qt.FillRule.WindingFill
     assert path.contains(QPointF(50, 40)), "filled with the nonzero rule"
 

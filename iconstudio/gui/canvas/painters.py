@@ -11,7 +11,7 @@ from PySide6.QtGui import QColor, QFont, QPainter, QPainterPath, QPen, QPolygonF
 from iconstudio.gui.canvas.camera import Camera
 from iconstudio.gui.document import Page
 from iconstudio.gui.photo import Photo
-from iconstudio.gui.theme import UNIT, Theme
+from iconstudio.gui.theme import UNIT, Theme, strong
 from iconstudio.model import CANVAS, MARGIN, Point
 
 _SOLID = Qt.PenStyle.SolidLine
@@ -71,7 +71,7 @@ def paint_regions(
     left, top, right, bottom = page.sketch.polygon.bounds
     unit = max(right - left, bottom - top) / (CANVAS - 2 * MARGIN)
     middle = (left + right) / 2, (top + bottom) / 2
-    painter.setFont(_sized(painter.font(), 11, bold=True))
+    painter.setFont(strong(_sized(painter.font(), 11)))
     for number, (x, y) in enumerate(centres, start=1):
         centre = camera.to_view(
             (middle[0] + (x - CANVAS / 2) * unit, middle[1] + (y - CANVAS / 2) * unit)
@@ -92,11 +92,12 @@ def paint_welcome(painter: QPainter, area: QRectF, theme: Theme) -> None:
     """Say what to do first."""
     centre = area.center()
     painter.setPen(theme.color("text"))
-    painter.setFont(_sized(painter.font(), 20, bold=True))
+    normal = painter.font()
+    painter.setFont(strong(_sized(normal, 20)))
     box = QRectF(area.left(), centre.y() - 104, area.width(), 32)
     painter.drawText(box, Qt.AlignmentFlag.AlignCenter, "Open a photo, or just start drawing")
     painter.setPen(theme.color("muted"))
-    painter.setFont(_sized(painter.font(), 14))
+    painter.setFont(_sized(normal, 14))
     width = min(360.0, area.width() - 4 * UNIT)
     box = QRectF(centre.x() - width / 2, centre.y() - 64, width, 72)
     text = (
@@ -122,8 +123,7 @@ def paint_hint(painter: QPainter, area: QRectF, text: str, theme: Theme) -> None
     painter.drawText(pill, Qt.AlignmentFlag.AlignCenter, text)
 
 
-def _sized(font: QFont, pixels: int, bold: bool = False) -> QFont:
+def _sized(font: QFont, pixels: int) -> QFont:
     font = QFont(font)
     font.setPixelSize(pixels)
-    font.setWeight(QFont.Weight.DemiBold if bold else QFont.Weight.Normal)
     return font
