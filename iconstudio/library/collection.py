@@ -15,19 +15,25 @@ from iconstudio.library.archive import Archive
 from iconstudio.library.fingerprint import stack
 from iconstudio.library.iconify import document
 from iconstudio.library.progress import Progress
+from iconstudio.library.readings import BADGED, COMPOUND
+from iconstudio.library.relations import BROADER, KIND
 from iconstudio.model import Credit, IconstudioError, Pictogram
 from iconstudio.resources import resource
 
 LIMIT = 200
 """Most pictograms for a keyword (section 3.1)."""
 
-_MATCHES = """
+_MATCHES = f"""
 SELECT icon, MIN(relation.rank + reading.tier)
 FROM relation JOIN reading USING (term) JOIN naming USING (phrase)
 WHERE relation.word = ?
-    AND (relation.rank < 3 OR relation.rank < 7 AND reading.tier < 6 OR reading.tier < 2)
+    AND (relation.rank < {KIND}
+        OR relation.rank < {BROADER} AND reading.tier < {BADGED}
+        OR reading.tier < {COMPOUND})
 GROUP BY icon
 """
+"""Icons of a keyword with their scores. The less a word has to do with the keyword, the more
+plainly must the drawing be one of it: of what is broader, only the thing itself is wanted."""
 
 
 def cache_folder() -> Path:
@@ -100,7 +106,8 @@ class Collection:
 
     def close(self) -> None:
         """Close the file."""
-        self._database.close()
+        with self._lock:
+            self._database.close()
 
     def __enter__(self) -> "Collection":
         return self

@@ -15,7 +15,7 @@ from iconstudio.library.vocabulary import (
     PEOPLE,
     PREPOSITIONS,
 )
-from iconstudio.library.wordnet import PERSON, WordNet
+from iconstudio.library.wordnet import WordNet
 
 EXACT, POSED, COMPOUND, PART, BADGED, SCENE, MENTION = 0, 1, 2, 2, 6, 7, 12
 
@@ -105,12 +105,5 @@ def _compound(words: tuple[str, ...], tier: int, wordnet: WordNet) -> Iterator[t
 
 
 def is_thing(term: str, wordnet: WordNet) -> bool:
-    """Whether a term's commonest meaning is something with a shape, and no mark of an interface."""
-    senses = wordnet.senses.get(term, ())
-    return bool(senses[:3] and wordnet.things(term)) and term not in INTERFACE
-
-
-def is_person(term: str, wordnet: WordNet) -> bool:
-    """Whether the commonest drawable meaning of a term is a person."""
-    things = wordnet.things(term)
-    return bool(things) and wordnet.synsets[things[0]].kind == PERSON
+    """Whether a term can mean something with a shape, and is no mark of an interface."""
+    return term not in INTERFACE and bool(wordnet.things(term))
