@@ -92,7 +92,7 @@ def build(inputs: Inputs, out: Path, workers: Workers, most: int = ICONS) -> Ite
     try:
         out.mkdir(parents=True, exist_ok=True)
         archive.write(contents, out)
-        (out / "CREDITS").write_text(thanks, encoding="utf-8")
+        (out / "CREDITS").write_text(thanks, encoding="utf-8", newline="\n")
     except OSError as error:
         raise IconstudioError(f"The collection cannot be written: {error}.") from None
     yield Progress(1.0, f"{len(chosen)} icons of {len(contents.sets)} sets in {out}")
