@@ -5,22 +5,35 @@ interpreter lock during a cut; neither may stop the window. So both run in
 worker processes, and whoever waits for them holds a future.
 """
 
+import math
 import multiprocessing
 import os
-from collections.abc import Callable
+import signal
+import threading
+from collections.abc import Callable, Iterator
 from concurrent.futures import Future
+from concurrent.futures.process import BrokenProcessPool
+from contextlib import contextmanager, suppress
 from typing import Any
+
+_NICENESS = 5
+"""By how much workers give way to the window."""
 
 
 class Workers:
     """A pool of processes. Functions and arguments must be picklable (module-level functions).
 
-    Processes start on first use and end with ``close``, or at the end of the ``with`` block.
+    Processes start on first use and end with ``close``, or at the end of the ``with`` block; at the
+    latest they end with the program, even when that is killed. All methods may
+    be called from any thread.
     """
 
     def __init__(self, count: int | None = None) -> None:
         self.count = count or max(1, os.cpu_count() or 1)
         self._pool: Any = None
+        self._closed = False
+        self._lock = threading.Lock()
+        self._unsettled: set[Future[Any]] = set()
 
     def submit(
         self, function: Callable[..., Any], *args: Any, timeout: float | None = None
@@ -28,26 +41,145 @@ class Workers:
         """Run ``function(*args)`` in a worker.
 
         ``future.cancel()`` kills it, also while it runs. The future raises ``TimeoutError`` after
-        ``timeout`` seconds, and ``pebble.ProcessExpired`` if the process died.
-        """
-        if self._pool is None:
-            from pebble import ProcessPool
+        ``timeout`` seconds of running, ``CancelledError`` once it is cancelled or the pool closed,
+        and an error of which ``died`` is true if the process died.
 
-            # spawn: forking a process that runs Qt and FFTW threads is not safe.
-            self._pool = ProcessPool(
-                max_workers=self.count, context=multiprocessing.get_context("spawn")
-            )
-        return self._pool.schedule(function, args=args, timeout=timeout)
+        Raises
+        ------
+        RuntimeError
+            If the pool has been closed.
+        """
+        with self._lock:
+            if self._closed:
+                raise RuntimeError("The worker processes have been closed.")
+            if self._pool is not None and not self._pool.active:  # for lack of memory, perhaps
+                self._stop()
+            if self._pool is None:
+                self._pool = _start(self.count)
+            future = self._pool.schedule(_run, args=(function, args, timeout), timeout=timeout)
+            self._unsettled.add(future)
+        future.add_done_callback(self._settle)
+        return future
 
     def close(self) -> None:
-        """Kill the processes and wait until they have ended."""
-        pool, self._pool = self._pool, None
-        if pool is not None:
-            pool.stop()
-            pool.join()
+        """Cancel all futures, kill the processes and wait until they have ended; for good."""
+        with self._lock:
+            self._closed = True
+            self._stop()
 
     def __enter__(self) -> "Workers":
         return self
 
     def __exit__(self, *exc: object) -> None:
         self.close()
+
+    def _stop(self) -> None:
+        pool, self._pool = self._pool, None
+        if pool is not None:
+            pool.stop()
+            self._cancel_all()
+            pool.join()
+
+    def _settle(self, future: "Future[Any]") -> None:
+        self._unsettled.discard(future)
+        if future.cancelled():
+            # Wake whoever waits for it; pebble does so later, or never once it is stopped.
+            with suppress(RuntimeError):
+                future.set_running_or_notify_cancel()
+        elif isinstance(future.exception(), BrokenProcessPool):
+            self._cancel_all()  # pebble forgets those that it has not sent yet
+
+    def _cancel_all(self) -> None:
+        for future in tuple(self._unsettled):
+            future.cancel()
+
+
+def died(error: BaseException) -> bool:
+    """Whether a future's error says that the worker process died, as of a crash."""
+    from pebble import ProcessExpired
+
+    return isinstance(error, ProcessExpired)
+
+
+@contextmanager
+def memory_limit(size: int) -> Iterator[None]:
+    """Let this process have ``size`` bytes of address space at most, where the system can.
+
+    What needs more raises ``MemoryError`` in Python, and ends the process in a library.
+    """
+    try:
+        import resource
+    except ImportError:  # Windows
+        yield
+        return
+    before = resource.getrlimit(resource.RLIMIT_AS)
+    hard = before[1]
+    if hard != resource.RLIM_INFINITY:
+        size = min(size, hard)
+    resource.setrlimit(resource.RLIMIT_AS, (size, hard))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_AS, before)
+
+
+def _start(count: int) -> Any:
+    from pebble import ProcessPool
+
+    # spawn: forking a process that runs Qt and FFTW threads is not safe.
+    context = multiprocessing.get_context("spawn")
+    with _interrupts_blocked():
+        pool = ProcessPool(max_workers=count, initializer=_initialise, context=context)
+        _ = pool.active  # starts it
+    return pool
+
+
+@contextmanager
+def _interrupts_blocked() -> Iterator[None]:
+    """Block Ctrl-C in this thread, and so for good in the threads and processes that it starts.
+
+    Otherwise a worker interrupted while it starts would print a traceback.
+    """
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    from multiprocessing import resource_tracker
+
+    resource_tracker.ensure_running()  # its start would end the blocking
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+def _initialise() -> None:
+    """Prepare a worker process."""
+    # pebble's handler runs only between two steps of Python, so not in a cut or a hung renderer.
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
+    for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
+        os.environ.setdefault(name, "1")
+    if hasattr(os, "nice"):
+        os.nice(_NICENESS)
+    threading.Thread(target=_end_with_parent, daemon=True).start()
+
+
+def _end_with_parent() -> None:
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        parent.join()
+        os._exit(1)
+
+
+def _run(function: Callable[..., Any], args: tuple[Any, ...], timeout: float | None) -> Any:
+    """Run a task in a worker process, which outlives its time by two seconds at most.
+
+    This is for a task that hangs in a library when nobody is left to kill it.
+    """
+    if timeout is None or not hasattr(signal, "alarm"):
+        return function(*args)
+    signal.alarm(math.ceil(timeout) + 1)
+    try:
+        return function(*args)
+    finally:
+        signal.alarm(0)

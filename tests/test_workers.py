@@ -1,0 +1,277 @@
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from concurrent.futures import CancelledError, wait
+from pathlib import Path
+
+import pytest
+
+from iconstudio.workers import Workers, died, memory_limit
+
+posix = pytest.mark.skipif(os.name != "posix", reason="needs POSIX signals")
+linux = pytest.mark.skipif(not Path("/proc/self").exists(), reason="looks processes up in /proc")
+
+
+def add(a, b):
+    return a + b
+
+
+def pid():
+    return os.getpid()
+
+
+def fail(message):
+    raise ValueError(message)
+
+
+def vanish(code):
+    os._exit(code)
+
+
+def sleep_after_telling(path):
+    """Write down the process's number, then sleep."""
+    Path(path).write_text(str(os.getpid()))
+    time.sleep(600)
+
+
+def hang_after_telling(path):
+    """Write down the process's number, then hang in C with the interpreter lock held."""
+    Path(path).write_text(str(os.getpid()))
+    sum(range(10**13))
+
+
+def swallow(data):
+    return len(data)
+
+
+def surroundings():
+    return (
+        os.nice(0),
+        os.environ.get("OMP_NUM_THREADS"),
+        os.environ.get("OPENBLAS_NUM_THREADS"),
+        signal.SIGINT in signal.pthread_sigmask(signal.SIG_BLOCK, ()),
+    )
+
+
+def allocate(size):
+    with memory_limit(2**30):
+        return len(bytearray(size))
+
+
+def told(path):
+    """Return the process's number once it is written down."""
+    deadline = time.monotonic() + 30
+    while not (path.exists() and path.read_text()):
+        assert time.monotonic() < deadline
+        time.sleep(0.02)
+    return int(path.read_text())
+
+
+def alive(number):
+    try:
+        return Path(f"/proc/{number}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
+    except (FileNotFoundError, ProcessLookupError):
+        return False
+
+
+def ends(number, seconds):
+    deadline = time.monotonic() + seconds
+    while alive(number):
+        if time.monotonic() > deadline:
+            return False
+        time.sleep(0.02)
+    return True
+
+
+@pytest.fixture(scope="module")
+def workers():
+    with Workers(1) as pool:
+        yield pool
+
+
+def test_a_task_runs_in_another_process(workers):
+    assert workers.submit(add, 2, 3).result() == 5
+    assert workers.submit(pid).result() != os.getpid()
+
+
+def test_an_error_of_the_task_is_raised(workers):
+    with pytest.raises(ValueError, match="no good"):
+        workers.submit(fail, "no good").result()
+
+
+def test_a_task_that_cannot_be_pickled_is_an_error_of_its_own(workers):
+    with pytest.raises((AttributeError, TypeError, ValueError)):
+        workers.submit(lambda: 1).result()
+    assert workers.submit(add, 1, 1).result() == 2
+
+
+def test_a_crash_loses_the_task_and_no_other(workers):
+    futures = [workers.submit(vanish, 3), workers.submit(add, 1, 2)]
+    assert died(futures[0].exception())
+    assert futures[1].result() == 3
+    assert not died(ValueError())
+
+
+@linux
+@pytest.mark.parametrize("task", [sleep_after_telling, hang_after_telling])
+def test_cancelling_kills_what_runs(workers, tmp_path, task):
+    future = workers.submit(task, str(tmp_path / "pid"))
+    number = told(tmp_path / "pid")
+    assert future.cancel()
+    assert wait([future], 5).done
+    assert ends(number, 2)
+    assert workers.submit(add, 1, 1).result() == 2
+
+
+def test_time_runs_out(workers):
+    future = workers.submit(time.sleep, 600, timeout=0.2)
+    with pytest.raises(TimeoutError):
+        future.result()
+    assert workers.submit(add, 1, 1).result() == 2
+
+
+@posix
+def test_workers_give_way_and_ignore_interrupts(workers):
+    nice, *threads, blocked = workers.submit(surroundings).result()
+    assert nice >= min(19, os.nice(0) + 5)
+    assert all(threads)
+    assert blocked
+    assert signal.SIGINT not in signal.pthread_sigmask(signal.SIG_BLOCK, ())
+
+
+@linux
+def test_memory_can_be_limited(workers):
+    with pytest.raises(MemoryError):
+        workers.submit(allocate, 2**30).result()
+    assert workers.submit(allocate, 2**20).result() == 2**20
+    assert workers.submit(swallow, b"x").result() == 1
+
+
+@linux
+def test_closing_from_another_thread_wakes_who_waits_and_leaves_no_process(tmp_path):
+    workers = Workers(2)
+    futures = [workers.submit(hang_after_telling, str(tmp_path / name)) for name in "ab"]
+    futures += [workers.submit(add, 1, 1) for _ in range(5)]
+    numbers = [told(tmp_path / name) for name in "ab"]
+    woken = []
+
+    def wait_for_all():
+        wait(futures)
+        for future in futures:
+            with pytest.raises(CancelledError):
+                future.result()
+            woken.append(future)
+
+    threads = set(threading.enumerate())
+    waiting = threading.Thread(target=wait_for_all)
+    waiting.start()
+    workers.close()
+    waiting.join(10)
+    assert woken == futures
+    assert not any(map(alive, numbers))
+    assert set(threading.enumerate()) <= threads
+    workers.close()
+    with pytest.raises(RuntimeError, match="closed"):
+        workers.submit(add, 1, 1)
+
+
+@linux
+def test_closing_while_tasks_stand_in_the_pipe(tmp_path):
+    workers = Workers(1)
+    workers.submit(sleep_after_telling, str(tmp_path / "pid"))
+    told(tmp_path / "pid")
+    large = [workers.submit(swallow, bytes(3_000_000)) for _ in range(4)]
+    time.sleep(0.3)  # the first of them fills the pipe
+    workers.close()
+    assert all(future.cancelled() for future in large)
+
+
+def test_closing_a_pool_that_never_began():
+    with Workers() as workers:
+        assert workers.count >= 1
+
+
+@linux
+def test_a_pool_whose_idle_worker_is_killed_goes_on():
+    with Workers(1) as workers:
+        os.kill(workers.submit(pid).result(), signal.SIGKILL)
+        time.sleep(0.5)
+        assert workers.submit(add, 1, 1).result() == 2
+
+
+PROGRAM = """
+import sys, time
+from iconstudio.workers import Workers
+from tests.test_workers import add, hang_after_telling, sleep_after_telling
+
+if __name__ == "__main__":
+    workers = Workers(2)
+    task = {"sleep": sleep_after_telling, "hang": hang_after_telling}[sys.argv[1]]
+    seconds = float(sys.argv[2]) or None
+    futures = [workers.submit(task, path, timeout=seconds) for path in sys.argv[3:]]
+    print("ready", flush=True)
+    if sys.argv[1] == "sleep":
+        try:
+            time.sleep(60)
+        except KeyboardInterrupt:
+            sys.exit(3)  # without closing
+    time.sleep(60)
+"""
+
+
+@pytest.fixture
+def program(tmp_path):
+    """Return a function that starts a program of its own that uses workers."""
+    script = tmp_path / "program.py"
+    script.write_text(PROGRAM)
+    root = str(Path(__file__).parents[1])
+    started = []
+
+    def start(*arguments):
+        process = subprocess.Popen(
+            [sys.executable, "-W", "error", str(script), *map(str, arguments)],
+            env=os.environ | {"PYTHONPATH": root},
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            start_new_session=True,
+        )
+        started.append(process)
+        assert process.stdout.readline() == b"ready\n"
+        return process
+
+    yield start
+    for process in started:
+        process.kill()
+        process.communicate()
+
+
+@linux
+def test_no_worker_survives_a_killed_program(program, tmp_path):
+    files = [tmp_path / "a", tmp_path / "b"]
+    process = program("sleep", 0, *files)
+    numbers = [told(file) for file in files]
+    process.kill()
+    assert all(ends(number, 5) for number in numbers)
+
+
+@linux
+def test_a_hung_worker_survives_a_killed_program_no_longer_than_its_time(program, tmp_path):
+    process = program("hang", 1, tmp_path / "a")
+    number = told(tmp_path / "a")
+    process.kill()
+    assert ends(number, 6)
+
+
+@linux
+@pytest.mark.parametrize("pause", [0.05, 1.0], ids=["while they start", "at work"])
+def test_an_interrupt_on_the_terminal_prints_nothing_and_leaves_nothing(program, tmp_path, pause):
+    files = [tmp_path / "a", tmp_path / "b"]
+    process = program("sleep", 0, *files)
+    time.sleep(pause)
+    os.killpg(process.pid, signal.SIGINT)  # as a terminal does, to all of them
+    assert process.wait(20) == 3
+    assert process.stderr.read() == b""
+    assert not any(alive(int(file.read_text() or 0)) for file in files if file.exists())
