@@ -27,7 +27,7 @@ class Window(Protocol):
 class _Commands(click.Group):
     """Imports a command's module when it is asked for: ``--help`` and the window stay quick."""
 
-    names = ("demo", "library", "model", "search")
+    names = ("demo", "gallery", "library", "model", "search")
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         return list(self.names)

@@ -1,0 +1,94 @@
+"""``iconstudio gallery``: one picture of many subjects, in the manner of the paper's figure 17."""
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+
+import click
+
+from iconstudio.algorithms.expansion import LAMBDAS
+from iconstudio.cli.progress import ProgressBar
+from iconstudio.files import write_atomically
+from iconstudio.model import Composite, Drawing, IconstudioError
+from iconstudio.output.png import png_bytes
+from iconstudio.output.sheet import Subject, gallery_sheet
+from iconstudio.resources import resource
+from iconstudio.session import Session
+from iconstudio.sketchfile import SketchFile, read_sketch
+from iconstudio.workflows.events import Progress, Result
+from iconstudio.workflows.modelling import ModelSettings
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """Which of a sketch's results a person found best, and what they think of it.
+
+    Stands in the sketch's file as ``"best": {"style", "lambda", "remark", "failed"}``; ``lambda``
+    counts the columns of the grid from 1.
+    """
+
+    style: str = "medium"
+    column: int = 4
+    remark: str = ""
+    failed: bool = False
+
+    @classmethod
+    def read(cls, path: Path) -> "Choice":
+        """Return the choice in a sketch's file, or the middle of the grid if there is none."""
+        best = json.loads(path.read_text("utf-8")).get("best", {})
+        try:
+            column = int(best.get("lambda", cls().column))
+            style = str(best.get("style", cls().style))
+        except (AttributeError, TypeError, ValueError):
+            raise IconstudioError(f"“{path.name}”: “best” is no choice of a result.") from None
+        if not 1 <= column <= len(LAMBDAS):
+            raise IconstudioError(f"“{path.name}”: there is no column {column}.")
+        return cls(style, column, str(best.get("remark", "")), bool(best.get("failed", False)))
+
+
+@click.command("gallery")
+@click.option(
+    "--sketches",
+    type=click.Path(exists=True, file_okay=False, path_type=Path),
+    help="Folder of SKETCH.json files. Default: the sixteen that come with the program.",
+)
+@click.option(
+    "--out",
+    type=click.Path(dir_okay=False, path_type=Path),
+    default=Path("gallery.png"),
+    show_default=True,
+    metavar="FILE.png",
+)
+def command(sketches: Path | None, out: Path) -> None:
+    """Draw each sketch with its chosen result and its colour code."""
+    files = sorted((sketches or resource("examples/gallery")).glob("*.json"))
+    if not files:
+        raise IconstudioError(f"There are no sketches (*.json) in “{sketches}”.")
+    subjects = []
+    with Session() as session, ProgressBar() as bar:
+        for number, path in enumerate(files):
+            sketch, choice = read_sketch(path), Choice.read(path)
+            result = None
+            for event in session.model(sketch.sketch, _settings(choice)):
+                if isinstance(event, Result):
+                    result = event  # the last one has the lambda_S that was chosen
+                elif isinstance(event, Progress):
+                    bar.show((number + event.done) / len(files), sketch.title)
+            picture = (result.composite, result.drawing) if result else None
+            subjects.append(_subject(sketch, choice, picture))
+    try:
+        write_atomically(out, png_bytes(gallery_sheet(subjects)))
+    except OSError as error:
+        raise IconstudioError(f"“{out}” cannot be written: {error.strerror}.") from None
+    click.echo(str(out))
+
+
+def _settings(choice: Choice) -> ModelSettings:
+    """Return the chosen style, and the lambda_S down to the chosen one: each starts the next."""
+    return ModelSettings(styles=(choice.style,), lambdas=LAMBDAS[choice.column - 1 :])
+
+
+def _subject(
+    sketch: SketchFile, choice: Choice, picture: tuple[Composite, Drawing] | None
+) -> Subject:
+    return Subject(sketch.title, sketch.sketch.polygon, picture, choice.remark, choice.failed)
