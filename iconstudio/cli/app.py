@@ -2,7 +2,7 @@
 
 import sys
 from collections.abc import Sequence
-from typing import Protocol
+from typing import ClassVar, Protocol
 
 import click
 
@@ -27,17 +27,27 @@ class Window(Protocol):
 class _Commands(click.Group):
     """Imports a command's module when it is asked for: ``--help`` and the window stay quick."""
 
-    names = ("demo", "gallery", "library", "model", "search")
+    helps: ClassVar[dict[str, str]] = {
+        "demo": "Remix an example sketch, in the window if one can open.",
+        "gallery": "Draw sketches with their chosen results in one picture.",
+        "library": "Build the collection of icons.",
+        "model": "Make icons in the shape of a sketch out of parts of real ones.",
+        "search": "List the icons that a word retrieves.",
+    }
 
     def list_commands(self, ctx: click.Context) -> list[str]:
-        return list(self.names)
+        return list(self.helps)
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
-        if cmd_name not in self.names:
+        if cmd_name not in self.helps:
             return None
         from importlib import import_module
 
         return import_module(f"iconstudio.cli.{cmd_name}").command
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        with formatter.section("Commands"):
+            formatter.write_dl(list(self.helps.items()))
 
 
 @click.command(

@@ -8,9 +8,8 @@ import click
 
 from iconstudio.algorithms.expansion import LAMBDAS
 from iconstudio.cli.progress import ProgressBar
-from iconstudio.files import write_atomically
 from iconstudio.model import Composite, Drawing, IconstudioError
-from iconstudio.output.png import png_bytes
+from iconstudio.output import png
 from iconstudio.output.sheet import Subject, gallery_sheet
 from iconstudio.resources import resource
 from iconstudio.session import Session
@@ -76,10 +75,7 @@ def command(sketches: Path | None, out: Path) -> None:
                     bar.show((number + event.done) / len(files), sketch.title)
             picture = (result.composite, result.drawing) if result else None
             subjects.append(_subject(sketch, choice, picture))
-    try:
-        write_atomically(out, png_bytes(gallery_sheet(subjects)))
-    except OSError as error:
-        raise IconstudioError(f"“{out}” cannot be written: {error.strerror}.") from None
+    png.write(out, png.encoded(gallery_sheet(subjects)))
     click.echo(str(out))
 
 
