@@ -66,7 +66,7 @@ class MainWindow(QMainWindow):
         self.refresh_look()
         self._show_page(self.document.page)
         self._update_actions()
-        self.strip.rest("")
+        self._rest()
         self.modelling.open()
 
     # -- putting together ----------------------------------------------------------------------
@@ -98,6 +98,8 @@ class MainWindow(QMainWindow):
         layout.addWidget(both, 1)
         layout.addWidget(self.strip)
         self.setCentralWidget(centre)
+        self.setTabOrder(self.canvas_panel.dim, self.view)
+        self.setTabOrder(self.view, self.keyword_panel.field)
         room = QGuiApplication.primaryScreen().availableSize()
         self.resize(min(1360, room.width()), min(860, room.height()))
 
@@ -163,7 +165,9 @@ class MainWindow(QMainWindow):
         modelling.skipped.connect(self.results.show_skipped)
         modelling.finished_icon.connect(self._add_picture)
         modelling.progress.connect(self.strip.show_progress)
+        modelling.progress.connect(lambda _: self.actions_by_name["cancel"].setEnabled(True))
         modelling.failed.connect(self.notice.say)
+        modelling.remarked.connect(self.notice.say)
         modelling.ended.connect(self._end)
         modelling.idle.connect(self._rest)
 
@@ -202,6 +206,7 @@ class MainWindow(QMainWindow):
     def _rest(self) -> None:
         count = len(self.results.pictures)
         self.strip.rest(f"{count} icons" if count else "")
+        self.actions_by_name["cancel"].setEnabled(False)
 
     def _toggle_icon(self, icon: str) -> None:
         exclude = self.document.sketch.exclude ^ {icon}
@@ -219,6 +224,7 @@ class MainWindow(QMainWindow):
     # -- document ------------------------------------------------------------------------------
 
     def _show_page(self, page: Page) -> None:
+        self.notice.hide()
         self.keyword_panel.set_sketch(page.sketch.keyword, page.sketch.exclude)
         self.canvas_panel.show_page(page)
         self._show_regions()
@@ -252,7 +258,6 @@ class MainWindow(QMainWindow):
     def _update_actions(self) -> None:
         for name in ("svg", "png", "copy"):
             self.actions_by_name[name].setEnabled(self.detail.picture is not None)
-        self.actions_by_name["cancel"].setEnabled(self.modelling.running)
 
     def threads_alive(self) -> bool:
         """Whether a thread of the window still runs; not once it is closed."""

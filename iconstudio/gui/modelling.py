@@ -56,6 +56,8 @@ class Modelling(QObject):
         A run could not be started or finished; a sentence for the user.
     ended(bool)
         A run is over; whether it came to its end.
+    remarked(str)
+        Something that the user should know, though the work goes on.
     idle()
         Nothing is under way any more.
     """
@@ -71,6 +73,7 @@ class Modelling(QObject):
     progress = Signal(object)
     failed = Signal(str)
     ended = Signal(bool)
+    remarked = Signal(str)
     idle = Signal()
 
     def __init__(
@@ -81,9 +84,11 @@ class Modelling(QObject):
         self._session = session
         self._worker = worker
         self._query = Query()
+        self._opening: Job | None = None
         self._preparation: Job | None = None
         self._run: Job | None = None
         self._failed = False
+        self._troubled = False
         self._timer = QTimer(self, singleShot=True, interval=DEBOUNCE)
         self._timer.timeout.connect(self._prepare)
         document.page_changed.connect(self._page_changed)
@@ -98,8 +103,8 @@ class Modelling(QObject):
         job = self._worker.submit(self._session.open)
         job.event.connect(self._handle)
         job.failed.connect(self.failed)
-        job.finished.connect(self._ended_preparation)
-        self._preparation = job
+        job.finished.connect(self._ended_opening)
+        self._opening = job
 
     def run(self, settings: ModelSettings | None = None) -> bool:
         """Remix for the document's sketch; an outline that is still open is closed first.
@@ -129,6 +134,9 @@ class Modelling(QObject):
 
     def cancel(self) -> None:
         """Stop the run and the preparation."""
+        if self._preparation is not None:
+            self._query = Query()
+            self.preparing.emit("")
         self._cancel_preparation()
         self.cancel_run()
 
@@ -176,6 +184,13 @@ class Modelling(QObject):
         if self.sender() is self._preparation:
             self._preparation = None
             self._tell_idle()
+        if self._session.trouble and not self._troubled:
+            self._troubled = True
+            self.remarked.emit(self._session.trouble)
+
+    def _ended_opening(self) -> None:
+        self._opening = None
+        self._tell_idle()
 
     # -- run -----------------------------------------------------------------------------------
 
@@ -184,7 +199,9 @@ class Modelling(QObject):
             case Progress():
                 self.progress.emit(event)
             case Retrieved():
-                self.retrieved.emit(event.exemplars)
+                # A run may look for a keyword that has been edited since.
+                if event.keyword.strip() == self._query.keyword:
+                    self.retrieved.emit(event.exemplars)
             case RegionsFound():
                 self.regions.emit(event.centres)
             case StyleMatched():
@@ -205,7 +222,7 @@ class Modelling(QObject):
             self._tell_idle()
 
     def _tell_idle(self) -> None:
-        if self._run is None and self._preparation is None:
+        if self._run is self._preparation is self._opening is None:
             self.idle.emit()
 
 

@@ -106,15 +106,16 @@ def _once(function: Callable[[Any], Any], argument: Any) -> Generator[Any]:
 
 
 def _sketch_and_photo(read: Callable[[], SketchFile]) -> Generator[object]:
-    """Yield a sketch with its photo; if only the photo is missing, a remark and no photo."""
-    file = read()
-    photo = None
+    """Yield a sketch with its photo; if only the photo is missing, no photo, then a remark."""
+    file, photo, remark = read(), None, ""
     if file.photo is not None:
         try:
             photo = read_photo(str(file.photo))
         except IconstudioError as error:
-            yield f"The sketch was opened without its photo: {error}"
+            remark = f"The sketch was opened without its photo: {error}"
     yield file, photo
+    if remark:
+        yield remark
 
 
 def _about(photo: Photo) -> str:

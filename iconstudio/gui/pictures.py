@@ -126,7 +126,7 @@ def source_pictures(composite: Composite) -> list[SourcePicture]:
 
 def _with_part(image: QImage, part: NDArray[np.bool_]) -> QImage:
     """Return ``image`` faded except where ``part`` is."""
-    veil = np.where(part, 255, 56).astype(np.uint8)
+    veil = np.where(part, 255, 72).astype(np.uint8)
     result = QImage(image)
     with QPainter(result) as painter:
         painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_DestinationIn)

@@ -81,13 +81,16 @@ def drawing(sketch: Sketch, row: int, column: int) -> Drawing:
 class FakeSession:
     """Same interface as ``Session``.
 
-    ``gate``: a run waits for it before each result, so that a test can look at half a run.
+    ``gate``, ``search_gate``: each result of a run, and a search, wait for it, so that a test can
+    look at them half-way.
     ``stuck``: a run that comes to no ``yield`` until ``close``.
     """
 
     def __init__(self, skip: str = "dark") -> None:
         self.skip = skip
+        self.trouble: str | None = None
         self.gate: threading.Semaphore | None = None
+        self.search_gate: threading.Semaphore | None = None
         self.stuck = False
         self.closed = threading.Event()
         self.calls: list[tuple] = []
@@ -107,6 +110,8 @@ class FakeSession:
         self.calls.append(("prepare", keyword, exclude))
         self.thread_ids.add(threading.get_ident())
         self.search(keyword, exclude)
+        while self.search_gate is not None and not self.search_gate.acquire(timeout=0.02):
+            yield Progress("prepare", 0.1, f"Drawing the icons for “{keyword}”")
         yield Progress("prepare", 0.2, f"Drawing the icons for “{keyword}”")
         yield Retrieved(keyword, tuple(self._exemplars(exclude)))
         yield Progress("prepare", 1.0, f"Drawing the icons for “{keyword}”")

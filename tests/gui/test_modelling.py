@@ -138,6 +138,35 @@ def test_cancel_keeps_what_is_finished(ready, qtbot, session):
     assert len(ready.results.pictures) == 24
 
 
+def test_cancelling_a_search_does_not_leave_it_pending(window, qtbot, session):
+    session.search_gate = threading.Semaphore(0)
+    type_keyword(window, "dog")
+    qtbot.waitUntil(lambda: "Looking for “dog”" in window.keyword_panel.caption.text())
+    qtbot.waitUntil(window.actions_by_name["cancel"].isEnabled)
+    window.actions_by_name["cancel"].trigger()
+    assert "Looking" not in window.keyword_panel.caption.text()
+    session.search_gate = None
+    type_keyword(window, "s")
+    qtbot.waitUntil(lambda: "60 icons" in window.keyword_panel.caption.text())
+
+
+def test_a_cache_that_cannot_be_written_is_told_once(window, qtbot, session):
+    session.trouble = "The disk is full. Make room."
+    type_keyword(window, "dog")
+    qtbot.waitUntil(window.notice.isVisible)
+    assert window.notice.label.text() == session.trouble
+    type_keyword(window, "s")
+    qtbot.waitUntil(lambda: session.calls[-1][1] == "dogs" and not window.strip.bar.isVisible())
+    assert not window.notice.isVisible()
+
+
+def test_a_message_goes_with_the_next_edit(window):
+    window.run()
+    assert window.notice.isVisible()
+    click(window, SQUARE[0])
+    assert not window.notice.isVisible()
+
+
 def test_pressing_remix_twice_does_not_begin_again(ready, qtbot, session):
     session.gate = threading.Semaphore(2)
     ready.run()

@@ -71,7 +71,7 @@ def paint_regions(
     left, top, right, bottom = page.sketch.polygon.bounds
     unit = max(right - left, bottom - top) / (CANVAS - 2 * MARGIN)
     middle = (left + right) / 2, (top + bottom) / 2
-    painter.setFont(strong(_sized(painter.font(), 11)))
+    painter.setFont(strong(_sized(11)))
     for number, (x, y) in enumerate(centres, start=1):
         centre = camera.to_view(
             (middle[0] + (x - CANVAS / 2) * unit, middle[1] + (y - CANVAS / 2) * unit)
@@ -92,12 +92,11 @@ def paint_welcome(painter: QPainter, area: QRectF, theme: Theme) -> None:
     """Say what to do first."""
     centre = area.center()
     painter.setPen(theme.color("text"))
-    normal = painter.font()
-    painter.setFont(strong(_sized(normal, 20)))
+    painter.setFont(strong(_sized(20)))
     box = QRectF(area.left(), centre.y() - 104, area.width(), 32)
     painter.drawText(box, Qt.AlignmentFlag.AlignCenter, "Open a photo, or just start drawing")
     painter.setPen(theme.color("muted"))
-    painter.setFont(_sized(normal, 14))
+    painter.setFont(_sized(14))
     width = min(360.0, area.width() - 4 * UNIT)
     box = QRectF(centre.x() - width / 2, centre.y() - 64, width, 72)
     text = (
@@ -110,7 +109,7 @@ def paint_welcome(painter: QPainter, area: QRectF, theme: Theme) -> None:
 
 def paint_hint(painter: QPainter, area: QRectF, text: str, theme: Theme) -> None:
     """Write a short sentence in a pill at the bottom of the canvas."""
-    painter.setFont(_sized(painter.font(), 12))
+    painter.setFont(_sized(12))
     metrics = painter.fontMetrics()
     room = int(area.width() - 6 * UNIT)
     text = metrics.elidedText(text, Qt.TextElideMode.ElideRight, room)
@@ -123,7 +122,7 @@ def paint_hint(painter: QPainter, area: QRectF, text: str, theme: Theme) -> None
     painter.drawText(pill, Qt.AlignmentFlag.AlignCenter, text)
 
 
-def _sized(font: QFont, pixels: int) -> QFont:
-    font = QFont(font)
+def _sized(pixels: int) -> QFont:
+    font = QFont()
     font.setPixelSize(pixels)
     return font

@@ -1,6 +1,6 @@
 """The canvas with its tool bar."""
 
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import QEvent, QObject, QSize, Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import (
     QFrame,
@@ -93,9 +93,9 @@ class _StartButtons(QWidget):
         self._photo.clicked.connect(photo.trigger)
         self._examples.setMenu(examples)
 
-    def eventFilter(self, watched, event) -> bool:
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Stay below the middle of the canvas."""
-        if event.type() == event.Type.Resize:
+        if event.type() == QEvent.Type.Resize:
             self.adjustSize()
             self.move((self._view.width() - self.width()) // 2, self._view.height() // 2 + 2 * UNIT)
         return False
