@@ -49,7 +49,7 @@ def test_each_foreign_library_has_one_adapter():
             for path in PACKAGE.rglob("*.py")
             if library in imported(path)
         }
-        assert users == {adapter} or (library == "pebble" and adapter in users), (library, users)
+        assert users == {adapter}, (library, users)
 
 
 def test_rooms_stay_small():

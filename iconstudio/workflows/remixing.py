@@ -1,7 +1,7 @@
 """Remixing placed sources, several problems at once: what all workflows share (section 3.4)."""
 
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, wait
+from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, wait
 from dataclasses import dataclass
 from functools import lru_cache
 from time import perf_counter
@@ -16,7 +16,7 @@ from iconstudio.algorithms.fragments import fragments
 from iconstudio.algorithms.raster import solid
 from iconstudio.algorithms.redraw import SCALE, erase, redraw
 from iconstudio.model import CANVAS, Composite, Drawing, Frame, IconstudioError, Placement, Source
-from iconstudio.workers import Workers
+from iconstudio.workers import Workers, died
 from iconstudio.workflows.events import Progress, Result
 
 Render = Callable[[str, Frame, Placement, int], NDArray[np.uint8]]
@@ -167,8 +167,12 @@ def composite(
 def _answer(future: "Future[Any]") -> Any:
     try:
         return future.result()
-    except (TimeoutError, OSError, RuntimeError) as error:
-        raise IconstudioError(
-            "A worker process ended before its work was done, perhaps for lack of memory. "
-            "Close other programs and run again."
-        ) from error
+    except CancelledError:
+        raise IconstudioError("The work was stopped.") from None
+    except Exception as error:
+        if isinstance(error, MemoryError) or died(error):
+            raise IconstudioError(
+                "A worker process ended before its work was done, perhaps for lack of memory. "
+                "Close other programs and run again."
+            ) from error
+        raise
