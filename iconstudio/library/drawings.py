@@ -14,7 +14,7 @@ from iconstudio.library.progress import Progress
 from iconstudio.library.resvg import render_coverage
 from iconstudio.library.svgcheck import check
 from iconstudio.model import Frame, IconstudioError
-from iconstudio.workers import Workers
+from iconstudio.workers import Workers, died
 
 _SIZE = 96
 _BATCH = 512
@@ -43,12 +43,12 @@ def _one_by_one(batch: Sequence[RawIcon], workers: Workers) -> list[Fingerprint 
 
 def _result(future: "Future[Any]") -> list[Fingerprint | None] | None:
     """Return what a worker has drawn; None if it died or took too long."""
-    from pebble import ProcessExpired
-
     try:
         return future.result()
-    except (TimeoutError, ProcessExpired):
-        return None
+    except Exception as error:
+        if isinstance(error, TimeoutError) or died(error):
+            return None
+        raise
 
 
 def _draw_all(icons: Sequence[RawIcon]) -> list[Fingerprint | None]:
