@@ -35,7 +35,7 @@ ENTRIES = (
     Entry("quit", "&Quit", "", Key.Quit),
     Entry("delete", "&Delete point", "Remove the selected or the last point", "Backspace"),
     Entry("clear", "Clear &outline", "Remove the outline", "Ctrl+Backspace", "clear"),
-    Entry("run", "&Remix", "Make new icons in four styles", "Ctrl+Return", "remix"),
+    Entry("run", "&Remix", "Make new icons in four styles", "Ctrl+Return"),
     Entry("cancel", "&Cancel", "Stop; finished results stay", "Ctrl+."),
     Entry("trace", "&Trace outline", "Trace the outline", "P", "polygon", True),
     Entry("pan", "&Move the page", "Move the page (or hold Space)", "H", "pan", True),

@@ -25,8 +25,6 @@ _SHAPES = {
     '<path d="M12 2v4M12 18v4M2 12h4M18 12h4"/>',
     "dim": '<circle cx="12" cy="12" r="8"/><path d="M12 4v16a8 8 0 0 0 0-16z" fill="ink"/>',
     "close": '<path d="M6 6l12 12M18 6L6 18"/>',
-    "remix": '<path d="M10 4l1.8 5.2L17 11l-5.2 1.8L10 18l-1.8-5.2L3 11l5.2-1.8z" fill="ink"/>'
-    '<path d="M18 3v5M15.5 5.5h5M18.5 16v4M16.5 18h4"/>',
     "warning": '<path d="M12 4L2.8 20h18.4zM12 10v5M12 17.4v.2"/>',
 }
 

@@ -6,6 +6,7 @@ from pathlib import Path
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QImage, QImageIOHandler, QImageReader
 
+from iconstudio.gui.mipmap import Mipmap
 from iconstudio.model import IconstudioError
 
 LONGEST = 4096
@@ -19,26 +20,18 @@ _ALLOCATION_LIMIT = 512
 class Photo:
     """A photo under the drawing.
 
-    ``width`` and ``height`` are the original's pixels, the unit of the outline. ``levels``
-    are ever smaller copies, each half the one before, so that drawing it small is quick and smooth.
+    ``width`` and ``height`` are the original's pixels, the unit of the outline.
     """
 
     path: str
     width: int
     height: int
-    levels: tuple[QImage, ...]
-
-    def level(self, scale: float) -> QImage:
-        """Return the smallest copy with at least ``scale`` device pixels per original pixel."""
-        wanted = scale * self.width
-        return next(
-            (image for image in reversed(self.levels) if image.width() >= wanted), self.levels[0]
-        )
+    picture: Mipmap
 
     @property
     def scaled_down(self) -> bool:
         """Whether the photo was too large to be kept whole."""
-        return self.levels[0].width() < self.width
+        return self.picture.width < self.width
 
 
 def read_photo(path: str) -> Photo:
@@ -52,10 +45,10 @@ def read_photo(path: str) -> Photo:
     name = Path(path).name
     if not Path(path).is_file():
         raise IconstudioError(f"There is no file “{path}”. Choose another photo.")
+    QImageReader.setAllocationLimit(_ALLOCATION_LIMIT)
     reader = QImageReader(path)
     reader.setAutoTransform(True)
     reader.setDecideFormatFromContent(True)
-    reader.setAllocationLimit(_ALLOCATION_LIMIT)
     size = reader.size()
     if size.isValid() and max(size.width(), size.height()) > LONGEST:
         reader.setScaledSize(size.scaled(LONGEST, LONGEST, Qt.AspectRatioMode.KeepAspectRatio))
@@ -87,8 +80,4 @@ def _photo(image: QImage, size: QSize, path: str) -> Photo:
     keep = Qt.AspectRatioMode.KeepAspectRatio
     if max(image.width(), image.height()) > LONGEST:
         image = image.scaled(LONGEST, LONGEST, keep, smooth)
-    levels = [image.convertToFormat(QImage.Format.Format_ARGB32_Premultiplied)]
-    while min(levels[-1].width(), levels[-1].height()) > 256:
-        half = levels[-1]
-        levels.append(half.scaled(half.width() // 2, half.height() // 2, keep, smooth))
-    return Photo(path, size.width(), size.height(), tuple(levels))
+    return Photo(path, size.width(), size.height(), Mipmap.of(image, 256))

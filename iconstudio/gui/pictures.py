@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPainterPath, QTransform
 
+from iconstudio.gui.mipmap import Mipmap
 from iconstudio.gui.vector import painter_path
 from iconstudio.model import CANVAS, Composite, Placement, Source
 from iconstudio.workflows.events import Event, Result
@@ -23,7 +24,7 @@ class Picture:
 
     result: Result
     outline: QPainterPath
-    coded: QImage
+    coded: Mipmap
 
     def paint(self, painter: QPainter, target: QRectF, ink: QColor, coded: bool) -> None:
         """Draw into the square ``target``."""
@@ -32,7 +33,8 @@ class Picture:
             QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform
         )
         if coded:
-            painter.drawImage(target, self.coded)
+            pixels = target.width() * painter.device().devicePixelRatioF()
+            painter.drawImage(target, self.coded.at(pixels))
         else:
             painter.translate(target.topLeft())
             painter.scale(target.width() / CANVAS, target.height() / CANVAS)
@@ -50,8 +52,9 @@ def pictured(events: Generator[Event]) -> Generator["Event | Picture"]:
     with closing(events):
         for event in events:
             if isinstance(event, Result):
-                coded = colour_code(event.composite, event.drawing, COLOUR_CODE_SIZE)
-                yield Picture(event, painter_path(event.drawing.path), rgba_image(coded))
+                pixels = colour_code(event.composite, event.drawing, COLOUR_CODE_SIZE)
+                coded = Mipmap.of(rgba_image(pixels), 64)
+                yield Picture(event, painter_path(event.drawing.path), coded)
             else:
                 yield event
 
@@ -70,13 +73,6 @@ def stencil(coverage: NDArray[np.uint8], color: QColor) -> QImage:
     pixels[..., :3] = color.red(), color.green(), color.blue()
     pixels[..., 3] = coverage
     return rgba_image(pixels)
-
-
-def shrunk(image: QImage, side: int) -> QImage:
-    """Return ``image`` smoothly scaled to ``side`` pixels."""
-    return image.scaled(
-        side, side, Qt.AspectRatioMode.KeepAspectRatio, Qt.TransformationMode.SmoothTransformation
-    )
 
 
 def placed(image: QImage, placement: Placement) -> QImage:
@@ -103,7 +99,7 @@ class SourcePicture:
     source: Source
     share: float
     color: QColor
-    image: QImage
+    image: Mipmap
 
 
 def source_pictures(composite: Composite) -> list[SourcePicture]:
@@ -119,7 +115,7 @@ def source_pictures(composite: Composite) -> list[SourcePicture]:
         source = composite.sources[label]
         color = QColor(*(int(value) for value in colours[label][:3]))
         whole = placed(stencil(source.exemplar.coverage, color), source.placement)
-        image = _with_part(whole, composite.labels == label)
+        image = Mipmap.of(_with_part(whole, composite.labels == label), 64)
         pictures.append(SourcePicture(source, composite.shares[label], color, image))
     return pictures
 

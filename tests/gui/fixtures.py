@@ -8,6 +8,7 @@ from fake_session import FakeSession
 from PySide6.QtCore import QSize, QtMsgType
 from PySide6.QtWidgets import QApplication
 
+from iconstudio.gui import pictures
 from iconstudio.gui.app import application
 from iconstudio.gui.main_window import MainWindow
 
@@ -50,7 +51,9 @@ def no_thread_is_left():
 
 
 @pytest.fixture
-def session():
+def session(monkeypatch):
+    # Small colour-coded pictures: quicker, and as good to look for colours.
+    monkeypatch.setattr(pictures, "COLOUR_CODE_SIZE", 128)
     return FakeSession()
 
 

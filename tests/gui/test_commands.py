@@ -6,12 +6,15 @@ from PySide6.QtGui import QImage
 
 from iconstudio.gui import commands
 from iconstudio.gui.document import Document
+from iconstudio.gui.mipmap import Mipmap
 from iconstudio.gui.photo import Photo
 from iconstudio.model import Polygon, Sketch
 
 coordinates = st.integers(-1000, 1000).map(float)
 points = st.tuples(coordinates, coordinates)
-PHOTOS = tuple(Photo(name, 10, 10, (QImage(10, 10, QImage.Format.Format_RGB32),)) for name in "ab")
+PHOTOS = tuple(
+    Photo(name, 10, 10, Mipmap.of(QImage(10, 10, QImage.Format.Format_RGB32), 4)) for name in "ab"
+)
 
 makers = st.one_of(
     st.builds(lambda p: lambda d: commands.AddVertex(d, p), points),

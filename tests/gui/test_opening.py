@@ -98,9 +98,7 @@ def test_a_gigantic_photo_is_kept_smaller_with_its_own_coordinates(tmp_path):
     photo = read_photo(str(path))
     assert (photo.width, photo.height) == (20000, 1000)
     assert photo.scaled_down
-    assert photo.levels[0].width() == LONGEST
-    assert photo.level(1.0) is photo.levels[0]
-    assert photo.level(0.001) is photo.levels[-1]
+    assert photo.picture.width == LONGEST
 
 
 def test_a_photo_beyond_the_memory_is_told(tmp_path):
@@ -123,7 +121,7 @@ def test_a_turned_photo_is_turned_back(tmp_path):
     Image.new("RGB", (60, 40)).save(path, exif=exif)
     photo = read_photo(str(path))
     assert (photo.width, photo.height) == (40, 60)
-    assert photo.levels[0].size().toTuple() == (40, 60)
+    assert photo.picture.levels[0].size().toTuple() == (40, 60)
 
 
 def test_an_empty_image_is_no_photo():

@@ -6,10 +6,11 @@ from fake_session import drawing
 from hands import SQUARE, trace
 from images import assert_alike, blank, difference, pixels
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QImage, QPainter
+from PySide6.QtGui import QColor, QPainter
 
 from iconstudio.gui import icons, theme
 from iconstudio.gui.canvas.tools.polygon import PolygonTool
+from iconstudio.gui.mipmap import Mipmap
 from iconstudio.gui.pictures import Picture, placed, stencil
 from iconstudio.gui.vector import painter_path
 from iconstudio.model import CANVAS, Placement, Polygon, Sketch
@@ -86,7 +87,7 @@ def test_a_placement_moves_a_dot_as_its_definition_says(placement, expected):
 def test_an_icon_is_drawn_as_its_path_at_any_size():
     sketch = Sketch(Polygon(tuple(SQUARE)))
     icon = drawing(sketch, 1, 1)
-    picture = Picture(None, painter_path(icon.path), QImage())
+    picture = Picture(None, painter_path(icon.path), Mipmap.of(blank(8, 8), 8))
     small, large = blank(64, 64), blank(512, 512)
     for image in (small, large):
         with QPainter(image) as painter:
@@ -140,3 +141,20 @@ def test_the_outline_is_drawn_where_it_was_traced(window):
     outside = camera.to_view((460, 250)).toPoint()
     assert before.pixelColor(inside) != after.pixelColor(inside)
     assert before.pixelColor(outside) == after.pixelColor(outside)
+
+
+def test_a_picture_drawn_small_is_drawn_from_a_small_copy():
+    image = blank(1000, 600)
+    mipmap = Mipmap.of(image, 100)
+    assert [level.size().toTuple() for level in mipmap.levels] == [
+        (1000, 600),
+        (500, 300),
+        (250, 150),
+    ]
+    assert [mipmap.at(width).width() for width in (9999, 1000, 501, 500, 1)] == [
+        1000,
+        1000,
+        1000,
+        500,
+        250,
+    ]

@@ -42,7 +42,7 @@ def paint_photo(
 ) -> None:
     """Draw the photo; ``dim`` from 0 (as it is) to 1 (gone)."""
     target = camera.transform.mapRect(QRectF(0, 0, photo.width, photo.height))
-    image = photo.level(camera.zoom * ratio)
+    image = photo.picture.at(target.width() * ratio)
     painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform, camera.zoom * ratio < 4)
     painter.drawImage(target, image, QRectF(image.rect()))
     painter.fillRect(target, theme.color("surface", dim))

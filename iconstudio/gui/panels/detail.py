@@ -81,7 +81,8 @@ class SourceThumbnail(QWidget):
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(theme.current().color("window"))
             painter.drawRoundedRect(QRectF(self.rect()), 6, 6)
-            painter.drawImage(QRectF(self.rect()).adjusted(2, 2, -2, -2), self._picture.image)
+            box = QRectF(self.rect()).adjusted(2, 2, -2, -2)
+            painter.drawImage(box, self._picture.image.at(box.width() * self.devicePixelRatioF()))
 
 
 class SourceRow(QWidget):

@@ -16,7 +16,7 @@ from PySide6.QtGui import QAction, QContextMenuEvent, QImage, QKeyEvent, QPainte
 from PySide6.QtWidgets import QListView, QMenu, QStyle, QStyledItemDelegate, QWidget
 
 from iconstudio.gui import theme
-from iconstudio.gui.pictures import shrunk, stencil
+from iconstudio.gui.pictures import stencil
 from iconstudio.model import Exemplar
 
 SIDE = 44
@@ -118,8 +118,13 @@ class ThumbnailDelegate(QStyledItemDelegate):
     def _image(self, exemplar: Exemplar, ink: str, side: int) -> QImage:
         key = (exemplar.id, ink, side)
         if key not in self._cache:
-            color = theme.current().color("text")
-            self._cache[key] = shrunk(stencil(exemplar.coverage, color), side)
+            image = stencil(exemplar.coverage, theme.current().color("text"))
+            self._cache[key] = image.scaled(
+                side,
+                side,
+                Qt.AspectRatioMode.KeepAspectRatio,
+                Qt.TransformationMode.SmoothTransformation,
+            )
         return self._cache[key]
 
 
