@@ -67,6 +67,7 @@ class MainWindow(QMainWindow):
         self._show_page(self.document.page)
         self._update_actions()
         self._rest()
+        self.view.setFocus()
         self.modelling.open()
 
     # -- putting together ----------------------------------------------------------------------
@@ -85,11 +86,11 @@ class MainWindow(QMainWindow):
         both.addWidget(left)
         both.addWidget(right)
         both.setSizes([460, 800])
-        for splitter, first in ((left, 1), (right, 1), (both, 0)):
+        for splitter, shares in ((left, (3, 1)), (right, (3, 1)), (both, (1, 2))):
             splitter.setHandleWidth(UNIT)
             splitter.setChildrenCollapsible(False)
-            splitter.setStretchFactor(0, first)
-            splitter.setStretchFactor(1, 1 - first)
+            for part, share in enumerate(shares):
+                splitter.setStretchFactor(part, share)
         centre = QWidget()
         layout = QVBoxLayout(centre)
         layout.setContentsMargins(UNIT, 0, UNIT, 0)

@@ -180,8 +180,9 @@ class DetailPanel(QFrame):
         composite = picture.result.composite
         self._title.setText(f"{composite.style.capitalize()}, λ {composite.lambda_s:.2f}")
         sources = source_pictures(composite)
-        count = "1 icon" if len(sources) == 1 else f"{len(sources)} icons"
-        self._about.setText(f"From {count} · fits the sketch by {composite.iou:.0%}")
+        icons = len({source.source.exemplar.id for source in sources})
+        parts = f"{_counted(len(sources), 'part')} of {_counted(icons, 'icon')}"
+        self._about.setText(f"{parts} · fits the sketch by {composite.iou:.0%}")
         for number, source in enumerate(sources):
             self._rows.addWidget(SourceRow(source), number // 2, number % 2)
         self._rows.setRowStretch(self._rows.rowCount(), 1)
@@ -223,6 +224,10 @@ class DetailPanel(QFrame):
         side.addLayout(top)
         side.addWidget(scroll, 1)
         return side
+
+
+def _counted(count: int, noun: str) -> str:
+    return f"1 {noun}" if count == 1 else f"{count} {noun}s"
 
 
 def _title_text(picture: SourcePicture) -> str:
