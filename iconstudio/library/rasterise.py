@@ -1,5 +1,7 @@
 """Rasterising (section 3.4): a pictogram becomes an exemplar on the canvas of side m = 256."""
 
+from itertools import count
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -8,7 +10,7 @@ from iconstudio.library.svgcheck import check
 from iconstudio.model import CANVAS, MARGIN, Frame, IconstudioError
 
 _COARSE = 128
-_TOLERANCE = 1 / 3
+_TOLERANCE = 1 / 5
 """How far the bounding box may be off, in canvas pixels."""
 _ROUNDS = 4
 
@@ -37,15 +39,14 @@ def rasterise(svg: str) -> tuple[Frame, NDArray[np.uint8]]:
     if bounds is not None:
         frame = _zoom(frame, bounds, _COARSE)
     # At the final resolution, thin parts may show that the coarse one missed.
-    for _ in range(_ROUNDS):
+    for number in count(1):
         coverage = render_coverage(svg, frame, CANVAS)
         bounds = ink_bounds(coverage)
         if bounds is None:
-            raise IconstudioError("It has no dark ink.")
-        if _fits(bounds):
-            break
+            raise IconstudioError("It has no dark ink: it is empty, white, or pale all over.")
+        if _fits(bounds) or number == _ROUNDS:
+            return frame, coverage
         frame = _zoom(frame, bounds, CANVAS)
-    return frame, coverage
 
 
 def ink_bounds(coverage: NDArray[np.uint8]) -> tuple[float, float, float, float] | None:

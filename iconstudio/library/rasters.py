@@ -14,7 +14,7 @@ from iconstudio.files import write_atomically
 from iconstudio.library.rasterise import rasterise
 from iconstudio.library.resvg import VERSION
 from iconstudio.model import CANVAS, Exemplar, Frame, IconstudioError, Pictogram
-from iconstudio.workers import Workers
+from iconstudio.workers import Workers, died, memory_limit
 
 FORMAT = 1
 """To be raised when the drawing or the files change; older files are then left alone."""
@@ -22,6 +22,8 @@ FORMAT = 1
 _CHUNK = 8
 _CHUNK_SECONDS = 10.0
 _ONE_SECONDS = 5.0
+_MEMORY = 3 << 29
+"""Bytes of address space for a process that draws."""
 
 _FRAME = struct.Struct("<3d")
 _DRAWN, _REFUSED = b"D", b"R"
@@ -91,7 +93,7 @@ class RasterCache:
                             submit([member], _ONE_SECONDS)
         finally:
             for future in waiting:
-                if not future.running():
+                if not future.running():  # what runs is soon done, and a new worker costs more
                     future.cancel()
 
     def _read(self, key: str, pictogram: Pictogram) -> Exemplar | IconstudioError | None:
@@ -127,7 +129,8 @@ class RasterCache:
 
 def draw_entries(documents: Sequence[str]) -> list[bytes]:
     """Rasterise documents into cache entries; runs in a worker process."""
-    return [_entry(svg) for svg in documents]
+    with memory_limit(_MEMORY):
+        return [_entry(svg) for svg in documents]
 
 
 def _entry(svg: str) -> bytes:
@@ -156,14 +159,14 @@ def _refusal(pictogram: Pictogram, reason: str) -> IconstudioError:
 
 def _failure(future: "Future[Any]") -> str | None:
     """Return why a chunk was lost; None if it was not."""
-    from pebble import ProcessExpired
-
     error = future.exception()
     if error is None:
         return None
     if isinstance(error, TimeoutError):
         return "Drawing it takes too long."
-    if isinstance(error, ProcessExpired):
+    if isinstance(error, MemoryError):
+        return "Drawing it takes too much memory."
+    if died(error):
         return "The renderer crashes on it."
     raise error
 

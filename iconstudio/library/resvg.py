@@ -25,7 +25,8 @@ Box = tuple[float, float, float, float]
 """x, y, width and height in user space."""
 
 _SVG = "http://www.w3.org/2000/svg"
-_NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?")
+_NUMBER = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?")
+_LENGTH = re.compile(rf"({_NUMBER.pattern})\s*([a-z]*)")
 _PIXELS = {
     "": 1, "px": 1, "pt": 96 / 72, "pc": 16, "mm": 96 / 25.4, "cm": 96 / 2.54, "in": 96,
     "em": 16, "rem": 16, "ex": 8,
@@ -90,6 +91,10 @@ def render_coverage(svg: str, frame: Frame, size: int) -> NDArray[np.uint8]:
         )
     except ValueError as error:
         raise IconstudioError(f"The SVG cannot be drawn: {error}.") from None
+    except BaseException as error:
+        if type(error).__name__ != "PanicException":  # it cannot be imported
+            raise
+        raise IconstudioError("The SVG cannot be drawn: the renderer fails on it.") from None
     with Image.open(io.BytesIO(png)) as image:
         coverage = 255 - np.asarray(image.convert("L"))
     # A layer of half opacity comes out as 127 or 128; it is not *more* than half dark.
@@ -135,7 +140,7 @@ def _view_box(root: ET.Element) -> Box:
 
 def _pixels(length: str | None) -> float | None:
     """Return a CSS length in pixels; None if absent or relative to the page."""
-    match = re.fullmatch(rf"\s*({_NUMBER.pattern})\s*([a-z]*)\s*", length or "")
+    match = _LENGTH.fullmatch((length or "").strip())
     if match is None or match[2] not in _PIXELS:
         return None
     return float(match[1]) * _PIXELS[match[2]]

@@ -1,8 +1,9 @@
 """Refuses an SVG document that a renderer might not survive, before any renderer sees it.
 
 Renderers crash on deep nesting, hang on nested patterns, and multiply without
-end what ``use`` elements repeat, so all of it is counted beforehand. Scripts, event handlers and
-foreign objects need no refusal: the renderer runs and draws none of them.
+end what ``use`` elements repeat, so all of it is counted beforehand. What this misses ends
+the worker process that renders it, by its limits of time and memory. Every check here takes time
+in proportion to the document, whatever it holds.
 """
 
 import re
@@ -19,9 +20,10 @@ MAX_EXPANSION = 50_000
 """Elements that are drawn once every reference has been replaced by what it names."""
 
 _URL = re.compile(r"url\(\s*[\"']?\s*([^)\"'\s]*)")
-_RULE = re.compile(r"([^{}]*)\{([^{}]*)\}")
 _CLASS = re.compile(r"\.([\w-]+)")
-_COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
+_COMMENT = re.compile(r"/\*.*?(?:\*/|\Z)", re.DOTALL)
+_UNFOLLOWED = ("a", "animate", "animateMotion", "animateTransform", "mpath", "set")
+"""Elements whose reference a renderer of still pictures does not follow."""
 
 
 def check(svg: str) -> None:
@@ -30,8 +32,8 @@ def check(svg: str) -> None:
     Raises
     ------
     IconstudioError
-        If the document is not well-formed XML, is too large or too deep, defines entities, shows
-        bitmaps, refers to anything outside itself, refers to itself in a circle,
+        If the document is not well-formed XML, is too large or too deep, defines entities, holds
+        bitmaps or scripts, refers to anything outside itself, refers to itself in a circle,
         nests patterns, or repeats elements too often.
     """
     document = _read(svg)
@@ -60,11 +62,13 @@ class _Document:
     def apply_style_sheet(self) -> None:
         """Give every element the references of the rules for its classes."""
         rules: dict[str, list[str]] = {}
-        for selectors, body in _RULE.findall(_COMMENT.sub("", "".join(self.style_sheet))):
+        for rule in _COMMENT.sub("", "".join(self.style_sheet)).split("}"):
+            before, _, body = rule.rpartition("{")
             names = [_local(target) for target in _URL.findall(body)]
             if not names:
                 continue
-            for selector in selectors.split(","):
+            # A brace further left is that of an @media block around it.
+            for selector in before.rpartition("{")[2].split(","):
                 match = _CLASS.fullmatch(selector.strip())
                 if match is None:
                     raise IconstudioError(
@@ -72,9 +76,15 @@ class _Document:
                         "only rules for a class may do so. Export with presentation attributes."
                     )
                 rules.setdefault(match[1], []).extend(names)
-        if rules:
-            for node in self.nodes:
-                node.names += [name for cls in node.classes for name in rules.get(cls, ())]
+        if not rules:
+            return
+        count = 0
+        for node in self.nodes:
+            for names in filter(None, map(rules.get, node.classes)):
+                count += len(names)
+                if count > MAX_EXPANSION:
+                    raise _too_often()
+                node.names += names
 
 
 def _read(svg: str) -> _Document:
@@ -130,10 +140,12 @@ def _node(tag: str, attributes: dict[str, str]) -> _Node:
     """Return the element with what it refers to."""
     if tag in ("image", "feImage"):
         raise IconstudioError(f"The SVG shows a bitmap (<{tag}>); only shapes can be remixed.")
+    if tag == "script":
+        raise IconstudioError("The SVG holds a script; remove it.")
     node = _Node(tag, attributes.get("class", "").split())
     for name, value in attributes.items():
         if name.rpartition(":")[2] == "href":
-            if tag not in ("a", "script"):
+            if tag not in _UNFOLLOWED:
                 node.names.append(_local(value))
         elif "url(" in value:
             node.names += [_local(target) for target in _URL.findall(value)]
@@ -181,9 +193,7 @@ class _Expansion:
             drawn, levels, patterns = drawn + more, max(levels, deeper), max(patterns, inner)
         patterns += node.tag == "pattern"
         if drawn > MAX_EXPANSION:
-            raise IconstudioError(
-                f"The SVG repeats its elements more than {MAX_EXPANSION:,} times. Simplify it."
-            )
+            raise _too_often()
         if patterns > 1:
             raise IconstudioError("The SVG fills a pattern with a pattern; replace one by shapes.")
         return drawn, levels + 1, patterns
@@ -192,4 +202,10 @@ class _Expansion:
 def _too_deep() -> IconstudioError:
     return IconstudioError(
         f"The SVG nests its elements more than {MAX_DEPTH} deep. Ungroup some of them."
+    )
+
+
+def _too_often() -> IconstudioError:
+    return IconstudioError(
+        f"The SVG repeats its elements more than {MAX_EXPANSION:,} times. Simplify it."
     )
