@@ -1,10 +1,15 @@
 """Tests run on machines without Qt's system libraries too: those of the window are skipped then."""
 
 import os
+import shutil
+import tempfile
 
 import pytest
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+# A cache of our own, also for the programs that tests start; the collection is unpacked once.
+CACHE = tempfile.mkdtemp(prefix="iconstudio-tests-")
+os.environ["ICONSTUDIO_CACHE"] = CACHE
 
 
 def _missing_library() -> str:
@@ -30,6 +35,10 @@ def pytest_configure(config: pytest.Config) -> None:
     for name in ("pytest-qt", "_qt_logging") if MISSING else ():
         if config.pluginmanager.has_plugin(name):
             config.pluginmanager.unregister(name=name)
+
+
+def pytest_unconfigure(config: pytest.Config) -> None:
+    shutil.rmtree(CACHE, ignore_errors=True)
 
 
 def pytest_ignore_collect(collection_path, config: pytest.Config) -> bool | None:

@@ -9,19 +9,18 @@ from typing import Any
 import numpy as np
 
 from iconstudio import __version__
-from iconstudio.algorithms.raster import fill_polygon, interior, placed_ink
+from iconstudio.algorithms.raster import fill_polygon, interior, placed_ink, solid
 from iconstudio.model import (
     CANVAS,
     Composite,
     Exemplar,
     IconstudioError,
-    Placement,
     Point,
     Sketch,
     Source,
 )
 from iconstudio.output import png
-from iconstudio.output.colours import colour_code
+from iconstudio.output.colours import colour_code, significant_sources
 from iconstudio.output.sheet import Row, grid_sheet
 from iconstudio.output.svg import svg_document
 from iconstudio.workflows.events import (
@@ -151,8 +150,7 @@ class Report:
             "png": f"{name}.png",
             "sources_png": f"{name}-sources.png",
             "sources": [
-                _source_json(source, share)
-                for source, share in zip(composite.sources, composite.shares, strict=True)
+                _source_json(label, composite) for label in significant_sources(composite, least=0)
             ],
         }
 
@@ -163,8 +161,9 @@ class Report:
             return
         placed = [placed_ink(source.exemplar, source.placement) for source in results[0].sources]
         ink, filled = (np.stack(layer) for layer in zip(*placed, strict=True))
-        whole = [placed_ink(exemplar, Placement())[1]
-                 for exemplar in self._retrieved]  # fmt: skip
+        matched = self._styles[style]
+        exemplars = matched.exemplars if isinstance(matched, StyleMatched) else ()
+        whole = [solid(exemplar.ink) for exemplar in exemplars]
         buffer = io.BytesIO()
         np.savez_compressed(
             buffer,
@@ -176,7 +175,7 @@ class Report:
             lambda_s=np.array([composite.lambda_s for composite in results]),
             energy=np.array([composite.energy for composite in results]),
             exemplar_solid=np.array(whole, dtype=bool).reshape(-1, CANVAS, CANVAS),
-            exemplar_id=np.array([exemplar.id for exemplar in self._retrieved], dtype=np.str_),
+            exemplar_id=np.array([exemplar.id for exemplar in exemplars], dtype=np.str_),
         )
         png.write(self._folder / f"{style}.npz", buffer.getvalue())
 
@@ -199,7 +198,9 @@ def _placed_json(source: Source) -> dict[str, Any]:
     }
 
 
-def _source_json(source: Source, share: float) -> dict[str, Any]:
+def _source_json(label: int, composite: Composite) -> dict[str, Any]:
+    """Describe a source; ``label`` is its number in the dump's ``ink`` and ``labels``."""
+    source = composite.sources[label]
     credit = source.exemplar.pictogram.credit
     thanks = {"author": credit.author, "license": credit.license, "url": credit.url}
-    return _placed_json(source) | thanks | {"share": float(share)}
+    return _placed_json(source) | thanks | {"share": composite.shares[label], "label": label}

@@ -40,9 +40,14 @@ class StyleMatched:
     """The best sources of a style, ``matches[region][rank]`` (section 3.3)."""
 
     style: str
-    retrieved: int
-    """How many exemplars the style had to choose from."""
+    exemplars: tuple[Exemplar, ...]
+    """What the style had to choose from."""
     matches: tuple[tuple[Source, ...], ...]
+
+    @property
+    def retrieved(self) -> int:
+        """How many exemplars the style had to choose from."""
+        return len(self.exemplars)
 
 
 @dataclass(frozen=True, slots=True)

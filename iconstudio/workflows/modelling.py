@@ -85,7 +85,8 @@ def model(
                 continue
             matches = matching.refine(field, regions, exemplars, hits, admitted)
             rows = matching.sources_of(matches, exemplars)
-            yield StyleMatched(style.name, len(admitted), rows)
+            admissible = tuple(exemplars[i].exemplar for i in admitted)
+            yield StyleMatched(style.name, admissible, rows)
             sources = distinct(rows)
             problem = remix_problem(field, sources)
             remixing.start(Job(style.name, sources, problem, settings.lambdas, target))

@@ -149,7 +149,7 @@ class FakeSession:
             if style == self.skip:
                 yield StyleSkipped(style, 4, f"Only 4 icons are {style}; at least 9 are needed.")
                 continue
-            yield StyleMatched(style, 120 - row, (sources[:3],) * 9)
+            yield StyleMatched(style, (sources[0].exemplar,) * (120 - row), (sources[:3],) * 9)
             for column, lambda_s in enumerate(settings.lambdas):
                 if self.gate is not None:
                     while not self.gate.acquire(timeout=0.02):

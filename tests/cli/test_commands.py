@@ -1,0 +1,157 @@
+"""The command line as a user meets it: one process, one answer."""
+
+import json
+import os
+import subprocess
+import sys
+
+import pytest
+
+from iconstudio.cli.app import run
+
+SQUARE = [[0, 0], [100, 0], [100, 80], [0, 80]]
+
+
+class NoWindow:
+    """A machine where no window can open."""
+
+    def __init__(self):
+        self.opened = []
+
+    def obstacle(self):
+        return "There is no screen."
+
+    def open(self, example):
+        self.opened.append(example)
+        return 0
+
+
+class AWindow(NoWindow):
+    def obstacle(self):
+        return None
+
+
+def write(folder, text):
+    path = folder / "sketch.json"
+    path.write_text(text if isinstance(text, str) else json.dumps(text), "utf-8")
+    return str(path)
+
+
+@pytest.mark.parametrize(
+    ("sketch", "words"),
+    [
+        ("", "not valid JSON"),
+        ('{"polygon": [[0, 0], [1', "not valid JSON"),
+        ("[" * 5000, "not valid JSON"),
+        ("[]", "no sketch"),
+        ({"keyword": "dog"}, "no sketch"),
+        ({"keyword": 7, "polygon": SQUARE}, "no sketch"),
+        ({"keyword": "dog", "polygon": []}, "at least 3"),
+        ({"keyword": "dog", "polygon": [[0, 0], [1, 1]]}, "at least 3"),
+        ({"keyword": "dog", "polygon": [[0, 0], [1, 1], [2, 2]]}, "no area"),
+        ('{"keyword": "dog", "polygon": [[0, 0], [NaN, 1], [2, 5]]}', "not finite"),
+        ({"keyword": "dog", "polygon": [[0, 0], [1e300, 1], [2, 5]]}, "out of all scale"),
+        ({"keyword": "dog", "polygon": [[0, 0], "no", [2, 5]]}, "not a pair"),
+        ({"polygon": SQUARE}, "no keyword"),
+        ({"keyword": "  ", "polygon": SQUARE}, "no keyword"),
+        ({"keyword": "motorbyke", "polygon": SQUARE}, "Did you mean"),
+        ({"keyword": "xqzvw", "polygon": SQUARE}, "No icon is called"),
+    ],
+)
+def test_bad_sketches_are_told_in_a_sentence(tmp_path, capsys, sketch, words):
+    code = run(["model", write(tmp_path, sketch), "--out", str(tmp_path / "out")], NoWindow())
+    assert code == 2
+    told = capsys.readouterr().err
+    assert words in told
+    assert "Traceback" not in told
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        (["--styles", "shiny"], "no style 'shiny'"),
+        (["--lambdas", "0.1,x"], "no list of numbers"),
+        (["--lambdas", "0"], "above 0"),
+        (["--lambdas", "nan"], "above 0"),
+        (["--scales", "-1"], "above 0"),
+        (["--scales", "50"], "up to 3"),
+        (["--no-such-option"], "No such option"),
+    ],
+)
+def test_bad_options_are_told(tmp_path, capsys, options, words):
+    sketch = write(tmp_path, {"keyword": "dog", "polygon": SQUARE})
+    assert run(["model", sketch, "--out", str(tmp_path / "out"), *options], NoWindow()) == 2
+    assert words in capsys.readouterr().err
+
+
+def test_a_missing_sketch(tmp_path, capsys):
+    assert run(["model", str(tmp_path / "none.json"), "--out", str(tmp_path)], NoWindow()) == 2
+    assert "cannot be read" in capsys.readouterr().err
+
+
+def test_an_output_folder_that_is_a_file(tmp_path, capsys):
+    sketch = write(tmp_path, {"keyword": "dog", "polygon": SQUARE})
+    (tmp_path / "out").write_text("mine")
+    assert run(["model", sketch, "--out", str(tmp_path / "out")], NoWindow()) == 2
+    assert "out" in capsys.readouterr().err
+    assert (tmp_path / "out").read_text() == "mine"
+
+
+def test_search_lists_identifiers_and_draws(tmp_path, capsys):
+    sheet = tmp_path / "sheet.png"
+    assert run(["search", "sewing machine", "--sheet", str(sheet)], NoWindow()) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert lines and all(line.split("\t")[0].count(":") == 1 for line in lines)
+    from PIL import Image
+
+    with Image.open(sheet) as picture:
+        assert picture.width > 300
+
+
+def test_excluded_icons_are_not_listed(capsys):
+    assert run(["search", "otter"], NoWindow()) == 0
+    first = capsys.readouterr().out.split("\t")[0]
+    assert run(["search", "otter", "--exclude", first], NoWindow()) == 0
+    assert first not in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("word", ["", "   ", "motorbyke"])
+def test_unknown_words_are_told(capsys, word):
+    assert run(["search", word], NoWindow()) == 2
+    assert capsys.readouterr().err.startswith("iconstudio: ")
+
+
+def test_without_a_command_the_window_opens():
+    window = AWindow()
+    assert run([], window) == 0
+    assert window.opened == [None]
+
+
+def test_demo_opens_the_window_with_the_motorbike():
+    window = AWindow()
+    assert run(["demo"], window) == 0
+    assert window.opened == ["motorbike"]
+
+
+def test_without_a_screen_the_window_says_why(capsys):
+    window = NoWindow()
+    assert run([], window) == 2
+    assert "no screen" in capsys.readouterr().err
+    assert not window.opened
+
+
+def test_an_unknown_example(capsys):
+    assert run(["demo", "unicorn"], AWindow()) == 2
+    assert "motorbike" in capsys.readouterr().err
+
+
+def test_a_bar_is_shown_on_a_terminal_only(tmp_path):
+    """A real process, its output piped: nothing but sentences comes out."""
+    done = subprocess.run(
+        [sys.executable, "-m", "iconstudio", "search", "otter"],
+        capture_output=True,
+        text=True,
+        check=True,
+        env={**os.environ, "PYTHONWARNINGS": "error"},
+    )
+    assert done.stderr == ""
