@@ -6,22 +6,15 @@ import tempfile
 
 import pytest
 
+from iconstudio.gui.availability import missing_library
+
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 # A cache of our own, also for the programs that tests start; the collection is unpacked once.
 CACHE = tempfile.mkdtemp(prefix="iconstudio-tests-")
 os.environ["ICONSTUDIO_CACHE"] = CACHE
 
 
-def _missing_library() -> str:
-    """Return why Qt cannot be loaded; nothing if it can."""
-    try:
-        import PySide6.QtWidgets  # noqa: F401
-    except ImportError as error:
-        return str(error)
-    return ""
-
-
-MISSING = _missing_library()
+MISSING = missing_library()
 
 if MISSING:
     # Otherwise pytest-qt would stop the tests that need no Qt as well.

@@ -185,6 +185,7 @@ class MainWindow(QMainWindow):
     def _begin(self, sketch: Sketch, settings: ModelSettings) -> None:
         self._ran = sketch
         self.saver.set_title(sketch.keyword.strip())
+        self.strip.say("")
         self.results.begin(settings.styles, settings.lambdas)
         self._show_page(self.document.page)
         self._update_actions()

@@ -1,7 +1,7 @@
 """The window as a whole: words, keys, names, looks."""
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -105,3 +105,17 @@ def test_the_demonstration_loads_an_example_and_remixes_it(window, qtbot, sessio
 def test_an_unknown_example_is_told(window):
     with pytest.raises(IconstudioError, match="motorbike"):
         app.start(window, "unicorn")
+
+
+def test_run_shows_the_window_and_ends_with_it(qtbot, session):
+    seen = []
+
+    def look_and_close():
+        window = next(w for w in QApplication.topLevelWidgets() if w.isVisible())
+        seen.append(window.document.sketch.keyword)
+        window.close()
+
+    QTimer.singleShot(1000, look_and_close)
+    assert app.run("motorbike", session) == 0
+    assert seen == ["motorcycle"]
+    assert session.closed.is_set()

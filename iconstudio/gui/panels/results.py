@@ -215,6 +215,7 @@ class ResultsPanel(QFrame):
         reason.setContentsMargins(UNIT, 0, UNIT, 0)
         self._reasons[event.style] = reason
         self._grid.addWidget(reason, row + 1, 1, 1, -1)
+        reason.show()
 
     def add(self, picture: Picture) -> None:
         """Put a result into its cell."""
