@@ -11,7 +11,7 @@ import os
 import signal
 import threading
 from collections.abc import Callable, Iterator
-from concurrent.futures import Future
+from concurrent.futures import CancelledError, Future
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager, suppress
 from typing import Any
@@ -46,12 +46,12 @@ class Workers:
 
         Raises
         ------
-        RuntimeError
+        CancelledError
             If the pool has been closed.
         """
         with self._lock:
             if self._closed:
-                raise RuntimeError("The worker processes have been closed.")
+                raise CancelledError("The worker processes have been closed.")
             if self._pool is not None and not self._pool.active:  # for lack of memory, perhaps
                 self._stop()
             if self._pool is None:

@@ -174,7 +174,7 @@ def test_closing_from_another_thread_wakes_who_waits_and_leaves_no_process(tmp_p
     assert not any(map(alive, numbers))
     assert set(threading.enumerate()) <= threads
     workers.close()
-    with pytest.raises(RuntimeError, match="closed"):
+    with pytest.raises(CancelledError, match="closed"):
         workers.submit(add, 1, 1)
 
 

@@ -3,6 +3,7 @@
 import hashlib
 import struct
 import zlib
+from collections import deque
 from collections.abc import Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from pathlib import Path
@@ -53,7 +54,7 @@ class RasterCache:
         """Yield the index of each pictogram with its exemplar, cached ones first.
 
         A pictogram that is empty or refused, or crashes or hangs the renderer, yields the error
-        instead. Closing the generator cancels what has not begun.
+        instead. Closing the generator leaves undone what has not begun.
         """
         missing: list[tuple[int, str]] = []
         for index, pictogram in enumerate(pictograms):
@@ -70,31 +71,27 @@ class RasterCache:
         self, missing: list[tuple[int, str]], pictograms: Sequence[Pictogram]
     ) -> Iterator[tuple[int, str, bytes | str]]:
         """Yield index, key and entry, or the reason why the renderer did not survive."""
+        chunks = deque(
+            (missing[start : start + _CHUNK], _CHUNK_SECONDS)
+            for start in range(0, len(missing), _CHUNK)
+        )
         waiting: dict[Future[Any], list[tuple[int, str]]] = {}
-
-        def submit(chunk: list[tuple[int, str]], seconds: float) -> None:
-            documents = [pictograms[index].svg for index, _ in chunk]
-            waiting[self._workers.submit(draw_entries, documents, timeout=seconds)] = chunk
-
-        for start in range(0, len(missing), _CHUNK):
-            submit(missing[start : start + _CHUNK], _CHUNK_SECONDS)
-        try:
-            while waiting:
-                for future in wait(waiting, return_when=FIRST_COMPLETED).done:
-                    chunk = waiting.pop(future)
-                    failure = _failure(future)
-                    if failure is None:
-                        for (index, key), entry in zip(chunk, future.result(), strict=True):
-                            yield index, key, entry
-                    elif len(chunk) == 1:
-                        yield *chunk[0], failure
-                    else:  # find the culprit
-                        for member in chunk:
-                            submit([member], _ONE_SECONDS)
-        finally:
-            for future in waiting:
-                if not future.running():  # what runs is soon done, and a new worker costs more
-                    future.cancel()
+        while chunks or waiting:
+            # Few at once, so that nothing need be cancelled, which would kill workers.
+            while chunks and len(waiting) < 2 * self._workers.count:
+                chunk, seconds = chunks.popleft()
+                documents = [pictograms[index].svg for index, _ in chunk]
+                waiting[self._workers.submit(draw_entries, documents, timeout=seconds)] = chunk
+            for future in wait(waiting, return_when=FIRST_COMPLETED).done:
+                chunk = waiting.pop(future)
+                failure = _failure(future)
+                if failure is None:
+                    for (index, key), entry in zip(chunk, future.result(), strict=True):
+                        yield index, key, entry
+                elif len(chunk) == 1:
+                    yield *chunk[0], failure
+                else:  # find the culprit
+                    chunks.extend(([member], _ONE_SECONDS) for member in chunk)
 
     def _read(self, key: str, pictogram: Pictogram) -> Exemplar | IconstudioError | None:
         if key in self._refusals:

@@ -20,7 +20,7 @@ def tight(document, frame, finer):
     return xs[0] / finer, ys[0] / finer, (xs[-1] + 1) / finer, (ys[-1] + 1) / finer
 
 
-def assert_fits(document, tolerance=0.25, finer=8):
+def assert_fits(document, tolerance=0.25, finer=4):
     """The longer side reaches from margin to margin, the shorter one is centred."""
     frame, coverage = rasterise(document)
     left, top, right, bottom = tight(document, frame, finer)
@@ -70,7 +70,7 @@ def test_it_fits_at_any_scale_and_anywhere(scale, origin, radii, angle):
     )
     # resvg computes in single precision: far from the origin, a small drawing has few digits.
     tolerance = 0.3 + 1e-4 * max(map(abs, origin)) / (scale * max(radii))
-    assert_fits(svg(body, f'viewBox="{x} {y} {scale} {scale}"'), tolerance, 4)
+    assert_fits(svg(body, f'viewBox="{x} {y} {scale} {scale}"'), tolerance)
 
 
 def test_a_pale_layer_is_no_ink():

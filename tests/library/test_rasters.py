@@ -1,8 +1,8 @@
 import os
-import shutil
 import subprocess
 import sys
 import time
+from concurrent.futures import CancelledError
 from pathlib import Path
 
 import numpy as np
@@ -42,7 +42,17 @@ def perilous_entries(documents):
     return draw_entries(documents)
 
 
+def draw_in_little_memory(documents):
+    before, rasters._MEMORY = rasters._MEMORY, 400 << 20
+    try:
+        return draw_entries(documents)
+    finally:
+        rasters._MEMORY = before
+
+
 class NoWorkers:
+    count = 1
+
     def submit(self, *_args, **_options):
         raise AssertionError("all should come from the cache")
 
@@ -186,16 +196,18 @@ def test_a_mistake_of_the_program_is_not_hidden(cache, monkeypatch):
         drawn(cache, [pictogram("bug", "<title>bug</title>")])
 
 
-def test_a_document_that_eats_all_memory_loses_only_itself(cache):
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="no other limits address space")
+def test_a_document_that_eats_all_memory_loses_only_itself(cache, monkeypatch):
+    monkeypatch.setattr(rasters, "draw_entries", draw_in_little_memory)
     shape = "<g>" + '<path d="M0 0h1v1z"/>' * 5000 + "</g>"
     dots = f'<path d="M0 0{"h1" * 100_000}" marker-mid="url(#m)"/>'
     eater = pictogram("eater", f'<marker id="m">{shape}</marker>{dots}')
     found, lost = drawn(cache, [GOOD[0], eater])
     assert_drawn(found, GOOD[0])
-    assert isinstance(lost, IconstudioError)
+    assert "crashes" in str(lost) or "memory" in str(lost)
 
 
-def test_closing_the_generator_cancels_the_rest(cache, tmp_path):
+def test_closing_the_generator_leaves_the_rest_undone(cache, tmp_path):
     exemplars = cache.exemplars(
         [pictogram(f"n{i}", f'<path d="M0 0h{i}v9z"/>') for i in range(200)]
     )
@@ -247,7 +259,5 @@ def test_workers_closed_meanwhile_end_the_work(tmp_path):
     exemplars = RasterCache(tmp_path / "rasters", workers).exemplars(GOOD * 20)
     next(exemplars)
     workers.close()
-    with pytest.raises(Exception, match=r"^$|closed") as caught:
+    with pytest.raises(CancelledError):
         list(exemplars)
-    assert type(caught.value).__name__ == "CancelledError"
-    shutil.rmtree(tmp_path / "rasters")
