@@ -73,11 +73,17 @@ class Lattice:
         self, edges: NDArray[np.int64], label_first: Labels, label_second: Labels
     ) -> NDArray[np.float64]:
         """Return F_S summed over the pairs of sites of each of ``edges``, (e,)."""
+        out = np.zeros(len(edges))
+        cut = np.flatnonzero(label_first != label_second)
         first, second = self.pairs
         cost = self.problem.smoothness(
-            first[edges], second[edges], label_first[:, None], label_second[:, None]
+            first[edges[cut]],
+            second[edges[cut]],
+            label_first[cut][:, None],
+            label_second[cut][:, None],
         )
-        return cost.sum(axis=1, dtype=np.float64)
+        out[cut] = cost.sum(axis=1, dtype=np.float64)
+        return out
 
     def reduced(self, labels: Labels) -> Labels:
         """Return the labels of the blocks' first sites, (nodes,)."""
@@ -197,5 +203,5 @@ def energy(problem: RemixProblem, labels: Labels, lambda_s: float) -> float:
 
 
 def _near(region: NDArray[np.bool_], side: int, reach: int) -> NDArray[np.bool_]:
-    square = np.ones((2 * reach + 1, 2 * reach + 1), dtype=bool)
-    return ndimage.binary_dilation(region.reshape(side, side), square).ravel()
+    picture = region.reshape(side, side).view(np.uint8)
+    return ndimage.maximum_filter(picture, 2 * reach + 1, mode="constant").ravel().view(bool)
