@@ -112,11 +112,11 @@ def memory_limit(size: int) -> Iterator[None]:
     except ImportError:  # Windows
         yield
         return
-    before = resource.getrlimit(resource.RLIMIT_AS)
-    hard = before[1]
-    if hard != resource.RLIM_INFINITY:
-        size = min(size, hard)
-    resource.setrlimit(resource.RLIMIT_AS, (size, hard))
+    before = soft, hard = resource.getrlimit(resource.RLIMIT_AS)
+    if soft != resource.RLIM_INFINITY:
+        size = min(size, soft)
+    with suppress(ValueError, OSError):  # some versions of macOS
+        resource.setrlimit(resource.RLIMIT_AS, (size, hard))
     try:
         yield
     finally:
