@@ -27,7 +27,7 @@ def spellings(keyword: str) -> list[str]:
     plain = " ".join(re.findall(r"[^\W_]+", keyword.lower()))
     forms = [plain, *singulars(plain)]
     forms += [form.replace(" ", "") for form in forms if " " in form]
-    forms.append(plain + "s")  # a scissor
+    forms += [plain + "s", keyword.strip().lower()]  # a scissor, a fleur-de-lis
     return list(dict.fromkeys(form for form in forms if plain))
 
 

@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 
 from iconstudio.library.naming import is_negated, take_apart
 from iconstudio.library.readings import BADGED, COMPOUND, EXACT, MENTION, POSED, SCENE, readings
+from iconstudio.library.search import spellings
 from iconstudio.library.wordnet import WordNet, singulars
 
 
@@ -94,6 +95,19 @@ def test_readings(wordnet, name, term, tier):
 )
 def test_singulars(plural, singular):
     assert singular in singulars(plural)
+
+
+@pytest.mark.parametrize(
+    ("keyword", "form"),
+    [
+        (" Tea_Pots ", "teapot"),
+        ("scissor", "scissors"),
+        ("fleur-de-lis", "fleur-de-lis"),
+        ("Coffee-Cup", "coffee cup"),
+    ],
+)
+def test_spellings(keyword, form):
+    assert form in spellings(keyword)
 
 
 def test_kinds(wordnet):
