@@ -185,10 +185,13 @@ class Collection:
         relevant = values <= search.RELEVANT
         found = search.in_order(icons[relevant], values[relevant], self._blackness)
         chosen = search.different(self._cells[found], limit)
+        if len(chosen) < search.PLENTY:
+            most = max(len(chosen), min(limit, search.PLENTY))
+            chosen = search.different(self._cells[found], most, search.NEARLY_EQUAL)
         if len(chosen) < search.ENOUGH:
             found = search.in_order(icons, values, self._blackness)
-            few = max(len(chosen), min(limit, search.ENOUGH))
-            chosen = search.different(self._cells[found], few, search.NEARLY_EQUAL)
+            most = max(len(chosen), min(limit, search.ENOUGH))
+            chosen = search.different(self._cells[found], most, search.NEARLY_EQUAL)
         return [int(found[i]) for i in chosen]
 
     def _nothing(self, keyword: str, form: str, excluded: bool) -> str:

@@ -13,10 +13,14 @@ ALIKE = 0.25
 """Drawings that differ by less look the same to somebody who looks for parts."""
 
 NEARLY_EQUAL = 0.18
-"""The same, where there are not ``ENOUGH`` drawings: a thin and a bold one are then both shown."""
+"""The same, where there are not ``PLENTY`` drawings: a thin and a bold one are then both shown,
+because every style (section 3.5) needs its own."""
 
 RELEVANT = 8
 """Drawings that score higher only mention the thing, or carry a badge of another."""
+
+PLENTY = 120
+"""With so many relevant drawings, those that differ little are left out."""
 
 ENOUGH = 60
 """With so many relevant drawings, the others are left out."""
