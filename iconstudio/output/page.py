@@ -48,10 +48,15 @@ class Page:
         colour: RGB = INK,
         width: float = float("inf"),
         anchor: str = "la",
-    ) -> None:
-        """Write a line, shortened with an ellipsis to ``width``; ``anchor`` as Pillow has it."""
+    ) -> float:
+        """Write a line, shortened with an ellipsis to ``width``, and return how long it is.
+
+        ``anchor`` is Pillow's.
+        """
         face = font(size, bold)
-        self._draw.text((x, y), shortened(text, face, width), colour, face, anchor)
+        text = shortened(text, face, width)
+        self._draw.text((x, y), text, colour, face, anchor)
+        return face.getlength(text)
 
     def paragraph(
         self, x: float, y: float, text: str, size: int, width: float, colour: RGB
@@ -74,9 +79,11 @@ class Page:
         self._draw.line((left, y, right, y), MUTED, 2)
         self._draw.line((right - 8, y - 6, right, y, right - 8, y + 6), MUTED, 2, joint="curve")
 
-    def frame(self, x: float, y: float, side: float, colour: RGB) -> None:
-        """Draw the outline of a square."""
-        self._draw.rounded_rectangle((x, y, x + side, y + side), 8, outline=colour, width=3)
+    def frame(self, x: float, y: float, width: float, height: float, colour: RGB) -> None:
+        """Draw the outline of a rectangle with round corners."""
+        radius = min(8, height / 4)
+        box = (x, y, x + width, y + height)
+        self._draw.rounded_rectangle(box, radius, outline=colour, width=2)
 
     def polygon(
         self, x: float, y: float, points: Sequence[tuple[float, float]], scale: float

@@ -2,6 +2,7 @@
 
 import io
 import json
+import tempfile
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
@@ -52,15 +53,7 @@ class Report:
         self._centres: tuple[Point, ...] = ()
         self._styles: dict[str, StyleMatched | StyleSkipped] = {}
         self._results: list[Result] = []
-        try:
-            folder.mkdir(parents=True, exist_ok=True)
-        except OSError as error:
-            raise IconstudioError(
-                f"The folder “{folder}” cannot be made: {error.strerror}. Choose another one."
-            ) from None
-        probe = folder / "results.json"
-        if probe.is_dir():
-            raise IconstudioError(f"“{probe}” is a folder. Choose another output folder.")
+        _make(folder)
 
     def add(self, event: Event) -> None:
         """Note an event; write the files of a result."""
@@ -178,6 +171,22 @@ class Report:
             exemplar_id=np.array([exemplar.id for exemplar in exemplars], dtype=np.str_),
         )
         png.write(self._folder / f"{style}.npz", buffer.getvalue())
+
+
+def _make(folder: Path) -> None:
+    """Make sure, before any work, that files can be written into ``folder``."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=folder) as file:
+            file.write(b"0")
+    except OSError as error:
+        raise IconstudioError(
+            f"The folder “{folder}” cannot be written: {error.strerror}. Choose another one."
+        ) from None
+    if (folder / "results.json").is_dir():
+        raise IconstudioError(
+            f"“{folder / 'results.json'}” is a folder. Choose another output folder."
+        )
 
 
 def _style_json(event: StyleMatched | StyleSkipped) -> dict[str, Any]:

@@ -1,5 +1,6 @@
 """Sheets: the grid of a run, what a search found, and the gallery, as in the paper's figures."""
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -9,10 +10,10 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from iconstudio.algorithms.raster import placed_ink
-from iconstudio.model import CANVAS, Composite, Drawing, Exemplar, Polygon
+from iconstudio.model import CANVAS, Composite, Drawing, Exemplar, Polygon, Source
 from iconstudio.output import png
-from iconstudio.output.colours import Palette, colour_code, palette
-from iconstudio.output.page import INK, MUTED, PALE, WARNING, Page
+from iconstudio.output.colours import SIGNIFICANT, Palette, colour_code, key_of, palette
+from iconstudio.output.page import MUTED, PALE, WARNING, Page
 
 _EDGE = 40
 _GAP = 12
@@ -23,6 +24,13 @@ _ACROSS = 3
 _SIDE = _ACROSS * (_THUMB + _GAP) + 2 * _GAP
 """Width of the column of sources."""
 _HEAD = 190
+_WHOLE = 0.95
+"""A pictogram with this share of the ink is the result, but for crumbs."""
+_VERDICTS = {
+    "remixed": ((94, 138, 214), "joined from parts of several icons"),
+    "existing": ((232, 190, 60), "one existing icon would do"),
+    "failed": (WARNING, "failed"),
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,12 +64,12 @@ def grid_sheet(
     """
     lambdas = sorted(lambdas)
     left = _EDGE + _SIDE + 2 * _GAP
-    height = 2 * _CELL + 3 * _GAP + 46
+    height = 2 * _CELL + 3 * _GAP + 52
     heights = [height if row.results else 110 for row in rows]
     width = left + len(lambdas) * (_CELL + _GAP) + _EDGE
     page = Page(max(width, 900), _HEAD + sum(heights) + _EDGE)
     page.polygon(_EDGE - 8, 24, polygon.fitted().vertices, 150 / CANVAS)
-    page.text(_EDGE + 160, 52, keyword, 34, bold=True, width=_SIDE - 160)
+    page.text(_EDGE + 160, 52, keyword, 34, bold=True, width=page.picture.width - 2 * _EDGE - 160)
     page.text(_EDGE + 160, 98, "sketch and keyword", 18, colour=MUTED)
     _column_heads(page, lambdas, left)
     top = _HEAD
@@ -81,7 +89,7 @@ def search_sheet(exemplars: Sequence[Exemplar], word: str, path: Path) -> None:
         If the file cannot be written.
     """
     across, side = 10, 120
-    step_x, step_y = side + 2 * _GAP, side + 40
+    step_x, step_y = side + 3 * _GAP, side + 64
     lines = -(-len(exemplars) // across)
     page = Page(2 * _EDGE + across * step_x, 110 + lines * step_y + _EDGE)
     page.text(_EDGE, 36, word, 34, bold=True, width=across * step_x - 200)
@@ -91,32 +99,53 @@ def search_sheet(exemplars: Sequence[Exemplar], word: str, path: Path) -> None:
         x = _EDGE + number % across * step_x
         y = 100 + number // across * step_y
         page.stencil(x + _GAP, y, side, exemplar.coverage)
-        page.text(x + _GAP + side / 2, y + side + 2, exemplar.id, 13, colour=MUTED,
-                  width=step_x - 6, anchor="ma")  # fmt: skip
+        collection, name = exemplar.id.split(":", 1)
+        middle, width = x + _GAP + side / 2, step_x - 8
+        page.text(
+            middle, y + side + 4, f"{collection}:", 13, colour=MUTED, width=width, anchor="ma"
+        )
+        page.text(middle, y + side + 21, name, 13, width=width, anchor="ma")
     png.write(path, png.encoded(page.picture))
 
 
 def gallery_sheet(subjects: Sequence[Subject], across: int = 4) -> Image.Image:
-    """Return a cell for each subject: sketch, result, colour code; failures are marked."""
+    """Return a cell for each subject: sketch, result, colour code.
+
+    The frames are those of the paper's figure 17: yellow where one existing icon would do, blue
+    where only parts of several fit, red where the result is no good.
+    """
     side = 150
-    step_x, step_y = 3 * side + 4 * _GAP + 16, side + 76
+    step_x, step_y = 3 * side + 5 * _GAP, side + 90
     lines = -(-len(subjects) // across)
-    page = Page(2 * _EDGE + across * step_x - 16, 2 * _EDGE + lines * step_y - 20)
+    page = Page(2 * _EDGE + across * step_x - 2 * _GAP, 2 * _EDGE + lines * step_y + 10)
     for number, subject in enumerate(subjects):
         x = _EDGE + number % across * step_x
         y = _EDGE + number // across * step_y
-        colour = WARNING if subject.failed else MUTED
-        page.text(x, y, subject.name, 20, bold=True)
-        page.text(x + 3 * side + 2 * _GAP, y + 3, subject.remark, 16, colour=colour,
-                  width=2 * side, anchor="ra")  # fmt: skip
-        page.polygon(x, y + 30, subject.polygon.fitted().vertices, side / CANVAS)
+        named = page.text(x, y, subject.name, 20, bold=True, width=3 * side)
+        page.text(x + 3 * side + 2 * _GAP, y + 4, subject.remark, 15, colour=MUTED,
+                  width=3 * side - named, anchor="ra")  # fmt: skip
+        page.polygon(x, y + 36, subject.polygon.fitted().vertices, side / CANVAS)
         if subject.result is not None:
             composite, drawing = subject.result
-            page.stencil(x + side + _GAP, y + 30, side, drawing.coverage)
-            page.image(x + 2 * (side + _GAP), y + 30, colour_code(composite, drawing, side))
-        if subject.failed:
-            page.frame(x + side + _GAP - 4, y + 26, side + 8, WARNING)
+            page.stencil(x + side + _GAP, y + 36, side, drawing.coverage)
+            page.image(x + 2 * (side + _GAP), y + 36, colour_code(composite, drawing, side))
+        colour, _ = _VERDICTS[_verdict(subject)]
+        page.frame(x + side + _GAP // 2, y + 30, 2 * side + 2 * _GAP, side + _GAP, colour)
+    x, y = float(_EDGE), page.picture.height - _EDGE - 6
+    for colour, meaning in _VERDICTS.values():
+        page.frame(x, y - 1, 16, 16, colour)
+        x += 26 + page.text(x + 26, y, meaning, 16, colour=MUTED) + 36
     return page.picture
+
+
+def _verdict(subject: Subject) -> str:
+    if subject.failed or subject.result is None:
+        return "failed"
+    composite, _ = subject.result
+    owned: Counter[str] = Counter()
+    for source, share in zip(composite.sources, composite.shares, strict=True):
+        owned[source.exemplar.id] += share
+    return "existing" if max(owned.values()) >= _WHOLE else "remixed"
 
 
 def _column_heads(page: Page, lambdas: Sequence[float], left: float) -> None:
@@ -140,7 +169,7 @@ def _row(page: Page, row: Row, lambdas: Sequence[float], left: float, top: float
     if not row.results:
         page.paragraph(left, top + 22, row.skipped, 20, page.picture.width - left - _EDGE, MUTED)
         return
-    colours = palette(composite for composite, _ in row.results)
+    colours = palette([composite for composite, _ in row.results])
     _sources(page, row, colours, top + 58)
     for composite, drawing in row.results:
         number = min(range(len(lambdas)), key=lambda i: abs(lambdas[i] - composite.lambda_s))
@@ -150,31 +179,43 @@ def _row(page: Page, row: Row, lambdas: Sequence[float], left: float, top: float
         page.image(x, top + 28 + _CELL + _GAP, code)
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class _Used:
+    """A source in all results of a row."""
+
+    source: Source
+    share: float
+    """Mean part of the ink."""
+    own: NDArray[np.bool_]
+    """(CANVAS, CANVAS): what it owns in any result."""
+
+
 def _sources(page: Page, row: Row, colours: Palette, top: float) -> None:
-    """Draw the sources with most ink in the row, in place, what they give in colour."""
-    shares: dict[tuple, float] = {}
-    first = {}
-    used: dict[tuple, NDArray[np.bool_]] = {}
-    for composite, _ in row.results:
-        for label, (source, share) in enumerate(
-            zip(composite.sources, composite.shares, strict=True)
-        ):
-            key = source.exemplar.id, source.placement
-            first.setdefault(key, source)
-            shares[key] = shares.get(key, 0.0) + share / len(row.results)
-            own = composite.labels == label
-            used[key] = used[key] | own if key in used else own
-    best = sorted((key for key in shares if shares[key] >= 0.02), key=lambda key: -shares[key])
-    for number, key in enumerate(best[: 2 * _ACROSS]):
+    """Draw the sources with most ink in the row where they lie, what they give in colour."""
+    used = _used([composite for composite, _ in row.results])
+    for number, one in enumerate(used[: 2 * _ACROSS]):
         x = _EDGE + number % _ACROSS * (_THUMB + _GAP)
-        y = top + number // _ACROSS * (_THUMB + 44)
-        ink, _ = placed_ink(first[key].exemplar, first[key].placement)
+        y = top + number // _ACROSS * (_THUMB + 62)
+        ink, _ = placed_ink(one.source.exemplar, one.source.placement)
         page.stencil(x, y, _THUMB, _grey(ink), PALE)
-        page.stencil(x, y, _THUMB, _grey(ink & used[key]), colours[key])
-        page.text(x + _THUMB / 2, y + _THUMB + 4, key[0], 13, colour=INK, width=_THUMB + 8,
-                  anchor="ma")  # fmt: skip
-        share = f"{100 * shares[key]:.0f}% of the ink"
-        page.text(x + _THUMB / 2, y + _THUMB + 20, share, 12, colour=MUTED, anchor="ma")
+        page.stencil(x, y, _THUMB, _grey(ink & one.own), colours[key_of(one.source)])
+        collection, name = one.source.exemplar.id.split(":", 1)
+        share = max(1, round(100 * one.share))
+        page.text(x, y + _THUMB + 4, name, 13, width=_THUMB)
+        number_width = page.text(x, y + _THUMB + 22, f"{share} %", 12, bold=True)
+        page.text(x + number_width + 6, y + _THUMB + 22, collection, 12, colour=MUTED,
+                  width=_THUMB - number_width - 6)  # fmt: skip
+
+
+def _used(composites: Sequence[Composite]) -> list[_Used]:
+    """Return the significant sources of results that share their sources, most ink first."""
+    mean = np.mean([composite.shares for composite in composites], axis=0)
+    found = [
+        _Used(source, float(mean[label]), np.any([c.labels == label for c in composites], axis=0))
+        for label, source in enumerate(composites[0].sources)
+        if mean[label] >= SIGNIFICANT
+    ]
+    return sorted(found, key=lambda one: -one.share)
 
 
 def _grey(ink: NDArray[np.bool_]) -> NDArray[np.uint8]:
