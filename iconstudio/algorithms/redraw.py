@@ -94,6 +94,17 @@ def _part(labels: Labels, owner: int, coverage: NDArray[np.uint8]) -> _Part:
     return _Part(large, weight, coverage)
 
 
+def two_tone(coverage: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """Make a drawing (h, w) uint8 ink or paper, but for the soft edge between the two.
+
+    A duotone's pale layer is no ink, and its dark one is all ink (section 3.1: black and white).
+    """
+    ink = coverage > 127
+    square = np.ones((3, 3), dtype=bool)
+    edge = ndimage.binary_dilation(ink, square) & ndimage.binary_dilation(~ink, square)
+    return np.where(edge, coverage, np.where(ink, np.uint8(255), np.uint8(0)))
+
+
 def erase(coverage: NDArray[np.uint8], fragments: NDArray[np.bool_]) -> None:
     """Take pieces off a drawing, in place.
 

@@ -14,7 +14,7 @@ from iconstudio.algorithms.energy import Labels, RemixProblem
 from iconstudio.algorithms.expansion import remix
 from iconstudio.algorithms.fragments import fragments
 from iconstudio.algorithms.raster import solid
-from iconstudio.algorithms.redraw import SCALE, erase, redraw
+from iconstudio.algorithms.redraw import SCALE, erase, redraw, two_tone
 from iconstudio.model import CANVAS, Composite, Drawing, Frame, IconstudioError, Placement, Source
 from iconstudio.workers import Workers, died
 from iconstudio.workflows.events import Progress, Result
@@ -140,7 +140,7 @@ def _rendered(
     render: Render, svg: str, frame: Frame, placement: Placement, size: int
 ) -> NDArray[np.uint8]:
     """Remember drawings, 1 MiB each: the results of one style share most of their sources."""
-    return render(svg, frame, placement, size)
+    return two_tone(render(svg, frame, placement, size))
 
 
 def composite(

@@ -5,7 +5,7 @@ from hypothesis import strategies as st
 from scipy import ndimage
 
 from iconstudio.algorithms.fragments import fragments
-from iconstudio.algorithms.redraw import SCALE, erase, redraw, signed_distance
+from iconstudio.algorithms.redraw import SCALE, erase, redraw, signed_distance, two_tone
 from iconstudio.algorithms.vectorize import trace
 from iconstudio.library.resvg import render_coverage
 from iconstudio.model import CANVAS, Frame
@@ -132,6 +132,18 @@ def test_a_crumb_of_a_cut_is_a_fragment_and_an_eye_is_not():
     erase(coverage, found)
     assert not coverage[40 * SCALE : 60 * SCALE, 240 * SCALE : 250 * SCALE].any()
     assert coverage[150 * SCALE, 200 * SCALE] == 255
+
+
+def test_a_pale_layer_is_paper_and_edges_stay_soft():
+    drawing = np.zeros((8, 8), np.uint8)
+    drawing[:, :4] = 70  # a pale layer
+    drawing[2:6, 2:6] = 200  # a dark one
+    drawing[2:6, 6] = 60  # its soft edge
+    flat = two_tone(drawing)
+    assert not flat[:, 0].any()
+    assert (flat[3:5, 3:5] == 255).all()
+    assert (flat[3:5, 6] == 60).all()
+    assert np.array_equal(flat > 127, drawing > 127)
 
 
 def test_a_large_piece_is_never_a_fragment():
