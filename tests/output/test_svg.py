@@ -1,0 +1,112 @@
+"""SVG documents: one path, and everyone is thanked."""
+
+import xml.etree.ElementTree as ET
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import example, given
+from hypothesis import strategies as st
+
+from iconstudio.library.resvg import render_coverage
+from iconstudio.library.svgcheck import check
+from iconstudio.model import CANVAS, Credit, Drawing, Frame
+from iconstudio.output.svg import contributors, credits_text, svg_document
+from tests.output.made import RING, SOURCES, credited, with_shares
+
+SVG = "{http://www.w3.org/2000/svg}"
+DC = "{http://purl.org/dc/elements/1.1/}"
+CC = "{http://creativecommons.org/ns#}"
+RDF = "{http://www.w3.org/1999/02/22-rdf-syntax-ns#}"
+
+
+def parsed(result, title="A dog"):
+    return ET.fromstring(svg_document(result.drawing, result.composite, title))
+
+
+def works(root):
+    return root.findall(f".//{RDF}li/{CC}Work")
+
+
+def test_one_path_in_the_current_colour(result):
+    root = parsed(result)
+    assert root.tag == f"{SVG}svg"
+    assert root.get("viewBox") == "0 0 256 256"
+    assert root.get("fill") == "currentColor"
+    (path,) = root.iter(f"{SVG}path")
+    assert path.attrib == {"d": result.drawing.path}
+    assert root.findtext(f"{SVG}title") == "A dog"
+
+
+def test_it_shows_the_drawing(result):
+    document = svg_document(result.drawing, result.composite, "A dog")
+    check(document)
+    shown = render_coverage(document, Frame(0, 0, CANVAS), 512) > 127
+    drawn = result.drawing.coverage > 127
+    assert (shown & drawn).sum() / (shown | drawn).sum() > 0.995
+
+
+def test_every_contributor_is_credited_once(result):
+    shared = with_shares(result.composite, 0.3, 0.25, 0.45, 0.0)
+    assert [one.id for one in contributors(shared)] == ["test:ring", "test:block"]
+    root = parsed(replace(result, composite=shared))
+    assert [work.findtext(f"{DC}identifier") for work in works(root)] == ["test:ring", "test:block"]
+
+
+def test_a_credit_names_title_author_licence_and_address(result):
+    credit = Credit("Ring", "Ann Other", "CC-BY-4.0", "https://example.org/by", "https://a.org/r")
+    sources = (replace(SOURCES[0], exemplar=credited(RING, credit)), *SOURCES[1:])
+    one = replace(result.composite, sources=sources, shares=(1.0, 0.0, 0.0, 0.0))
+    (work,) = works(parsed(replace(result, composite=one)))
+    assert work.findtext(f"{DC}title") == "Ring"
+    assert work.findtext(f"{DC}creator") == "Ann Other"
+    assert work.findtext(f"{DC}rights") == "CC-BY-4.0"
+    assert work.find(f"{CC}license").get(f"{RDF}resource") == "https://example.org/by"
+    assert work.find(f"{DC}source").get(f"{RDF}resource") == "https://a.org/r"
+    assert credits_text(one) == (
+        "Made of parts of:\n"
+        "“Ring” by Ann Other, CC-BY-4.0 (https://example.org/by), https://a.org/r"
+    )
+
+
+def test_a_licence_without_address(result):
+    credit = Credit("Ring", "Ann Other", "MIT", "", "https://a.org/r")
+    sources = (replace(SOURCES[0], exemplar=credited(RING, credit)), *SOURCES[1:])
+    one = replace(result.composite, sources=sources, shares=(1.0, 0.0, 0.0, 0.0))
+    (work,) = works(parsed(replace(result, composite=one)))
+    assert work.find(f"{CC}license") is None
+    assert credits_text(one).endswith("by Ann Other, MIT, https://a.org/r")
+
+
+def test_an_empty_drawing_credits_nobody(result):
+    empty = Drawing("", np.zeros((512, 512), np.uint8))
+    root = ET.fromstring(svg_document(empty, with_shares(result.composite, 0, 0, 0, 0), "Nothing"))
+    assert works(root) == []
+    assert credits_text(with_shares(result.composite, 0, 0, 0, 0)) == ""
+
+
+@example(title="a\r\n<b>", author="&amp; ]]>")
+@given(
+    title=st.text(
+        st.characters(exclude_categories=["Cs", "Cc"]) | st.sampled_from("\n\t\r<>&'\"]")
+    ),
+    author=st.text(st.characters(exclude_categories=["Cs", "Cc"]) | st.sampled_from("<>&'\"]")),
+)
+def test_any_text_survives(result, title, author):
+    title, author = (text.replace("\ufffe", "").replace("\uffff", "") for text in (title, author))
+    credit = Credit(title, author, "MIT", "https://a.org/?a=1&b='<\">", "https://a.org")
+    sources = (replace(SOURCES[0], exemplar=credited(RING, credit)), *SOURCES[1:])
+    one = replace(result.composite, sources=sources, shares=(1.0, 0.0, 0.0, 0.0))
+    root = parsed(replace(result, composite=one), title)
+    (work,) = works(root)
+    assert root.findtext(f"{SVG}title") == title
+    assert work.findtext(f"{DC}title") == title
+    assert work.findtext(f"{DC}creator") == author
+    licence = work.find(f"{CC}license").get(f"{RDF}resource")
+    assert licence == credit.license_url
+    assert len(list(root.iter(f"{SVG}path"))) == 1
+
+
+@pytest.mark.parametrize("bad", ["\x00", "\x0b", "\x1f", "\ufffe", "\ud800"])
+def test_what_xml_cannot_hold_is_replaced(result, bad):
+    assert parsed(result, f"a{bad}b").findtext(f"{SVG}title") == "a\ufffdb"
