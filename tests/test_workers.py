@@ -203,11 +203,13 @@ def test_a_pool_whose_idle_worker_is_killed_goes_on():
 
 
 PROGRAM = """
-import sys, time
+import signal, sys, time
 from iconstudio.workers import Workers
 from tests.test_workers import add, hang_after_telling, sleep_after_telling
 
 if __name__ == "__main__":
+    # Who starts the tests in the background may have had interrupts ignored.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     workers = Workers(2)
     task = {"sleep": sleep_after_telling, "hang": hang_after_telling}[sys.argv[1]]
     seconds = float(sys.argv[2]) or None
