@@ -16,8 +16,13 @@ from iconstudio.workers import Workers
 from iconstudio.workflows.events import Event, RegionsFound, StyleMatched, StyleSkipped, staged
 from iconstudio.workflows.remixing import Job, Remixing, Render
 
-FEWEST = 6
-"""A style with fewer exemplars is skipped: its regions would all be matched by the same few."""
+FEWEST = 4
+"""A style with fewer exemplars is skipped: all its regions would keep the same three."""
+FEW = 8
+UNLIKE = 1.25
+"""A style with fewer than FEW exemplars is skipped too if none of them resembles the sketch: if the
+least errors of equation 4, averaged over the regions, exceed UNLIKE. Chosen by eye over the styles
+of some forty sketches: those that it skips were beyond recognition."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,6 +90,10 @@ def model(
                 continue
             matches = matching.refine(field, regions, exemplars, hits, admitted)
             rows = matching.sources_of(matches, exemplars)
+            if len(admitted) < FEW and _least_error(rows) > UNLIKE:
+                remixing.expect_fewer(len(settings.lambdas))
+                yield StyleSkipped(style.name, len(admitted), _unlike(style, len(admitted)))
+                continue
             admissible = tuple(exemplars[i].exemplar for i in admitted)
             yield StyleMatched(style.name, admissible, rows)
             sources = distinct(rows)
@@ -104,6 +113,18 @@ def distinct(rows: Sequence[Sequence[Source]]) -> tuple[Source, ...]:
         for source in row:
             found.setdefault((source.exemplar.id, source.placement), source)
     return tuple(found.values())
+
+
+def _least_error(rows: Sequence[Sequence[Source]]) -> float:
+    """Return the least error of each region, averaged."""
+    return sum(row[0].error for row in rows) / len(rows)
+
+
+def _unlike(style: Style, count: int) -> str:
+    return (
+        f"The collection has only {count} icons of this keyword in the style {style.name}, "
+        "and none resembles the sketch."
+    )
 
 
 def _too_few(style: Style, count: int) -> str:

@@ -137,4 +137,20 @@ def test_a_remix_of_two_halves_joins_them(workers):
     owners = [
         composite.sources[composite.labels[y, x]].exemplar.id for y in (43, 212) for x in (44, 211)
     ]
-    assert owners == ["test:square", "test:disc"] * 2
+    assert owners[::2] == ["test:square"] * 2, "the square's corners, in ink"
+    assert "test:square" not in owners[1::2], "the disc's corners, in white"
+
+
+def test_few_exemplars_that_are_unlike_the_sketch_are_skipped(workers):
+    """Thin bars for a square: enough to choose from, but nothing to make a square of."""
+    bars = np.zeros((FEWEST, CANVAS, CANVAS), bool)
+    for number, bar in enumerate(bars):
+        bar[120 : 126 + number, 16:240] = True
+    prepared = [prepare(exemplar(bar, f"bar-{n}"), (1.0,)) for n, bar in enumerate(bars)]
+    settings = ModelSettings(styles=("dark",), lambdas=(0.1,), scales=(1.0,))
+    square = Polygon.of([(0, 0), (9, 0), (9, 9), (0, 9)])
+    (skipped,) = of(
+        StyleSkipped, list(model(Sketch(square), prepared, settings, workers, render_placed))
+    )
+    assert skipped.retrieved == FEWEST
+    assert "none resembles" in skipped.reason

@@ -1,7 +1,5 @@
 """The result that was picked, large, beside the icons that it owes its parts to."""
 
-from html import escape
-
 from PySide6.QtCore import QEvent, QRectF, Qt, Signal
 from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import (
@@ -18,6 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from iconstudio.gui import theme
+from iconstudio.gui.panels.elided import ElidedLabel
 from iconstudio.gui.pictures import Picture, SourcePicture, source_pictures
 from iconstudio.gui.theme import UNIT
 
@@ -91,20 +90,17 @@ class SourceRow(QWidget):
     def __init__(self, picture: SourcePicture, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         credit = picture.source.exemplar.pictogram.credit
-        title = QLabel(_title_text(picture), textFormat=Qt.TextFormat.RichText)
+        title = ElidedLabel(picture.source.exemplar.id, credit.url)
         title.setProperty("heading", True)
-        title.setOpenExternalLinks(True)
-        title.setToolTip(f"Open {credit.url}")
+        title.setToolTip(f"{picture.source.exemplar.id}: open {credit.url}")
         share = QLabel(f"{picture.share:.0%}")
         share.setProperty("heading", True)
         share.setFixedWidth(5 * UNIT)
         share.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         share.setToolTip("Part of the icon's ink that comes from this source")
-        text = QLabel(f"{credit.author} · {credit.license}", textFormat=Qt.TextFormat.PlainText)
+        text = ElidedLabel(f"{credit.author} · {credit.license}")
         text.setProperty("muted", True)
         text.setToolTip(f"{credit.title}, by {credit.author}, {credit.license}")
-        for label in (title, text):
-            label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         words = QVBoxLayout()
         words.setSpacing(1)
         words.addStretch()
@@ -228,13 +224,6 @@ class DetailPanel(QFrame):
 
 def _counted(count: int, noun: str) -> str:
     return f"1 {noun}" if count == 1 else f"{count} {noun}s"
-
-
-def _title_text(picture: SourcePicture) -> str:
-    exemplar = picture.source.exemplar
-    url = escape(exemplar.pictogram.credit.url, quote=True)
-    style = f"color:{theme.current().accent}; text-decoration:none"
-    return f"<a href='{url}' style='{style}'>{escape(exemplar.id)}</a>"
 
 
 def _placement_text(picture: SourcePicture) -> str:

@@ -1,0 +1,38 @@
+"""A line of text that ends in an ellipsis where it finds no room."""
+
+from html import escape
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
+
+from iconstudio.gui import theme
+
+
+class ElidedLabel(QLabel):
+    """A label as wide as its layout lets it be; with ``url``, it is a link."""
+
+    def __init__(self, text: str, url: str = "", parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._whole = text
+        self._url = url
+        self.setTextFormat(Qt.TextFormat.RichText if url else Qt.TextFormat.PlainText)
+        self.setOpenExternalLinks(bool(url))
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self.setAccessibleName(text)
+        self._show(text)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Fit the text to the new width."""
+        super().resizeEvent(event)
+        elided = self.fontMetrics().elidedText(
+            self._whole, Qt.TextElideMode.ElideRight, self.width()
+        )
+        self._show(elided)
+
+    def _show(self, text: str) -> None:
+        if self._url:
+            style = f"color:{theme.current().accent}; text-decoration:none"
+            text = f"<a href='{escape(self._url, quote=True)}' style='{style}'>{escape(text)}</a>"
+        if text != self.text():
+            self.setText(text)
