@@ -8,6 +8,7 @@ import click
 from iconstudio.algorithms.expansion import LAMBDAS
 from iconstudio.algorithms.matching import SCALES
 from iconstudio.algorithms.style import STYLES
+from iconstudio.cli.lists import ListCommand, Numbers, Words, flat, is_number
 from iconstudio.cli.progress import ProgressBar
 from iconstudio.cli.timing import Stopwatch
 from iconstudio.model import IconstudioError, Sketch
@@ -17,31 +18,14 @@ from iconstudio.sketchfile import read_sketch
 from iconstudio.workflows.events import Progress, Result, Retrieved, StyleSkipped
 from iconstudio.workflows.modelling import ModelSettings
 
-
-class Numbers(click.ParamType):
-    """Positive numbers with commas between them."""
-
-    name = "NUMBERS"
-
-    def __init__(self, largest: float) -> None:
-        self.largest = largest
-
-    def convert(
-        self, value: object, param: click.Parameter | None, ctx: click.Context | None
-    ) -> tuple[float, ...]:
-        """Read ``0.1,0.3`` as (0.1, 0.3)."""
-        if isinstance(value, tuple):
-            return value
-        try:
-            numbers = tuple(float(word) for word in str(value).replace(",", " ").split())
-        except ValueError:
-            self.fail(f"{value!r} is no list of numbers such as 0.1,0.3", param, ctx)
-        if not numbers or not all(0 < number <= self.largest for number in numbers):
-            self.fail(f"give numbers above 0 and up to {self.largest:g}", param, ctx)
-        return numbers
+_STYLES = tuple(style.name for style in STYLES)
 
 
-@click.command("model")
+@click.command(
+    "model",
+    cls=ListCommand,
+    goes_on={"--styles": _STYLES.__contains__, "--lambdas": is_number, "--scales": is_number},
+)
 @click.argument("sketch_file", metavar="SKETCH.json", type=click.Path(path_type=Path))
 @click.option(
     "--out",
@@ -59,20 +43,23 @@ class Numbers(click.ParamType):
 )
 @click.option(
     "--styles",
-    metavar="NAMES",
-    default=",".join(style.name for style in STYLES),
-    help="Styles, with commas between them. Default: all four.",
+    type=Words(),
+    multiple=True,
+    default=(_STYLES,),
+    help=f"Some of {', '.join(_STYLES)}. Default: all four.",
 )
 @click.option(
     "--lambdas",
     type=Numbers(1000),
-    default=LAMBDAS,
+    multiple=True,
+    default=(LAMBDAS,),
     help="Values of lambda_S. Default: 8 from 0.03 (closer to the sketch) to 0.75 (smoother).",
 )
 @click.option(
     "--scales",
     type=Numbers(3),
-    default=SCALES,
+    multiple=True,
+    default=(SCALES,),
     help="Scale factors to try. Default: 0.9,1,1.1; more daring: 0.8,0.9,1,1.1,1.25.",
 )
 @click.option(
@@ -83,9 +70,9 @@ def command(
     folder: Path,
     keyword: str | None,
     exclude: tuple[str, ...],
-    styles: str,
-    lambdas: tuple[float, ...],
-    scales: tuple[float, ...],
+    styles: tuple[tuple[str, ...], ...],
+    lambdas: tuple[tuple[float, ...], ...],
+    scales: tuple[tuple[float, ...], ...],
     dump: bool,
 ) -> None:
     """Make icons in the shape of the polygon in SKETCH.json out of parts of real ones."""
@@ -95,8 +82,9 @@ def command(
         keyword=sketch.keyword if keyword is None else keyword,
         exclude=sketch.exclude | frozenset(exclude),
     )
-    names = tuple(styles.replace(",", " ").split())
-    settings = ModelSettings(names, tuple(sorted(set(lambdas))), tuple(sorted(set(scales))))
+    settings = ModelSettings(
+        flat(styles), tuple(sorted({*flat(lambdas)})), tuple(sorted({*flat(scales)}))
+    )
     with Session() as session:
         run(session, sketch, settings, folder, dump=dump)
 
