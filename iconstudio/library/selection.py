@@ -44,6 +44,8 @@ _COMPANIES = words(
 )
 """Companies whose names WordNet lists as common nouns, or that name many products after them."""
 _FLAGS = re.compile(r"^(circle-)?flags?-(for|of)-|^flag-[a-z]{2}(-[a-z]+)?$")
+_PIXEL_ART = re.compile(r"^pixel-|\b8-?bit\b")
+"""Pixel art among the drawings of a set that is none."""
 _MOVING = re.compile(r"<(animate|set\b|script|image|foreignObject|text\b|style)")
 _COLOURED = re.compile(
     r"(?:fill|stroke|stop-color|color)\s*[=:]\s*[\"']?\s*"
@@ -134,6 +136,7 @@ def _is_pictogram(icon: RawIcon, name: Name, logos: frozenset[str]) -> bool:
         or spoken & (_LOGO_WORDS | _COMPANIES)
         or name.phrase in logos
         or _FLAGS.match(icon.name)
+        or _PIXEL_ART.search(icon.name)
         or any(_LOGO_CATEGORY.search(category) for category in icon.categories)
     )
 

@@ -53,6 +53,7 @@ def test_no_colour_logo_pixel_animation_or_hidden(make):
         "moving": {"body": f"<g>{shape(3)}<animate attributeName='x'/></g>"},
         "red": {"body": shape(4).replace("currentColor", "#f00")},
         "acme-logo": {"body": shape(5)},
+        "pixel-dog": {"body": shape(30)},
         "brand-acme": {"body": shape(6)},
         "zorbly": {"body": shape(7)},
         "bowl-off": {"body": shape(8)},
