@@ -21,9 +21,9 @@ from iconstudio.model import CANVAS
 
 SCALE = 4
 """Drawn pixels to a canvas pixel."""
-FADE = 1.5
+FADE = 2.0
 """Standard deviation, in canvas pixels, of the cross-fade across a seam."""
-_REACH = 6
+_REACH = 8
 """How far, in canvas pixels, an owner's share reaches beyond its region."""
 _AGREED = 1e-3
 
