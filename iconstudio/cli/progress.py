@@ -10,6 +10,7 @@ class ProgressBar:
     """One bar on standard error for all stages, each named beside it."""
 
     def __init__(self) -> None:
+        tqdm.monitor_interval = 0  # no thread that outlives the bar
         self._bar = tqdm(
             total=100,
             disable=not sys.stderr.isatty(),

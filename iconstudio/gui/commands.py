@@ -4,6 +4,7 @@ A command keeps the page before and after it: pages are immutable and share thei
 so this costs a few pointers, and undo gives back exactly what was there.
 """
 
+import weakref
 from dataclasses import replace
 
 from PySide6.QtGui import QUndoCommand
@@ -18,17 +19,24 @@ class PageCommand(QUndoCommand):
 
     def __init__(self, document: Document, text: str, after: Page) -> None:
         super().__init__(text)
-        self._document = document
+        # The document owns its stack, and that its commands: a way back would be a cycle, and
+        # PySide may crash when Python's collector takes such a cycle apart.
+        self._document = weakref.ref(document)
         self._before = document.page
         self.after = after
 
     def redo(self) -> None:
         """Do the edit."""
-        self._document.show(self.after)
+        self._show(self.after)
 
     def undo(self) -> None:
         """Give back the page from before the edit."""
-        self._document.show(self._before)
+        self._show(self._before)
+
+    def _show(self, page: Page) -> None:
+        document = self._document()
+        if document is not None:
+            document.show(page)
 
 
 class AddVertex(PageCommand):

@@ -1,5 +1,7 @@
 """Every edit can be undone and done again: any sequence of them, without the window."""
 
+import weakref
+
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from PySide6.QtGui import QImage
@@ -118,3 +120,13 @@ def test_an_edit_that_changes_nothing_says_nothing(qtbot):
     document = Document()
     with qtbot.assertNotEmitted(document.page_changed):
         document.undo_stack.push(commands.ClearOutline(document))
+
+
+def test_commands_do_not_keep_their_document(qapp):
+    """A document that nothing else holds goes at once; no cycle is left for the collector."""
+    document = Document()
+    document.undo_stack.push(commands.AddVertex(document, (1.0, 2.0)))
+    document.undo_stack.push(commands.SetKeyword(document, "fish"))
+    gone = weakref.ref(document)
+    del document
+    assert gone() is None
