@@ -5,7 +5,7 @@ from pathlib import Path
 import click
 
 from iconstudio.cli.progress import ProgressBar
-from iconstudio.model import Exemplar
+from iconstudio.model import Exemplar, Pictogram
 from iconstudio.session import Session
 
 
@@ -28,17 +28,16 @@ def command(word: str, exclude: tuple[str, ...], sheet: Path | None) -> None:
                 bar.show(step.done, step.message)
         pictograms = session.search(word, frozenset(exclude))
         if sheet is not None:
-            _draw(session, word, sheet)
+            _draw(session, pictograms, word, sheet)
     for pictogram in pictograms:
         credit = pictogram.credit
         click.echo(f"{pictogram.id}\t{credit.author}\t{credit.license}")
 
 
-def _draw(session: Session, word: str, sheet: Path) -> None:
+def _draw(session: Session, pictograms: tuple[Pictogram, ...], word: str, sheet: Path) -> None:
     from iconstudio.output.sheet import search_sheet
 
     exemplars: tuple[Exemplar, ...] = ()
-    pictograms = session.search(word)
     with ProgressBar() as bar:
         steps = session.rasterise(pictograms)
         try:

@@ -115,6 +115,21 @@ def test_excluded_icons_are_not_listed(capsys):
     assert first not in capsys.readouterr().out
 
 
+def test_the_sheet_shows_what_is_listed(tmp_path, capsys, monkeypatch):
+    from iconstudio.output import sheet
+
+    drawn = []
+    monkeypatch.setattr(
+        sheet, "search_sheet", lambda exemplars, word, path: drawn.extend(e.id for e in exemplars)
+    )
+    assert run(["search", "otter"], NoWindow()) == 0
+    first = capsys.readouterr().out.split("\t")[0]
+    arguments = ["search", "otter", "--exclude", first, "--sheet", str(tmp_path / "otter.png")]
+    assert run(arguments, NoWindow()) == 0
+    listed = [line.split("\t")[0] for line in capsys.readouterr().out.splitlines()]
+    assert drawn == listed
+
+
 @pytest.mark.parametrize("word", ["", "   ", "motorbyke"])
 def test_unknown_words_are_told(capsys, word):
     assert run(["search", word], NoWindow()) == 2
