@@ -9,7 +9,6 @@ is the same energy, restricted to labellings that are constant on blocks. It is 
 the sites themselves, near the borders of each region.
 """
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -184,16 +183,6 @@ def remix(problem: RemixProblem, lambda_s: float, start: Labels | None = None) -
     if start is not None and energy(problem, start, lambda_s) < energy(problem, labels, lambda_s):
         labels = start
     return minimise(fine, labels.ravel(), lambda_s, BAND).reshape(CANVAS, CANVAS)
-
-
-def sweep(
-    problem: RemixProblem, lambdas: tuple[float, ...] = LAMBDAS
-) -> Iterator[tuple[float, Labels]]:
-    """Yield lambda_S and labels for each of ``lambdas``, from the highest down."""
-    labels = None
-    for lambda_s in sorted(lambdas, reverse=True):
-        labels = remix(problem, lambda_s, labels)
-        yield lambda_s, labels
 
 
 def energy(problem: RemixProblem, labels: Labels, lambda_s: float) -> float:
