@@ -1,5 +1,6 @@
 """A result as an SVG document that names everyone whose icon it was made of."""
 
+import hashlib
 import re
 from xml.sax.saxutils import escape, quoteattr
 
@@ -9,6 +10,9 @@ from iconstudio.output.colours import significant_sources
 _NO_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 """Characters that XML cannot hold."""
 _REPLACEMENT = "\ufffd"
+_NO_WORD = re.compile(r"[\W_]+")
+_SLUG = 40
+"""Most characters that a title lends to an identifier."""
 
 
 def svg_document(drawing: Drawing, composite: Composite, title: str) -> str:
@@ -46,17 +50,44 @@ def credits_text(composite: Composite) -> str:
 
 
 def contributors(composite: Composite) -> tuple[Pictogram, ...]:
-    """Return the pictograms that own ink, each once, from the largest part down."""
-    shares: dict[Pictogram, float] = {}
+    """Return the pictograms to thank for the ink, each once, from the largest part down.
+
+    The part of a source that is itself a result counts for its origins, in equal shares. Two
+    pictograms of the same name and credit are one, wherever their drawings were read from.
+    """
+    shares: dict[tuple[str, Credit], float] = {}
+    thanked: dict[tuple[str, Credit], Pictogram] = {}
     for label in significant_sources(composite, least=0):
-        pictogram = composite.sources[label].exemplar.pictogram
-        shares[pictogram] = shares.get(pictogram, 0.0) + composite.shares[label]
-    return tuple(sorted(shares, key=shares.__getitem__, reverse=True))
+        origins = composite.sources[label].exemplar.pictogram.origins
+        for origin in origins:
+            key = origin.id, origin.credit
+            thanked.setdefault(key, origin)
+            shares[key] = shares.get(key, 0.0) + composite.shares[label] / len(origins)
+    return tuple(thanked[key] for key in sorted(shares, key=shares.__getitem__, reverse=True))
+
+
+def pictogram_of(composite: Composite, drawing: Drawing, title: str) -> Pictogram:
+    """Return a result as a pictogram, to be used like any other.
+
+    Its identifier is ``made:`` with the title's words and a digest of the drawing; its licence
+    names those of everything that it was made of.
+    """
+    origins = contributors(composite)
+    words = _NO_WORD.sub("-", title.casefold()[:_SLUG]).strip("-") or "icon"
+    digest = hashlib.sha256(drawing.path.encode()).hexdigest()[:8]
+    licences = dict.fromkeys(origin.credit.license for origin in origins)
+    return Pictogram(
+        id=f"made:{words}-{digest}",
+        svg=svg_document(drawing, composite, title),
+        credit=Credit(title, "you, with Iconstudio", ", ".join(licences), "", ""),
+        made_of=origins,
+    )
 
 
 def _line(credit: Credit) -> str:
     licence = f"{credit.license} ({credit.license_url})" if credit.license_url else credit.license
-    return f"“{credit.title}” by {credit.author}, {licence}, {credit.url}"
+    said = f"“{credit.title}” by {credit.author}", licence, credit.url
+    return ", ".join(filter(None, said))
 
 
 def _work(pictogram: Pictogram) -> str:

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from iconstudio.algorithms.energy import remix_problem
+from iconstudio.algorithms.ranking import score
 from iconstudio.algorithms.raster import fill_polygon
 from iconstudio.algorithms.tsdf import tsdf
 from iconstudio.library.resvg import render_placed
@@ -53,7 +54,8 @@ def made(
     job = Job(style, sources, problem, (lambda_s,), TARGET)
     drawn = [(s.exemplar.pictogram.svg, s.exemplar.frame, s.placement) for s in sources]
     icon = composite(job, lambda_s, labels, *problem.costs(labels))
-    return Result(icon, draw(labels, problem.ink, drawn, render_placed))
+    drawing = draw(labels, problem.ink, drawn, render_placed)
+    return Result(icon, drawing, score(problem, labels, iou=icon.iou))
 
 
 def with_shares(one: Composite, *shares: float) -> Composite:

@@ -8,10 +8,11 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
+from iconstudio.library.rasterise import rasterise
 from iconstudio.library.resvg import render_coverage
 from iconstudio.library.svgcheck import check
-from iconstudio.model import CANVAS, Credit, Drawing, Frame
-from iconstudio.output.svg import contributors, credits_text, svg_document
+from iconstudio.model import CANVAS, Credit, Drawing, Frame, Pictogram
+from iconstudio.output.svg import contributors, credits_text, pictogram_of, svg_document
 from tests.output.made import RING, SOURCES, credited, with_shares
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -76,6 +77,83 @@ def test_a_licence_without_address(result):
     (work,) = works(parsed(replace(result, composite=one)))
     assert work.find(f"{CC}license") is None
     assert credits_text(one).endswith("by Ann Other, MIT, https://a.org/r")
+
+
+def test_a_credit_leaves_out_what_nobody_knows(result):
+    credit = Credit("logo.svg", "Ann Other", "licence not stated", "", "")
+    sources = (replace(SOURCES[0], exemplar=credited(RING, credit)), *SOURCES[1:])
+    one = replace(result.composite, sources=sources, shares=(1.0, 0.0, 0.0, 0.0))
+    assert credits_text(one).endswith("\n“logo.svg” by Ann Other, licence not stated")
+
+
+def made_of(result, pictogram, *shares, label=0):
+    """The result's composite with another pictogram in the place of a source."""
+    own = replace(SOURCES[label].exemplar, pictogram=pictogram)
+    sources = list(result.composite.sources)
+    sources[label] = replace(sources[label], exemplar=own)
+    return with_shares(replace(result.composite, sources=tuple(sources)), *shares)
+
+
+def test_a_result_is_a_pictogram_that_draws_itself(result):
+    one = pictogram_of(result.composite, result.drawing, "Dog & Cat!")
+    assert one.id.startswith("made:dog-cat-")
+    assert len(one.id) == len("made:dog-cat-") + 8
+    assert one.svg == svg_document(result.drawing, result.composite, "Dog & Cat!")
+    assert one.credit.title == "Dog & Cat!"
+    assert one.origins == one.made_of == contributors(result.composite)
+    _, coverage = rasterise(one.svg)
+    assert (coverage > 127).sum() > 1000
+
+
+def test_different_drawings_have_different_names(result):
+    other = Drawing("M0 0L9 0L9 9Z", result.drawing.coverage)
+    names = [pictogram_of(result.composite, one, "Dog").id for one in (result.drawing, other)]
+    assert len(set(names)) == 2
+
+
+@pytest.mark.parametrize(
+    ("title", "words"), [("", "icon"), ("?!", "icon"), ("Straße_7", "strasse-7"), ("犬", "犬")]
+)
+def test_any_title_gives_a_name(result, title, words):
+    name = pictogram_of(result.composite, result.drawing, title).id
+    assert name.rpartition("-")[0] == f"made:{words}"
+    assert len(pictogram_of(result.composite, result.drawing, "long " * 99).id) < 60
+
+
+def test_a_made_icon_names_the_licences_of_its_parts(result):
+    def part(name, licence):
+        return Pictogram(name, "", Credit(name, "Ann", licence, "", ""))
+
+    parts = part("a:a", "MIT"), part("a:b", "CC-BY-4.0"), part("a:c", "MIT")
+    first = Pictogram("made:x", "", Credit("x", "you", "", "", ""), parts)
+    one = pictogram_of(made_of(result, first, 1.0, 0, 0, 0), result.drawing, "Dog")
+    assert one.credit.license == "MIT, CC-BY-4.0"
+
+
+def test_what_was_made_of_results_credits_their_sources(result):
+    """Twice over: a result of a result of a result."""
+    first = pictogram_of(with_shares(result.composite, 0.5, 0.1, 0.4, 0), result.drawing, "One")
+    assert [one.id for one in first.made_of] == ["test:ring", "test:block"]
+    second = pictogram_of(made_of(result, first, 0.2, 0, 0, 0.8), result.drawing, "Two")
+    assert [one.id for one in second.made_of] == ["test:disc", "test:ring", "test:block"]
+    # The block's own 0.3 and its third of 0.6 are more than the others' thirds.
+    third = made_of(result, second, 0.6, 0.1, 0.3, 0)
+    assert [one.id for one in contributors(third)] == ["test:block", "test:ring", "test:disc"]
+    root = parsed(replace(result, composite=third))
+    assert [w.findtext(f"{DC}identifier") for w in works(root)] == [
+        "test:block",
+        "test:ring",
+        "test:disc",
+    ]
+    assert "made:" not in credits_text(third)
+
+
+def test_an_origin_read_from_credits_is_the_icon_itself(result):
+    """Its drawing is not known, but it is not thanked twice for that."""
+    ring = replace(RING.pictogram, svg="")
+    saved = Pictogram("own:saved", "<svg/>", Credit("saved", "you", "", "", ""), (ring,))
+    both = made_of(result, saved, 0.4, 0, 0.6, 0, label=2)
+    assert [one.id for one in contributors(both)] == ["test:ring"]
 
 
 def test_an_empty_drawing_credits_nobody(result):
