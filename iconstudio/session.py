@@ -3,6 +3,7 @@
 The command line and the window both talk to a ``Session``; neither composes algorithms itself.
 """
 
+import os
 import threading
 from collections import OrderedDict
 from collections.abc import Generator, Iterator
@@ -10,12 +11,20 @@ from pathlib import Path
 
 from iconstudio.algorithms.matching import SCALES, PreparedExemplar, prepare
 from iconstudio.library.collection import Collection, cache_folder
+from iconstudio.library.ownsvg import read_own_svg
 from iconstudio.library.rasters import RasterCache
 from iconstudio.library.resvg import render_placed
-from iconstudio.model import Exemplar, Pictogram, Sketch
+from iconstudio.model import Exemplar, IconstudioError, Pictogram, Sketch
 from iconstudio.workers import Workers
 from iconstudio.workflows.events import Event, Progress, Retrieved
-from iconstudio.workflows.modelling import ModelSettings, model
+from iconstudio.workflows.choosing import choose_icons
+from iconstudio.workflows.editing import edit_icon, own_styles, prepare_change
+from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.hybrids import check as check_mix
+from iconstudio.workflows.hybrids import mix_icons
+from iconstudio.workflows.modelling import model
+from iconstudio.workflows.montage import check as check_montage
+from iconstudio.workflows.montage import montage_icons
 
 _KEPT = 3
 """How many keywords stay prepared: some 100 MiB each."""
@@ -73,6 +82,31 @@ class Session:
         """
         return self.collection.search(keyword, exclude=exclude)
 
+    def icon(self, reference: str) -> Pictogram:
+        """Return an icon of the collection, ``set:name``, or one read from an SVG file.
+
+        Raises
+        ------
+        IconstudioError
+            If there is no such icon, or the file is no good.
+        """
+        if reference.lower().endswith(".svg") or os.path.isfile(reference):
+            return read_own_svg(Path(reference))
+        return self.collection.get(reference)
+
+    def exemplar(self, pictogram: Pictogram) -> Exemplar:
+        """Return a pictogram on the canvas.
+
+        Raises
+        ------
+        IconstudioError
+            If it has no dark ink, or cannot be drawn.
+        """
+        ((_, drawn),) = self._rasters.exemplars((pictogram,))
+        if isinstance(drawn, IconstudioError):
+            raise drawn
+        return drawn
+
     def rasterise(
         self, pictograms: tuple[Pictogram, ...]
     ) -> Generator[Progress, None, tuple[Exemplar, ...]]:
@@ -128,6 +162,43 @@ class Session:
         sketch.polygon.fitted()
         exemplars = yield from self.prepare(sketch.keyword, sketch.exclude, settings.scales)
         yield from model(sketch, exemplars, settings, self._workers, render_placed)
+
+    def edit(self, edit: Edit, settings: ModelSettings | None = None) -> Iterator[Event]:
+        """Run editing (section 4.2): see ``workflows.editing.edit_icon``.
+
+        Without settings, in the styles that the icon belongs to.
+
+        Raises
+        ------
+        IconstudioError
+            If the edit or the keyword is no good; before any work is done.
+        """
+        icon = self.exemplar(edit.icon)
+        prepare_change(edit, icon)
+        settings = settings or ModelSettings(own_styles(icon))
+        settings.chosen_styles()
+        exemplars = yield from self.prepare(edit.keyword, edit.exclude, settings.scales)
+        yield from edit_icon(edit, icon, exemplars, settings, self._workers, render_placed)
+
+    def choose(
+        self, keyword: str, count: int, symmetry: Axis | None = None, seed: int = 0
+    ) -> Generator[Event, None, tuple[Pictogram, ...]]:
+        """Choose icons of a keyword that mix well: see ``workflows.choosing.choose_icons``."""
+        exemplars = yield from self.prepare(keyword)
+        chosen = choose_icons([one.exemplar for one in exemplars], count, symmetry, seed)
+        return tuple(one.pictogram for one in chosen)
+
+    def mix(self, mix: Mix) -> Iterator[Event]:
+        """Draw hybrids (section 4.3): see ``workflows.hybrids.mix_icons``."""
+        check_mix(mix)
+        exemplars = [self.exemplar(icon) for icon in mix.icons]
+        yield from mix_icons(mix, exemplars, self._workers, render_placed)
+
+    def montage(self, montage: Montage) -> Iterator[Event]:
+        """Make a montage (section 4.4): see ``workflows.montage.montage_icons``."""
+        check_montage(montage)
+        exemplars = [self.exemplar(layer.icon) for layer in montage.layers]
+        yield from montage_icons(montage, exemplars, self._workers, render_placed)
 
     def close(self) -> None:
         """End the worker processes and close the collection."""

@@ -43,7 +43,10 @@ def rasterise(svg: str) -> tuple[Frame, NDArray[np.uint8]]:
         coverage = render_coverage(svg, frame, CANVAS)
         bounds = ink_bounds(coverage)
         if bounds is None:
-            raise IconstudioError("It has no dark ink: it is empty, white, or pale all over.")
+            raise IconstudioError(
+                "It has no dark ink: it is empty, white, or pale all over. "
+                "Fill its shapes with a dark colour; turn text into shapes."
+            )
         if _fits(bounds) or number == _ROUNDS:
             return frame, coverage
         frame = _zoom(frame, bounds, CANVAS)

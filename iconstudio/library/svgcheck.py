@@ -132,7 +132,7 @@ def _read(svg: str) -> _Document:
     try:
         parser.Parse(data, True)
     except expat.ExpatError as error:
-        raise IconstudioError(f"The SVG is not well-formed XML: {error}.") from None
+        raise IconstudioError(f"The SVG is not well-formed XML: {error}. Save it again.") from None
     return document
 
 

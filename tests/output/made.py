@@ -55,7 +55,7 @@ def made(
     drawn = [(s.exemplar.pictogram.svg, s.exemplar.frame, s.placement) for s in sources]
     icon = composite(job, lambda_s, labels, *problem.costs(labels))
     drawing = draw(labels, problem.ink, drawn, render_placed)
-    return Result(icon, drawing, score(problem, labels, iou=icon.iou))
+    return Result(icon, drawing, replace(score(problem, labels), likeness=icon.iou))
 
 
 def with_shares(one: Composite, *shares: float) -> Composite:
