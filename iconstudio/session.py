@@ -14,11 +14,11 @@ from iconstudio.library.collection import Collection, cache_folder
 from iconstudio.library.ownsvg import read_own_svg
 from iconstudio.library.rasters import RasterCache
 from iconstudio.library.resvg import render_placed
-from iconstudio.model import Exemplar, IconstudioError, Pictogram, Sketch
+from iconstudio.model import Axis, Edit, Exemplar, IconstudioError, Mix, Montage, Pictogram, Sketch
 from iconstudio.workers import Workers
-from iconstudio.workflows.events import Event, Progress, Retrieved
 from iconstudio.workflows.choosing import choose_icons
 from iconstudio.workflows.editing import edit_icon, own_styles, prepare_change
+from iconstudio.workflows.events import Event, Progress, Retrieved
 from iconstudio.workflows.grid import ModelSettings
 from iconstudio.workflows.hybrids import check as check_mix
 from iconstudio.workflows.hybrids import mix_icons

@@ -4,7 +4,9 @@ import numpy as np
 from scipy import ndimage
 
 from iconstudio.algorithms.energy import RemixProblem
-from iconstudio.model import CANVAS, Credit, Exemplar, Frame, Pictogram
+from iconstudio.algorithms.raster import fill_polygon
+from iconstudio.algorithms.saliency import Region, saliency, salient_regions
+from iconstudio.model import CANVAS, Credit, Exemplar, Frame, Pictogram, Polygon
 
 CREDIT = Credit("shape", "A. Artist", "MIT", "https://example.org/mit", "https://example.org")
 
@@ -49,3 +51,13 @@ def problem(ink: np.ndarray, data: np.ndarray) -> RemixProblem:
     from iconstudio.algorithms.raster import solid
 
     return RemixProblem(data.astype(np.float32), ink, np.stack([solid(one) for one in ink]))
+
+
+def saliency_of(polygon: Polygon) -> np.ndarray:
+    """The saliency map of a polygon in canvas pixels."""
+    return saliency([polygon], fill_polygon(polygon))
+
+
+def regions_of(polygon: Polygon) -> tuple[Region, ...]:
+    """The salient regions of a polygon in canvas pixels."""
+    return salient_regions(saliency_of(polygon))

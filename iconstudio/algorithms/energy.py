@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.raster import interior, placed_ink
 from iconstudio.algorithms.tsdf import tsdf
-from iconstudio.model import CANVAS, Source
+from iconstudio.model import CANVAS, Axis, Source
 
 PATCH = 7
 """Side of the neighbourhoods N_k(i) that the smoothness cost compares."""
@@ -37,6 +37,8 @@ class RemixProblem:
     """(K, CANVAS, CANVAS): the images I_k, True = black."""
     solid: NDArray[np.bool_]
     """(K, CANVAS, CANVAS): the same with holes filled."""
+    symmetry: Axis | None = None
+    """Sites that mirror each other must have one label (equation 9)."""
 
     @cached_property
     def interior(self) -> NDArray[np.bool_]:
@@ -62,7 +64,7 @@ class RemixProblem:
     ) -> NDArray[np.float32]:
         """Return F_S of edges between sites ``first`` and ``second`` (equations 7 and 8).
 
-        All arguments broadcast; the first site is the left or upper one.
+        All arguments broadcast.
         """
         w = self.patches
         here = np.bitwise_count(w[label_first, first] ^ w[label_second, first])
@@ -115,12 +117,20 @@ def data_cost(sketch_field: NDArray[np.float32], filled: NDArray[np.bool_]) -> N
     return np.abs(sketch_field - tsdf(filled))
 
 
-def remix_problem(sketch_field: NDArray[np.float32], sources: Sequence[Source]) -> RemixProblem:
+def placed_sources(
+    sources: Sequence[Source],
+) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """Return ink and solid of sources at their placements, both (K, CANVAS, CANVAS) bool."""
+    placed = [placed_ink(source.exemplar, source.placement) for source in sources]
+    return np.stack([pair[0] for pair in placed]), np.stack([pair[1] for pair in placed])
+
+
+def remix_problem(
+    sketch_field: NDArray[np.float32], sources: Sequence[Source], symmetry: Axis | None = None
+) -> RemixProblem:
     """Return the problem of joining ``sources`` in the shape of a sketch.
 
     ``sketch_field`` is the sketch's TSDF D_P, (CANVAS, CANVAS) float32.
     """
-    placed = [placed_ink(source.exemplar, source.placement) for source in sources]
-    ink = np.stack([pair[0] for pair in placed])
-    filled = np.stack([pair[1] for pair in placed])
-    return RemixProblem(data_cost(sketch_field, filled), ink, filled)
+    ink, filled = placed_sources(sources)
+    return RemixProblem(data_cost(sketch_field, filled), ink, filled, symmetry)

@@ -18,6 +18,7 @@ from scipy import ndimage
 
 from iconstudio.algorithms import maxflow
 from iconstudio.algorithms.energy import SITES, Labels, RemixProblem
+from iconstudio.algorithms.symmetry import mirrored
 from iconstudio.model import CANVAS
 
 LAMBDAS = tuple(float(v) for v in np.geomspace(0.03, 0.75, 8))
@@ -29,43 +30,79 @@ BAND = 3
 
 @dataclass(frozen=True, eq=False)
 class Lattice:
-    """The problem on blocks of ``block`` x ``block`` sites; each block is a node of the graph."""
+    """The problem on blocks of ``block`` x ``block`` sites.
+
+    Each block is a node of the graph; under a symmetry constraint, a block and its mirror image
+    are one node together (section 3.4, equation 9): the result is symmetric at half the cost.
+    """
 
     problem: RemixProblem
     block: int = 1
 
     @property
     def side(self) -> int:
-        """Nodes in a row."""
+        """Blocks in a row."""
         return CANVAS // self.block
 
     @cached_property
+    def node(self) -> NDArray[np.int64]:
+        """(side * side,): the node of each block."""
+        block = np.arange(self.side**2)
+        if self.problem.symmetry is None:
+            return block
+        pair = np.minimum(block, mirrored(self.side, self.problem.symmetry))
+        return np.unique(pair, return_inverse=True)[1]
+
+    @cached_property
+    def _first_block(self) -> NDArray[np.int64]:
+        return np.unique(self.node, return_index=True)[1]
+
+    @cached_property
     def data(self) -> NDArray[np.float64]:
-        """(K, nodes): data cost of each block."""
+        """(K, nodes): data cost of each node."""
         b, n = self.block, self.side
-        return (
+        blocks = (
             self.problem.data.reshape(-1, n, b, n, b).sum(axis=(2, 4), dtype=np.float64)
         ).reshape(-1, n * n)
+        if self.problem.symmetry is None:
+            return blocks
+        return np.stack([np.bincount(self.node, row) for row in blocks])
 
     @cached_property
     def edges(self) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-        """Two arrays (e,): the nodes that an edge joins, left and right or upper and lower."""
-        node = np.arange(self.side**2).reshape(self.side, self.side)
-        return (
-            np.concatenate([node[:, :-1].ravel(), node[:-1].ravel()]),
-            np.concatenate([node[:, 1:].ravel(), node[1:].ravel()]),
-        )
+        """Two arrays (e,): the nodes that an edge joins."""
+        return self._graph[0], self._graph[1]
 
     @cached_property
     def pairs(self) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-        """Two arrays (e, block): the pairs of sites that face each other across each edge."""
+        """Two arrays (e, p): the pairs of sites that face each other across each edge."""
+        return self._graph[2], self._graph[3]
+
+    @cached_property
+    def _graph(self) -> tuple[NDArray[np.int64], ...]:
+        """The nodes that each edge joins, and its pairs of sites."""
         b, n = self.block, self.side
         site = np.arange(SITES).reshape(n, b, n, b)
         right, lower = site[:, :, 1:, 0], site[1:, 0, :, :]
         left, upper = site[:, :, :-1, -1], site[:-1, -1, :, :]
+        first = np.concatenate([left.transpose(0, 2, 1).reshape(-1, b), upper.reshape(-1, b)])
+        second = np.concatenate([right.transpose(0, 2, 1).reshape(-1, b), lower.reshape(-1, b)])
+        block = np.arange(n * n).reshape(n, n)
+        p = np.concatenate([block[:, :-1].ravel(), block[:-1].ravel()])
+        q = np.concatenate([block[:, 1:].ravel(), block[1:].ravel()])
+        if self.problem.symmetry is None:
+            return p, q, first, second
+        # Every edge has a mirror image between the same two nodes: of both, one is kept, with the
+        # pairs of both. Across the axis a node faces itself, which costs nothing.
+        image = mirrored(n, self.problem.symmetry)
+        here, there = _key(p, q, n), _key(image[p], image[q], n)
+        kept = here < there
+        r = mirrored(CANVAS, self.problem.symmetry)
         return (
-            np.concatenate([left.transpose(0, 2, 1).reshape(-1, b), upper.reshape(-1, b)]),
-            np.concatenate([right.transpose(0, 2, 1).reshape(-1, b), lower.reshape(-1, b)]),
+            self.node[p[kept]],
+            self.node[q[kept]],
+            np.concatenate([first[kept], r[first[kept]]], axis=1),
+            np.concatenate([second[kept], r[second[kept]]], axis=1),
         )
 
     def smoothness(
@@ -85,13 +122,27 @@ class Lattice:
         return out
 
     def reduced(self, labels: Labels) -> Labels:
-        """Return the labels of the blocks' first sites, (nodes,)."""
-        return labels[:: self.block, :: self.block].ravel()
+        """Return the labels of the nodes' first sites, (nodes,)."""
+        return labels[:: self.block, :: self.block].ravel()[self._first_block]
 
     def full(self, labels: Labels) -> Labels:
-        """Return a labelling of the blocks on the sites, (CANVAS, CANVAS)."""
-        grid = labels.reshape(self.side, self.side)
-        return grid.repeat(self.block, axis=0).repeat(self.block, axis=1)
+        """Return a labelling of the nodes on the sites, (CANVAS, CANVAS)."""
+        return self.grid(labels).repeat(self.block, axis=0).repeat(self.block, axis=1)
+
+    def grid(self, values: NDArray) -> NDArray:
+        """Return values of the nodes on the blocks, (side, side)."""
+        return values[self.node].reshape(self.side, self.side)
+
+    def near(self, region: NDArray[np.bool_], reach: int) -> NDArray[np.bool_]:
+        """Return the nodes within ``reach`` blocks of ``region``, both (nodes,) bool."""
+        picture = self.grid(region).view(np.uint8)
+        wide = ndimage.maximum_filter(picture, 2 * reach + 1, mode="constant").view(bool)
+        return wide.ravel()[self._first_block]
+
+
+def _key(p: NDArray[np.int64], q: NDArray[np.int64], side: int) -> NDArray[np.int64]:
+    """Return a number for each undirected edge between blocks."""
+    return np.minimum(p, q) * side**2 + np.maximum(p, q)
 
 
 def expand(
@@ -162,7 +213,7 @@ def minimise(lattice: Lattice, labels: Labels, lambda_s: float, band: int | None
     count = len(lattice.data)
     idle, alpha = 0, 0
     while idle < count:
-        free = _near(labels == alpha, lattice.side, band) if band else None
+        free = lattice.near(labels == alpha, band) if band else None
         labels, gain = expand(lattice, labels, alpha, lambda_s, free)
         idle = 0 if gain > 0 else idle + 1
         alpha = (alpha + 1) % count
@@ -182,15 +233,10 @@ def remix(problem: RemixProblem, lambda_s: float, start: Labels | None = None) -
     labels = coarse.full(minimise(coarse, blocks, lambda_s))
     if start is not None and energy(problem, start, lambda_s) < energy(problem, labels, lambda_s):
         labels = start
-    return minimise(fine, labels.ravel(), lambda_s, BAND).reshape(CANVAS, CANVAS)
+    return fine.full(minimise(fine, fine.reduced(labels), lambda_s, BAND))
 
 
 def energy(problem: RemixProblem, labels: Labels, lambda_s: float) -> float:
     """Return F(L) of equation 5."""
     data, smoothness = problem.costs(labels)
     return data + lambda_s * smoothness
-
-
-def _near(region: NDArray[np.bool_], side: int, reach: int) -> NDArray[np.bool_]:
-    picture = region.reshape(side, side).view(np.uint8)
-    return ndimage.maximum_filter(picture, 2 * reach + 1, mode="constant").ravel().view(bool)

@@ -17,7 +17,7 @@ WHOLE = 0.5
 _EIGHT = np.ones((3, 3), dtype=bool)
 
 
-def fragments(labels: Labels, ink: NDArray[np.bool_]) -> NDArray[np.bool_]:
+def fragments(labels: Labels, ink: NDArray[np.bool_], small: float = SMALL) -> NDArray[np.bool_]:
     """Return the pixels of all fragments, (h, w) bool.
 
     Parameters
@@ -26,13 +26,15 @@ def fragments(labels: Labels, ink: NDArray[np.bool_]) -> NDArray[np.bool_]:
         (h, w): owner of each pixel.
     ink
         (K, h, w) bool: the sources.
+    small
+        The part of the ink that a fragment holds at most.
     """
     joined = np.take_along_axis(ink, labels[None].astype(np.intp), axis=0)[0]
     pieces, count = ndimage.label(joined, _EIGHT)
     sizes = np.bincount(pieces.ravel(), minlength=count + 1)
     found = np.zeros_like(joined)
     for piece in range(1, count + 1):
-        if sizes[piece] <= SMALL * joined.sum():
+        if sizes[piece] <= small * joined.sum():
             here = pieces == piece
             if sizes[piece] <= WHOLE * _original_size(labels, ink, here):
                 found |= here

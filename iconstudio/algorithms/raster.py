@@ -41,6 +41,22 @@ def fill_polygon(polygon: Polygon, size: int = CANVAS) -> Bitmap:
     return solid(inside)
 
 
+def outlines(filled: Bitmap, tolerance: float = 1.5) -> tuple[Polygon, ...]:
+    """Return the contours of a shape (CANVAS, CANVAS) bool as polygons in canvas pixels.
+
+    They stray at most ``tolerance`` pixels from the contour of the bitmap, whose staircase would
+    else be all corners.
+    """
+    from skimage.measure import approximate_polygon, find_contours
+
+    found = []
+    for contour in find_contours(np.pad(filled, 1).astype(np.float32), 0.5):
+        corners = approximate_polygon(contour, tolerance)[:-1] - 0.5
+        if len(corners) >= 3:
+            found.append(Polygon(tuple((float(x), float(y)) for y, x in corners)))
+    return tuple(found)
+
+
 def scaled_ink(exemplar: Exemplar, scale: float, pad: int = 0) -> Bitmap:
     """Return an exemplar's ink scaled about the centre of the canvas.
 

@@ -1,13 +1,13 @@
-"""Salient region detection (section 3.2, equations 1 to 3)."""
+"""Salient region detection (section 3.2, equations 1 to 3; for edits equation 10)."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy import ndimage, special
 
-from iconstudio.algorithms.raster import fill_polygon
 from iconstudio.model import CANVAS, Point, Polygon
 
 REGIONS = 9
@@ -15,6 +15,8 @@ SPACING = 75
 """Delta_S: least distance between two centres, in canvas pixels."""
 LAMBDA_B = 0.1
 """Weight of the black/white balance in equation 3."""
+LAMBDA_D = 100.0
+"""Weight of the changed area in equation 10."""
 SQUARE, SIGMA = 100, 40
 """The mask M: a square of this side, smoothed by a Gaussian of this deviation, in pixels."""
 _REACH = SQUARE // 2 + 3 * SIGMA
@@ -47,29 +49,46 @@ def exterior_angles(polygon: Polygon) -> NDArray[np.float64]:
     return np.abs((turn + np.pi) % (2 * np.pi) - np.pi)
 
 
-def saliency(polygon: Polygon) -> NDArray[np.float64]:
-    """Return the saliency map S of a polygon in canvas pixels, (CANVAS, CANVAS) (equation 3).
+def saliency(
+    outlines: Sequence[Polygon],
+    filled: NDArray[np.bool_],
+    change: NDArray[np.float32] | None = None,
+) -> NDArray[np.float64]:
+    """Return the saliency map S of a shape, (CANVAS, CANVAS) (equation 3).
 
     M is normalised to sum to 1, so that the balance B (equation 2) lies between 0 and 0.5 and the
     turning angles T (equation 1), which lie between 0 and 1, weigh more. The canvas goes on white.
+
+    Parameters
+    ----------
+    outlines
+        The shape's contours, in canvas pixels.
+    filled
+        (CANVAS, CANVAS): the shape.
+    change
+        (CANVAS, CANVAS): D_E of an edit, 0 inside the changed area. It draws the regions there
+        (equation 10).
     """
     theta = np.zeros((CANVAS, CANVAS))
-    xs, ys = np.clip(np.array(polygon.vertices).T.astype(int), 0, CANVAS - 1)
-    np.add.at(theta, (ys, xs), exterior_angles(polygon))
+    for outline in outlines:
+        xs, ys = np.clip(np.array(outline.vertices).T.astype(int), 0, CANVAS - 1)
+        np.add.at(theta, (ys, xs), exterior_angles(outline))
     turning = _smooth(theta, 0.0)
-    turning /= turning.max()
-    white = 1.0 - fill_polygon(polygon)
-    balance = np.abs(_smooth(white - 0.5, 0.5))
-    return turning - LAMBDA_B * balance
+    turning /= turning.max() or 1.0
+    balance = np.abs(_smooth(0.5 - filled, 0.5))
+    score = turning - LAMBDA_B * balance
+    if change is not None:
+        score += LAMBDA_D * _smooth(1.0 - change, 0.0)
+    return score
 
 
-def salient_regions(polygon: Polygon, count: int = REGIONS) -> tuple[Region, ...]:
-    """Return the most salient regions of a polygon in canvas pixels, most salient first.
+def salient_regions(score: NDArray[np.float64], count: int = REGIONS) -> tuple[Region, ...]:
+    """Return the most salient regions of a saliency map (CANVAS, CANVAS), most salient first.
 
     Greedily: the pixel of highest saliency, then all within ``SPACING`` of it are invalid. There
     are fewer than ``count`` if no valid pixel is left.
     """
-    score = saliency(polygon)
+    score = score.copy()
     ys, xs = np.mgrid[:CANVAS, :CANVAS]
     regions: list[Region] = []
     while len(regions) < count:

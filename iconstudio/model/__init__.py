@@ -2,25 +2,36 @@
 
 from iconstudio.model.canvas import CANVAS, MARGIN
 from iconstudio.model.composite import Composite, Drawing
+from iconstudio.model.edit import Edit
 from iconstudio.model.errors import IconstudioError
 from iconstudio.model.exemplar import Exemplar, Frame
+from iconstudio.model.mix import Mix, Seeds
+from iconstudio.model.montage import Layer, Montage, Stroke
 from iconstudio.model.pictogram import Credit, Pictogram
 from iconstudio.model.placement import Placement, Source
 from iconstudio.model.sketch import Point, Polygon, Sketch
+from iconstudio.model.symmetry import Axis
 
 __all__ = [
     "CANVAS",
     "MARGIN",
+    "Axis",
     "Composite",
     "Credit",
     "Drawing",
+    "Edit",
     "Exemplar",
     "Frame",
     "IconstudioError",
+    "Layer",
+    "Mix",
+    "Montage",
     "Pictogram",
     "Placement",
     "Point",
     "Polygon",
+    "Seeds",
     "Sketch",
     "Source",
+    "Stroke",
 ]

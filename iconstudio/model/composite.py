@@ -16,6 +16,7 @@ class Composite:
     """
 
     style: str
+    """The style of section 3.5; of a hybrid or a montage, the workflow's name."""
     lambda_s: float
     sources: tuple[Source, ...]
     labels: NDArray[np.uint8]
@@ -25,8 +26,9 @@ class Composite:
     smoothness_cost: float
     shares: tuple[float, ...]
     """Part of the result's ink that each source owns; they sum to 1."""
-    iou: float
-    """Intersection over union of the filled result and the filled sketch."""
+    iou: float | None
+    """Intersection over union of the filled result and the outline that was wanted; None if none
+    was."""
 
 
 @dataclass(frozen=True, eq=False)

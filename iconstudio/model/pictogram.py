@@ -18,7 +18,7 @@ class Credit:
 
 @dataclass(frozen=True, slots=True)
 class Pictogram:
-    """A real icon as it stands in a collection.
+    """An icon as it stands in a collection, in a file of the user's, or as a result was drawn.
 
     ``svg`` is a complete SVG document with a ``viewBox``. It comes from outside,
     so it is hostile until ``library.svgcheck`` has passed it.
@@ -28,3 +28,11 @@ class Pictogram:
     """``set:name``, unique in a collection."""
     svg: str
     credit: Credit
+    made_of: tuple["Pictogram", ...] = ()
+    """If it is itself a result: the icons that own its parts. Of those that were read back from a
+    file's credits, ``svg`` is empty."""
+
+    @property
+    def origins(self) -> tuple["Pictogram", ...]:
+        """The icons to thank: those that it was made of, or itself."""
+        return self.made_of or (self,)

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 from iconstudio.model.canvas import CANVAS, MARGIN
 from iconstudio.model.errors import IconstudioError
+from iconstudio.model.symmetry import Axis
 
 Point = tuple[float, float]
 
@@ -110,6 +111,7 @@ class Sketch:
     keyword: str = ""
     exclude: frozenset[str] = field(default_factory=frozenset)
     """Identifiers of pictograms that must not be used."""
+    symmetry: Axis | None = None
 
 
 def _segments_meet(a: Point, b: Point, c: Point, d: Point) -> bool:

@@ -4,7 +4,8 @@ from collections.abc import Generator
 from dataclasses import dataclass
 from typing import Literal, TypeVar
 
-from iconstudio.model import Composite, Drawing, Exemplar, Point, Source
+from iconstudio.algorithms.ranking import Score
+from iconstudio.model import Composite, Drawing, Exemplar, Point, Seeds, Source
 
 T = TypeVar("T")
 
@@ -65,11 +66,26 @@ class Result:
 
     composite: Composite
     drawing: Drawing
+    score: Score
     remix_seconds: float = 0.0
     vectorize_seconds: float = 0.0
+    seeds: Seeds = ()
+    """Of a hybrid: where each source was seeded."""
+    draw: int = -1
+    """Of a hybrid: the number of its draw."""
+    unchanged: float | None = None
+    """Of an edit: the part of the pixels well outside the change that equal the icon's own."""
 
 
-Event = Progress | Retrieved | RegionsFound | StyleMatched | StyleSkipped | Result
+@dataclass(frozen=True, slots=True)
+class Recommended:
+    """The result of a style to look at first: all its results are there."""
+
+    style: str
+    lambda_s: float
+
+
+Event = Progress | Retrieved | RegionsFound | StyleMatched | StyleSkipped | Result | Recommended
 
 
 def staged(

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, wait
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from time import perf_counter
 from typing import Any
@@ -10,9 +10,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from iconstudio.algorithms import ranking
 from iconstudio.algorithms.energy import Labels, RemixProblem
 from iconstudio.algorithms.expansion import remix
 from iconstudio.algorithms.fragments import fragments
+from iconstudio.algorithms.ranking import Score
 from iconstudio.algorithms.raster import solid
 from iconstudio.algorithms.redraw import SCALE, erase, redraw, two_tone
 from iconstudio.model import CANVAS, Composite, Drawing, Frame, IconstudioError, Placement, Source
@@ -31,8 +33,30 @@ class Job:
     sources: tuple[Source, ...]
     problem: RemixProblem
     lambdas: tuple[float, ...]
-    target: NDArray[np.bool_]
-    """(CANVAS, CANVAS): the filled outline that the result is compared with."""
+    target: NDArray[np.bool_] | None = None
+    """(CANVAS, CANVAS): the filled outline that the results are compared with, if there is one."""
+    sharing: bool = False
+    """Whether a good result has its ink from several sources."""
+    finish: Callable[[Result], Result] = lambda result: result
+    """What the workflow adds to each result."""
+
+    @property
+    def drawn(self) -> list[tuple[str, Frame, Placement]]:
+        """What a worker process needs to know of the sources."""
+        return [(s.exemplar.pictogram.svg, s.exemplar.frame, s.placement) for s in self.sources]
+
+
+@dataclass(frozen=True, eq=False)
+class Solved:
+    """What a worker process answers; the score knows nothing of a target yet."""
+
+    labels: Labels
+    costs: tuple[float, float]
+    """Data cost and smoothness cost."""
+    score: Score
+    drawing: Drawing
+    seconds: tuple[float, float]
+    """To cut, and to draw."""
 
 
 class Remixing:
@@ -56,6 +80,11 @@ class Remixing:
         """Whether results are still to come."""
         return bool(self._running)
 
+    @property
+    def hungry(self) -> bool:
+        """Whether another job would keep the processes from running dry."""
+        return len(self._running) < 2 * self._workers.count
+
     def start(self, job: Job) -> None:
         """Begin with the highest lambda_S of a job."""
         self._submit(job, max(job.lambdas), None)
@@ -72,12 +101,12 @@ class Remixing:
         finished = wait(self._running, timeout, return_when=FIRST_COMPLETED).done
         for future in finished:
             job, lambda_s = self._running.pop(future)
-            labels, costs, drawing, seconds = _answer(future)
+            solved = _answer(future)
             lower = [value for value in job.lambdas if value < lambda_s]
             if lower:
-                self._submit(job, max(lower), labels)
+                self._submit(job, max(lower), solved.labels)
             self._done += 1
-            yield Result(composite(job, lambda_s, labels, *costs), drawing, *seconds)
+            yield job.finish(_result(job, lambda_s, solved))
         yield Progress("remix", self._done / max(1, self._total), "Joining parts")
 
     def cancel(self) -> None:
@@ -87,31 +116,34 @@ class Remixing:
         self._running.clear()
 
     def _submit(self, job: Job, lambda_s: float, start: Labels | None) -> None:
-        drawn = [(s.exemplar.pictogram.svg, s.exemplar.frame, s.placement) for s in job.sources]
         future = self._workers.submit(
-            remix_and_draw, job.problem, lambda_s, start, drawn, self._render
+            solve,
+            job.problem,
+            lambda_s,
+            start,
+            job.sharing,
+            job.drawn,
+            self._render,
         )
         self._running[future] = job, lambda_s
 
 
-def remix_and_draw(
+def solve(
     problem: RemixProblem,
     lambda_s: float,
     start: Labels | None,
+    sharing: bool,
     drawn: Sequence[tuple[str, Frame, Placement]],
     render: Render,
-) -> tuple[Labels, tuple[float, float], Drawing, tuple[float, float]]:
-    """Cut, redraw and trace: one result. Runs in a worker process.
-
-    Returns
-    -------
-    labels, (data cost, smoothness cost), drawing, (seconds to cut, seconds to draw)
-    """
+) -> Solved:
+    """Cut, judge, redraw and trace: one result. Runs in a worker process."""
     began = perf_counter()
     labels = remix(problem, lambda_s, start)
+    score = ranking.score(problem, labels, sharing=sharing)
     cut = perf_counter()
     drawing = draw(labels, problem.ink, drawn, render)
-    return labels, problem.costs(labels), drawing, (cut - began, perf_counter() - cut)
+    seconds = cut - began, perf_counter() - cut
+    return Solved(labels, problem.costs(labels), score, drawing, seconds)
 
 
 def draw(
@@ -149,8 +181,6 @@ def composite(
     """Return the labelling with its energy, its shares of ink, and its likeness to the target."""
     ink = np.take_along_axis(job.problem.ink, labels[None].astype(int), axis=0)[0]
     owned = np.bincount(labels[ink], minlength=len(job.sources))
-    filled = solid(ink)
-    either = (filled | job.target).sum()
     return Composite(
         style=job.style,
         lambda_s=lambda_s,
@@ -160,8 +190,21 @@ def composite(
         data_cost=data_cost,
         smoothness_cost=smoothness_cost,
         shares=tuple((owned / max(1, owned.sum())).tolist()),
-        iou=float((filled & job.target).sum() / either) if either else 1.0,
+        iou=None if job.target is None else _overlap(solid(ink), job.target),
     )
+
+
+def _overlap(first: NDArray[np.bool_], second: NDArray[np.bool_]) -> float:
+    """Return the intersection over the union of two shapes."""
+    either = (first | second).sum()
+    return float((first & second).sum() / either) if either else 1.0
+
+
+def _result(job: Job, lambda_s: float, solved: Solved) -> Result:
+    icon = composite(job, lambda_s, solved.labels, *solved.costs)
+    likeness = 1.0 if icon.iou is None else icon.iou
+    score = replace(solved.score, likeness=likeness)
+    return Result(icon, solved.drawing, score, *solved.seconds)
 
 
 def _answer(future: "Future[Any]") -> Any:

@@ -14,10 +14,10 @@ from iconstudio.algorithms.matching import (
     sources_of,
 )
 from iconstudio.algorithms.raster import placed_ink
-from iconstudio.algorithms.saliency import Region, salient_regions
+from iconstudio.algorithms.saliency import Region
 from iconstudio.algorithms.tsdf import tsdf
 from iconstudio.model import CANVAS, Placement, Polygon
-from tests.shapes import blob, exemplar
+from tests.shapes import blob, exemplar, regions_of
 
 
 def finished(generator):
@@ -79,7 +79,7 @@ def sketch_of(shape, placement):
 
 
 def regions_of_a_square():
-    return salient_regions(Polygon.of([(60, 60), (196, 60), (196, 196), (60, 196)]))
+    return regions_of(Polygon.of([(60, 60), (196, 60), (196, 196), (60, 196)]))
 
 
 @pytest.mark.parametrize(

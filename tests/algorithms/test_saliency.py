@@ -13,10 +13,9 @@ from iconstudio.algorithms.saliency import (
     SQUARE,
     exterior_angles,
     profile,
-    saliency,
-    salient_regions,
 )
 from iconstudio.model import CANVAS, Polygon
+from tests.shapes import regions_of, saliency_of
 
 SQUARE_SHAPE = Polygon.of([(64, 64), (192, 64), (192, 192), (64, 192)])
 
@@ -44,7 +43,7 @@ def test_saliency_of_a_square_by_direct_sums():
     """Equations 1 to 3 written out at a few pixels."""
     offsets = np.arange(-170.0, 171.0)
     weight = profile(offsets) / profile(offsets).sum()
-    score = saliency(SQUARE_SHAPE)
+    score = saliency_of(SQUARE_SHAPE)
 
     def at(offset):
         return weight[170 + offset] if abs(offset) <= 170 else 0.0
@@ -67,8 +66,8 @@ def test_saliency_of_a_square_by_direct_sums():
 
 
 def test_first_region_is_the_most_salient_pixel():
-    score = saliency(SQUARE_SHAPE)
-    x, y = salient_regions(SQUARE_SHAPE)[0].centre
+    score = saliency_of(SQUARE_SHAPE)
+    x, y = regions_of(SQUARE_SHAPE)[0].centre
     assert score[y, x] == score.max()
 
 
@@ -78,7 +77,7 @@ def test_first_region_is_the_most_salient_pixel():
 )
 def test_regions_keep_their_distance(points):
     polygon = Polygon.of([*points, (0, 0), (100, 0), (90, 100)]).fitted()
-    regions = salient_regions(polygon)
+    regions = regions_of(polygon)
     assert 4 <= len(regions) <= REGIONS
     centres = [region.centre for region in regions]
     for i, a in enumerate(centres):
@@ -86,7 +85,7 @@ def test_regions_keep_their_distance(points):
 
 
 def test_masks_are_one_mask_moved():
-    for region in salient_regions(SQUARE_SHAPE):
+    for region in regions_of(SQUARE_SHAPE):
         x, y = region.centre
         assert region.mask.shape == (CANVAS, CANVAS)
         assert region.mask[int(y), int(x)] == region.mask.max()

@@ -18,15 +18,15 @@ from iconstudio.algorithms.matching import (
     sources_of,
 )
 from iconstudio.algorithms.raster import fill_polygon
-from iconstudio.algorithms.saliency import salient_regions
 from iconstudio.algorithms.style import STYLES
 from iconstudio.algorithms.tsdf import D_MAX, tsdf
+from iconstudio.inputs.sketch import example
 from iconstudio.library.resvg import render_placed
 from iconstudio.model import CANVAS
 from iconstudio.session import Session
-from iconstudio.sketchfile import example
-from iconstudio.workflows.modelling import distinct
+from iconstudio.workflows.grid import distinct
 from iconstudio.workflows.remixing import draw
+from tests.shapes import regions_of
 
 
 @pytest.fixture(scope="module")
@@ -42,7 +42,7 @@ def case():
                 exemplars = end.value
                 break
     polygon = sketch.polygon.fitted()
-    return tsdf(fill_polygon(polygon)), salient_regions(polygon), exemplars
+    return tsdf(fill_polygon(polygon)), regions_of(polygon), exemplars
 
 
 def matched(field, regions, exemplars, admitted):

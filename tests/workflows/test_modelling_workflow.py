@@ -12,7 +12,8 @@ from iconstudio.workflows.events import (
     StyleMatched,
     StyleSkipped,
 )
-from iconstudio.workflows.modelling import FEWEST, ModelSettings, distinct, model
+from iconstudio.workflows.grid import ModelSettings, distinct
+from iconstudio.workflows.modelling import FEWEST, model
 from tests.shapes import blob, exemplar
 
 HOUSE = Polygon.of([(16, 128), (128, 16), (240, 128), (210, 128), (210, 240), (46, 240), (46, 128)])

@@ -1,0 +1,102 @@
+"""How good a remix looks: what ranks hybrids, and recommends a cell of the grid.
+
+The paper's authors picked the hybrids of their figures by hand (section 4.3). These terms stand for
+what the eye objects to; each lies between 0 and 1, and 1 is best.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from iconstudio.algorithms.energy import Labels, RemixProblem, lattice_edges
+from iconstudio.algorithms.fragments import fragments
+from iconstudio.algorithms.symmetry import likeness
+
+HARSH = 2.0
+"""Mean smoothness cost of a visible seam's edges at which the term ``seam`` is 1/e."""
+LONGEST = 64
+"""Seams shorter than this, in pixels, count as if they were so long."""
+EVEN = 0.35
+"""Part of the ink that the other sources must own, beside the largest, to share truly."""
+REPEATED = 0.06
+"""Two pictures repeat each other if they differ in at most this part of the ink of both."""
+
+
+@dataclass(frozen=True, slots=True)
+class Score:
+    """The terms of a rank score."""
+
+    seam: float
+    """Low cost of the visible seams for their length."""
+    whole: float
+    """No pieces that float free where no source has them."""
+    symmetry: float
+    """As symmetric as the sources are; 1 without a constraint."""
+    sharing: float
+    """Ink that comes from several sources; 1 where that is not asked for."""
+    likeness: float
+    """Overlap with the outline that was wanted; 1 if none was."""
+
+    @property
+    def total(self) -> float:
+        """The rank score: the product of the terms."""
+        return self.seam * self.whole * self.symmetry * self.sharing * self.likeness
+
+
+def score(problem: RemixProblem, labels: Labels, *, sharing: bool = False) -> Score:
+    """Return the terms of a labelling (CANVAS, CANVAS) for which no outline was wanted.
+
+    ``sharing`` says whether the ink should come from several sources.
+    """
+    ink = np.take_along_axis(problem.ink, labels[None].astype(int), axis=0)[0]
+    return Score(
+        seam=float(np.exp(-seam_cost(problem, labels) / HARSH)),
+        whole=_whole(problem, labels, ink),
+        symmetry=_symmetry(problem, labels, ink),
+        sharing=_sharing(problem, labels, ink) if sharing else 1.0,
+        likeness=1.0,
+    )
+
+
+def seam_cost(problem: RemixProblem, labels: Labels) -> float:
+    """Return the smoothness cost of the seams over the length of what can be seen of them.
+
+    A seam can be seen where the ink of its two sources meets or differs; through white that both
+    share it costs next to nothing and shows nowhere.
+    """
+    flat = labels.ravel().astype(np.intp)
+    dark = problem.ink.reshape(len(problem.ink), -1)
+    cost, length = 0.0, 0
+    for first, second in lattice_edges():
+        seam = flat[first] != flat[second]
+        a, b = first[seam], second[seam]
+        la, lb = flat[a], flat[b]
+        seen = dark[la, a] | dark[lb, a] | dark[la, b] | dark[lb, b]
+        cost += float(problem.smoothness(a[seen], b[seen], la[seen], lb[seen]).sum())
+        length += int(seen.sum())
+    return cost / max(length, LONGEST)
+
+
+def repeats(first: NDArray[np.bool_], second: NDArray[np.bool_]) -> bool:
+    """Whether two inks (h, w) bool look the same."""
+    either = (first | second).sum()
+    return bool((first ^ second).sum() <= REPEATED * either)
+
+
+def _whole(problem: RemixProblem, labels: Labels, ink: NDArray[np.bool_]) -> float:
+    loose = fragments(labels, problem.ink, small=1.0)
+    return max(0.0, 1 - 3 * float(loose.sum()) / max(1, ink.sum()))
+
+
+def _symmetry(problem: RemixProblem, labels: Labels, ink: NDArray[np.bool_]) -> float:
+    if problem.symmetry is None:
+        return 1.0
+    expected = np.mean([likeness(problem.ink[k], problem.symmetry) for k in np.unique(labels)])
+    return min(1.0, likeness(ink, problem.symmetry) / max(float(expected), 1e-9))
+
+
+def _sharing(problem: RemixProblem, labels: Labels, ink: NDArray[np.bool_]) -> float:
+    owned = np.bincount(labels[ink], minlength=len(problem.ink))
+    others = 1 - owned.max() / max(1, owned.sum())
+    return min(1.0, float(others) / EVEN)

@@ -1,0 +1,47 @@
+"""The symmetry constraint (section 3.4, equation 9): a site and its mirror image share a source.
+
+The infinite cost of equation 9 is exact when both are one node of the graph; ``mirrored`` says
+which these are. Only the source *positions* are symmetric, not the pixels.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from iconstudio.model import Axis
+
+NEARLY = 0.9
+"""Overlap with the own mirror image from which on a shape counts as nearly symmetric."""
+
+
+def reflected(picture: NDArray, axis: Axis) -> NDArray:
+    """Return the mirror image of a square picture (..., n, n), as a view."""
+    match axis:
+        case Axis.HORIZONTAL:
+            return picture[..., ::-1]
+        case Axis.VERTICAL:
+            return picture[..., ::-1, :]
+        case Axis.DIAGONAL:
+            return picture.swapaxes(-1, -2)
+        case Axis.ANTIDIAGONAL:
+            return picture[..., ::-1, ::-1].swapaxes(-1, -2)
+
+
+def mirrored(side: int, axis: Axis) -> NDArray[np.int64]:
+    """Return r_i, the mirror image of each site of a square, (side * side,)."""
+    return reflected(np.arange(side * side).reshape(side, side), axis).ravel()
+
+
+def likeness(shape: NDArray[np.bool_], axis: Axis) -> float:
+    """Return intersection over union of a shape (n, n) bool and its mirror image."""
+    image = reflected(shape, axis)
+    either = (shape | image).sum()
+    return float((shape & image).sum() / either) if either else 1.0
+
+
+def propose(shape: NDArray[np.bool_]) -> Axis | None:
+    """Return the axis about which a filled shape (n, n) bool is nearly symmetric, if any.
+
+    Of several (a disc has all) the most symmetric; of equals the first in the order of ``Axis``.
+    """
+    best = max(Axis, key=lambda axis: round(likeness(shape, axis), 2))
+    return best if likeness(shape, best) >= NEARLY else None

@@ -1,0 +1,89 @@
+"""Choosing icons that mix well (section 4.3): one style, similar outlines, different drawings.
+
+The paper's users choose them by hand; its figures show what makes a good choice.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from iconstudio.algorithms.raster import solid
+from iconstudio.algorithms.style import STYLES, blackness
+from iconstudio.algorithms.symmetry import likeness
+from iconstudio.model import Axis, Exemplar, IconstudioError
+from iconstudio.workflows.hybrids import FEWEST, MOST
+
+SYMMETRIC = 0.85
+"""Least overlap with the own mirror image, under a symmetry constraint."""
+DIFFERENT = 0.12
+"""Least part of the ink of both in which two chosen icons must differ."""
+CANDIDATES = 120
+"""How many of the best exemplars of a keyword are considered."""
+
+
+def choose_icons(
+    exemplars: Sequence[Exemplar], count: int, symmetry: Axis | None = None, seed: int = 0
+) -> tuple[Exemplar, ...]:
+    """Return ``count`` icons of one style with similar outlines and different drawings.
+
+    Each icon in turn gathers its nearest neighbours by outline; the group whose outlines agree
+    best wins. ``seed`` n gives the n-th best group.
+
+    Parameters
+    ----------
+    exemplars
+        What a keyword retrieves, best first.
+
+    Raises
+    ------
+    IconstudioError
+        If the count is out of range, or there are too few icons that suit each other.
+    """
+    if not FEWEST <= count <= MOST:
+        raise IconstudioError(f"{count} icons cannot be mixed: ask for {FEWEST} to {MOST}.")
+    shapes = [(one, solid(one.ink)) for one in exemplars[:CANDIDATES]]
+    if symmetry is not None:
+        shapes = [pair for pair in shapes if likeness(pair[1], symmetry) >= SYMMETRIC]
+    groups: dict[frozenset[int], float] = {}
+    inks = np.stack([one.ink for one, _ in shapes]).reshape(len(shapes), -1) if shapes else None
+    alike = _overlaps(np.stack([shape for _, shape in shapes])) if shapes else None
+    for style in STYLES:
+        members = [k for k, (one, _) in enumerate(shapes) if style.admits(blackness(one.ink))]
+        for first in members:
+            group = _gather(first, members, alike, inks, count)
+            if len(group) == count:
+                within = alike[np.ix_(group, group)]
+                groups[frozenset(group)] = float(within.sum() - count) / (count * (count - 1))
+    if not groups:
+        raise IconstudioError(
+            f"The collection has no {count} icons of this keyword that are alike enough to mix. "
+            "Ask for fewer, choose them yourself, or try another word."
+        )
+    ranked = sorted(groups, key=lambda group: (-groups[group], sorted(group)))
+    return tuple(shapes[k][0] for k in sorted(ranked[seed % len(ranked)]))
+
+
+def _gather(
+    first: int,
+    members: Sequence[int],
+    alike: NDArray[np.float64],
+    inks: NDArray[np.bool_],
+    count: int,
+) -> list[int]:
+    """Return ``first`` and those whose outlines are most like its own, all drawn differently."""
+    group = [first]
+    for k in sorted(members, key=lambda k: -alike[first, k]):
+        if len(group) < count and k not in group:
+            either = (inks[group] | inks[k]).sum(axis=1)
+            if ((inks[group] ^ inks[k]).sum(axis=1) > DIFFERENT * either).all():
+                group.append(k)
+    return group
+
+
+def _overlaps(shapes: NDArray[np.bool_]) -> NDArray[np.float64]:
+    """Return intersection over union of all pairs of shapes, (K, K)."""
+    flat = shapes.reshape(len(shapes), -1).astype(np.float32)
+    common = flat @ flat.T
+    area = flat.sum(axis=1)
+    return (common / np.maximum(area[:, None] + area[None] - common, 1)).astype(np.float64)

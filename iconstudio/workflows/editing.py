@@ -1,0 +1,182 @@
+"""Sketch-based pictogram editing (section 4.2): one part of an icon is changed, the rest stays."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from iconstudio.algorithms.energy import RemixProblem, remix_problem
+from iconstudio.algorithms.guidance import EDIT_REACH, edit_penalty, truncated_distance
+from iconstudio.algorithms.matching import PreparedExemplar
+from iconstudio.algorithms.raster import Bitmap, fill_polygon, outlines, placed_ink, solid
+from iconstudio.algorithms.saliency import saliency, salient_regions
+from iconstudio.algorithms.style import STYLES, Style, blackness
+from iconstudio.algorithms.tsdf import tsdf
+from iconstudio.model import (
+    CANVAS,
+    MARGIN,
+    Drawing,
+    Edit,
+    Exemplar,
+    IconstudioError,
+    Placement,
+    Polygon,
+    Source,
+)
+from iconstudio.workers import Workers
+from iconstudio.workflows.events import Event, Result
+from iconstudio.workflows.grid import Matches, ModelSettings, remix_styles
+from iconstudio.workflows.remixing import Job, Render
+
+
+@dataclass(frozen=True, eq=False)
+class Change:
+    """An edit on the canvas: what is wanted, and where.
+
+    If something is added beyond the canvas, all is made smaller so that it fits.
+    """
+
+    base: Source
+    """The icon E_0: label 0 of the graph cut."""
+    ink: Bitmap
+    """(CANVAS, CANVAS): the icon's own drawing."""
+    target: Bitmap
+    """(CANVAS, CANVAS): the outline that is wanted, filled."""
+    mask: NDArray[np.float32]
+    """D_E, (CANVAS, CANVAS): the distance from the changed area, from 0 to 1."""
+
+    def problem(self, sources: tuple[Source, ...], field: NDArray[np.float32], edit: Edit):
+        """Return the graph cut of ``sources``, the first of which is the icon itself."""
+        problem = remix_problem(field, sources, edit.symmetry)
+        data = problem.data + edit_penalty(self.mask, len(sources))
+        return RemixProblem(data, problem.ink, problem.solid, edit.symmetry)
+
+    def unchanged(self, drawing: Drawing) -> float:
+        """Return the part of the pixels beyond the reach of the change that equal the icon's."""
+        step = drawing.coverage.shape[0] // CANVAS
+        small = drawing.coverage.reshape(CANVAS, step, CANVAS, step).mean(axis=(1, 3))
+        far = self.mask >= 1
+        return float(((small > 127) == self.ink)[far].mean()) if far.any() else 1.0
+
+
+def prepare_change(edit: Edit, icon: Exemplar) -> Change:
+    """Put an edit of ``icon`` on the canvas.
+
+    Raises
+    ------
+    IconstudioError
+        If nothing is changed, or not on the icon.
+    """
+    if not edit.remove and not edit.add:
+        raise IconstudioError(
+            "Nothing is changed. Enclose what should go (remove), "
+            "or sketch what should come (add), or both."
+        )
+    for polygon in (*edit.remove, *edit.add):
+        polygon.fitted()  # refuses what encloses no area
+    placement = _room(edit, icon)
+    ink, filled = placed_ink(icon, placement)
+    removed, added = (_union(polygons, placement) for polygons in (edit.remove, edit.add))
+    if edit.remove and not (removed & filled).any():
+        raise IconstudioError(
+            "The area to remove lies beside the icon. Enclose a part of the icon itself."
+        )
+    if edit.add and not added.any():
+        raise IconstudioError(
+            "What should be added is too small to be seen. Sketch it larger, in the "
+            f"icon's canvas of {CANVAS} units."
+        )
+    target = solid((filled & ~removed) | added)
+    if not target.any():
+        raise IconstudioError("Nothing of the icon would be left. Remove less, or add something.")
+    mask = truncated_distance(removed | added, EDIT_REACH)
+    return Change(Source(icon, placement), ink, target, mask)
+
+
+def own_styles(icon: Exemplar) -> tuple[str, ...]:
+    """Return the styles that an icon belongs to: parts of other styles would not suit it."""
+    return tuple(style.name for style in STYLES if style.admits(blackness(icon.ink)))
+
+
+def edit_icon(
+    edit: Edit,
+    icon: Exemplar,
+    exemplars: Sequence[PreparedExemplar],
+    settings: ModelSettings,
+    workers: Workers,
+    render: Render,
+) -> Iterator[Event]:
+    """Remix an icon with parts of ``exemplars`` where it is to be changed.
+
+    The events, and the other parameters, are those of ``grid.remix_styles``. The icon itself is
+    left out of matching.
+    """
+    change = prepare_change(edit, icon)
+    field = tsdf(change.target)
+    score = saliency(outlines(change.target), change.target, change.mask)
+
+    def job(style: Style, sources: tuple[Source, ...]) -> Job:
+        everyone = (change.base, *sources)
+        problem = change.problem(everyone, field, edit)
+        return Job(style.name, everyone, problem, settings.lambdas, change.target, finish=finish)
+
+    def finish(result: Result) -> Result:
+        return replace(result, unchanged=change.unchanged(result.drawing))
+
+    yield from remix_styles(
+        field,
+        salient_regions(score),
+        [one for one in exemplars if one.exemplar.id != icon.id],
+        settings,
+        refusal=_refusal,
+        job=job,
+        workers=workers,
+        render=render,
+    )
+
+
+def _refusal(style: Style, count: int, rows: Matches | None) -> str:
+    if count:
+        return ""
+    return f"The collection has no other icon of this keyword in the style {style.name}."
+
+
+def _room(edit: Edit, icon: Exemplar) -> Placement:
+    """Return where the icon must lie so that all that is added has room on the canvas."""
+    if not edit.add:
+        return Placement()
+    boxes = np.array([polygon.bounds for polygon in edit.add])
+    left, top = boxes[:, :2].min(axis=0)
+    right, bottom = boxes[:, 2:].max(axis=0)
+    if min(right, bottom) <= 0 or max(left, top) >= CANVAS:
+        raise IconstudioError(
+            "What should be added lies beside the canvas. The icon lies between "
+            f"{MARGIN} and {CANVAS - MARGIN}; draw near it."
+        )
+    if min(left, top) >= 0 and max(right, bottom) <= CANVAS:
+        return Placement()
+    ys, xs = np.nonzero(icon.ink)
+    left, right = min(left, xs.min()), max(right, xs.max() + 1)
+    top, bottom = min(top, ys.min()), max(bottom, ys.max() + 1)
+    scale = (CANVAS - 2 * MARGIN) / max(right - left, bottom - top)
+    half = CANVAS / 2
+    return Placement(
+        scale,
+        False,
+        round(scale * (half - (left + right) / 2)),
+        round(scale * (half - (top + bottom) / 2)),
+    )
+
+
+def _union(polygons: Sequence[Polygon], placement: Placement) -> Bitmap:
+    """Return what polygons enclose once they are moved with the icon."""
+    half, scale = CANVAS / 2, placement.scale
+    inside = np.zeros((CANVAS, CANVAS), dtype=bool)
+    for polygon in polygons:
+        moved = (
+            (half + scale * (x - half) + placement.dx, half + scale * (y - half) + placement.dy)
+            for x, y in polygon.vertices
+        )
+        inside |= fill_polygon(Polygon(tuple(moved)))
+    return inside

@@ -1,0 +1,141 @@
+"""Remixing in every style and for every lambda_S (sections 3.3 to 3.5): modelling and editing."""
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from iconstudio.algorithms import matching
+from iconstudio.algorithms.expansion import LAMBDAS
+from iconstudio.algorithms.matching import SCALES, PreparedExemplar
+from iconstudio.algorithms.saliency import Region
+from iconstudio.algorithms.style import STYLES, Style
+from iconstudio.model import IconstudioError, Placement, Source
+from iconstudio.workers import Workers
+from iconstudio.workflows.events import (
+    Event,
+    Recommended,
+    RegionsFound,
+    Result,
+    StyleMatched,
+    StyleSkipped,
+    staged,
+)
+from iconstudio.workflows.remixing import Job, Remixing, Render
+
+Matches = tuple[tuple[Source, ...], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class ModelSettings:
+    """Which results to make, and at which scales to try the exemplars."""
+
+    styles: tuple[str, ...] = tuple(style.name for style in STYLES)
+    lambdas: tuple[float, ...] = LAMBDAS
+    """Values of lambda_S, in any order."""
+    scales: tuple[float, ...] = SCALES
+
+    def chosen_styles(self) -> tuple[Style, ...]:
+        """Return the styles named, in the paper's order.
+
+        Raises
+        ------
+        IconstudioError
+            If a name is unknown.
+        """
+        known = {style.name: style for style in STYLES}
+        for name in self.styles:
+            if name not in known:
+                raise IconstudioError(
+                    f"There is no style {name!r}. The styles are {', '.join(known)}."
+                )
+        return tuple(style for style in STYLES if style.name in self.styles)
+
+
+def remix_styles(
+    field: NDArray[np.float32],
+    regions: Sequence[Region],
+    exemplars: Sequence[PreparedExemplar],
+    settings: ModelSettings,
+    *,
+    refusal: Callable[[Style, int, Matches | None], str],
+    job: Callable[[Style, tuple[Source, ...]], Job],
+    workers: Workers,
+    render: Render,
+) -> Iterator[Event]:
+    """Match exemplars to the salient regions of an outline, and remix them in every style.
+
+    Yields ``RegionsFound``, then for each style ``StyleMatched`` or ``StyleSkipped``, each
+    ``Result`` as it is ready, from the highest lambda_S of a style down, and then the style's
+    ``Recommended``. Closing the generator cancels what is left.
+
+    Parameters
+    ----------
+    field
+        D_P, the TSDF of the outline that is wanted, (CANVAS, CANVAS).
+    exemplars
+        Prepared with ``settings.scales``.
+    refusal
+        Says why a style with so many exemplars should be skipped, or nothing; asked before
+        matching without matches, and again with them.
+    job
+        Makes of a style's sources what is to be solved.
+    render
+        Draws a source at its placement; must be picklable.
+    """
+    styles = settings.chosen_styles()
+    yield RegionsFound(tuple(region.centre for region in regions))
+    hits = yield from staged(
+        "match", "Matching parts", matching.coarse_search(field, regions, exemplars)
+    )
+    remixing = Remixing(workers, render, total=len(styles) * len(settings.lambdas))
+    recommending = Recommending(len(settings.lambdas))
+    try:
+        for style in styles:
+            admitted = [i for i, e in enumerate(exemplars) if style.admits(e.blackness)]
+            rows: Matches | None = None
+            reason = refusal(style, len(admitted), rows)
+            if not reason:
+                matches = matching.refine(field, regions, exemplars, hits, admitted)
+                rows = matching.sources_of(matches, exemplars)
+                reason = refusal(style, len(admitted), rows)
+            if reason or rows is None:
+                remixing.expect_fewer(len(settings.lambdas))
+                yield StyleSkipped(style.name, len(admitted), reason)
+                continue
+            yield StyleMatched(style.name, tuple(exemplars[i].exemplar for i in admitted), rows)
+            remixing.start(job(style, distinct(rows)))
+            yield from recommending.after(remixing.ready())
+        while remixing.busy:
+            yield from recommending.after(remixing.ready(timeout=0.1))
+    finally:
+        remixing.cancel()
+
+
+class Recommending:
+    """Names the best result of each style once all ``count`` are there."""
+
+    def __init__(self, count: int) -> None:
+        self._count = count
+        self._results: dict[str, list[Result]] = {}
+
+    def after(self, events: Iterator[Event]) -> Iterator[Event]:
+        """Pass events on, with a ``Recommended`` after the last result of a style."""
+        for event in events:
+            yield event
+            if isinstance(event, Result):
+                row = self._results.setdefault(event.composite.style, [])
+                row.append(event)
+                if len(row) == self._count:
+                    best = max(row, key=lambda one: one.score.total).composite
+                    yield Recommended(best.style, best.lambda_s)
+
+
+def distinct(rows: Sequence[Sequence[Source]]) -> tuple[Source, ...]:
+    """Return the sources of all regions; the same exemplar at the same placement only once."""
+    found: dict[tuple[str, Placement], Source] = {}
+    for row in rows:
+        for source in row:
+            found.setdefault((source.exemplar.id, source.placement), source)
+    return tuple(found.values())

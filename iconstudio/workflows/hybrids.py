@@ -1,0 +1,130 @@
+"""Pictogram hybrids (section 4.3): icons mixed at random, repeats dropped."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from iconstudio.algorithms.energy import RemixProblem, placed_sources
+from iconstudio.algorithms.guidance import seed_cost, with_mirror_images
+from iconstudio.algorithms.ranking import repeats
+from iconstudio.model import Exemplar, IconstudioError, Mix, Placement, Seeds, Source
+from iconstudio.workers import Workers
+from iconstudio.workflows.events import Event, Progress, Result
+from iconstudio.workflows.remixing import Job, Remixing, Render
+
+LAMBDA_S = 3.0
+FEWEST, MOST = 2, 12
+MOST_DRAWS = 1000
+
+
+def check(mix: Mix) -> None:
+    """Refuse a mix that cannot be drawn.
+
+    Raises
+    ------
+    IconstudioError
+        If there are too few or too many icons or draws, or an icon comes twice.
+    """
+    count = len(mix.icons)
+    if not FEWEST <= count <= MOST:
+        icons = "1 icon" if count == 1 else f"{count} icons"
+        raise IconstudioError(
+            f"{icons} cannot be mixed: choose {FEWEST} to {MOST} different icons."
+        )
+    ids = [icon.id for icon in mix.icons]
+    for name in ids:
+        if ids.count(name) > 1:
+            raise IconstudioError(f"“{name}” is chosen twice. Choose different icons.")
+    if not 1 <= mix.draws <= MOST_DRAWS:
+        raise IconstudioError(f"{mix.draws} draws are not possible: ask for 1 to {MOST_DRAWS}.")
+    for seeds, name in ((mix.pins, "pins"), (mix.like, "seeds")):
+        if seeds and len(seeds) != count:
+            raise IconstudioError(f"There are {name} for {len(seeds)} icons, but {count} icons.")
+
+
+def mix_icons(
+    mix: Mix, exemplars: Sequence[Exemplar], workers: Workers, render: Render
+) -> Iterator[Event]:
+    """Draw hybrids of ``exemplars``, one for each of ``mix.icons``.
+
+    Yields ``Progress``, and each ``Result`` in the order of the draws, so that the same seed gives
+    the same results; one that looks like a source or like an earlier result is dropped.
+    """
+    check(mix)
+    sources = tuple(Source(exemplar, Placement()) for exemplar in exemplars)
+    ink, filled = placed_sources(sources)
+    for index, exemplar in enumerate(exemplars):
+        for earlier in range(index):
+            if repeats(ink[index], ink[earlier]):
+                raise IconstudioError(
+                    f"“{exemplars[earlier].id}” and “{exemplar.id}” are the same drawing. "
+                    "Choose different icons."
+                )
+    seen = list(ink)
+    remixing = Remixing(workers, render, total=mix.draws)
+    numbers = iter(range(mix.first, mix.first + mix.draws))
+    waiting: dict[int, Result] = {}
+    turn = mix.first
+    try:
+        while turn < mix.first + mix.draws:
+            while remixing.hungry and (number := next(numbers, None)) is not None:
+                remixing.start(_job(mix, number, sources, ink, filled))
+            for event in remixing.ready(timeout=0.1):
+                if isinstance(event, Result):
+                    waiting[event.draw] = event
+                else:
+                    yield Progress("remix", event.done, "Mixing")
+            while turn in waiting:
+                result = waiting.pop(turn)
+                turn += 1
+                picture = _joined(result, ink)
+                if not any(repeats(picture, other) for other in seen):
+                    seen.append(picture)
+                    yield result
+    finally:
+        remixing.cancel()
+
+
+def draw_seeds(mix: Mix, number: int, shapes: NDArray[np.bool_]) -> Seeds:
+    """Return the seed positions of draw ``number``; ``shapes`` are the filled icons (K, h, w).
+
+    Every draw has its own random numbers, whatever other draws there are.
+    """
+    random = np.random.default_rng([mix.seed, number])
+    like = mix.like
+    kept = set(random.permutation(len(shapes))[: (len(shapes) + 1) // 2]) if like else set()
+    seeds = []
+    for index, shape in enumerate(shapes):
+        ys, xs = np.nonzero(shape)
+        at = int(random.integers(len(xs)))
+        drawn = ((float(xs[at]) + 0.5, float(ys[at]) + 0.5),)
+        points = like[index] if index in kept else with_mirror_images(drawn, mix.symmetry)
+        pins = with_mirror_images(mix.pins[index], mix.symmetry) if mix.pins else ()
+        seeds.append((*pins, *(point for point in points if point not in pins)))
+    return tuple(seeds)
+
+
+def _job(
+    mix: Mix,
+    number: int,
+    sources: tuple[Source, ...],
+    ink: NDArray[np.bool_],
+    filled: NDArray[np.bool_],
+) -> Job:
+    seeds = draw_seeds(mix, number, filled)
+    problem = RemixProblem(seed_cost(seeds), ink, filled, mix.symmetry)
+    return Job(
+        "hybrid",
+        sources,
+        problem,
+        (LAMBDA_S,),
+        sharing=True,
+        finish=lambda result: replace(result, seeds=seeds, draw=number),
+    )
+
+
+def _joined(result: Result, ink: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    labels = result.composite.labels[None].astype(int)
+    return np.take_along_axis(ink, labels, axis=0)[0]
