@@ -42,10 +42,13 @@ def fragments(labels: Labels, ink: NDArray[np.bool_], small: float = SMALL) -> N
 
 
 def _original_size(labels: Labels, ink: NDArray[np.bool_], here: NDArray[np.bool_]) -> int:
-    """Return the area of the shapes, in their sources, of which a piece shows a part."""
-    size = 0
+    """Return the area of the shapes, in one source, of which a piece shows a part.
+
+    Of several sources that of the largest: two halves make a whole.
+    """
+    sizes = [0]
     for owner in np.unique(labels[here]):
         shapes, _ = ndimage.label(ink[owner], _EIGHT)
         shown = np.unique(shapes[here & (labels == owner)])
-        size += int(np.isin(shapes, shown[shown > 0]).sum())
-    return size
+        sizes.append(int(np.isin(shapes, shown[shown > 0]).sum()))
+    return max(sizes)

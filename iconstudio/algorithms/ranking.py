@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy import ndimage
 
 from iconstudio.algorithms.energy import Labels, RemixProblem, lattice_edges
 from iconstudio.algorithms.fragments import fragments
@@ -19,8 +20,9 @@ LONGEST = 64
 """Seams shorter than this, in pixels, count as if they were so long."""
 EVEN = 0.35
 """Part of the ink that the other sources must own, beside the largest, to share truly."""
-REPEATED = 0.06
-"""Two pictures repeat each other if they differ in at most this part of the ink of both."""
+SAME, STRAY = 3, 0.02
+"""Two pictures repeat each other if at most the part STRAY of their ink lies further than SAME
+pixels from the other's ink."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,10 +80,29 @@ def seam_cost(problem: RemixProblem, labels: Labels) -> float:
     return cost / max(length, LONGEST)
 
 
-def repeats(first: NDArray[np.bool_], second: NDArray[np.bool_]) -> bool:
-    """Whether two inks (h, w) bool look the same."""
-    either = (first | second).sum()
-    return bool((first ^ second).sum() <= REPEATED * either)
+class Gallery:
+    """Pictures that have been seen, to know repeats by their looks."""
+
+    def __init__(self) -> None:
+        self._seen: list[tuple[NDArray[np.bool_], NDArray[np.bool_]]] = []
+
+    def add(self, ink: NDArray[np.bool_]) -> bool:
+        """Note a picture (h, w) bool; return whether it is new."""
+        wide = ndimage.maximum_filter(ink.view(np.uint8), 2 * SAME + 1).view(bool)
+        new = not any(_repeats(ink, wide, *other) for other in self._seen)
+        if new:
+            self._seen.append((ink, wide))
+        return new
+
+
+def _repeats(
+    ink: NDArray[np.bool_],
+    wide: NDArray[np.bool_],
+    other: NDArray[np.bool_],
+    other_wide: NDArray[np.bool_],
+) -> bool:
+    stray = int((ink & ~other_wide).sum()) + int((other & ~wide).sum())
+    return stray <= STRAY * (int(ink.sum()) + int(other.sum()))
 
 
 def _whole(problem: RemixProblem, labels: Labels, ink: NDArray[np.bool_]) -> float:

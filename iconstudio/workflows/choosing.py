@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy import ndimage
 
 from iconstudio.algorithms.raster import solid
 from iconstudio.algorithms.style import STYLES, blackness
@@ -16,8 +17,10 @@ from iconstudio.workflows.hybrids import FEWEST, MOST
 
 SYMMETRIC = 0.85
 """Least overlap with the own mirror image, under a symmetry constraint."""
-DIFFERENT = 0.12
+DIFFERENT = 0.35
 """Least part of the ink of both in which two chosen icons must differ."""
+THICKER = 1.6
+"""Greatest ratio of the stroke widths of two chosen icons."""
 CANDIDATES = 120
 """How many of the best exemplars of a keyword are considered."""
 
@@ -42,16 +45,18 @@ def choose_icons(
     """
     if not FEWEST <= count <= MOST:
         raise IconstudioError(f"{count} icons cannot be mixed: ask for {FEWEST} to {MOST}.")
-    shapes = [(one, solid(one.ink)) for one in exemplars[:CANDIDATES]]
+    shapes = [(one, solid(one.ink)) for one in exemplars[:CANDIDATES] if not _duotone(one)]
     if symmetry is not None:
         shapes = [pair for pair in shapes if likeness(pair[1], symmetry) >= SYMMETRIC]
     groups: dict[frozenset[int], float] = {}
     inks = np.stack([one.ink for one, _ in shapes]).reshape(len(shapes), -1) if shapes else None
     alike = _overlaps(np.stack([shape for _, shape in shapes])) if shapes else None
+    widths = np.array([stroke_width(one.ink) for one, _ in shapes])
     for style in STYLES:
         members = [k for k, (one, _) in enumerate(shapes) if style.admits(blackness(one.ink))]
         for first in members:
-            group = _gather(first, members, alike, inks, count)
+            near = [k for k in members if abs(np.log(widths[k] / widths[first])) < np.log(THICKER)]
+            group = _gather(first, near, alike, inks, count)
             if len(group) == count:
                 within = alike[np.ix_(group, group)]
                 groups[frozenset(group)] = float(within.sum() - count) / (count * (count - 1))
@@ -79,6 +84,18 @@ def _gather(
             if ((inks[group] ^ inks[k]).sum(axis=1) > DIFFERENT * either).all():
                 group.append(k)
     return group
+
+
+def stroke_width(ink: NDArray[np.bool_]) -> float:
+    """Return the mean width of the strokes of an ink (h, w) bool, in pixels."""
+    rim = sum(int((ink ^ np.roll(ink, 1, axis=axis)).sum()) for axis in (0, 1))
+    return 2 * float(ink.sum()) / max(1, rim)
+
+
+def _duotone(exemplar: Exemplar) -> bool:
+    """Whether a drawing has pale areas, not only soft edges."""
+    pale = (exemplar.coverage > 30) & (exemplar.coverage < 225)
+    return bool(ndimage.binary_erosion(pale, np.ones((3, 3))).any())
 
 
 def _overlaps(shapes: NDArray[np.bool_]) -> NDArray[np.float64]:

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.energy import RemixProblem, placed_sources
 from iconstudio.algorithms.guidance import seed_cost, with_mirror_images
-from iconstudio.algorithms.ranking import repeats
+from iconstudio.algorithms.ranking import Gallery
 from iconstudio.model import Exemplar, IconstudioError, Mix, Placement, Seeds, Source
 from iconstudio.workers import Workers
 from iconstudio.workflows.events import Event, Progress, Result
@@ -55,14 +55,12 @@ def mix_icons(
     check(mix)
     sources = tuple(Source(exemplar, Placement()) for exemplar in exemplars)
     ink, filled = placed_sources(sources)
-    for index, exemplar in enumerate(exemplars):
-        for earlier in range(index):
-            if repeats(ink[index], ink[earlier]):
-                raise IconstudioError(
-                    f"“{exemplars[earlier].id}” and “{exemplar.id}” are the same drawing. "
-                    "Choose different icons."
-                )
-    seen = list(ink)
+    seen = Gallery()
+    for exemplar, own in zip(exemplars, ink, strict=True):
+        if not seen.add(own):
+            raise IconstudioError(
+                f"“{exemplar.id}” looks the same as another of the icons. Choose different ones."
+            )
     remixing = Remixing(workers, render, total=mix.draws)
     numbers = iter(range(mix.first, mix.first + mix.draws))
     waiting: dict[int, Result] = {}
@@ -79,9 +77,7 @@ def mix_icons(
             while turn in waiting:
                 result = waiting.pop(turn)
                 turn += 1
-                picture = _joined(result, ink)
-                if not any(repeats(picture, other) for other in seen):
-                    seen.append(picture)
+                if seen.add(_joined(result, ink)):
                     yield result
     finally:
         remixing.cancel()
