@@ -2,9 +2,13 @@
 
 import threading
 from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 
+from iconstudio.algorithms.ranking import Score
+from iconstudio.library.ownsvg import read_own_svg
 from iconstudio.model import (
     CANVAS,
     Composite,
@@ -106,6 +110,24 @@ class FakeSession:
             raise IconstudioError(f"No icon is found for “{keyword}”. Near: “zebra”, “zip”.")
         return tuple(e.pictogram for e in self._exemplars(exclude))
 
+    def icon(self, reference: str) -> Pictogram:
+        self.calls.append(("icon", reference))
+        if reference.endswith(".svg"):
+            return read_own_svg(Path(reference))
+        for one in self._exemplars(frozenset()):
+            if one.id == reference:
+                return one.pictogram
+        raise IconstudioError(f"The collection has no icon '{reference}'.")
+
+    def exemplar(self, pictogram: Pictogram) -> Exemplar:
+        self.thread_ids.add(threading.get_ident())
+        for one in self._exemplars(frozenset()):
+            if one.id == pictogram.id:
+                return one
+        if "<path" not in pictogram.svg:
+            raise IconstudioError(f"{pictogram.id} cannot be used. It has no dark ink.")
+        return replace(exemplar(1), pictogram=pictogram)
+
     def prepare(self, keyword, exclude=frozenset(), scales=(0.9, 1.0, 1.1)) -> Iterator[Event]:
         self.calls.append(("prepare", keyword, exclude))
         self.thread_ids.add(threading.get_ident())
@@ -155,4 +177,5 @@ class FakeSession:
                     while not self.gate.acquire(timeout=0.02):
                         yield Progress("remix", column / 8, f"Remixing the {style} icons")
                 composite = Composite(style, lambda_s, sources, labels, 3.0, 2.0, 1.0, shares, 0.87)
-                yield Result(composite, drawing(sketch, row, column))
+                score = Score(1.0, 1.0, 1.0, 1.0, 0.87)
+                yield Result(composite, drawing(sketch, row, column), score)

@@ -7,13 +7,13 @@ from PySide6.QtGui import QKeyEvent, QKeySequence
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
-    QLabel,
     QLineEdit,
     QPushButton,
     QVBoxLayout,
     QWidget,
 )
 
+from iconstudio.gui.panels.caption import Caption
 from iconstudio.gui.panels.thumbnails import Thumbnails
 from iconstudio.gui.theme import UNIT
 from iconstudio.model import Exemplar
@@ -73,7 +73,7 @@ class KeywordPanel(QFrame):
         self.button = QPushButton("Remix")
         self.button.setProperty("primary", True)
         self.button.setToolTip("Make new icons in four styles (Ctrl+Return)")
-        self.caption = QLabel(wordWrap=True)
+        self.caption = Caption()
         self.caption.setTextInteractionFlags(Qt.TextInteractionFlag.LinksAccessibleByMouse)
         self.thumbnails = Thumbnails()
         self._found = 0
@@ -109,7 +109,7 @@ class KeywordPanel(QFrame):
         """Say that ``keyword`` is being looked up, or what to do if there is none."""
         self._found = 0
         self.thumbnails.sheet().clear()
-        self._say(
+        self.caption.say(
             f"Looking for “{keyword}”…"
             if keyword
             else "The name finds the icons whose parts are used."
@@ -125,22 +125,13 @@ class KeywordPanel(QFrame):
         """Say why the keyword cannot be used."""
         self._found = 0
         self.thumbnails.sheet().clear()
-        self._say(message, error=True)
+        self.caption.say(message, error=True)
 
     def _tell_found(self) -> None:
         icons = "1 icon" if self._found == 1 else f"{self._found} icons"
         out = len(self.thumbnails.sheet().excluded)
         if out:
-            self._say(f"{icons} found · {out} left out · <a href='#'>use all again</a>")
+            undo = "<a href='#'>use all again</a>"
+            self.caption.say(f"{icons} found · {out} left out · {undo}", links=True)
         else:
-            self._say(f"{icons} found · click one to leave it out")
-
-    def _say(self, text: str, error: bool = False) -> None:
-        self.caption.setTextFormat(
-            Qt.TextFormat.RichText if "<a " in text else Qt.TextFormat.PlainText
-        )
-        self.caption.setText(text)
-        self.caption.setProperty("muted", not error)
-        self.caption.setProperty("error", error)
-        self.caption.style().unpolish(self.caption)
-        self.caption.style().polish(self.caption)
+            self.caption.say(f"{icons} found · click one to leave it out")

@@ -139,11 +139,14 @@ class Thumbnails(QListView):
 
     toggled = Signal(str)
 
+    model_class = ThumbnailModel
+    delegate_class = ThumbnailDelegate
+
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._model = ThumbnailModel(self)
+        self._model = self.model_class(self)
         self.setModel(self._model)
-        self.setItemDelegate(ThumbnailDelegate(self))
+        self.setItemDelegate(self.delegate_class(self))
         self.setViewMode(QListView.ViewMode.IconMode)
         self.setResizeMode(QListView.ResizeMode.Adjust)
         self.setMovement(QListView.Movement.Static)

@@ -1,0 +1,21 @@
+"""A few small words below a field: what it is for, what it found, or what is wrong."""
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QLabel, QWidget
+
+
+class Caption(QLabel):
+    """A muted text, or an error in its colour."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setWordWrap(True)
+
+    def say(self, text: str, error: bool = False, links: bool = False) -> None:
+        """Show ``text``; only with ``links``, it is HTML."""
+        self.setTextFormat(Qt.TextFormat.RichText if links else Qt.TextFormat.PlainText)
+        self.setText(text)
+        self.setProperty("muted", not error)
+        self.setProperty("error", error)
+        self.style().unpolish(self)
+        self.style().polish(self)

@@ -1,0 +1,210 @@
+"""Choose icons to work on: look them up by a word, or open an SVG file of one's own."""
+
+from collections.abc import Generator
+from contextlib import closing
+
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtGui import QDragEnterEvent, QDropEvent, QKeyEvent
+from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QLineEdit, QPushButton, QVBoxLayout, QWidget
+
+from iconstudio.gui.dragging import dropped_file
+from iconstudio.gui.panels.caption import Caption
+from iconstudio.gui.panels.choices import Choices
+from iconstudio.gui.preparation import DEBOUNCE
+from iconstudio.gui.runner import Runner
+from iconstudio.gui.theme import UNIT
+from iconstudio.gui.worker import Worker
+from iconstudio.model import Exemplar
+from iconstudio.session import Session
+from iconstudio.workflows.events import Event, Retrieved
+
+_FILES = "SVG drawings (*.svg);;All files (*)"
+_WELCOME = "Look icons up by a word, or open a drawing of your own."
+
+
+class IconChooser(QWidget):
+    """A search field, a button to open a file, and thumbnails of the icons to choose from.
+
+    Files that were opened stay in front of what is found. With ``multiple``, the icons named by
+    ``set_taken`` are ticked, and choosing one of these gives it back.
+
+    Signals
+    -------
+    chosen(Exemplar)
+        The user clicked an icon, pressed Enter on it, or opened it.
+    released(Exemplar)
+        The user chose an icon that was taken; only with ``multiple``.
+    failed(str)
+        Nothing was found, or a file is no good; the chooser shows the sentence itself too.
+    """
+
+    chosen = Signal(object)
+    released = Signal(object)
+    failed = Signal(str)
+
+    def __init__(
+        self,
+        session: Session,
+        worker: Worker,
+        multiple: bool = False,
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._session = session
+        self._multiple = multiple
+        self._shown: dict[str, Exemplar] = {}
+        self._keyword = ""
+        self._found: tuple[Exemplar, ...] = ()
+        self._opened: dict[str, Exemplar] = {}
+        self.setAcceptDrops(True)
+
+        self.field = SearchField()
+        self.button = QPushButton("Open SVG…", toolTip="Use an SVG drawing of your own")
+        self.button.setAutoDefault(False)
+        self.caption = Caption()
+        self.choices = Choices()
+        self.choices.sheet().multiple = multiple
+        row = QHBoxLayout()
+        row.setSpacing(UNIT)
+        row.addWidget(self.field, 1)
+        row.addWidget(self.button)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(UNIT)
+        layout.addLayout(row)
+        layout.addWidget(self.caption)
+        layout.addWidget(self.choices, 1)
+        self.setFocusProxy(self.field)
+
+        self._search = Runner(worker, self)
+        self._search.event.connect(self._show_found)
+        self._search.failed.connect(self._fail)
+        self._file = Runner(worker, self)
+        self._file.event.connect(self._take_file)
+        self._file.failed.connect(self._fail)
+        self._timer = QTimer(self, singleShot=True, interval=DEBOUNCE)
+        self._timer.timeout.connect(self._look_up)
+        self.field.textEdited.connect(self._timer.start)
+        self.field.returnPressed.connect(self._look_up)
+        self.field.left.connect(self._enter_choices)
+        self.button.clicked.connect(self.choose_file)
+        self.choices.toggled.connect(self._choose)
+        self.caption.say(_WELCOME)
+
+    def search(self, keyword: str) -> None:
+        """Look icons up, as if the user had typed ``keyword`` and Enter."""
+        self.field.setText(keyword)
+        self._look_up()
+
+    def set_taken(self, identifiers: frozenset[str]) -> None:
+        """Say which icons are taken already."""
+        self.choices.sheet().set_taken(identifiers)
+
+    def choose_file(self) -> None:
+        """Ask for an SVG file."""
+        path, _ = QFileDialog.getOpenFileName(self, "Open a drawing of your own", "", _FILES)
+        if path:
+            self.open_file(path)
+
+    def open_file(self, path: str) -> None:
+        """Read and draw an SVG file in the background, then choose it."""
+        self.caption.say(f"Opening “{path}”…")
+        self._file.start(lambda: _drawn(self._session, path))
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        """Let files be dropped."""
+        if dropped_file(event.mimeData()) is not None:
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        """Open a file that was dropped."""
+        path = dropped_file(event.mimeData())
+        if path is not None:
+            event.acceptProposedAction()
+            self.open_file(path)
+
+    def _look_up(self) -> None:
+        self._timer.stop()
+        keyword = self.field.text().strip()
+        if keyword == self._keyword and (self._found or self._search.running):
+            return
+        self._search.cancel()
+        self._keyword, self._found = keyword, ()
+        self._fill()
+        if keyword:
+            self.caption.say(f"Looking for “{keyword}”…")
+            self._search.start(lambda: _retrieved(self._session, keyword))
+        else:
+            self.caption.say(_WELCOME)
+
+    def _show_found(self, event: Event) -> None:
+        if isinstance(event, Retrieved):
+            self._found = event.exemplars
+            self._fill()
+            icons = "1 icon" if len(self._found) == 1 else f"{len(self._found)} icons"
+            what = "click to add or take away" if self._multiple else "click one to use it"
+            self.caption.say(f"{icons} found · {what}")
+
+    def _take_file(self, exemplar: Exemplar) -> None:
+        self._opened = {exemplar.id: exemplar} | self._opened
+        self._fill()
+        self.caption.say(f"Opened “{exemplar.pictogram.credit.title}”.")
+        if not self.choices.sheet().is_taken(exemplar):
+            self.chosen.emit(exemplar)
+
+    def _choose(self, identifier: str) -> None:
+        exemplar = self._shown[identifier]
+        taken = self.choices.sheet().is_taken(exemplar)
+        (self.released if taken else self.chosen).emit(exemplar)
+
+    def _fill(self) -> None:
+        self._shown = self._opened | {one.id: one for one in self._found}
+        self.choices.sheet().show(tuple(self._shown.values()))
+
+    def _fail(self, message: str) -> None:
+        self.caption.say(message, error=True)
+        self.failed.emit(message)
+
+    def _enter_choices(self) -> None:
+        if self._shown:
+            self.choices.setFocus(Qt.FocusReason.OtherFocusReason)
+            self.choices.setCurrentIndex(self.choices.sheet().index(0))
+
+
+class SearchField(QLineEdit):
+    """A text field that the Down key leaves.
+
+    Signals
+    -------
+    left()
+        The user wants to go on to what was found.
+    """
+
+    left = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setPlaceholderText("Find an icon: lamp, dog, …")
+        self.setAccessibleName("Find an icon")
+        self.setClearButtonEnabled(True)
+        self.setMaxLength(100)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Leave with Down."""
+        if event.key() == Qt.Key.Key_Down:
+            self.left.emit()
+        else:
+            super().keyPressEvent(event)
+
+
+def _retrieved(session: Session, keyword: str) -> Generator[Event]:
+    """Yield what ``prepare`` does up to the icons; their distances are of no use here."""
+    with closing(session.prepare(keyword)) as events:
+        for event in events:
+            yield event
+            if isinstance(event, Retrieved):
+                return
+
+
+def _drawn(session: Session, path: str) -> Generator[Exemplar]:
+    yield session.exemplar(session.icon(path))
