@@ -4,7 +4,7 @@ from pathlib import Path
 
 import click
 
-from iconstudio.sketchfile import example
+from iconstudio.inputs.sketch import example
 
 
 @click.command("demo")
@@ -30,7 +30,7 @@ def command(ctx: click.Context, name: str, folder: Path, headless: bool) -> None
 
     from iconstudio.cli.model import run
     from iconstudio.session import Session
-    from iconstudio.workflows.modelling import ModelSettings
+    from iconstudio.workflows.grid import ModelSettings
 
     with Session() as session:
         run(session, sketch, ModelSettings(), folder)

@@ -8,14 +8,14 @@ import click
 
 from iconstudio.algorithms.expansion import LAMBDAS
 from iconstudio.cli.progress import ProgressBar
+from iconstudio.inputs.sketch import SketchFile, read_sketch
 from iconstudio.model import Composite, Drawing, IconstudioError
 from iconstudio.output import png
 from iconstudio.output.sheet import Subject, gallery_sheet
 from iconstudio.resources import resource
 from iconstudio.session import Session
-from iconstudio.sketchfile import SketchFile, read_sketch
 from iconstudio.workflows.events import Progress, Result
-from iconstudio.workflows.modelling import ModelSettings
+from iconstudio.workflows.grid import ModelSettings
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,12 +11,12 @@ from iconstudio.algorithms.style import STYLES
 from iconstudio.cli.lists import ListCommand, Numbers, Words, flat, is_number
 from iconstudio.cli.progress import ProgressBar
 from iconstudio.cli.timing import Stopwatch
+from iconstudio.inputs.sketch import read_sketch
 from iconstudio.model import IconstudioError, Sketch
 from iconstudio.output.report import Report
 from iconstudio.session import Session
-from iconstudio.sketchfile import read_sketch
 from iconstudio.workflows.events import Progress, Result, Retrieved, StyleSkipped
-from iconstudio.workflows.modelling import ModelSettings
+from iconstudio.workflows.grid import ModelSettings
 
 _STYLES = tuple(style.name for style in STYLES)
 

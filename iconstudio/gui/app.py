@@ -2,13 +2,14 @@
 
 import sys
 
-from PySide6.QtCore import QObject, Qt
+from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QApplication
 
 from iconstudio.gui import theme
 from iconstudio.gui.main_window import MainWindow
+from iconstudio.gui.workspaces.sketching.workspace import SketchWorkspace
+from iconstudio.inputs.sketch import example as read_example
 from iconstudio.session import Session
-from iconstudio.sketchfile import example as read_example
 
 
 def application() -> QApplication:
@@ -47,9 +48,8 @@ def run(example: str | None = None, session: Session | None = None) -> int:
 
 def start(window: MainWindow, example: str) -> None:
     """Load an example and remix it as soon as it is there."""
-    sketch = read_example(example)
-    window.opener.opened.connect(window.run, Qt.ConnectionType.SingleShotConnection)
-    window.opener.open_example(sketch)
+    sketching = window.workspace_of(SketchWorkspace.title)
+    sketching.demonstrate(read_example(example))
 
 
 class _Follower(QObject):

@@ -1,4 +1,4 @@
-"""Take sketches and icons out of the window: to files and to the clipboard."""
+"""Take icons and work out of the window: to files and to the clipboard."""
 
 from collections.abc import Callable, Generator
 from pathlib import Path
@@ -6,18 +6,16 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
-from iconstudio.gui.document import Page
 from iconstudio.gui.pictures import Picture
 from iconstudio.gui.worker import Worker
 from iconstudio.model import IconstudioError
-from iconstudio.sketchfile import write_sketch
 
 PNG_SIZE = 1024
 """Side of a saved PNG in pixels."""
 
 
 class Saver(QObject):
-    """Asks where to, and writes; icons in the background.
+    """Asks where to, and writes in the background.
 
     Signals
     -------
@@ -34,52 +32,27 @@ class Saver(QObject):
         super().__init__(window)
         self._worker = worker
         self._window = window
-        self._picture: Picture | None = None
-        self._title = "icon"
 
-    def save_sketch(self, page: Page) -> None:
-        """Save the sketch as JSON."""
-        path = self.ask_path("sketch", _file_name(page.sketch.keyword), "json")
-        if path is None:
-            return
-        photo = Path(page.photo.path) if page.photo is not None and page.photo.path else None
+    def save_svg(self, picture: Picture) -> None:
+        """Save a result as SVG."""
+        self._save_icon(picture, "svg", lambda: _svg(picture))
+
+    def save_png(self, picture: Picture, coded: bool = False) -> None:
+        """Save a result as PNG, coded by source or not."""
+        self._save_icon(picture, "png", lambda: _png(picture, coded))
+
+    def copy_svg(self, picture: Picture) -> None:
+        """Put a result on the clipboard as SVG."""
         try:
-            write_sketch(path, page.sketch, photo)
-        except IconstudioError as error:
-            self.failed.emit(str(error))
-        else:
-            self._tell(path)
-
-    def pick(self, picture: Picture | None) -> None:
-        """Say which result is to be saved from now on."""
-        self._picture = picture
-
-    def set_title(self, title: str) -> None:
-        """Say what the results show: the title of saved icons, and the start of file names."""
-        self._title = title
-
-    def save_svg(self) -> None:
-        """Save the picked result as SVG."""
-        picture, title = self._picture, self._title
-        if picture is not None:
-            self._save("icon", self._icon_name(picture), "svg", lambda: _svg(picture, title))
-
-    def save_png(self, coded: bool = False) -> None:
-        """Save the picked result as PNG, coded by source or not."""
-        picture = self._picture
-        if picture is not None:
-            self._save("icon", self._icon_name(picture), "png", lambda: _png(picture, coded))
-
-    def copy_svg(self) -> None:
-        """Put the picked result on the clipboard as SVG."""
-        if self._picture is None:
-            return
-        try:
-            QApplication.clipboard().setText(_svg(self._picture, self._title).decode())
+            QApplication.clipboard().setText(_svg(picture).decode())
         except IconstudioError as error:
             self.failed.emit(str(error))
         else:
             self.saved.emit("The icon is on the clipboard as SVG, with its credits.")
+
+    def save_work(self, what: str, title: str, write: Callable[[Path], None]) -> None:
+        """Save what lies on a canvas as JSON: ``what`` it is; ``write`` writes it to a path."""
+        self._save(what, title, "json", write)
 
     def ask_path(self, what: str, name: str, kind: str) -> Path | None:
         """Ask where to save; None if the user thinks better of it."""
@@ -92,32 +65,38 @@ class Saver(QObject):
         dialog.deleteLater()
         return Path(chosen[0]) if chosen else None
 
-    def _save(self, what: str, name: str, kind: str, content: Callable[[], bytes]) -> None:
-        path = self.ask_path(what, name, kind)
+    def _save(self, what: str, name: str, kind: str, write: Callable[[Path], None]) -> None:
+        path = self.ask_path(what, _file_name(name), kind)
         if path is None:
             return
-        job = self._worker.submit(lambda: _writing(path, content))
+        job = self._worker.submit(lambda: _writing(path, write))
         job.event.connect(self._tell)
         job.failed.connect(self.failed)
+
+    def _save_icon(self, picture: Picture, kind: str, content: Callable[[], bytes]) -> None:
+        name = f"{picture.title}-{picture.result.composite.style}"
+        self._save("icon", name, kind, lambda path: _write(path, content()))
 
     def _tell(self, path: Path) -> None:
         self.saved.emit(f"Saved “{path}”.")
 
-    def _icon_name(self, picture: Picture) -> str:
-        return f"{_file_name(self._title)}-{picture.result.composite.style}"
 
-
-def _writing(path: Path, content: Callable[[], bytes]) -> Generator[Path]:
-    from iconstudio.output import png
-
-    png.write(path, content())
+def _writing(path: Path, write: Callable[[Path], None]) -> Generator[Path]:
+    write(path)
     yield path
 
 
-def _svg(picture: Picture, title: str) -> bytes:
+def _write(path: Path, content: bytes) -> None:
+    from iconstudio.output import png
+
+    png.write(path, content)
+
+
+def _svg(picture: Picture) -> bytes:
     from iconstudio.output.svg import svg_document
 
-    return svg_document(picture.result.drawing, picture.result.composite, title).encode()
+    result = picture.result
+    return svg_document(result.drawing, result.composite, picture.title).encode()
 
 
 def _png(picture: Picture, coded: bool) -> bytes:
@@ -130,7 +109,7 @@ def _png(picture: Picture, coded: bool) -> bytes:
     return png.encoded(png.drawing_pixels(result.drawing, PNG_SIZE))
 
 
-def _file_name(keyword: str) -> str:
-    """Return a keyword as the beginning of a file name."""
-    words = "".join(c if c.isalnum() else "-" for c in keyword.strip().lower()).strip("-")
+def _file_name(title: str) -> str:
+    """Return a title as the beginning of a file name."""
+    words = "".join(c if c.isalnum() else "-" for c in title.strip().lower()).strip("-")
     return words or "icon"

@@ -13,7 +13,7 @@ CODE = """
 import time
 began = time.perf_counter()
 from iconstudio.session import Session
-from iconstudio.sketchfile import example
+from iconstudio.inputs.sketch import example
 from iconstudio.workflows.events import Result
 first, count = None, 0
 if __name__ == "__main__":

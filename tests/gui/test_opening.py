@@ -9,8 +9,8 @@ from PySide6.QtGui import QDropEvent, QImage
 from PySide6.QtWidgets import QApplication, QFileDialog
 
 from iconstudio.gui.photo import LONGEST, photo_from_image, read_photo
+from iconstudio.inputs.sketch import examples
 from iconstudio.model import IconstudioError
-from iconstudio.sketchfile import examples
 
 
 @pytest.fixture

@@ -7,7 +7,7 @@ from hands import save_to, trace, type_keyword
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
 
-from iconstudio.sketchfile import examples, read_sketch
+from iconstudio.inputs.sketch import examples, read_sketch
 
 
 @pytest.fixture

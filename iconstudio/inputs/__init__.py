@@ -1,0 +1,1 @@
+"""What the user's files say: one module a format, all JSON."""

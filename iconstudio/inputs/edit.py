@@ -1,0 +1,75 @@
+"""EDIT.json: what to change on an icon (section 4.2).
+
+``{"icon": "set:name", "keyword": "camera", "remove": [polygon, ...], "add": [polygon, ...],
+"symmetry": "horizontal", "exclude": ["set:name", ...]}``. ``icon`` may be the path of an SVG, from
+the file's folder. A polygon is ``[[x, y], ...]`` in canvas units (0 to 256) of the normalised icon.
+Of ``remove`` and ``add`` one may be left out; ``symmetry`` and ``exclude`` may.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from iconstudio.inputs.fields import read, relative, write, written
+from iconstudio.model import Axis, Edit, Pictogram, Polygon
+
+
+@dataclass(frozen=True, slots=True)
+class EditFile:
+    """What an EDIT.json says; ``icon`` is a reference, ``set:name`` or a path."""
+
+    icon: str
+    keyword: str = ""
+    remove: tuple[Polygon, ...] = ()
+    add: tuple[Polygon, ...] = ()
+    symmetry: Axis | None = None
+    exclude: frozenset[str] = frozenset()
+
+    def resolved(self, find: Callable[[str], Pictogram]) -> Edit:
+        """Return the edit, its icon found by ``find``."""
+        return Edit(
+            find(self.icon), self.keyword, self.remove, self.add, self.symmetry, self.exclude
+        )
+
+
+def read_edit(path: Path) -> EditFile:
+    """Read an EDIT.json.
+
+    Raises
+    ------
+    IconstudioError
+        If the file cannot be read or does not hold an edit.
+    """
+    fields = read(path)
+    edit = EditFile(
+        fields.reference(),
+        fields.text("keyword"),
+        fields.polygons("remove"),
+        fields.polygons("add"),
+        fields.axis(),
+        frozenset(fields.texts("exclude")),
+    )
+    if not (edit.remove or edit.add):
+        raise fields.mistake(
+            'There is nothing to change. Enclose what to "remove", or sketch what to "add".'
+        )
+    return edit
+
+
+def write_edit(path: Path, edit: EditFile) -> None:
+    """Write an EDIT.json.
+
+    Raises
+    ------
+    IconstudioError
+        If the file cannot be written.
+    """
+    data = {
+        "icon": relative(edit.icon, path),
+        "keyword": edit.keyword,
+        "remove": [written(polygon.vertices) for polygon in edit.remove],
+        "add": [written(polygon.vertices) for polygon in edit.add],
+        "symmetry": edit.symmetry,
+        "exclude": sorted(edit.exclude),
+    }
+    write(path, data)

@@ -1,0 +1,230 @@
+"""JSON files, read field by field: every mistake names the file, the place and the cure."""
+
+import json
+import math
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from iconstudio.files import write_atomically
+from iconstudio.model import Axis, IconstudioError, Point, Polygon
+
+_LARGEST = 1e9
+"""Coordinates beyond it are a mistake."""
+_OF_COLLECTION = re.compile(r"[^:/\\]+:[^:/\\]+(?<!\.svg)", re.IGNORECASE)
+"""``set:name``; anything else is the path of an SVG."""
+
+_ODD = re.compile("[\0\ud800-\udfff]")
+
+
+class Fields:
+    """The fields of a JSON object. Each method reads one, and checks it.
+
+    Raises
+    ------
+    IconstudioError
+        From every method, if the field is not what it must be.
+    """
+
+    def __init__(self, data: object, path: Path, place: str = "") -> None:
+        self._path = path
+        self._place = place
+        if not isinstance(data, dict):
+            raise self.mistake('An object such as {"key": "value"} is needed.')
+        self._data = data
+
+    def mistake(self, sentence: str) -> IconstudioError:
+        """Return the error that says what is wrong, and where."""
+        return IconstudioError(f"In “{self._path.name}”{self._place}: {sentence}")
+
+    def has(self, key: str) -> bool:
+        """Whether the field is there, and not null."""
+        return self._data.get(key) is not None
+
+    def text(self, key: str, default: str = "") -> str:
+        """Return a text."""
+        value = self._given(key, default)
+        if not isinstance(value, str):
+            raise self.mistake(f'"{key}" must be a text.')
+        return self._checked(value, key)
+
+    def texts(self, key: str) -> tuple[str, ...]:
+        """Return a list of texts; empty if there is none."""
+        values = self._list(key, "texts") if self.has(key) else []
+        if not all(isinstance(value, str) for value in values):
+            raise self.mistake(f'"{key}" must be a list of texts.')
+        return tuple(self._checked(value, key) for value in values)
+
+    def flag(self, key: str) -> bool:
+        """Return a truth value; false if there is none."""
+        value = self._given(key, False)
+        if not isinstance(value, bool):
+            raise self.mistake(f'"{key}" must be true or false.')
+        return value
+
+    def number(
+        self, key: str, default: float | None, least: float, most: float, *, above: bool = False
+    ) -> float:
+        """Return a number from ``least`` to ``most``; if ``above``, more than ``least``.
+
+        It must be there if ``default`` is None.
+        """
+        value = _finite(self._given(key, default))
+        if value is None or not (least < value if above else least <= value) or value > most:
+            bounds = f"above {least:g} and up to" if above else f"from {least:g} to"
+            raise self.mistake(f'"{key}" must be a number {bounds} {most:g}.')
+        return value
+
+    def whole(self, key: str, default: int, least: int, most: int) -> int:
+        """Return a whole number from ``least`` to ``most``."""
+        value = self._given(key, default)
+        if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= most:
+            raise self.mistake(f'"{key}" must be a whole number from {least} to {most}.')
+        return value
+
+    def axis(self, key: str = "symmetry") -> Axis | None:
+        """Return an axis of symmetry, or None."""
+        value = self._given(key, None)
+        if value is None:
+            return None
+        if not isinstance(value, str) or value not in list(Axis):
+            raise self.mistake(f'"{key}" must be null or one of {", ".join(Axis)}.')
+        return Axis(value)
+
+    def reference(self, key: str = "icon") -> str:
+        """Return the reference of an icon: ``set:name``, or the absolute path of an SVG."""
+        if not self.has(key):
+            raise self.mistake(f'"{key}" is missing: "set:name", or the path of an SVG.')
+        return self._resolved(self.text(key), key)
+
+    def references(self, key: str) -> tuple[str, ...]:
+        """Return the references of several icons."""
+        return tuple(self._resolved(text, key) for text in self.texts(key))
+
+    def points(self, key: str) -> tuple[Point, ...]:
+        """Return a list of points."""
+        return self._points(self._list(key, "[x, y] points"), f'of "{key}"')
+
+    def polygons(self, key: str) -> tuple[Polygon, ...]:
+        """Return a list of polygons that enclose some area; empty if there is none."""
+        values = self._list(key, "polygons") if self.has(key) else []
+        return tuple(
+            self._polygon(value, f'polygon {number} of "{key}"')
+            for number, value in enumerate(values, start=1)
+        )
+
+    def objects(self, key: str, name: str) -> Iterator["Fields"]:
+        """Yield the objects of a list, each called ``name`` and its number in messages."""
+        values = self._list(key, f"{name}s") if self.has(key) else []
+        for number, value in enumerate(values, start=1):
+            yield Fields(value, self._path, f"{self._place}, {name} {number}")
+
+    def _given(self, key: str, default: Any) -> Any:
+        return self._data[key] if self.has(key) else default
+
+    def _list(self, key: str, of: str) -> list[Any]:
+        value = self._data.get(key)
+        if not isinstance(value, list):
+            raise self.mistake(f'"{key}" must be a list of {of}.')
+        return value
+
+    def _checked(self, text: str, key: str) -> str:
+        """Refuse what neither a file name nor UTF-8 can hold."""
+        if _ODD.search(text):
+            raise self.mistake(f'"{key}" holds characters that are none.')
+        return text
+
+    def _polygon(self, value: object, name: str) -> Polygon:
+        if not isinstance(value, list):
+            raise self.mistake(f"The {name} must be a list of [x, y] points.")
+        polygon = Polygon.of(self._points(value, f"of {name}"))
+        try:
+            polygon.fitted()
+        except IconstudioError as error:
+            raise self.mistake(f"The {name} is no good. {error}") from None
+        return polygon
+
+    def _points(self, values: list[Any], of: str) -> tuple[Point, ...]:
+        return tuple(
+            self._point(value, f"Point {number} {of}")
+            for number, value in enumerate(values, start=1)
+        )
+
+    def _point(self, value: object, name: str) -> Point:
+        if not isinstance(value, list) or len(value) != 2 or not all(map(_is_number, value)):
+            raise self.mistake(f"{name} is not a pair of numbers: {json.dumps(value)[:60]}.")
+        x, y = map(_finite, value)
+        if x is None or y is None:
+            raise self.mistake(f"{name} is not finite. Remove it.")
+        if max(abs(x), abs(y)) > _LARGEST:
+            raise self.mistake(f"{name} is out of all scale: [{x:g}, {y:g}].")
+        return x, y
+
+    def _resolved(self, text: str, key: str) -> str:
+        text = text.strip()
+        if not text:
+            raise self.mistake(f'"{key}" is empty: "set:name", or the path of an SVG, is needed.')
+        if _OF_COLLECTION.fullmatch(text):
+            return text
+        return str((self._path.parent / text).resolve())
+
+
+def read(path: Path) -> Fields:
+    """Read a JSON file.
+
+    Raises
+    ------
+    IconstudioError
+        If it cannot be read, or holds no JSON object.
+    """
+    try:
+        data = json.loads(path.read_text("utf-8"))
+    except OSError as error:
+        raise IconstudioError(f"“{path}” cannot be read: {error.strerror}.") from None
+    except (ValueError, RecursionError) as error:
+        raise IconstudioError(
+            f"“{path.name}” is not valid JSON: {error}. Save it again, or mend it in an editor."
+        ) from None
+    return Fields(data, path)
+
+
+def write(path: Path, data: dict[str, Any]) -> None:
+    """Write a JSON file; fields that are None are left out.
+
+    Raises
+    ------
+    IconstudioError
+        If it cannot be written.
+    """
+    there = {key: value for key, value in data.items() if value is not None}
+    text = json.dumps(there, ensure_ascii=False, indent=2, allow_nan=False) + "\n"
+    try:
+        write_atomically(path, text.encode())
+    except OSError as error:
+        raise IconstudioError(f"“{path}” cannot be written: {error.strerror}.") from None
+
+
+def relative(reference: str, path: Path) -> str:
+    """Return a reference as it is written into the file ``path``: near files by short paths."""
+    file = Path(reference)
+    near = file.is_absolute() and file.is_relative_to(path.resolve().parent)
+    return file.relative_to(path.resolve().parent).as_posix() if near else reference
+
+
+def written(points: tuple[Point, ...]) -> list[list[float]]:
+    """Return points as they are written: to a hundredth of a pixel."""
+    return [[round(x, 2), round(y, 2)] for x, y in points]
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool)
+
+
+def _finite(value: object) -> float | None:
+    """Return a number as float; None if it is none, or too large for one."""
+    try:
+        number = float(value) if _is_number(value) else math.nan  # type: ignore[arg-type]
+    except OverflowError:
+        return None
+    return number if math.isfinite(number) else None

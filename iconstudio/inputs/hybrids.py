@@ -1,0 +1,91 @@
+"""HYBRIDS.json: which icons to mix (section 4.3).
+
+``{"icons": ["set:name", ...], "draws": 40, "seed": 0, "symmetry": "horizontal"}``, or, for icons
+that the program picks, ``{"keyword": "lamp", "count": 5, ...}``. An icon may be the path of an SVG,
+from the file's folder.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from iconstudio.inputs.fields import Fields, read, relative, write
+from iconstudio.model import Axis, Mix, Pictogram
+
+FEWEST, MOST = 2, 12
+"""Icons of a mix."""
+MOST_DRAWS = 1000
+LARGEST_SEED = 2**63 - 1
+
+
+@dataclass(frozen=True, slots=True)
+class HybridsFile:
+    """What a HYBRIDS.json says; ``icons`` are references, ``set:name`` or a path."""
+
+    icons: tuple[str, ...] = ()
+    keyword: str = ""
+    """What the icons are picked by; empty if they are given."""
+    count: int = 5
+    """How many are picked."""
+    draws: int = 40
+    seed: int = 0
+    symmetry: Axis | None = None
+
+    def resolved(self, find: Callable[[str], Pictogram]) -> Mix:
+        """Return the mix of the icons that are given, found by ``find``."""
+        return self.mix(tuple(map(find, self.icons)))
+
+    def mix(self, icons: tuple[Pictogram, ...]) -> Mix:
+        """Return the mix of these icons."""
+        return Mix(icons, self.draws, self.seed, self.symmetry)
+
+
+def read_hybrids(path: Path) -> HybridsFile:
+    """Read a HYBRIDS.json.
+
+    Raises
+    ------
+    IconstudioError
+        If the file cannot be read or does not say what to mix.
+    """
+    fields = read(path)
+    keyword = fields.text("keyword").strip()
+    if fields.has("icons") == bool(keyword):
+        raise fields.mistake(
+            'Give either "icons", a list, or a "keyword" to pick them by; not both.'
+        )
+    if fields.has("icons") and fields.has("count"):
+        raise fields.mistake('"count" goes with "keyword"; with "icons", all are mixed.')
+    return HybridsFile(
+        () if keyword else _icons(fields),
+        keyword,
+        fields.whole("count", 5, FEWEST, MOST),
+        fields.whole("draws", 40, 1, MOST_DRAWS),
+        fields.whole("seed", 0, 0, LARGEST_SEED),
+        fields.axis(),
+    )
+
+
+def write_hybrids(path: Path, hybrids: HybridsFile) -> None:
+    """Write a HYBRIDS.json.
+
+    Raises
+    ------
+    IconstudioError
+        If the file cannot be written.
+    """
+    picked: dict[str, object] = {"keyword": hybrids.keyword, "count": hybrids.count}
+    given = {"icons": [relative(reference, path) for reference in hybrids.icons]}
+    data = {"draws": hybrids.draws, "seed": hybrids.seed, "symmetry": hybrids.symmetry}
+    write(path, (given if hybrids.icons else picked) | data)
+
+
+def _icons(fields: Fields) -> tuple[str, ...]:
+    icons = fields.references("icons")
+    if not FEWEST <= len(icons) <= MOST:
+        count = "1 icon" if len(icons) == 1 else f"{len(icons)} icons"
+        raise fields.mistake(f'"icons" has {count}; {FEWEST} to {MOST} can be mixed.')
+    for number, icon in enumerate(icons):
+        if icon in icons[:number]:
+            raise fields.mistake(f'"icons" names {icon} twice. Hybrids need different icons.')
+    return icons

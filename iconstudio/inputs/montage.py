@@ -1,0 +1,112 @@
+"""MONTAGE.json: icons on one canvas, and scribbles over the parts to keep (section 4.4).
+
+``{"layers": [{"icon": "set:name", "scale": 1, "flip": false, "dx": 0, "dy": 0,
+"strokes": [{"width": 12, "points": [[x, y], ...]}]}]}``.
+
+``icon`` may be the path of an SVG, from the file's folder.
+A layer is mirrored left to right if ``flip``, scaled about the canvas's centre, and shifted by
+``dx``, ``dy``; all but ``icon`` may be left out. Lengths are in canvas units (0 to 256), y down.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from iconstudio.inputs.fields import Fields, read, relative, write, written
+from iconstudio.model import CANVAS, Layer, Montage, Pictogram, Placement, Stroke
+
+MOST = 30
+"""Layers of a montage."""
+SMALLEST, LARGEST = 0.02, 20.0
+"""Scales of a layer."""
+
+
+@dataclass(frozen=True, slots=True)
+class LayerFile:
+    """A layer; ``icon`` is a reference, ``set:name`` or a path."""
+
+    icon: str
+    placement: Placement
+    strokes: tuple[Stroke, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class MontageFile:
+    """What a MONTAGE.json says."""
+
+    layers: tuple[LayerFile, ...]
+
+    def resolved(self, find: Callable[[str], Pictogram]) -> Montage:
+        """Return the montage, its icons found by ``find``."""
+        return Montage(
+            tuple(Layer(find(one.icon), one.placement, one.strokes) for one in self.layers)
+        )
+
+
+def read_montage(path: Path) -> MontageFile:
+    """Read a MONTAGE.json.
+
+    Raises
+    ------
+    IconstudioError
+        If the file cannot be read or does not hold a montage.
+    """
+    fields = read(path)
+    objects = list(fields.objects("layers", "layer"))
+    if not 1 <= len(objects) <= MOST:
+        raise fields.mistake(f'"layers" must be a list of 1 to {MOST}; it has {len(objects)}.')
+    layers = tuple(map(_layer, objects))
+    if not any(layer.strokes for layer in layers):
+        raise fields.mistake('There are no "strokes". Scribble over the parts to keep.')
+    return MontageFile(layers)
+
+
+def write_montage(path: Path, montage: MontageFile) -> None:
+    """Write a MONTAGE.json.
+
+    Raises
+    ------
+    IconstudioError
+        If the file cannot be written.
+    """
+    layers = [
+        {
+            "icon": relative(layer.icon, path),
+            "scale": layer.placement.scale,
+            "flip": layer.placement.flip,
+            "dx": layer.placement.dx,
+            "dy": layer.placement.dy,
+            "strokes": [
+                {"width": stroke.width, "points": written(stroke.points)}
+                for stroke in layer.strokes
+            ],
+        }
+        for layer in montage.layers
+    ]
+    write(path, {"layers": layers})
+
+
+def _layer(fields: Fields) -> LayerFile:
+    far = LARGEST * CANVAS
+    placement = Placement(
+        fields.number("scale", 1.0, SMALLEST, LARGEST, above=True),
+        fields.flag("flip"),
+        round(fields.number("dx", 0, -far, far)),
+        round(fields.number("dy", 0, -far, far)),
+    )
+    strokes = tuple(map(_stroke, fields.objects("strokes", "stroke")))
+    return LayerFile(fields.reference(), placement, strokes)
+
+
+def _stroke(fields: Fields) -> Stroke:
+    width = fields.number("width", None, 0, 2 * CANVAS, above=True)
+    points = fields.points("points")
+    if len(set(points)) < 2:
+        count = "no point" if not points else "one point"
+        raise fields.mistake(f"The stroke has {count}; it needs at least 2 different ones.")
+    left, right = min(x for x, _ in points), max(x for x, _ in points)
+    top, bottom = min(y for _, y in points), max(y for _, y in points)
+    reach = width / 2
+    if not (-reach < right and left < CANVAS + reach and -reach < bottom and top < CANVAS + reach):
+        raise fields.mistake(f"The stroke lies outside the canvas, 0 to {CANVAS}.")
+    return Stroke(width, points)

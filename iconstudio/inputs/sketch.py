@@ -1,0 +1,82 @@
+"""SKETCH.json: a sketch in a file, and the examples that come with the program.
+
+``{"keyword": "dog", "polygon": [[x, y], ...], "exclude": ["set:name", ...],
+"symmetry": "horizontal"}``; the polygon is in any unit, y down, and ``symmetry`` names an ``Axis``.
+All but ``polygon`` are optional, and so are ``title`` and ``photo``, the file that the polygon was
+traced over.
+"""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from iconstudio.inputs.fields import read, write, written
+from iconstudio.model import IconstudioError, Polygon, Sketch
+from iconstudio.resources import resource
+
+
+@dataclass(frozen=True, slots=True)
+class SketchFile:
+    """What a SKETCH.json says."""
+
+    title: str
+    sketch: Sketch
+    photo: Path | None = None
+    """The photo that the polygon was traced over."""
+
+
+def examples() -> list[SketchFile]:
+    """Return the example sketches, by title."""
+    files = resource("examples").glob("*.json")
+    return sorted(map(read_sketch, files), key=lambda example: example.title)
+
+
+def example(name: str) -> SketchFile:
+    """Return the example of this file name, for instance ``motorbike``.
+
+    Raises
+    ------
+    IconstudioError
+        If there is none.
+    """
+    path = resource("examples") / f"{name}.json"
+    if not path.is_file():
+        known = sorted(file.stem for file in path.parent.glob("*.json"))
+        raise IconstudioError(f"There is no example {name!r}. There are {', '.join(known)}.")
+    return read_sketch(path)
+
+
+def read_sketch(path: Path) -> SketchFile:
+    """Read a SKETCH.json.
+
+    Raises
+    ------
+    IconstudioError
+        If the file cannot be read or does not hold a sketch.
+    """
+    fields = read(path)
+    sketch = Sketch(
+        Polygon.of(fields.points("polygon")),
+        fields.text("keyword"),
+        frozenset(fields.texts("exclude")),
+        fields.axis(),
+    )
+    photo = (path.parent / fields.text("photo")).resolve() if fields.has("photo") else None
+    return SketchFile(fields.text("title") or path.stem, sketch, photo)
+
+
+def write_sketch(path: Path, sketch: Sketch, photo: Path | None = None) -> None:
+    """Write a SKETCH.json.
+
+    Raises
+    ------
+    IconstudioError
+        If the file cannot be written.
+    """
+    data = {
+        "keyword": sketch.keyword,
+        "polygon": written(sketch.polygon.vertices),
+        "exclude": sorted(sketch.exclude),
+        "symmetry": sketch.symmetry,
+        "photo": str(photo) if photo else None,
+    }
+    write(path, data)
