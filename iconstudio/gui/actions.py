@@ -1,10 +1,10 @@
-"""Menus, shortcuts and tool bar buttons."""
+"""What can be done, by name: words, shortcuts and icons; and the menus they stand in."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from PySide6.QtGui import QAction, QActionGroup, QKeySequence, QUndoStack
-from PySide6.QtWidgets import QMainWindow, QMenu
+from PySide6.QtGui import QAction, QActionGroup, QKeySequence
+from PySide6.QtWidgets import QMenu, QWidget
 
 from iconstudio.gui import icons, theme
 
@@ -23,81 +23,77 @@ class Entry:
     checkable: bool = False
 
 
-ENTRIES = (
-    Entry("new", "&New sketch", "Start afresh", Key.New),
-    Entry("photo", "Open &photo…", "Open a photo to trace over", Key.Open, "photo"),
-    Entry("paste", "P&aste photo", "Use the image on the clipboard", Key.Paste),
-    Entry("open", "Open s&ketch…", "Open a sketch file", "Ctrl+Shift+O"),
-    Entry("save", "&Save sketch…", "Save the sketch as JSON", Key.Save),
-    Entry("svg", "Save icon as S&VG…", "Save the picked icon as SVG", "Ctrl+E"),
-    Entry("png", "Save icon as P&NG…", "Save the picked icon as PNG", "Ctrl+Shift+E"),
-    Entry("copy", "&Copy icon as SVG", "Copy the picked icon as SVG", "Ctrl+Shift+C"),
-    Entry("quit", "&Quit", "", Key.Quit),
-    Entry("delete", "&Delete point", "Remove the selected or the last point", "Backspace"),
-    Entry("clear", "Clear &outline", "Remove the outline", "Ctrl+Backspace", "clear"),
-    Entry("run", "&Remix", "Make new icons in four styles", "Ctrl+Return"),
-    Entry("cancel", "&Cancel", "Stop; finished results stay", "Ctrl+."),
-    Entry("trace", "&Trace outline", "Trace the outline", "P", "polygon", True),
-    Entry("pan", "&Move the page", "Move the page (or hold Space)", "H", "pan", True),
-    Entry("zoom_in", "Zoom &in", "", Key.ZoomIn),
-    Entry("zoom_out", "Zoom &out", "", Key.ZoomOut),
-    Entry("fit", "&Fit the page", "Show the whole page", "Ctrl+0", "fit"),
-    Entry("coded", "&Colour code", "Colour the results by source", "Ctrl+K", "", True),
-    Entry("regions", "&Salient regions", "Show the regions that are matched", "R", "regions", True),
-    Entry("about", "&About Iconstudio", "", None),
-)
+ENTRIES = {
+    entry.name: entry
+    for entry in (
+        Entry("new", "&New", "Start afresh", Key.New, "new"),
+        Entry("open", "&Open…", "Open a file", Key.Open, "open"),
+        Entry("paste", "&Paste", "Use what is on the clipboard", Key.Paste),
+        Entry("save", "&Save…", "Save the work as JSON", Key.Save),
+        Entry("svg", "Save icon as S&VG…", "Save the picked icon as SVG", "Ctrl+E"),
+        Entry("png", "Save icon as P&NG…", "Save the picked icon as PNG", "Ctrl+Shift+E"),
+        Entry("copy", "&Copy icon as SVG", "Copy the picked icon as SVG", "Ctrl+Shift+C"),
+        Entry("quit", "&Quit", "", Key.Quit),
+        Entry("undo", "&Undo", "Undo", Key.Undo, "undo"),
+        Entry("redo", "&Redo", "Redo", Key.Redo, "redo"),
+        Entry("delete", "&Delete", "Remove what is selected", "Backspace"),
+        Entry("clear", "C&lear", "Remove everything", "Ctrl+Backspace", "clear"),
+        Entry("run", "&Remix", "Make new icons", "Ctrl+Return"),
+        Entry("cancel", "&Cancel", "Stop; finished results stay", "Ctrl+."),
+        Entry("pan", "&Move the page", "Move the page (or hold Space)", "H", "pan", True),
+        Entry("zoom_in", "Zoom &in", "", Key.ZoomIn),
+        Entry("zoom_out", "Zoom &out", "", Key.ZoomOut),
+        Entry("fit", "&Fit the page", "Show the whole page", "Ctrl+0", "fit"),
+        Entry("coded", "Colour &code", "Colour the results by source", "Ctrl+K", "", True),
+        Entry("about", "&About Iconstudio"),
+    )
+}
+"""The actions that mean the same in several workspaces, or belong to the window."""
+
+MODES, OWN = "modes", "own"
+"""Places in the menus: of the switch between workspaces, and of a workspace's own actions."""
 
 MENUS: dict[str, tuple[str, ...]] = {
-    "&File": (
-        "new", "photo", "paste", "examples", "", "open", "save", "", "svg", "png", "copy", "",
-        "quit",
-    ),
-    "&Edit": ("undo", "redo", "", "delete", "clear", "", "run", "cancel"),
-    "&View": ("trace", "pan", "", "zoom_in", "zoom_out", "fit", "", "coded", "regions"),
+    "&File": ("new", OWN, "", "open", "save", "", "svg", "png", "copy", "", "quit"),
+    "&Edit": ("undo", "redo", "", "paste", "delete", "clear", OWN, "", "run", "cancel"),
+    "&View": (MODES, "", OWN, "pan", "", "zoom_in", "zoom_out", "fit", "", "coded"),
     "&Help": ("about",),
-}  # fmt: skip
-
-BAR = (("photo", "examples"), ("undo", "redo"), ("trace", "pan", "fit", "regions", "clear"))
+}
 
 
-class Actions:
-    """All actions of the window by name, as items: ``actions["run"]``."""
+class Actions(Mapping[str, QAction]):
+    """Actions by name, each connected to what it does: ``actions["run"]``.
 
-    def __init__(self, window: QMainWindow, undo_stack: QUndoStack) -> None:
+    They belong to ``owner``, and their shortcuts work while it is visible.
+
+    Parameters
+    ----------
+    slots
+        What each action does; checkable ones pass their state.
+    own
+        Menus of ``MENUS``, and the entries for them that only this owner has. An entry with the
+        name of one of ``ENTRIES`` says it in other words, wherever it stands.
+    """
+
+    def __init__(
+        self,
+        owner: QWidget,
+        slots: Mapping[str, Callable[..., object]],
+        own: Mapping[str, Sequence[Entry]] | None = None,
+    ) -> None:
+        own = own or {}
+        entries = ENTRIES | {entry.name: entry for some in own.values() for entry in some}
+        self._owner = owner
         self._by_name: dict[str, QAction] = {}
-        for entry in ENTRIES:
-            action = QAction(entry.text, window, checkable=entry.checkable)
-            if entry.keys is not None:
-                action.setShortcuts(
-                    QKeySequence.keyBindings(entry.keys)
-                    if isinstance(entry.keys, Key)
-                    else [QKeySequence(entry.keys)]
-                )
-            self._by_name[entry.name] = action
-        self._icons = {entry.name: entry.icon for entry in ENTRIES if entry.icon}
-        self._add_undo(window, undo_stack)
-        self.examples = QMenu("&Examples", window)
-        self._by_name["examples"] = self.examples.menuAction()
-        self._icons["examples"] = "examples"
-        # Before the first layout: a button without an icon would claim the width of its text.
-        self.refresh_icons(theme.current())
-        tips = {entry.name: entry.tip for entry in ENTRIES}
-        tips |= {"examples": "Start from an example", "undo": "Undo", "redo": "Redo"}
-        for name, action in self._by_name.items():
-            keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
-            tip = tips[name] or action.text().replace("&", "")
-            action.setToolTip(f"{tip} ({keys})" if keys else tip)
-        tools = QActionGroup(window)
-        tools.addAction(self["trace"])
-        tools.addAction(self["pan"])
-        self["trace"].setChecked(True)
-        for title, names in MENUS.items():
-            menu = window.menuBar().addMenu(title)
-            for name in names:
-                if name:
-                    menu.addAction(self[name])
-                else:
-                    menu.addSeparator()
+        self._icons: dict[str, str] = {}
+        self._own = {
+            menu: tuple(entry.name for entry in some if entry.name not in ENTRIES)
+            for menu, some in own.items()
+        }
+        for name, slot in slots.items():
+            action = _action(entries[name], owner)
+            (action.toggled if action.isCheckable() else action.triggered).connect(slot)
+            self.add(entries[name], action)
 
     def __getitem__(self, name: str) -> QAction:
         return self._by_name[name]
@@ -105,28 +101,70 @@ class Actions:
     def __iter__(self) -> Iterator[str]:
         return iter(self._by_name)
 
-    def connect(self, slots: dict[str, Callable[..., object]]) -> None:
-        """Connect actions to what they do; checkable ones pass their state."""
-        for name, slot in slots.items():
-            action = self[name]
-            (action.toggled if action.isCheckable() else action.triggered).connect(slot)
+    def __len__(self) -> int:
+        return len(self._by_name)
 
-    def bar(self) -> list[list[QAction]]:
-        """Return the actions of the tool bar, group by group."""
-        return [[self[name] for name in group] for group in BAR]
+    def add(self, entry: Entry, action: QAction) -> None:
+        """Take in an action that was made elsewhere: a menu's, or that of a stack."""
+        _describe(entry, action)
+        self._owner.addAction(action)
+        self._by_name[entry.name] = action
+        if entry.icon:
+            self._icons[entry.name] = entry.icon
+            # Before the first layout: a button without an icon would claim the width of its text.
+            self._draw(entry.name, theme.current())
+
+    def choose_between(self, *names: str) -> None:
+        """Let exactly one of these checkable actions be checked, the first one now."""
+        group = QActionGroup(self._owner)
+        for name in names:
+            group.addAction(self[name])
+        self[names[0]].setChecked(True)
+
+    def own(self, menu: str) -> list[QAction]:
+        """Return the actions for a menu that only this owner has."""
+        return [self[name] for name in self._own.get(menu, ())]
 
     def refresh_icons(self, look: theme.Theme) -> None:
         """Draw the icons in the colours of ``look``."""
-        for name, icon in self._icons.items():
-            self[name].setIcon(icons.icon(icon, look))
-            # An icon beside some menu items only would be noise.
-            self[name].setIconVisibleInMenu(False)
+        for name in self._icons:
+            self._draw(name, look)
 
-    def _add_undo(self, window: QMainWindow, undo_stack: QUndoStack) -> None:
-        undo = undo_stack.createUndoAction(window, "&Undo")
-        redo = undo_stack.createRedoAction(window, "&Redo")
-        undo.setShortcuts(QKeySequence.keyBindings(Key.Undo))
-        redo.setShortcuts(QKeySequence.keyBindings(Key.Redo))
-        for name, action in (("undo", undo), ("redo", redo)):
-            self._by_name[name] = action
-            self._icons[name] = name
+    def _draw(self, name: str, look: theme.Theme) -> None:
+        self[name].setIcon(icons.icon(self._icons[name], look))
+        # An icon beside some menu items only would be noise.
+        self[name].setIconVisibleInMenu(False)
+
+
+def fill_menu(
+    menu: QMenu, title: str, window: Actions, workspace: Actions, modes: Sequence[QAction]
+) -> None:
+    """Fill a menu anew with what the window and the workspace in use can do."""
+    menu.clear()
+    for name in MENUS[title]:
+        if name == "":
+            menu.addSeparator()
+        elif name == OWN:
+            menu.addActions(workspace.own(title))
+        elif name == MODES:
+            menu.addActions(modes)
+        elif (action := workspace.get(name) or window.get(name)) is not None:
+            menu.addAction(action)
+
+
+def _action(entry: Entry, owner: QWidget) -> QAction:
+    action = QAction(owner, checkable=entry.checkable)
+    action.setText(entry.text)
+    return action
+
+
+def _describe(entry: Entry, action: QAction) -> None:
+    if entry.keys is not None:
+        action.setShortcuts(
+            QKeySequence.keyBindings(entry.keys)
+            if isinstance(entry.keys, Key)
+            else [QKeySequence(entry.keys)]
+        )
+    keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
+    tip = entry.tip or entry.text.replace("&", "")
+    action.setToolTip(f"{tip} ({keys})" if keys else tip)

@@ -1,92 +1,69 @@
-"""The document: what lies on the canvas now, and how it came there."""
+"""The document: what lies on a canvas now, and how it came there."""
 
-from dataclasses import dataclass, field, replace
+import itertools
+from typing import Generic, Protocol, Self, TypeVar
 
-from PySide6.QtCore import QObject, QRectF, Signal
+from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
-from iconstudio.gui.photo import Photo
-from iconstudio.model import CANVAS, Point, Polygon, Sketch
+from iconstudio.gui.commands import Change
 
 
-@dataclass(frozen=True, slots=True)
-class Page:
-    """Everything that an edit can change, as one immutable value.
+class Page(Protocol):
+    """Everything that the edits of a workspace can change, as one immutable value."""
 
-    ``sketch.polygon`` also holds an outline that is still being traced; it is finished once
-    ``closed``. Coordinates are pixels of the photo, or free units without one.
-    """
-
-    sketch: Sketch = field(default_factory=Sketch)
-    closed: bool = False
-    photo: Photo | None = None
-
-    @property
-    def vertices(self) -> tuple[Point, ...]:
-        """The outline's vertices, finished or not."""
-        return self.sketch.polygon.vertices
-
-    @property
-    def empty(self) -> bool:
-        """Whether there is nothing to look at yet."""
-        return not self.vertices and self.photo is None
-
-    def with_outline(self, vertices: tuple[Point, ...], closed: bool) -> "Page":
-        """Return the page with another outline."""
-        sketch = replace(self.sketch, polygon=Polygon(vertices))
-        return replace(self, sketch=sketch, closed=closed)
-
-    def bounds(self) -> QRectF:
-        """Return the area to show: the photo, the outline with some air, or an empty canvas."""
-        if self.photo is not None:
-            return QRectF(0, 0, self.photo.width, self.photo.height)
-        sheet = QRectF(0, 0, 2 * CANVAS, 2 * CANVAS)
-        if len(self.vertices) < 3:
-            return sheet
-        left, top, right, bottom = self.sketch.polygon.bounds
-        size = max(right - left, bottom - top)
-        outline = QRectF(left, top, right - left, bottom - top)
-        if sheet.contains(outline) and size > CANVAS / 2:
-            return sheet
-        air = size / 8
-        return outline.adjusted(-air, -air, air, air)
+    def elsewhere(self, before: Self) -> bool:
+        """Whether so much differs from ``before`` that the view should be fitted anew."""
+        ...
 
 
-class Document(QObject):
-    """Holds the page; only commands on its undo stack change it.
+P = TypeVar("P", bound=Page)
+
+_gestures = itertools.count()
+
+
+def new_gesture() -> int:
+    """Return a mark for the changes of one gesture (one drag, say): they are undone together."""
+    return next(_gestures)
+
+
+class Document(QObject, Generic[P]):
+    """Holds a page; only changes on its undo stack replace it.
 
     Signals
     -------
-    page_changed(Page)
+    page_changed(P)
         After every edit, undo and redo.
     opened()
-        When another photo or drawing has been put on the page, so that the view should fit it.
+        When something else has been put on the page, so that the view should fit it.
     """
 
     page_changed = Signal(object)
     opened = Signal()
 
-    def __init__(self, parent: QObject | None = None) -> None:
+    def __init__(self, page: P, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._page = Page()
+        self._page = page
         self.undo_stack = QUndoStack(self)
 
     @property
-    def page(self) -> Page:
+    def page(self) -> P:
         """What lies on the canvas now."""
         return self._page
 
-    @property
-    def sketch(self) -> Sketch:
-        """The sketch, finished or not."""
-        return self._page.sketch
+    def change(self, text: str, after: P, gesture: object = None) -> None:
+        """Replace the page, as one step that can be undone.
 
-    def show(self, page: Page) -> None:
+        ``text`` names the step in the menu. Neighbouring changes of the same ``gesture``, if it is
+        not None, are one step.
+        """
+        self.undo_stack.push(Change(self, text, after, gesture))
+
+    def show(self, page: P) -> None:
         """Put ``page`` on the canvas. For commands only: anything else could not be undone."""
         before, self._page = self._page, page
         if page == before:
             return
         self.page_changed.emit(page)
-        elsewhere = len(page.vertices) > 2 and set(page.vertices).isdisjoint(before.vertices)
-        if page.photo is not before.photo or (elsewhere and page.photo is None):
+        if page.elsewhere(before):
             self.opened.emit()

@@ -6,6 +6,8 @@ from PySide6.QtSvg import QSvgRenderer
 
 from iconstudio.gui.theme import Theme
 
+_SHEET = '<rect x="4" y="4" width="16" height="16" rx="3" stroke-opacity="0.45"/>'
+
 _SHAPES = {
     "photo": '<rect x="3" y="4" width="18" height="16" rx="2"/><circle cx="8.5" cy="9.5" r="1.8"/>'
     '<path d="M4 18l5.5-5 3.5 3 3.5-4 4.5 5"/>',
@@ -25,6 +27,13 @@ _SHAPES = {
     '<path d="M12 2v4M12 18v4M2 12h4M18 12h4"/>',
     "dim": '<circle cx="12" cy="12" r="8"/><path d="M12 4v16a8 8 0 0 0 0-16z" fill="ink"/>',
     "close": '<path d="M6 6l12 12M18 6L6 18"/>',
+    "new": '<path d="M6 3h8l4 4v14H6zM14 3v4h4"/>',
+    "open": '<path d="M3 19V6h6l2 2h8v3M3 19l3-8h16l-3 8z"/>',
+    "axis-none": '<rect x="4" y="4" width="16" height="16" rx="3"/><path d="M9 15l6-6"/>',
+    "axis-horizontal": f'{_SHEET}<path d="M12 2v20"/>',
+    "axis-vertical": f'{_SHEET}<path d="M2 12h20"/>',
+    "axis-diagonal": f'{_SHEET}<path d="M3 3l18 18"/>',
+    "axis-antidiagonal": f'{_SHEET}<path d="M21 3L3 21"/>',
     "warning": '<path d="M12 4L2.8 20h18.4zM12 10v5M12 17.4v.2"/>',
 }
 

@@ -11,7 +11,7 @@ from PySide6.QtGui import QColor, QImage, QPainter, QPainterPath, QTransform
 
 from iconstudio.gui.mipmap import Mipmap
 from iconstudio.gui.vector import painter_path
-from iconstudio.model import CANVAS, Composite, Placement, Source
+from iconstudio.model import CANVAS, Composite, Pictogram, Placement, Source
 from iconstudio.workflows.events import Event, Result
 
 COLOUR_CODE_SIZE = 512
@@ -25,6 +25,19 @@ class Picture:
     result: Result
     outline: QPainterPath
     coded: Mipmap
+    title: str = "icon"
+    """What it shows: the title of the saved icon, and the start of its file's name."""
+
+    @property
+    def name(self) -> str:
+        """What to call it beside others."""
+        return f"{self.title}, {self.result.composite.style}"
+
+    def pictogram(self) -> Pictogram:
+        """Return the result as an icon like any other."""
+        from iconstudio.output.svg import pictogram_of
+
+        return pictogram_of(self.result.composite, self.result.drawing, self.title)
 
     def paint(self, painter: QPainter, target: QRectF, ink: QColor, coded: bool) -> None:
         """Draw into the square ``target``."""
@@ -42,8 +55,8 @@ class Picture:
         painter.restore()
 
 
-def pictured(events: Generator[Event]) -> Generator["Event | Picture"]:
-    """Pass ``events`` on, with a ``Picture`` in place of each result.
+def pictured(events: Generator[Event], title: str) -> Generator["Event | Picture"]:
+    """Pass ``events`` on, with a ``Picture`` of that title in place of each result.
 
     Runs where the events are made, so that the window's thread has nothing to compute.
     """
@@ -54,7 +67,7 @@ def pictured(events: Generator[Event]) -> Generator["Event | Picture"]:
             if isinstance(event, Result):
                 pixels = colour_code(event.composite, event.drawing, COLOUR_CODE_SIZE)
                 coded = Mipmap.of(rgba_image(pixels), 64)
-                yield Picture(event, painter_path(event.drawing.path), coded)
+                yield Picture(event, painter_path(event.drawing.path), coded, title)
             else:
                 yield event
 

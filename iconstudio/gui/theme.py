@@ -179,6 +179,11 @@ QPushButton[primary="true"] { background: @accent; color: @on_accent; border: 0;
 QPushButton[primary="true"]:focus { border: 2px solid @text; min-height: 28px; padding: 0 14px; }
 QPushButton[primary="true"]:disabled { background: @border; color: @muted; }
 
+QPushButton[pill="true"] { background: @surface; color: @accent; border: 1px solid @accent;
+              border-radius: 13px; min-height: 24px; padding: 0 12px; font-size: 12px; }
+QPushButton[pill="true"]:hover { background: @accent_soft; }
+QPushButton[pill="true"]:focus { border: 2px solid @accent; min-height: 22px; padding: 0 11px; }
+
 QToolButton { background: transparent; border: 1px solid transparent; border-radius: 6px;
               padding: 5px; }
 QToolButton:hover { background: @sunken; }

@@ -11,5 +11,6 @@ else:
         no_warnings_of_qt,
         qapp_cls,
         session,
+        sketching,
         window,
     )

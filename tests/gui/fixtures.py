@@ -68,3 +68,9 @@ def window(qtbot, session, monkeypatch):
     window.close()
     assert session.closed.is_set()
     assert not window.threads_alive()
+
+
+@pytest.fixture
+def sketching(window):
+    """The workspace that the window begins with."""
+    return window.workspace

@@ -1,52 +1,52 @@
-"""What a user's hands do to the window."""
+"""What a user's hands do to the window; ``place`` is the workspace where."""
 
 from pathlib import Path
 
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
-from iconstudio.gui.main_window import MainWindow
+from iconstudio.gui.workspaces.sketching.workspace import SketchWorkspace
 
 SQUARE = [(100.0, 100.0), (400.0, 120.0), (380.0, 400.0), (90.0, 380.0)]
 """An outline on the empty page, which is 512 units wide."""
 
 
-def at(window: MainWindow, point) -> QPoint:
+def at(place: SketchWorkspace, point) -> QPoint:
     """Return where a page point is seen."""
-    return window.view.camera.to_view(point).toPoint()
+    return place.view.camera.to_view(point).toPoint()
 
 
-def click(window: MainWindow, point, button=Qt.MouseButton.LeftButton) -> None:
-    QTest.mouseMove(window.view, at(window, point))
-    QTest.mouseClick(window.view, button, pos=at(window, point))
+def click(place: SketchWorkspace, point, button=Qt.MouseButton.LeftButton) -> None:
+    QTest.mouseMove(place.view, at(place, point))
+    QTest.mouseClick(place.view, button, pos=at(place, point))
 
 
-def drag(window: MainWindow, start, end) -> None:
+def drag(place: SketchWorkspace, start, end) -> None:
     left = Qt.MouseButton.LeftButton
-    a, b = at(window, start), at(window, end)
-    QTest.mouseMove(window.view, a)
-    QTest.mousePress(window.view, left, pos=a)
+    a, b = at(place, start), at(place, end)
+    QTest.mouseMove(place.view, a)
+    QTest.mousePress(place.view, left, pos=a)
     for step in range(1, 5):
-        QTest.mouseMove(window.view, a + (b - a) * step / 4)
-    QTest.mouseRelease(window.view, left, pos=b)
+        QTest.mouseMove(place.view, a + (b - a) * step / 4)
+    QTest.mouseRelease(place.view, left, pos=b)
 
 
-def trace(window: MainWindow, points=SQUARE) -> None:
+def trace(place: SketchWorkspace, points=SQUARE) -> None:
     """Click all points, then the first again."""
     for point in (*points, points[0]):
-        click(window, point)
+        click(place, point)
 
 
-def type_keyword(window: MainWindow, text: str) -> None:
-    window.keyword_panel.field.setFocus()
-    QTest.keyClicks(window.keyword_panel.field, text)
+def type_keyword(place: SketchWorkspace, text: str) -> None:
+    place.keyword_panel.field.setFocus()
+    QTest.keyClicks(place.keyword_panel.field, text)
 
 
-def press(window: MainWindow, key, modifier=Qt.KeyboardModifier.NoModifier) -> None:
-    window.view.setFocus()
-    QTest.keyClick(window.view, key, modifier)
+def press(place: SketchWorkspace, key, modifier=Qt.KeyboardModifier.NoModifier) -> None:
+    place.view.setFocus()
+    QTest.keyClick(place.view, key, modifier)
 
 
-def save_to(window: MainWindow, monkeypatch, path: Path | None) -> None:
+def save_to(place: SketchWorkspace, monkeypatch, path: Path | None) -> None:
     """Let the next save dialog answer ``path``."""
-    monkeypatch.setattr(window.saver, "ask_path", lambda what, name, kind: path)
+    monkeypatch.setattr(place.saver, "ask_path", lambda what, name, kind: path)

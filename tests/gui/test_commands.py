@@ -6,11 +6,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from PySide6.QtGui import QImage
 
-from iconstudio.gui import commands
+from iconstudio.gui.canvas import outline
 from iconstudio.gui.document import Document
 from iconstudio.gui.mipmap import Mipmap
 from iconstudio.gui.photo import Photo
-from iconstudio.model import Polygon, Sketch
+from iconstudio.gui.workspaces.sketching import page as edits
+from iconstudio.gui.workspaces.sketching.page import SketchPage
+from iconstudio.model import Axis, Polygon, Sketch
 
 coordinates = st.integers(-1000, 1000).map(float)
 points = st.tuples(coordinates, coordinates)
@@ -18,41 +20,43 @@ PHOTOS = tuple(
     Photo(name, 10, 10, Mipmap.of(QImage(10, 10, QImage.Format.Format_RGB32), 4)) for name in "ab"
 )
 
+
+def on_a_vertex(edit):
+    """Return the edit of a vertex, whichever of those that there are; none does nothing."""
+
+    def do(document, index, *values):
+        count = len(document.page.vertices)
+        if count:
+            edit(document, index % count, *values)
+
+    return do
+
+
 makers = st.one_of(
-    st.builds(lambda p: lambda d: commands.AddVertex(d, p), points),
+    st.builds(lambda p: lambda d: outline.add_vertex(d, p), points),
     st.builds(
-        lambda i, p: lambda d: commands.InsertVertex(d, i % max(1, len(d.page.vertices)), p),
+        lambda i, p: lambda d: on_a_vertex(outline.insert_vertex)(d, i, p),
         st.integers(0, 9),
         points,
     ),
     st.builds(
-        lambda i, p, g: (
-            lambda d: (
-                commands.MoveVertex(d, i % len(d.page.vertices), p, g) if d.page.vertices else None
-            )
-        ),
+        lambda i, p, g: lambda d: on_a_vertex(outline.move_vertex)(d, i, p, g),
         st.integers(0, 9),
         points,
         st.integers(0, 2),
     ),
+    st.builds(lambda i: lambda d: on_a_vertex(outline.delete_vertex)(d, i), st.integers(0, 9)),
+    st.just(outline.close_outline),
+    st.just(outline.clear_outline),
+    st.builds(lambda k: lambda d: edits.set_keyword(d, k), st.text(max_size=5)),
     st.builds(
-        lambda i: (
-            lambda d: (
-                commands.DeleteVertex(d, i % len(d.page.vertices)) if d.page.vertices else None
-            )
-        ),
-        st.integers(0, 9),
-    ),
-    st.just(commands.CloseOutline),
-    st.just(commands.ClearOutline),
-    st.builds(lambda k: lambda d: commands.SetKeyword(d, k), st.text(max_size=5)),
-    st.builds(
-        lambda x: lambda d: commands.ExcludeIcons(d, x),
+        lambda x: lambda d: edits.exclude_icons(d, x),
         st.frozensets(st.sampled_from(["a:b", "c:d"])),
     ),
-    st.builds(lambda p: lambda d: commands.SetPhoto(d, p), st.sampled_from([None, *PHOTOS])),
+    st.builds(lambda a: lambda d: edits.set_symmetry(d, a), st.sampled_from([None, *Axis])),
+    st.builds(lambda p: lambda d: edits.set_photo(d, p), st.sampled_from([None, *PHOTOS])),
     st.builds(
-        lambda v, k: lambda d: commands.LoadSketch(d, Sketch(Polygon(tuple(v)), k)),
+        lambda v, k: lambda d: edits.load_sketch(d, Sketch(Polygon(tuple(v)), k)),
         st.lists(points, max_size=5),
         st.text(max_size=5),
     ),
@@ -61,16 +65,14 @@ makers = st.one_of(
 
 @settings(max_examples=60, deadline=None)
 @given(st.lists(makers, max_size=25))
-def test_undoing_everything_gives_back_every_page(edits):
-    document = Document()
+def test_undoing_everything_gives_back_every_page(steps):
+    document = Document(SketchPage())
     stack = document.undo_stack
     pages = {0: document.page}
-    for make in edits:
-        command = make(document)
-        if command is not None:
-            stack.push(command)
-            # Commands that merge change the page at the same place of the stack.
-            pages[stack.index()] = document.page
+    for do in steps:
+        do(document)
+        # Changes that merge change the page at the same place of the stack.
+        pages[stack.index()] = document.page
     count = stack.count()
     for index in reversed(range(count)):
         stack.undo()
@@ -81,13 +83,13 @@ def test_undoing_everything_gives_back_every_page(edits):
 
 
 def test_only_moves_of_one_gesture_merge():
-    document = Document()
+    document = Document(SketchPage())
     stack = document.undo_stack
     for point in ((0, 0), (10, 0), (10, 10)):
-        stack.push(commands.AddVertex(document, point))
+        outline.add_vertex(document, point)
     for x in (1.0, 2.0, 3.0):
-        stack.push(commands.MoveVertex(document, 0, (x, 0.0), gesture=1))
-    stack.push(commands.MoveVertex(document, 0, (9.0, 9.0), gesture=2))
+        outline.move_vertex(document, 0, (x, 0.0), gesture=1)
+    outline.move_vertex(document, 0, (9.0, 9.0), gesture=2)
     assert stack.count() == 5
     stack.undo()
     assert document.page.vertices[0] == (3.0, 0.0)
@@ -96,37 +98,46 @@ def test_only_moves_of_one_gesture_merge():
 
 
 def test_letters_typed_one_after_the_other_are_one_step():
-    document = Document()
+    document = Document(SketchPage())
     for text in ("d", "do", "dog"):
-        document.undo_stack.push(commands.SetKeyword(document, text))
+        edits.set_keyword(document, text)
     assert document.undo_stack.count() == 1
     document.undo_stack.undo()
-    assert document.sketch.keyword == ""
+    assert document.page.sketch.keyword == ""
     document.undo_stack.redo()
-    assert document.sketch.keyword == "dog"
+    assert document.page.sketch.keyword == "dog"
 
 
 def test_a_new_photo_takes_the_outline_along_and_keeps_the_name():
-    document = Document()
-    document.undo_stack.push(
-        commands.LoadSketch(document, Sketch(Polygon(((0, 0), (5, 0), (0, 5))), "dog"))
-    )
-    document.undo_stack.push(commands.SetPhoto(document, PHOTOS[0]))
+    document = Document(SketchPage())
+    edits.load_sketch(document, Sketch(Polygon(((0, 0), (5, 0), (0, 5))), "dog"))
+    edits.set_photo(document, PHOTOS[0])
     assert document.page.vertices == ()
-    assert document.sketch.keyword == "dog"
+    assert document.page.sketch.keyword == "dog"
 
 
 def test_an_edit_that_changes_nothing_says_nothing(qtbot):
-    document = Document()
+    document = Document(SketchPage())
     with qtbot.assertNotEmitted(document.page_changed):
-        document.undo_stack.push(commands.ClearOutline(document))
+        outline.clear_outline(document)
 
 
-def test_commands_do_not_keep_their_document(qapp):
+def test_the_view_is_asked_to_fit_only_what_lies_elsewhere(qtbot):
+    document = Document(SketchPage())
+    with qtbot.assertNotEmitted(document.opened):
+        outline.add_vertex(document, (1.0, 2.0))
+        edits.set_keyword(document, "dog")
+    with qtbot.waitSignal(document.opened):
+        edits.set_photo(document, PHOTOS[0])
+    with qtbot.waitSignal(document.opened):
+        document.undo_stack.undo()
+
+
+def test_changes_do_not_keep_their_document(qapp):
     """A document that nothing else holds goes at once; no cycle is left for the collector."""
-    document = Document()
-    document.undo_stack.push(commands.AddVertex(document, (1.0, 2.0)))
-    document.undo_stack.push(commands.SetKeyword(document, "fish"))
+    document = Document(SketchPage())
+    outline.add_vertex(document, (1.0, 2.0))
+    edits.set_keyword(document, "fish")
     gone = weakref.ref(document)
     del document
     assert gone() is None

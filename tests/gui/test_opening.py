@@ -27,23 +27,23 @@ def photo_file(picture, tmp_path):
     return path
 
 
-def has_photo(window):
-    return lambda: window.document.page.photo is not None
+def has_photo(sketching):
+    return lambda: sketching.document.page.photo is not None
 
 
-def test_a_photo_is_opened_from_the_menu(window, qtbot, photo_file, monkeypatch):
+def test_a_photo_is_opened_from_the_menu(sketching, qtbot, photo_file, monkeypatch):
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(photo_file), ""))
-    window.actions_by_name["photo"].trigger()
-    qtbot.waitUntil(has_photo(window))
-    photo = window.document.page.photo
+    sketching.actions_by_name["photo"].trigger()
+    qtbot.waitUntil(has_photo(sketching))
+    photo = sketching.document.page.photo
     assert (photo.width, photo.height) == (300, 200)
-    assert window.canvas_panel.dim.isVisible()
-    assert "300 × 200" in window.strip.label.text()
-    window.document.undo_stack.undo()
-    assert window.document.page.empty
+    assert sketching.dim.slider.isVisible()
+    assert "300 × 200" in sketching.window().desk.strip.label.text()
+    sketching.document.undo_stack.undo()
+    assert sketching.document.page.empty
 
 
-def test_a_dropped_photo_is_opened(window, qtbot, photo_file):
+def test_a_dropped_photo_is_opened(sketching, qtbot, photo_file):
     data = QMimeData()
     data.setUrls([QUrl.fromLocalFile(str(photo_file))])
     drop = QDropEvent(
@@ -53,32 +53,32 @@ def test_a_dropped_photo_is_opened(window, qtbot, photo_file):
         Qt.MouseButton.LeftButton,
         Qt.KeyboardModifier.NoModifier,
     )
-    window.view.dropEvent(drop)
-    qtbot.waitUntil(has_photo(window))
+    sketching.view.dropEvent(drop)
+    qtbot.waitUntil(has_photo(sketching))
 
 
-def test_a_photo_on_the_clipboard_is_pasted(window, qtbot, picture):
+def test_a_photo_on_the_clipboard_is_pasted(sketching, qtbot, picture):
     QApplication.clipboard().setImage(picture)
-    window.actions_by_name["paste"].trigger()
-    qtbot.waitUntil(has_photo(window))
-    assert window.document.page.photo.path == ""
+    sketching.actions_by_name["paste"].trigger()
+    qtbot.waitUntil(has_photo(sketching))
+    assert sketching.document.page.photo.path == ""
 
 
-def test_pasting_words_says_what_to_do(window):
+def test_pasting_words_says_what_to_do(sketching):
     QApplication.clipboard().setText("dog")
-    window.actions_by_name["paste"].trigger()
-    assert "no photo to paste" in window.notice.label.text()
+    sketching.actions_by_name["paste"].trigger()
+    assert "no photo to paste" in sketching.window().desk.notice.label.text()
 
 
-def test_a_file_that_is_no_photo_is_told_and_nothing_is_lost(window, qtbot, tmp_path):
-    trace(window)
-    before = window.document.page
+def test_a_file_that_is_no_photo_is_told_and_nothing_is_lost(sketching, qtbot, tmp_path):
+    trace(sketching)
+    before = sketching.document.page
     path = tmp_path / "letter.png"
     path.write_text("Dear dog")
-    window.opener.open_photo(str(path))
-    qtbot.waitUntil(window.notice.isVisible)
-    assert "“letter.png” is not a photo" in window.notice.label.text()
-    assert window.document.page == before
+    sketching.opener.open_photo(str(path))
+    qtbot.waitUntil(sketching.window().desk.notice.isVisible)
+    assert "“letter.png” is not a photo" in sketching.window().desk.notice.label.text()
+    assert sketching.document.page == before
 
 
 def test_a_file_that_is_cut_short_or_gone_is_told(tmp_path, photo_file):
@@ -129,62 +129,62 @@ def test_an_empty_image_is_no_photo():
         photo_from_image(QImage())
 
 
-def test_the_dim_slider_fades_the_photo(window, qtbot, photo_file):
-    window.opener.open_photo(str(photo_file))
-    qtbot.waitUntil(has_photo(window))
-    middle = window.view.rect().center()
+def test_the_dim_slider_fades_the_photo(sketching, qtbot, photo_file):
+    sketching.opener.open_photo(str(photo_file))
+    qtbot.waitUntil(has_photo(sketching))
+    middle = sketching.view.rect().center()
     saturations = []
     for percent in (0, 50, 100):
-        window.canvas_panel.dim.setValue(percent)
-        saturations.append(window.view.grab().toImage().pixelColor(middle).hsvSaturation())
+        sketching.dim.slider.setValue(percent)
+        saturations.append(sketching.view.grab().toImage().pixelColor(middle).hsvSaturation())
     assert saturations[0] > 250 > saturations[1] > 60 > saturations[2]
 
 
-def test_every_example_of_the_menu_opens(window, qtbot):
+def test_every_example_of_the_menu_opens(sketching, qtbot):
     titles = [example.title for example in examples()]
-    menu = window.actions_by_name.examples.actions()
+    menu = sketching.actions_by_name["examples"].menu().actions()
     assert [action.text() for action in menu] == titles
     assert len(menu) >= 5
     for action, example in zip(menu, examples(), strict=True):
         action.trigger()
-        qtbot.waitUntil(lambda sketch=example.sketch: window.document.sketch == sketch)
-        assert window.document.page.closed
-        assert (window.document.page.photo is None) == (example.photo is None)
-        assert window.keyword_panel.field.text() == example.sketch.keyword
+        qtbot.waitUntil(lambda sketch=example.sketch: sketching.document.page.sketch == sketch)
+        assert sketching.document.page.closed
+        assert (sketching.document.page.photo is None) == (example.photo is None)
+        assert sketching.keyword_panel.field.text() == example.sketch.keyword
 
 
-def test_another_sketch_can_be_undone(window, qtbot):
-    trace(window)
-    type_keyword(window, "dog")
-    before = window.document.page
-    window.opener.open_example(examples()[0])
-    qtbot.waitUntil(lambda: window.document.page != before)
-    window.actions_by_name["undo"].trigger()
-    assert window.document.page == before
-    window.actions_by_name["new"].trigger()
-    assert window.document.page.empty
-    window.actions_by_name["undo"].trigger()
-    assert window.document.page == before
+def test_another_sketch_can_be_undone(sketching, qtbot):
+    trace(sketching)
+    type_keyword(sketching, "dog")
+    before = sketching.document.page
+    sketching.opener.open_example(examples()[0])
+    qtbot.waitUntil(lambda: sketching.document.page != before)
+    sketching.actions_by_name["undo"].trigger()
+    assert sketching.document.page == before
+    sketching.actions_by_name["new"].trigger()
+    assert sketching.document.page.empty
+    sketching.actions_by_name["undo"].trigger()
+    assert sketching.document.page == before
 
 
-def test_a_sketch_without_its_photo_is_opened_all_the_same(window, qtbot, tmp_path):
+def test_a_sketch_without_its_photo_is_opened_all_the_same(sketching, qtbot, tmp_path):
     path = tmp_path / "dog.json"
     path.write_text(json.dumps({"keyword": "dog", "polygon": SQUARE, "photo": "gone.jpg"}))
     data = QMimeData()
     data.setUrls([QUrl.fromLocalFile(str(path))])
-    window.opener.open_mime(data)
-    qtbot.waitUntil(lambda: window.document.page.closed)
-    assert window.document.page.photo is None
-    assert "without its photo" in window.notice.label.text()
+    sketching.opener.open_mime(data)
+    qtbot.waitUntil(lambda: sketching.document.page.closed)
+    assert sketching.document.page.photo is None
+    assert "without its photo" in sketching.window().desk.notice.label.text()
 
 
 @pytest.mark.parametrize("text", ["", "{", "[]", '{"polygon": 3}', '{"polygon": [[1, "a"]]}'])
-def test_a_broken_sketch_is_told_and_nothing_is_lost(window, qtbot, tmp_path, text):
-    click(window, SQUARE[0])
-    before = window.document.page
+def test_a_broken_sketch_is_told_and_nothing_is_lost(sketching, qtbot, tmp_path, text):
+    click(sketching, SQUARE[0])
+    before = sketching.document.page
     path = tmp_path / "broken.json"
     path.write_text(text)
-    window.opener.open_sketch(str(path))
-    qtbot.waitUntil(window.notice.isVisible)
-    assert window.notice.label.text()
-    assert window.document.page == before
+    sketching.opener.open_sketch(str(path))
+    qtbot.waitUntil(sketching.window().desk.notice.isVisible)
+    assert sketching.window().desk.notice.label.text()
+    assert sketching.document.page == before

@@ -131,12 +131,12 @@ def test_words_can_be_read_in_both_themes(look):
         assert (light + 0.05) / (dark + 0.05) >= 4.5, (ink, ground)
 
 
-def test_the_outline_is_drawn_where_it_was_traced(window):
-    before = window.view.grab().toImage()
-    trace(window)
-    window.view.set_tool(PolygonTool(window.document))
-    after = window.view.grab().toImage()
-    camera = window.view.camera
+def test_the_outline_is_drawn_where_it_was_traced(sketching):
+    before = sketching.view.grab().toImage()
+    trace(sketching)
+    sketching.view.set_tool(PolygonTool(sketching.document))
+    after = sketching.view.grab().toImage()
+    camera = sketching.view.camera
     inside = camera.to_view((250, 250)).toPoint()
     outside = camera.to_view((460, 250)).toPoint()
     assert before.pixelColor(inside) != after.pixelColor(inside)

@@ -1,4 +1,4 @@
-"""Sketches and icons taken out of the window."""
+"""Sketches and icons taken out of the sketching."""
 
 import xml.etree.ElementTree as ET
 
@@ -11,26 +11,27 @@ from iconstudio.inputs.sketch import examples, read_sketch
 
 
 @pytest.fixture
-def done(window, qtbot):
+def done(sketching, qtbot):
     """A window with a finished run."""
-    trace(window)
-    type_keyword(window, "Motor cycle")
-    window.run()
-    qtbot.waitUntil(lambda: not window.modelling.running, timeout=20000)
-    return window
+    trace(sketching)
+    type_keyword(sketching, "Motor cycle")
+    sketching.run()
+    qtbot.waitUntil(lambda: not sketching.runner.running, timeout=20000)
+    return sketching
 
 
-def test_a_saved_sketch_is_read_back_the_same(window, qtbot, tmp_path, monkeypatch):
+def test_a_saved_sketch_is_read_back_the_same(sketching, qtbot, tmp_path, monkeypatch):
     example = examples()[0]
-    window.opener.open_example(example)
-    qtbot.waitUntil(lambda: window.document.page.closed)
+    sketching.opener.open_example(example)
+    qtbot.waitUntil(lambda: sketching.document.page.closed)
     path = tmp_path / "sketch.json"
-    save_to(window, monkeypatch, path)
-    window.actions_by_name["save"].trigger()
+    save_to(sketching, monkeypatch, path)
+    sketching.actions_by_name["save"].trigger()
+    qtbot.waitUntil(path.exists)
     saved = read_sketch(path)
     assert saved.sketch == example.sketch
     assert saved.photo == example.photo
-    assert str(path) in window.strip.label.text()
+    qtbot.waitUntil(lambda: str(path) in sketching.window().desk.strip.label.text())
 
 
 def test_nothing_is_written_if_the_user_thinks_better_of_it(done, tmp_path, monkeypatch):
@@ -48,7 +49,7 @@ def test_an_icon_is_saved_as_svg_with_its_credits(done, qtbot, tmp_path, monkeyp
     assert asked == [("icon", "motor-cycle-lightest", "svg")]
     root = ET.fromstring(path.read_text("utf-8"))
     paths = root.findall(".//{http://www.w3.org/2000/svg}path")
-    assert [one.get("d") for one in paths] == [done.detail.picture.result.drawing.path]
+    assert [one.get("d") for one in paths] == [done.board.detail.picture.result.drawing.path]
     assert "Ada Example" in path.read_text("utf-8")
 
 
@@ -56,8 +57,8 @@ def test_an_icon_is_saved_as_png_as_it_is_shown(done, qtbot, tmp_path, monkeypat
     for coded in (False, True):
         path = tmp_path / f"{coded}.png"
         save_to(done, monkeypatch, path)
-        done.results.set_coded(coded)
-        done.detail.save_png.emit()
+        done.board.results.set_coded(coded)
+        done.board.detail.save_png.emit()
         qtbot.waitUntil(path.exists)
         image = QImage(str(path))
         assert image.size().toTuple() == (1024, 1024)
@@ -69,18 +70,18 @@ def test_an_icon_is_saved_as_png_as_it_is_shown(done, qtbot, tmp_path, monkeypat
 def test_an_icon_is_copied_as_svg(done):
     done.actions_by_name["copy"].trigger()
     assert QApplication.clipboard().text().lstrip().startswith("<")
-    assert done.detail.picture.result.drawing.path in QApplication.clipboard().text()
+    assert done.board.detail.picture.result.drawing.path in QApplication.clipboard().text()
 
 
 def test_a_folder_that_cannot_be_written_is_told(done, qtbot, tmp_path, monkeypatch):
     save_to(done, monkeypatch, tmp_path / "gone" / "icon.svg")
     done.actions_by_name["svg"].trigger()
-    qtbot.waitUntil(done.notice.isVisible)
-    assert "cannot be written" in done.notice.label.text()
+    qtbot.waitUntil(done.window().desk.notice.isVisible)
+    assert "cannot be written" in done.window().desk.notice.label.text()
 
 
-def test_nothing_can_be_saved_before_there_is_something(window):
+def test_nothing_can_be_saved_before_there_is_something(sketching):
     names = ("svg", "png", "copy", "save", "clear", "cancel")
-    assert not any(window.actions_by_name[name].isEnabled() for name in names)
-    trace(window)
-    assert window.actions_by_name["save"].isEnabled()
+    assert not any(sketching.actions_by_name[name].isEnabled() for name in names)
+    trace(sketching)
+    assert sketching.actions_by_name["save"].isEnabled()

@@ -31,8 +31,8 @@ def test_everything_that_can_be_used_has_a_name_and_is_reached_by_keys(window):
         assert widget.focusPolicy() & Qt.FocusPolicy.TabFocus, name
 
 
-def test_every_button_on_the_bar_has_an_icon_and_says_what_it_does(window):
-    buttons = [b for b in window.canvas_panel.findChildren(QToolButton) if b.defaultAction()]
+def test_every_button_on_the_bar_has_an_icon_and_says_what_it_does(sketching):
+    buttons = [b for b in sketching.canvas_panel.findChildren(QToolButton) if b.defaultAction()]
     assert len(buttons) == 9
     for button in buttons:
         assert not button.icon().isNull()
@@ -40,43 +40,42 @@ def test_every_button_on_the_bar_has_an_icon_and_says_what_it_does(window):
 
 
 def test_no_two_actions_share_a_shortcut(window):
-    keys = [
-        key.toString()
-        for name in window.actions_by_name
-        for key in window.actions_by_name[name].shortcuts()
-    ]
-    assert len(keys) == len(set(keys)), sorted(keys)
+    shared = [*window.actions_by_name.values(), *window.modes.actions_in_order]
+    for workspace in window.workspaces:
+        actions = [*shared, *workspace.actions_by_name.values()]
+        keys = [key.toString() for action in actions for key in action.shortcuts()]
+        assert len(keys) == len(set(keys)), sorted(keys)
 
 
-def test_letters_in_the_keyword_field_are_no_shortcuts(window):
-    window.keyword_panel.field.setFocus()
-    QTest.keyClicks(window.keyword_panel.field, "hippo r")
-    assert window.document.sketch.keyword == "hippo r"
-    assert window.actions_by_name["trace"].isChecked()
-    assert not window.actions_by_name["regions"].isChecked()
+def test_letters_in_the_keyword_field_are_no_shortcuts(sketching):
+    sketching.keyword_panel.field.setFocus()
+    QTest.keyClicks(sketching.keyword_panel.field, "hippo r")
+    assert sketching.document.page.sketch.keyword == "hippo r"
+    assert sketching.actions_by_name["trace"].isChecked()
+    assert not sketching.actions_by_name["regions"].isChecked()
 
 
-def test_tools_are_switched_by_letters(window):
-    window.view.setFocus()
-    QTest.keyClick(window.view, Qt.Key.Key_H)
-    assert window.view.tool is window.view.pan_tool
-    QTest.keyClick(window.view, Qt.Key.Key_P)
-    assert window.view.tool is window.tool
+def test_tools_are_switched_by_letters(sketching):
+    sketching.view.setFocus()
+    QTest.keyClick(sketching.view, Qt.Key.Key_H)
+    assert sketching.view.tool is sketching.view.pan_tool
+    QTest.keyClick(sketching.view, Qt.Key.Key_P)
+    assert sketching.view.tool is sketching.tool
 
 
 def test_about_names_licence_and_credits(window):
-    window.actions_by_name["about"].trigger()
+    window.action("about").trigger()
     box = window.findChild(QMessageBox)
     assert "General Public License" in box.text()
     assert "CREDITS" in box.text()
     box.close()
 
 
-def test_a_message_is_dismissed(window):
-    window.run()
-    assert window.notice.isVisible()
-    window.notice._button.click()
-    assert not window.notice.isVisible()
+def test_a_message_is_dismissed(sketching):
+    sketching.run()
+    assert sketching.window().desk.notice.isVisible()
+    sketching.window().desk.notice._button.click()
+    assert not sketching.window().desk.notice.isVisible()
 
 
 def test_the_window_follows_the_system_into_the_dark(window, monkeypatch, request):
@@ -98,8 +97,8 @@ def test_the_window_fits_a_small_screen(window):
 
 def test_the_demonstration_loads_an_example_and_remixes_it(window, qtbot, session):
     app.start(window, "motorbike")
-    qtbot.waitUntil(lambda: len(window.results.pictures) == 24, timeout=20000)
-    assert window.document.sketch.keyword == "motorcycle"
+    qtbot.waitUntil(lambda: len(window.workspace.board.results.pictures) == 24, timeout=20000)
+    assert window.workspace.document.page.sketch.keyword == "motorcycle"
 
 
 def test_an_unknown_example_is_told(window):
@@ -112,7 +111,7 @@ def test_run_shows_the_window_and_ends_with_it(qtbot, session):
 
     def look_and_close():
         window = next(w for w in QApplication.topLevelWidgets() if w.isVisible())
-        seen.append(window.document.sketch.keyword)
+        seen.append(window.workspace.document.page.sketch.keyword)
         window.close()
 
     QTimer.singleShot(1000, look_and_close)

@@ -9,15 +9,22 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QPainter, QPainterPath, QPen, QPolygonF
 
 from iconstudio.gui.canvas.camera import Camera
-from iconstudio.gui.document import Page
 from iconstudio.gui.photo import Photo
 from iconstudio.gui.theme import UNIT, Theme, strong
-from iconstudio.model import CANVAS, MARGIN, Point
+from iconstudio.model import CANVAS, MARGIN, Axis, Point
 
 _SOLID = Qt.PenStyle.SolidLine
 
 REGION = 100.0
 """Side of a salient region in canvas pixels (section 3.2)."""
+
+_ALONG = {
+    Axis.HORIZONTAL: (0.0, 1.0),
+    Axis.VERTICAL: (1.0, 0.0),
+    Axis.DIAGONAL: (1.0, 1.0),
+    Axis.ANTIDIAGONAL: (1.0, -1.0),
+}
+"""The way each axis runs."""
 
 
 def paint_backdrop(painter: QPainter, area: QRectF, camera: Camera, theme: Theme) -> None:
@@ -48,15 +55,17 @@ def paint_photo(
     painter.fillRect(target, theme.color("surface", dim))
 
 
-def paint_outline(painter: QPainter, page: Page, camera: Camera, theme: Theme) -> None:
+def paint_outline(
+    painter: QPainter, vertices: Sequence[Point], closed: bool, camera: Camera, theme: Theme
+) -> None:
     """Draw the outline, filled once it is closed; a pale rim keeps it visible on any photo."""
-    if len(page.vertices) < 2:
+    if len(vertices) < 2:
         return
-    points = QPolygonF([camera.to_view(vertex) for vertex in page.vertices])
+    points = QPolygonF([camera.to_view(vertex) for vertex in vertices])
     path = QPainterPath()
     path.setFillRule(Qt.FillRule.WindingFill)
     path.addPolygon(points)
-    if page.closed:
+    if closed:
         path.closeSubpath()
         painter.fillPath(path, theme.color("accent", 0.18))
     join = Qt.PenJoinStyle.RoundJoin
@@ -64,13 +73,26 @@ def paint_outline(painter: QPainter, page: Page, camera: Camera, theme: Theme) -
         painter.strokePath(path, QPen(color, width, _SOLID, Qt.PenCapStyle.RoundCap, join))
 
 
+def paint_axis(painter: QPainter, axis: Axis, box: QRectF, camera: Camera, theme: Theme) -> None:
+    """Draw the axis of symmetry of what fills ``box`` (page units), a little longer than that."""
+    along = _ALONG[axis]
+    half = 0.56 * max(box.width(), box.height()) * QPointF(*along)
+    ends = [
+        camera.to_view((end.x(), end.y())) for end in (box.center() - half, box.center() + half)
+    ]
+    for color, width in ((theme.color("surface", 0.8), 3.5), (theme.color("accent"), 1.5)):
+        pen = QPen(color, width, _SOLID, Qt.PenCapStyle.FlatCap)
+        pen.setDashPattern([9 / width, 6 / width])
+        painter.setPen(pen)
+        painter.drawLine(*ends)
+
+
 def paint_regions(
-    painter: QPainter, page: Page, centres: Sequence[Point], camera: Camera, theme: Theme
+    painter: QPainter, box: QRectF, centres: Sequence[Point], camera: Camera, theme: Theme
 ) -> None:
-    """Draw the salient regions over the outline they were found in, the most salient first."""
-    left, top, right, bottom = page.sketch.polygon.bounds
-    unit = max(right - left, bottom - top) / (CANVAS - 2 * MARGIN)
-    middle = (left + right) / 2, (top + bottom) / 2
+    """Draw the salient regions of the outline that fills ``box``, the most salient first."""
+    unit = max(box.width(), box.height()) / (CANVAS - 2 * MARGIN)
+    middle = box.center().toTuple()
     painter.setFont(strong(_sized(11)))
     for number, (x, y) in enumerate(centres, start=1):
         centre = camera.to_view(
@@ -88,21 +110,17 @@ def paint_regions(
         painter.drawText(badge, Qt.AlignmentFlag.AlignCenter, str(number))
 
 
-def paint_welcome(painter: QPainter, area: QRectF, theme: Theme) -> None:
+def paint_welcome(painter: QPainter, area: QRectF, heading: str, text: str, theme: Theme) -> None:
     """Say what to do first."""
     centre = area.center()
     painter.setPen(theme.color("text"))
     painter.setFont(strong(_sized(20)))
     box = QRectF(area.left(), centre.y() - 104, area.width(), 32)
-    painter.drawText(box, Qt.AlignmentFlag.AlignCenter, "Open a photo, or just start drawing")
+    painter.drawText(box, Qt.AlignmentFlag.AlignCenter, heading)
     painter.setPen(theme.color("muted"))
     painter.setFont(_sized(14))
     width = min(360.0, area.width() - 4 * UNIT)
     box = QRectF(centre.x() - width / 2, centre.y() - 64, width, 72)
-    text = (
-        "Click around an object to trace its outline. Name it below, "
-        "and press Remix: new icons are put together from parts of real ones."
-    )
     wrapped = int(Qt.AlignmentFlag.AlignHCenter) | int(Qt.TextFlag.TextWordWrap)
     painter.drawText(box, wrapped, text)
 

@@ -1,8 +1,8 @@
-"""The canvas widget: shows the page through a camera and hands the pointer to a tool."""
+"""The canvas widget: shows a scene through a camera and hands the pointer to a tool."""
 
-from collections.abc import Sequence
+from collections.abc import Callable
 
-from PySide6.QtCore import QEvent, QRectF, Qt, Signal
+from PySide6.QtCore import QEvent, QMimeData, QRectF, Qt, Signal
 from PySide6.QtGui import (
     QDragEnterEvent,
     QDropEvent,
@@ -11,52 +11,60 @@ from PySide6.QtGui import (
     QMouseEvent,
     QPainter,
     QPaintEvent,
+    QPointingDevice,
+    QTabletEvent,
 )
 from PySide6.QtWidgets import QWidget
 
 from iconstudio.gui import theme
 from iconstudio.gui.canvas import painters
 from iconstudio.gui.canvas.navigation import CameraView
+from iconstudio.gui.canvas.scene import Scene
 from iconstudio.gui.canvas.tools.base import Pointer, Tool
 from iconstudio.gui.canvas.tools.pan import PanTool
-from iconstudio.gui.document import Document
 from iconstudio.gui.theme import UNIT
-from iconstudio.model import Point
 
 
 class CanvasView(CameraView):
-    """The page, with the tool in use. Space or the middle button pans with any tool.
+    """A scene, with the tool in use. Space or the middle button pans with any tool.
 
     Signals
     -------
-    files_dropped(object)
-        MIME data dropped on the canvas.
+    dropped(object, object)
+        MIME data dropped on the canvas, and the page point where.
     """
 
-    files_dropped = Signal(object)
+    dropped = Signal(object, object)
 
-    def __init__(self, document: Document, tool: Tool, parent: QWidget | None = None) -> None:
+    def __init__(
+        self,
+        scene: Scene,
+        tool: Tool,
+        welcomes: Callable[[QMimeData], bool] = lambda data: False,
+        parent: QWidget | None = None,
+    ) -> None:
+        """``welcomes`` says whether something may be dropped."""
         super().__init__(parent)
-        self._document = document
+        self._scene = scene
         self._tool = tool
+        self._welcomes = welcomes
         self._pan = PanTool(self.pan)
         self._panning = False
-        self._regions: Sequence[Point] = ()
-        self._dim = 0.35
         self.setMouseTracking(True)
+        self.setTabletTracking(True)
         self.setAcceptDrops(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMinimumSize(40 * UNIT, 30 * UNIT)
         self.setAccessibleName("Canvas")
-        self.setAccessibleDescription("Trace the outline of an object here")
-        document.page_changed.connect(self._page_changed)
-        document.opened.connect(self.fit)
+        scene.changed.connect(self.refresh)
+        scene.document.page_changed.connect(self.refresh)
+        scene.document.opened.connect(self.fit)
 
     # -- what is shown -------------------------------------------------------------------------
 
     def content(self) -> QRectF:
         """Return the area of the page."""
-        return self._document.page.bounds()
+        return self._scene.bounds()
 
     @property
     def tool(self) -> Tool:
@@ -67,71 +75,67 @@ class CanvasView(CameraView):
         """Use another tool."""
         self._tool.leave()
         self._tool = tool
-        self._refresh()
+        self.refresh()
 
     @property
     def pan_tool(self) -> PanTool:
         """The tool that moves the page."""
         return self._pan
 
-    def set_dim(self, percent: int) -> None:
-        """Fade the photo: 0 shows it as it is, 100 hides it."""
-        self._dim = percent / 100
-        self.update()
-
-    def set_regions(self, centres: Sequence[Point]) -> None:
-        """Show the salient regions at these centres (canvas pixels); none hides them."""
-        self._regions = centres
+    def refresh(self) -> None:
+        """Draw again what the scene and the tool show now."""
+        self.setCursor(self.tool.cursor)
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """Draw the layers from back to front."""
-        page, look, area = self._document.page, theme.current(), QRectF(self.rect())
+        look, area = theme.current(), QRectF(self.rect())
         with QPainter(self) as painter:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             painters.paint_backdrop(painter, area, self._camera, look)
-            if page.photo is not None:
-                ratio = self.devicePixelRatioF()
-                painters.paint_photo(painter, page.photo, self._dim, self._camera, ratio, look)
-            if page.empty:
-                painters.paint_welcome(painter, area, look)
-            painters.paint_outline(painter, page, self._camera, look)
-            if self._regions and page.closed:
-                painters.paint_regions(painter, page, self._regions, self._camera, look)
+            self._scene.paint(painter, self._camera, self.devicePixelRatioF(), look)
+            if self._scene.empty:
+                painters.paint_welcome(painter, area, *self._scene.welcome, look)
             self._tool.paint(painter, self._camera, look)
-            if not page.empty and self.tool.hint:
+            if not self._scene.empty and self.tool.hint:
                 painters.paint_hint(painter, area, self.tool.hint, look)
 
     # -- pointer and keys ----------------------------------------------------------------------
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Hand over to the tool; the middle button always pans."""
-        if event.button() == Qt.MouseButton.MiddleButton:
-            self._panning = True
-        self.tool.press(self._pointer(event))
-        self._refresh()
+        self._press(_pointer(event, self))
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """Hand over to the tool."""
-        self.tool.move(self._pointer(event))
-        self._refresh()
+        self._move(_pointer(event, self))
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         """Hand over to the tool."""
-        self.tool.release(self._pointer(event))
-        if event.button() == Qt.MouseButton.MiddleButton:
-            self._panning = False
-        self._refresh()
+        self._release(_pointer(event, self))
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         """Hand over to the tool."""
-        self.tool.double_click(self._pointer(event))
-        self._refresh()
+        self.tool.double_click(_pointer(event, self))
+        self.refresh()
+
+    def tabletEvent(self, event: QTabletEvent) -> None:
+        """Hand the pen over to the tool; accepted, so that Qt makes no mouse events of it."""
+        pointer = _pointer(event, self)
+        match event.type():
+            case QEvent.Type.TabletPress:
+                self.setFocus(Qt.FocusReason.MouseFocusReason)
+                self._press(pointer)
+            case QEvent.Type.TabletMove:
+                self._move(pointer)
+            case QEvent.Type.TabletRelease:
+                self._release(pointer)
+        event.accept()
 
     def leaveEvent(self, event: QEvent) -> None:
         """Let the tool forget the pointer."""
         self._tool.leave()
-        self._refresh()
+        self.refresh()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Space pans while it is down, Escape cancels, the rest goes to the tool."""
@@ -141,14 +145,14 @@ class CanvasView(CameraView):
             self._tool.cancel()
         elif not self._tool.key(event):
             super().keyPressEvent(event)
-        self._refresh()
+        self.refresh()
 
     def keyReleaseEvent(self, event: QKeyEvent) -> None:
         """Stop panning when the space bar goes up."""
         if event.key() == Qt.Key.Key_Space and not event.isAutoRepeat():
             self._pan.cancel()
             self._panning = False
-            self._refresh()
+            self.refresh()
         else:
             super().keyReleaseEvent(event)
 
@@ -159,28 +163,43 @@ class CanvasView(CameraView):
         super().focusOutEvent(event)
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        """Welcome files and images."""
-        if event.mimeData().hasUrls() or event.mimeData().hasImage():
+        """Welcome what can be used here."""
+        if self._welcomes(event.mimeData()):
             event.acceptProposedAction()
 
     def dropEvent(self, event: QDropEvent) -> None:
         """Pass on what was dropped."""
         event.acceptProposedAction()
-        self.files_dropped.emit(event.mimeData())
+        self.dropped.emit(event.mimeData(), self._camera.to_page(event.position()))
 
     # -- helpers -------------------------------------------------------------------------------
 
-    def _pointer(self, event: QMouseEvent) -> Pointer:
-        view = event.position()
-        return Pointer(
-            self._camera.to_page(view), view, self._camera, event.button(), event.modifiers()
-        )
+    def _press(self, pointer: Pointer) -> None:
+        if pointer.button == Qt.MouseButton.MiddleButton:
+            self._panning = True
+        self.tool.press(pointer)
+        self.refresh()
 
-    def _page_changed(self) -> None:
-        if not self._document.page.vertices:
-            self._regions = ()
-        self._refresh()
+    def _move(self, pointer: Pointer) -> None:
+        self.tool.move(pointer)
+        self.refresh()
 
-    def _refresh(self) -> None:
-        self.setCursor(self.tool.cursor)
-        self.update()
+    def _release(self, pointer: Pointer) -> None:
+        self.tool.release(pointer)
+        if pointer.button == Qt.MouseButton.MiddleButton:
+            self._panning = False
+        self.refresh()
+
+
+def _pointer(event: QMouseEvent | QTabletEvent, view: CanvasView) -> Pointer:
+    spot, camera = event.position(), view.camera
+    pen = isinstance(event, QTabletEvent)
+    return Pointer(
+        camera.to_page(spot),
+        spot,
+        camera,
+        event.button(),
+        event.modifiers(),
+        event.pressure() if pen else 1.0,
+        pen and event.pointerType() == QPointingDevice.PointerType.Eraser,
+    )

@@ -1,9 +1,10 @@
 """One cell of the results grid."""
 
+import math
 from enum import Enum, auto
 
-from PySide6.QtCore import QEvent, QRectF, QSize, Qt
-from PySide6.QtGui import QEnterEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QEnterEvent, QPainter, QPainterPath, QPaintEvent, QPen
 from PySide6.QtWidgets import QAbstractButton, QSizePolicy, QWidget
 
 from iconstudio.gui import theme
@@ -27,7 +28,9 @@ class ResultCell(QAbstractButton):
         self.state = CellState.BLANK
         self._name = name
         self._coded = False
+        self.recommended = False
         self.setCheckable(True)
+        self.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.setMinimumSize(48, 48)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.expect(False)
@@ -39,6 +42,7 @@ class ResultCell(QAbstractButton):
     def expect(self, pending: bool) -> None:
         """Empty the cell; say whether something is to come."""
         self.picture = None
+        self.recommended = False
         self.state = CellState.PENDING if pending else CellState.BLANK
         self.setEnabled(False)
         self.setChecked(False)
@@ -52,6 +56,13 @@ class ResultCell(QAbstractButton):
         self.setEnabled(True)
         self.setAccessibleName(self._name)
         self.setToolTip(self._name)
+        self.update()
+
+    def recommend(self, reason: str) -> None:
+        """Mark the result as the one of its row to look at first."""
+        self.recommended = True
+        self.setToolTip(f"{self._name}\nLook here first: {reason}")
+        self.setAccessibleName(f"{self._name}, recommended")
         self.update()
 
     def set_coded(self, coded: bool) -> None:
@@ -88,6 +99,8 @@ class ResultCell(QAbstractButton):
                 target = QRectF(0, 0, side, side)
                 target.moveCenter(box.center())
                 self.picture.paint(painter, target, look.color("text"), self._coded)
+                if self.recommended:
+                    self._paint_mark(painter, look, box)
 
     def _paint_frame(self, painter: QPainter, look: theme.Theme, box: QRectF) -> None:
         if self.isChecked():
@@ -99,3 +112,20 @@ class ResultCell(QAbstractButton):
         else:
             return
         painter.drawRoundedRect(box, 6, 6)
+
+    def _paint_mark(self, painter: QPainter, look: theme.Theme, box: QRectF) -> None:
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(look.color("accent"))
+        painter.drawPath(_star(box.topRight() + QPointF(-10, 10), 6.0))
+
+
+def _star(centre: QPointF, radius: float) -> QPainterPath:
+    """Return a star of five points; ``radius`` in device-independent pixels."""
+    path = QPainterPath()
+    for corner in range(10):
+        angle = math.pi * (corner / 5 - 0.5)
+        reach = radius * (0.45 if corner % 2 else 1.0)
+        point = centre + reach * QPointF(math.cos(angle), math.sin(angle))
+        path.lineTo(point) if corner else path.moveTo(point)
+    path.closeSubpath()
+    return path

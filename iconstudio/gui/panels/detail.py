@@ -1,5 +1,7 @@
 """The result that was picked, large, beside the icons that it owes its parts to."""
 
+from collections.abc import Sequence
+
 from PySide6.QtCore import QEvent, QRectF, Qt, Signal
 from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import (
@@ -7,6 +9,7 @@ from PySide6.QtWidgets import (
     QGridLayout,
     QHBoxLayout,
     QLabel,
+    QMenu,
     QPushButton,
     QScrollArea,
     QSizePolicy,
@@ -17,6 +20,7 @@ from PySide6.QtWidgets import (
 
 from iconstudio.gui import theme
 from iconstudio.gui.panels.elided import ElidedLabel
+from iconstudio.gui.panels.sending import Destination, offer
 from iconstudio.gui.pictures import Picture, SourcePicture, source_pictures
 from iconstudio.gui.theme import UNIT
 
@@ -123,8 +127,11 @@ class DetailPanel(QFrame):
     -------
     save_svg(), save_png(), copy_svg()
         What to do with the picked result.
+    sent(str)
+        It is to go to the workspace of that title.
     """
 
+    sent = Signal(str)
     save_svg = Signal()
     save_png = Signal()
     copy_svg = Signal()
@@ -178,10 +185,18 @@ class DetailPanel(QFrame):
         sources = source_pictures(composite)
         icons = len({source.source.exemplar.id for source in sources})
         parts = f"{_counted(len(sources), 'part')} of {_counted(icons, 'icon')}"
-        self._about.setText(f"{parts} · fits the sketch by {composite.iou:.0%}")
+        fit = "" if composite.iou is None else f" · fits the sketch by {composite.iou:.0%}"
+        self._about.setText(parts + fit)
         for number, source in enumerate(sources):
             self._rows.addWidget(SourceRow(source), number // 2, number % 2)
         self._rows.setRowStretch(self._rows.rowCount(), 1)
+
+    def set_destinations(self, destinations: Sequence[Destination]) -> None:
+        """Offer to send the result to these."""
+        menu = QMenu(self._send)
+        offer(menu, destinations, self.sent.emit)
+        self._send.setMenu(menu)
+        self._send.setVisible(bool(destinations))
 
     def changeEvent(self, event: QEvent) -> None:
         """Draw again in the new colours."""
@@ -196,6 +211,8 @@ class DetailPanel(QFrame):
         svg.clicked.connect(self.save_svg)
         png.clicked.connect(self.save_png)
         copy.clicked.connect(self.copy_svg)
+        self._send = QPushButton("Send to", toolTip="Go on with the icon in another workspace")
+        self._send.hide()
         top = QHBoxLayout()
         top.setSpacing(UNIT)
         for label in (self._title, self._about):
@@ -205,7 +222,7 @@ class DetailPanel(QFrame):
         words.addWidget(self._title)
         words.addWidget(self._about)
         top.addLayout(words, 1)
-        for button in (svg, png, copy):
+        for button in (self._send, svg, png, copy):
             top.addWidget(button, 0, Qt.AlignmentFlag.AlignTop)
         inner = QWidget()
         inner.setLayout(self._rows)

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QRectF, Qt, Signal
+from PySide6.QtCore import QPoint, QRectF, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import (
     QButtonGroup,
@@ -123,11 +123,17 @@ class ResultsPanel(QFrame):
     -------
     picked(object)
         The Picture that the user looks at, or None.
+    chosen(Picture)
+        The user himself picked this one.
+    asked(Picture, QPoint)
+        The user wants to know, at this place of the screen, what can be done with a result.
     coded_changed(bool)
         Whether the results are colour-coded.
     """
 
     picked = Signal(object)
+    chosen = Signal(object)
+    asked = Signal(object, QPoint)
     coded_changed = Signal(bool)
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -192,6 +198,7 @@ class ResultsPanel(QFrame):
                 cell = ResultCell(f"{style.capitalize()}, λ {value:.2f}")
                 cell.set_coded(self.coded)
                 cell.expect(True)
+                cell.customContextMenuRequested.connect(self._ask)
                 self._group.addButton(cell)
                 self._grid.addWidget(cell, row, column)
                 self._grid.setColumnStretch(column, 1)
@@ -222,6 +229,12 @@ class ResultsPanel(QFrame):
         composite = picture.result.composite
         self._cells[composite.style, composite.lambda_s].show_picture(picture)
 
+    def recommend(self, style: str, lambda_s: float) -> None:
+        """Mark the result of a style to look at first."""
+        self.cell(style, lambda_s).recommend(
+            f"of the {style} icons, this one holds together best and is closest to the outline"
+        )
+
     def end(self) -> None:
         """Nothing more is to come: empty the cells that still wait."""
         for cell in self._cells.values():
@@ -229,8 +242,10 @@ class ResultsPanel(QFrame):
                 cell.expect(False)
 
     def pick(self, style: str, lambda_s: float) -> None:
-        """Pick a result, as a click on it would."""
-        self.cell(style, lambda_s).click()
+        """Pick a result for the user to begin with."""
+        cell = self.cell(style, lambda_s)
+        cell.setChecked(True)
+        self.picked.emit(cell.picture)
 
     def set_coded(self, coded: bool) -> None:
         """Show the results as icons, or coded by source."""
@@ -264,6 +279,11 @@ class ResultsPanel(QFrame):
 
     def _pick(self, cell: ResultCell) -> None:
         self.picked.emit(cell.picture)
+        self.chosen.emit(cell.picture)
+
+    def _ask(self, spot: QPoint) -> None:
+        cell = self.sender()
+        self.asked.emit(cell.picture, cell.mapToGlobal(spot))
 
     def _clear(self) -> None:
         self.picked.emit(None)

@@ -19,6 +19,10 @@ class Pointer:
     camera: Camera
     button: Qt.MouseButton = Qt.MouseButton.NoButton
     modifiers: Qt.KeyboardModifier = Qt.KeyboardModifier.NoModifier
+    pressure: float = 1.0
+    """How hard the pen presses, from 0 to 1; of a mouse always 1."""
+    eraser: bool = False
+    """Whether the pen is turned round."""
 
 
 class Tool:

@@ -1,6 +1,5 @@
 """Trace a polygon: click to add, drag to move, click an edge to insert, close on the first."""
 
-import itertools
 import math
 from dataclasses import dataclass
 from typing import Literal
@@ -8,10 +7,10 @@ from typing import Literal
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QKeyEvent, QPainter, QPen
 
-from iconstudio.gui import commands
+from iconstudio.gui.canvas import outline
 from iconstudio.gui.canvas.camera import Camera
 from iconstudio.gui.canvas.tools.base import Pointer, Tool
-from iconstudio.gui.document import Document
+from iconstudio.gui.document import new_gesture
 from iconstudio.gui.theme import Theme
 from iconstudio.model import Point
 
@@ -21,7 +20,6 @@ GRIP = 9.0
 EDGE_GRIP = 6.0
 """Pixels within which the pointer finds an edge."""
 
-_gestures = itertools.count()
 _NUDGES = {
     Qt.Key.Key_Left: (-1, 0),
     Qt.Key.Key_Right: (1, 0),
@@ -40,9 +38,9 @@ class Hit:
 
 
 class PolygonTool(Tool):
-    """Draws and corrects the document's outline."""
+    """Draws and corrects the outline of a document's page."""
 
-    def __init__(self, document: Document) -> None:
+    def __init__(self, document: outline.Outlined) -> None:
         self._document = document
         self._hover: Hit | None = None
         self._dragged: int | None = None
@@ -123,7 +121,7 @@ class PolygonTool(Tool):
         if hit is None:
             self._press_nowhere(pointer)
         elif hit.kind == "edge":
-            self._push(commands.InsertVertex(self._document, hit.index, hit.point))
+            outline.insert_vertex(self._document, hit.index, hit.point)
             self._take(hit.index + 1)
         elif self._closes(hit.index):
             self.close_outline()
@@ -189,7 +187,7 @@ class PolygonTool(Tool):
             step = 1 if key == Qt.Key.Key_PageDown else -1
             start = -step if self.selected is None and step == 1 else self.selected or 0
             self.selected = (start + step) % count
-            self._gesture = next(_gestures)
+            self._gesture = new_gesture()
             return True
         if key in _NUDGES and self.selected is not None:
             (dx, dy), (x, y) = _NUDGES[key], self._document.page.vertices[self.selected]
@@ -204,7 +202,7 @@ class PolygonTool(Tool):
         if page.closed or not page.vertices:
             deselected, self.selected = self.selected is not None, None
             return deselected
-        self._push(commands.ClearOutline(self._document))
+        outline.clear_outline(self._document)
         return True
 
     def close_outline(self) -> bool:
@@ -212,7 +210,7 @@ class PolygonTool(Tool):
         page = self._document.page
         if page.closed or len(page.vertices) < 3:
             return False
-        self._push(commands.CloseOutline(self._document))
+        outline.close_outline(self._document)
         self._hover = self._dragged = self.selected = None
         return True
 
@@ -232,7 +230,7 @@ class PolygonTool(Tool):
     def _press_nowhere(self, pointer: Pointer) -> None:
         self.selected = None
         if not self._document.page.closed:
-            self._push(commands.AddVertex(self._document, pointer.page))
+            outline.add_vertex(self._document, pointer.page)
             self._take(len(self._document.page.vertices) - 1)
 
     def _closes(self, index: int) -> bool:
@@ -242,19 +240,16 @@ class PolygonTool(Tool):
     def _take(self, index: int) -> None:
         self._dragged = index
         self.selected = index if self._document.page.closed else None
-        self._gesture = next(_gestures)
+        self._gesture = new_gesture()
         self._hover = Hit("vertex", index, self._document.page.vertices[index])
 
     def _move(self, index: int, point: Point) -> None:
-        self._push(commands.MoveVertex(self._document, index, point, self._gesture))
+        outline.move_vertex(self._document, index, point, self._gesture)
         self._hover = Hit("vertex", index, point)
 
     def _delete(self, index: int) -> None:
         self._dragged = self._hover = self.selected = None
-        self._push(commands.DeleteVertex(self._document, index))
-
-    def _push(self, command: commands.PageCommand) -> None:
-        self._document.undo_stack.push(command)
+        outline.delete_vertex(self._document, index)
 
     def _page_changed(self) -> None:
         count = len(self._document.page.vertices)

@@ -1,0 +1,116 @@
+"""The grid of results over the details of the one that is picked."""
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QPoint, Qt, Signal
+from PySide6.QtWidgets import QMenu, QSplitter, QWidget
+
+from iconstudio.gui.panels.detail import DetailPanel
+from iconstudio.gui.panels.results import ResultsPanel
+from iconstudio.gui.panels.sending import Destination, offer
+from iconstudio.gui.pictures import Picture
+from iconstudio.gui.theme import UNIT
+from iconstudio.session import ModelSettings
+from iconstudio.workflows.events import Event, Recommended, StyleMatched, StyleSkipped
+
+
+class Board(QSplitter):
+    """Shows the events of a run as they come: results by style and lambda_S.
+
+    Until the user picks a result, the first recommended one is picked, and until there is one the
+    first result.
+
+    Signals
+    -------
+    picked(object)
+        The Picture that is shown large, or None.
+    made(Picture)
+        A result worth keeping: picked by the user, or recommended by the run.
+    counted(int)
+        How many results are there.
+    sent(Picture, str)
+        A result is to go to the workspace of that title.
+    """
+
+    picked = Signal(object)
+    made = Signal(object)
+    counted = Signal(int)
+    sent = Signal(object, str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(Qt.Orientation.Vertical, parent)
+        self.results = ResultsPanel()
+        self.detail = DetailPanel()
+        self.menu: QMenu | None = None
+        self._destinations: Sequence[Destination] = ()
+        self._chosen = self._recommended = False
+        self.addWidget(self.results)
+        self.addWidget(self.detail)
+        self.setSizes([400, 210])
+        self.setHandleWidth(UNIT)
+        self.setChildrenCollapsible(False)
+        self.setStretchFactor(0, 3)
+        self.setStretchFactor(1, 1)
+        results, detail = self.results, self.detail
+        results.picked.connect(detail.show_picture)
+        results.picked.connect(self.picked)
+        results.chosen.connect(self._choose)
+        results.asked.connect(self._open_menu)
+        results.coded_changed.connect(detail.large.set_coded)
+        detail.sent.connect(lambda title: self.sent.emit(detail.picture, title))
+
+    def set_destinations(self, destinations: Sequence[Destination]) -> None:
+        """Say where results can be sent to."""
+        self._destinations = destinations
+        self.detail.set_destinations(destinations)
+
+    def begin(self, settings: ModelSettings) -> None:
+        """Make room for the results of a new run."""
+        self._chosen = self._recommended = False
+        self.results.begin(settings.styles, settings.lambdas)
+
+    def show_event(self, event: Event | Picture) -> None:
+        """Show what a run has come to."""
+        match event:
+            case StyleMatched():
+                self.results.show_matched(event)
+            case StyleSkipped():
+                self.results.show_skipped(event)
+            case Recommended():
+                self._recommend(event)
+            case Picture():
+                self._add(event)
+
+    def end(self) -> None:
+        """Nothing more is to come."""
+        self.results.end()
+        if not self._recommended and self.results.pictures:
+            self.made.emit(self.results.pictures[0])
+
+    def _add(self, picture: Picture) -> None:
+        self.results.add(picture)
+        self.counted.emit(len(self.results.pictures))
+        if self.detail.picture is None:
+            composite = picture.result.composite
+            self.results.pick(composite.style, composite.lambda_s)
+
+    def _recommend(self, event: Recommended) -> None:
+        self.results.recommend(event.style, event.lambda_s)
+        if self._recommended:
+            return
+        self._recommended = True
+        self.made.emit(self.results.cell(event.style, event.lambda_s).picture)
+        if not self._chosen:
+            self.results.pick(event.style, event.lambda_s)
+
+    def _choose(self, picture: Picture) -> None:
+        self._chosen = True
+        self.made.emit(picture)
+
+    def _open_menu(self, picture: Picture, spot: QPoint) -> None:
+        if not self._destinations:
+            return
+        self.menu = QMenu(self)
+        self.menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        offer(self.menu, self._destinations, lambda title: self.sent.emit(picture, title))
+        self.menu.popup(spot)

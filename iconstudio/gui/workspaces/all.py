@@ -1,0 +1,6 @@
+"""The list of workspaces, as they stand on the switch."""
+
+from iconstudio.gui.workspaces.base import Workspace
+from iconstudio.gui.workspaces.sketching.workspace import SketchWorkspace
+
+WORKSPACES: tuple[type[Workspace], ...] = (SketchWorkspace,)

@@ -1,0 +1,172 @@
+"""What every workspace offers to the window."""
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import ClassVar
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QWidget
+
+from iconstudio.gui import theme
+from iconstudio.gui.actions import ENTRIES, Actions, Entry
+from iconstudio.gui.canvas.view import CanvasView
+from iconstudio.gui.document import Document
+from iconstudio.gui.panels.board import Board
+from iconstudio.gui.panels.detail import DetailPanel
+from iconstudio.gui.panels.sending import Destination
+from iconstudio.gui.pictures import Picture
+from iconstudio.gui.saving import Saver
+from iconstudio.gui.worker import Worker
+from iconstudio.model import Pictogram
+from iconstudio.session import Session
+
+
+class Workspace(QWidget):
+    """One workflow of section 4: its page, its work and its results, all its own.
+
+    A subclass says its ``title``, calls ``make_actions`` in ``__init__``, and overrides what it
+    needs. It has a thread, ``worker``, for its runs; ``files`` reads and writes files without
+    waiting for them, and ``saver`` asks where to. The window shows what the signals tell.
+
+    Signals
+    -------
+    said(str)
+        A remark for the status line; messages that were in sight are dealt with.
+    failed(str)
+        Something could not be done; a sentence for the user, which stays until it is read.
+    progressed(Progress), counted(int)
+        How far the work is, and how many results are finished.
+    rested(str)
+        Nothing is under way any more; what came out of it, if anything.
+    picked(object)
+        The Picture that the user looks at, or None.
+    made(Picture)
+        A result worth keeping in sight.
+    send(Pictogram, str)
+        An icon is to go to the workspace of that title.
+    """
+
+    title: ClassVar[str] = ""
+    invitation: ClassVar[str] = ""
+    """The words that offer to send an icon here; empty if this workspace takes none."""
+
+    said = Signal(str)
+    failed = Signal(str)
+    progressed = Signal(object)
+    counted = Signal(int)
+    rested = Signal(str)
+    picked = Signal(object)
+    made = Signal(object)
+    send = Signal(object, str)
+
+    actions_by_name: Actions
+    """All that can be done here; see ``make_actions``. The menus show these, and their shortcuts
+    work while this workspace is in sight. What makes no sense at the moment is disabled."""
+
+    def __init__(self, session: Session, files: Worker, saver: Saver, document: Document) -> None:
+        super().__init__()
+        self.session = session
+        self.files = files
+        self.saver = saver
+        self.document = document
+        document.setParent(self)
+        self.worker = Worker(self)
+        self.progressed.connect(lambda _: self._allow_cancel(True))
+        self.rested.connect(lambda _: self._allow_cancel(False))
+
+    @property
+    def picture(self) -> Picture | None:
+        """The picked result, which Save SVG, Save PNG and Copy take."""
+        return None
+
+    @property
+    def coded(self) -> bool:
+        """Whether the results are shown coded by source, and so saved as PNG."""
+        return False
+
+    def enter(self) -> None:
+        """The user has come here: put the focus where work goes on."""
+
+    def take(self, pictogram: Pictogram) -> None:
+        """Begin with an icon that was sent here, or add it."""
+
+    def set_destinations(self, destinations: tuple[Destination, ...]) -> None:
+        """Say where icons can be sent to; called once."""
+
+    def run(self) -> None:
+        """Do the work for what lies on the canvas."""
+
+    def cancel(self) -> None:
+        """Stop the work; results that are finished stay."""
+
+    def close_work(self) -> None:
+        """Stop all work and wait until the thread has ended; for good."""
+        self.cancel()
+        self.worker.close(self.session.close)
+
+    def refresh_icons(self, look: theme.Theme) -> None:
+        """Draw all icons in the colours of ``look``."""
+        self.actions_by_name.refresh_icons(look)
+
+    # -- for subclasses ------------------------------------------------------------------------
+
+    def make_actions(
+        self,
+        slots: Mapping[str, Callable[..., object]],
+        own: Mapping[str, Sequence[Entry]] | None = None,
+    ) -> None:
+        """Make ``actions_by_name``: ``slots`` (see ``Actions``), and what all workspaces have."""
+        common = {
+            "svg": lambda: self._keep(self.saver.save_svg),
+            "png": lambda: self._keep(lambda one: self.saver.save_png(one, self.coded)),
+            "copy": lambda: self._keep(self.saver.copy_svg),
+            "cancel": self.cancel,
+        }
+        actions = self.actions_by_name = Actions(self, common | dict(slots), own)
+        stack = self.document.undo_stack
+        actions.add(ENTRIES["undo"], stack.createUndoAction(self, "&Undo"))
+        actions.add(ENTRIES["redo"], stack.createRedoAction(self, "&Redo"))
+        self._show_picked(None)
+        self.picked.connect(self._show_picked)
+
+    @staticmethod
+    def view_slots(view: CanvasView) -> dict[str, Callable[..., object]]:
+        """Return what the actions that look at a canvas do."""
+        return {
+            "pan": lambda on: None,
+            "zoom_in": view.zoom_in,
+            "zoom_out": view.zoom_out,
+            "fit": view.fit,
+        }
+
+    def connect_board(self, board: Board) -> None:
+        """Pass on what happens on a board of results."""
+        actions = self.actions_by_name
+        board.picked.connect(self.picked)
+        board.made.connect(self.made)
+        board.counted.connect(self.counted)
+        board.sent.connect(self.send_picture)
+        board.results.coded_changed.connect(actions["coded"].setChecked)
+        self.connect_detail(board.detail)
+
+    def connect_detail(self, detail: DetailPanel) -> None:
+        """Let the buttons of the details do what the menus do."""
+        detail.save_svg.connect(self.actions_by_name["svg"].trigger)
+        detail.save_png.connect(self.actions_by_name["png"].trigger)
+        detail.copy_svg.connect(self.actions_by_name["copy"].trigger)
+
+    def send_picture(self, picture: Picture, title: str) -> None:
+        """Send a result to the workspace of that title."""
+        self.made.emit(picture)
+        self.send.emit(picture.pictogram(), title)
+
+    def _keep(self, save: Callable[[Picture], None]) -> None:
+        if self.picture is not None:
+            self.made.emit(self.picture)
+            save(self.picture)
+
+    def _show_picked(self, picture: Picture | None) -> None:
+        for name in ("svg", "png", "copy"):
+            self.actions_by_name[name].setEnabled(picture is not None)
+
+    def _allow_cancel(self, allowed: bool) -> None:
+        self.actions_by_name["cancel"].setEnabled(allowed)

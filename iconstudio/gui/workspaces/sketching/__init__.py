@@ -1,0 +1,1 @@
+"""Sketch-based modelling in the window (section 4.1)."""

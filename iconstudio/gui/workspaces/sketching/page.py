@@ -1,0 +1,102 @@
+"""What lies on the canvas of the sketch, and the edits of all but the outline."""
+
+from dataclasses import dataclass, field, replace
+
+from PySide6.QtCore import QRectF
+
+from iconstudio.gui.document import Document
+from iconstudio.gui.photo import Photo
+from iconstudio.model import CANVAS, Axis, Point, Polygon, Sketch
+
+
+@dataclass(frozen=True, slots=True)
+class SketchPage:
+    """A sketch over a photo.
+
+    ``sketch.polygon`` also holds an outline that is still being traced; it is finished once
+    ``closed``. Coordinates are pixels of the photo, or free units without one.
+    """
+
+    sketch: Sketch = field(default_factory=Sketch)
+    closed: bool = False
+    photo: Photo | None = None
+
+    @property
+    def vertices(self) -> tuple[Point, ...]:
+        """The outline's vertices, finished or not."""
+        return self.sketch.polygon.vertices
+
+    @property
+    def empty(self) -> bool:
+        """Whether there is nothing to look at yet."""
+        return not self.vertices and self.photo is None
+
+    def with_outline(self, vertices: tuple[Point, ...], closed: bool) -> "SketchPage":
+        """Return the page with another outline."""
+        sketch = replace(self.sketch, polygon=Polygon(vertices))
+        return replace(self, sketch=sketch, closed=closed)
+
+    def elsewhere(self, before: "SketchPage") -> bool:
+        """Whether the photo, or without one the whole outline, is another."""
+        moved = len(self.vertices) > 2 and set(self.vertices).isdisjoint(before.vertices)
+        return self.photo is not before.photo or (moved and self.photo is None)
+
+    def bounds(self) -> QRectF:
+        """Return the area to show: the photo, the outline with some air, or an empty canvas."""
+        if self.photo is not None:
+            return QRectF(0, 0, self.photo.width, self.photo.height)
+        sheet = QRectF(0, 0, 2 * CANVAS, 2 * CANVAS)
+        if len(self.vertices) < 3:
+            return sheet
+        left, top, right, bottom = self.sketch.polygon.bounds
+        size = max(right - left, bottom - top)
+        outline = QRectF(left, top, right - left, bottom - top)
+        if sheet.contains(outline) and size > CANVAS / 2:
+            return sheet
+        air = size / 8
+        return outline.adjusted(-air, -air, air, air)
+
+
+SketchDocument = Document[SketchPage]
+
+
+def set_keyword(document: SketchDocument, keyword: str) -> None:
+    """Name the object. Letters typed one after the other are undone together."""
+    _change_sketch(document, "name the object", gesture="keyword", keyword=keyword)
+
+
+def exclude_icons(document: SketchDocument, exclude: frozenset[str]) -> None:
+    """Say which icons must not be used."""
+    fewer = exclude < document.page.sketch.exclude
+    _change_sketch(document, "use icon again" if fewer else "leave icon out", exclude=exclude)
+
+
+def set_symmetry(document: SketchDocument, axis: Axis | None) -> None:
+    """Say which halves of the results must mirror each other."""
+    text = "hold to symmetry" if axis else "drop symmetry"
+    _change_sketch(document, text, symmetry=axis)
+
+
+def set_photo(document: SketchDocument, photo: Photo | None) -> None:
+    """Put another photo under the drawing, or none.
+
+    An outline traced over something else would lie nowhere sensible, so it goes; undo
+    brings it back.
+    """
+    page = document.page.with_outline((), False)
+    document.change("set photo", replace(page, photo=photo))
+
+
+def load_sketch(
+    document: SketchDocument, sketch: Sketch, photo: Photo | None = None, text: str = "open"
+) -> None:
+    """Start from another sketch: an example, a file, or nothing at all."""
+    closed = len(sketch.polygon.vertices) >= 3
+    document.change(text, SketchPage(sketch, closed, photo))
+
+
+def _change_sketch(
+    document: SketchDocument, text: str, gesture: object = None, **values: object
+) -> None:
+    sketch = replace(document.page.sketch, **values)
+    document.change(text, replace(document.page, sketch=sketch), gesture)

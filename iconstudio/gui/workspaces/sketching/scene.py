@@ -1,0 +1,67 @@
+"""The canvas of the sketch, layer by layer: photo, outline, symmetry axis, salient regions."""
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QRectF
+from PySide6.QtGui import QPainter
+
+from iconstudio.gui.canvas import painters
+from iconstudio.gui.canvas.camera import Camera
+from iconstudio.gui.canvas.scene import Scene
+from iconstudio.gui.theme import Theme
+from iconstudio.gui.workspaces.sketching.page import SketchDocument
+from iconstudio.model import Point
+
+
+class SketchScene(Scene):
+    """Paints the sketch over its photo."""
+
+    welcome = (
+        "Open a photo, or just start drawing",
+        "Click around an object to trace its outline. Name it below, "
+        "and press Remix: new icons are put together from parts of real ones.",
+    )
+
+    def __init__(self, document: SketchDocument) -> None:
+        super().__init__(document)
+        self._dim = 0.35
+        self._regions: Sequence[Point] = ()
+
+    @property
+    def empty(self) -> bool:
+        """Whether there is neither photo nor outline."""
+        return self.document.page.empty
+
+    @property
+    def regions(self) -> Sequence[Point]:
+        """Centres of the salient regions that are shown, in canvas pixels."""
+        return self._regions
+
+    def bounds(self) -> QRectF:
+        """Return the area of the page."""
+        return self.document.page.bounds()
+
+    def set_dim(self, percent: int) -> None:
+        """Fade the photo: 0 shows it as it is, 100 hides it."""
+        self._dim = percent / 100
+        self.changed.emit()
+
+    def set_regions(self, centres: Sequence[Point]) -> None:
+        """Show the salient regions at these centres (canvas pixels); none hides them."""
+        self._regions = centres
+        self.changed.emit()
+
+    def paint(self, painter: QPainter, camera: Camera, ratio: float, theme: Theme) -> None:
+        """Draw the layers from back to front."""
+        page = self.document.page
+        if page.photo is not None:
+            painters.paint_photo(painter, page.photo, self._dim, camera, ratio, theme)
+        painters.paint_outline(painter, page.vertices, page.closed, camera, theme)
+        if len(page.vertices) < 3:
+            return
+        left, top, right, bottom = page.sketch.polygon.bounds
+        box = QRectF(left, top, right - left, bottom - top)
+        if page.sketch.symmetry is not None:
+            painters.paint_axis(painter, page.sketch.symmetry, box, camera, theme)
+        if self._regions and page.closed:
+            painters.paint_regions(painter, box, self._regions, camera, theme)
