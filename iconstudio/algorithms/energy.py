@@ -85,6 +85,11 @@ class RemixProblem:
         return float(data.sum(dtype=np.float64)), smooth
 
 
+def joined_ink(problem: RemixProblem, labels: Labels) -> NDArray[np.bool_]:
+    """Return the ink of a labelling, both (CANVAS, CANVAS)."""
+    return np.take_along_axis(problem.ink, labels[None].astype(np.intp), axis=0)[0]
+
+
 def lattice_edges() -> tuple[tuple[NDArray[np.int64], NDArray[np.int64]], ...]:
     """Return the edges of the 4-connected lattice: (left, right) and (upper, lower) sites."""
     site = np.arange(SITES).reshape(CANVAS, CANVAS)

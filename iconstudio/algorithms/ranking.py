@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import ndimage
 
-from iconstudio.algorithms.energy import Labels, RemixProblem, lattice_edges
+from iconstudio.algorithms.energy import Labels, RemixProblem, joined_ink, lattice_edges
 from iconstudio.algorithms.fragments import fragments
 from iconstudio.algorithms.symmetry import likeness
 
@@ -51,7 +51,7 @@ def score(problem: RemixProblem, labels: Labels, *, sharing: bool = False) -> Sc
 
     ``sharing`` says whether the ink should come from several sources.
     """
-    ink = np.take_along_axis(problem.ink, labels[None].astype(int), axis=0)[0]
+    ink = joined_ink(problem, labels)
     return Score(
         seam=float(np.exp(-seam_cost(problem, labels) / HARSH)),
         whole=_whole(problem, labels, ink),

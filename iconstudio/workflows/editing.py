@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.energy import RemixProblem, remix_problem
+from iconstudio.algorithms.energy import RemixProblem, joined_ink, remix_problem
 from iconstudio.algorithms.guidance import EDIT_REACH, edit_penalty, truncated_distance
 from iconstudio.algorithms.matching import PreparedExemplar
 from iconstudio.algorithms.raster import Bitmap, fill_polygon, outlines, placed_ink, solid
@@ -16,6 +16,7 @@ from iconstudio.algorithms.tsdf import tsdf
 from iconstudio.model import (
     CANVAS,
     MARGIN,
+    Axis,
     Drawing,
     Edit,
     Exemplar,
@@ -27,7 +28,7 @@ from iconstudio.model import (
 from iconstudio.workers import Workers
 from iconstudio.workflows.events import Event, Result
 from iconstudio.workflows.grid import Matches, ModelSettings, remix_styles
-from iconstudio.workflows.remixing import Job, Render
+from iconstudio.workflows.remixing import Job, Render, answer, draw, overlap
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,18 +47,27 @@ class Change:
     mask: NDArray[np.float32]
     """D_E, (CANVAS, CANVAS): the distance from the changed area, from 0 to 1."""
 
-    def problem(self, sources: tuple[Source, ...], field: NDArray[np.float32], edit: Edit):
-        """Return the graph cut of ``sources``, the first of which is the icon itself."""
-        problem = remix_problem(field, sources, edit.symmetry)
-        data = problem.data + edit_penalty(self.mask, len(sources))
-        return RemixProblem(data, problem.ink, problem.solid, edit.symmetry)
+    def problem(
+        self, sources: tuple[Source, ...], field: NDArray[np.float32], symmetry: Axis | None
+    ) -> RemixProblem:
+        """Return the graph cut of ``sources``, the first of which is the icon itself.
 
-    def unchanged(self, drawing: Drawing) -> float:
+        ``field`` is D_P, the TSDF of the target.
+        """
+        problem = remix_problem(field, sources, symmetry)
+        return replace(problem, data=problem.data + edit_penalty(self.mask, len(sources)))
+
+    def unchanged(self, edited: Drawing, own: Drawing) -> float:
         """Return the part of the pixels beyond the reach of the change that equal the icon's."""
-        step = drawing.coverage.shape[0] // CANVAS
-        small = drawing.coverage.reshape(CANVAS, step, CANVAS, step).mean(axis=(1, 3))
-        far = self.mask >= 1
-        return float(((small > 127) == self.ink)[far].mean()) if far.any() else 1.0
+        step = own.coverage.shape[0] // CANVAS
+        far = (self.mask >= 1).repeat(step, axis=0).repeat(step, axis=1)
+        same = (edited.coverage > 127) == (own.coverage > 127)
+        return float(same[far].mean()) if far.any() else 1.0
+
+    def likeness(self, ink: Bitmap) -> float:
+        """Return how well an edited ink fits the target, looking at the changed area alone."""
+        near = self.mask < 1
+        return overlap(solid(ink)[near], self.target[near])
 
 
 def prepare_change(edit: Edit, icon: Exemplar) -> Change:
@@ -116,24 +126,38 @@ def edit_icon(
     field = tsdf(change.target)
     score = saliency(outlines(change.target), change.target, change.mask)
 
+    # The icon drawn as results are: what they are compared with.
+    nobody = np.zeros((CANVAS, CANVAS), dtype=np.uint8)
+    drawn = (icon.pictogram.svg, icon.frame, change.base.placement)
+    own = workers.submit(draw, nobody, change.ink[None], [drawn], render)
+
     def job(style: Style, sources: tuple[Source, ...]) -> Job:
         everyone = (change.base, *sources)
-        problem = change.problem(everyone, field, edit)
+        problem = change.problem(everyone, field, edit.symmetry)
+
+        def finish(result: Result) -> Result:
+            likeness = change.likeness(joined_ink(problem, result.composite.labels))
+            return replace(
+                result,
+                score=replace(result.score, likeness=likeness),
+                unchanged=change.unchanged(result.drawing, answer(own)),
+            )
+
         return Job(style.name, everyone, problem, settings.lambdas, change.target, finish=finish)
 
-    def finish(result: Result) -> Result:
-        return replace(result, unchanged=change.unchanged(result.drawing))
-
-    yield from remix_styles(
-        field,
-        salient_regions(score),
-        [one for one in exemplars if one.exemplar.id != icon.id],
-        settings,
-        refusal=_refusal,
-        job=job,
-        workers=workers,
-        render=render,
-    )
+    try:
+        yield from remix_styles(
+            field,
+            salient_regions(score),
+            [one for one in exemplars if one.exemplar.id != icon.id],
+            settings,
+            refusal=_refusal,
+            job=job,
+            workers=workers,
+            render=render,
+        )
+    finally:
+        own.cancel()
 
 
 def _refusal(style: Style, count: int, rows: Matches | None) -> str:

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.energy import RemixProblem, placed_sources
+from iconstudio.algorithms.energy import RemixProblem, joined_ink, placed_sources
 from iconstudio.algorithms.guidance import seed_cost, with_mirror_images
 from iconstudio.algorithms.ranking import Gallery
 from iconstudio.model import Exemplar, IconstudioError, Mix, Placement, Seeds, Source
@@ -61,6 +61,7 @@ def mix_icons(
             raise IconstudioError(
                 f"“{exemplar.id}” looks the same as another of the icons. Choose different ones."
             )
+    plain = RemixProblem(np.zeros(ink.shape, np.float32), ink, filled, mix.symmetry)
     remixing = Remixing(workers, render, total=mix.draws)
     numbers = iter(range(mix.first, mix.first + mix.draws))
     waiting: dict[int, Result] = {}
@@ -68,7 +69,7 @@ def mix_icons(
     try:
         while turn < mix.first + mix.draws:
             while remixing.hungry and (number := next(numbers, None)) is not None:
-                remixing.start(_job(mix, number, sources, ink, filled))
+                remixing.start(_job(mix, number, sources, plain))
             for event in remixing.ready(timeout=0.1):
                 if isinstance(event, Result):
                     waiting[event.draw] = event
@@ -77,7 +78,7 @@ def mix_icons(
             while turn in waiting:
                 result = waiting.pop(turn)
                 turn += 1
-                if seen.add(_joined(result, ink)):
+                if seen.add(joined_ink(plain, result.composite.labels)):
                     yield result
     finally:
         remixing.cancel()
@@ -102,15 +103,10 @@ def draw_seeds(mix: Mix, number: int, shapes: NDArray[np.bool_]) -> Seeds:
     return tuple(seeds)
 
 
-def _job(
-    mix: Mix,
-    number: int,
-    sources: tuple[Source, ...],
-    ink: NDArray[np.bool_],
-    filled: NDArray[np.bool_],
-) -> Job:
-    seeds = draw_seeds(mix, number, filled)
-    problem = RemixProblem(seed_cost(seeds), ink, filled, mix.symmetry)
+def _job(mix: Mix, number: int, sources: tuple[Source, ...], plain: RemixProblem) -> Job:
+    """Return what draw ``number`` has to solve; ``plain`` is the problem without data cost."""
+    seeds = draw_seeds(mix, number, plain.solid)
+    problem = replace(plain, data=seed_cost(seeds))
     return Job(
         "hybrid",
         sources,
@@ -119,8 +115,3 @@ def _job(
         sharing=True,
         finish=lambda result: replace(result, seeds=seeds, draw=number),
     )
-
-
-def _joined(result: Result, ink: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    labels = result.composite.labels[None].astype(int)
-    return np.take_along_axis(ink, labels, axis=0)[0]

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.algorithms import ranking
-from iconstudio.algorithms.energy import Labels, RemixProblem
+from iconstudio.algorithms.energy import Labels, RemixProblem, joined_ink
 from iconstudio.algorithms.expansion import remix
 from iconstudio.algorithms.fragments import fragments
 from iconstudio.algorithms.ranking import Score
@@ -101,7 +101,7 @@ class Remixing:
         finished = wait(self._running, timeout, return_when=FIRST_COMPLETED).done
         for future in finished:
             job, lambda_s = self._running.pop(future)
-            solved = _answer(future)
+            solved = answer(future)
             lower = [value for value in job.lambdas if value < lambda_s]
             if lower:
                 self._submit(job, max(lower), solved.labels)
@@ -179,7 +179,7 @@ def composite(
     job: Job, lambda_s: float, labels: Labels, data_cost: float, smoothness_cost: float
 ) -> Composite:
     """Return the labelling with its energy, its shares of ink, and its likeness to the target."""
-    ink = np.take_along_axis(job.problem.ink, labels[None].astype(int), axis=0)[0]
+    ink = joined_ink(job.problem, labels)
     owned = np.bincount(labels[ink], minlength=len(job.sources))
     return Composite(
         style=job.style,
@@ -190,11 +190,11 @@ def composite(
         data_cost=data_cost,
         smoothness_cost=smoothness_cost,
         shares=tuple((owned / max(1, owned.sum())).tolist()),
-        iou=None if job.target is None else _overlap(solid(ink), job.target),
+        iou=None if job.target is None else overlap(solid(ink), job.target),
     )
 
 
-def _overlap(first: NDArray[np.bool_], second: NDArray[np.bool_]) -> float:
+def overlap(first: NDArray[np.bool_], second: NDArray[np.bool_]) -> float:
     """Return the intersection over the union of two shapes."""
     either = (first | second).sum()
     return float((first & second).sum() / either) if either else 1.0
@@ -207,7 +207,14 @@ def _result(job: Job, lambda_s: float, solved: Solved) -> Result:
     return Result(icon, solved.drawing, score, *solved.seconds)
 
 
-def _answer(future: "Future[Any]") -> Any:
+def answer(future: "Future[Any]") -> Any:
+    """Return what a worker process answers.
+
+    Raises
+    ------
+    IconstudioError
+        If it was stopped, or died.
+    """
     try:
         return future.result()
     except CancelledError:
