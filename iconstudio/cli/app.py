@@ -29,10 +29,14 @@ class _Commands(click.Group):
 
     helps: ClassVar[dict[str, str]] = {
         "demo": "Remix an example sketch, in the window if one can open.",
+        "edit": "Change one part of an icon, and keep the rest.",
         "gallery": "Draw sketches with their chosen results in one picture.",
+        "hybrids": "Mix icons at random, and rank what comes of it.",
         "library": "Build the collection of icons.",
         "model": "Make icons in the shape of a sketch out of parts of real ones.",
+        "montage": "Join the parts of icons that are scribbled over.",
         "search": "List the icons that a word retrieves.",
+        "show": "Say whose an icon is, and draw it on its canvas.",
     }
 
     def list_commands(self, ctx: click.Context) -> list[str]:

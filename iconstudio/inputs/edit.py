@@ -41,7 +41,7 @@ def read_edit(path: Path) -> EditFile:
         If the file cannot be read or does not hold an edit.
     """
     fields = read(path)
-    edit = EditFile(
+    return EditFile(
         fields.reference(),
         fields.text("keyword"),
         fields.polygons("remove"),
@@ -49,11 +49,6 @@ def read_edit(path: Path) -> EditFile:
         fields.axis(),
         frozenset(fields.texts("exclude")),
     )
-    if not (edit.remove or edit.add):
-        raise fields.mistake(
-            'There is nothing to change. Enclose what to "remove", or sketch what to "add".'
-        )
-    return edit
 
 
 def write_edit(path: Path, edit: EditFile) -> None:

@@ -10,7 +10,7 @@ from typing import Any
 from iconstudio.files import write_atomically
 from iconstudio.model import Axis, IconstudioError, Point, Polygon
 
-_LARGEST = 1e9
+LARGEST = 1e9
 """Coordinates beyond it are a mistake."""
 _OF_COLLECTION = re.compile(r"[^:/\\]+:[^:/\\]+(?<!\.svg)", re.IGNORECASE)
 """``set:name``; anything else is the path of an SVG."""
@@ -102,9 +102,9 @@ class Fields:
         """Return the references of several icons."""
         return tuple(self._resolved(text, key) for text in self.texts(key))
 
-    def points(self, key: str) -> tuple[Point, ...]:
-        """Return a list of points."""
-        return self._points(self._list(key, "[x, y] points"), f'of "{key}"')
+    def points(self, key: str, largest: float = LARGEST) -> tuple[Point, ...]:
+        """Return a list of points; no coordinate may exceed ``largest``."""
+        return self._points(self._list(key, "[x, y] points"), f'of "{key}"', largest)
 
     def polygons(self, key: str) -> tuple[Polygon, ...]:
         """Return a list of polygons that enclose some area; empty if there is none."""
@@ -145,19 +145,19 @@ class Fields:
             raise self.mistake(f"The {name} is no good. {error}") from None
         return polygon
 
-    def _points(self, values: list[Any], of: str) -> tuple[Point, ...]:
+    def _points(self, values: list[Any], of: str, largest: float = LARGEST) -> tuple[Point, ...]:
         return tuple(
-            self._point(value, f"Point {number} {of}")
+            self._point(value, f"Point {number} {of}", largest)
             for number, value in enumerate(values, start=1)
         )
 
-    def _point(self, value: object, name: str) -> Point:
+    def _point(self, value: object, name: str, largest: float) -> Point:
         if not isinstance(value, list) or len(value) != 2 or not all(map(_is_number, value)):
             raise self.mistake(f"{name} is not a pair of numbers: {json.dumps(value)[:60]}.")
         x, y = map(_finite, value)
         if x is None or y is None:
             raise self.mistake(f"{name} is not finite. Remove it.")
-        if max(abs(x), abs(y)) > _LARGEST:
+        if max(abs(x), abs(y)) > largest:
             raise self.mistake(f"{name} is out of all scale: [{x:g}, {y:g}].")
         return x, y
 

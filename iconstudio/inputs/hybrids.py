@@ -9,12 +9,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from iconstudio.inputs.fields import Fields, read, relative, write
+from iconstudio.inputs.fields import read, relative, write
 from iconstudio.model import Axis, Mix, Pictogram
+from iconstudio.workflows.hybrids import FEWEST, MOST, MOST_DRAWS
 
-FEWEST, MOST = 2, 12
-"""Icons of a mix."""
-MOST_DRAWS = 1000
 LARGEST_SEED = 2**63 - 1
 
 
@@ -57,7 +55,7 @@ def read_hybrids(path: Path) -> HybridsFile:
     if fields.has("icons") and fields.has("count"):
         raise fields.mistake('"count" goes with "keyword"; with "icons", all are mixed.')
     return HybridsFile(
-        () if keyword else _icons(fields),
+        () if keyword else fields.references("icons"),
         keyword,
         fields.whole("count", 5, FEWEST, MOST),
         fields.whole("draws", 40, 1, MOST_DRAWS),
@@ -78,14 +76,3 @@ def write_hybrids(path: Path, hybrids: HybridsFile) -> None:
     given = {"icons": [relative(reference, path) for reference in hybrids.icons]}
     data = {"draws": hybrids.draws, "seed": hybrids.seed, "symmetry": hybrids.symmetry}
     write(path, (given if hybrids.icons else picked) | data)
-
-
-def _icons(fields: Fields) -> tuple[str, ...]:
-    icons = fields.references("icons")
-    if not FEWEST <= len(icons) <= MOST:
-        count = "1 icon" if len(icons) == 1 else f"{len(icons)} icons"
-        raise fields.mistake(f'"icons" has {count}; {FEWEST} to {MOST} can be mixed.')
-    for number, icon in enumerate(icons):
-        if icon in icons[:number]:
-            raise fields.mistake(f'"icons" names {icon} twice. Hybrids need different icons.')
-    return icons

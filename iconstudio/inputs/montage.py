@@ -13,12 +13,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from iconstudio.inputs.fields import Fields, read, relative, write, written
-from iconstudio.model import CANVAS, Layer, Montage, Pictogram, Placement, Stroke
+from iconstudio.model import CANVAS, Layer, Montage, Pictogram, Placement, Point, Stroke
+from iconstudio.workflows.montage import LARGEST, SMALLEST
 
-MOST = 30
-"""Layers of a montage."""
-SMALLEST, LARGEST = 0.02, 20.0
-"""Scales of a layer."""
+FAR = 20.0 * CANVAS
+"""No coordinate of a layer or a stroke is larger."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,13 +51,7 @@ def read_montage(path: Path) -> MontageFile:
         If the file cannot be read or does not hold a montage.
     """
     fields = read(path)
-    objects = list(fields.objects("layers", "layer"))
-    if not 1 <= len(objects) <= MOST:
-        raise fields.mistake(f'"layers" must be a list of 1 to {MOST}; it has {len(objects)}.')
-    layers = tuple(map(_layer, objects))
-    if not any(layer.strokes for layer in layers):
-        raise fields.mistake('There are no "strokes". Scribble over the parts to keep.')
-    return MontageFile(layers)
+    return MontageFile(tuple(map(_layer, fields.objects("layers", "layer"))))
 
 
 def write_montage(path: Path, montage: MontageFile) -> None:
@@ -77,8 +70,7 @@ def write_montage(path: Path, montage: MontageFile) -> None:
             "dx": layer.placement.dx,
             "dy": layer.placement.dy,
             "strokes": [
-                {"width": stroke.width, "points": written(stroke.points)}
-                for stroke in layer.strokes
+                {"width": stroke.width, "points": _line(stroke.points)} for stroke in layer.strokes
             ],
         }
         for layer in montage.layers
@@ -86,13 +78,19 @@ def write_montage(path: Path, montage: MontageFile) -> None:
     write(path, {"layers": layers})
 
 
+def _line(points: tuple[Point, ...]) -> list[list[float]]:
+    """Return the points of a stroke; a dot becomes a very short line, which a reader accepts."""
+    line = written(points)
+    x, y = line[0]
+    return line if any(point != [x, y] for point in line) else [[x, y], [round(x + 0.1, 2), y]]
+
+
 def _layer(fields: Fields) -> LayerFile:
-    far = LARGEST * CANVAS
     placement = Placement(
-        fields.number("scale", 1.0, SMALLEST, LARGEST, above=True),
+        fields.number("scale", 1.0, SMALLEST, LARGEST),
         fields.flag("flip"),
-        round(fields.number("dx", 0, -far, far)),
-        round(fields.number("dy", 0, -far, far)),
+        round(fields.number("dx", 0, -FAR, FAR)),
+        round(fields.number("dy", 0, -FAR, FAR)),
     )
     strokes = tuple(map(_stroke, fields.objects("strokes", "stroke")))
     return LayerFile(fields.reference(), placement, strokes)
@@ -100,7 +98,7 @@ def _layer(fields: Fields) -> LayerFile:
 
 def _stroke(fields: Fields) -> Stroke:
     width = fields.number("width", None, 0, 2 * CANVAS, above=True)
-    points = fields.points("points")
+    points = fields.points("points", FAR)
     if len(set(points)) < 2:
         count = "no point" if not points else "one point"
         raise fields.mistake(f"The stroke has {count}; it needs at least 2 different ones.")

@@ -13,6 +13,7 @@ from iconstudio.resources import resource
 INK = (28, 30, 34)
 MUTED = (118, 122, 130)
 WARNING = (176, 58, 46)
+ACCENT = (94, 138, 214)
 PAPER = (255, 255, 255)
 RULE = (228, 230, 234)
 PALE = (222, 224, 228)

@@ -13,7 +13,8 @@ from iconstudio.algorithms.raster import placed_ink
 from iconstudio.model import CANVAS, Composite, Drawing, Exemplar, Polygon, Source
 from iconstudio.output import png
 from iconstudio.output.colours import SIGNIFICANT, Palette, colour_code, key_of, palette
-from iconstudio.output.page import MUTED, PALE, WARNING, Page
+from iconstudio.output.page import ACCENT, MUTED, PALE, WARNING, Page
+from iconstudio.output.wish import Wish
 
 _EDGE = 40
 _GAP = 12
@@ -27,7 +28,7 @@ _HEAD = 190
 _WHOLE = 0.95
 """A pictogram with this share of the ink is the result, but for crumbs."""
 _VERDICTS = {
-    "remixed": ((94, 138, 214), "joined from parts of several icons"),
+    "remixed": (ACCENT, "joined from parts of several icons"),
     "existing": ((232, 190, 60), "one existing icon would do"),
     "failed": (WARNING, "failed"),
 }
@@ -41,6 +42,8 @@ class Row:
     retrieved: int
     results: tuple[tuple[Composite, Drawing], ...]
     skipped: str = ""
+    recommended: float | None = None
+    """lambda_S of the result to look at first."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,13 +57,11 @@ class Subject:
     failed: bool = False
 
 
-def grid_sheet(
-    keyword: str, polygon: Polygon, lambdas: Sequence[float], rows: Sequence[Row]
-) -> Image.Image:
+def grid_sheet(wish: Wish, lambdas: Sequence[float], rows: Sequence[Row]) -> Image.Image:
     """Return the contact sheet of a run as a picture.
 
-    A row a style, a column a lambda_S, each result above its colour code; at the left the sketch
-    and the sources that contribute most.
+    A row a style, a column a lambda_S, each result above its colour code; at the left what was
+    asked for, and the sources that contribute most. The recommended results are framed.
     """
     lambdas = sorted(lambdas)
     left = _EDGE + _SIDE + 2 * _GAP
@@ -68,10 +69,16 @@ def grid_sheet(
     heights = [height if row.results else 110 for row in rows]
     width = left + len(lambdas) * (_CELL + _GAP) + _EDGE
     page = Page(max(width, 900), _HEAD + sum(heights) + _EDGE)
-    page.polygon(_EDGE - 8, 24, polygon.fitted().vertices, 150 / CANVAS)
-    page.text(_EDGE + 160, 52, keyword, 34, bold=True, width=page.picture.width - 2 * _EDGE - 160)
-    page.text(_EDGE + 160, 98, "sketch and keyword", 18, colour=MUTED)
+    for bitmap, colour in wish.layers:
+        page.stencil(_EDGE - 8, 24, 150, grey(bitmap), colour)
+    words = page.picture.width - 2 * _EDGE - 160
+    page.text(_EDGE + 160, 52, wish.keyword, 34, bold=True, width=words)
+    page.text(_EDGE + 160, 98, wish.caption, 18, colour=MUTED, width=left - _EDGE - 190)
     _column_heads(page, lambdas, left)
+    if any(row.recommended is not None for row in rows):
+        right = page.picture.width - _EDGE
+        said = page.text(right, 58, "recommended", 16, colour=MUTED, anchor="ra")
+        page.frame(right - said - 26, 58, 16, 16, ACCENT)
     top = _HEAD
     for row, step in zip(rows, heights, strict=True):
         page.rule(top, _EDGE, page.picture.width - _EDGE)
@@ -174,6 +181,8 @@ def _row(page: Page, row: Row, lambdas: Sequence[float], left: float, top: float
     for composite, drawing in row.results:
         number = min(range(len(lambdas)), key=lambda i: abs(lambdas[i] - composite.lambda_s))
         x = left + number * (_CELL + _GAP)
+        if composite.lambda_s == row.recommended:
+            page.frame(x - 4, top + 24, _CELL + 8, 2 * _CELL + _GAP + 8, ACCENT)
         page.stencil(x, top + 28, _CELL, drawing.coverage)
         code = colour_code(composite, drawing, _CELL, colours)
         page.image(x, top + 28 + _CELL + _GAP, code)
@@ -197,8 +206,8 @@ def _sources(page: Page, row: Row, colours: Palette, top: float) -> None:
         x = _EDGE + number % _ACROSS * (_THUMB + _GAP)
         y = top + number // _ACROSS * (_THUMB + 62)
         ink, _ = placed_ink(one.source.exemplar, one.source.placement)
-        page.stencil(x, y, _THUMB, _grey(ink), PALE)
-        page.stencil(x, y, _THUMB, _grey(ink & one.own), colours[key_of(one.source)])
+        page.stencil(x, y, _THUMB, grey(ink), PALE)
+        page.stencil(x, y, _THUMB, grey(ink & one.own), colours[key_of(one.source)])
         collection, name = one.source.exemplar.id.split(":", 1)
         share = max(1, round(100 * one.share))
         page.text(x, y + _THUMB + 4, name, 13, width=_THUMB)
@@ -218,5 +227,6 @@ def _used(composites: Sequence[Composite]) -> list[_Used]:
     return sorted(found, key=lambda one: -one.share)
 
 
-def _grey(ink: NDArray[np.bool_]) -> NDArray[np.uint8]:
+def grey(ink: NDArray[np.bool_]) -> NDArray[np.uint8]:
+    """Return a bitmap as coverage, 255 = ink."""
     return np.where(ink, np.uint8(255), np.uint8(0))

@@ -1,0 +1,120 @@
+"""What ``iconstudio model`` and ``iconstudio edit`` share: options, and the grid of results."""
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import click
+
+from iconstudio.algorithms.expansion import LAMBDAS
+from iconstudio.algorithms.matching import SCALES
+from iconstudio.algorithms.style import STYLES
+from iconstudio.cli import running
+from iconstudio.cli.lists import ListCommand, Numbers, Words, flat, is_number
+from iconstudio.model import IconstudioError
+from iconstudio.output.report import GridReport
+from iconstudio.output.wish import Wish
+from iconstudio.session import Session
+from iconstudio.workflows.events import Event
+from iconstudio.workflows.grid import ModelSettings
+
+_STYLES = tuple(style.name for style in STYLES)
+
+
+def grid_command(
+    name: str, metavar: str, styles: str
+) -> Callable[[Callable[..., None]], click.Command]:
+    """Make a function a command with the options of a grid.
+
+    It is called with ``file``, ``folder``, ``keyword`` or None, ``exclude``, ``styles``,
+    ``lambdas``, ``scales`` and ``dump``; the styles are empty if none is named.
+
+    Parameters
+    ----------
+    styles
+        Which styles there are if none is named, for the help.
+    """
+    options = (
+        running.input_file(metavar),
+        running.output_folder("grid.png"),
+        click.option(
+            "--keyword", metavar="K", help="What to look for; instead of the file's keyword."
+        ),
+        click.option(
+            "--exclude", multiple=True, metavar="ID", help="Do not use this icon; may be repeated."
+        ),
+        click.option(
+            "--styles",
+            type=Words(),
+            multiple=True,
+            callback=_joined,
+            help=f"Some of {', '.join(_STYLES)}. Default: {styles}.",
+        ),
+        click.option(
+            "--lambdas",
+            type=Numbers(1000),
+            multiple=True,
+            default=(LAMBDAS,),
+            callback=_ascending,
+            help="Values of lambda_S. Default: 8 from 0.03 (closer to the sketch) to 0.75"
+            " (smoother).",
+        ),
+        click.option(
+            "--scales",
+            type=Numbers(3),
+            multiple=True,
+            default=(SCALES,),
+            callback=_ascending,
+            help="Scale factors to try. Default: 0.9,1,1.1; more daring: 0.8,0.9,1,1.1,1.25.",
+        ),
+        click.option(
+            "--dump", is_flag=True, help="Write STYLE.npz too: all that a result can be checked by."
+        ),
+    )
+    goes_on = {"--styles": _STYLES.__contains__, "--lambdas": is_number, "--scales": is_number}
+
+    def decorate(function: Callable[..., None]) -> click.Command:
+        for option in reversed(options):
+            function = option(function)
+        return click.command(name, cls=ListCommand, goes_on=goes_on)(function)
+
+    return decorate
+
+
+def run(
+    session: Session,
+    events: Iterator[Event],
+    wish: Wish,
+    settings: ModelSettings,
+    folder: Path,
+    *,
+    dump: bool = False,
+) -> None:
+    """Run a workflow that fills a grid, write everything into ``folder``, say what is there."""
+    report = GridReport(folder, wish, settings.lambdas, dump=dump)
+    results = running.run(session, events, report)
+    if not results:
+        raise IconstudioError(
+            f"No style has enough icons of “{wish.keyword}”. Try a more common word; "
+            f"iconstudio search {wish.keyword!r} shows what there is."
+        )
+    click.echo(f"{results} icons; see {folder / 'grid.png'}")
+
+
+def need_keyword(keyword: str) -> None:
+    """Refuse an empty keyword."""
+    if not keyword.strip():
+        raise IconstudioError(
+            'There is no keyword. Say what it shows: --keyword dog, or "keyword" in the file.'
+        )
+
+
+def _joined(
+    ctx: click.Context, param: click.Parameter, values: tuple[tuple[str, ...], ...]
+) -> tuple[str, ...]:
+    return flat(values)
+
+
+def _ascending(
+    ctx: click.Context, param: click.Parameter, values: tuple[tuple[float, ...], ...]
+) -> tuple[float, ...]:
+    return tuple(sorted({*flat(values)}))

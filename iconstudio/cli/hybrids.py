@@ -1,0 +1,62 @@
+"""``iconstudio hybrids``: random mixtures of icons, without a window."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+
+import click
+
+from iconstudio.cli import running
+from iconstudio.inputs.hybrids import LARGEST_SEED, HybridsFile, read_hybrids
+from iconstudio.model import IconstudioError
+from iconstudio.output.hybrids import HybridsReport
+from iconstudio.session import Session
+from iconstudio.workflows.events import Event
+from iconstudio.workflows.hybrids import MOST_DRAWS
+
+
+@click.command("hybrids")
+@running.input_file("HYBRIDS.json")
+@running.output_folder("sheet.png")
+@click.option(
+    "--draws",
+    type=click.IntRange(1, MOST_DRAWS),
+    metavar="N",
+    help="How many to draw; instead of the file's number, or of 40.",
+)
+@click.option(
+    "--seed",
+    type=click.IntRange(0, LARGEST_SEED),
+    metavar="N",
+    help="The same seed gives the same hybrids; instead of the file's.",
+)
+def command(file: Path, folder: Path, draws: int | None, seed: int | None) -> None:
+    """Mix the icons in HYBRIDS.json at random, and rank what comes of it."""
+    hybrids = read_hybrids(file)
+    hybrids = replace(
+        hybrids,
+        draws=hybrids.draws if draws is None else draws,
+        seed=hybrids.seed if seed is None else seed,
+    )
+    with Session() as session:
+        events = _mixing(session, hybrids)
+        report = HybridsReport(
+            folder, hybrids.keyword, hybrids.draws, hybrids.seed, hybrids.symmetry
+        )
+        results = running.run(session, events, report)
+    if not results:
+        raise IconstudioError(
+            "All hybrids repeat the icons. Choose icons that differ more, or ask for more draws."
+        )
+    click.echo(f"{results} hybrids; see {folder / 'sheet.png'}")
+
+
+def _mixing(session: Session, hybrids: HybridsFile) -> Iterator[Event]:
+    """Find or pick the icons, then mix them."""
+    if not hybrids.keyword:
+        yield from session.mix(hybrids.resolved(session.icon))
+        return
+    icons = yield from session.choose(
+        hybrids.keyword, hybrids.count, hybrids.symmetry, hybrids.seed
+    )
+    yield from session.mix(hybrids.mix(icons))

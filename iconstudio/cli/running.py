@@ -1,0 +1,64 @@
+"""Running a workflow without a window: progress on the terminal, everything into a report."""
+
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import closing
+from pathlib import Path
+from typing import Any, Protocol
+
+import click
+
+from iconstudio.cli.progress import ProgressBar
+from iconstudio.cli.timing import Stopwatch
+from iconstudio.session import Session
+from iconstudio.workflows.events import Event, Progress, Result, Retrieved, StyleSkipped
+
+
+class Report(Protocol):
+    """What a workflow leaves in a folder."""
+
+    def add(self, event: Event) -> None:
+        """Note an event; write what can be written."""
+
+    def finish(self, timings: Mapping[str, float]) -> None:
+        """Write the rest; ``timings`` are seconds by stage."""
+
+
+def run(session: Session, events: Iterator[Event], report: Report) -> int:
+    """Run a workflow to its end, write all that comes of it, and return how many results did."""
+    stopwatch = Stopwatch()
+    results = 0
+    with closing(events), ProgressBar() as bar:
+        for event in events:
+            stopwatch.note(event)
+            report.add(event)
+            match event:
+                case Progress():
+                    bar.show(event.done, event.message)
+                case StyleSkipped():
+                    bar.say(event.reason)
+                case Retrieved():
+                    bar.say(f"{len(event.exemplars)} different icons of “{event.keyword}”")
+                case Result():
+                    results += 1
+        bar.show(1.0, "Drawing the contact sheet")
+        report.finish(stopwatch.timings())
+    if session.trouble:
+        click.echo(session.trouble, err=True)
+    return results
+
+
+def input_file(metavar: str) -> Callable[..., Any]:
+    """Return the argument that names the input file."""
+    return click.argument("file", metavar=metavar, type=click.Path(path_type=Path))
+
+
+def output_folder(sheet: str) -> Callable[..., Any]:
+    """Return the option that names the folder for everything."""
+    return click.option(
+        "--out",
+        "folder",
+        type=click.Path(path_type=Path),
+        required=True,
+        metavar="DIR",
+        help=f"Folder for the icons, results.json and the contact sheet {sheet}.",
+    )

@@ -1,0 +1,31 @@
+"""``iconstudio show``: one icon on the canvas, as edits are drawn on it."""
+
+from pathlib import Path
+
+import click
+from PIL import Image
+
+from iconstudio.library.resvg import render_coverage
+from iconstudio.output import png
+from iconstudio.session import Session
+
+
+@click.command("show")
+@click.argument("icon")
+@click.option(
+    "--png",
+    "picture",
+    type=click.Path(dir_okay=False, path_type=Path),
+    metavar="FILE",
+    help=f"Draw it, {png.SIZE} pixels wide: 4 for each unit of an edit's canvas of 256.",
+)
+def command(icon: str, picture: Path | None) -> None:
+    """Say whose ICON (set:name, or the path of an SVG) is, and draw it on its canvas."""
+    with Session() as session:
+        pictogram = session.icon(icon)
+        exemplar = session.exemplar(pictogram)
+    if picture is not None:
+        ink = render_coverage(pictogram.svg, exemplar.frame, png.SIZE)
+        png.write(picture, png.encoded(Image.fromarray(255 - ink)))
+    for one in dict.fromkeys((pictogram, *pictogram.origins)):
+        click.echo(f"{one.id}\t{one.credit.author}\t{one.credit.license}")

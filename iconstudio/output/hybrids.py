@@ -1,0 +1,74 @@
+"""What hybrids leave in a folder: icons in rank order, ``sheet.png`` and ``results.json``."""
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from iconstudio.model import Axis
+from iconstudio.output import record
+from iconstudio.output.colours import palette
+from iconstudio.output.folder import Folder
+from iconstudio.output.plates import hybrids_plate
+from iconstudio.workflows.events import Event, Result
+
+
+class HybridsReport:
+    """Collects the events of one run; when it is over, writes the results from the best down.
+
+    Raises
+    ------
+    IconstudioError
+        On construction and from every method, if the folder cannot be written.
+
+    Parameters
+    ----------
+    keyword
+        What the icons were picked by; empty if they were given.
+    """
+
+    def __init__(
+        self, folder: Path, keyword: str, draws: int, seed: int, symmetry: Axis | None
+    ) -> None:
+        self._folder = Folder(folder)
+        self._keyword = keyword
+        self._draws = draws
+        self._seed = seed
+        self._symmetry = symmetry
+        self._results: list[Result] = []
+
+    def add(self, event: Event) -> None:
+        """Note an event."""
+        if isinstance(event, Result):
+            self._results.append(event)
+
+    def finish(self, timings: Mapping[str, float]) -> None:
+        """Write the icons, ``sheet.png`` and ``results.json``."""
+        ranked = sorted(self._results, key=lambda result: (-result.score.total, result.draw))
+        colours = palette([result.composite for result in ranked])
+        entries = []
+        for rank, result in enumerate(ranked, start=1):
+            name = f"hybrid-{rank:02d}"
+            self._folder.write_icon(name, result, self._title(rank), colours)
+            entries.append(_entry(rank, name, result))
+        said = f"{self._draws} draws, {len(ranked)} kept, seed {self._seed}" + (
+            f", {self._symmetry} symmetry" if self._symmetry else ""
+        )
+        plate = hybrids_plate(self._keyword or "Hybrids", said, ranked, colours)
+        self._folder.write_picture("sheet.png", plate)
+        asked = {"keyword": self._keyword} | record.head(self._symmetry, timings)
+        counted = {"seed": self._seed, "draws": self._draws, "kept": len(ranked)}
+        self._folder.write_report(asked | counted | {"icons": self._icons(), "results": entries})
+
+    def _title(self, rank: int) -> str:
+        return f"{self._keyword} hybrid {rank}".strip()
+
+    def _icons(self) -> list[str]:
+        """Return the identifiers of the icons that were mixed."""
+        sources = self._results[0].composite.sources if self._results else ()
+        return [source.exemplar.id for source in sources]
+
+
+def _entry(rank: int, name: str, result: Result) -> dict[str, Any]:
+    seeds = [[[float(x), float(y)] for x, y in points] for points in result.seeds]
+    drawn = {"rank": rank, "draw": result.draw, "seeds": seeds}
+    return drawn | record.of_result(name, result)

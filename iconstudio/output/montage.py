@@ -1,0 +1,45 @@
+"""What a montage leaves in a folder: the icon, ``sheet.png`` and ``results.json``."""
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from iconstudio.model import Montage
+from iconstudio.output import record
+from iconstudio.output.folder import Folder
+from iconstudio.output.plates import montage_plate
+from iconstudio.workflows.events import Event, Result
+
+_NAME = "montage"
+
+
+class MontageReport:
+    """Collects the events of one run; the icon is written as soon as it is ready.
+
+    Raises
+    ------
+    IconstudioError
+        On construction and from every method, if the folder cannot be written.
+    """
+
+    def __init__(self, folder: Path, montage: Montage) -> None:
+        self._folder = Folder(folder)
+        self._montage = montage
+        self._results: list[Result] = []
+
+    def add(self, event: Event) -> None:
+        """Note an event; write the files of a result."""
+        if isinstance(event, Result):
+            self._folder.write_icon(_NAME, event, _NAME)
+            self._results.append(event)
+
+    def finish(self, timings: Mapping[str, float]) -> None:
+        """Write ``sheet.png`` and ``results.json``; ``timings`` are seconds by stage."""
+        for result in self._results:
+            self._folder.write_picture("sheet.png", montage_plate(self._montage, result))
+        layers = [
+            record.of_placed(layer.icon.id, layer.placement) | {"strokes": len(layer.strokes)}
+            for layer in self._montage.layers
+        ]
+        results = [record.of_result(_NAME, result) for result in self._results]
+        head = record.head(None, timings)
+        self._folder.write_report(head | {"layers": layers, "results": results})

@@ -1,0 +1,94 @@
+"""Plates: hybrids with the icons that they mix, and a montage with its scribbles."""
+
+from collections.abc import Sequence
+
+from PIL import Image
+
+from iconstudio.algorithms.guidance import scribble
+from iconstudio.algorithms.raster import placed_ink
+from iconstudio.model import Montage, Source
+from iconstudio.output.colours import RGB, Palette, colour_code, key_of, palette
+from iconstudio.output.page import MUTED, PALE, Page
+from iconstudio.output.sheet import grey
+from iconstudio.workflows.events import Result
+
+_EDGE, _GAP = 40, 24
+_ACROSS, _SHOWN = 4, 12
+_LARGE, _CODE = 240, 104
+"""Sides of a hybrid and of the colour code beside it, in pixels."""
+_THUMB = 104
+_LAYER = 240
+_FINAL = 480
+_PER_LINE = 6
+
+
+def hybrids_plate(
+    title: str, said: str, results: Sequence[Result], colours: Palette
+) -> Image.Image:
+    """Return the icons in their colours, and beneath them the best hybrids, coded by these.
+
+    Parameters
+    ----------
+    results
+        From the best down; all of the same icons.
+    """
+    cell = _LARGE + _CODE + 2 * _GAP
+    width = 2 * _EDGE + _ACROSS * cell - _GAP
+    shown = results[:_SHOWN]
+    lines = -(-len(shown) // _ACROSS)
+    top = 300
+    page = Page(width, top + _EDGE // 2 + lines * (_LARGE + 2 * _GAP))
+    page.text(_EDGE, 32, title, 34, bold=True, width=width - 2 * _EDGE - 500)
+    page.text(width - _EDGE, 44, said, 18, colour=MUTED, anchor="ra")
+    sources = results[0].composite.sources if results else ()
+    step = min(_THUMB + 2 * _GAP, (width - 2 * _EDGE) / max(1, len(sources)))
+    for number, source in enumerate(sources):
+        _source(page, _EDGE + number * step, 100, source, colours[key_of(source)], step - 8)
+    page.rule(top - 28, _EDGE, width - _EDGE)
+    for number, result in enumerate(shown):
+        x = _EDGE + number % _ACROSS * cell
+        y = top + number // _ACROSS * (_LARGE + 2 * _GAP)
+        composite, drawing = result.composite, result.drawing
+        page.stencil(x, y, _LARGE, drawing.coverage)
+        beside = x + _LARGE + _GAP // 2
+        page.text(beside, y + 8, str(number + 1), 24, bold=True)
+        page.text(beside, y + 40, f"score {result.score.total:.2f}", 14, colour=MUTED)
+        page.text(beside, y + 60, f"draw {result.draw}", 14, colour=MUTED)
+        code = colour_code(composite, drawing, _CODE, colours)
+        page.image(beside, y + _LARGE - _CODE - 8, code)
+    return page.picture
+
+
+def montage_plate(montage: Montage, result: Result) -> Image.Image:
+    """Return the layers with their scribbles, and beneath them the result and its colour code."""
+    composite, drawing = result.composite, result.drawing
+    colours = palette([composite])
+    step = _LAYER + _GAP
+    across = min(_PER_LINE, max(4, len(montage.layers)))
+    lines = -(-len(montage.layers) // across)
+    width = 2 * _EDGE + across * step - _GAP
+    top = 100 + lines * (step + 24)
+    page = Page(width, top + _FINAL + 2 * _EDGE)
+    page.text(_EDGE, 32, "Montage", 34, bold=True)
+    for number, (layer, source) in enumerate(zip(montage.layers, composite.sources, strict=True)):
+        x, y = _EDGE + number % across * step, 100 + number // across * (step + 24)
+        ink, _ = placed_ink(source.exemplar, source.placement)
+        page.stencil(x, y, _LAYER, grey(ink), PALE)
+        page.stencil(x, y, _LAYER, grey(scribble(layer.strokes)), colours[key_of(source)])
+        page.frame(x, y, _LAYER, _LAYER, PALE)
+        page.text(x, y + _LAYER + 6, layer.icon.id, 13, colour=MUTED, width=_LAYER)
+    page.rule(top, _EDGE, width - _EDGE)
+    left = (width - 2 * _FINAL - _GAP) / 2
+    page.stencil(left, top + _EDGE, _FINAL, drawing.coverage)
+    code = colour_code(composite, drawing, _FINAL, colours)
+    page.image(left + _FINAL + _GAP, top + _EDGE, code)
+    return page.picture
+
+
+def _source(page: Page, x: float, y: float, source: Source, colour: RGB, width: float) -> None:
+    """Draw an icon in its colour, with its name beneath."""
+    ink, _ = placed_ink(source.exemplar, source.placement)
+    page.stencil(x, y, _THUMB, grey(ink), colour)
+    collection, name = source.exemplar.id.split(":", 1)
+    page.text(x, y + _THUMB + 6, name, 13, width=width)
+    page.text(x, y + _THUMB + 24, collection, 12, colour=MUTED, width=width)

@@ -1,0 +1,81 @@
+"""What ``results.json`` says, for all workflows in the same words."""
+
+from collections.abc import Mapping
+from dataclasses import asdict
+from typing import Any
+
+from iconstudio import __version__
+from iconstudio.model import CANVAS, Axis, Composite, Pictogram, Placement, Source
+from iconstudio.output.colours import significant_sources
+from iconstudio.workflows.events import Result
+
+STAGES = ("search", "prepare", "match", "remix", "vectorize", "total")
+
+
+def head(symmetry: Axis | None, timings: Mapping[str, float]) -> dict[str, Any]:
+    """Return what every report begins with.
+
+    Parameters
+    ----------
+    timings
+        Seconds by stage; missing stages count as 0.
+    """
+    return {
+        "version": __version__,
+        "canvas": CANVAS,
+        "symmetry": symmetry,
+        "timings": {stage: round(timings.get(stage, 0.0), 4) for stage in STAGES},
+    }
+
+
+def of_result(name: str, result: Result) -> dict[str, Any]:
+    """Describe a result whose files are called ``name``."""
+    composite = result.composite
+    return {
+        "style": composite.style,
+        "lambda_s": float(composite.lambda_s),
+        "energy": float(composite.energy),
+        "data_cost": float(composite.data_cost),
+        "smoothness_cost": float(composite.smoothness_cost),
+        "iou": None if composite.iou is None else float(composite.iou),
+        "rank_score": float(result.score.total),
+        "rank_terms": {term: float(value) for term, value in asdict(result.score).items()},
+        "svg": f"{name}.svg",
+        "png": f"{name}.png",
+        "sources_png": f"{name}-sources.png",
+        "sources": [
+            _of_share(label, composite) for label in significant_sources(composite, least=0)
+        ],
+    }
+
+
+def of_source(source: Source) -> dict[str, Any]:
+    """Describe a source at its placement."""
+    return of_placed(source.exemplar.id, source.placement)
+
+
+def of_placed(icon: str, placement: Placement) -> dict[str, Any]:
+    """Describe where an icon lies."""
+    return {
+        "icon": icon,
+        "scale": float(placement.scale),
+        "flip": bool(placement.flip),
+        "dx": int(placement.dx),
+        "dy": int(placement.dy),
+    }
+
+
+def _of_share(label: int, composite: Composite) -> dict[str, Any]:
+    """Describe a source; ``label`` is its number in the dump's ``ink`` and ``labels``."""
+    source = composite.sources[label]
+    pictogram = source.exemplar.pictogram
+    share = {"share": composite.shares[label], "label": label}
+    described = of_source(source) | _thanks(pictogram) | share
+    if pictogram.made_of:
+        described["made_of"] = [{"icon": one.id} | _thanks(one) for one in pictogram.made_of]
+    return described
+
+
+def _thanks(pictogram: Pictogram) -> dict[str, str]:
+    credit = pictogram.credit
+    return {"author": credit.author, "license": credit.license, "url": credit.url}

@@ -1,0 +1,74 @@
+"""What a user asked for, as reports of the grid show it: a sketch, or changes of an icon."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from iconstudio.algorithms.raster import Bitmap, fill_polygon
+from iconstudio.model import CANVAS, Axis, Edit, Placement, Polygon, Sketch, Source
+from iconstudio.output.page import INK, MUTED, RGB
+from iconstudio.workflows.editing import Change
+
+ADDED, REMOVED = (46, 148, 84), (206, 58, 48)
+_ADDED_GROUND, _REMOVED_GROUND = (150, 214, 172), (246, 200, 195)
+
+
+@dataclass(frozen=True, eq=False)
+class Wish:
+    """What was asked for, on the canvas."""
+
+    keyword: str
+    symmetry: Axis | None
+    caption: str
+    layers: tuple[tuple[Bitmap, RGB], ...]
+    """The picture of it: bitmaps (CANVAS, CANVAS) to be painted over each other."""
+    outline: Bitmap
+    """(CANVAS, CANVAS): the outline that is wanted, filled."""
+    base: Source | None = None
+    """Of an edit: the icon that is changed."""
+    mask: NDArray[np.float32] | None = None
+    """Of an edit: D_E, (CANVAS, CANVAS)."""
+
+
+def sketched(sketch: Sketch) -> Wish:
+    """Return the wish of a sketch."""
+    outline = fill_polygon(sketch.polygon.fitted())
+    return Wish(sketch.keyword, sketch.symmetry, "sketch and keyword", ((outline, MUTED),), outline)
+
+
+def changed(edit: Edit, change: Change) -> Wish:
+    """Return the wish of an edit: red goes, green comes."""
+    removed, added = (
+        _covered(polygons, change.base.placement) for polygons in (edit.remove, edit.add)
+    )
+    layers = (
+        (removed, _REMOVED_GROUND),
+        (added, _ADDED_GROUND),
+        (change.ink, INK),
+        (change.ink & removed, REMOVED),
+        (change.ink & added, ADDED),
+    )
+    return Wish(
+        edit.keyword,
+        edit.symmetry,
+        f"{change.base.exemplar.id}, less red, plus green",
+        layers,
+        change.target,
+        change.base,
+        change.mask,
+    )
+
+
+def _covered(polygons: Sequence[Polygon], placement: Placement) -> Bitmap:
+    """Return what polygons cover once they are moved with the icon, which no edit mirrors."""
+    half, k = CANVAS / 2, placement.scale
+    covered = np.zeros((CANVAS, CANVAS), dtype=bool)
+    for polygon in polygons:
+        moved = (
+            (half + k * (x - half) + placement.dx, half + k * (y - half) + placement.dy)
+            for x, y in polygon.vertices
+        )
+        covered |= fill_polygon(Polygon(tuple(moved)))
+    return covered
