@@ -140,7 +140,10 @@ def fill_menu(
     menu: QMenu, title: str, window: Actions, workspace: Actions, modes: Sequence[QAction]
 ) -> None:
     """Fill a menu anew with what the window and the workspace in use can do."""
-    menu.clear()
+    for action in menu.actions():  # after QMenu.clear, PySide takes them for deleted
+        menu.removeAction(action)
+        if action.isSeparator():
+            action.deleteLater()
     for name in MENUS[title]:
         if name == "":
             menu.addSeparator()

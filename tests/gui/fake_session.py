@@ -26,12 +26,16 @@ from iconstudio.session import ModelSettings
 from iconstudio.workflows.events import (
     Event,
     Progress,
+    Recommended,
     RegionsFound,
     Result,
     Retrieved,
     StyleMatched,
     StyleSkipped,
 )
+
+RECOMMENDED = 2
+"""The column that is recommended in every row."""
 
 
 def exemplar(number: int) -> Exemplar:
@@ -179,3 +183,4 @@ class FakeSession:
                 composite = Composite(style, lambda_s, sources, labels, 3.0, 2.0, 1.0, shares, 0.87)
                 score = Score(1.0, 1.0, 1.0, 1.0, 0.87)
                 yield Result(composite, drawing(sketch, row, column), score)
+            yield Recommended(style, settings.lambdas[RECOMMENDED])

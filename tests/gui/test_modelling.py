@@ -5,6 +5,7 @@ import threading
 import time
 
 import pytest
+from fake_session import RECOMMENDED
 from hands import SQUARE, click, press, trace, type_keyword
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtTest import QTest
@@ -214,7 +215,6 @@ def test_a_failure_on_the_way_is_told_and_the_window_goes_on(ready, qtbot, sessi
 def test_picking_shows_the_icon_and_its_sources(ready, qtbot):
     ready.run()
     finish(ready, qtbot)
-    assert ready.board.detail.picture is ready.board.results.cell("lightest", LAMBDAS[0]).picture
     target = ready.board.results.cell("medium", LAMBDAS[3])
     QTest.mouseClick(target, Qt.MouseButton.LeftButton)
     assert ready.board.detail.picture is target.picture
@@ -227,6 +227,40 @@ def test_picking_shows_the_icon_and_its_sources(ready, qtbot):
         "shapes:cross-2, 20%",
     ]
     assert ready.board.detail._about.text() == "3 parts of 3 icons · fits the sketch by 87%"
+
+
+def picked(place):
+    composite = place.board.detail.picture.result.composite
+    return composite.style, composite.lambda_s
+
+
+def test_the_first_recommended_result_takes_the_place_of_the_very_first(ready, qtbot, session):
+    session.gate = threading.Semaphore(1)
+    ready.run()
+    qtbot.waitUntil(lambda: ready.board.detail.picture is not None)
+    assert picked(ready) == ("lightest", LAMBDAS[0])
+    session.gate.release(100)
+    finish(ready, qtbot)
+    assert picked(ready) == ("lightest", LAMBDAS[RECOMMENDED])
+    cell = ready.board.results.cell("medium", LAMBDAS[RECOMMENDED])
+    assert "Look here first" in cell.toolTip()
+    assert "recommended" in cell.accessibleName()
+    unmarked = ready.board.results.cell("medium", LAMBDAS[RECOMMENDED + 1])
+    assert "Look here" not in unmarked.toolTip()
+    plain = cell.grab().toImage()
+    cell.recommended = False
+    assert cell.grab().toImage() != plain, "the mark can be seen"
+
+
+def test_a_recommendation_does_not_take_away_what_the_user_picked(ready, qtbot, session):
+    session.gate = threading.Semaphore(2)
+    ready.run()
+    qtbot.waitUntil(lambda: len(ready.board.results.pictures) == 2)
+    target = ready.board.results.cell("lightest", LAMBDAS[1])
+    QTest.mouseClick(target, Qt.MouseButton.LeftButton)
+    session.gate.release(100)
+    finish(ready, qtbot)
+    assert picked(ready) == ("lightest", LAMBDAS[1])
 
 
 def test_the_grid_is_walked_with_the_arrow_keys(ready, qtbot):

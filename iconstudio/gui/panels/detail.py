@@ -217,13 +217,9 @@ class DetailPanel(QFrame):
         top.setSpacing(UNIT)
         for label in (self._title, self._about):
             label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        words = QVBoxLayout()
-        words.setSpacing(1)
-        words.addWidget(self._title)
-        words.addWidget(self._about)
-        top.addLayout(words, 1)
+        top.addWidget(self._title, 1)
         for button in (self._send, svg, png, copy):
-            top.addWidget(button, 0, Qt.AlignmentFlag.AlignTop)
+            top.addWidget(button)
         inner = QWidget()
         inner.setLayout(self._rows)
         scroll = QScrollArea(widgetResizable=True)
@@ -233,8 +229,9 @@ class DetailPanel(QFrame):
         scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         scroll.setAccessibleName("Sources of the picked icon")
         side = QVBoxLayout()
-        side.setSpacing(UNIT)
+        side.setSpacing(UNIT // 2)
         side.addLayout(top)
+        side.addWidget(self._about)
         side.addWidget(scroll, 1)
         return side
 
