@@ -18,6 +18,8 @@ HYBRID_REACH = 40
 """t of D_H (section 4.3)."""
 MONTAGE_REACH = 20
 """t of D_M (section 4.4)."""
+HELD = 1e4
+"""Data cost of giving up what the user marked: more than any seam around a pixel could save."""
 EDIT_WEIGHT = 0.1
 """w_E of equation 11."""
 
@@ -46,6 +48,16 @@ def edit_penalty(mask: NDArray[np.float32], count: int) -> NDArray[np.float32]:
 def seed_cost(seeds: Sequence[Sequence[Point]]) -> NDArray[np.float32]:
     """Return D_H of each icon, (K, CANVAS, CANVAS): the distance from its seed positions."""
     return np.stack([truncated_distance(points_mask(points), HYBRID_REACH) for points in seeds])
+
+
+def held(marked: NDArray[np.bool_]) -> NDArray[np.float32]:
+    """Return a data cost that holds marked pixels to their label, (K, h, w).
+
+    The paper has D_M alone, which strong seams may outweigh: then a scribble is ignored. A user's
+    mark is an order, so all other labels cost ``HELD`` there. ``marked`` is (K, h, w) bool.
+    """
+    others = marked.sum(axis=0)[None] - marked
+    return np.where(others > 0, np.float32(HELD), np.float32(0))
 
 
 def points_mask(points: Sequence[Point]) -> NDArray[np.bool_]:

@@ -7,9 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.energy import RemixProblem, joined_ink, placed_sources
-from iconstudio.algorithms.guidance import seed_cost, with_mirror_images
+from iconstudio.algorithms.guidance import held, scribble, seed_cost, with_mirror_images
 from iconstudio.algorithms.ranking import Gallery
-from iconstudio.model import Exemplar, IconstudioError, Mix, Placement, Seeds, Source
+from iconstudio.model import Exemplar, IconstudioError, Mix, Placement, Seeds, Source, Stroke
 from iconstudio.workers import Workers
 from iconstudio.workflows.events import Event, Progress, Result
 from iconstudio.workflows.remixing import Job, Remixing, Render
@@ -17,6 +17,8 @@ from iconstudio.workflows.remixing import Job, Remixing, Render
 LAMBDA_S = 3.0
 FEWEST, MOST = 2, 12
 MOST_DRAWS = 1000
+PIN = 24.0
+"""Diameter of what a pin holds, in canvas pixels."""
 
 
 def check(mix: Mix) -> None:
@@ -106,7 +108,10 @@ def draw_seeds(mix: Mix, number: int, shapes: NDArray[np.bool_]) -> Seeds:
 def _job(mix: Mix, number: int, sources: tuple[Source, ...], plain: RemixProblem) -> Job:
     """Return what draw ``number`` has to solve; ``plain`` is the problem without data cost."""
     seeds = draw_seeds(mix, number, plain.solid)
-    problem = replace(plain, data=seed_cost(seeds))
+    data = seed_cost(seeds)
+    if mix.pins:
+        data += held(_pinned(mix))
+    problem = replace(plain, data=data)
     return Job(
         "hybrid",
         sources,
@@ -115,3 +120,12 @@ def _job(mix: Mix, number: int, sources: tuple[Source, ...], plain: RemixProblem
         sharing=True,
         finish=lambda result: replace(result, seeds=seeds, draw=number),
     )
+
+
+def _pinned(mix: Mix) -> NDArray[np.bool_]:
+    """Return what the pins hold of each icon, (K, CANVAS, CANVAS) bool."""
+    dots = [
+        [Stroke(PIN, (point,)) for point in with_mirror_images(points, mix.symmetry)]
+        for points in mix.pins
+    ]
+    return np.stack([scribble(one) for one in dots])

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.energy import RemixProblem, placed_sources
-from iconstudio.algorithms.guidance import MONTAGE_REACH, scribble, truncated_distance
+from iconstudio.algorithms.guidance import MONTAGE_REACH, held, scribble, truncated_distance
 from iconstudio.model import CANVAS, Exemplar, IconstudioError, Montage, Source
 from iconstudio.workers import Workers
 from iconstudio.workflows.events import Event
@@ -33,6 +33,7 @@ def montage_icons(
     )
     ink, filled = placed_sources(sources)
     data = np.stack([truncated_distance(one, MONTAGE_REACH) for one in scribbles])
+    data += held(scribbles)
     remixing = Remixing(workers, render, total=1)
     try:
         problem = RemixProblem(data, ink, filled)

@@ -1,0 +1,137 @@
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from iconstudio.algorithms.matching import prepare
+from iconstudio.library.resvg import render_placed
+from iconstudio.model import CANVAS, Edit, IconstudioError, Polygon
+from iconstudio.workers import Workers
+from iconstudio.workflows.editing import edit_icon, own_styles, prepare_change
+from iconstudio.workflows.events import Recommended, Result, StyleMatched
+from iconstudio.workflows.grid import ModelSettings
+from tests.shapes import blob, exemplar
+
+YS, XS = np.mgrid[:CANVAS, :CANVAS] + 0.5
+
+
+def box(left, top, right, bottom):
+    return (left < XS) & (right > XS) & (top < YS) & (bottom > YS)
+
+
+def rectangle(left, top, right, bottom):
+    return Polygon.of([(left, top), (right, top), (right, bottom), (left, bottom)])
+
+
+BODY = box(16, 100, 240, 200)
+KNOB = box(60, 60, 110, 100)
+ICON = exemplar(BODY, "body")
+WITH_KNOB = exemplar(BODY | KNOB, "body-with-knob")
+EDIT = Edit(ICON.pictogram, "body", add=(rectangle(60, 60, 110, 100),))
+
+
+@pytest.fixture(scope="module")
+def events():
+    others = [exemplar(blob(seed), f"blob-{seed}") for seed in range(3)]
+    prepared = [prepare(one) for one in (ICON, WITH_KNOB, *others)]
+    settings = ModelSettings(("dark",), (0.05, 0.3))
+    with Workers() as workers:
+        return list(edit_icon(EDIT, ICON, prepared, settings, workers, render_placed))
+
+
+def of(kind, events):
+    return [event for event in events if isinstance(event, kind)]
+
+
+def test_a_part_that_another_icon_has_is_added(events):
+    for result in of(Result, events):
+        ink = result.drawing.coverage.reshape(CANVAS, 2, CANVAS, 2).mean(axis=(1, 3)) > 127
+        assert (ink ^ (BODY | KNOB)).sum() < 0.01 * BODY.sum()
+        assert result.composite.iou > 0.98
+        assert result.score.likeness > 0.9
+
+
+def test_the_icon_is_label_0_and_keeps_what_lies_beyond_the_change(events):
+    (matched,) = of(StyleMatched, events)
+    assert ICON.id not in {one.id for one in matched.exemplars}
+    assert all(source.exemplar.id != ICON.id for row in matched.matches for source in row)
+    far = prepare_change(EDIT, ICON).mask >= 1
+    for result in of(Result, events):
+        assert result.composite.sources[0].exemplar is ICON
+        assert result.unchanged >= 0.995
+        assert (result.composite.labels[far] == 0).mean() > 0.95
+
+
+def test_the_row_ends_with_the_recommended_result(events):
+    (recommended,) = of(Recommended, events)
+    best = max(of(Result, events), key=lambda one: one.score.total)
+    assert recommended == Recommended("dark", best.composite.lambda_s)
+    assert isinstance(events[-1], Recommended) or isinstance(events[-2], Recommended)
+
+
+def test_the_outline_that_is_wanted_is_less_red_plus_green():
+    remove, add = rectangle(16, 100, 60, 200), rectangle(100, 50, 140, 110)
+    change = prepare_change(Edit(ICON.pictogram, "x", (remove,), (add,)), ICON)
+    wanted = (BODY & ~box(16, 100, 60, 200)) | box(100, 50, 140, 110)
+    assert np.array_equal(change.target, wanted)
+    changed = box(16, 100, 60, 200) | box(100, 50, 140, 110)
+    assert np.array_equal(change.mask == 0, changed)
+
+
+def test_what_is_taken_out_of_the_middle_leaves_the_outline():
+    change = prepare_change(Edit(ICON.pictogram, "x", (rectangle(100, 120, 150, 180),)), ICON)
+    assert np.array_equal(change.target, BODY)
+
+
+def test_the_unchanged_part_by_hand():
+    change = prepare_change(EDIT, ICON)
+    own = of_drawing(BODY)
+    assert change.unchanged(own, own) == 1
+    edited = BODY.copy()
+    edited[190:200, 200:240] = False  # 400 pixels far from the change
+    far = (change.mask >= 1).sum()
+    assert change.unchanged(of_drawing(edited), own) == pytest.approx(1 - 400 / far)
+    near = BODY | KNOB
+    assert change.unchanged(of_drawing(near), own) == 1
+
+
+def of_drawing(ink):
+    from iconstudio.model import Drawing
+
+    large = np.where(ink, 255, 0).astype(np.uint8).repeat(2, axis=0).repeat(2, axis=1)
+    return Drawing("", large)
+
+
+def test_what_is_added_beyond_the_canvas_makes_room_for_itself():
+    tall = exemplar(box(100, 16, 156, 240), "tall")
+    edit = Edit(tall.pictogram, "x", add=(rectangle(110, -60, 146, 30),))
+    change = prepare_change(edit, tall)
+    assert change.base.placement.scale < 1
+    ys, xs = np.nonzero(change.target)
+    assert ys.min() >= 15
+    assert ys.max() <= CANVAS - 15
+    # The proportions are those of the icon with its addition.
+    assert (ys.max() - ys.min() + 1) / (xs.max() - xs.min() + 1) == pytest.approx(300 / 56, rel=0.1)
+
+
+def test_styles_are_those_of_the_icon():
+    assert own_styles(ICON) == ("dark",)
+    half = exemplar(box(16, 100, 240, 200) & (XS % 20 < 10), "stripes")
+    assert own_styles(half) == ("light", "medium")
+
+
+@pytest.mark.parametrize(
+    ("remove", "add", "words"),
+    [
+        ((), (), "Nothing is changed"),
+        ((rectangle(16, 10, 60, 50),), (), "beside the icon"),
+        ((), (rectangle(300, 300, 340, 340),), "beside the canvas"),
+        ((), (rectangle(10.6, 10.6, 11.4, 11.4),), "too small"),
+        ((rectangle(0, 0, 256, 256),), (), "Nothing of the icon would be left"),
+        ((Polygon.of([(10, 10), (50, 50)]),), (), "at least 3"),
+        ((Polygon.of([(10, 10), (50, 50), (90, 90)]),), (), "no area"),
+    ],
+)
+def test_bad_edits_are_refused(remove, add, words):
+    with pytest.raises(IconstudioError, match=words):
+        prepare_change(replace(EDIT, remove=remove, add=add), ICON)

@@ -1,0 +1,113 @@
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from iconstudio.library.resvg import render_placed
+from iconstudio.model import CANVAS, IconstudioError, Layer, Montage, Placement, Stroke
+from iconstudio.workers import Workers
+from iconstudio.workflows.events import Progress, Result
+from iconstudio.workflows.montage import montage_icons
+from tests.shapes import exemplar
+
+YS, XS = np.mgrid[:CANVAS, :CANVAS] + 0.5
+DISC = exemplar(np.hypot(XS - 128, YS - 128) < 80, "disc")
+RING = exemplar((np.hypot(XS - 128, YS - 128) < 80) & (np.hypot(XS - 128, YS - 128) > 50), "ring")
+
+
+def stroke(*points, width=12.0):
+    return Stroke(width, points)
+
+
+@pytest.fixture(scope="module")
+def workers():
+    with Workers() as pool:
+        yield pool
+
+
+def result(montage, exemplars, workers):
+    events = list(montage_icons(montage, exemplars, workers, render_placed))
+    assert [e.done for e in events if isinstance(e, Progress)][-1] == 1
+    (one,) = (event for event in events if isinstance(event, Result))
+    return one
+
+
+def two(left, right, **placement):
+    return Montage(
+        (
+            Layer(DISC.pictogram, Placement(**placement), left),
+            Layer(RING.pictogram, Placement(), right),
+        )
+    )
+
+
+def test_two_halves_are_cut_where_they_agree(workers):
+    """A dark gap of two bars lies between the strokes: the only seam that costs next to nothing
+    runs through it."""
+    bars = (abs(XS - 90) < 20) | (abs(XS - 170) < 20)
+    stripes = (abs(XS - 90) < 20) & (YS % 24 < 12) | (abs(XS - 170) < 20) & (YS % 24 < 12)
+    tall = (YS > 40) & (YS < 216)
+    solid_bars, striped = exemplar(bars & tall, "bars"), exemplar(stripes & tall, "stripes")
+    montage = Montage(
+        (
+            Layer(solid_bars.pictogram, strokes=(stroke((90, 80), (90, 170)),)),
+            Layer(striped.pictogram, strokes=(stroke((170, 80), (170, 170)),)),
+        )
+    )
+    one = result(montage, [solid_bars, striped], workers)
+    labels = one.composite.labels
+    assert (labels[40:216, 70:111] == 0).all()
+    assert (labels[40:216, 149:191] == 1).all()
+    ink = one.drawing.coverage.reshape(CANVAS, 2, CANVAS, 2).mean(axis=(1, 3)) > 127
+    wanted = np.where(XS < 128, bars & tall, stripes & tall)
+    assert (ink ^ wanted).sum() < 0.02 * wanted.sum()
+    assert one.composite.style == "montage"
+
+
+def test_the_marked_parts_are_kept(workers):
+    montage = two((stroke((90, 90), (90, 160)),), (stroke((170, 100), (170, 150)),))
+    one = result(montage, [DISC, RING], workers)
+    labels = one.composite.labels
+    assert (labels[90:160, 90] == 0).all()
+    assert (labels[100:150, 170] == 1).all()
+    assert one.composite.lambda_s == 3.0
+
+
+def test_an_icon_without_a_stroke_is_not_forced_in(workers):
+    one = result(two((stroke((128, 60), (128, 190)),), ()), [DISC, RING], workers)
+    assert one.composite.shares == (1.0, 0.0)
+
+
+def test_a_layer_is_used_where_it_lies(workers):
+    small = Placement(0.5, True, 40, -30)
+    montage = Montage((Layer(DISC.pictogram, small, (stroke((168, 98), (170, 100)),)),))
+    one = result(montage, [DISC], workers)
+    ys, xs = np.nonzero(one.drawing.coverage > 127)
+    assert xs.mean() / 2 == pytest.approx(168, abs=0.6)
+    assert ys.mean() / 2 == pytest.approx(98, abs=0.6)
+    assert len(xs) / 4 == pytest.approx(np.pi * 40**2, rel=0.02)
+
+
+GOOD = two((stroke((90, 90), (90, 160)),), (stroke((170, 100), (170, 150)),))
+
+
+@pytest.mark.parametrize(
+    ("montage", "words"),
+    [
+        (Montage(()), "needs 1 to 30 icons"),
+        (Montage(GOOD.layers * 16), "has 32"),
+        (two((), ()), "Nothing is marked"),
+        (two((stroke((400, 400), (500, 500)),), ()), "outside the canvas"),
+        (two((stroke((90, 90), (90, 160)),), (stroke((60, 120), (150, 120)),)), "overlap"),
+        (two(GOOD.layers[0].strokes, (), scale=0.0), "scaled to 0"),
+        (two(GOOD.layers[0].strokes, (), scale=1e9), "scaled to 1e"),
+    ],
+)
+def test_bad_montages_are_refused(montage, words, workers):
+    with pytest.raises(IconstudioError, match=words):
+        list(montage_icons(montage, [DISC, RING], workers, render_placed))
+
+
+def test_a_dot_is_a_stroke(workers):
+    montage = replace(GOOD, layers=(replace(GOOD.layers[0], strokes=(stroke((90, 90)),)),))
+    assert result(montage, [DISC], workers).composite.shares == (1.0,)
