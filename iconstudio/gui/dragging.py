@@ -14,11 +14,12 @@ _carried: dict[str, Pictogram] = {}
 
 
 def packed(pictogram: Pictogram) -> QMimeData:
-    """Return what a drag of ``pictogram`` carries."""
+    """Return what a drag of ``pictogram`` carries; for other programs, that is its SVG."""
     _carried.clear()
     _carried[pictogram.id] = pictogram
     data = QMimeData()
     data.setData(ICON, pictogram.id.encode())
+    data.setData("image/svg+xml", pictogram.svg.encode())
     return data
 
 
