@@ -14,7 +14,7 @@ from iconstudio.workflows.events import Result
 
 _EDGE, _GAP = 40, 24
 _ACROSS, _SHOWN = 4, 12
-_LARGE, _CODE = 240, 104
+_LARGE, _CODE = 240, 120
 """Sides of a hybrid and of the colour code beside it, in pixels."""
 _THUMB = 104
 _LAYER = 240
@@ -90,5 +90,6 @@ def _source(page: Page, x: float, y: float, source: Source, colour: RGB, width: 
     ink, _ = placed_ink(source.exemplar, source.placement)
     page.stencil(x, y, _THUMB, grey(ink), colour)
     collection, name = source.exemplar.id.split(":", 1)
-    page.text(x, y + _THUMB + 6, name, 13, width=width)
-    page.text(x, y + _THUMB + 24, collection, 12, colour=MUTED, width=width)
+    middle = x + _THUMB / 2
+    page.text(middle, y + _THUMB + 6, name, 13, width=width, anchor="ma")
+    page.text(middle, y + _THUMB + 24, collection, 12, colour=MUTED, width=width, anchor="ma")

@@ -72,8 +72,8 @@ def grid_sheet(wish: Wish, lambdas: Sequence[float], rows: Sequence[Row]) -> Ima
     for bitmap, colour in wish.layers:
         page.stencil(_EDGE - 8, 24, 150, grey(bitmap), colour)
     words = page.picture.width - 2 * _EDGE - 160
-    page.text(_EDGE + 160, 52, wish.keyword, 34, bold=True, width=words)
-    page.text(_EDGE + 160, 98, wish.caption, 18, colour=MUTED, width=left - _EDGE - 190)
+    page.text(_EDGE + 160, 52, wish.keyword, 34, bold=True, width=words - 180)
+    page.text(_EDGE + 160, 98, wish.caption, 18, colour=MUTED, width=words)
     _column_heads(page, lambdas, left)
     if any(row.recommended is not None for row in rows):
         right = page.picture.width - _EDGE

@@ -3,18 +3,23 @@
 import errno
 import json
 import xml.etree.ElementTree as ET
+from dataclasses import asdict, replace
 
 import numpy as np
 import pytest
 from PIL import Image
+from scipy import ndimage
 
 import iconstudio
-from iconstudio.algorithms.raster import placed_ink, solid
-from iconstudio.model import CANVAS, IconstudioError
+from iconstudio.algorithms.raster import fill_polygon, placed_ink, solid
+from iconstudio.model import CANVAS, Axis, Edit, IconstudioError, Polygon
 from iconstudio.output import png
-from iconstudio.output.report import Report
+from iconstudio.output.report import GridReport
+from iconstudio.output.wish import changed, sketched
+from iconstudio.workflows.editing import prepare_change
 from iconstudio.workflows.events import (
     Progress,
+    Recommended,
     RegionsFound,
     Retrieved,
     StyleMatched,
@@ -22,6 +27,7 @@ from iconstudio.workflows.events import (
 )
 from tests.output.made import BLOCK, DISC, RING, SKETCH, SOURCES, TARGET, made, quarters
 
+WISH = sketched(SKETCH)
 CENTRES = tuple((10.0 * k, 20.5) for k in range(9))
 TIMINGS = {"search": 0.25, "prepare": 1.0, "match": 2.0, "remix": 3.0, "total": 6.5}
 
@@ -36,7 +42,7 @@ def results():
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory, results):
     out = tmp_path_factory.mktemp("report") / "new" / "out"
-    report = Report(out, SKETCH, (0.75, 0.05))
+    report = GridReport(out, WISH, (0.75, 0.05), dump=True)
     report.add(Progress("search", 0.5, "Looking"))
     report.add(Retrieved("dog & cat", (RING, DISC, BLOCK)))
     report.add(RegionsFound(CENTRES))
@@ -46,7 +52,8 @@ def folder(tmp_path_factory, results):
         report.add(result)
         number = 2 if result.composite.lambda_s == 0.75 else 1
         assert (out / f"light-{number}.svg").is_file()  # at once
-    report.finish(TIMINGS, dump=True)
+    report.add(Recommended("light", 0.05))
+    report.finish(TIMINGS)
     return out
 
 
@@ -66,11 +73,13 @@ def test_these_files_and_no_others(folder):
 
 def test_the_head_of_the_report(report):
     assert set(report) == {
-        "version", "keyword", "canvas", "retrieved", "timings", "regions", "styles", "results",
+        "version", "keyword", "symmetry", "canvas", "retrieved", "timings", "regions", "styles",
+        "results",
     }  # fmt: skip
     assert report["version"] == iconstudio.__version__
     assert report["keyword"] == "dog & cat"
     assert report["canvas"] == 256
+    assert report["symmetry"] is None
     assert report["retrieved"] == 3
     assert report["timings"] == TIMINGS | {"vectorize": 0.0}
     assert report["regions"] == [list(centre) for centre in CENTRES]
@@ -98,6 +107,10 @@ def test_results_by_rising_lambda(report, results):
         assert written["data_cost"] == pytest.approx(composite.data_cost)
         assert written["smoothness_cost"] == pytest.approx(composite.smoothness_cost)
         assert written["iou"] == pytest.approx(composite.iou)
+        assert written["rank_score"] == pytest.approx(result.score.total)
+        assert written["rank_terms"] == pytest.approx(asdict(result.score))
+        assert "unchanged" not in written
+    assert [result["recommended"] for result in report["results"]] == [True, False]
 
 
 def test_sources_are_those_with_ink_by_falling_share(report):
@@ -150,14 +163,14 @@ def test_a_folder_that_is_a_file(tmp_path):
     (tmp_path / "out").write_text("mine")
     for folder in (tmp_path / "out", tmp_path / "out" / "deeper"):
         with pytest.raises(IconstudioError, match="cannot be written"):
-            Report(folder, SKETCH, (0.1,))
+            GridReport(folder, WISH, (0.1,))
     assert (tmp_path / "out").read_text() == "mine"
 
 
 def test_results_json_is_a_folder(tmp_path):
     (tmp_path / "results.json").mkdir()
     with pytest.raises(IconstudioError, match="is a folder"):
-        Report(tmp_path, SKETCH, (0.1,))
+        GridReport(tmp_path, WISH, (0.1,))
 
 
 def full(*args, **kwargs):
@@ -165,13 +178,13 @@ def full(*args, **kwargs):
 
 
 def test_a_folder_without_room(tmp_path, monkeypatch):
-    monkeypatch.setattr("iconstudio.output.report.tempfile.TemporaryFile", full)
+    monkeypatch.setattr("iconstudio.output.folder.tempfile.TemporaryFile", full)
     with pytest.raises(IconstudioError, match="No space left"):
-        Report(tmp_path, SKETCH, (0.1,))
+        GridReport(tmp_path, WISH, (0.1,))
 
 
 def test_the_disk_fills_up_on_the_way(tmp_path, monkeypatch, result):
-    report = Report(tmp_path, SKETCH, (0.1,))
+    report = GridReport(tmp_path, WISH, (0.1,))
     monkeypatch.setattr("iconstudio.output.png.write_atomically", full)
     with pytest.raises(IconstudioError, match="No space left"):
         report.add(result)
@@ -179,8 +192,62 @@ def test_the_disk_fills_up_on_the_way(tmp_path, monkeypatch, result):
 
 
 def test_a_run_of_nothing_but_skipped_styles(tmp_path):
-    report = Report(tmp_path, SKETCH, (0.1,))
+    report = GridReport(tmp_path, WISH, (0.1,), dump=True)
     report.add(StyleSkipped("dark", 0, "None."))
-    report.finish({}, dump=True)
+    report.finish({})
     assert {path.name for path in tmp_path.iterdir()} == {"grid.png", "results.json"}
     assert json.loads((tmp_path / "results.json").read_text())["results"] == []
+
+
+REMOVED = Polygon.of([(48, 48), (128, 48), (128, 208), (48, 208)])
+
+
+@pytest.fixture(scope="module")
+def edited(tmp_path_factory, results):
+    """The report of an edit, its dump, and the change."""
+    out = tmp_path_factory.mktemp("edit")
+    edit = Edit(BLOCK.pictogram, "dog", remove=(REMOVED,), symmetry=Axis.VERTICAL)
+    change = prepare_change(edit, BLOCK)
+    report = GridReport(out, changed(edit, change), (0.05,), dump=True)
+    report.add(StyleMatched("light", (RING,), (SOURCES[:3],) * 9))
+    report.add(replace(results[1], unchanged=0.9975))
+    report.finish({})
+    with np.load(out / "light.npz", allow_pickle=False) as dump:
+        return json.loads((out / "results.json").read_text("utf-8")), dict(dump), change
+
+
+def test_the_report_of_an_edit(edited):
+    report, _, _ = edited
+    assert report["symmetry"] == "vertical"
+    assert report["base"] == {
+        "icon": "test:block", "scale": 1.0, "flip": False, "dx": 0, "dy": 0,
+    }  # fmt: skip
+    assert report["results"][0]["unchanged"] == 0.9975
+
+
+def test_the_dump_of_an_edit_holds_equation_11(edited):
+    _, dump, change = edited
+    distance = ndimage.distance_transform_edt(~fill_polygon(REMOVED))
+    mask = np.minimum(distance / 25, 1)
+    assert np.array_equal(dump["change"], fill_polygon(REMOVED))
+    assert dump["penalty"].shape == (4, CANVAS, CANVAS)
+    assert dump["penalty"][0] == pytest.approx(0.1 * (1 - mask), abs=1e-6)
+    for other in dump["penalty"][1:]:
+        assert other == pytest.approx(0.1 * mask, abs=1e-6)
+    assert np.array_equal(dump["sketch"], change.target)
+
+
+def test_sources_of_a_source_are_thanked(tmp_path, result):
+    composite = result.composite
+    inner = replace(BLOCK.pictogram, made_of=(RING.pictogram, DISC.pictogram))
+    source = replace(composite.sources[0], exemplar=replace(BLOCK, pictogram=inner))
+    report = GridReport(tmp_path, WISH, (0.1,))
+    report.add(StyleMatched("light", (RING,), (SOURCES[:3],) * 9))
+    made_again = replace(composite, sources=(source, *composite.sources[1:]))
+    report.add(replace(result, composite=made_again))
+    report.finish({})
+    (written,) = json.loads((tmp_path / "results.json").read_text("utf-8"))["results"]
+    first = next(one for one in written["sources"] if one["label"] == 0)
+    assert [one["icon"] for one in first["made_of"]] == ["test:ring", "test:disc"]
+    assert first["made_of"][0]["author"] == "A. Artist"
+    assert "made_of" not in next(one for one in written["sources"] if one["label"] == 1)

@@ -1,18 +1,24 @@
 """Contact sheets: each thing is where it belongs."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from PIL import Image
 
 from iconstudio.algorithms.raster import placed_ink
-from iconstudio.model import IconstudioError
+from iconstudio.model import Edit, IconstudioError, Polygon, Sketch
 from iconstudio.output import page as pages
+from iconstudio.output import wish
 from iconstudio.output.colours import palette, source_colours
 from iconstudio.output.page import PAPER, Page, font, shortened
 from iconstudio.output.sheet import Row, Subject, gallery_sheet, grid_sheet, search_sheet
+from iconstudio.output.wish import changed, sketched
+from iconstudio.workflows.editing import prepare_change
 from tests.output.made import BLOCK, DISC, RING, SOURCES, SQUARE, made, quarters
 
 LAMBDAS = (0.05, 0.2, 0.75)
+WISH = sketched(Sketch(SQUARE, "dog"))
 
 
 @pytest.fixture(scope="module")
@@ -51,7 +57,7 @@ def pixels(picture):
 
 
 def test_every_cell_lies_in_its_column_above_its_colour_code(rows, drawn):
-    sheet = grid_sheet("dog", SQUARE, LAMBDAS, rows)
+    sheet = grid_sheet(WISH, LAMBDAS, rows)
     coverages = [drawing.coverage for _, drawing in rows[0].results]
     icons = [(x, y) for kind, x, y, what in drawn
              if kind == "stencil" and any(what is one for one in coverages)]  # fmt: skip
@@ -66,7 +72,7 @@ def test_every_cell_lies_in_its_column_above_its_colour_code(rows, drawn):
 
 
 def test_the_cells_show_ink_and_colours(rows, drawn):
-    sheet = pixels(grid_sheet("dog", SQUARE, LAMBDAS, rows))
+    sheet = pixels(grid_sheet(WISH, LAMBDAS, rows))
     (x, y) = next((round(x), round(y)) for kind, x, y, _ in drawn if kind == "image")
     code = sheet[y : y + 168, x : x + 168]
     composites = [composite for composite, _ in rows[0].results]
@@ -79,7 +85,7 @@ def test_the_cells_show_ink_and_colours(rows, drawn):
 
 
 def test_words_on_the_sheet(rows, drawn):
-    grid_sheet("dog", SQUARE, LAMBDAS, rows)
+    grid_sheet(WISH, LAMBDAS, rows)
     said = texts(drawn)
     for words in ("dog", "closer to the sketch", "smoother", "Light", "Dark", "λ 0.05", "λ 0.75",
                   "40 icons", "2 icons", "The collection has too few icons."):  # fmt: skip
@@ -91,9 +97,9 @@ def test_words_on_the_sheet(rows, drawn):
 
 
 def test_sources_lie_in_place_with_their_part_in_colour(rows, drawn):
-    sheet = pixels(grid_sheet("dog", SQUARE, LAMBDAS, rows))
+    sheet = pixels(grid_sheet(WISH, LAMBDAS, rows))
     thumbs = [(round(x), round(y), what) for kind, x, y, what in drawn
-              if kind == "stencil" and what.shape == (256, 256)]  # fmt: skip
+              if kind == "stencil" and what.shape == (256, 256)][1:]  # fmt: skip
     composites = [composite for composite, _ in rows[0].results]
     colours = palette(composites)
     shares = np.mean([composite.shares for composite in composites], axis=0)
@@ -112,15 +118,61 @@ def test_sources_lie_in_place_with_their_part_in_colour(rows, drawn):
 
 
 def test_the_sketch_is_on_the_sheet(rows):
-    sheet = pixels(grid_sheet("dog", SQUARE, LAMBDAS, rows))
+    sheet = pixels(grid_sheet(WISH, LAMBDAS, rows))
     corner = sheet[24:174, 32:182]
     share = (np.abs(corner - pages.MUTED).max(axis=-1) < 8).mean()
     assert share == pytest.approx((224 / 256) ** 2, abs=0.03)
 
 
+def test_the_recommended_result_is_framed_with_its_colour_code(rows, drawn):
+    light = replace(rows[0], recommended=0.75)
+    sheet = pixels(grid_sheet(WISH, LAMBDAS, [light, rows[1]]))
+    assert "recommended" in texts(drawn)
+    assert len([1 for kind, *_ in drawn if kind == "frame"]) == 1 + 1  # and the legend
+    x, y = [(x, y) for kind, x, y, _ in drawn if kind == "image"][1]
+    middle, left = sheet[:, x + 84], sheet[y + 84]
+    framed = (middle == pages.ACCENT).all(axis=-1).nonzero()[0]
+    assert framed.min() < y - 168 and framed.max() > y + 168
+    assert (left[x - 6 : x] == pages.ACCENT).all(axis=-1).any()
+
+
+def test_without_a_recommendation_nothing_is_framed(rows, drawn):
+    grid_sheet(WISH, LAMBDAS, rows)
+    assert not [1 for kind, *_ in drawn if kind == "frame"]
+    assert "recommended" not in texts(drawn)
+
+
+def test_an_edit_is_shown_as_red_and_green_on_its_icon(rows):
+    edit = Edit(
+        BLOCK.pictogram,
+        "dog",
+        remove=(Polygon.of([(48, 48), (128, 48), (128, 208), (48, 208)]),),
+        add=(Polygon.of([(208, 100), (250, 100), (250, 150), (208, 150)]),),
+    )
+    sheet = pixels(grid_sheet(changed(edit, prepare_change(edit, BLOCK)), LAMBDAS, rows))
+
+    def at(x, y):
+        return tuple(sheet[24 + y * 150 // 256, 32 + x * 150 // 256])
+
+    assert at(88, 128) == wish.REMOVED
+    assert at(168, 128) == pages.INK
+    assert at(230, 128)[1] > max(at(230, 128)[0], at(230, 128)[2]) + 20  # green
+    assert at(20, 128) == PAPER
+
+
+def test_what_is_added_beyond_the_canvas_is_still_on_the_sheet():
+    beyond = Polygon.of([(208, 100), (400, 100), (400, 150), (208, 150)])
+    edit = Edit(BLOCK.pictogram, "dog", add=(beyond,))
+    change = prepare_change(edit, BLOCK)
+    asked = changed(edit, change)
+    (_, (added, _), *_) = asked.layers
+    assert np.array_equal(added, asked.mask == 0)
+    assert not added[:, -1].any()
+
+
 def test_a_sheet_of_one_column_and_of_none(rows):
-    one = grid_sheet("dog", SQUARE, (0.1,), [Row("light", 40, rows[0].results[:1])])
-    none = grid_sheet("dog", SQUARE, (0.1,), [])
+    one = grid_sheet(WISH, (0.1,), [Row("light", 40, rows[0].results[:1])])
+    none = grid_sheet(WISH, (0.1,), [])
     assert one.height > none.height > 0 and one.width == none.width
 
 
