@@ -24,43 +24,55 @@ class OutlinedPage(Page, Protocol):
         ...
 
 
-Outlined = Document[OutlinedPage]
+class Outline:
+    """The outline of a document's page; every edit is one step that can be undone.
 
+    A page of several outlines needs a subclass, which says which one is meant.
+    """
 
-def add_vertex(document: Outlined, point: Point) -> None:
-    """Append a vertex to the open outline."""
-    page = document.page
-    document.change("add point", page.with_outline((*page.vertices, point), False))
+    def __init__(self, document: Document) -> None:
+        self.document = document
 
+    @property
+    def vertices(self) -> tuple[Point, ...]:
+        """The vertices, finished or not."""
+        return self.document.page.vertices
 
-def insert_vertex(document: Outlined, index: int, point: Point) -> None:
-    """Put a vertex on the edge that starts at vertex ``index``."""
-    page = document.page
-    vertices = (*page.vertices[: index + 1], point, *page.vertices[index + 1 :])
-    document.change("insert point", page.with_outline(vertices, page.closed))
+    @property
+    def closed(self) -> bool:
+        """Whether the last vertex is joined to the first."""
+        return self.document.page.closed
 
+    def put(
+        self, text: str, vertices: tuple[Point, ...], closed: bool, gesture: object = None
+    ) -> None:
+        """Replace the outline; ``text`` names the step."""
+        page = self.document.page.with_outline(vertices, closed)
+        self.document.change(text, page, gesture)
 
-def move_vertex(document: Outlined, index: int, point: Point, gesture: object) -> None:
-    """Move vertex ``index``. Moves of one ``gesture`` are undone together."""
-    page = document.page
-    vertices = (*page.vertices[:index], point, *page.vertices[index + 1 :])
-    document.change("move point", page.with_outline(vertices, page.closed), gesture)
+    def add(self, point: Point) -> None:
+        """Append a vertex to the open outline."""
+        self.put("add point", (*self.vertices, point), False)
 
+    def insert(self, index: int, point: Point) -> None:
+        """Put a vertex on the edge that starts at vertex ``index``."""
+        vertices = (*self.vertices[: index + 1], point, *self.vertices[index + 1 :])
+        self.put("insert point", vertices, self.closed)
 
-def delete_vertex(document: Outlined, index: int) -> None:
-    """Remove vertex ``index``; with fewer than three left, the outline is open again."""
-    page = document.page
-    vertices = page.vertices[:index] + page.vertices[index + 1 :]
-    closed = page.closed and len(vertices) >= 3
-    document.change("delete point", page.with_outline(vertices, closed))
+    def move(self, index: int, point: Point, gesture: object) -> None:
+        """Move vertex ``index``. Moves of one ``gesture`` are undone together."""
+        vertices = (*self.vertices[:index], point, *self.vertices[index + 1 :])
+        self.put("move point", vertices, self.closed, gesture)
 
+    def delete(self, index: int) -> None:
+        """Remove vertex ``index``; with fewer than three left, the outline is open again."""
+        vertices = self.vertices[:index] + self.vertices[index + 1 :]
+        self.put("delete point", vertices, self.closed and len(vertices) >= 3)
 
-def close_outline(document: Outlined) -> None:
-    """Join the last vertex to the first."""
-    page = document.page
-    document.change("close outline", page.with_outline(page.vertices, True))
+    def close(self) -> None:
+        """Join the last vertex to the first."""
+        self.put("close outline", self.vertices, True)
 
-
-def clear_outline(document: Outlined) -> None:
-    """Remove all vertices; whatever else is on the page stays."""
-    document.change("clear outline", document.page.with_outline((), False))
+    def clear(self) -> None:
+        """Remove all vertices; whatever else is on the page stays."""
+        self.put("clear outline", (), False)

@@ -7,8 +7,8 @@ from typing import Literal
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QKeyEvent, QPainter, QPen
 
-from iconstudio.gui.canvas import outline
 from iconstudio.gui.canvas.camera import Camera
+from iconstudio.gui.canvas.outline import Outline
 from iconstudio.gui.canvas.tools.base import Pointer, Tool
 from iconstudio.gui.document import new_gesture
 from iconstudio.gui.theme import Theme
@@ -38,24 +38,29 @@ class Hit:
 
 
 class PolygonTool(Tool):
-    """Draws and corrects the outline of a document's page."""
+    """Draws and corrects an outline."""
 
-    def __init__(self, document: outline.Outlined) -> None:
-        self._document = document
+    def __init__(self, outline: Outline) -> None:
+        self.outline = outline
         self._hover: Hit | None = None
         self._dragged: int | None = None
         self._gesture = 0
         self._pointer: Pointer | None = None
         self.selected: int | None = None
-        document.page_changed.connect(self._page_changed)
+        outline.document.page_changed.connect(self._page_changed)
 
     # -- what the canvas shows -----------------------------------------------------------------
+
+    @property
+    def token(self) -> str:
+        """The colour of the handles."""
+        return "accent"
 
     @property
     def cursor(self) -> Qt.CursorShape:
         """A cross for adding, a hand for what can be taken hold of."""
         if self._hover is None:
-            closed = self._document.page.closed
+            closed = self.outline.closed
             return Qt.CursorShape.ArrowCursor if closed else Qt.CursorShape.CrossCursor
         if self._hover.kind == "edge":
             return Qt.CursorShape.CrossCursor
@@ -64,10 +69,10 @@ class PolygonTool(Tool):
     @property
     def hint(self) -> str:
         """What can be done now."""
-        page = self._document.page
-        if page.closed:
+        outline = self.outline
+        if outline.closed:
             return "Drag points · click an edge to add · right-click to remove"
-        count = len(page.vertices)
+        count = len(outline.vertices)
         if count == 0:
             return "Click around the object to trace its outline"
         if count < 3:
@@ -76,10 +81,10 @@ class PolygonTool(Tool):
 
     def paint(self, painter: QPainter, camera: Camera, theme: Theme) -> None:
         """Draw the next edge, the handles, and what a click would do."""
-        page = self._document.page
-        accent = theme.color("accent")
-        points = [camera.to_view(vertex) for vertex in page.vertices]
-        if points and not page.closed and self._pointer is not None and self._hover is None:
+        outline = self.outline
+        accent = theme.color(self.token)
+        points = [camera.to_view(vertex) for vertex in outline.vertices]
+        if points and not outline.closed and self._pointer is not None and self._hover is None:
             painter.setPen(QPen(accent, 1.5, Qt.PenStyle.DashLine))
             painter.drawLine(points[-1], self._pointer.view)
         crowded = _length(points) < 3 * GRIP * len(points)
@@ -93,17 +98,17 @@ class PolygonTool(Tool):
     def _paint_handle(
         self, painter: QPainter, theme: Theme, index: int, point: QPointF, radius: float
     ) -> None:
-        hovered = self._hover == Hit("vertex", index, self._document.page.vertices[index])
+        hovered = self._hover == Hit("vertex", index, self.outline.vertices[index])
         selected = index in (self.selected, self._dragged)
         radius = 6.0 if hovered or selected else radius
-        accent = theme.color("accent")
+        accent = theme.color(self.token)
         if hovered and self._closes(index):
             painter.setPen(Qt.PenStyle.NoPen)
-            painter.setBrush(theme.color("accent", 0.25))
+            painter.setBrush(theme.color(self.token, 0.25))
             painter.drawEllipse(point, 13, 13)
         painter.setPen(QPen(accent, min(2.0, radius / 2)))
         painter.setBrush(accent if selected else theme.color("surface"))
-        if index == 0 and not self._document.page.closed:
+        if index == 0 and not self.outline.closed:
             painter.drawRect(QRectF(point.x() - radius, point.y() - radius, 2 * radius, 2 * radius))
         else:
             painter.drawEllipse(point, radius, radius)
@@ -121,7 +126,7 @@ class PolygonTool(Tool):
         if hit is None:
             self._press_nowhere(pointer)
         elif hit.kind == "edge":
-            outline.insert_vertex(self._document, hit.index, hit.point)
+            self.outline.insert(hit.index, hit.point)
             self._take(hit.index + 1)
         elif self._closes(hit.index):
             self.close_outline()
@@ -133,7 +138,7 @@ class PolygonTool(Tool):
         self._pointer = pointer
         if self._dragged is None:
             self._hover = self.hit(pointer)
-        elif pointer.page != self._document.page.vertices[self._dragged]:
+        elif pointer.page != self.outline.vertices[self._dragged]:
             self._move(self._dragged, pointer.page)
 
     def release(self, pointer: Pointer) -> None:
@@ -143,8 +148,8 @@ class PolygonTool(Tool):
 
     def double_click(self, pointer: Pointer) -> None:
         """Close the outline; the first of the two clicks has put its last vertex here."""
-        page = self._document.page
-        if page.closed or pointer.button != Qt.MouseButton.LeftButton:
+        outline = self.outline
+        if outline.closed or pointer.button != Qt.MouseButton.LeftButton:
             return
         self.close_outline()
 
@@ -155,16 +160,16 @@ class PolygonTool(Tool):
 
     def hit(self, pointer: Pointer) -> Hit | None:
         """Return the vertex or edge under the pointer; vertices come first."""
-        page, camera = self._document.page, pointer.camera
-        points = [camera.to_view(vertex) for vertex in page.vertices]
+        outline, camera = self.outline, pointer.camera
+        points = [camera.to_view(vertex) for vertex in outline.vertices]
         if not points:
             return None
         gaps = [_distance(point, pointer.view) for point in points]
         nearest = min(range(len(points)), key=gaps.__getitem__)
         if gaps[nearest] <= GRIP:
-            return Hit("vertex", nearest, page.vertices[nearest])
+            return Hit("vertex", nearest, outline.vertices[nearest])
         # The edge that would close an open outline is not there yet.
-        edges = range(len(points) if page.closed else len(points) - 1)
+        edges = range(len(points) if outline.closed else len(points) - 1)
         feet = [_foot(points[i], points[(i + 1) % len(points)], pointer.view) for i in edges]
         index = min(edges, key=lambda i: _distance(feet[i], pointer.view), default=None)
         if index is None or _distance(feet[index], pointer.view) > EDGE_GRIP:
@@ -180,7 +185,7 @@ class PolygonTool(Tool):
             return self.close_outline()
         if key in (Qt.Key.Key_Backspace, Qt.Key.Key_Delete):
             return self.delete_selected()
-        count = len(self._document.page.vertices)
+        count = len(self.outline.vertices)
         if count == 0:
             return False
         if key in (Qt.Key.Key_PageUp, Qt.Key.Key_PageDown):
@@ -190,7 +195,7 @@ class PolygonTool(Tool):
             self._gesture = new_gesture()
             return True
         if key in _NUDGES and self.selected is not None:
-            (dx, dy), (x, y) = _NUDGES[key], self._document.page.vertices[self.selected]
+            (dx, dy), (x, y) = _NUDGES[key], self.outline.vertices[self.selected]
             far = 10 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1
             self._move(self.selected, (x + far * dx, y + far * dy))
             return True
@@ -198,28 +203,28 @@ class PolygonTool(Tool):
 
     def cancel(self) -> bool:
         """Give up an open outline; undo brings it back."""
-        page = self._document.page
-        if page.closed or not page.vertices:
+        outline = self.outline
+        if outline.closed or not outline.vertices:
             deselected, self.selected = self.selected is not None, None
             return deselected
-        outline.clear_outline(self._document)
+        self.outline.clear()
         return True
 
     def close_outline(self) -> bool:
         """Join the last vertex to the first, if there are enough."""
-        page = self._document.page
-        if page.closed or len(page.vertices) < 3:
+        outline = self.outline
+        if outline.closed or len(outline.vertices) < 3:
             return False
-        outline.close_outline(self._document)
+        self.outline.close()
         self._hover = self._dragged = self.selected = None
         return True
 
     def delete_selected(self) -> bool:
         """Remove the selected vertex; while tracing, the last one."""
-        page = self._document.page
+        outline = self.outline
         index = self.selected
-        if index is None and not page.closed and page.vertices:
-            index = len(page.vertices) - 1
+        if index is None and not outline.closed and outline.vertices:
+            index = len(outline.vertices) - 1
         if index is None:
             return False
         self._delete(index)
@@ -229,30 +234,30 @@ class PolygonTool(Tool):
 
     def _press_nowhere(self, pointer: Pointer) -> None:
         self.selected = None
-        if not self._document.page.closed:
-            outline.add_vertex(self._document, pointer.page)
-            self._take(len(self._document.page.vertices) - 1)
+        if not self.outline.closed:
+            self.outline.add(pointer.page)
+            self._take(len(self.outline.vertices) - 1)
 
     def _closes(self, index: int) -> bool:
-        page = self._document.page
-        return index == 0 and not page.closed and len(page.vertices) >= 3
+        outline = self.outline
+        return index == 0 and not outline.closed and len(outline.vertices) >= 3
 
     def _take(self, index: int) -> None:
         self._dragged = index
-        self.selected = index if self._document.page.closed else None
+        self.selected = index if self.outline.closed else None
         self._gesture = new_gesture()
-        self._hover = Hit("vertex", index, self._document.page.vertices[index])
+        self._hover = Hit("vertex", index, self.outline.vertices[index])
 
     def _move(self, index: int, point: Point) -> None:
-        outline.move_vertex(self._document, index, point, self._gesture)
+        self.outline.move(index, point, self._gesture)
         self._hover = Hit("vertex", index, point)
 
     def _delete(self, index: int) -> None:
         self._dragged = self._hover = self.selected = None
-        outline.delete_vertex(self._document, index)
+        self.outline.delete(index)
 
     def _page_changed(self) -> None:
-        count = len(self._document.page.vertices)
+        count = len(self.outline.vertices)
         if self._hover is not None and self._hover.index >= count:
             self._hover = None
         if self.selected is not None and self.selected >= count:

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QApplication, QHBoxLayout, QMenu, QSplitter
 
 from iconstudio.gui import theme
 from iconstudio.gui.actions import Entry, Key
-from iconstudio.gui.canvas import outline
+from iconstudio.gui.canvas.outline import Outline
 from iconstudio.gui.canvas.tools.polygon import PolygonTool
 from iconstudio.gui.canvas.view import CanvasView
 from iconstudio.gui.document import Document
@@ -72,7 +72,8 @@ class SketchWorkspace(Workspace):
 
         self.scene = SketchScene(self.document)
         self.scene.setParent(self)
-        self.tool = PolygonTool(self.document)
+        self.outline = Outline(self.document)
+        self.tool = PolygonTool(self.outline)
         self.view = CanvasView(self.scene, self.tool, _can_be_opened)
         self.view.setAccessibleDescription("Trace the outline of an object here")
         self.keyword_panel = KeywordPanel()
@@ -221,7 +222,7 @@ class SketchWorkspace(Workspace):
             return
         self.said.emit("")
         if not page.closed and len(page.vertices) >= 3:
-            outline.close_outline(self.document)
+            self.outline.close()
         sketch = self.document.page.sketch
         problem = _problem(sketch)
         if problem:
@@ -286,7 +287,7 @@ class SketchWorkspace(Workspace):
 
     def _clear_outline(self) -> None:
         if self.document.page.vertices:
-            outline.clear_outline(self.document)
+            self.outline.clear()
 
     def _save(self) -> None:
         page = self.document.page
