@@ -7,7 +7,7 @@ from images import pixels
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDrag, QDragEnterEvent, QDropEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QFileDialog
+from PySide6.QtWidgets import QFileDialog, QWidget
 
 from iconstudio.gui.dragging import unpacked
 from iconstudio.gui.panels.chooser import IconChooser
@@ -247,6 +247,11 @@ def test_a_dropped_file_is_opened(chooser, qtbot, own):
     assert drop(chooser, QUrl.fromLocalFile(str(own)))
     qtbot.waitUntil(lambda: len(chooser.heard) == 1)
     assert chooser.heard[0][1].pictogram.svg == SVG
+
+
+def test_no_part_of_the_chooser_keeps_a_drop_from_it(chooser):
+    assert chooser.acceptDrops()
+    assert not [part for part in chooser.findChildren(QWidget) if part.acceptDrops()]
 
 
 def test_what_is_no_file_cannot_be_dropped(chooser):

@@ -188,6 +188,7 @@ class SearchField(QLineEdit):
         self.setAccessibleName("Find an icon")
         self.setClearButtonEnabled(True)
         self.setMaxLength(100)
+        self.setAcceptDrops(False)  # a file is for the chooser to open, its address is no word
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Leave with Down."""

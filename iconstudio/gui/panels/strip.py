@@ -188,8 +188,8 @@ class PictureStrip(QListView):
             return
         with QPainter(self.viewport()) as painter:
             painter.setPen(theme.current().color("muted"))
-            align = Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft
-            painter.drawText(QRectF(self.viewport().rect()), align, self._hint)
+            how = Qt.AlignmentFlag.AlignVCenter | Qt.TextFlag.TextWordWrap
+            painter.drawText(self.viewport().rect(), how, self._hint)
 
     def changeEvent(self, event: QEvent) -> None:
         """Draw again in the new colours."""

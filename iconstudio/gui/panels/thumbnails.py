@@ -150,6 +150,8 @@ class Thumbnails(QListView):
         self.setViewMode(QListView.ViewMode.IconMode)
         self.setResizeMode(QListView.ResizeMode.Adjust)
         self.setMovement(QListView.Movement.Static)
+        # What is dropped is for the panel around it.
+        self.setDragDropMode(QListView.DragDropMode.NoDragDrop)
         self.setUniformItemSizes(True)
         self.setMouseTracking(True)
         self.setSelectionMode(QListView.SelectionMode.NoSelection)
