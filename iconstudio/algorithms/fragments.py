@@ -36,19 +36,17 @@ def fragments(labels: Labels, ink: NDArray[np.bool_], small: float = SMALL) -> N
     for piece in range(1, count + 1):
         if sizes[piece] <= small * joined.sum():
             here = pieces == piece
-            if sizes[piece] <= WHOLE * _original_size(labels, ink, here):
+            if _shown(labels, ink, here) <= WHOLE:
                 found |= here
     return found
 
 
-def _original_size(labels: Labels, ink: NDArray[np.bool_], here: NDArray[np.bool_]) -> int:
-    """Return the area of the shapes, in one source, of which a piece shows a part.
-
-    Of several sources that of the largest: two halves make a whole.
-    """
-    sizes = [0]
+def _shown(labels: Labels, ink: NDArray[np.bool_], here: NDArray[np.bool_]) -> float:
+    """Return which part of its sources' shapes a piece shows; two halves make a whole."""
+    part = 0.0
     for owner in np.unique(labels[here]):
+        own = here & (labels == owner)
         shapes, _ = ndimage.label(ink[owner], _EIGHT)
-        shown = np.unique(shapes[here & (labels == owner)])
-        sizes.append(int(np.isin(shapes, shown[shown > 0]).sum()))
-    return max(sizes)
+        shown = np.unique(shapes[own])
+        part += float(own.sum() / np.isin(shapes, shown[shown > 0]).sum())
+    return part
