@@ -6,10 +6,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from PySide6.QtGui import QImage
 
-from iconstudio.gui.canvas import outline
+from iconstudio.gui.canvas.outline import Outline
 from iconstudio.gui.document import Document
 from iconstudio.gui.mipmap import Mipmap
 from iconstudio.gui.photo import Photo
+from iconstudio.gui.workspaces import wishes
 from iconstudio.gui.workspaces.sketching import page as edits
 from iconstudio.gui.workspaces.sketching.page import SketchPage
 from iconstudio.model import Axis, Polygon, Sketch
@@ -27,33 +28,33 @@ def on_a_vertex(edit):
     def do(document, index, *values):
         count = len(document.page.vertices)
         if count:
-            edit(document, index % count, *values)
+            edit(Outline(document), index % count, *values)
 
     return do
 
 
 makers = st.one_of(
-    st.builds(lambda p: lambda d: outline.add_vertex(d, p), points),
+    st.builds(lambda p: lambda d: Outline(d).add(p), points),
     st.builds(
-        lambda i, p: lambda d: on_a_vertex(outline.insert_vertex)(d, i, p),
+        lambda i, p: lambda d: on_a_vertex(Outline.insert)(d, i, p),
         st.integers(0, 9),
         points,
     ),
     st.builds(
-        lambda i, p, g: lambda d: on_a_vertex(outline.move_vertex)(d, i, p, g),
+        lambda i, p, g: lambda d: on_a_vertex(Outline.move)(d, i, p, g),
         st.integers(0, 9),
         points,
         st.integers(0, 2),
     ),
-    st.builds(lambda i: lambda d: on_a_vertex(outline.delete_vertex)(d, i), st.integers(0, 9)),
-    st.just(outline.close_outline),
-    st.just(outline.clear_outline),
-    st.builds(lambda k: lambda d: edits.set_keyword(d, k), st.text(max_size=5)),
+    st.builds(lambda i: lambda d: on_a_vertex(Outline.delete)(d, i), st.integers(0, 9)),
+    st.just(lambda d: Outline(d).close()),
+    st.just(lambda d: Outline(d).clear()),
+    st.builds(lambda k: lambda d: wishes.set_keyword(d, k), st.text(max_size=5)),
     st.builds(
-        lambda x: lambda d: edits.exclude_icons(d, x),
+        lambda x: lambda d: wishes.exclude_icons(d, x),
         st.frozensets(st.sampled_from(["a:b", "c:d"])),
     ),
-    st.builds(lambda a: lambda d: edits.set_symmetry(d, a), st.sampled_from([None, *Axis])),
+    st.builds(lambda a: lambda d: wishes.set_symmetry(d, a), st.sampled_from([None, *Axis])),
     st.builds(lambda p: lambda d: edits.set_photo(d, p), st.sampled_from([None, *PHOTOS])),
     st.builds(
         lambda v, k: lambda d: edits.load_sketch(d, Sketch(Polygon(tuple(v)), k)),
@@ -86,10 +87,10 @@ def test_only_moves_of_one_gesture_merge():
     document = Document(SketchPage())
     stack = document.undo_stack
     for point in ((0, 0), (10, 0), (10, 10)):
-        outline.add_vertex(document, point)
+        Outline(document).add(point)
     for x in (1.0, 2.0, 3.0):
-        outline.move_vertex(document, 0, (x, 0.0), gesture=1)
-    outline.move_vertex(document, 0, (9.0, 9.0), gesture=2)
+        Outline(document).move(0, (x, 0.0), gesture=1)
+    Outline(document).move(0, (9.0, 9.0), gesture=2)
     assert stack.count() == 5
     stack.undo()
     assert document.page.vertices[0] == (3.0, 0.0)
@@ -100,7 +101,7 @@ def test_only_moves_of_one_gesture_merge():
 def test_letters_typed_one_after_the_other_are_one_step():
     document = Document(SketchPage())
     for text in ("d", "do", "dog"):
-        edits.set_keyword(document, text)
+        wishes.set_keyword(document, text)
     assert document.undo_stack.count() == 1
     document.undo_stack.undo()
     assert document.page.sketch.keyword == ""
@@ -119,14 +120,14 @@ def test_a_new_photo_takes_the_outline_along_and_keeps_the_name():
 def test_an_edit_that_changes_nothing_says_nothing(qtbot):
     document = Document(SketchPage())
     with qtbot.assertNotEmitted(document.page_changed):
-        outline.clear_outline(document)
+        Outline(document).clear()
 
 
 def test_the_view_is_asked_to_fit_only_what_lies_elsewhere(qtbot):
     document = Document(SketchPage())
     with qtbot.assertNotEmitted(document.opened):
-        outline.add_vertex(document, (1.0, 2.0))
-        edits.set_keyword(document, "dog")
+        Outline(document).add((1.0, 2.0))
+        wishes.set_keyword(document, "dog")
     with qtbot.waitSignal(document.opened):
         edits.set_photo(document, PHOTOS[0])
     with qtbot.waitSignal(document.opened):
@@ -136,8 +137,8 @@ def test_the_view_is_asked_to_fit_only_what_lies_elsewhere(qtbot):
 def test_changes_do_not_keep_their_document(qapp):
     """A document that nothing else holds goes at once; no cycle is left for the collector."""
     document = Document(SketchPage())
-    outline.add_vertex(document, (1.0, 2.0))
-    edits.set_keyword(document, "fish")
+    Outline(document).add((1.0, 2.0))
+    wishes.set_keyword(document, "fish")
     gone = weakref.ref(document)
     del document
     assert gone() is None

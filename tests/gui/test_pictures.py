@@ -134,7 +134,7 @@ def test_words_can_be_read_in_both_themes(look):
 def test_the_outline_is_drawn_where_it_was_traced(sketching):
     before = sketching.view.grab().toImage()
     trace(sketching)
-    sketching.view.set_tool(PolygonTool(sketching.document))
+    sketching.view.set_tool(PolygonTool(sketching.outline))
     after = sketching.view.grab().toImage()
     camera = sketching.view.camera
     inside = camera.to_view((250, 250)).toPoint()

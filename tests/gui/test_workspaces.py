@@ -16,8 +16,9 @@ from iconstudio.gui.dragging import unpacked
 from iconstudio.gui.main_window import MainWindow
 from iconstudio.gui.panels import recent
 from iconstudio.gui.workspaces.base import Workspace
-from iconstudio.gui.workspaces.sketching.page import SketchPage, set_keyword
+from iconstudio.gui.workspaces.sketching.page import SketchPage
 from iconstudio.gui.workspaces.sketching.workspace import SketchWorkspace
+from iconstudio.gui.workspaces.wishes import set_keyword
 from iconstudio.session import ModelSettings
 
 LAMBDAS = ModelSettings().lambdas

@@ -20,12 +20,13 @@ GRIP = 9.0
 EDGE_GRIP = 6.0
 """Pixels within which the pointer finds an edge."""
 
-_NUDGES = {
+NUDGES = {
     Qt.Key.Key_Left: (-1, 0),
     Qt.Key.Key_Right: (1, 0),
     Qt.Key.Key_Up: (0, -1),
     Qt.Key.Key_Down: (0, 1),
 }
+"""Which way the arrow keys move what is selected."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -194,8 +195,8 @@ class PolygonTool(Tool):
             self.selected = (start + step) % count
             self._gesture = new_gesture()
             return True
-        if key in _NUDGES and self.selected is not None:
-            (dx, dy), (x, y) = _NUDGES[key], self.outline.vertices[self.selected]
+        if key in NUDGES and self.selected is not None:
+            (dx, dy), (x, y) = NUDGES[key], self.outline.vertices[self.selected]
             far = 10 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1
             self._move(self.selected, (x + far * dx, y + far * dy))
             return True

@@ -6,7 +6,7 @@ from PySide6.QtCore import QRectF
 
 from iconstudio.gui.document import Document
 from iconstudio.gui.photo import Photo
-from iconstudio.model import CANVAS, Axis, Point, Polygon, Sketch
+from iconstudio.model import CANVAS, Point, Polygon, Sketch
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,6 +30,15 @@ class SketchPage:
     def empty(self) -> bool:
         """Whether there is nothing to look at yet."""
         return not self.vertices and self.photo is None
+
+    @property
+    def wish(self) -> Sketch:
+        """What is wanted beside the outline."""
+        return self.sketch
+
+    def wishing(self, **values: object) -> "SketchPage":
+        """Return the page with another keyword, symmetry, or icons left out."""
+        return replace(self, sketch=replace(self.sketch, **values))
 
     def with_outline(self, vertices: tuple[Point, ...], closed: bool) -> "SketchPage":
         """Return the page with another outline."""
@@ -60,23 +69,6 @@ class SketchPage:
 SketchDocument = Document[SketchPage]
 
 
-def set_keyword(document: SketchDocument, keyword: str) -> None:
-    """Name the object. Letters typed one after the other are undone together."""
-    _change_sketch(document, "name the object", gesture="keyword", keyword=keyword)
-
-
-def exclude_icons(document: SketchDocument, exclude: frozenset[str]) -> None:
-    """Say which icons must not be used."""
-    fewer = exclude < document.page.sketch.exclude
-    _change_sketch(document, "use icon again" if fewer else "leave icon out", exclude=exclude)
-
-
-def set_symmetry(document: SketchDocument, axis: Axis | None) -> None:
-    """Say which halves of the results must mirror each other."""
-    text = "hold to symmetry" if axis else "drop symmetry"
-    _change_sketch(document, text, symmetry=axis)
-
-
 def set_photo(document: SketchDocument, photo: Photo | None) -> None:
     """Put another photo under the drawing, or none.
 
@@ -93,10 +85,3 @@ def load_sketch(
     """Start from another sketch: an example, a file, or nothing at all."""
     closed = len(sketch.polygon.vertices) >= 3
     document.change(text, SketchPage(sketch, closed, photo))
-
-
-def _change_sketch(
-    document: SketchDocument, text: str, gesture: object = None, **values: object
-) -> None:
-    sketch = replace(document.page.sketch, **values)
-    document.change(text, replace(document.page, sketch=sketch), gesture)

@@ -1,0 +1,175 @@
+"""What modelling and editing share: name the object, remix, look at a grid of results."""
+
+from collections.abc import Callable, Generator, Sequence
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QHBoxLayout, QSplitter, QWidget
+
+from iconstudio.gui import theme
+from iconstudio.gui.canvas.view import CanvasView
+from iconstudio.gui.document import Document
+from iconstudio.gui.panels.board import Board
+from iconstudio.gui.panels.canvas import CanvasPanel
+from iconstudio.gui.panels.keyword import KeywordPanel
+from iconstudio.gui.panels.sending import Destination
+from iconstudio.gui.panels.symmetry import SymmetryButton
+from iconstudio.gui.pictures import Picture, pictured
+from iconstudio.gui.preparation import Preparation, Query
+from iconstudio.gui.runner import Runner
+from iconstudio.gui.saving import Saver
+from iconstudio.gui.theme import UNIT
+from iconstudio.gui.worker import Worker
+from iconstudio.gui.workspaces import wishes
+from iconstudio.gui.workspaces.base import Workspace
+from iconstudio.gui.workspaces.wishes import WishingPage
+from iconstudio.session import ModelSettings, Session
+from iconstudio.workflows.events import Event
+
+
+class RemixWorkspace(Workspace):
+    """Canvas and keyword on the left, results and details on the right.
+
+    A subclass makes a ``view`` and its actions, calls ``lay_out`` and ``wire``, and says in ``run``
+    what to start. ``make_actions`` needs only what it has beside ``remix_slots``.
+    """
+
+    view: CanvasView
+
+    def __init__(
+        self, session: Session, files: Worker, saver: Saver, document: Document[WishingPage]
+    ) -> None:
+        super().__init__(session, files, saver, document)
+        self.runner = Runner(self.worker, self)
+        self.preparation = Preparation(session, self.worker, self)
+        self._opening = Runner(self.worker, self)
+        self.ran: object = None
+        """What the results are of."""
+        self.keyword_panel = KeywordPanel()
+        self.board = Board()
+        self.symmetry = SymmetryButton()
+
+    # -- what the window asks for --------------------------------------------------------------
+
+    @property
+    def picture(self) -> Picture | None:
+        """The picked result."""
+        return self.board.detail.picture
+
+    @property
+    def coded(self) -> bool:
+        """Whether the results are coded by source."""
+        return self.board.results.coded
+
+    def enter(self) -> None:
+        """Begin on the canvas."""
+        self.view.setFocus()
+
+    def set_destinations(self, destinations: tuple[Destination, ...]) -> None:
+        """Say where results can be sent to."""
+        self.board.set_destinations(destinations)
+
+    def cancel(self) -> None:
+        """Stop the run and the search; results that are finished stay."""
+        self.preparation.cancel()
+        self.runner.cancel()
+
+    def refresh_icons(self, look: theme.Theme) -> None:
+        """Draw all icons in the colours of ``look``."""
+        super().refresh_icons(look)
+        self.symmetry.refresh_icons(look)
+
+    # -- for subclasses ------------------------------------------------------------------------
+
+    def remix_slots(self) -> dict[str, Callable[..., object]]:
+        """Return what the actions do that modelling and editing share."""
+        return {
+            "run": self.run,
+            "coded": self.board.results.set_coded,
+            **self.view_slots(self.view),
+        }
+
+    def lay_out(
+        self, groups: Sequence[Sequence[QAction | QWidget]], trailing: Sequence[QWidget] = ()
+    ) -> None:
+        """Put everything in its place; ``groups`` and ``trailing`` make the tool bar."""
+        self.canvas_panel = CanvasPanel(self.view, groups, trailing)
+        left = QSplitter(Qt.Orientation.Vertical)
+        left.addWidget(self.canvas_panel)
+        left.addWidget(self.keyword_panel)
+        left.setSizes([440, 190])
+        both = QSplitter(Qt.Orientation.Horizontal)
+        both.addWidget(left)
+        both.addWidget(self.board)
+        both.setSizes([460, 800])
+        for splitter, shares in ((left, (3, 1)), (both, (1, 2))):
+            splitter.setHandleWidth(UNIT)
+            splitter.setChildrenCollapsible(False)
+            for part, share in enumerate(shares):
+                splitter.setStretchFactor(part, share)
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(both)
+
+    def wire(self) -> None:
+        """Connect the panels with the page and with the work, and open the collection."""
+        document, panel, board = self.document, self.keyword_panel, self.board
+        panel.edited.connect(lambda text: wishes.set_keyword(document, text))
+        panel.run.connect(self.run)
+        panel.toggled.connect(self._toggle_icon)
+        panel.restored.connect(lambda: wishes.exclude_icons(document, frozenset()))
+        self.symmetry.chosen.connect(self.hold_to)
+        preparation = self.preparation
+        preparation.started.connect(panel.set_searching)
+        preparation.retrieved.connect(panel.show_exemplars)
+        preparation.failed.connect(panel.show_error)
+        preparation.remarked.connect(self.failed)
+        for runner in (self.runner, preparation.runner, self._opening):
+            runner.progress.connect(self.progressed)
+            runner.ended.connect(self._rest)
+        for runner in (self.runner, self._opening):
+            runner.failed.connect(self.failed)
+        self.runner.event.connect(self.show_event)
+        self.runner.ended.connect(board.end)
+        self.connect_board(board)
+        self._rest()
+        self._opening.start(self.session.open)
+
+    def start(
+        self, wanted: object, settings: ModelSettings, make: Callable[[], Generator[Event]]
+    ) -> None:
+        """Run ``make()``, and show the results as those of ``wanted``."""
+        self.preparation.hurry()
+        title = self.document.page.wish.keyword.strip()
+        self.runner.start(lambda: pictured(make(), title))
+        self.ran = wanted
+        self.board.begin(settings)
+
+    def show_event(self, event: Event | Picture) -> None:
+        """Show what a run has come to."""
+        self.preparation.show(event)
+        self.board.show_event(event)
+
+    def show_wish(self, wanted: object, name: str) -> None:
+        """Show the wish of the page; results of another one than ``wanted`` are called so."""
+        wish = self.document.page.wish
+        self.keyword_panel.set_sketch(wish.keyword, wish.exclude)
+        self.preparation.want(Query.of(wish.keyword, wish.exclude))
+        self.symmetry.set_axis(wish.symmetry)
+        stale = self.ran is not None and self.ran != wanted
+        note = f"of an earlier {name} – press Remix to renew" if stale else ""
+        self.board.results.note.setText(note)
+
+    def hold_to(self, axis: object) -> None:
+        """Hold the results to a symmetry, or to none."""
+        if axis != self.document.page.wish.symmetry:
+            wishes.set_symmetry(self.document, axis)
+
+    def _toggle_icon(self, icon: str) -> None:
+        wishes.exclude_icons(self.document, self.document.page.wish.exclude ^ {icon})
+
+    def _rest(self) -> None:
+        busy = self.runner.running, self.preparation.runner.running, self._opening.running
+        if not any(busy):
+            count = len(self.board.results.pictures)
+            self.rested.emit(f"{count} icons" if count else "")
