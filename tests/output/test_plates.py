@@ -33,10 +33,9 @@ def scored(result, total, draw):
 def hybrids():
     """In the order of draws; the second and the third are equally good."""
     whole = np.zeros((CANVAS, CANVAS), np.uint8)
-    results = [made(quarters()), made(quarters().T), made(whole)]
-    return [
-        scored(one, total, draw) for one, total, draw in zip(results, (0.2, 0.7, 0.7), (0, 3, 4))
-    ]
+    results = made(quarters()), made(quarters().T), made(whole)
+    scores, draws = (0.2, 0.7, 0.7), (0, 3, 4)
+    return [scored(*one) for one in zip(results, scores, draws, strict=True)]
 
 
 @pytest.fixture(scope="module")
@@ -107,15 +106,10 @@ def test_at_most_twelve_hybrids_are_shown(hybrids):
     assert heights[0] == heights[1] < heights[2] < heights[3] == heights[4]
 
 
-LAYERS = (
-    Layer(
-        SOURCES[0].exemplar.pictogram, SOURCES[0].placement, (Stroke(20, ((40, 60), (40, 190))),)
-    ),
-    Layer(
-        SOURCES[1].exemplar.pictogram, SOURCES[1].placement, (Stroke(9, ((200, 40), (230, 90))),)
-    ),
-    Layer(SOURCES[2].exemplar.pictogram, SOURCES[2].placement, ()),
-    Layer(SOURCES[3].exemplar.pictogram, SOURCES[3].placement, ()),
+STROKES = (Stroke(20, ((40, 60), (40, 190))),), (Stroke(9, ((200, 40), (230, 90))),), (), ()
+LAYERS = tuple(
+    Layer(source.exemplar.pictogram, source.placement, strokes)
+    for source, strokes in zip(SOURCES, STROKES, strict=True)
 )
 
 

@@ -1,0 +1,267 @@
+"""The user's files: what is written is read again, and every mistake is told."""
+
+import json
+import math
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from iconstudio.inputs.edit import EditFile, read_edit, write_edit
+from iconstudio.inputs.hybrids import HybridsFile, read_hybrids, write_hybrids
+from iconstudio.inputs.montage import LayerFile, MontageFile, read_montage, write_montage
+from iconstudio.inputs.sketch import read_sketch, write_sketch
+from iconstudio.model import Axis, Edit, IconstudioError, Placement, Polygon, Sketch, Stroke
+from tests.shapes import pictogram
+
+SQUARE = [[0, 0], [100, 0], [100, 80], [0, 80]]
+LINE = [[10, 10], [200, 90]]
+
+
+def hundredths(least, most):
+    return st.integers(100 * least, 100 * most).map(lambda n: n / 100)
+
+
+def triangle(x, y, size):
+    corners = (x, y), (x + size, y), (x + size / 2, y + size)
+    return Polygon.of([(round(px, 2), round(py, 2)) for px, py in corners])
+
+
+polygons = st.builds(triangle, hundredths(-200, 400), hundredths(-200, 400), st.floats(5, 200))
+axes = st.none() | st.sampled_from(Axis)
+words = st.text(st.characters(exclude_categories=["Cs", "Cc"]), max_size=9)
+names = st.text("abz09-", min_size=1, max_size=9).map(lambda name: f"game-icons:{name}")
+inside = st.tuples(hundredths(0, 256), hundredths(0, 256))
+strokes = st.builds(
+    Stroke, st.floats(0.01, 300), st.lists(inside, min_size=2, unique=True).map(tuple)
+)
+placements = st.builds(
+    Placement, st.floats(0.02, 20), st.booleans(), st.integers(-500, 500), st.integers(-500, 500)
+)
+
+
+@pytest.fixture(scope="module")
+def path(tmp_path_factory):
+    return tmp_path_factory.mktemp("inputs") / "input.json"
+
+
+def saved(path, data):
+    path.write_text(data if isinstance(data, str) else json.dumps(data), "utf-8")
+    return path
+
+
+@given(st.builds(Sketch, polygons, words, st.frozensets(names), axes))
+def test_sketches_come_back(path, sketch):
+    write_sketch(path, sketch)
+    assert read_sketch(path).sketch == sketch
+
+
+@given(
+    st.builds(
+        EditFile, names, words, st.tuples(polygons, polygons), st.tuples(polygons), axes,
+        st.frozensets(names),
+    )
+)  # fmt: skip
+def test_edits_come_back(path, edit):
+    write_edit(path, edit)
+    assert read_edit(path) == edit
+
+
+given_icons = st.builds(
+    HybridsFile,
+    icons=st.lists(names, min_size=2, max_size=12, unique=True).map(tuple),
+    draws=st.integers(1, 1000),
+    seed=st.integers(0, 2**63 - 1),
+    symmetry=axes,
+)
+picked_icons = st.builds(
+    HybridsFile,
+    keyword=words.map(str.strip).filter(bool),
+    count=st.integers(2, 12),
+    draws=st.integers(1, 1000),
+    symmetry=axes,
+)
+
+
+@given(given_icons | picked_icons)
+def test_hybrids_come_back(path, hybrids):
+    write_hybrids(path, hybrids)
+    assert read_hybrids(path) == hybrids
+
+
+@given(
+    st.lists(st.builds(LayerFile, names, placements, st.lists(strokes, max_size=3).map(tuple))).map(
+        lambda layers: MontageFile(tuple(layers))
+    )
+)
+def test_montages_come_back(path, montage):
+    write_montage(path, montage)
+    assert read_montage(path) == montage
+
+
+def test_a_dot_is_written_as_a_short_stroke_at_its_place(path):
+    dot = Stroke(12, ((30.0, 40.0),))
+    write_montage(path, MontageFile((LayerFile("mdi:dog", Placement(), (dot,)),)))
+    ((stroke,),) = (layer.strokes for layer in read_montage(path).layers)
+    assert stroke.width == 12
+    assert all(math.dist(point, (30, 40)) < 0.2 for point in stroke.points)
+
+
+def test_what_may_be_left_out(path):
+    edit = read_edit(saved(path, {"icon": "mdi:dog", "add": [SQUARE]}))
+    assert edit == EditFile("mdi:dog", add=(Polygon.of(SQUARE),))
+    hybrids = read_hybrids(saved(path, {"keyword": "lamp", "symmetry": None}))
+    assert hybrids == HybridsFile(keyword="lamp", count=5, draws=40, seed=0)
+    montage = read_montage(saved(path, {"layers": [{"icon": "mdi:dog"}]}))
+    assert montage == MontageFile((LayerFile("mdi:dog", Placement()),))
+
+
+def test_shifts_are_rounded_to_whole_pixels(path):
+    layer = {"icon": "mdi:dog", "dx": 3.6, "dy": -0.4, "scale": 2, "flip": True}
+    (read,) = read_montage(saved(path, {"layers": [layer]})).layers
+    assert read.placement == Placement(2.0, True, 4, 0)
+    assert isinstance(read.placement.dx, int)
+
+
+def test_files_are_found_from_the_folder_of_the_input(tmp_path):
+    path = saved(tmp_path / "edit.json", {"icon": "icons/mine.svg", "add": [SQUARE]})
+    read = read_edit(path)
+    assert read.icon == str(tmp_path.resolve() / "icons" / "mine.svg")
+    write_edit(path, read)
+    assert json.loads(path.read_text("utf-8"))["icon"] == "icons/mine.svg"
+    elsewhere = replace(read, icon=str(Path(tmp_path.anchor) / "other" / "mine.svg"))
+    write_edit(path, elsewhere)
+    assert read_edit(path) == elsewhere
+
+
+@pytest.mark.parametrize("name", ["mine.svg", "a:b.svg", "./a:b", "mine", "a:b:c", "a/b:c"])
+def test_what_is_no_name_of_a_collection_is_a_file(tmp_path, name):
+    path = saved(tmp_path / "edit.json", {"icon": name, "add": [SQUARE]})
+    assert read_edit(path).icon == str((tmp_path / name).resolve())
+
+
+def test_references_are_resolved_into_pictograms(path):
+    known = {f"test:{name}": pictogram(name, "") for name in ("dog", "cat")}
+    edit = EditFile("test:dog", "dog", (Polygon.of(SQUARE),), (), Axis.DIAGONAL, frozenset({"a:b"}))
+    assert edit.resolved(known.__getitem__) == Edit(
+        known["test:dog"], "dog", edit.remove, (), Axis.DIAGONAL, edit.exclude
+    )
+    mix = HybridsFile(("test:cat", "test:dog"), draws=3, seed=9).resolved(known.__getitem__)
+    assert (mix.icons, mix.draws, mix.seed) == ((known["test:cat"], known["test:dog"]), 3, 9)
+    stroke = Stroke(2, ((1, 2), (3, 4)))
+    file = MontageFile((LayerFile("test:cat", Placement(0.5), (stroke,)),))
+    (layer,) = file.resolved(known.__getitem__).layers
+    assert (layer.icon, layer.placement) == (known["test:cat"], Placement(0.5))
+    assert layer.strokes == (stroke,)
+
+
+def edit(**fields):
+    return {"icon": "mdi:dog", "keyword": "dog", "add": [SQUARE]} | fields
+
+
+def layers(**fields):
+    return {"layers": [{"icon": "mdi:dog", "strokes": [{"width": 9, "points": LINE}]} | fields]}
+
+
+def stroke(**fields):
+    return layers(strokes=[{"width": 9, "points": LINE} | fields])
+
+
+MISTAKES = [
+    (read_edit, "", "not valid JSON"),
+    (read_edit, "[1, 2", "not valid JSON"),
+    (read_edit, "[" * 5000, "not valid JSON"),
+    (read_edit, "[]", "An object"),
+    (read_edit, edit(icon=None), '"icon" is missing'),
+    (read_edit, edit(icon=7), '"icon" must be a text'),
+    (read_edit, edit(icon=" "), '"icon" is empty'),
+    (read_edit, edit(icon="a\0b.svg"), "characters that are none"),
+    (read_edit, edit(keyword=["dog"]), '"keyword" must be a text'),
+    (read_edit, edit(keyword="\ud800"), "characters that are none"),
+    (read_edit, edit(exclude="mdi:dog"), '"exclude" must be a list'),
+    (read_edit, edit(exclude=[1]), '"exclude" must be a list of texts'),
+    (read_edit, edit(symmetry="sideways"), "one of horizontal, vertical, diagonal, antidiagonal"),
+    (read_edit, edit(symmetry=["horizontal"]), "null or one of"),
+    (read_edit, edit(add=SQUARE), "Point 1 of polygon 1"),
+    (read_edit, edit(add={"a": 1}), '"add" must be a list of polygons'),
+    (read_edit, edit(add=[7]), 'polygon 1 of "add" must be a list'),
+    (read_edit, edit(add=[SQUARE, []]), 'polygon 2 of "add" is no good'),
+    (read_edit, edit(remove=[SQUARE[:2]]), "at least 3"),
+    (read_edit, edit(remove=[[[0, 0], [1, 1], [2, 2]]]), "no area"),
+    (read_edit, edit(remove=[[[0, 0], [1, True], [2, 2]]]), "not a pair of numbers"),
+    (read_edit, edit(remove=[[[0, 0], "12", [2, 2]]]), "not a pair of numbers"),
+    (read_edit, edit(remove=[[[0, 0], [1, 2, 3], [2, 2]]]), "not a pair of numbers"),
+    (read_edit, edit(remove=[[[0, 0], [1, math.nan], [2, 2]]]), "not finite"),
+    (read_edit, edit(remove=[[[0, 0], [1, math.inf], [2, 2]]]), "not finite"),
+    (read_edit, edit(remove=[[[0, 0], [1, 10**400], [2, 2]]]), "not finite"),
+    (read_edit, edit(remove=[[[0, 0], [1, 1e300], [2, 2]]]), "out of all scale"),
+    (read_hybrids, {}, "either"),
+    (read_hybrids, {"keyword": "  "}, "either"),
+    (read_hybrids, {"keyword": "dog", "icons": ["a:b", "a:c"]}, "not both"),
+    (read_hybrids, {"icons": ["a:b", "a:c"], "count": 2}, '"count" goes with "keyword"'),
+    (read_hybrids, {"icons": "a:b"}, '"icons" must be a list'),
+    (read_hybrids, {"icons": ["a:b", 3]}, '"icons" must be a list of texts'),
+    (read_hybrids, {"icons": ["a:b", ""]}, '"icons" is empty'),
+    (read_hybrids, {"keyword": "dog", "count": 1}, "from 2 to 12"),
+    (read_hybrids, {"keyword": "dog", "count": 13}, "from 2 to 12"),
+    (read_hybrids, {"keyword": "dog", "count": 2.5}, "whole number"),
+    (read_hybrids, {"keyword": "dog", "draws": 0}, "from 1 to 1000"),
+    (read_hybrids, {"keyword": "dog", "draws": -4}, "from 1 to 1000"),
+    (read_hybrids, {"keyword": "dog", "draws": 10**9}, "from 1 to 1000"),
+    (read_hybrids, {"keyword": "dog", "draws": True}, "whole number"),
+    (read_hybrids, {"keyword": "dog", "draws": "9"}, "whole number"),
+    (read_hybrids, {"keyword": "dog", "draws": math.nan}, "whole number"),
+    (read_hybrids, {"keyword": "dog", "seed": -1}, '"seed" must be a whole number'),
+    (read_hybrids, {"keyword": "dog", "seed": 10**30}, '"seed" must be a whole number'),
+    (read_hybrids, {"keyword": "dog", "symmetry": 3}, "null or one of"),
+    (read_montage, {"layers": {}}, '"layers" must be a list'),
+    (read_montage, {"layers": [7]}, "layer 1: An object"),
+    (read_montage, layers(icon=None), 'layer 1: "icon" is missing'),
+    (read_montage, layers(scale=0), '"scale" must be a number from 0.02 to 20'),
+    (read_montage, layers(scale=-1), '"scale" must be a number'),
+    (read_montage, layers(scale=21), '"scale" must be a number'),
+    (read_montage, layers(scale="1"), '"scale" must be a number'),
+    (read_montage, layers(scale=math.nan), '"scale" must be a number'),
+    (read_montage, layers(flip=1), '"flip" must be true or false'),
+    (read_montage, layers(dx=1e9), '"dx" must be a number'),
+    (read_montage, layers(dy=math.inf), '"dy" must be a number'),
+    (read_montage, layers(strokes=3), '"strokes" must be a list of strokes'),
+    (read_montage, layers(strokes=[[1, 2]]), "layer 1, stroke 1: An object"),
+    (read_montage, stroke(width=None), '"width" must be a number above 0'),
+    (read_montage, stroke(width=0), '"width" must be a number above 0'),
+    (read_montage, stroke(width=1e6), '"width" must be a number above 0 and up to'),
+    (read_montage, stroke(points=None), '"points" must be a list'),
+    (read_montage, stroke(points=[]), "no point"),
+    (read_montage, stroke(points=[[9, 9]]), "one point"),
+    (read_montage, stroke(points=[[9, 9], [9, 9]]), "one point"),
+    (read_montage, stroke(points=[[9, 9], [9, None]]), "not a pair"),
+    (read_montage, stroke(points=[[9, 9], [9, 1e8]]), "out of all scale"),
+    (read_montage, stroke(points=[[-50, 9], [-20, 200]]), "outside the canvas"),
+    (read_montage, stroke(points=[[9, 270], [90, 300]]), "outside the canvas"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("read", "data", "words"), MISTAKES)
+def test_mistakes_are_told_with_their_place(path, read, data, words):
+    with pytest.raises(IconstudioError) as told:
+        read(saved(path, data))
+    assert words in str(told.value)
+    assert path.name in str(told.value)
+
+
+@pytest.mark.parametrize("read", [read_sketch, read_edit, read_hybrids, read_montage])
+def test_files_that_cannot_be_read(tmp_path, read):
+    with pytest.raises(IconstudioError, match="cannot be read"):
+        read(tmp_path / "none.json")
+    with pytest.raises(IconstudioError, match="cannot be read"):
+        read(tmp_path)
+    (tmp_path / "binary.json").write_bytes(b"\xff\xfe\x00")
+    with pytest.raises(IconstudioError, match="not valid JSON"):
+        read(tmp_path / "binary.json")
+
+
+def test_files_that_cannot_be_written(tmp_path):
+    with pytest.raises(IconstudioError, match="cannot be written"):
+        write_edit(tmp_path / "no" / "edit.json", EditFile("mdi:dog"))
