@@ -9,12 +9,26 @@ from collections import OrderedDict
 from collections.abc import Generator, Iterator
 from pathlib import Path
 
+import numpy as np
+
 from iconstudio.algorithms.matching import SCALES, PreparedExemplar, prepare
 from iconstudio.library.collection import Collection, cache_folder
 from iconstudio.library.ownsvg import read_own_svg
 from iconstudio.library.rasters import RasterCache
 from iconstudio.library.resvg import render_placed
-from iconstudio.model import Axis, Edit, Exemplar, IconstudioError, Mix, Montage, Pictogram, Sketch
+from iconstudio.model import (
+    CANVAS,
+    Axis,
+    Drawing,
+    Edit,
+    Exemplar,
+    IconstudioError,
+    Mix,
+    Montage,
+    Pictogram,
+    Placement,
+    Sketch,
+)
 from iconstudio.workers import Workers
 from iconstudio.workflows.choosing import choose_icons
 from iconstudio.workflows.editing import edit_icon, own_styles, prepare_change
@@ -25,6 +39,7 @@ from iconstudio.workflows.hybrids import mix_icons
 from iconstudio.workflows.modelling import model
 from iconstudio.workflows.montage import check as check_montage
 from iconstudio.workflows.montage import montage_icons
+from iconstudio.workflows.remixing import answer, draw
 
 _KEPT = 3
 """How many keywords stay prepared: some 100 MiB each."""
@@ -106,6 +121,18 @@ class Session:
         if isinstance(drawn, IconstudioError):
             raise drawn
         return drawn
+
+    def drawing(self, exemplar: Exemplar) -> Drawing:
+        """Return an icon drawn and traced as results are: crisp at any size."""
+        whole = exemplar.pictogram.svg, exemplar.frame, Placement()
+        nobody = np.zeros((CANVAS, CANVAS), dtype=np.uint8)
+        return answer(
+            self._workers.submit(draw, nobody, exemplar.ink[None], [whole], render_placed)
+        )
+
+    def keyword(self, pictogram: Pictogram) -> str:
+        """Return what icons like this one are looked for by; empty if its name does not say."""
+        return self.collection.keyword(pictogram.credit.title)
 
     def rasterise(
         self, pictograms: tuple[Pictogram, ...]

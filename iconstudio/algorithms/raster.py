@@ -1,10 +1,12 @@
 """Bitmaps on the canvas: outlines filled, exemplars placed (sections 3.2 and 3.4)."""
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 from scipy import ndimage
 
-from iconstudio.model import CANVAS, Exemplar, Placement, Polygon
+from iconstudio.model import CANVAS, Exemplar, Placement, Point, Polygon
 
 Bitmap = NDArray[np.bool_]
 
@@ -55,6 +57,17 @@ def outlines(filled: Bitmap, tolerance: float = 1.5) -> tuple[Polygon, ...]:
         if len(corners) >= 3:
             found.append(Polygon(tuple((float(x), float(y)) for y, x in corners)))
     return tuple(found)
+
+
+def simplified(line: Sequence[Point], tolerance: float) -> tuple[Point, ...]:
+    """Return the corners of a freehand outline: few of its points, none twice.
+
+    Joined, and the last to the first, they stray at most ``tolerance`` from the line.
+    """
+    from skimage.measure import approximate_polygon
+
+    corners = approximate_polygon(np.array([*line, line[0]], dtype=float), tolerance)[:-1]
+    return tuple((float(x), float(y)) for x, y in corners)
 
 
 def scaled_ink(exemplar: Exemplar, scale: float, pad: int = 0) -> Bitmap:

@@ -34,6 +34,32 @@ _SHAPES = {
     "axis-vertical": f'{_SHEET}<path d="M2 12h20"/>',
     "axis-diagonal": f'{_SHEET}<path d="M3 3l18 18"/>',
     "axis-antidiagonal": f'{_SHEET}<path d="M21 3L3 21"/>',
+    "star": '<path d="M12 3.5l2.6 5.4 5.9.8-4.3 4.1 1 5.9-5.2-2.8-5.2 2.8 1-5.9-4.3-4.1 5.9-.8z"/>',
+    "star-full": '<path d="M12 3.5l2.6 5.4 5.9.8-4.3 4.1 1 5.9-5.2-2.8-5.2 2.8 1-5.9-4.3-4.1 5.9-.8z" fill="ink"/>',
+    "like": '<rect x="3" y="3" width="8" height="8" rx="2" fill="ink"/>'
+    '<rect x="14" y="4" width="6" height="6" rx="1.5"/><rect x="4" y="14" width="6" height="6" '
+    'rx="1.5"/><rect x="14" y="14" width="6" height="6" rx="1.5"/>',
+    "dice": '<rect x="4" y="4" width="16" height="16" rx="3"/>'
+    '<circle cx="8.5" cy="8.5" r="1.2" fill="ink"/><circle cx="15.5" cy="8.5" r="1.2" fill="ink"/>'
+    '<circle cx="12" cy="12" r="1.2" fill="ink"/><circle cx="8.5" cy="15.5" r="1.2" fill="ink"/>'
+    '<circle cx="15.5" cy="15.5" r="1.2" fill="ink"/>',
+    "back": '<path d="M20 12H5M11 6l-6 6 6 6"/>',
+    "search": '<circle cx="10.5" cy="10.5" r="6.5"/><path d="M15.5 15.5L21 21"/>',
+    "remove": '<ellipse cx="12" cy="10" rx="8.5" ry="6.5" stroke-dasharray="3 2.2"/>'
+    '<path d="M8.5 10h7"/><path d="M9 16.3c-2.6.7-3 4.2.6 4.2"/>',
+    "add": '<ellipse cx="12" cy="10" rx="8.5" ry="6.5"/>'
+    '<path d="M8.5 10h7M12 6.5v7"/><path d="M9 16.3c-2.6.7-3 4.2.6 4.2"/>',
+    "select": '<path d="M6 3.5l12.5 9.2-5.6.9-3 5.4z"/>',
+    "arrow": '<path d="M6 3.5l12.5 8.2-5.6 1.1L10 18.5z"/>',
+    "brush": '<path d="M20 4c-5 1.5-9 5-10.5 8.5l2 2C15 13 18.5 9 20 4z"/>'
+    '<path d="M9 13.5c-3 0-3 3-5 5.5 3.5 .5 7 0 7-3.5z"/>',
+    "eraser": '<path d="M8.5 19L3.5 14 13.5 4l7 7-8 8zM8.5 9l7 7M8.5 19H20"/>',
+    "mirror": '<path d="M12 3v18" stroke-dasharray="3 2.5"/>'
+    '<path d="M9 7L3 17h6zM15 7l6 10h-6z"/>',
+    "eye": '<path d="M2.5 12C5 7.5 8.2 5.5 12 5.5s7 2 9.5 6.5c-2.5 4.5-5.7 6.5-9.5 '
+    '6.5S5 16.5 2.5 12z"/><circle cx="12" cy="12" r="3"/>',
+    "eye-closed": '<path d="M2.5 10C5 14 8.2 16 12 16s7-2 9.5-6M12 16v3.5M6.5 14.5l-2 '
+    '3M17.5 14.5l2 3"/>',
     "warning": '<path d="M12 4L2.8 20h18.4zM12 10v5M12 17.4v.2"/>',
 }
 
@@ -57,8 +83,13 @@ def pixmap(name: str, color: QColor, size: int = 20, ratio: float = 2.0) -> QPix
     return picture
 
 
-def icon(name: str, theme: Theme, token: str = "text") -> QIcon:
+_TOKENS = {"remove": "danger", "add": "added"}
+"""Icons that have a colour of their own."""
+
+
+def icon(name: str, theme: Theme, token: str = "") -> QIcon:
     """Return the icon ``name`` in a colour of the theme, crisp at any usual pixel density."""
+    token = token or _TOKENS.get(name, "text")
     result = QIcon()
     for ratio in (1.0, 2.0, 3.0):
         result.addPixmap(pixmap(name, theme.color(token), ratio=ratio))

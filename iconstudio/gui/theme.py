@@ -32,6 +32,7 @@ class Theme:
     accent_soft: str
     danger: str
     danger_soft: str
+    added: str
 
     def color(self, token: str, alpha: float = 1.0) -> QColor:
         """Return the colour of a token, from transparent (0) to opaque (1)."""
@@ -53,6 +54,7 @@ LIGHT = Theme(
     accent_soft="#e6e9fc",
     danger="#b3261e",
     danger_soft="#fbe9e7",
+    added="#1b7a43",
 )
 
 DARK = Theme(
@@ -68,6 +70,7 @@ DARK = Theme(
     accent_soft="#2d3052",
     danger="#ffb4a9",
     danger_soft="#43231f",
+    added="#74d79c",
 )
 
 
@@ -157,6 +160,10 @@ QMenu::item:disabled { color: @muted; }
 QMenu::separator { height: 1px; background: @border; margin: 4px 8px; }
 
 QFrame[card="true"] { background: @surface; border: 1px solid @border; border-radius: 8px; }
+QFrame[sheet="true"] { background: @surface; border: 0; border-radius: 8px; }
+QFrame[layer="true"] { border-radius: 6px; }
+QFrame[layer="true"]:hover { background: @sunken; }
+QFrame[layer="true"][chosen="true"] { background: @accent_soft; }
 QFrame[notice="true"] { background: @danger_soft; border: 1px solid @danger; border-radius: 8px; }
 QLabel[heading="true"] { @strong; }
 QLabel[title="true"] { font-size: 16px; @strong; }
@@ -194,6 +201,14 @@ QToolButton::menu-indicator { image: none; }
 QToolButton[segment="true"] { padding: 4px 12px; min-height: 22px; }
 QToolButton[segment="true"]:checked { background: @surface; border: 1px solid @border; }
 QFrame[segments="true"] { background: @sunken; border-radius: 7px; }
+QToolButton[floating="true"] { background: @surface; border: 1px solid @border; padding: 2px; }
+QToolButton[floating="true"]:hover { background: @accent_soft; }
+QToolButton[floating="true"]:focus { border: 1px solid @accent; }
+
+QSpinBox { background: @surface; border: 1px solid @border; border-radius: 6px;
+           padding: 0 4px 0 8px; min-height: 30px; selection-background-color: @accent;
+           selection-color: @on_accent; }
+QSpinBox:focus { border: 2px solid @accent; padding: 0 3px 0 7px; min-height: 28px; }
 
 QProgressBar { background: @sunken; border: 0; border-radius: 3px; max-height: 6px;
                min-height: 6px; }

@@ -14,6 +14,7 @@ from iconstudio.library import database, search
 from iconstudio.library.archive import Archive
 from iconstudio.library.fingerprint import stack
 from iconstudio.library.iconify import document
+from iconstudio.library.naming import take_apart
 from iconstudio.library.progress import Progress
 from iconstudio.library.readings import BADGED, COMPOUND
 from iconstudio.library.relations import BROADER, KIND
@@ -22,6 +23,9 @@ from iconstudio.resources import resource
 
 LIMIT = 200
 """Most pictograms for a keyword (section 3.1)."""
+
+_FEW = 20
+"""With fewer drawings, a keyword lends no parts to choose from."""
 
 _MATCHES = f"""
 SELECT icon, MIN(relation.rank + reading.tier)
@@ -162,6 +166,19 @@ class Collection:
             return ()
         words = [row[0] for row in self._rows("SELECT DISTINCT word FROM relation WHERE rank < 2")]
         return search.nearest(forms[0], words)
+
+    def keyword(self, title: str) -> str:
+        """Return what icons like the one of that title are looked for by; empty if nothing is.
+
+        That is as many of the title's words, from the first on, as enough drawings answer; if none
+        do, the first word that enough answer.
+        """
+        words = take_apart(title.removesuffix(".svg") or "-").words
+        leading = [" ".join(words[:count]) for count in range(len(words), 0, -1)]
+        return next((name for name in (*leading, *words[1:]) if self._answered(name)), "")
+
+    def _answered(self, name: str) -> bool:
+        return any(len(self._rows(_MATCHES, (form,))) >= _FEW for form in search.spellings(name))
 
     def _scores(self, forms: list[str]) -> dict[int, int]:
         """Return the icons that answer a keyword, each with its score: the lower the better."""

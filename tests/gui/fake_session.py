@@ -14,11 +14,13 @@ from iconstudio.model import (
     Composite,
     Credit,
     Drawing,
+    Edit,
     Exemplar,
     Frame,
     IconstudioError,
     Pictogram,
     Placement,
+    Polygon,
     Sketch,
     Source,
 )
@@ -131,6 +133,26 @@ class FakeSession:
         if "<path" not in pictogram.svg:
             raise IconstudioError(f"{pictogram.id} cannot be used. It has no dark ink.")
         return replace(exemplar(1), pictogram=pictogram)
+
+    def drawing(self, exemplar: Exemplar) -> Drawing:
+        """The icon's bounding box."""
+        ys, xs = np.nonzero(exemplar.ink)
+        left, top, right, bottom = xs.min(), ys.min(), xs.max() + 1, ys.max() + 1
+        path = f"M{left} {top}L{right} {top}L{right} {bottom}L{left} {bottom}Z"
+        return Drawing(path, exemplar.coverage)
+
+    def keyword(self, pictogram: Pictogram) -> str:
+        return pictogram.credit.title.split()[0]
+
+    def edit(self, edit: Edit, settings: ModelSettings) -> Iterator[Event]:
+        """The results of ``model`` for the icon's frame, nine tenths of them unchanged."""
+        self.calls.append(("edit", edit, settings))
+        frame = Polygon(((0, 0), (9, 0), (9, 9), (0, 9)))
+        try:
+            for event in self._model(Sketch(frame, edit.keyword, edit.exclude), settings):
+                yield replace(event, unchanged=0.9) if isinstance(event, Result) else event
+        finally:
+            self.generators_closed += 1
 
     def prepare(self, keyword, exclude=frozenset(), scales=(0.9, 1.0, 1.1)) -> Iterator[Event]:
         self.calls.append(("prepare", keyword, exclude))

@@ -1,5 +1,6 @@
 """The result that was picked, large, beside the icons that it owes its parts to."""
 
+import math
 from collections.abc import Sequence
 
 from PySide6.QtCore import QEvent, QRectF, Qt, Signal
@@ -23,17 +24,23 @@ from iconstudio.gui.panels.elided import ElidedLabel
 from iconstudio.gui.panels.sending import Destination, offer
 from iconstudio.gui.pictures import Picture, SourcePicture, source_pictures
 from iconstudio.gui.theme import UNIT
+from iconstudio.workflows.events import Result
+
+INVITATION = "Pick a result to see it large, with the icons that its parts come from."
 
 
 class LargePicture(QWidget):
     """A result on a sheet of its own."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, wide: bool = False, parent: QWidget | None = None) -> None:
+        """``wide``: it fills what room there is, instead of growing with its height only."""
         super().__init__(parent)
         self._picture: Picture | None = None
         self._coded = False
+        self._wide = wide
         self.setMinimumSize(20 * UNIT, 20 * UNIT)
-        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Expanding)
+        across = QSizePolicy.Policy.Expanding if wide else QSizePolicy.Policy.Preferred
+        self.setSizePolicy(across, QSizePolicy.Policy.Expanding)
         self.setAccessibleName("The picked icon")
 
     def show_picture(self, picture: Picture | None) -> None:
@@ -48,7 +55,8 @@ class LargePicture(QWidget):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Stay square."""
-        self.setFixedWidth(min(self.height(), 40 * UNIT))
+        if not self._wide:
+            self.setFixedWidth(min(self.height(), 40 * UNIT))
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """Draw the sheet and the icon."""
@@ -136,34 +144,52 @@ class DetailPanel(QFrame):
     save_png = Signal()
     copy_svg = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, upright: bool = False, invitation: str = INVITATION, parent: QWidget | None = None
+    ) -> None:
+        """``upright``: the result stands above its sources, not beside them.
+
+        ``invitation`` is shown as long as there is nothing to show.
+        """
         super().__init__(parent)
         self.setProperty("card", True)
         self.picture: Picture | None = None
-        self.large = LargePicture()
+        self._columns = 1 if upright else 2
+        self.large = LargePicture(wide=upright)
         self._title = QLabel()
         self._title.setProperty("title", True)
         self._about = QLabel()
         self._about.setProperty("muted", True)
-        self._about.setToolTip("How far the icon's filled shape and the sketch's cover each other")
+        self._about.setToolTip("How far the icon's filled shape and the drawn one cover each other")
         self._rows = QGridLayout()
         self._rows.setContentsMargins(0, 0, UNIT, 0)
         self._rows.setHorizontalSpacing(3 * UNIT)
         self._rows.setVerticalSpacing(UNIT // 2)
-        self._rows.setColumnStretch(0, 1)
-        self._rows.setColumnStretch(1, 1)
-        empty = QLabel(
-            "Pick a result to see it large, with the icons that its parts come from.",
-            alignment=Qt.AlignmentFlag.AlignCenter,
-            wordWrap=True,
-        )
+        for column in range(self._columns):
+            self._rows.setColumnStretch(column, 1)
+        empty = QLabel(invitation, alignment=Qt.AlignmentFlag.AlignCenter, wordWrap=True)
         empty.setProperty("muted", True)
+        empty.setMargin(3 * UNIT)
         full = QWidget()
-        row = QHBoxLayout(full)
+        row = QVBoxLayout(full) if upright else QHBoxLayout(full)
         row.setContentsMargins(UNIT * 3 // 2, UNIT * 3 // 2, UNIT, UNIT * 3 // 2)
-        row.setSpacing(2 * UNIT)
-        row.addWidget(self.large)
-        row.addLayout(self._side(), 1)
+        row.setSpacing(UNIT if upright else 2 * UNIT)
+        self._heading = self._make_heading()
+        if upright:
+            row.addLayout(self._heading)
+            row.addWidget(self.large, 2)
+            row.addWidget(self._about)
+            row.addLayout(self._make_buttons())
+            row.addWidget(self._make_sources(), 1)
+        else:
+            self._heading.addLayout(self._make_buttons())
+            side = QVBoxLayout()
+            side.setSpacing(UNIT // 2)
+            side.addLayout(self._heading)
+            side.addWidget(self._about)
+            side.addWidget(self._make_sources(), 1)
+            row.addWidget(self.large)
+            row.addLayout(side, 1)
         self._stack = QStackedLayout(self)
         self._stack.addWidget(empty)
         self._stack.addWidget(full)
@@ -181,14 +207,15 @@ class DetailPanel(QFrame):
         if picture is None:
             return
         composite = picture.result.composite
-        self._title.setText(f"{composite.style.capitalize()}, λ {composite.lambda_s:.2f}")
-        sources = source_pictures(composite)
+        # Of hybrids and montages, λ is always the same.
+        weight = "" if composite.iou is None else f", λ {composite.lambda_s:.2f}"
+        self._title.setText(f"{composite.style.capitalize()}{weight}")
+        sources = source_pictures(composite, picture.colours)
         icons = len({source.source.exemplar.id for source in sources})
         parts = f"{_counted(len(sources), 'part')} of {_counted(icons, 'icon')}"
-        fit = "" if composite.iou is None else f" · fits the sketch by {composite.iou:.0%}"
-        self._about.setText(parts + fit)
+        self._about.setText(" · ".join((parts, *_merits(picture.result))))
         for number, source in enumerate(sources):
-            self._rows.addWidget(SourceRow(source), number // 2, number % 2)
+            self._rows.addWidget(SourceRow(source), *divmod(number, self._columns))
         self._rows.setRowStretch(self._rows.rowCount(), 1)
 
     def set_destinations(self, destinations: Sequence[Destination]) -> None:
@@ -204,7 +231,19 @@ class DetailPanel(QFrame):
         if event.type() == QEvent.Type.PaletteChange:
             self.update()
 
-    def _side(self) -> QVBoxLayout:
+    def add_to_heading(self, widget: QWidget) -> None:
+        """Put a widget at the end of the heading."""
+        self._heading.addWidget(widget)
+
+    def _make_heading(self) -> QHBoxLayout:
+        for label in (self._title, self._about):
+            label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        heading = QHBoxLayout()
+        heading.setSpacing(UNIT)
+        heading.addWidget(self._title, 1)
+        return heading
+
+    def _make_buttons(self) -> QHBoxLayout:
         svg = QPushButton("Save SVG…", toolTip="Save the icon as SVG, with credits (Ctrl+E)")
         png = QPushButton("Save PNG…", toolTip="Save the icon as PNG (Ctrl+Shift+E)")
         copy = QPushButton("Copy SVG", toolTip="Copy the icon as SVG (Ctrl+Shift+C)")
@@ -213,13 +252,13 @@ class DetailPanel(QFrame):
         copy.clicked.connect(self.copy_svg)
         self._send = QPushButton("Send to", toolTip="Go on with the icon in another workspace")
         self._send.hide()
-        top = QHBoxLayout()
-        top.setSpacing(UNIT)
-        for label in (self._title, self._about):
-            label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        top.addWidget(self._title, 1)
+        buttons = QHBoxLayout()
+        buttons.setSpacing(UNIT)
         for button in (self._send, svg, png, copy):
-            top.addWidget(button)
+            buttons.addWidget(button)
+        return buttons
+
+    def _make_sources(self) -> QScrollArea:
         inner = QWidget()
         inner.setLayout(self._rows)
         scroll = QScrollArea(widgetResizable=True)
@@ -228,12 +267,23 @@ class DetailPanel(QFrame):
         inner.setAutoFillBackground(False)
         scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         scroll.setAccessibleName("Sources of the picked icon")
-        side = QVBoxLayout()
-        side.setSpacing(UNIT // 2)
-        side.addLayout(top)
-        side.addWidget(self._about)
-        side.addWidget(scroll, 1)
-        return side
+        return scroll
+
+
+def _merits(result: Result) -> list[str]:
+    """Return how well a result does what was wanted."""
+    if result.unchanged is not None:
+        return [
+            f"fits the change by {result.score.likeness:.0%}",
+            f"unchanged elsewhere {_floor(100 * result.unchanged)} %",
+        ]
+    iou = result.composite.iou
+    return [] if iou is None else [f"fits the sketch by {iou:.0%}"]
+
+
+def _floor(percent: float) -> str:
+    """Return one decimal, never rounded up to 100."""
+    return f"{math.floor(10 * percent) / 10:g}"
 
 
 def _counted(count: int, noun: str) -> str:

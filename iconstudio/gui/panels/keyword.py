@@ -96,6 +96,11 @@ class KeywordPanel(QFrame):
         self.caption.linkActivated.connect(self.restored)
         self.set_searching("")
 
+    def set_words(self, placeholder: str, tip: str) -> None:
+        """Say what to type, and what the button does."""
+        self.field.setPlaceholderText(placeholder)
+        self.button.setToolTip(tip)
+
     def set_sketch(self, keyword: str, excluded: frozenset[str]) -> None:
         """Show what the document says."""
         if self.field.text() != keyword:

@@ -51,6 +51,8 @@ class Scale(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._lambdas: Sequence[float] = ()
+        self.nearer = "Closer to the sketch"
+        """What the columns on the left are."""
         self.setFixedHeight(4 * UNIT + 4)
         self.setToolTip("λ: how much smooth seams weigh against the sketch (λ_S in the paper)")
         self.setAccessibleName("Columns: from closer to the sketch to smoother")
@@ -68,7 +70,7 @@ class Scale(QWidget):
             font = painter.font()
             font.setPixelSize(12)
             painter.setFont(font)
-            left, right = "Closer to the sketch", "Smoother"
+            left, right = self.nearer, "Smoother"
             metrics = painter.fontMetrics()
             line = QRectF(2, 0, self.width() - 4, 18)
             painter.setPen(look.color("text"))
@@ -173,6 +175,11 @@ class ResultsPanel(QFrame):
         layout.addLayout(top)
         layout.addLayout(self._stack, 1)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+
+    def set_words(self, welcome: str, nearer: str) -> None:
+        """Say what will appear here, and what the results on the left are."""
+        self._welcome.setText(welcome)
+        self.scale.nearer = nearer
 
     @property
     def pictures(self) -> list[Picture]:

@@ -1,0 +1,1 @@
+"""Pictogram editing in the window (section 4.2)."""

@@ -1,0 +1,100 @@
+"""What lies on the canvas of an edit: an icon, areas to remove and to add, and the wish."""
+
+from dataclasses import dataclass, replace
+from enum import Enum
+
+from iconstudio.gui.document import Document
+from iconstudio.model import Axis, Edit, Exemplar, Point, Polygon
+
+
+class Kind(Enum):
+    """What an area is for."""
+
+    REMOVE = "remove"
+    ADD = "add"
+
+    @property
+    def token(self) -> str:
+        """The colour of its areas."""
+        return {Kind.REMOVE: "danger", Kind.ADD: "added"}[self]
+
+
+@dataclass(frozen=True, slots=True)
+class Area:
+    """A part of the canvas, in canvas units; it is finished once it is ``closed``."""
+
+    kind: Kind
+    vertices: tuple[Point, ...]
+    closed: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class EditPage:
+    """An icon and what to change on it. At most one area, the last one, is not finished."""
+
+    icon: Exemplar | None = None
+    keyword: str = ""
+    areas: tuple[Area, ...] = ()
+    symmetry: Axis | None = None
+    exclude: frozenset[str] = frozenset()
+
+    @property
+    def empty(self) -> bool:
+        """Whether there is no icon yet."""
+        return self.icon is None
+
+    @property
+    def open_area(self) -> int | None:
+        """Number of the area that is still being traced."""
+        return len(self.areas) - 1 if self.areas and not self.areas[-1].closed else None
+
+    @property
+    def wish(self) -> "EditPage":
+        """The page itself says what is wanted."""
+        return self
+
+    def wishing(self, **values: object) -> "EditPage":
+        """Return the page with another keyword, symmetry, or icons left out."""
+        return replace(self, **values)
+
+    def with_areas(self, areas: tuple[Area, ...]) -> "EditPage":
+        """Return the page with other areas."""
+        return replace(self, areas=areas)
+
+    def edit(self) -> Edit | None:
+        """Return the edit as far as it is finished; None without an icon."""
+        if self.icon is None:
+            return None
+        remove, add = (
+            tuple(Polygon(area.vertices) for area in self.areas if area.closed and area.kind is k)
+            for k in (Kind.REMOVE, Kind.ADD)
+        )
+        return Edit(self.icon.pictogram, self.keyword, remove, add, self.symmetry, self.exclude)
+
+    def elsewhere(self, before: "EditPage") -> bool:
+        """Whether it is another icon."""
+        return self.icon is not before.icon
+
+
+EditDocument = Document[EditPage]
+
+
+def begin(document: EditDocument, icon: Exemplar, keyword: str) -> None:
+    """Start from an icon, on a new page; undo brings the old one back."""
+    document.change("choose icon", EditPage(icon, keyword))
+
+
+def load(document: EditDocument, edit: Edit, icon: Exemplar) -> None:
+    """Put an edit on the page that was read from a file."""
+    areas = tuple(
+        Area(kind, polygon.vertices)
+        for kind, polygons in ((Kind.REMOVE, edit.remove), (Kind.ADD, edit.add))
+        for polygon in polygons
+    )
+    page = EditPage(icon, edit.keyword, areas, edit.symmetry, edit.exclude)
+    document.change("open edit", page)
+
+
+def clear(document: EditDocument) -> None:
+    """Remove all areas; the icon stays."""
+    document.change("clear areas", document.page.with_areas(()))

@@ -1,0 +1,106 @@
+"""The canvas of an edit: what of the icon stays, what goes (red), and what comes (green)."""
+
+from PySide6.QtCore import QRectF, Qt
+from PySide6.QtGui import QPainter, QPainterPath, QPen, QPolygonF
+
+from iconstudio.gui.canvas import painters
+from iconstudio.gui.canvas.camera import Camera
+from iconstudio.gui.canvas.scene import Scene
+from iconstudio.gui.pictures import stencil
+from iconstudio.gui.theme import UNIT, Theme
+from iconstudio.gui.workspaces.editing.page import Area, EditDocument, Kind
+from iconstudio.model import CANVAS, MARGIN, Exemplar
+
+_SHEET = QRectF(0, 0, CANVAS, CANVAS)
+_BODY = _SHEET.adjusted(MARGIN, MARGIN, -MARGIN, -MARGIN)
+"""Where the icon lies."""
+
+
+class EditScene(Scene):
+    """Paints the icon under the areas."""
+
+    def __init__(self, document: EditDocument) -> None:
+        super().__init__(document)
+        self._paths: dict[str, QPainterPath] = {}
+
+    def set_path(self, icon: Exemplar, path: QPainterPath) -> None:
+        """Draw an icon from its outline, crisp at any size; until then, it is drawn of pixels."""
+        self._paths[icon.pictogram.svg] = path
+        self.changed.emit()
+
+    def paint(self, painter: QPainter, camera: Camera, ratio: float, theme: Theme) -> None:
+        """Draw the layers from back to front."""
+        page = self.document.page
+        if page.icon is None:
+            return
+        sheet = camera.transform.mapRect(_SHEET)
+        painter.setPen(QPen(theme.color("border"), 1))
+        painter.setBrush(theme.color("surface"))
+        painter.drawRoundedRect(sheet, UNIT, UNIT)
+        removed = [area for area in page.areas if area.kind is Kind.REMOVE]
+        added = [area for area in page.areas if area.kind is Kind.ADD]
+        gone = _union(removed, camera)
+        self._paint_icon(painter, page.icon, gone, camera, theme)
+        for area in removed:
+            _paint_area(painter, area, camera, theme, Qt.PenStyle.DashLine, 0.07)
+        for area in added:
+            _paint_area(painter, area, camera, theme, Qt.PenStyle.SolidLine, 0.35)
+        if page.symmetry is not None:
+            painters.paint_axis(painter, page.symmetry, _BODY, camera, theme)
+
+    def _paint_icon(
+        self, painter: QPainter, icon: Exemplar, gone: QPainterPath, camera: Camera, theme: Theme
+    ) -> None:
+        """Draw the icon, and red what of it lies in the area ``gone``."""
+        sheet = camera.transform.mapRect(_SHEET)
+        everywhere = QPainterPath()
+        everywhere.addRect(sheet.adjusted(-1, -1, 1, 1))
+        path = self._paths.get(icon.pictogram.svg)
+        for part, color in (
+            (everywhere - gone, theme.color("text", 0.62)),
+            (gone, theme.color("danger", 0.5)),
+        ):
+            painter.save()
+            painter.setClipPath(part)
+            if path is None:
+                painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+                painter.drawImage(sheet, stencil(icon.coverage, color))
+            else:
+                painter.setTransform(camera.transform, True)
+                painter.fillPath(path, color)
+            painter.restore()
+
+
+def _union(areas: list[Area], camera: Camera) -> QPainterPath:
+    """Return what finished areas cover, in view coordinates."""
+    union = QPainterPath()
+    for area in areas:
+        if area.closed:
+            union = union.united(_path(area, camera))
+    return union
+
+
+def _path(area: Area, camera: Camera) -> QPainterPath:
+    path = QPainterPath()
+    path.setFillRule(Qt.FillRule.WindingFill)
+    path.addPolygon(QPolygonF([camera.to_view(vertex) for vertex in area.vertices]))
+    if area.closed:
+        path.closeSubpath()
+    return path
+
+
+def _paint_area(
+    painter: QPainter,
+    area: Area,
+    camera: Camera,
+    theme: Theme,
+    style: Qt.PenStyle,
+    density: float,
+) -> None:
+    path = _path(area, camera)
+    if area.closed:
+        painter.fillPath(path, theme.color(area.kind.token, density))
+    cap, join = Qt.PenCapStyle.FlatCap, Qt.PenJoinStyle.RoundJoin
+    rim = QPen(theme.color("surface", 0.8), 4.0, Qt.PenStyle.SolidLine, cap, join)
+    painter.strokePath(path, rim)
+    painter.strokePath(path, QPen(theme.color(area.kind.token), 1.8, style, cap, join))

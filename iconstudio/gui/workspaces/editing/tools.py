@@ -1,0 +1,184 @@
+"""The tools of an edit: enclose what to remove, sketch what to add, correct both."""
+
+import math
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeyEvent, QPainter, QPen, QPolygonF
+
+from iconstudio.gui.canvas.camera import Camera
+from iconstudio.gui.canvas.tools.base import Pointer
+from iconstudio.gui.canvas.tools.polygon import NUDGES, PolygonTool
+from iconstudio.gui.document import new_gesture
+from iconstudio.gui.theme import Theme
+from iconstudio.gui.workspaces.editing.areas import AreaOutline
+from iconstudio.gui.workspaces.editing.page import Kind
+from iconstudio.model import Point
+
+FREEHAND = 5.0
+"""Pixels that the pointer must be dragged to draw freehand: less is a click."""
+
+STRAY = 2.5
+"""Pixels that the corners kept of a freehand line may stray from it."""
+
+
+class AreaTool(PolygonTool):
+    """Corrects the selected area, as any outline is corrected."""
+
+    outline: AreaOutline
+
+    @property
+    def token(self) -> str:
+        """The colour of the handles: that of the area."""
+        area = self.outline.area
+        return "accent" if area is None else area.kind.token
+
+    def cancel(self) -> bool:
+        """Give up what is being traced, or deselect."""
+        if super().cancel():
+            return True
+        selected = self.outline.index is not None
+        self.outline.select(None)
+        return selected
+
+    def delete_selected(self) -> bool:
+        """Remove the selected vertex, or else the selected area; while tracing, the last vertex."""
+        if super().delete_selected():
+            return True
+        selected = self.outline.index is not None
+        self.outline.remove()
+        return selected
+
+
+class DrawTool(AreaTool):
+    """Draws areas of a kind: press and drag around them, or click their corners."""
+
+    def __init__(self, outline: AreaOutline, kind: Kind) -> None:
+        super().__init__(outline)
+        self.kind = kind
+        self._stroke: list[Point] = []
+        self._began: Pointer | None = None
+
+    @property
+    def cursor(self) -> Qt.CursorShape:
+        """A cross, but for what can be taken hold of."""
+        shape = super().cursor
+        return Qt.CursorShape.CrossCursor if shape == Qt.CursorShape.ArrowCursor else shape
+
+    @property
+    def hint(self) -> str:
+        """What can be done now."""
+        if self._stroke:
+            return "Let go to finish the area"
+        if not self.outline.closed:
+            return super().hint
+        if self.outline.area is not None:
+            return "Drag its points · Backspace removes it · or draw the next one"
+        return {
+            Kind.REMOVE: "Drag around what should go, or click its corners",
+            Kind.ADD: "Draw what should come: drag its outline, or click its corners",
+        }[self.kind]
+
+    def move(self, pointer: Pointer) -> None:
+        """Draw on, or do what is done with any outline."""
+        if self._began is None:
+            super().move(pointer)
+            return
+        self._pointer = pointer
+        gap = pointer.view - self._began.view
+        if self._stroke or math.hypot(gap.x(), gap.y()) >= FREEHAND:
+            self._stroke = [*(self._stroke or [self._began.page]), pointer.page]
+
+    def release(self, pointer: Pointer) -> None:
+        """Finish what was drawn freehand; after a click, go on corner by corner."""
+        began, self._began = self._began, None
+        stroke, self._stroke = self._stroke, []
+        if began is None:
+            super().release(pointer)
+        elif stroke:
+            self._draw(stroke, pointer.camera)
+        else:
+            self.outline.begin(self.kind, began.page)
+            super().release(pointer)
+
+    def cancel(self) -> bool:
+        """Give up what is drawn now, or do what Escape does to any area."""
+        drawing = self._began is not None
+        self._began, self._stroke = None, []
+        return drawing or super().cancel()
+
+    def paint(self, painter: QPainter, camera: Camera, theme: Theme) -> None:
+        """Draw the line that is under way, too."""
+        super().paint(painter, camera, theme)
+        if self._stroke:
+            painter.setPen(QPen(theme.color(self.kind.token), 2))
+            painter.setBrush(theme.color(self.kind.token, 0.15))
+            painter.drawPolygon(QPolygonF([camera.to_view(point) for point in self._stroke]))
+
+    def _press_nowhere(self, pointer: Pointer) -> None:
+        if not self.outline.closed:
+            super()._press_nowhere(pointer)
+            return
+        self.selected = None
+        self.outline.select(None)
+        self._began = pointer
+
+    def _draw(self, stroke: list[Point], camera: Camera) -> None:
+        from iconstudio.algorithms.raster import simplified
+
+        vertices = simplified(stroke, STRAY / camera.zoom)
+        if len(vertices) >= 3:
+            self.outline.draw(self.kind, vertices)
+
+
+class SelectTool(AreaTool):
+    """Selects areas, moves them, and corrects their outlines."""
+
+    def __init__(self, outline: AreaOutline) -> None:
+        super().__init__(outline)
+        self._held: Point | None = None
+
+    @property
+    def hint(self) -> str:
+        """What can be done now."""
+        if not self.outline.closed:
+            return super().hint
+        if self.outline.area is not None:
+            return "Drag the area or its points · click its edge for a point · Backspace removes it"
+        if self.outline.document.page.areas:
+            return "Click an area to correct it"
+        return "There is nothing to select yet: draw with Remove or Add"
+
+    def move(self, pointer: Pointer) -> None:
+        """Take the area along, or do what is done with any outline."""
+        if self._held is None:
+            super().move(pointer)
+        elif pointer.page != self._held:
+            (x, y), (x0, y0) = pointer.page, self._held
+            self.outline.shift(x - x0, y - y0, self._gesture)
+            self._held = pointer.page
+
+    def release(self, pointer: Pointer) -> None:
+        """Let go."""
+        self._held = None
+        super().release(pointer)
+
+    def key(self, event: QKeyEvent) -> bool:
+        """Move the area with the arrow keys, unless one of its points is selected."""
+        if super().key(event):
+            return True
+        if event.key() not in NUDGES or self.outline.area is None:
+            return False
+        dx, dy = NUDGES[event.key()]
+        far = 10 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1
+        self.outline.shift(far * dx, far * dy, ("nudge", self.outline.index))
+        return True
+
+    def _press_nowhere(self, pointer: Pointer) -> None:
+        if not self.outline.closed:
+            super()._press_nowhere(pointer)
+            return
+        self.selected = None
+        self.outline.select(self.outline.at(pointer.page))
+        if self.outline.area is not None:
+            self._held = pointer.page
+            self._gesture = new_gesture()

@@ -1,0 +1,245 @@
+"""Pictogram editing (section 4.2): choose an icon, mark what goes and what comes, remix."""
+
+from pathlib import Path
+from typing import NamedTuple
+
+from PySide6.QtCore import QMimeData
+from PySide6.QtWidgets import QApplication
+
+from iconstudio.gui import theme
+from iconstudio.gui.actions import Entry, Key
+from iconstudio.gui.canvas.view import CanvasView
+from iconstudio.gui.document import Document
+from iconstudio.gui.dragging import dropped_file, unpacked
+from iconstudio.gui.saving import Saver
+from iconstudio.gui.worker import Worker
+from iconstudio.gui.workspaces.editing import page as edits
+from iconstudio.gui.workspaces.editing.areas import AreaOutline
+from iconstudio.gui.workspaces.editing.opening import Opener
+from iconstudio.gui.workspaces.editing.page import EditPage, Kind
+from iconstudio.gui.workspaces.editing.scene import EditScene
+from iconstudio.gui.workspaces.editing.start import StartSheet
+from iconstudio.gui.workspaces.editing.tools import DrawTool, SelectTool
+from iconstudio.gui.workspaces.remixing import RemixWorkspace
+from iconstudio.inputs.edit import EditFile, write_edit
+from iconstudio.inputs.icons import reference_to
+from iconstudio.model import Edit, IconstudioError, Pictogram
+from iconstudio.session import ModelSettings, Session
+from iconstudio.workflows.editing import own_styles, prepare_change
+
+OWN = {
+    "&File": (
+        Entry("new", "&New edit", "Start afresh", Key.New, "new"),
+        Entry("icon", "Choose &icon…", "Choose another icon", Key.Open, "search"),
+        Entry("open", "Open &edit…", "Open an edit file", "Ctrl+Shift+O"),
+        Entry("save", "&Save edit…", "Save the edit as JSON", Key.Save),
+    ),
+    "&Edit": (
+        Entry("paste", "&Paste icon", "Use the SVG file on the clipboard", Key.Paste),
+        Entry("delete", "&Delete", "Remove the selected area or point", "Backspace"),
+        Entry("clear", "C&lear all areas", "Remove all areas", "Ctrl+Backspace", "clear"),
+        Entry("run", "&Remix", "Make the icon anew where it is marked", "Ctrl+Return"),
+    ),
+    "&View": (
+        Entry("remove", "Mark what &goes", "Remove: mark what should go", "R", "remove", True),
+        Entry("add", "Draw what &comes", "Add: draw what should come", "A", "add", True),
+        Entry("select", "&Correct areas", "Select, move and correct areas", "V", "select", True),
+        Entry("styles", "Parts of a&ll styles", "Use parts of icons that are lighter or darker",
+              "L", "", True),
+    ),
+}  # fmt: skip
+
+WELCOME = (
+    "The changed icon appears here, several times: on the left it keeps closer to what you drew;\n"
+    "to the right, the new parts join more smoothly."
+)
+
+
+class Wanted(NamedTuple):
+    """What the results are of."""
+
+    edit: Edit | None
+    styles: tuple[str, ...]
+
+
+class EditWorkspace(RemixWorkspace):
+    """An icon is changed where the user marks it."""
+
+    title = "Edit"
+    invitation = "Edit this icon"
+
+    def __init__(self, session: Session, files: Worker, saver: Saver) -> None:
+        super().__init__(session, files, saver, Document(EditPage()))
+        self.scene = EditScene(self.document)
+        self.scene.setParent(self)
+        self.outline = AreaOutline(self.document)
+        self.tools = {
+            "remove": DrawTool(self.outline, Kind.REMOVE),
+            "add": DrawTool(self.outline, Kind.ADD),
+            "select": SelectTool(self.outline),
+        }
+        self.tool = self.tools["remove"]
+        self.view = CanvasView(self.scene, self.tool, _can_be_opened)
+        self.view.setAccessibleDescription("Mark what should go and what should come here")
+        self.opener = Opener(session, self.document, self.scene, files, self)
+        self.start_sheet = StartSheet(self.view, session, self.worker)
+        self.board.results.set_words(WELCOME, "Closer to the drawing")
+        self.keyword_panel.set_words(
+            "What is it? For example: camera", "Make the icon anew where it is marked (Ctrl+Return)"
+        )
+        self._make_actions()
+        self._lay_out()
+        self._wire()
+        self.refresh_icons(theme.current())
+        self._show_page(self.document.page)
+
+    # -- putting together ----------------------------------------------------------------------
+
+    def _make_actions(self) -> None:
+        self.make_actions(
+            {
+                "new": lambda: self.document.change("new edit", EditPage()),
+                "icon": self._choose_icon,
+                "paste": lambda: self.opener.open_mime(QApplication.clipboard().mimeData()),
+                "open": self.opener.choose_edit,
+                "save": self._save,
+                "delete": self._delete,
+                "clear": lambda: edits.clear(self.document),
+                "remove": lambda on: self._use("remove", on),
+                "add": lambda on: self._use("add", on),
+                "select": lambda on: self._use("select", on),
+                "styles": lambda _: self._show_page(self.document.page),
+                **self.remix_slots(),
+            },
+            OWN,
+        )
+        self.actions_by_name.choose_between("remove", "add", "select", "pan")
+
+    def _lay_out(self) -> None:
+        named = self.actions_by_name
+        self.lay_out(
+            [
+                [named["icon"]],
+                [named["undo"], named["redo"]],
+                [named[name] for name in ("remove", "add", "select", "pan", "fit", "clear")],
+                [self.symmetry],
+            ]
+        )
+
+    def _wire(self) -> None:
+        self.wire()
+        chooser = self.start_sheet.chooser
+        chooser.chosen.connect(self.opener.take_exemplar)
+        self.start_sheet.closed.connect(lambda: self._show_start(False))
+        self.document.page_changed.connect(self._show_page)
+        self.document.opened.connect(lambda: self._show_start(self.document.page.empty))
+        self.view.dropped.connect(lambda data, _: self.opener.open_mime(data))
+        self.opener.failed.connect(self.failed)
+        self.opener.opened.connect(self.said)
+
+    # -- what the window asks for --------------------------------------------------------------
+
+    def enter(self) -> None:
+        """Begin on the canvas, or choose an icon."""
+        (self.start_sheet if self.start_sheet.isVisibleTo(self) else self.view).setFocus()
+
+    def take(self, pictogram: Pictogram) -> None:
+        """Begin with an icon that was sent here."""
+        self.opener.take(pictogram)
+
+    def refresh_icons(self, look: theme.Theme) -> None:
+        """Draw all icons in the colours of ``look``."""
+        super().refresh_icons(look)
+        self.start_sheet.refresh_icons(look)
+
+    # -- editing -------------------------------------------------------------------------------
+
+    def run(self) -> None:
+        """Remix the icon where it is marked; an area that is still open is closed first."""
+        if self.runner.running and self.ran == self._wanted():
+            return
+        self.said.emit("")
+        self.outline.finish()
+        wanted = self._wanted()
+        problem = self._problem()
+        if problem:
+            self.failed.emit(problem)
+            return
+        settings = ModelSettings(wanted.styles)
+        self.start(wanted, settings, lambda: self.session.edit(wanted.edit, settings))
+        self._show_page(self.document.page)
+
+    def _wanted(self) -> Wanted:
+        page = self.document.page
+        if page.icon is None:
+            return Wanted(None, ())
+        everything = self.actions_by_name["styles"].isChecked()
+        styles = ModelSettings().styles if everything else own_styles(page.icon)
+        return Wanted(page.edit(), styles)
+
+    def _problem(self) -> str:
+        """Return what is missing before the icon can be remixed, as a sentence; else nothing."""
+        page = self.document.page
+        if page.icon is None:
+            self.start_sheet.setFocus()
+            return "There is no icon yet. Look one up on the left, or open a drawing of your own."
+        try:
+            prepare_change(page.edit(), page.icon)
+        except IconstudioError as error:
+            return str(error)
+        if not page.keyword.strip():
+            self.keyword_panel.field.setFocus()
+            return "The icon has no name. Type what it is below the canvas, for example “camera”."
+        return ""
+
+    # -- page ----------------------------------------------------------------------------------
+
+    def _show_page(self, page: EditPage) -> None:
+        self.show_wish(self._wanted(), "edit")
+        if page.empty:
+            self._show_start(True)
+        there = {
+            "save": not page.empty,
+            "clear": bool(page.areas),
+            "delete": bool(page.areas),
+        }
+        for name, enabled in there.items():
+            self.actions_by_name[name].setEnabled(enabled)
+
+    def _show_start(self, shown: bool) -> None:
+        self.start_sheet.close_button.setVisible(not self.document.page.empty)
+        was = self.start_sheet.isVisibleTo(self)
+        self.start_sheet.setVisible(shown)
+        if was and not shown and self.isVisible():
+            self.view.setFocus()
+
+    def _choose_icon(self) -> None:
+        self._show_start(True)
+        self.start_sheet.setFocus()
+
+    def _use(self, name: str, on: bool) -> None:
+        if on:
+            self.tool = self.tools[name]
+        if isinstance(self.tool, DrawTool):
+            self.outline.finish()
+            self.outline.select(None)
+        self.view.set_tool(self.tool if on else self.view.pan_tool)
+
+    def _delete(self) -> None:
+        self.tool.delete_selected()
+        self.view.refresh()
+
+    def _save(self) -> None:
+        page = self.document.page
+        edit = page.edit()
+
+        def write(path: Path) -> None:
+            icon = reference_to(edit.icon, path)
+            file = EditFile(icon, edit.keyword, edit.remove, edit.add, edit.symmetry, edit.exclude)
+            write_edit(path, file)
+
+        self.saver.save_work("edit", page.keyword, write)
+
+
+def _can_be_opened(data: QMimeData) -> bool:
+    return unpacked(data) is not None or dropped_file(data) is not None

@@ -1,0 +1,31 @@
+"""Icons that files of the user's refer to."""
+
+from pathlib import Path
+
+from iconstudio.files import write_atomically
+from iconstudio.model import IconstudioError, Pictogram
+
+_ELSEWHERE = ("made:", "own:")
+"""Beginnings of the identifiers of icons that no collection has: results, and files."""
+
+
+def reference_to(pictogram: Pictogram, path: Path) -> str:
+    """Return the reference of an icon for the file ``path``.
+
+    What no collection has is saved as SVG in the folder of that file, named after both, with its
+    credits.
+
+    Raises
+    ------
+    IconstudioError
+        If it cannot be written.
+    """
+    if not pictogram.id.startswith(_ELSEWHERE):
+        return pictogram.id
+    name = "".join(c if c.isalnum() else "-" for c in pictogram.id.partition(":")[2])
+    file = path.resolve().parent / f"{path.stem}-{name}.svg"
+    try:
+        write_atomically(file, pictogram.svg.encode())
+    except OSError as error:
+        raise IconstudioError(f"“{file}” cannot be written: {error.strerror}.") from None
+    return str(file)
