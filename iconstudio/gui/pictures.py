@@ -3,6 +3,7 @@
 from collections.abc import Generator
 from contextlib import closing
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +14,9 @@ from iconstudio.gui.mipmap import Mipmap
 from iconstudio.gui.vector import painter_path
 from iconstudio.model import CANVAS, Composite, Pictogram, Placement, Source
 from iconstudio.workflows.events import Event, Result
+
+if TYPE_CHECKING:
+    from iconstudio.output.colours import Palette
 
 COLOUR_CODE_SIZE = 512
 """Side of a colour-coded picture in pixels: enough for the large view at two pixels a point."""
@@ -27,6 +31,8 @@ class Picture:
     coded: Mipmap
     title: str = "icon"
     """What it shows: the title of the saved icon, and the start of its file's name."""
+    colours: "Palette | None" = None
+    """The colours of its sources; None: those that its composite gives them."""
 
     @property
     def name(self) -> str:
@@ -60,16 +66,20 @@ def pictured(events: Generator[Event], title: str) -> Generator["Event | Picture
 
     Runs where the events are made, so that the window's thread has nothing to compute.
     """
-    from iconstudio.output.colours import colour_code
-
     with closing(events):
         for event in events:
-            if isinstance(event, Result):
-                pixels = colour_code(event.composite, event.drawing, COLOUR_CODE_SIZE)
-                coded = Mipmap.of(rgba_image(pixels), 64)
-                yield Picture(event, painter_path(event.drawing.path), coded, title)
-            else:
-                yield event
+            yield picture_of(event, title) if isinstance(event, Result) else event
+
+
+def picture_of(
+    result: Result, title: str, size: int | None = None, colours: "Palette | None" = None
+) -> Picture:
+    """Return the picture of a result; ``size`` is the side of the colour-coded one in pixels."""
+    from iconstudio.output.colours import colour_code
+
+    pixels = colour_code(result.composite, result.drawing, size or COLOUR_CODE_SIZE, colours)
+    coded = Mipmap.of(rgba_image(pixels), 64)
+    return Picture(result, painter_path(result.drawing.path), coded, title, colours)
 
 
 def rgba_image(pixels: NDArray[np.uint8]) -> QImage:
@@ -115,14 +125,14 @@ class SourcePicture:
     image: Mipmap
 
 
-def source_pictures(composite: Composite) -> list[SourcePicture]:
+def source_pictures(composite: Composite, palette: "Palette | None" = None) -> list[SourcePicture]:
     """Return the significant sources, the largest share first.
 
     Each is drawn pale at its placement, with the part that it owns in its colour.
     """
     from iconstudio.output.colours import significant_sources, source_colours
 
-    colours = source_colours(composite)
+    colours = source_colours(composite, palette)
     pictures = []
     for label in significant_sources(composite):
         source = composite.sources[label]

@@ -1,6 +1,7 @@
 """Take icons and work out of the window: to files and to the clipboard."""
 
-from collections.abc import Callable, Generator
+import itertools
+from collections.abc import Callable, Generator, Sequence
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
@@ -54,6 +55,20 @@ class Saver(QObject):
         """Save what lies on a canvas as JSON: ``what`` it is; ``write`` writes it to a path."""
         self._save(what, title, "json", write)
 
+    def save_svgs(self, pictures: Sequence[Picture]) -> None:
+        """Save several results as SVG into one folder; no file that is there is replaced."""
+        folder = self.ask_folder()
+        if folder is None:
+            return
+        job = self._worker.submit(lambda: _writing_all(folder, tuple(pictures)))
+        job.event.connect(self._tell)
+        job.failed.connect(self.failed)
+
+    def ask_folder(self) -> Path | None:
+        """Ask for a folder to save into; None if the user thinks better of it."""
+        path = QFileDialog.getExistingDirectory(self._window, "Save all icons as SVG into")
+        return Path(path) if path else None
+
     def ask_path(self, what: str, name: str, kind: str) -> Path | None:
         """Ask where to save; None if the user thinks better of it."""
         dialog = QFileDialog(self._window, f"Save the {what} as {kind.upper()}")
@@ -74,16 +89,28 @@ class Saver(QObject):
         job.failed.connect(self.failed)
 
     def _save_icon(self, picture: Picture, kind: str, content: Callable[[], bytes]) -> None:
-        name = f"{picture.title}-{picture.result.composite.style}"
-        self._save("icon", name, kind, lambda path: _write(path, content()))
+        self._save("icon", _named(picture), kind, lambda path: _write(path, content()))
 
-    def _tell(self, path: Path) -> None:
-        self.saved.emit(f"Saved “{path}”.")
+    def _tell(self, what: str) -> None:
+        self.saved.emit(f"Saved {what}.")
 
 
-def _writing(path: Path, write: Callable[[Path], None]) -> Generator[Path]:
+def _writing(path: Path, write: Callable[[Path], None]) -> Generator[str]:
     write(path)
-    yield path
+    yield f"“{path}”"
+
+
+def _writing_all(folder: Path, pictures: Sequence[Picture]) -> Generator[str]:
+    for picture in pictures:
+        _write(_free(folder, _file_name(_named(picture))), _svg(picture))
+    icons = "1 icon" if len(pictures) == 1 else f"{len(pictures)} icons"
+    yield f"{icons} in “{folder}”"
+
+
+def _free(folder: Path, name: str) -> Path:
+    """Return a path in ``folder`` at which there is nothing yet."""
+    names = itertools.chain([name], (f"{name}-{number}" for number in itertools.count(2)))
+    return next(path for one in names if not (path := folder / f"{one}.svg").exists())
 
 
 def _write(path: Path, content: bytes) -> None:
@@ -105,8 +132,13 @@ def _png(picture: Picture, coded: bool) -> bytes:
 
     result = picture.result
     if coded:
-        return png.encoded(colour_code(result.composite, result.drawing, PNG_SIZE))
+        pixels = colour_code(result.composite, result.drawing, PNG_SIZE, picture.colours)
+        return png.encoded(pixels)
     return png.encoded(png.drawing_pixels(result.drawing, PNG_SIZE))
+
+
+def _named(picture: Picture) -> str:
+    return f"{picture.title}-{picture.result.composite.style}"
 
 
 def _file_name(title: str) -> str:

@@ -84,6 +84,11 @@ def source_colours(composite: Composite, colours: Palette | None = None) -> NDAr
     return np.array([colours[key_of(source)] for source in composite.sources], np.uint8)
 
 
+def numbered_colour(number: int) -> RGB:
+    """Return the colour of icon ``number``, from 0: those of the first ten differ in hue."""
+    return _colour(number % len(HUES), number // len(HUES))
+
+
 def colour_code(
     composite: Composite, drawing: Drawing, size: int, colours: Palette | None = None
 ) -> NDArray[np.uint8]:

@@ -1,0 +1,1 @@
+"""Pictogram montage in the window (section 4.4)."""

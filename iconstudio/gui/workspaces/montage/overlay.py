@@ -1,0 +1,33 @@
+"""What lies beside the tools, or over the canvas, only when a montage is made."""
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QSlider, QWidget
+
+from iconstudio.gui import icons, theme
+from iconstudio.gui.theme import UNIT
+from iconstudio.gui.workspaces.montage.tools.scribble import THINNEST, WIDEST, Brush
+
+
+class BrushSlider(QWidget):
+    """The width of brush and eraser."""
+
+    def __init__(self, brush: Brush, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.slider = QSlider(
+            Qt.Orientation.Horizontal, minimum=THINNEST, maximum=WIDEST, value=brush.width
+        )
+        self.slider.setFixedWidth(10 * UNIT)
+        self.slider.setAccessibleName("Brush size")
+        self.slider.valueChanged.connect(brush.set_width)
+        brush.changed.connect(self.slider.setValue)
+        self._sign = QLabel()
+        self.setToolTip("Brush size ([ and ])")
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(UNIT // 2)
+        row.addWidget(self._sign)
+        row.addWidget(self.slider)
+
+    def refresh_icons(self, look: theme.Theme) -> None:
+        """Draw the sign in the colours of ``look``."""
+        self._sign.setPixmap(icons.pixmap("brush", look.color("muted"), 18, 2))

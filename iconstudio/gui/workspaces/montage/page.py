@@ -1,0 +1,227 @@
+"""What lies on the canvas of a montage, and its edits."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+from PySide6.QtCore import QPointF, QRectF
+from PySide6.QtGui import QColor, QPainterPath, QTransform
+
+from iconstudio.gui.document import Document
+from iconstudio.gui.workspaces.montage.strokes import carried, cut, visible
+from iconstudio.model import (
+    CANVAS,
+    Exemplar,
+    IconstudioError,
+    Layer,
+    Montage,
+    Pictogram,
+    Placement,
+    Point,
+    Stroke,
+)
+from iconstudio.output.colours import Palette, numbered_colour
+from iconstudio.workflows.montage import MOST
+
+
+@dataclass(frozen=True, eq=False)
+class Icon:
+    """An icon on the canvas, and its outline there before it is placed, to be drawn crisp."""
+
+    exemplar: Exemplar
+    outline: QPainterPath
+
+    @property
+    def pictogram(self) -> Pictogram:
+        """The icon itself."""
+        return self.exemplar.pictogram
+
+    @cached_property
+    def box(self) -> QRectF:
+        """The tight box of its ink, in canvas pixels, before it is placed."""
+        ink = self.exemplar.ink
+        rows, columns = ink.any(axis=1).nonzero()[0], ink.any(axis=0).nonzero()[0]
+        if not len(rows):
+            return QRectF(0, 0, CANVAS, CANVAS)
+        corner = QPointF(float(columns[0]), float(rows[0]))
+        return QRectF(corner, QPointF(float(columns[-1] + 1), float(rows[-1] + 1)))
+
+
+@dataclass(frozen=True, slots=True)
+class PlacedIcon:
+    """A layer as the window shows it: ``number`` names it on its page, and gives its colour."""
+
+    number: int
+    icon: Icon
+    placement: Placement = field(default_factory=Placement)
+    strokes: tuple[Stroke, ...] = ()
+    hidden: bool = False
+
+    @property
+    def title(self) -> str:
+        """What to call it."""
+        return self.icon.pictogram.id.partition(":")[2] or self.icon.pictogram.id
+
+    @property
+    def color(self) -> QColor:
+        """The colour of its strokes, and of its parts in the colour code."""
+        return QColor(*numbered_colour(self.number))
+
+    @property
+    def transform(self) -> QTransform:
+        """The mapping from the icon to the canvas."""
+        return transform_of(self.placement)
+
+    @property
+    def outline(self) -> QPainterPath:
+        """Its outline where it lies."""
+        return self.transform.map(self.icon.outline)
+
+    @property
+    def box(self) -> QRectF:
+        """The tight box of its ink where it lies."""
+        return self.transform.mapRect(self.icon.box)
+
+    def inks(self, point: Point) -> bool:
+        """Whether there is ink within a pixel of a point of the canvas."""
+        inverse, _ = self.transform.inverted()
+        spot = inverse.map(QPointF(*point))
+        x, y = int(spot.x()), int(spot.y())
+        near = self.icon.exemplar.ink[max(0, y - 1) : max(0, y + 2), max(0, x - 1) : max(0, x + 2)]
+        return bool(near.any())
+
+
+@dataclass(frozen=True, slots=True)
+class MontagePage:
+    """Icons from back to front, and the number of the one that is worked on."""
+
+    layers: tuple[PlacedIcon, ...] = ()
+    chosen: int = -1
+
+    @property
+    def current(self) -> PlacedIcon | None:
+        """The layer that is worked on; None only if there is none at all."""
+        top = self.layers[-1] if self.layers else None
+        return next((one for one in self.layers if one.number == self.chosen), top)
+
+    @property
+    def marked(self) -> bool:
+        """Whether something is marked, so that a montage can be made."""
+        return any(visible(stroke) for layer in self.layers for stroke in layer.strokes)
+
+    @property
+    def palette(self) -> Palette:
+        """The colour of each icon at its placement, for the colour code."""
+        return {
+            (one.icon.pictogram.id, one.placement): numbered_colour(one.number)
+            for one in self.layers
+        }
+
+    def elsewhere(self, before: "MontagePage") -> bool:
+        """Whether the view should be fitted anew: if a canvas is filled that was empty."""
+        return bool(self.layers) and not before.layers
+
+    def montage(self) -> Montage:
+        """Return what is to be joined. Strokes off the canvas wait for their icon to come back."""
+        in_order = sorted(self.layers, key=lambda one: one.number)
+        return Montage(
+            tuple(
+                Layer(one.icon.pictogram, one.placement, tuple(filter(visible, one.strokes)))
+                for one in in_order
+            )
+        )
+
+    # -- other pages ---------------------------------------------------------------------------
+
+    def with_icons(self, icons: Iterable[Icon]) -> "MontagePage":
+        """Return the page with icons on top, the last one chosen.
+
+        Raises
+        ------
+        IconstudioError
+            If there are more than a montage can have.
+        """
+        page = self
+        for icon in icons:
+            if len(page.layers) >= MOST:
+                raise IconstudioError(
+                    f"A montage takes at most {MOST} icons. Delete one that is not needed first."
+                )
+            taken = {one.number for one in page.layers}
+            number = next(n for n in range(MOST) if n not in taken)
+            page = MontagePage((*page.layers, PlacedIcon(number, icon)), number)
+        return page
+
+    def without(self, number: int) -> "MontagePage":
+        """Return the page without a layer; its neighbour is chosen."""
+        at = self.index(number)
+        layers = self.layers[:at] + self.layers[at + 1 :]
+        chosen = layers[min(at, len(layers) - 1)].number if layers else -1
+        return MontagePage(layers, chosen if number == self.chosen else self.chosen)
+
+    def ordered(self, number: int, at: int) -> "MontagePage":
+        """Return the page with a layer at another height, 0 being the back."""
+        layer = self.layers[self.index(number)]
+        others = [one for one in self.layers if one is not layer]
+        others.insert(at, layer)
+        return replace(self, layers=tuple(others))
+
+    def placed(self, number: int, placement: Placement) -> "MontagePage":
+        """Return the page with an icon elsewhere. Its strokes go along, and cut the others'."""
+        layer = self.layers[self.index(number)]
+        strokes = tuple(carried(one, layer.placement, placement) for one in layer.strokes)
+        return self._laid(replace(layer, placement=placement, strokes=strokes), strokes)
+
+    def drawn(self, number: int, strokes: Sequence[Stroke]) -> "MontagePage":
+        """Return the page with more strokes over an icon. They cut the others'."""
+        layer = self.layers[self.index(number)]
+        return self._laid(replace(layer, strokes=(*layer.strokes, *strokes)), strokes)
+
+    def erased(self, rubber: Sequence[Stroke], number: int | None = None) -> "MontagePage":
+        """Return the page without what ``rubber`` touches of the strokes of one icon, or of all."""
+        return self._cut(rubber, lambda one: number in (None, one.number))
+
+    def hidden(self, number: int, hidden: bool) -> "MontagePage":
+        """Return the page with an icon hidden or not."""
+        return self._with(replace(self.layers[self.index(number)], hidden=hidden))
+
+    def cleared(self) -> "MontagePage":
+        """Return the page without any strokes."""
+        return replace(self, layers=tuple(replace(one, strokes=()) for one in self.layers))
+
+    def index(self, number: int) -> int:
+        """Return the height of a layer, 0 being the back."""
+        return next(at for at, one in enumerate(self.layers) if one.number == number)
+
+    def _laid(self, layer: PlacedIcon, strokes: Sequence[Stroke]) -> "MontagePage":
+        page = self._with(layer)
+        return page._cut(strokes, lambda one: one.number != layer.number)
+
+    def _with(self, layer: PlacedIcon) -> "MontagePage":
+        layers = tuple(layer if one.number == layer.number else one for one in self.layers)
+        return replace(self, layers=layers)
+
+    def _cut(self, knives: Sequence[Stroke], concerned) -> "MontagePage":
+        layers = tuple(
+            replace(one, strokes=cut(one.strokes, knives)) if concerned(one) else one
+            for one in self.layers
+        )
+        return replace(self, layers=layers)
+
+
+MontageDocument = Document[MontagePage]
+
+
+def choose(document: MontageDocument, number: int) -> None:
+    """Work on another icon. That is no edit: undo gives back what was chosen before an edit."""
+    document.show(replace(document.page, chosen=number))
+
+
+def transform_of(placement: Placement) -> QTransform:
+    """Return the mapping from an icon to the canvas (equation 4)."""
+    half = CANVAS / 2
+    transform = QTransform()
+    transform.translate(half + placement.dx, half + placement.dy)
+    transform.scale(-placement.scale if placement.flip else placement.scale, placement.scale)
+    transform.translate(-half, -half)
+    return transform

@@ -1,0 +1,199 @@
+"""Choose, move and scale icons on the canvas."""
+
+import math
+from dataclasses import replace
+
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QKeyEvent, QPainter, QPen
+
+from iconstudio.gui.canvas.camera import Camera
+from iconstudio.gui.canvas.tools.base import Pointer, Tool
+from iconstudio.gui.document import new_gesture
+from iconstudio.gui.theme import Theme
+from iconstudio.gui.workspaces.montage.page import MontageDocument, PlacedIcon, choose
+from iconstudio.gui.workspaces.montage.scene import MontageScene
+from iconstudio.gui.workspaces.montage.snapping import (
+    Guides,
+    Snapped,
+    corners,
+    kept_in,
+    moved,
+    scaled,
+)
+from iconstudio.gui.workspaces.montage.tools.stepping import step_key
+from iconstudio.model import CANVAS, Point
+
+GRIP = 9.0
+"""Pixels within which the pointer finds a handle."""
+
+SNAP = 6.0
+"""Pixels at which a dragged icon snaps."""
+
+_FREE = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
+
+_NUDGES = {
+    Qt.Key.Key_Left: (-1, 0),
+    Qt.Key.Key_Right: (1, 0),
+    Qt.Key.Key_Up: (0, -1),
+    Qt.Key.Key_Down: (0, 1),
+}
+
+
+class ArrangeTool(Tool):
+    """Drags icons about, and their corners to scale them; every drag is one step to undo."""
+
+    def __init__(self, document: MontageDocument, scene: MontageScene) -> None:
+        self._document = document
+        self._scene = scene
+        self._corner: int | None = None
+        self._hover = False
+        self._start: Point | None = None
+        self._snapped: Snapped | None = None
+        self._nudges = 0, -1
+
+    # -- what the canvas shows -----------------------------------------------------------------
+
+    @property
+    def cursor(self) -> Qt.CursorShape:
+        """Arrows for handles, a cross of arrows for icons."""
+        if self._corner is not None:
+            diagonals = Qt.CursorShape.SizeFDiagCursor, Qt.CursorShape.SizeBDiagCursor
+            return diagonals[self._corner % 2]
+        return Qt.CursorShape.SizeAllCursor if self._hover else Qt.CursorShape.ArrowCursor
+
+    @property
+    def hint(self) -> str:
+        """What can be done now."""
+        if self._snapped is not None:
+            centred = " · Alt scales about the centre" if self._corner is not None else ""
+            return f"Hold Shift to place it freely{centred}"
+        return "Drag to move · drag a corner to scale · M mirrors · B to scribble"
+
+    def paint(self, painter: QPainter, camera: Camera, theme: Theme) -> None:
+        """Draw the guides that are kept to, and the frame and handles of the chosen icon."""
+        layer = self._scene.page.current
+        if layer is None:
+            return
+        accent = theme.color("accent")
+        if self._snapped is not None:
+            painter.setPen(QPen(accent, 1, Qt.PenStyle.DashLine))
+            for x in self._snapped.guides.xs:
+                painter.drawLine(camera.to_view((x, 0)), camera.to_view((x, CANVAS)))
+            for y in self._snapped.guides.ys:
+                painter.drawLine(camera.to_view((0, y)), camera.to_view((CANVAS, y)))
+        box = camera.transform.mapRect(layer.box)
+        painter.setPen(QPen(accent, 1.5))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawRect(box)
+        painter.setBrush(theme.color("surface"))
+        for spot in corners(box):
+            painter.drawRect(QRectF(spot.x() - 4, spot.y() - 4, 8, 8))
+
+    # -- pointer -------------------------------------------------------------------------------
+
+    def press(self, pointer: Pointer) -> None:
+        """Take hold of a handle or an icon; an icon becomes the chosen one."""
+        if pointer.button != Qt.MouseButton.LeftButton:
+            return
+        self._look(pointer)
+        if self._corner is None:
+            found = self._found(pointer.page)
+            if found is None:
+                return
+            if found is not self._document.page.current:
+                choose(self._document, found.number)
+        self._start = pointer.page
+
+    def move(self, pointer: Pointer) -> None:
+        """Drag what is held, or look at what lies under the pointer."""
+        if self._start is None:
+            self._look(pointer)
+            return
+        layer = self._document.page.current
+        far = math.dist(pointer.page, self._start) * pointer.camera.zoom
+        if layer is None or (self._snapped is None and far < 3):
+            return
+        free = bool(pointer.modifiers & _FREE)
+        grip = 0.0 if free else SNAP / pointer.camera.zoom
+        guides = Guides.of(
+            one.box for one in self._document.page.layers if one is not layer and not one.hidden
+        )
+        by = QPointF(*pointer.page) - QPointF(*self._start)
+        if self._corner is None:
+            self._snapped = moved(layer.icon, layer.placement, by, guides, grip)
+        else:
+            centred = bool(pointer.modifiers & Qt.KeyboardModifier.AltModifier)
+            to = corners(layer.box)[self._corner] + by
+            self._snapped = scaled(
+                layer.icon, layer.placement, self._corner, to, centred, guides, grip
+            )
+        placement = self._snapped.placement
+        self._scene.preview(self._document.page.placed(layer.number, placement))
+
+    def release(self, pointer: Pointer) -> None:
+        """Let go: the gesture becomes one step."""
+        snapped, layer = self._snapped, self._document.page.current
+        text = "move icon" if self._corner is None else "scale icon"
+        self.cancel()
+        if snapped is not None and layer is not None and snapped.placement != layer.placement:
+            after = self._document.page.placed(layer.number, snapped.placement)
+            self._document.change(text, after)
+        self._look(pointer)
+
+    def leave(self) -> None:
+        """Forget the pointer."""
+        if self._start is None:
+            self._corner, self._hover = None, False
+
+    # -- keys ----------------------------------------------------------------------------------
+
+    def key(self, event: QKeyEvent) -> bool:
+        """Arrows nudge, Page Up and Down choose another icon."""
+        if step_key(self._document, event):
+            return True
+        layer = self._document.page.current
+        if event.key() not in _NUDGES or layer is None or self._start is not None:
+            return False
+        far = 10 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1
+        dx, dy = (far * step for step in _NUDGES[event.key()])
+        old = layer.placement
+        new = kept_in(layer.icon, replace(old, dx=old.dx + dx, dy=old.dy + dy))
+        if new != old:
+            # Nudges of one icon in a row are one step.
+            if self._nudges[1] != layer.number or not event.isAutoRepeat():
+                self._nudges = new_gesture(), layer.number
+            after = self._document.page.placed(layer.number, new)
+            self._document.change("nudge icon", after, self._nudges[0])
+        return True
+
+    def cancel(self) -> bool:
+        """Put what is held back where it was."""
+        held = self._start is not None
+        self._start = self._snapped = self._corner = None
+        self._scene.preview(None)
+        return held
+
+    # -- helpers -------------------------------------------------------------------------------
+
+    def _look(self, pointer: Pointer) -> None:
+        layer = self._document.page.current
+        self._corner = None
+        if layer is not None:
+            spots = corners(pointer.camera.transform.mapRect(layer.box))
+            gaps = [math.dist(spot.toTuple(), pointer.view.toTuple()) for spot in spots]
+            if min(gaps) <= GRIP:
+                self._corner = gaps.index(min(gaps))
+        self._hover = self._found(pointer.page) is not None
+
+    def _found(self, point: Point) -> PlacedIcon | None:
+        """Return the topmost icon with ink at a point; else the chosen, else any, whose box it is.
+
+        Hidden icons are found only if chosen.
+        """
+        page = self._document.page
+        current = page.current
+        shown = [one for one in reversed(page.layers) if not one.hidden or one is current]
+        boxed = [one for one in shown if one.box.contains(QPointF(*point))]
+        inked = [one for one in shown if one.inks(point)]
+        inside = [current] if current in boxed else boxed
+        return next(iter(inked or inside), None)

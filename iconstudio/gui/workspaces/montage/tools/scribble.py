@@ -1,0 +1,164 @@
+"""Scribble over the parts of an icon to keep, and rub scribbles out."""
+
+import math
+
+from PySide6.QtCore import QObject, QRectF, Qt, Signal
+from PySide6.QtGui import QKeyEvent, QPainter, QPen
+
+from iconstudio.gui.canvas.camera import Camera
+from iconstudio.gui.canvas.tools.base import Pointer, Tool
+from iconstudio.gui.theme import Theme
+from iconstudio.gui.workspaces.montage.page import MontageDocument, MontagePage
+from iconstudio.gui.workspaces.montage.scene import MontageScene
+from iconstudio.gui.workspaces.montage.strokes import strokes_of, visible
+from iconstudio.gui.workspaces.montage.tools.stepping import step_key
+from iconstudio.model import CANVAS, Point
+
+THINNEST, WIDEST, USUAL = 2, 64, 14
+"""Range of the brush in canvas pixels, and its width at first."""
+
+_APART = 0.8
+"""Canvas pixels that the pointer must move for another point."""
+
+_FARTHEST = 2.0 * CANVAS
+"""No point of a stroke is farther from the canvas's corner."""
+
+_LIGHT = 0.35
+"""Part of the brush's width that a pen draws with that hardly presses."""
+
+
+class Brush(QObject):
+    """The width of brush and eraser, in canvas pixels.
+
+    Signals
+    -------
+    changed(int)
+    """
+
+    changed = Signal(int)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.width = USUAL
+
+    def set_width(self, width: int) -> None:
+        """Use another width, within the range."""
+        width = min(max(width, THINNEST), WIDEST)
+        if width != self.width:
+            self.width = width
+            self.changed.emit(width)
+
+    def step(self, way: int) -> None:
+        """Make it about a sixth wider (1) or narrower (-1)."""
+        self.set_width(self.width + way * max(1, round(self.width / 6)))
+
+
+class ScribbleTool(Tool):
+    """Draws a line; when the pointer lets go, it becomes strokes, or rubs strokes out.
+
+    Meanwhile the scene shows what that will make of the page.
+    """
+
+    def __init__(
+        self, document: MontageDocument, scene: MontageScene, brush: Brush, rubs: bool
+    ) -> None:
+        self._document = document
+        self._scene = scene
+        self._brush = brush
+        self._always_rubs = rubs
+        self._rubs = rubs
+        self._everywhere = False
+        self._points: list[Point] = []
+        self._widths: list[float] = []
+        self._pointer: Pointer | None = None
+        brush.changed.connect(scene.changed)
+
+    @property
+    def cursor(self) -> Qt.CursorShape:
+        """None: the brush itself is drawn."""
+        return Qt.CursorShape.BlankCursor
+
+    @property
+    def hint(self) -> str:
+        """What can be done now."""
+        layer = self._scene.page.current
+        if layer is None:
+            return ""
+        if self._always_rubs:
+            return f"Rub out scribbles of “{layer.title}” · Alt: of every icon · [ ] size"
+        return f"Scribble over what to keep of “{layer.title}” · [ ] size · E erases"
+
+    def paint(self, painter: QPainter, camera: Camera, theme: Theme) -> None:
+        """Draw the brush at the pointer."""
+        layer = self._scene.page.current
+        if self._pointer is None or layer is None:
+            return
+        width = self._widths[-1] if self._widths else self._brush.width
+        radius = max(1.5, width * camera.zoom / 2)
+        spot = self._pointer.view
+        box = QRectF(spot.x() - radius, spot.y() - radius, 2 * radius, 2 * radius)
+        rubs = self._rubs if self._points else self._always_rubs or self._pointer.eraser
+        painter.setBrush(theme.color("surface", 0.5) if rubs else Qt.BrushStyle.NoBrush)
+        painter.setPen(QPen(theme.color("surface", 0.9), 3))
+        painter.drawEllipse(box)
+        style = Qt.PenStyle.DashLine if rubs else Qt.PenStyle.SolidLine
+        painter.setPen(QPen(theme.color("text") if rubs else layer.color, 1.5, style))
+        painter.drawEllipse(box)
+
+    # -- pointer -------------------------------------------------------------------------------
+
+    def press(self, pointer: Pointer) -> None:
+        """Put the pen down."""
+        self._pointer = pointer
+        if pointer.button != Qt.MouseButton.LeftButton or self._document.page.current is None:
+            return
+        self._rubs = self._always_rubs or pointer.eraser
+        self._everywhere = bool(pointer.modifiers & Qt.KeyboardModifier.AltModifier)
+        self._points, self._widths = [], []
+        self._add(pointer)
+
+    def move(self, pointer: Pointer) -> None:
+        """Draw on."""
+        self._pointer = pointer
+        if self._points and math.dist(self._points[-1], pointer.page) >= _APART:
+            self._add(pointer)
+
+    def release(self, pointer: Pointer) -> None:
+        """Lift the pen: the line becomes one step."""
+        if not self._points:
+            return
+        after = self._outcome()
+        self.cancel()
+        if after != self._document.page:
+            self._document.change("erase" if self._rubs else "scribble", after)
+
+    def leave(self) -> None:
+        """Forget the pointer."""
+        self._pointer = None
+
+    def key(self, event: QKeyEvent) -> bool:
+        """Page Up and Down choose another icon."""
+        return not self._points and step_key(self._document, event)
+
+    def cancel(self) -> bool:
+        """Give up the line."""
+        drawing = bool(self._points)
+        self._points, self._widths = [], []
+        self._scene.preview(None)
+        return drawing
+
+    def _add(self, pointer: Pointer) -> None:
+        x, y = (min(max(value, -_FARTHEST), _FARTHEST) for value in pointer.page)
+        self._points.append((x, y))
+        pressed = _LIGHT + (1 - _LIGHT) * pointer.pressure
+        self._widths.append(self._brush.width * (1.0 if self._rubs else pressed))
+        self._scene.preview(self._outcome())
+
+    def _outcome(self) -> MontagePage:
+        """Return what the line makes of the page."""
+        page = self._document.page
+        number = page.current.number
+        strokes = strokes_of(self._points, self._widths)
+        if self._rubs:
+            return page.erased(strokes, None if self._everywhere else number)
+        return page.drawn(number, tuple(filter(visible, strokes)))

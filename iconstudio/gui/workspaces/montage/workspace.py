@@ -1,0 +1,301 @@
+"""Pictogram montage (section 4.4): bring icons in, arrange them, scribble over what to keep."""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from PySide6.QtCore import QMimeData, Qt
+from PySide6.QtGui import QHideEvent
+from PySide6.QtWidgets import (
+    QApplication,
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QSplitter,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from iconstudio.gui import theme
+from iconstudio.gui.actions import Entry, Key
+from iconstudio.gui.canvas.view import CanvasView
+from iconstudio.gui.document import Document
+from iconstudio.gui.dragging import dropped_file, unpacked
+from iconstudio.gui.panels.canvas import CanvasPanel
+from iconstudio.gui.panels.chooser import IconChooser
+from iconstudio.gui.panels.detail import DetailPanel
+from iconstudio.gui.panels.sending import Destination
+from iconstudio.gui.pictures import Picture
+from iconstudio.gui.saving import Saver
+from iconstudio.gui.theme import UNIT
+from iconstudio.gui.worker import Worker
+from iconstudio.gui.workspaces.base import Workspace
+from iconstudio.gui.workspaces.montage.layers import LayerList, scrolling
+from iconstudio.gui.workspaces.montage.live import TITLE, LiveResult
+from iconstudio.gui.workspaces.montage.opening import Opener, write_page
+from iconstudio.gui.workspaces.montage.overlay import BrushSlider
+from iconstudio.gui.workspaces.montage.page import MontagePage, choose
+from iconstudio.gui.workspaces.montage.scene import MontageScene
+from iconstudio.gui.workspaces.montage.tools.arrange import ArrangeTool
+from iconstudio.gui.workspaces.montage.tools.scribble import Brush, ScribbleTool
+from iconstudio.model import Exemplar, Pictogram
+from iconstudio.session import Session
+
+OWN = {
+    "&File": (
+        Entry("new", "&New montage", "Start afresh", Key.New, "new"),
+        Entry("svg_in", "Open S&VG…", "Add a drawing of your own", Key.Open, "open"),
+        Entry("open", "Open &montage…", "Open a montage file", "Ctrl+Shift+O"),
+        Entry("save", "&Save montage…", "Save the montage as JSON", Key.Save),
+    ),
+    "&Edit": (
+        Entry("paste", "P&aste drawing", "Add the SVG file on the clipboard", Key.Paste),
+        Entry("delete", "&Delete icon", "Take the chosen icon out", "Backspace"),
+        Entry("clear", "Clear &scribbles", "Remove all scribbles", "Ctrl+Backspace", "clear"),
+        Entry("mirror", "&Mirror icon", "Mirror the chosen icon", "M", "mirror"),
+        Entry("wider", "&Wider brush", "Wider brush", "]"),
+        Entry("narrower", "&Narrower brush", "Narrower brush", "["),
+    ),
+    "&View": (
+        Entry("arrange", "&Arrange icons", "Choose, move and scale icons", "V", "arrow", True),
+        Entry("brush", "&Keep brush", "Scribble over the parts to keep", "B", "brush", True),
+        Entry("eraser", "&Eraser", "Rub scribbles out", "E", "eraser", True),
+    ),
+}  # fmt: skip
+
+_INVITATION = (
+    "The montage appears here as soon as you scribble over a part of an icon with the brush."
+)
+
+
+class MontageWorkspace(Workspace):
+    """Icons to choose from and layers on the left, the canvas, and the live result on the right."""
+
+    title = "Montage"
+    invitation = "Add to montage"
+
+    def __init__(self, session: Session, files: Worker, saver: Saver) -> None:
+        super().__init__(session, files, saver, Document(MontagePage()))
+        self.finder = Worker(self)
+        """Looks icons up and draws them also while a montage is made."""
+        self.opener = Opener(session, self.document, self.finder, self)
+        self.live = LiveResult(session, self.worker, self)
+        self._kept: Picture | None = None
+        self._coded = False
+
+        self.scene = MontageScene(self.document)
+        self.scene.setParent(self)
+        self.brush = Brush(self)
+        self.tools = {
+            "arrange": ArrangeTool(self.document, self.scene),
+            "brush": ScribbleTool(self.document, self.scene, self.brush, rubs=False),
+            "eraser": ScribbleTool(self.document, self.scene, self.brush, rubs=True),
+        }
+        self.view = CanvasView(self.scene, self.tools["arrange"], _can_be_added)
+        self.view.setAccessibleDescription("Arrange icons, and scribble over their parts, here")
+        self.chooser = IconChooser(session, self.finder)
+        self.layers = LayerList()
+        self.detail = DetailPanel(upright=True, invitation=_INVITATION)
+        self.slider = BrushSlider(self.brush)
+
+        self._make_actions()
+        self._lay_out()
+        self._wire()
+        self.refresh_icons(theme.current())
+        self._show_page(self.document.page)
+
+    # -- putting together ----------------------------------------------------------------------
+
+    def _make_actions(self) -> None:
+        self.make_actions(
+            {
+                "new": lambda: self._change("new montage", lambda page: MontagePage()),
+                "svg_in": self._choose_file,
+                "open": self.opener.choose_montage,
+                "save": self._save,
+                "paste": lambda: self.opener.add_mime(QApplication.clipboard().mimeData()),
+                "delete": self._delete,
+                "clear": lambda: self._change("clear scribbles", MontagePage.cleared),
+                "mirror": self._mirror,
+                "wider": lambda: self.brush.step(1),
+                "narrower": lambda: self.brush.step(-1),
+                "coded": self._set_coded,
+                **{name: self._chooser_of(name) for name in self.tools},
+                **self.view_slots(self.view),
+                "pan": lambda on: on and self.view.set_tool(self.view.pan_tool),
+            },
+            OWN,
+        )
+        self.actions_by_name.choose_between("arrange", "brush", "eraser", "pan")
+
+    def _chooser_of(self, name: str) -> Callable[[bool], None]:
+        return lambda on: on and self.view.set_tool(self.tools[name])
+
+    def _lay_out(self) -> None:
+        named = self.actions_by_name
+        groups = [
+            [named["undo"], named["redo"]],
+            [named[name] for name in ("arrange", "brush", "eraser", "pan")],
+            [named[name] for name in ("mirror", "fit", "clear")],
+        ]
+        self.canvas_panel = CanvasPanel(self.view, groups, [self.slider])
+        left = QSplitter(Qt.Orientation.Vertical)
+        left.addWidget(_card("Find icons", self.chooser))
+        left.addWidget(_card("Layers", scrolling(self.layers)))
+        left.setSizes([300, 260])
+        code = QToolButton()
+        code.setDefaultAction(named["coded"])
+        self.detail.add_to_heading(code)
+        whole = QSplitter(Qt.Orientation.Horizontal)
+        for part, share in ((left, 0), (self.canvas_panel, 3), (self.detail, 2)):
+            whole.addWidget(part)
+            whole.setStretchFactor(whole.count() - 1, share)
+        whole.setSizes([270, 570, 420])
+        for splitter in (left, whole):
+            splitter.setHandleWidth(UNIT)
+            splitter.setChildrenCollapsible(False)
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(whole)
+
+    def _wire(self) -> None:
+        layers, live = self.layers, self.live
+        self.chooser.chosen.connect(self._add_exemplar)
+        self.view.dropped.connect(lambda data, _: self.opener.add_mime(data))
+        self.opener.failed.connect(self.failed)
+        self.opener.opened.connect(self.said)
+        layers.chosen.connect(lambda number: choose(self.document, number))
+        layers.deleted.connect(self._delete)
+        layers.hid.connect(self._hide)
+        layers.moved.connect(
+            lambda number, at: self._change("reorder icons", lambda page: page.ordered(number, at))
+        )
+        self.document.page_changed.connect(self._show_page)
+        live.shown.connect(self._show_result)
+        live.progress.connect(self.progressed)
+        live.failed.connect(self.failed)
+        live.rested.connect(lambda: self.rested.emit(""))
+        self.detail.sent.connect(lambda title: self.send_picture(self.picture, title))
+        self.connect_detail(self.detail)
+        self.made.connect(self._note_kept)
+
+    # -- what the window asks for --------------------------------------------------------------
+
+    @property
+    def picture(self) -> Picture | None:
+        """The result."""
+        return self.detail.picture
+
+    @property
+    def coded(self) -> bool:
+        """Whether the result is coded by source."""
+        return self._coded
+
+    def enter(self) -> None:
+        """Begin with looking for icons, then on the canvas."""
+        (self.view if self.document.page.layers else self.chooser).setFocus()
+
+    def take(self, pictogram: Pictogram) -> None:
+        """Add an icon."""
+        self.opener.add(pictogram)
+
+    def set_destinations(self, destinations: tuple[Destination, ...]) -> None:
+        """Say where results can be sent to."""
+        self.detail.set_destinations(destinations)
+
+    def cancel(self) -> None:
+        """Stop the run; the last result stays."""
+        self.live.cancel()
+
+    def close_work(self) -> None:
+        """Stop all work and wait until both threads have ended."""
+        super().close_work()
+        self.finder.close(self.session.close)
+
+    def refresh_icons(self, look: theme.Theme) -> None:
+        """Draw all icons in the colours of ``look``."""
+        super().refresh_icons(look)
+        self.layers.refresh_icons(look)
+        self.slider.refresh_icons(look)
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Keep the result in sight when the user goes elsewhere."""
+        super().hideEvent(event)
+        if not event.spontaneous() and self.picture is not None and self.picture is not self._kept:
+            self.made.emit(self.picture)
+
+    # -- result --------------------------------------------------------------------------------
+
+    def _show_result(self, picture: Picture) -> None:
+        if not self.document.page.marked:
+            return
+        self.detail.show_picture(picture)
+        self.picked.emit(picture)
+
+    def _note_kept(self, picture: Picture) -> None:
+        self._kept = picture
+
+    def _set_coded(self, coded: bool) -> None:
+        self._coded = coded
+        self.detail.large.set_coded(coded)
+
+    # -- page ----------------------------------------------------------------------------------
+
+    def _show_page(self, page: MontagePage) -> None:
+        if page.marked:
+            self.live.want(page.montage(), page.palette)
+        else:
+            self.live.forget()
+            if self.picture is not None:
+                self.detail.show_picture(None)
+                self.picked.emit(None)
+        self.layers.show_page(page)
+        self.actions_by_name["clear"].setEnabled(any(one.strokes for one in page.layers))
+        for name in ("delete", "mirror", "save"):
+            self.actions_by_name[name].setEnabled(bool(page.layers))
+
+    def _change(self, text: str, edit: Callable[[MontagePage], MontagePage]) -> None:
+        after = edit(self.document.page)
+        if after != self.document.page:
+            self.document.change(text, after)
+
+    def _add_exemplar(self, exemplar: Exemplar) -> None:
+        self.opener.add(exemplar.pictogram)
+
+    def _choose_file(self) -> None:
+        self.chooser.choose_file()
+
+    def _delete(self, number: int | bool | None = None) -> None:
+        current = self.document.page.current
+        number = current.number if isinstance(number, bool) and current else number
+        self._change("delete icon", lambda page: page.without(number))
+
+    def _mirror(self) -> None:
+        layer = self.document.page.current
+        placement = replace(layer.placement, flip=not layer.placement.flip)
+        self._change("mirror icon", lambda page: page.placed(layer.number, placement))
+
+    def _hide(self, number: int, hidden: bool) -> None:
+        text = "hide icon" if hidden else "show icon"
+        self._change(text, lambda page: page.hidden(number, hidden))
+
+    def _save(self) -> None:
+        page = self.document.page
+        self.saver.save_work("montage", TITLE, lambda path: write_page(path, page))
+
+
+def _can_be_added(data: QMimeData) -> bool:
+    return unpacked(data) is not None or dropped_file(data) is not None
+
+
+def _card(title: str, widget: QWidget) -> QFrame:
+    card = QFrame()
+    card.setProperty("card", True)
+    heading = QLabel(title)
+    heading.setProperty("heading", True)
+    layout = QVBoxLayout(card)
+    layout.setContentsMargins(UNIT * 3 // 2, UNIT, UNIT, UNIT)
+    layout.setSpacing(UNIT)
+    layout.addWidget(heading)
+    layout.addWidget(widget, 1)
+    return card
