@@ -14,10 +14,8 @@ from iconstudio.algorithms.energy import Labels, RemixProblem, joined_ink, latti
 from iconstudio.algorithms.fragments import fragments
 from iconstudio.algorithms.symmetry import likeness
 
-HARSH = 2.0
-"""Mean smoothness cost of a visible seam's edges at which the term ``seam`` is 1/e."""
-LONGEST = 64
-"""Seams shorter than this, in pixels, count as if they were so long."""
+HARSH = 0.8
+"""Cost of the visible seams, for each pixel of the contour, at which the term ``seam`` is 1/e."""
 EVEN = 0.35
 """Part of the ink that the other sources must own, beside the largest, to share truly."""
 SAME, STRAY = 3, 0.02
@@ -30,7 +28,7 @@ class Score:
     """The terms of a rank score."""
 
     seam: float
-    """Low cost of the visible seams for their length."""
+    """Low cost of the visible seams for the length of what is drawn."""
     whole: float
     """No pieces that float free where no source has them."""
     symmetry: float
@@ -62,22 +60,23 @@ def score(problem: RemixProblem, labels: Labels, *, sharing: bool = False) -> Sc
 
 
 def seam_cost(problem: RemixProblem, labels: Labels) -> float:
-    """Return the smoothness cost of the seams over the length of what can be seen of them.
+    """Return the smoothness cost of the seams that can be seen, for each pixel of the contour.
 
     A seam can be seen where the ink of its two sources meets or differs; through white that both
     share it costs next to nothing and shows nowhere.
     """
     flat = labels.ravel().astype(np.intp)
     dark = problem.ink.reshape(len(problem.ink), -1)
-    cost, length = 0.0, 0
+    drawn = joined_ink(problem, labels).ravel()
+    cost, contour = 0.0, 0
     for first, second in lattice_edges():
+        contour += int((drawn[first] != drawn[second]).sum())
         seam = flat[first] != flat[second]
         a, b = first[seam], second[seam]
         la, lb = flat[a], flat[b]
         seen = dark[la, a] | dark[lb, a] | dark[la, b] | dark[lb, b]
         cost += float(problem.smoothness(a[seen], b[seen], la[seen], lb[seen]).sum())
-        length += int(seen.sum())
-    return cost / max(length, LONGEST)
+    return cost / max(1, contour)
 
 
 class Gallery:
