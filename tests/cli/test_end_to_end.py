@@ -7,12 +7,12 @@ import xml.etree.ElementTree as ET
 import numpy as np
 import pytest
 from PIL import Image
-from scipy import ndimage
 
 from iconstudio.cli.app import run
 from iconstudio.library.resvg import render_coverage
 from iconstudio.model import CANVAS, Frame
 from iconstudio.resources import resource
+from tests.cli.energies import prove_energies
 
 LAMBDAS = (0.05, 0.3)
 STYLE = "dark"
@@ -50,10 +50,14 @@ def test_the_report_says_all(report):
     for result in report["results"]:
         assert {
             "style", "lambda_s", "energy", "data_cost", "smoothness_cost", "iou", "svg", "png",
-            "sources_png", "sources",
+            "sources_png", "sources", "rank_score", "rank_terms", "recommended",
         } == set(result)  # fmt: skip
         assert math.isclose(sum(source["share"] for source in result["sources"]), 1, abs_tol=1e-6)
         assert result["iou"] > 0.6
+        assert result["rank_terms"]["likeness"] == result["iou"]
+    assert sum(result["recommended"] for result in report["results"]) == 1
+    best = max(report["results"], key=lambda result: result["rank_score"])
+    assert best["recommended"]
 
 
 def test_every_icon_is_one_path_with_credits(folder, report):
@@ -72,39 +76,9 @@ def test_every_icon_is_one_path_with_credits(folder, report):
 
 
 def test_the_dump_proves_the_energies(folder, report):
-    """Equations 5 to 8 again, from nothing but the arrays."""
     with np.load(folder / f"{STYLE}.npz", allow_pickle=False) as dump:
-        ink, solid, interior = dump["ink"], dump["solid"], dump["interior"]
-        sketch, labels = dump["sketch"], dump["labels"]
-        lambdas, energies = dump["lambda_s"], dump["energy"]
         assert len(dump["exemplar_solid"]) == len(dump["exemplar_id"])
-    assert np.array_equal(interior, solid & ~ink)
-    edt = ndimage.distance_transform_edt
-
-    def tsdf(shape):
-        return np.clip(edt(~shape) - edt(shape), -6, 6) / 256
-
-    data = abs(tsdf(sketch) - np.stack([tsdf(one) for one in solid]))
-    padded = np.pad(ink, ((0, 0), (3, 3), (3, 3)))
-    patches = np.lib.stride_tricks.sliding_window_view(padded, (7, 7), axis=(1, 2))
-    for chosen, lambda_s, energy, result in zip(
-        labels, lambdas, energies, report["results"], strict=True
-    ):
-        total = np.take_along_axis(data, chosen[None].astype(int), 0).sum()
-        smoothness = 0.0
-        for dy, dx in ((0, 1), (1, 0)):
-            here, there = chosen[: CANVAS - dy, : CANVAS - dx], chosen[dy:, dx:]
-            for y, x in np.argwhere(here != there):
-                a, b = chosen[y, x], chosen[y + dy, x + dx]
-                f_n = sum(
-                    math.sqrt((patches[a, v, u] != patches[b, v, u]).sum())
-                    for v, u in ((y, x), (y + dy, x + dx))
-                )
-                cut = 0.5 if interior[a, y, x] or interior[b, y + dy, x + dx] else 0.0
-                smoothness += max(0.01, f_n + cut)
-        assert energy == pytest.approx(total + lambda_s * smoothness, rel=1e-4)
-        assert result["energy"] == pytest.approx(energy)
-        assert result["smoothness_cost"] == pytest.approx(smoothness, rel=1e-4)
+        prove_energies(dict(dump), report["results"])
 
 
 def test_the_svg_shows_the_labelling(folder, report):
