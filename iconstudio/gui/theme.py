@@ -205,11 +205,6 @@ QToolButton[floating="true"] { background: @surface; border: 1px solid @border; 
 QToolButton[floating="true"]:hover { background: @accent_soft; }
 QToolButton[floating="true"]:focus { border: 1px solid @accent; }
 
-QSpinBox { background: @surface; border: 1px solid @border; border-radius: 6px;
-           padding: 0 4px 0 8px; min-height: 30px; selection-background-color: @accent;
-           selection-color: @on_accent; }
-QSpinBox:focus { border: 2px solid @accent; padding: 0 3px 0 7px; min-height: 28px; }
-
 QProgressBar { background: @sunken; border: 0; border-radius: 3px; max-height: 6px;
                min-height: 6px; }
 QProgressBar::chunk { background: @accent; border-radius: 3px; }

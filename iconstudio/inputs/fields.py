@@ -106,6 +106,13 @@ class Fields:
         """Return a list of points; no coordinate may exceed ``largest``."""
         return self._points(self._list(key, "[x, y] points"), f'of "{key}"', largest)
 
+    def point_lists(self, key: str, largest: float = LARGEST) -> tuple[tuple[Point, ...], ...]:
+        """Return a list of lists of points; empty if there is none."""
+        values = self._list(key, "lists of points") if self.has(key) else []
+        if not all(isinstance(value, list) for value in values):
+            raise self.mistake(f'"{key}" must be a list of lists of [x, y] points.')
+        return tuple(self._points(value, f'of "{key}"', largest) for value in values)
+
     def polygons(self, key: str) -> tuple[Polygon, ...]:
         """Return a list of polygons that enclose some area; empty if there is none."""
         values = self._list(key, "polygons") if self.has(key) else []

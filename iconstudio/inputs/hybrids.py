@@ -2,15 +2,16 @@
 
 ``{"icons": ["set:name", ...], "draws": 40, "seed": 0, "symmetry": "horizontal"}``, or, for icons
 that the program picks, ``{"keyword": "lamp", "count": 5, ...}``. An icon may be the path of an SVG,
-from the file's folder.
+from the file's folder. ``"pins": [[[x, y], ...], ...]``, a list for each icon, are points that
+every hybrid keeps.
 """
 
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from iconstudio.inputs.fields import read, relative, write
-from iconstudio.model import Axis, Mix, Pictogram
+from iconstudio.inputs.fields import read, relative, write, written
+from iconstudio.model import CANVAS, Axis, Mix, Pictogram, Seeds
 from iconstudio.workflows.hybrids import FEWEST, MOST, MOST_DRAWS
 
 LARGEST_SEED = 2**63 - 1
@@ -28,6 +29,8 @@ class HybridsFile:
     draws: int = 40
     seed: int = 0
     symmetry: Axis | None = None
+    pins: Seeds = ()
+    """For each of the given icons, positions that every draw keeps; empty if there are none."""
 
     def resolved(self, find: Callable[[str], Pictogram]) -> Mix:
         """Return the mix of the icons that are given, found by ``find``."""
@@ -35,7 +38,7 @@ class HybridsFile:
 
     def mix(self, icons: tuple[Pictogram, ...]) -> Mix:
         """Return the mix of these icons."""
-        return Mix(icons, self.draws, self.seed, self.symmetry)
+        return Mix(icons, self.draws, self.seed, self.symmetry, self.pins)
 
 
 def read_hybrids(path: Path) -> HybridsFile:
@@ -61,6 +64,7 @@ def read_hybrids(path: Path) -> HybridsFile:
         fields.whole("draws", 40, 1, MOST_DRAWS),
         fields.whole("seed", 0, 0, LARGEST_SEED),
         fields.axis(),
+        fields.point_lists("pins", CANVAS),
     )
 
 
@@ -74,5 +78,11 @@ def write_hybrids(path: Path, hybrids: HybridsFile) -> None:
     """
     picked: dict[str, object] = {"keyword": hybrids.keyword, "count": hybrids.count}
     given = {"icons": [relative(reference, path) for reference in hybrids.icons]}
-    data = {"draws": hybrids.draws, "seed": hybrids.seed, "symmetry": hybrids.symmetry}
+    pins = [written(points) for points in hybrids.pins] or None
+    data = {
+        "draws": hybrids.draws,
+        "seed": hybrids.seed,
+        "symmetry": hybrids.symmetry,
+        "pins": pins,
+    }
     write(path, (given if hybrids.icons else picked) | data)

@@ -1,0 +1,1 @@
+"""Pictogram hybrids in the window (section 4.3)."""

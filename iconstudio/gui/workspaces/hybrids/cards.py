@@ -1,0 +1,256 @@
+"""The icons that are to be mixed, as cards on which parts can be pinned."""
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import (
+    QDragEnterEvent,
+    QDropEvent,
+    QEnterEvent,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+)
+from PySide6.QtWidgets import QGridLayout, QScrollArea, QToolButton, QWidget
+
+from iconstudio.algorithms.guidance import mirror_image
+from iconstudio.algorithms.raster import solid
+from iconstudio.gui import icons, theme
+from iconstudio.gui.dragging import dropped_file, unpacked
+from iconstudio.gui.mipmap import Mipmap
+from iconstudio.gui.pictures import stencil
+from iconstudio.gui.theme import UNIT
+from iconstudio.gui.workspaces.hybrids.page import Ingredient
+from iconstudio.model import CANVAS, Axis, Exemplar, Point
+
+SIDE = 9 * UNIT
+"""Side of a card in device-independent pixels."""
+COLUMNS = 5
+NEAR = 7
+"""A click within so many device-independent pixels of a pin means that pin."""
+
+
+class IconCard(QWidget):
+    """One icon with its pins.
+
+    Signals
+    -------
+    pinned(str, tuple)
+        The icon of that identifier is to have these pins.
+    removed(str)
+        The icon is to be mixed no more.
+    """
+
+    pinned = Signal(str, tuple)
+    removed = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._ingredient: Ingredient | None = None
+        self._axis: Axis | None = None
+        self._image: Mipmap | None = None
+        self._colour = ""
+        self.setFixedSize(SIDE, SIDE)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setCursor(Qt.CursorShape.CrossCursor)
+        self.button = QToolButton(self)
+        self.button.setProperty("floating", True)
+        self.button.setIconSize(QSize(12, 12))
+        self.button.setCursor(Qt.CursorShape.ArrowCursor)
+        self.button.clicked.connect(self._remove)
+        self.button.adjustSize()
+        self.button.move(SIDE - self.button.width() - 3, 3)
+
+    def show_icon(self, ingredient: Ingredient, axis: Axis | None) -> None:
+        """Show an icon, its pins, and under a symmetry their mirror images."""
+        if self._ingredient is None or self._ingredient.exemplar is not ingredient.exemplar:
+            self._image = None
+        self._ingredient, self._axis = ingredient, axis
+        credit = ingredient.exemplar.pictogram.credit
+        self.setToolTip(
+            f"{ingredient.id}\n{credit.author} · {credit.license}\n"
+            "Click a part that every hybrid should keep; click its pin to free it"
+        )
+        self.setAccessibleName(f"{ingredient.id}, {len(ingredient.pins)} pins")
+        self.button.setToolTip(f"Do not mix {ingredient.id} (Delete)")
+        self.button.setAccessibleName(f"Do not mix {ingredient.id}")
+        self.update()
+
+    def refresh_icons(self, look: theme.Theme) -> None:
+        """Draw the icons in the colours of ``look``."""
+        self.button.setIcon(icons.icon("close", look, "muted"))
+        self._image = None
+        self.update()
+
+    def at(self, point: Point) -> QPointF:
+        """Return where a point of the canvas is on the card."""
+        box = self._box()
+        return box.topLeft() + QPointF(*point) * box.width() / CANVAS
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Set a pin, or remove the one that was clicked."""
+        if event.button() is not Qt.MouseButton.LeftButton or self._ingredient is None:
+            super().mousePressEvent(event)
+            return
+        pins, spot = self._ingredient.pins, event.position()
+        hit = next((pin for pin in pins if self._is_near(pin, spot)), None)
+        if hit is not None:
+            left = tuple(pin for pin in pins if pin != hit)
+            self.pinned.emit(self._ingredient.id, left)
+        else:
+            box = self._box()
+            place = (spot - box.topLeft()) * CANVAS / box.width()
+            pin = on_shape(self._ingredient.exemplar, (place.x(), place.y()))
+            if pin not in pins:
+                self.pinned.emit(self._ingredient.id, (*pins, pin))
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Remove the icon with Delete."""
+        if event.key() in (Qt.Key.Key_Delete, Qt.Key.Key_Backspace):
+            self._remove()
+        else:
+            super().keyPressEvent(event)
+
+    def event(self, event: QEvent) -> bool:
+        """Claim the keys that remove the icon."""
+        if event.type() == QEvent.Type.ShortcutOverride and event.key() == Qt.Key.Key_Backspace:
+            event.accept()
+        return super().event(event)
+
+    def enterEvent(self, event: QEnterEvent) -> None:
+        """Show that something can be done."""
+        super().enterEvent(event)
+        self.update()
+
+    def leaveEvent(self, event: QEvent) -> None:
+        """Show no more that something can be done."""
+        super().leaveEvent(event)
+        self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Draw the icon, its pins and their mirror images."""
+        look = theme.current()
+        if self._ingredient is None:
+            return
+        if self._image is None:
+            ink = stencil(self._ingredient.exemplar.coverage, look.color("text"))
+            self._image = Mipmap.of(ink, 32)
+        with QPainter(self) as painter:
+            painter.setRenderHints(
+                QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform
+            )
+            frame = QRectF(self.rect()).adjusted(1, 1, -1, -1)
+            colour = "accent" if self.hasFocus() else "border"
+            painter.setPen(QPen(look.color(colour), 1.5 if self.hasFocus() else 1))
+            painter.setBrush(look.color("sunken" if self.underMouse() else "surface"))
+            painter.drawRoundedRect(frame, 6, 6)
+            box = self._box()
+            painter.drawImage(box, self._image.at(box.width() * self.devicePixelRatioF()))
+            for pin in self._ingredient.pins:
+                if self._axis is not None:
+                    _paint_pin(painter, self.at(mirror_image(pin, self._axis)), look, faint=True)
+                _paint_pin(painter, self.at(pin), look)
+
+    def _box(self) -> QRectF:
+        return QRectF(self.rect()).adjusted(4, 4, -4, -4)
+
+    def _is_near(self, pin: Point, spot: QPointF) -> bool:
+        images = [pin] if self._axis is None else [pin, mirror_image(pin, self._axis)]
+        gaps = [self.at(image) - spot for image in images]
+        return any(math.hypot(gap.x(), gap.y()) <= NEAR for gap in gaps)
+
+    def _remove(self) -> None:
+        if self._ingredient is not None:
+            self.removed.emit(self._ingredient.id)
+
+
+class Cards(QScrollArea):
+    """The cards of all icons, in rows; icons and SVG files can be dropped here.
+
+    Signals
+    -------
+    pinned(str, tuple), removed(str)
+        See ``IconCard``.
+    dropped(Pictogram)
+        An icon of this window was dropped.
+    dropped_file(str)
+        A file was dropped.
+    """
+
+    pinned = Signal(str, tuple)
+    removed = Signal(str)
+    dropped = Signal(object)
+    dropped_file = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setWidgetResizable(True)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setFrameShape(QScrollArea.Shape.NoFrame)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setAcceptDrops(True)
+        self.cards: list[IconCard] = []
+        inside = QWidget()
+        self._grid = QGridLayout(inside)
+        self._grid.setContentsMargins(0, 0, 0, 0)
+        self._grid.setSpacing(UNIT // 2)
+        self._grid.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
+        self.setWidget(inside)
+        self.viewport().setAutoFillBackground(False)
+        inside.setAutoFillBackground(False)
+
+    def show_icons(self, ingredients: Sequence[Ingredient], axis: Axis | None) -> None:
+        """Show these icons."""
+        while len(self.cards) < len(ingredients):
+            card = IconCard()
+            card.refresh_icons(theme.current())
+            card.pinned.connect(self.pinned)
+            card.removed.connect(self.removed)
+            place = divmod(len(self.cards), COLUMNS)
+            self._grid.addWidget(card, *place)
+            self.cards.append(card)
+        while len(self.cards) > len(ingredients):
+            card = self.cards.pop()
+            if card.hasFocus() or card.button.hasFocus():
+                self.focusPreviousChild()
+            card.hide()
+            card.deleteLater()
+        for card, ingredient in zip(self.cards, ingredients, strict=True):
+            card.show_icon(ingredient, axis)
+
+    def refresh_icons(self, look: theme.Theme) -> None:
+        """Draw all icons in the colours of ``look``."""
+        for card in self.cards:
+            card.refresh_icons(look)
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        """Let icons and files be dropped."""
+        data = event.mimeData()
+        if unpacked(data) is not None or dropped_file(data) is not None:
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        """Take what was dropped."""
+        icon, path = unpacked(event.mimeData()), dropped_file(event.mimeData())
+        event.acceptProposedAction()
+        if icon is not None:
+            self.dropped.emit(icon)
+        elif path is not None:
+            self.dropped_file.emit(path)
+
+
+def on_shape(exemplar: Exemplar, point: Point) -> Point:
+    """Return the centre of the pixel of an icon's solid shape that is nearest to ``point``."""
+    ys, xs = np.nonzero(solid(exemplar.ink))
+    nearest = int(np.hypot(xs + 0.5 - point[0], ys + 0.5 - point[1]).argmin())
+    return float(xs[nearest]) + 0.5, float(ys[nearest]) + 0.5
+
+
+def _paint_pin(painter: QPainter, centre: QPointF, look: theme.Theme, faint: bool = False) -> None:
+    painter.setPen(QPen(look.color("surface"), 1.5))
+    painter.setBrush(look.color("accent", 0.4 if faint else 1))
+    painter.drawEllipse(centre, 4.5, 4.5)

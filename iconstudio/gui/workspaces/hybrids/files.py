@@ -1,0 +1,51 @@
+"""Read and write what is mixed, in a thread of their own."""
+
+from collections.abc import Generator
+from pathlib import Path
+
+from iconstudio.gui.workspaces.hybrids.page import Ask, HybridsPage, Ingredient
+from iconstudio.inputs.hybrids import HybridsFile, read_hybrids, write_hybrids
+from iconstudio.inputs.icons import reference_to
+from iconstudio.session import Session
+from iconstudio.workflows.events import Event
+from iconstudio.workflows.hybrids import check
+
+
+def read_page(session: Session, path: Path) -> Generator[Event | HybridsPage]:
+    """Yield the page that a file describes, after the progress of picking its icons.
+
+    Raises
+    ------
+    IconstudioError
+        If the file is no good, an icon is not there, or the icons cannot be mixed.
+    """
+    file = read_hybrids(path)
+    ask = None
+    if file.keyword:
+        # As without the window: the seed picks the group, too.
+        ask = Ask(file.keyword, file.count, file.symmetry, file.seed)
+        icons = yield from session.choose(ask.keyword, ask.count, ask.symmetry, ask.group)
+        mix = file.mix(icons)
+    else:
+        mix = file.resolved(session.icon)
+    check(mix)
+    pins = mix.pins or ((),) * len(mix.icons)
+    ingredients = tuple(
+        Ingredient(session.exemplar(icon), points)
+        for icon, points in zip(mix.icons, pins, strict=True)
+    )
+    yield HybridsPage(ingredients, ask, mix.seed, mix.draws, mix.symmetry)
+
+
+def write_page(path: Path, page: HybridsPage) -> None:
+    """Write what is mixed; icons that no collection has go into SVG files beside it.
+
+    Raises
+    ------
+    IconstudioError
+        If a file cannot be written.
+    """
+    mix = page.mix
+    icons = tuple(reference_to(icon, path) for icon in mix.icons)
+    file = HybridsFile(icons, draws=mix.draws, seed=mix.seed, symmetry=mix.symmetry, pins=mix.pins)
+    write_hybrids(path, file)

@@ -1,0 +1,141 @@
+"""What is mixed, and what was kept of it; and the edits of both."""
+
+from dataclasses import dataclass, replace
+
+from iconstudio.gui.document import Document
+from iconstudio.gui.pictures import Picture
+from iconstudio.model import Axis, Exemplar, IconstudioError, Mix, Point, Seeds
+from iconstudio.workflows.hybrids import MOST
+
+
+@dataclass(frozen=True, slots=True)
+class Ask:
+    """What the program picks icons by: the ``group``-th best of ``count`` icons of a keyword."""
+
+    keyword: str
+    count: int
+    symmetry: Axis | None
+    group: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Ingredient:
+    """An icon to mix, and the points on it, in canvas pixels, that every hybrid keeps."""
+
+    exemplar: Exemplar
+    pins: tuple[Point, ...] = ()
+
+    @property
+    def id(self) -> str:
+        """The icon's identifier."""
+        return self.exemplar.id
+
+
+@dataclass(frozen=True, slots=True)
+class HybridsPage:
+    """Icons to mix, how to mix them, and the favourites among the hybrids."""
+
+    ingredients: tuple[Ingredient, ...] = ()
+    ask: Ask | None = None
+    """How the program picked the icons; None if the user chose them all."""
+    seed: int = 0
+    draws: int = Mix.__dataclass_fields__["draws"].default
+    """How many are drawn in one go."""
+    symmetry: Axis | None = None
+    favourites: tuple[Picture, ...] = ()
+
+    def elsewhere(self, before: "HybridsPage") -> bool:
+        """Whether none of the icons is the same."""
+        return self.ids.isdisjoint(before.ids)
+
+    @property
+    def ids(self) -> frozenset[str]:
+        """The identifiers of the icons."""
+        return frozenset(one.id for one in self.ingredients)
+
+    @property
+    def mix(self) -> Mix:
+        """The first draws of what is to be mixed."""
+        pins: Seeds = tuple(one.pins for one in self.ingredients)
+        icons = tuple(one.exemplar.pictogram for one in self.ingredients)
+        return Mix(icons, self.draws, self.seed, self.symmetry, pins if any(pins) else ())
+
+    @property
+    def title(self) -> str:
+        """What to call the hybrids: by the word that the icons were found with."""
+        return self.ask.keyword if self.ask is not None else "mix"
+
+
+HybridsDocument = Document[HybridsPage]
+
+
+def add_icon(document: HybridsDocument, exemplar: Exemplar) -> None:
+    """Mix one more icon; nothing happens if it is among them already.
+
+    Raises
+    ------
+    IconstudioError
+        If there are too many already.
+    """
+    page = document.page
+    if exemplar.id in page.ids:
+        return
+    if len(page.ingredients) >= MOST:
+        raise IconstudioError(f"At most {MOST} icons can be mixed. Remove one first.")
+    more = (*page.ingredients, Ingredient(exemplar))
+    document.change("add icon", replace(page, ingredients=more))
+
+
+def remove_icon(document: HybridsDocument, identifier: str) -> None:
+    """Mix one icon fewer."""
+    page = document.page
+    left = tuple(one for one in page.ingredients if one.id != identifier)
+    if left != page.ingredients:
+        ask = page.ask if left else None
+        document.change("remove icon", replace(page, ingredients=left, ask=ask))
+
+
+def set_icons(document: HybridsDocument, icons: tuple[Exemplar, ...], ask: Ask) -> None:
+    """Mix the icons that the program picked; pins on those that stay, stay."""
+    page = document.page
+    known = {one.id: one for one in page.ingredients}
+    picked = tuple(known.get(icon.id, Ingredient(icon)) for icon in icons)
+    document.change("pick icons", replace(page, ingredients=picked, ask=ask))
+
+
+def clear_icons(document: HybridsDocument) -> None:
+    """Mix nothing."""
+    document.change("remove all icons", replace(document.page, ingredients=(), ask=None))
+
+
+def set_pins(document: HybridsDocument, identifier: str, pins: tuple[Point, ...]) -> None:
+    """Say which points of an icon every hybrid keeps."""
+    page = document.page
+    changed = tuple(
+        replace(one, pins=pins) if one.id == identifier else one for one in page.ingredients
+    )
+    before = next(one.pins for one in page.ingredients if one.id == identifier)
+    text = "pin a part" if len(pins) > len(before) else "remove pin"
+    document.change(text, replace(page, ingredients=changed))
+
+
+def set_seed(document: HybridsDocument, seed: int) -> None:
+    """Draw by another random seed. Digits typed one after the other are undone together."""
+    if seed != document.page.seed:
+        document.change("change seed", replace(document.page, seed=seed), gesture="seed")
+
+
+def set_symmetry(document: HybridsDocument, axis: Axis | None) -> None:
+    """Say which halves of the hybrids must mirror each other."""
+    if axis != document.page.symmetry:
+        text = "hold to symmetry" if axis else "drop symmetry"
+        document.change(text, replace(document.page, symmetry=axis))
+
+
+def set_favourites(document: HybridsDocument, favourites: tuple[Picture, ...]) -> None:
+    """Keep these hybrids."""
+    page = document.page
+    if favourites != page.favourites:
+        more = len(favourites) > len(page.favourites)
+        text = "add favourite" if more else "remove favourite"
+        document.change(text, replace(page, favourites=favourites))
