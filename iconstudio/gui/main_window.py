@@ -141,6 +141,6 @@ class MainWindow(QMainWindow):
             workspace.cancel()
         for workspace in self.workspaces:
             workspace.close_work()
-        self._files.close()
+        self._files.close(self._session.close)
         self._session.close()
         super().closeEvent(event)

@@ -23,6 +23,10 @@ class EditScene(Scene):
         super().__init__(document)
         self._paths: dict[str, QPainterPath] = {}
 
+    def bounds(self) -> QRectF:
+        """Return the area to show: the icon's canvas, and room below for the hint."""
+        return _SHEET.adjusted(0, 0, 0, 3 * UNIT)
+
     def set_path(self, icon: Exemplar, path: QPainterPath) -> None:
         """Draw an icon from its outline, crisp at any size; until then, it is drawn of pixels."""
         self._paths[icon.pictogram.svg] = path

@@ -12,13 +12,24 @@ from iconstudio.gui.document import new_gesture
 from iconstudio.gui.theme import Theme
 from iconstudio.gui.workspaces.editing.areas import AreaOutline
 from iconstudio.gui.workspaces.editing.page import Kind
-from iconstudio.model import Point
+from iconstudio.model import IconstudioError, Point, Polygon
 
 FREEHAND = 5.0
 """Pixels that the pointer must be dragged to draw freehand: less is a click."""
 
 STRAY = 2.5
 """Pixels that the corners kept of a freehand line may stray from it."""
+
+
+_BEFORE = {
+    Kind.REMOVE: "Remove: drag around what should go, or click its corners",
+    Kind.ADD: "Add: drag the outline of what should come, or click its corners",
+}
+_AFTER = {
+    Kind.REMOVE: "Now add what should come (A), or press Remix · drag points to correct",
+    Kind.ADD: "Press Remix, or mark more · drag points to correct",
+}
+"""What a tool says before an area is drawn, and after."""
 
 
 class AreaTool(PolygonTool):
@@ -57,6 +68,7 @@ class DrawTool(AreaTool):
         self.kind = kind
         self._stroke: list[Point] = []
         self._began: Pointer | None = None
+        self._missed = False
 
     @property
     def cursor(self) -> Qt.CursorShape:
@@ -71,12 +83,11 @@ class DrawTool(AreaTool):
             return "Let go to finish the area"
         if not self.outline.closed:
             return super().hint
-        if self.outline.area is not None:
-            return "Drag its points · Backspace removes it · or draw the next one"
-        return {
-            Kind.REMOVE: "Drag around what should go, or click its corners",
-            Kind.ADD: "Draw what should come: drag its outline, or click its corners",
-        }[self.kind]
+        if self._missed:
+            return "That encloses nothing: drag all the way around, or click corners"
+        if self.outline.area is None:
+            return _BEFORE[self.kind]
+        return _AFTER[self.kind]
 
     def move(self, pointer: Pointer) -> None:
         """Draw on, or do what is done with any outline."""
@@ -121,12 +132,17 @@ class DrawTool(AreaTool):
         self.selected = None
         self.outline.select(None)
         self._began = pointer
+        self._missed = False
 
     def _draw(self, stroke: list[Point], camera: Camera) -> None:
         from iconstudio.algorithms.raster import simplified
 
         vertices = simplified(stroke, STRAY / camera.zoom)
-        if len(vertices) >= 3:
+        try:
+            Polygon(vertices).fitted()
+        except IconstudioError:  # a stroke to and fro
+            self._missed = True
+        else:
             self.outline.draw(self.kind, vertices)
 
 
@@ -138,12 +154,20 @@ class SelectTool(AreaTool):
         self._held: Point | None = None
 
     @property
+    def cursor(self) -> Qt.CursorShape:
+        """An arrow, but for what can be moved."""
+        shape = super().cursor
+        above = self._pointer is not None and self.outline.at(self._pointer.page) is not None
+        free = shape == Qt.CursorShape.ArrowCursor
+        return Qt.CursorShape.SizeAllCursor if free and above else shape
+
+    @property
     def hint(self) -> str:
         """What can be done now."""
         if not self.outline.closed:
             return super().hint
         if self.outline.area is not None:
-            return "Drag the area or its points · click its edge for a point · Backspace removes it"
+            return "Drag the area or its points · Backspace removes it"
         if self.outline.document.page.areas:
             return "Click an area to correct it"
         return "There is nothing to select yet: draw with Remove or Add"
@@ -152,7 +176,9 @@ class SelectTool(AreaTool):
         """Take the area along, or do what is done with any outline."""
         if self._held is None:
             super().move(pointer)
-        elif pointer.page != self._held:
+            return
+        self._pointer = pointer
+        if pointer.page != self._held:
             (x, y), (x0, y0) = pointer.page, self._held
             self.outline.shift(x - x0, y - y0, self._gesture)
             self._held = pointer.page

@@ -59,7 +59,7 @@ class Wanted(NamedTuple):
     """What the results are of."""
 
     edit: Edit | None
-    styles: tuple[str, ...]
+    all_styles: bool
 
 
 class EditWorkspace(RemixWorkspace):
@@ -136,6 +136,7 @@ class EditWorkspace(RemixWorkspace):
         self.view.dropped.connect(lambda data, _: self.opener.open_mime(data))
         self.opener.failed.connect(self.failed)
         self.opener.opened.connect(self.said)
+        self.opener.opened.connect(lambda _: self._show_start(False))
 
     # -- what the window asks for --------------------------------------------------------------
 
@@ -165,17 +166,13 @@ class EditWorkspace(RemixWorkspace):
         if problem:
             self.failed.emit(problem)
             return
-        settings = ModelSettings(wanted.styles)
+        icon = self.document.page.icon
+        settings = ModelSettings() if wanted.all_styles else ModelSettings(own_styles(icon))
         self.start(wanted, settings, lambda: self.session.edit(wanted.edit, settings))
         self._show_page(self.document.page)
 
     def _wanted(self) -> Wanted:
-        page = self.document.page
-        if page.icon is None:
-            return Wanted(None, ())
-        everything = self.actions_by_name["styles"].isChecked()
-        styles = ModelSettings().styles if everything else own_styles(page.icon)
-        return Wanted(page.edit(), styles)
+        return Wanted(self.document.page.edit(), self.actions_by_name["styles"].isChecked())
 
     def _problem(self) -> str:
         """Return what is missing before the icon can be remixed, as a sentence; else nothing."""
@@ -218,12 +215,16 @@ class EditWorkspace(RemixWorkspace):
         self.start_sheet.setFocus()
 
     def _use(self, name: str, on: bool) -> None:
-        if on:
-            self.tool = self.tools[name]
-        if isinstance(self.tool, DrawTool):
+        if not on:
+            self.view.set_tool(self.view.pan_tool)
+            return
+        tool = self.tool = self.tools[name]
+        drawing = isinstance(tool, DrawTool)
+        if not (drawing and self.outline.area and self.outline.area.kind is tool.kind):
             self.outline.finish()
+        if drawing:
             self.outline.select(None)
-        self.view.set_tool(self.tool if on else self.view.pan_tool)
+        self.view.set_tool(tool)
 
     def _delete(self) -> None:
         self.tool.delete_selected()

@@ -1,0 +1,582 @@
+"""Editing in the real window: choose an icon, mark it, remix, go on with a result."""
+
+import json
+import math
+import threading
+
+import pytest
+from fake_session import RECOMMENDED, exemplar
+from hands import at, click, drag, press, save_to, type_keyword
+from images import pixels
+from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
+from PySide6.QtGui import QDropEvent, QImage
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QFileDialog
+
+from iconstudio.gui.dragging import packed
+from iconstudio.gui.workspaces.editing.page import EditPage, Kind
+from iconstudio.gui.workspaces.editing.tools import DrawTool, SelectTool
+from iconstudio.inputs.edit import read_edit
+from iconstudio.model import Axis
+from iconstudio.session import ModelSettings
+
+LAMBDAS = ModelSettings().lambdas
+RED = [(40.0, 40.0), (120.0, 45.0), (115.0, 120.0), (45.0, 110.0)]
+GREEN = [(140.0, 60.0), (220.0, 60.0), (180.0, 130.0)]
+SVG = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M1 1h7v7z"/></svg>'
+
+
+@pytest.fixture
+def empty(window):
+    """The workspace, in sight, without an icon."""
+    place = window.workspace_of("Edit")
+    window.show_workspace(window.workspaces.index(place))
+    return place
+
+
+def settle(place, qtbot):
+    """Wait until the icon is on the canvas, drawn crisply."""
+    qtbot.waitUntil(lambda: place.document.page.icon is not None)
+    qtbot.waitUntil(lambda: place.document.page.icon.pictogram.svg in place.scene._paths)
+
+
+@pytest.fixture
+def editing(empty, qtbot):
+    """The workspace with a frame (a square ring) on its canvas."""
+    empty.take(exemplar(5).pictogram)
+    settle(empty, qtbot)
+    assert not empty.start_sheet.isVisible()
+    return empty
+
+
+def polygon(place, points):
+    """Click all points, then the first again."""
+    for point in (*points, points[0]):
+        click(place, point)
+
+
+def lasso(place, points, steps=6):
+    """Press, drag along the points and back to the first, let go."""
+    left = Qt.MouseButton.LeftButton
+    QTest.mousePress(place.view, left, pos=at(place, points[0]))
+    for (x0, y0), (x1, y1) in zip(points, [*points[1:], points[0]], strict=True):
+        for step in range(1, steps + 1):
+            t = step / steps
+            QTest.mouseMove(place.view, at(place, (x0 + t * (x1 - x0), y0 + t * (y1 - y0))))
+    QTest.mouseRelease(place.view, left, pos=at(place, points[0]))
+
+
+def near(vertices, expected, tolerance=2.0):
+    assert len(vertices) == len(expected)
+    assert all(math.dist(a, b) < tolerance for a, b in zip(vertices, expected, strict=True))
+
+
+def areas(place):
+    return place.document.page.areas
+
+
+def notice(place):
+    label = place.window().desk.notice
+    return label.label.text() if label.isVisible() else ""
+
+
+def finish(place, qtbot):
+    qtbot.waitUntil(lambda: not place.runner.running, timeout=20000)
+
+
+def drop(place, data):
+    event = QDropEvent(
+        QPointF(60, 60),
+        Qt.DropAction.CopyAction,
+        data,
+        Qt.MouseButton.LeftButton,
+        Qt.KeyboardModifier.NoModifier,
+    )
+    place.view.dropEvent(event)
+
+
+# -- choosing an icon ------------------------------------------------------------------------
+
+
+def test_an_empty_canvas_offers_to_choose_an_icon_and_the_cursor_is_there(empty, qtbot):
+    assert empty.start_sheet.isVisible()
+    assert empty.window().focusWidget() is empty.start_sheet.chooser.field
+    assert not empty.start_sheet.close_button.isVisible()
+    QTest.keyClicks(empty.start_sheet.chooser.field, "frames")
+    choices = empty.start_sheet.chooser.choices
+    qtbot.waitUntil(lambda: choices.sheet().rowCount() == 60)
+    spot = choices.visualRect(choices.sheet().index(1)).center()
+    QTest.mouseClick(choices.viewport(), Qt.MouseButton.LeftButton, pos=spot)
+    settle(empty, qtbot)
+    assert empty.document.page.icon.id == "shapes:frame-1"
+    assert empty.document.page.keyword == "frame", "named after the icon"
+    assert empty.keyword_panel.field.text() == "frame"
+    assert not empty.start_sheet.isVisible()
+    assert empty.view.hasFocus()
+
+
+def test_choosing_another_icon_starts_afresh_and_undo_brings_all_back(editing, qtbot):
+    polygon(editing, RED)
+    before = editing.document.page
+    editing.actions_by_name["icon"].trigger()
+    assert editing.start_sheet.isVisible()
+    editing.start_sheet.chooser.search("ring")
+    choices = editing.start_sheet.chooser.choices
+    qtbot.waitUntil(lambda: choices.sheet().rowCount() == 60)
+    spot = choices.visualRect(choices.sheet().index(0)).center()
+    QTest.mouseClick(choices.viewport(), Qt.MouseButton.LeftButton, pos=spot)
+    qtbot.waitUntil(lambda: editing.document.page != before)
+    assert areas(editing) == ()
+    assert not editing.start_sheet.isVisible()
+    editing.actions_by_name["undo"].trigger()
+    assert editing.document.page == before
+
+
+def test_the_choice_is_given_up_with_escape(editing):
+    before = editing.document.page
+    editing.actions_by_name["icon"].trigger()
+    QTest.keyClick(editing.start_sheet.chooser.field, Qt.Key.Key_Escape)
+    assert not editing.start_sheet.isVisible()
+    assert editing.view.hasFocus()
+    assert editing.document.page == before
+
+
+def test_an_icon_can_be_dropped_from_elsewhere_in_the_window(empty, qtbot):
+    drop(empty, packed(exemplar(3).pictogram))
+    settle(empty, qtbot)
+    assert empty.document.page.icon.id == "shapes:triangle-3"
+
+
+def test_an_svg_of_ones_own_can_be_dropped_or_pasted(empty, qtbot, tmp_path):
+    path = tmp_path / "logo.svg"
+    path.write_text(SVG)
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(str(path))])
+    drop(empty, data)
+    settle(empty, qtbot)
+    assert empty.document.page.icon.id.startswith("own:logo-")
+    empty.actions_by_name["undo"].trigger()
+    QApplication.clipboard().setMimeData(data)
+    empty.actions_by_name["paste"].trigger()
+    settle(empty, qtbot)
+
+
+def test_what_is_no_icon_is_told_and_nothing_is_lost(editing, qtbot, tmp_path):
+    polygon(editing, RED)
+    before = editing.document.page
+    path = tmp_path / "letter.svg"
+    path.write_text("Dear dog")
+    editing.opener.open_svg(str(path))
+    qtbot.waitUntil(lambda: "letter.svg" in notice(editing))
+    QApplication.clipboard().setText("dog")
+    editing.actions_by_name["paste"].trigger()
+    assert "Only SVG files" in notice(editing)
+    assert editing.document.page == before
+
+
+# -- marking ---------------------------------------------------------------------------------
+
+
+def test_corners_are_clicked_around_what_should_go(editing):
+    assert isinstance(editing.view.tool, DrawTool)
+    assert "drag around what should go" in editing.view.tool.hint
+    for point in RED:
+        click(editing, point)
+    assert not areas(editing)[0].closed
+    assert "first point" in editing.view.tool.hint
+    click(editing, RED[0])
+    (area,) = areas(editing)
+    assert (area.kind, area.closed) == (Kind.REMOVE, True)
+    near(area.vertices, RED)
+
+
+def test_a_freehand_line_becomes_an_area_of_few_corners(editing):
+    lasso(editing, RED)
+    (area,) = areas(editing)
+    assert (area.kind, area.closed) == (Kind.REMOVE, True)
+    near(area.vertices, RED)
+    assert editing.document.undo_stack.count() == 2, "the icon, and one step"
+    assert "Remix" in editing.view.tool.hint
+
+
+def test_what_should_come_is_drawn_over_what_goes(editing):
+    lasso(editing, RED)
+    press(editing, Qt.Key.Key_A)
+    assert editing.actions_by_name["add"].isChecked()
+    shifted = [(x + 10, y + 10) for x, y in RED]
+    lasso(editing, shifted)
+    polygon(editing, GREEN)
+    assert [area.kind for area in areas(editing)] == [Kind.REMOVE, Kind.ADD, Kind.ADD]
+    edit = editing.document.page.edit()
+    assert len(edit.remove) == 1
+    near(edit.add[1].vertices, GREEN)
+
+
+def test_a_line_to_and_fro_encloses_nothing(editing):
+    lasso(editing, [(40.0, 40.0), (120.0, 40.0)])
+    assert areas(editing) == ()
+    assert "encloses nothing" in editing.view.tool.hint
+    click(editing, RED[0])
+    assert "next point" in editing.view.tool.hint
+
+
+def test_escape_gives_up_a_line_under_way(editing):
+    left = Qt.MouseButton.LeftButton
+    QTest.mousePress(editing.view, left, pos=at(editing, RED[0]))
+    for point in RED[1:]:
+        QTest.mouseMove(editing.view, at(editing, point))
+    assert "Let go" in editing.view.tool.hint
+    press(editing, Qt.Key.Key_Escape)
+    QTest.mouseRelease(editing.view, left, pos=at(editing, RED[3]))
+    assert areas(editing) == ()
+
+
+def test_escape_gives_up_corners_and_undo_brings_them_back(editing):
+    for point in RED[:3]:
+        click(editing, point)
+    before = editing.document.page
+    press(editing, Qt.Key.Key_Escape)
+    assert areas(editing) == ()
+    editing.actions_by_name["undo"].trigger()
+    assert editing.document.page == before
+    click(editing, RED[3])
+    assert len(areas(editing)[0].vertices) == 4, "tracing goes on"
+
+
+def test_another_tool_finishes_what_is_open(editing):
+    for point in RED[:3]:
+        click(editing, point)
+    press(editing, Qt.Key.Key_A)
+    near(areas(editing)[0].vertices, RED[:3])
+    assert areas(editing)[0].closed
+    click(editing, GREEN[0])
+    press(editing, Qt.Key.Key_V)
+    assert len(areas(editing)) == 1, "one point is no area"
+
+
+def test_moving_the_page_does_not_finish_what_is_open(editing):
+    for point in RED[:3]:
+        click(editing, point)
+    before = editing.document.page
+    press(editing, Qt.Key.Key_H)
+    press(editing, Qt.Key.Key_R)
+    assert editing.document.page == before
+
+
+def test_the_area_just_drawn_can_be_corrected_at_once(editing):
+    polygon(editing, RED)
+    drag(editing, RED[2], (100, 100))
+    near(areas(editing)[0].vertices, [*RED[:2], (100, 100), RED[3]])
+    editing.actions_by_name["undo"].trigger()
+    near(areas(editing)[0].vertices, RED)
+    press(editing, Qt.Key.Key_Escape)
+    press(editing, Qt.Key.Key_Backspace)
+    assert areas(editing) == ()
+    editing.actions_by_name["undo"].trigger()
+    near(areas(editing)[0].vertices, RED)
+
+
+def test_an_area_is_selected_moved_and_removed(editing):
+    polygon(editing, RED)
+    press(editing, Qt.Key.Key_A)
+    polygon(editing, GREEN)
+    press(editing, Qt.Key.Key_V)
+    assert isinstance(editing.view.tool, SelectTool)
+    click(editing, (250, 250))
+    assert "Click an area" in editing.view.tool.hint
+    drag(editing, (80, 80), (90, 100))
+    near(areas(editing)[0].vertices, [(x + 10, y + 20) for x, y in RED])
+    near(areas(editing)[1].vertices, GREEN)
+    press(editing, Qt.Key.Key_Right)
+    press(editing, Qt.Key.Key_Up, Qt.KeyboardModifier.ShiftModifier)
+    near(areas(editing)[0].vertices, [(x + 11, y + 10) for x, y in RED])
+    stack = editing.document.undo_stack
+    stack.undo()
+    near(areas(editing)[0].vertices, [(x + 10, y + 20) for x, y in RED])
+    stack.undo()
+    near(areas(editing)[0].vertices, RED)
+    click(editing, (180, 80))
+    press(editing, Qt.Key.Key_Delete)
+    assert [area.kind for area in areas(editing)] == [Kind.REMOVE]
+    stack.undo()
+    assert [area.kind for area in areas(editing)] == [Kind.REMOVE, Kind.ADD]
+
+
+def test_what_is_added_is_selected_before_what_is_removed_below_it(editing):
+    polygon(editing, RED)
+    press(editing, Qt.Key.Key_A)
+    lasso(editing, [(60, 60), (100, 60), (80, 100)])
+    press(editing, Qt.Key.Key_V)
+    click(editing, (80, 70))
+    assert editing.outline.area.kind is Kind.ADD
+    click(editing, (50, 50))
+    assert editing.outline.area.kind is Kind.REMOVE
+
+
+def test_a_triangle_that_loses_a_corner_is_no_area_any_more(editing):
+    press(editing, Qt.Key.Key_A)
+    polygon(editing, GREEN)
+    click(editing, GREEN[1], Qt.MouseButton.RightButton)
+    assert areas(editing) == ()
+    editing.actions_by_name["undo"].trigger()
+    near(areas(editing)[0].vertices, GREEN)
+
+
+def test_all_areas_are_cleared_and_the_icon_stays(editing):
+    assert not editing.actions_by_name["clear"].isEnabled()
+    polygon(editing, RED)
+    press(editing, Qt.Key.Key_A)
+    polygon(editing, GREEN)
+    editing.actions_by_name["clear"].trigger()
+    assert areas(editing) == ()
+    assert editing.document.page.icon is not None
+    editing.actions_by_name["undo"].trigger()
+    assert len(areas(editing)) == 2
+
+
+def test_undo_and_redo_go_through_every_state(editing):
+    pages: list[EditPage] = [editing.document.page]
+    stack = editing.document.undo_stack
+    base = stack.index()
+    editing.document.page_changed.connect(pages.append)
+    polygon(editing, RED)
+    press(editing, Qt.Key.Key_A)
+    lasso(editing, GREEN)
+    press(editing, Qt.Key.Key_Escape)
+    click(editing, GREEN[0])
+    press(editing, Qt.Key.Key_V)
+    editing.hold_to(Axis.HORIZONTAL)
+    editing.actions_by_name["clear"].trigger()
+    editing.actions_by_name["new"].trigger()
+    editing.document.page_changed.disconnect(pages.append)
+    assert stack.count() - base == len(pages) - 1
+    for page in reversed(pages[:-1]):
+        stack.undo()
+        assert editing.document.page == page
+    for page in pages[1:]:
+        stack.redo()
+        assert editing.document.page == page
+
+
+def colour(place, point):
+    """Return red, green and blue where a page point is seen, from 0 to 1."""
+    image: QImage = place.view.grab().toImage()
+    spot = at(place, point) * image.devicePixelRatio()
+    return pixels(image)[spot.y(), spot.x(), :3]
+
+
+def test_what_goes_is_red_what_comes_is_green_and_the_rest_grey(editing):
+    ink = editing.document.page.icon.ink
+    assert ink[128, 40] and ink[128, 215], "the sides of the frame"
+    r, g, b = colour(editing, (40, 200))
+    assert r == pytest.approx(g, abs=0.03) and g == pytest.approx(b, abs=0.03) and r < 0.7
+    lasso(editing, [(20, 100), (70, 100), (70, 160), (20, 160)])
+    press(editing, Qt.Key.Key_A)
+    lasso(editing, [(180, 5), (240, 5), (240, 30), (180, 30)])
+    press(editing, Qt.Key.Key_Escape)
+    r, g, b = colour(editing, (40, 130))
+    assert r > g + 0.2 and r > b + 0.2
+    r, g, b = colour(editing, (210, 20))
+    assert g > r + 0.1 and g > b + 0.05
+
+
+def test_the_axis_of_symmetry_is_drawn(editing):
+    before = editing.view.grab().toImage()
+    editing.symmetry.chosen.emit(Axis.VERTICAL)
+    assert editing.document.page.symmetry is Axis.VERTICAL
+    assert editing.symmetry.axis is Axis.VERTICAL
+    assert editing.view.grab().toImage() != before
+
+
+# -- remixing --------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def marked(editing):
+    lasso(editing, RED)
+    return editing
+
+
+def test_remix_fills_the_rows_of_the_icons_own_styles(marked, qtbot, session):
+    press(marked, Qt.Key.Key_Return, Qt.KeyboardModifier.ControlModifier)
+    finish(marked, qtbot)
+    ((_, edit, settings),) = [call for call in session.calls if call[0] == "edit"]
+    assert edit == marked.document.page.edit()
+    assert settings.styles == ("medium", "dark"), "three quarters of a frame are black"
+    assert len(marked.board.results.pictures) == 8
+    picked = marked.board.detail.picture.result.composite
+    assert (picked.style, picked.lambda_s) == ("medium", LAMBDAS[RECOMMENDED])
+    about = marked.board.detail._about.text()
+    assert "fits the change by 87%" in about and "unchanged elsewhere 90 %" in about
+    assert marked.board.results.note.text() == ""
+
+
+def test_parts_of_all_styles_can_be_had(marked, qtbot, session):
+    marked.run()
+    finish(marked, qtbot)
+    marked.actions_by_name["styles"].trigger()
+    assert "earlier edit" in marked.board.results.note.text()
+    marked.run()
+    finish(marked, qtbot)
+    assert session.calls[-1][2].styles == ModelSettings().styles
+
+
+def test_results_of_an_earlier_edit_are_called_so(marked, qtbot):
+    marked.run()
+    finish(marked, qtbot)
+    drag(marked, RED[2], (100, 100))
+    assert "earlier edit" in marked.board.results.note.text()
+    marked.actions_by_name["undo"].trigger()
+    assert marked.board.results.note.text() == ""
+
+
+def test_remix_closes_an_open_area(editing, qtbot, session):
+    for point in RED:
+        click(editing, point)
+    editing.run()
+    finish(editing, qtbot)
+    near(session.calls[-1][1].remove[0].vertices, RED)
+
+
+def test_an_icon_is_left_out(marked, qtbot, session):
+    thumbnails = marked.keyword_panel.thumbnails
+    qtbot.waitUntil(lambda: thumbnails.sheet().rowCount() == 60)
+    spot = thumbnails.visualRect(thumbnails.sheet().index(2)).center()
+    QTest.mouseClick(thumbnails.viewport(), Qt.MouseButton.LeftButton, pos=spot)
+    marked.run()
+    finish(marked, qtbot)
+    assert session.calls[-1][1].exclude == {"shapes:cross-2"}
+
+
+def test_what_is_missing_is_said_and_the_results_stay(editing, qtbot, session):
+    editing.run()
+    assert "Nothing is changed" in notice(editing)
+    lasso(editing, [(2, 2), (12, 2), (12, 12), (2, 12)])
+    assert notice(editing) == ""
+    editing.run()
+    assert "beside the icon" in notice(editing)
+    editing.actions_by_name["undo"].trigger()
+    lasso(editing, [(2, 2), (254, 2), (254, 254), (2, 254)])
+    editing.run()
+    assert "Nothing of the icon would be left" in notice(editing)
+    editing.actions_by_name["undo"].trigger()
+    lasso(editing, RED)
+    editing.keyword_panel.field.selectAll()
+    QTest.keyClick(editing.keyword_panel.field, Qt.Key.Key_Backspace)
+    editing.run()
+    assert "has no name" in notice(editing)
+    assert editing.keyword_panel.field.hasFocus()
+    assert not [call for call in session.calls if call[0] == "edit"]
+    type_keyword(editing, "frame")
+    editing.run()
+    finish(editing, qtbot)
+    assert len(editing.board.results.pictures) == 8
+    editing.actions_by_name["clear"].trigger()
+    editing.run()
+    assert "Nothing is changed" in notice(editing)
+    assert len(editing.board.results.pictures) == 8
+
+
+def test_without_an_icon_remix_says_what_to_do(empty):
+    empty.run()
+    assert "no icon yet" in notice(empty)
+    assert empty.start_sheet.chooser.field.hasFocus()
+
+
+def test_cancel_keeps_what_is_finished(marked, qtbot, session):
+    session.gate = threading.Semaphore(3)
+    marked.run()
+    qtbot.waitUntil(lambda: len(marked.board.results.pictures) == 3)
+    marked.actions_by_name["cancel"].trigger()
+    assert not marked.runner.running
+    session.gate.release(100)
+    assert len(marked.board.results.pictures) == 3
+
+
+def test_another_workspace_and_back_loses_nothing(marked, qtbot, session):
+    session.gate = threading.Semaphore(2)
+    marked.run()
+    qtbot.waitUntil(lambda: len(marked.board.results.pictures) == 2)
+    before = marked.document.page
+    window = marked.window()
+    window.show_workspace(0)
+    session.gate.release(100)
+    finish(marked, qtbot)
+    window.show_workspace(window.workspaces.index(marked))
+    assert marked.document.page == before
+    assert len(marked.board.results.pictures) == 8
+    assert marked.view.hasFocus()
+
+
+def test_a_result_is_edited_further_with_its_credits(marked, qtbot):
+    marked.run()
+    finish(marked, qtbot)
+    before = marked.document.page
+    marked.board.detail.sent.emit("Edit")
+    qtbot.waitUntil(lambda: marked.document.page != before)
+    page = marked.document.page
+    assert page.icon.id.startswith("made:frame-")
+    assert page.keyword == "frame"
+    assert {one.id for one in page.icon.pictogram.origins} >= {"shapes:ring-0", "shapes:frame-1"}
+    assert page.areas == ()
+    settle(marked, qtbot)
+    marked.actions_by_name["undo"].trigger()
+    assert marked.document.page == before
+
+
+# -- files -----------------------------------------------------------------------------------
+
+
+def test_an_edit_is_saved_and_opened_again(marked, qtbot, tmp_path, monkeypatch):
+    press(marked, Qt.Key.Key_A)
+    polygon(marked, GREEN)
+    marked.hold_to(Axis.HORIZONTAL)
+    path = tmp_path / "frame.json"
+    save_to(marked, monkeypatch, path)
+    marked.actions_by_name["save"].trigger()
+    qtbot.waitUntil(path.exists)
+    before = marked.document.page.edit()
+    marked.actions_by_name["new"].trigger()
+    assert marked.start_sheet.isVisible()
+    assert not marked.actions_by_name["save"].isEnabled()
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(path), ""))
+    marked.actions_by_name["open"].trigger()
+    settle(marked, qtbot)
+    after = marked.document.page.edit()
+    assert (after.icon, after.keyword, after.symmetry) == (
+        before.icon,
+        before.keyword,
+        before.symmetry,
+    )
+    near(after.remove[0].vertices, before.remove[0].vertices, 0.01)
+    near(after.add[0].vertices, before.add[0].vertices, 0.01)
+
+
+def test_an_icon_that_no_collection_has_is_saved_beside_the_edit(
+    empty, qtbot, tmp_path, monkeypatch
+):
+    own = tmp_path / "elsewhere" / "logo.svg"
+    own.parent.mkdir()
+    own.write_text(SVG)
+    empty.opener.open_svg(str(own))
+    settle(empty, qtbot)
+    lasso(empty, RED)
+    path = tmp_path / "new.json"
+    save_to(empty, monkeypatch, path)
+    empty.actions_by_name["save"].trigger()
+    qtbot.waitUntil(path.exists)
+    own.unlink()
+    icon = json.loads(path.read_text())["icon"]
+    assert "/" not in icon
+    assert (tmp_path / icon).read_text() == SVG
+    assert read_edit(path).icon == str(tmp_path / icon)
+
+
+@pytest.mark.parametrize("text", ["", "{", '{"icon": "shapes:frame-5", "remove": [[[1, 2]]]}'])
+def test_a_broken_edit_is_told_and_nothing_is_lost(marked, qtbot, tmp_path, text):
+    before = marked.document.page
+    path = tmp_path / "broken.json"
+    path.write_text(text)
+    marked.opener.open_edit(str(path))
+    qtbot.waitUntil(lambda: "broken.json" in notice(marked))
+    assert marked.document.page == before
