@@ -18,6 +18,7 @@ from iconstudio.model import (
     Exemplar,
     Frame,
     IconstudioError,
+    Mix,
     Pictogram,
     Placement,
     Polygon,
@@ -35,6 +36,7 @@ from iconstudio.workflows.events import (
     StyleMatched,
     StyleSkipped,
 )
+from iconstudio.workflows.hybrids import check as check_mix
 
 RECOMMENDED = 2
 """The column that is recommended in every row."""
@@ -171,11 +173,44 @@ class FakeSession:
         finally:
             self.generators_closed += 1
 
+    def choose(self, keyword, count, symmetry=None, seed=0) -> Iterator[Event]:
+        """The icons from number ``seed`` on."""
+        self.calls.append(("choose", keyword, count, symmetry, seed))
+        yield from self.prepare(keyword)
+        return tuple(one.pictogram for one in self._exemplars(frozenset())[seed : seed + count])
+
+    def mix(self, mix: Mix) -> Iterator[Event]:
+        """Blocks of the icons at random; every draw after the ninth repeats it once in ten."""
+        self.calls.append(("mix", mix))
+        self.thread_ids.add(threading.get_ident())
+        check_mix(mix)
+        sources = tuple(Source(self.exemplar(icon), Placement()) for icon in mix.icons)
+        try:
+            for draw in range(mix.first, mix.first + mix.draws):
+                if self.gate is not None:
+                    while not self.gate.acquire(timeout=0.02):
+                        yield Progress("remix", 0.5, "Mixing")
+                yield self._hybrid(mix, draw if draw % 10 < 9 else 9, draw, sources)
+        finally:
+            self.generators_closed += 1
+
     def close(self) -> None:
         self.closed.set()
 
     def _exemplars(self, exclude: frozenset[str]) -> list[Exemplar]:
         return [e for e in map(exemplar, range(60)) if e.id not in exclude]
+
+    def _hybrid(self, mix: Mix, looks: int, draw: int, sources: tuple[Source, ...]) -> Result:
+        random = np.random.default_rng([mix.seed, looks, len(mix.like)])
+        blocks = random.integers(len(sources), size=(16, 16), dtype=np.uint8)
+        labels = np.kron(blocks, np.ones((16, 16), np.uint8))
+        shares = (1 / len(sources),) * len(sources)
+        composite = Composite("hybrid", 3.0, sources, labels, 3.0, 2.0, 1.0, shares, None)
+        score = Score(float(random.random()), 1.0, 1.0, 1.0, 1.0)
+        side = 60 + looks % 40 + 0.01 * looks
+        shape = Sketch(Polygon(((0, 0), (100, 0), (100, side), (0, side))))
+        seeds = tuple(((float(draw), 9.0),) for _ in sources)
+        return Result(composite, drawing(shape, 1, 1), score, seeds=seeds, draw=draw)
 
     def _model(self, sketch: Sketch, settings: ModelSettings) -> Iterator[Event]:
         exemplars = self._exemplars(sketch.exclude)

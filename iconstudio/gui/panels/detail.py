@@ -218,6 +218,10 @@ class DetailPanel(QFrame):
             self._rows.addWidget(SourceRow(source), *divmod(number, self._columns))
         self._rows.setRowStretch(self._rows.rowCount(), 1)
 
+    def explain(self, text: str) -> None:
+        """Say in a tool tip what the words on the result mean."""
+        self._about.setToolTip(text)
+
     def set_destinations(self, destinations: Sequence[Destination]) -> None:
         """Offer to send the result to these."""
         menu = QMenu(self._send)
@@ -277,6 +281,8 @@ def _merits(result: Result) -> list[str]:
             f"fits the change by {result.score.likeness:.0%}",
             f"unchanged elsewhere {_floor(100 * result.unchanged)} %",
         ]
+    if result.draw >= 0:
+        return [f"rank score {result.score.total:.2f}"]
     iou = result.composite.iou
     return [] if iou is None else [f"fits the sketch by {iou:.0%}"]
 

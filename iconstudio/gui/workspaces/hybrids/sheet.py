@@ -31,14 +31,19 @@ class SheetDelegate(QStyledItemDelegate):
         super().__init__(parent)
         self.coded = False
         self.favourites: Sequence[Picture] = ()
+        self.set_width(8 * CELL)
+
+    def set_width(self, width: int) -> None:
+        """Let as many cells as fit fill a row of ``width``."""
+        self._cell = QSize(width // max(1, width // CELL), CELL)
+        self._rule, self._heading = QSize(width, _RULE), QSize(width, _HEADING)
 
     def sizeHint(self, option, index: Index) -> QSize:
-        """Return a square for a hybrid, the sheet's width for a rule."""
+        """Return the size of a cell, or of a rule across the sheet."""
         entry = index.model().entry(index)
-        width = self.parent().viewport().width() - 2
         if isinstance(entry, Rule):
-            return QSize(width, _HEADING if entry.heading else _RULE)
-        return QSize(width // max(1, width // CELL), CELL)
+            return self._heading if entry.heading else self._rule
+        return self._cell
 
     def paint(self, painter: QPainter, option, index: Index) -> None:
         """Draw one entry."""
@@ -52,7 +57,9 @@ class SheetDelegate(QStyledItemDelegate):
             self._paint_picture(painter, option, entry, look)
         painter.restore()
 
-    def _paint_picture(self, painter: QPainter, option, picture: Picture, look) -> None:
+    def _paint_picture(
+        self, painter: QPainter, option, picture: Picture, look: theme.Theme
+    ) -> None:
         box = QRectF(option.rect).adjusted(2, 2, -2, -2)
         state = option.state
         picked = bool(state & QStyle.StateFlag.State_Selected)
@@ -204,7 +211,8 @@ class Sheet(QListView):
         anchor = self._anchor()
         self.hybrids.add(section, picture, self._held())
         self._unsettled = section
-        self._restore(anchor)
+        if anchor is not None and anchor[0].row() != anchor[1]:  # else no layout is needed yet
+            self._restore(anchor)
 
     def end(self, section: Section, text: str) -> None:
         """End the present batch."""
@@ -255,6 +263,7 @@ class Sheet(QListView):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Fit the rules to the new width."""
         super().resizeEvent(event)
+        self._delegate.set_width(self.viewport().width() - 2)
         self.scheduleDelayedItemsLayout()
 
     def changeEvent(self, event: QEvent) -> None:
@@ -281,18 +290,19 @@ class Sheet(QListView):
             return 0
         return max(0, self.indexAt(QPoint(CELL // 2, CELL // 4)).row())
 
-    def _anchor(self) -> tuple[QPersistentModelIndex, int] | None:
-        """Return an entry in sight, and where it is; None at the top of the sheet."""
+    def _anchor(self) -> tuple[QPersistentModelIndex, int, int] | None:
+        """Return an entry in sight, its row and its place; None at the top of the sheet."""
         row = self._first_visible()
         if row == 0:
             return None
         index = self.hybrids.index(row)
-        return QPersistentModelIndex(index), self.visualRect(index).top()
+        return QPersistentModelIndex(index), row, self.visualRect(index).top()
 
-    def _restore(self, anchor: tuple[QPersistentModelIndex, int] | None) -> None:
+    def _restore(self, anchor: tuple[QPersistentModelIndex, int, int] | None) -> None:
+        """Scroll so that the entry is at its place again."""
         self.executeDelayedItemsLayout()
         if anchor is not None and anchor[0].isValid():
-            moved = self.visualRect(self.hybrids.index(anchor[0].row())).top() - anchor[1]
+            moved = self.visualRect(self.hybrids.index(anchor[0].row())).top() - anchor[2]
             if moved:
                 bar = self.verticalScrollBar()
                 bar.setValue(bar.value() + moved)

@@ -28,7 +28,7 @@ from iconstudio.gui.workspaces.hybrids import page as edits
 from iconstudio.gui.workspaces.hybrids.batches import Seen, batch
 from iconstudio.gui.workspaces.hybrids.page import Ask, HybridsPage
 from iconstudio.gui.workspaces.hybrids.panels import IconsColumn, SheetPanel
-from iconstudio.gui.workspaces.hybrids.sheet_model import Section
+from iconstudio.gui.workspaces.hybrids.sheet_model import Section, terms
 from iconstudio.model import Axis, Exemplar, IconstudioError, Mix, Pictogram
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
@@ -325,6 +325,8 @@ class HybridsWorkspace(Workspace):
 
     def _look_at(self, picture: Picture | None) -> None:
         self.detail.show_picture(picture)
+        if picture is not None:
+            self.detail.explain(terms(picture))
         for name in ("favourite", "like"):
             self.actions_by_name[name].setEnabled(picture is not None)
         self.picked.emit(picture)
