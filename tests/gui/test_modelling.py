@@ -287,7 +287,7 @@ def test_colour_code_and_icon_are_switched(ready, qtbot):
     coded = cell.grab().toImage()
     assert plain != coded
     assert any(coded.pixelColor(x, y).hsvSaturation() > 100 for x in range(70) for y in range(70))
-    QTest.mouseClick(ready.board.results._icon_button, Qt.MouseButton.LeftButton)
+    QTest.mouseClick(ready.board.results.switch.icon, Qt.MouseButton.LeftButton)
     assert cell.grab().toImage() == plain
     assert not ready.actions_by_name["coded"].isChecked()
 

@@ -12,13 +12,13 @@ from PySide6.QtWidgets import (
     QLabel,
     QSizePolicy,
     QStackedLayout,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
 
 from iconstudio.gui import theme
 from iconstudio.gui.panels.cell import ResultCell
+from iconstudio.gui.panels.coding import CodeSwitch
 from iconstudio.gui.pictures import Picture
 from iconstudio.gui.theme import UNIT
 from iconstudio.workflows.events import StyleMatched, StyleSkipped
@@ -150,6 +150,8 @@ class ResultsPanel(QFrame):
         self._group.buttonClicked.connect(self._pick)
         self.coded = False
 
+        self.switch = CodeSwitch()
+        self.switch.changed.connect(self.set_coded)
         title = QLabel("Results")
         title.setProperty("title", True)
         self.note = QLabel()
@@ -158,7 +160,7 @@ class ResultsPanel(QFrame):
         top.setSpacing(UNIT)
         top.addWidget(title)
         top.addWidget(self.note, 1)
-        top.addWidget(self._segments())
+        top.addWidget(self.switch)
         self.scale = Scale()
         self._grid_widget = QWidget()
         self._grid = QGridLayout(self._grid_widget)
@@ -259,8 +261,7 @@ class ResultsPanel(QFrame):
         if coded == self.coded:
             return
         self.coded = coded
-        self._icon_button.setChecked(not coded)
-        self._coded_button.setChecked(coded)
+        self.switch.set_coded(coded)
         for cell in self._cells.values():
             cell.set_coded(coded)
         self.coded_changed.emit(coded)
@@ -302,22 +303,3 @@ class ResultsPanel(QFrame):
             widget.deleteLater()
         self._grid.removeWidget(self.scale)
         self._cells, self._heads, self._reasons, self._rows = {}, {}, {}, []
-
-    def _segments(self) -> QFrame:
-        frame = QFrame()
-        frame.setProperty("segments", True)
-        row = QHBoxLayout(frame)
-        row.setContentsMargins(2, 2, 2, 2)
-        row.setSpacing(2)
-        self._icon_button = QToolButton(text="Icon", checkable=True, checked=True)
-        self._coded_button = QToolButton(text="Colour code", checkable=True)
-        self._coded_button.setToolTip(
-            "One hue for each source icon, one lightness for each of its placements (Ctrl+K)"
-        )
-        group = QButtonGroup(frame)
-        for button in (self._icon_button, self._coded_button):
-            button.setProperty("segment", True)
-            group.addButton(button)
-            row.addWidget(button)
-        self._coded_button.toggled.connect(self.set_coded)
-        return frame

@@ -1,8 +1,7 @@
 """What lies over the canvas, or beside its tools, only when a sketch is made."""
 
-from PySide6.QtCore import QEvent, QObject, Qt
-from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QPushButton, QSlider, QWidget
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QSlider, QWidget
 
 from iconstudio.gui import icons, theme
 from iconstudio.gui.theme import UNIT
@@ -27,29 +26,3 @@ class DimSlider(QWidget):
     def refresh_icons(self, look: theme.Theme) -> None:
         """Draw the sign in the colours of ``look``."""
         self._sign.setPixmap(icons.pixmap("dim", look.color("muted"), 18, 2))
-
-
-class StartButtons(QWidget):
-    """“Open photo” and “Try an example” below the welcome on an empty canvas."""
-
-    def __init__(self, canvas: QWidget, photo: QAction, examples: QMenu) -> None:
-        super().__init__(canvas)
-        self._canvas = canvas
-        open_photo = QPushButton("Open photo…")
-        open_photo.clicked.connect(photo.trigger)
-        try_example = QPushButton("Try an example")
-        try_example.setMenu(examples)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(UNIT)
-        row.addWidget(open_photo)
-        row.addWidget(try_example)
-        canvas.installEventFilter(self)
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Stay below the middle of the canvas."""
-        if event.type() == QEvent.Type.Resize:
-            self.adjustSize()
-            canvas = self._canvas
-            self.move((canvas.width() - self.width()) // 2, canvas.height() // 2 + 2 * UNIT)
-        return False

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QApplication, QMenu
 from iconstudio.gui import theme
 from iconstudio.gui.actions import Entry, Key
 from iconstudio.gui.canvas.outline import Outline
+from iconstudio.gui.canvas.start import StartButtons
 from iconstudio.gui.canvas.tools.polygon import PolygonTool
 from iconstudio.gui.canvas.view import CanvasView
 from iconstudio.gui.document import Document
@@ -18,7 +19,7 @@ from iconstudio.gui.worker import Worker
 from iconstudio.gui.workspaces.remixing import RemixWorkspace
 from iconstudio.gui.workspaces.sketching import page as edits
 from iconstudio.gui.workspaces.sketching.opening import Opener
-from iconstudio.gui.workspaces.sketching.overlay import DimSlider, StartButtons
+from iconstudio.gui.workspaces.sketching.overlay import DimSlider
 from iconstudio.gui.workspaces.sketching.page import SketchPage
 from iconstudio.gui.workspaces.sketching.proposal import SymmetryProposal
 from iconstudio.gui.workspaces.sketching.scene import SketchScene
@@ -70,7 +71,9 @@ class SketchWorkspace(RemixWorkspace):
         self._proposal = SymmetryProposal(self.document, self)
 
         self._make_actions()
-        self.start_buttons = StartButtons(self.view, self.actions_by_name["photo"], self._examples)
+        self.start_buttons = StartButtons(
+            self.view, "Open photo…", self.actions_by_name["photo"], self._examples
+        )
         self._lay_out()
         self._wire()
         self.refresh_icons(theme.current())
