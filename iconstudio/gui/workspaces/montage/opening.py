@@ -19,6 +19,7 @@ from iconstudio.gui.workspaces.montage.page import (
 )
 from iconstudio.inputs.montage import LayerFile, MontageFile, read_montage, write_montage
 from iconstudio.model import CANVAS, Exemplar, IconstudioError, Layer, Montage, Pictogram
+from iconstudio.resources import resource
 from iconstudio.session import Session
 
 _FILES = "Montages (*.json);;All files (*)"
@@ -114,6 +115,11 @@ class Opener(QObject):
                 self.opened.emit(f"Opened “{name}”.")
         except IconstudioError as error:
             self.failed.emit(str(error))
+
+
+def examples() -> list[Path]:
+    """Return the files of the example montages."""
+    return sorted((resource("examples") / "montages").glob("*.json"))
 
 
 def traced(exemplar: Exemplar) -> Icon:

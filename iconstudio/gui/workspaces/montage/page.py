@@ -104,6 +104,17 @@ class MontagePage:
         top = self.layers[-1] if self.layers else None
         return next((one for one in self.layers if one.number == self.chosen), top)
 
+    def found(self, point: Point) -> PlacedIcon | None:
+        """Return the topmost icon with ink at a point; else the chosen, else any, whose box it is.
+
+        A hidden icon is found only if it is the chosen one.
+        """
+        current = self.current
+        shown = [one for one in reversed(self.layers) if not one.hidden or one is current]
+        boxed = [one for one in shown if one.box.contains(QPointF(*point))]
+        inked = [one for one in shown if one.inks(point)]
+        return next(iter(inked or ([current] if current in boxed else boxed)), None)
+
     @property
     def marked(self) -> bool:
         """Whether something is marked, so that a montage can be made."""

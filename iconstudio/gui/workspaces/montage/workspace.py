@@ -10,19 +10,21 @@ from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
     QLabel,
+    QMenu,
     QSplitter,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
 
 from iconstudio.gui import theme
 from iconstudio.gui.actions import Entry, Key
+from iconstudio.gui.canvas.start import StartButtons
 from iconstudio.gui.canvas.view import CanvasView
 from iconstudio.gui.document import Document
 from iconstudio.gui.dragging import dropped_file, unpacked
 from iconstudio.gui.panels.canvas import CanvasPanel
 from iconstudio.gui.panels.chooser import IconChooser
+from iconstudio.gui.panels.coding import CodeSwitch
 from iconstudio.gui.panels.detail import DetailPanel
 from iconstudio.gui.panels.sending import Destination
 from iconstudio.gui.pictures import Picture
@@ -32,7 +34,7 @@ from iconstudio.gui.worker import Worker
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.montage.layers import LayerList, scrolling
 from iconstudio.gui.workspaces.montage.live import TITLE, LiveResult
-from iconstudio.gui.workspaces.montage.opening import Opener, write_page
+from iconstudio.gui.workspaces.montage.opening import Opener, examples, write_page
 from iconstudio.gui.workspaces.montage.overlay import BrushSlider
 from iconstudio.gui.workspaces.montage.page import MontagePage, choose
 from iconstudio.gui.workspaces.montage.scene import MontageScene
@@ -45,6 +47,7 @@ OWN = {
     "&File": (
         Entry("new", "&New montage", "Start afresh", Key.New, "new"),
         Entry("svg_in", "Open S&VG…", "Add a drawing of your own", Key.Open, "open"),
+        Entry("examples", "&Examples", "Start from an example"),
         Entry("open", "Open &montage…", "Open a montage file", "Ctrl+Shift+O"),
         Entry("save", "&Save montage…", "Save the montage as JSON", Key.Save),
     ),
@@ -91,14 +94,18 @@ class MontageWorkspace(Workspace):
             "brush": ScribbleTool(self.document, self.scene, self.brush, rubs=False),
             "eraser": ScribbleTool(self.document, self.scene, self.brush, rubs=True),
         }
-        self.view = CanvasView(self.scene, self.tools["arrange"], _can_be_added)
+        self.view = CanvasView(self.scene, self.tools["brush"], _can_be_added)
         self.view.setAccessibleDescription("Arrange icons, and scribble over their parts, here")
         self.chooser = IconChooser(session, self.finder)
         self.layers = LayerList()
         self.detail = DetailPanel(upright=True, invitation=_INVITATION)
         self.slider = BrushSlider(self.brush)
+        self.switch = CodeSwitch()
 
         self._make_actions()
+        self.start_buttons = StartButtons(
+            self.view, "Open SVG…", self.actions_by_name["svg_in"], self._examples
+        )
         self._lay_out()
         self._wire()
         self.refresh_icons(theme.current())
@@ -107,10 +114,11 @@ class MontageWorkspace(Workspace):
     # -- putting together ----------------------------------------------------------------------
 
     def _make_actions(self) -> None:
+        self._examples = QMenu("&Examples", self)
         self.make_actions(
             {
                 "new": lambda: self._change("new montage", lambda page: MontagePage()),
-                "svg_in": self._choose_file,
+                "svg_in": self.chooser.choose_file,
                 "open": self.opener.choose_montage,
                 "save": self._save,
                 "paste": lambda: self.opener.add_mime(QApplication.clipboard().mimeData()),
@@ -126,7 +134,12 @@ class MontageWorkspace(Workspace):
             },
             OWN,
         )
-        self.actions_by_name.choose_between("arrange", "brush", "eraser", "pan")
+        actions = self.actions_by_name
+        actions.choose_between("brush", "arrange", "eraser", "pan")
+        actions.add(OWN["&File"][2], self._examples.menuAction())
+        for path in examples():
+            action = self._examples.addAction(path.stem.replace("-", " ").capitalize())
+            action.triggered.connect(lambda _=False, path=path: self.opener.open_montage(str(path)))
 
     def _chooser_of(self, name: str) -> Callable[[bool], None]:
         return lambda on: on and self.view.set_tool(self.tools[name])
@@ -143,9 +156,7 @@ class MontageWorkspace(Workspace):
         left.addWidget(_card("Find icons", self.chooser))
         left.addWidget(_card("Layers", scrolling(self.layers)))
         left.setSizes([300, 260])
-        code = QToolButton()
-        code.setDefaultAction(named["coded"])
-        self.detail.add_to_heading(code)
+        self.detail.add_to_heading(self.switch)
         whole = QSplitter(Qt.Orientation.Horizontal)
         for part, share in ((left, 0), (self.canvas_panel, 3), (self.detail, 2)):
             whole.addWidget(part)
@@ -170,6 +181,7 @@ class MontageWorkspace(Workspace):
         layers.moved.connect(
             lambda number, at: self._change("reorder icons", lambda page: page.ordered(number, at))
         )
+        self.switch.changed.connect(self.actions_by_name["coded"].setChecked)
         self.document.page_changed.connect(self._show_page)
         live.shown.connect(self._show_result)
         live.progress.connect(self.progressed)
@@ -237,6 +249,7 @@ class MontageWorkspace(Workspace):
 
     def _set_coded(self, coded: bool) -> None:
         self._coded = coded
+        self.switch.set_coded(coded)
         self.detail.large.set_coded(coded)
 
     # -- page ----------------------------------------------------------------------------------
@@ -250,6 +263,7 @@ class MontageWorkspace(Workspace):
                 self.detail.show_picture(None)
                 self.picked.emit(None)
         self.layers.show_page(page)
+        self.start_buttons.setVisible(not page.layers)
         self.actions_by_name["clear"].setEnabled(any(one.strokes for one in page.layers))
         for name in ("delete", "mirror", "save"):
             self.actions_by_name[name].setEnabled(bool(page.layers))
@@ -261,9 +275,6 @@ class MontageWorkspace(Workspace):
 
     def _add_exemplar(self, exemplar: Exemplar) -> None:
         self.opener.add(exemplar.pictogram)
-
-    def _choose_file(self) -> None:
-        self.chooser.choose_file()
 
     def _delete(self, number: int | bool | None = None) -> None:
         current = self.document.page.current

@@ -10,7 +10,7 @@ from iconstudio.gui.canvas.camera import Camera
 from iconstudio.gui.canvas.tools.base import Pointer, Tool
 from iconstudio.gui.document import new_gesture
 from iconstudio.gui.theme import Theme
-from iconstudio.gui.workspaces.montage.page import MontageDocument, PlacedIcon, choose
+from iconstudio.gui.workspaces.montage.page import MontageDocument, choose
 from iconstudio.gui.workspaces.montage.scene import MontageScene
 from iconstudio.gui.workspaces.montage.snapping import (
     Guides,
@@ -50,6 +50,7 @@ class ArrangeTool(Tool):
         self._start: Point | None = None
         self._snapped: Snapped | None = None
         self._nudges = 0, -1
+        document.page_changed.connect(self._page_changed)
 
     # -- what the canvas shows -----------------------------------------------------------------
 
@@ -67,7 +68,7 @@ class ArrangeTool(Tool):
         if self._snapped is not None:
             centred = " · Alt scales about the centre" if self._corner is not None else ""
             return f"Hold Shift to place it freely{centred}"
-        return "Drag to move · drag a corner to scale · M mirrors · B to scribble"
+        return "Drag to move · drag a corner to scale · M mirrors · B scribbles what to keep"
 
     def paint(self, painter: QPainter, camera: Camera, theme: Theme) -> None:
         """Draw the guides that are kept to, and the frame and handles of the chosen icon."""
@@ -97,7 +98,7 @@ class ArrangeTool(Tool):
             return
         self._look(pointer)
         if self._corner is None:
-            found = self._found(pointer.page)
+            found = self._document.page.found(pointer.page)
             if found is None:
                 return
             if found is not self._document.page.current:
@@ -139,6 +140,10 @@ class ArrangeTool(Tool):
             after = self._document.page.placed(layer.number, snapped.placement)
             self._document.change(text, after)
         self._look(pointer)
+
+    def double_click(self, pointer: Pointer) -> None:
+        """Do as for any click."""
+        self.press(pointer)
 
     def leave(self) -> None:
         """Forget the pointer."""
@@ -183,17 +188,9 @@ class ArrangeTool(Tool):
             gaps = [math.dist(spot.toTuple(), pointer.view.toTuple()) for spot in spots]
             if min(gaps) <= GRIP:
                 self._corner = gaps.index(min(gaps))
-        self._hover = self._found(pointer.page) is not None
+        self._hover = self._document.page.found(pointer.page) is not None
 
-    def _found(self, point: Point) -> PlacedIcon | None:
-        """Return the topmost icon with ink at a point; else the chosen, else any, whose box it is.
-
-        Hidden icons are found only if chosen.
-        """
-        page = self._document.page
-        current = page.current
-        shown = [one for one in reversed(page.layers) if not one.hidden or one is current]
-        boxed = [one for one in shown if one.box.contains(QPointF(*point))]
-        inked = [one for one in shown if one.inks(point)]
-        inside = [current] if current in boxed else boxed
-        return next(iter(inked or inside), None)
+    def _page_changed(self) -> None:
+        """Let go: what is held may be gone, by an undo in the middle of a drag."""
+        if self._start is not None:
+            self.cancel()

@@ -8,7 +8,7 @@ from PySide6.QtGui import QKeyEvent, QPainter, QPen
 from iconstudio.gui.canvas.camera import Camera
 from iconstudio.gui.canvas.tools.base import Pointer, Tool
 from iconstudio.gui.theme import Theme
-from iconstudio.gui.workspaces.montage.page import MontageDocument, MontagePage
+from iconstudio.gui.workspaces.montage.page import MontageDocument, MontagePage, choose
 from iconstudio.gui.workspaces.montage.scene import MontageScene
 from iconstudio.gui.workspaces.montage.strokes import strokes_of, visible
 from iconstudio.gui.workspaces.montage.tools.stepping import step_key
@@ -72,6 +72,7 @@ class ScribbleTool(Tool):
         self._widths: list[float] = []
         self._pointer: Pointer | None = None
         brush.changed.connect(scene.changed)
+        document.page_changed.connect(self._page_changed)
 
     @property
     def cursor(self) -> Qt.CursorShape:
@@ -84,9 +85,10 @@ class ScribbleTool(Tool):
         layer = self._scene.page.current
         if layer is None:
             return ""
+        name = layer.title if len(layer.title) <= 20 else f"{layer.title[:19]}…"
         if self._always_rubs:
-            return f"Rub out scribbles of “{layer.title}” · Alt: of every icon · [ ] size"
-        return f"Scribble over what to keep of “{layer.title}” · [ ] size · E erases"
+            return f"Rub out scribbles of “{name}” · hold Alt for those of all icons"
+        return f"Scribble over what to keep of “{name}” · Ctrl+click chooses another icon"
 
     def paint(self, painter: QPainter, camera: Camera, theme: Theme) -> None:
         """Draw the brush at the pointer."""
@@ -108,9 +110,15 @@ class ScribbleTool(Tool):
     # -- pointer -------------------------------------------------------------------------------
 
     def press(self, pointer: Pointer) -> None:
-        """Put the pen down."""
+        """Put the pen down; with Ctrl, choose the icon there."""
         self._pointer = pointer
-        if pointer.button != Qt.MouseButton.LeftButton or self._document.page.current is None:
+        page = self._document.page
+        if pointer.button != Qt.MouseButton.LeftButton or page.current is None:
+            return
+        if pointer.modifiers & Qt.KeyboardModifier.ControlModifier:
+            found = page.found(pointer.page)
+            if found is not None:
+                choose(self._document, found.number)
             return
         self._rubs = self._always_rubs or pointer.eraser
         self._everywhere = bool(pointer.modifiers & Qt.KeyboardModifier.AltModifier)
@@ -131,6 +139,10 @@ class ScribbleTool(Tool):
         self.cancel()
         if after != self._document.page:
             self._document.change("erase" if self._rubs else "scribble", after)
+
+    def double_click(self, pointer: Pointer) -> None:
+        """Do as for any click."""
+        self.press(pointer)
 
     def leave(self) -> None:
         """Forget the pointer."""
@@ -153,6 +165,11 @@ class ScribbleTool(Tool):
         pressed = _LIGHT + (1 - _LIGHT) * pointer.pressure
         self._widths.append(self._brush.width * (1.0 if self._rubs else pressed))
         self._scene.preview(self._outcome())
+
+    def _page_changed(self) -> None:
+        """Give up the line: its icon may be gone, by an undo in the middle of it."""
+        if self._points:
+            self.cancel()
 
     def _outcome(self) -> MontagePage:
         """Return what the line makes of the page."""
