@@ -6,4 +6,4 @@ Rusinkiewicz). Data flows one way: ``library`` and ``algorithms`` stand on
 library; ``cli`` and ``gui`` show what comes out.
 """
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"

@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from iconstudio.algorithms.matching import SCALES, PreparedExemplar, prepare
+from iconstudio.algorithms.style import two_toned
 from iconstudio.library.collection import Collection, cache_folder
 from iconstudio.library.ownsvg import read_own_svg
 from iconstudio.library.rasters import RasterCache
@@ -41,6 +42,8 @@ from iconstudio.workflows.montage import check as check_montage
 from iconstudio.workflows.montage import montage_icons
 from iconstudio.workflows.remixing import answer, draw
 
+_PLENTY = 8
+"""With so many others, icons of two tones are left out: only their dark part could be used."""
 _KEPT = 3
 """How many keywords stay prepared: some 100 MiB each."""
 
@@ -166,6 +169,9 @@ class Session:
         yield Progress("search", 0.0, f"Looking for “{keyword}”")
         pictograms = self.search(keyword, exclude)
         exemplars = yield from self.rasterise(pictograms)
+        plain = tuple(one for one in exemplars if not two_toned(one.coverage))
+        if len(plain) >= _PLENTY:
+            exemplars = plain
         yield Retrieved(keyword, exemplars)
         ready = []
         for number, exemplar in enumerate(exemplars, start=1):

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy import ndimage
 from scipy.spatial import ConvexHull, QhullError
 
 
@@ -27,6 +28,16 @@ STYLES = (
     Style("dark", 0.6, 1.0),
 )
 """The table of section 3.5."""
+
+
+def two_toned(coverage: NDArray[np.uint8]) -> bool:
+    """Whether a drawing (h, w) uint8 has pale areas, not only soft edges.
+
+    A pale layer is no ink (section 3.1: black and white), so what is left of such an icon may be a
+    part of it only.
+    """
+    pale = (coverage > 30) & (coverage < 225)
+    return bool(ndimage.binary_erosion(pale, np.ones((3, 3))).any())
 
 
 def blackness(ink: NDArray[np.bool_]) -> float:

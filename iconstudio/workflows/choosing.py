@@ -7,7 +7,6 @@ from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import ndimage
 
 from iconstudio.algorithms.raster import solid
 from iconstudio.algorithms.style import STYLES, blackness
@@ -45,7 +44,7 @@ def choose_icons(
     """
     if not FEWEST <= count <= MOST:
         raise IconstudioError(f"{count} icons cannot be mixed: ask for {FEWEST} to {MOST}.")
-    shapes = [(one, solid(one.ink)) for one in exemplars[:CANDIDATES] if not _duotone(one)]
+    shapes = [(one, solid(one.ink)) for one in exemplars[:CANDIDATES]]
     if symmetry is not None:
         shapes = [pair for pair in shapes if likeness(pair[1], symmetry) >= SYMMETRIC]
     groups: dict[frozenset[int], float] = {}
@@ -90,12 +89,6 @@ def stroke_width(ink: NDArray[np.bool_]) -> float:
     """Return the mean width of the strokes of an ink (h, w) bool, in pixels."""
     rim = sum(int((ink ^ np.roll(ink, 1, axis=axis)).sum()) for axis in (0, 1))
     return 2 * float(ink.sum()) / max(1, rim)
-
-
-def _duotone(exemplar: Exemplar) -> bool:
-    """Whether a drawing has pale areas, not only soft edges."""
-    pale = (exemplar.coverage > 30) & (exemplar.coverage < 225)
-    return bool(ndimage.binary_erosion(pale, np.ones((3, 3))).any())
 
 
 def _overlaps(shapes: NDArray[np.bool_]) -> NDArray[np.float64]:

@@ -3,7 +3,7 @@ import pytest
 from hypothesis import given
 from hypothesis.extra.numpy import arrays
 
-from iconstudio.algorithms.style import STYLES, blackness
+from iconstudio.algorithms.style import STYLES, blackness, two_toned
 
 
 def test_a_full_rectangle_is_all_black():
@@ -52,3 +52,12 @@ def test_the_intervals_of_the_paper():
     assert [style.name for style in STYLES if style.admits(0.0)] == ["lightest"]
     assert [style.name for style in STYLES if style.admits(1.0)] == ["dark"]
     assert [style.name for style in STYLES if style.admits(0.4)] == ["lightest", "light", "medium"]
+
+
+def test_pale_areas_are_told_from_soft_edges():
+    ys, xs = np.mgrid[:64, :64]
+    soft = np.clip((20 - np.hypot(xs - 32, ys - 32)) * 127 + 127, 0, 255).astype(np.uint8)
+    assert not two_toned(soft)
+    layered = soft.copy()
+    layered[50:60, 10:50] = 100
+    assert two_toned(layered)
