@@ -95,7 +95,7 @@ class PickRow(QWidget):
         super().__init__(parent)
         self.count = QSpinBox(minimum=FEWEST, maximum=MOST, value=5)
         self.count.setAccessibleName("How many icons to pick")
-        self.count.setFixedWidth(7 * UNIT)
+        self.count.setFixedSize(7 * UNIT, 4 * UNIT)
         self.button = QPushButton("Pick for me")
         self.button.setToolTip("Let the program pick icons of this name that mix well")
         words = QLabel("icons that mix well")
@@ -230,12 +230,10 @@ class SheetPanel(QFrame):
         title = QLabel("Be surprised by mixtures of icons")
         title.setProperty("title", True)
         words = QLabel(
-            "Choose a few icons on the left, or type a word and let the program pick them. "
-            "Press Mix: their parts are put together at random, the best first.",
-            wordWrap=True,
+            "Choose a few icons on the left, or type a word and let the program pick them.\n"
+            "Press Mix: their parts are put together at random, the best first."
         )
         words.setProperty("muted", True)
-        words.setFixedWidth(56 * UNIT)
         self.start = QPushButton("Try it with lamps")
         self.start.clicked.connect(self.example)
         page = QWidget()

@@ -389,8 +389,10 @@ class HybridsWorkspace(Workspace):
         self.pick(self.column.pick.count.value())
         self._mix_when_picked = True
 
-    def _show_picked_icons(self, event: Event | Picked) -> None:
-        if isinstance(event, Picked):
+    def _show_picked_icons(self, event: Event | Picked | HybridsPage) -> None:
+        if isinstance(event, HybridsPage):
+            self._put(event)
+        elif isinstance(event, Picked):
             edits.set_icons(self.document, event.exemplars, event.ask)
             if self._mix_when_picked:
                 self._mix_when_picked = False
@@ -429,9 +431,8 @@ class HybridsWorkspace(Workspace):
 
     def open_mix(self, path: str) -> None:
         """Put the icons that a file names on the page."""
-        job = self.files.submit(lambda: files.read_page(self.session, Path(path)))
-        job.event.connect(self._put)
-        job.failed.connect(self.failed)
+        self.said.emit("")
+        self.picking.start(lambda: files.read_page(self.session, Path(path)))
 
     def _put(self, page: HybridsPage) -> None:
         page = replace(page, favourites=self.document.page.favourites)

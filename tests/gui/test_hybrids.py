@@ -1,0 +1,511 @@
+"""Choose icons, pin parts, mix, scroll, keep: in the real window, on the pretended session."""
+
+import json
+import threading
+from itertools import pairwise
+
+import pytest
+from fake_session import exemplar
+from hands import save_to
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QWheelEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+from iconstudio.algorithms.raster import solid
+from iconstudio.gui.pictures import Picture
+from iconstudio.gui.workspaces.hybrids.cards import on_shape
+from iconstudio.gui.workspaces.hybrids.sheet_model import Rule
+from iconstudio.model import Axis
+
+LEFT = Qt.MouseButton.LeftButton
+CTRL = Qt.KeyboardModifier.ControlModifier
+SVG = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M1 1h7v7z"/></svg>'
+
+
+@pytest.fixture
+def place(window):
+    """The workspace, in sight."""
+    workspace = window.workspace_of("Hybrids")
+    window.show_workspace(window.workspaces.index(workspace))
+    return workspace
+
+
+@pytest.fixture
+def chosen(place, qtbot):
+    """The workspace with four icons: ring, frame, cross and triangle."""
+    place.column.chooser.search("lamp")
+    pick(place, qtbot, 4)
+    return place
+
+
+@pytest.fixture
+def mixed(chosen, qtbot):
+    """The workspace with its first batch of hybrids."""
+    run(chosen, qtbot)
+    return chosen
+
+
+def pick(place, qtbot, count):
+    place.column.pick.count.setValue(count)
+    QTest.mouseClick(place.column.pick.button, LEFT)
+    qtbot.waitUntil(lambda: not place.picking.running, timeout=20000)
+
+
+def run(place, qtbot):
+    QTest.mouseClick(place.column.run, LEFT)
+    finish(place, qtbot)
+
+
+def finish(place, qtbot):
+    qtbot.waitUntil(lambda: not place.runner.running, timeout=20000)
+
+
+def rows(place):
+    """Return what is on the sheet, row by row."""
+    model = place.sheet.hybrids
+    return [model.entry(model.index(row)) for row in range(model.rowCount())]
+
+
+def totals(entries):
+    return [one.result.score.total for one in entries if isinstance(one, Picture)]
+
+
+def middle(place, picture):
+    return place.sheet.visualRect(place.sheet.hybrids.index_of(picture)).center()
+
+
+def click(place, picture):
+    QTest.mouseClick(place.sheet.viewport(), LEFT, pos=middle(place, picture))
+
+
+def hover(place, picture):
+    QTest.mouseMove(place.sheet.viewport(), middle(place, picture))
+
+
+def leave(place):
+    QApplication.sendEvent(place.sheet.viewport(), QEvent(QEvent.Type.Leave))
+
+
+def scroll_down(place):
+    viewport = place.sheet.viewport()
+    spot = QPointF(viewport.rect().center())
+    event = QWheelEvent(
+        spot, viewport.mapToGlobal(spot), QPoint(), QPoint(0, -1200), LEFT.NoButton,
+        CTRL.NoModifier, Qt.ScrollPhase.NoScrollPhase, False,
+    )  # fmt: skip
+    QApplication.sendEvent(viewport, event)
+
+
+def names(place):
+    return [one.id for one in place.document.page.ingredients]
+
+
+# -- icons -----------------------------------------------------------------------------------------
+
+
+def test_an_empty_window_says_what_to_do_and_offers_it(place, qtbot, session):
+    assert place.panel.start.isVisible()
+    assert not place.column.run.isEnabled()
+    assert "at least two icons" in place.column.run.toolTip()
+    QTest.mouseClick(place.panel.start, LEFT)
+    qtbot.waitUntil(lambda: len(rows(place)) > 0, timeout=20000)
+    finish(place, qtbot)
+    assert session.calls[-1][0] == "mix"
+    assert len(place.document.page.ingredients) == 5
+    assert not place.panel.start.isVisible()
+
+
+def test_icons_are_ticked_and_given_back(place, qtbot):
+    chooser = place.column.chooser
+    QTest.keyClicks(chooser.field, "lamp")
+    QTest.keyClick(chooser.field, Qt.Key.Key_Return)
+    sheet = chooser.choices.sheet()
+    qtbot.waitUntil(lambda: sheet.rowCount() == 60)
+    for row in (3, 1, 3):
+        box = chooser.choices.visualRect(sheet.index(row))
+        QTest.mouseClick(chooser.choices.viewport(), LEFT, pos=box.center())
+    assert names(place) == ["shapes:frame-1"]
+    assert "one more icon" in place.column.run.toolTip()
+    place.document.undo_stack.undo()
+    assert names(place) == ["shapes:triangle-3", "shapes:frame-1"]
+
+
+def test_picking_again_brings_the_next_group_and_undo_the_last(chosen, qtbot, session):
+    first = names(chosen)
+    pick(chosen, qtbot, 4)
+    asked = [call[1:] for call in session.calls if call[0] == "choose"]
+    assert asked == [("lamp", 4, None, 0), ("lamp", 4, None, 1)]
+    assert names(chosen) != first
+    chosen.document.undo_stack.undo()
+    assert names(chosen) == first
+    pick(chosen, qtbot, 3)
+    assert session.calls[-2][1:] == ("lamp", 3, None, 0), "another number begins anew"
+
+
+def test_picking_needs_a_word(place):
+    QTest.mouseClick(place.column.pick.button, LEFT)
+    assert "Type what the icons should show" in place.window().desk.notice.label.text()
+
+
+def test_what_cannot_be_picked_is_told(place, qtbot):
+    place.column.chooser.search("zzz")
+    pick(place, qtbot, 4)
+    assert "No icon is found" in place.window().desk.notice.label.text()
+    assert not names(place)
+
+
+def test_a_card_removes_its_icon_by_button_and_key(chosen):
+    cards = chosen.column.cards.cards
+    QTest.mouseClick(cards[1].button, LEFT)
+    cards[0].setFocus()
+    QTest.keyClick(cards[0], Qt.Key.Key_Backspace)
+    assert names(chosen) == ["shapes:cross-2", "shapes:triangle-3"]
+    assert len(cards) == 2
+    chosen.document.undo_stack.undo()
+    chosen.document.undo_stack.undo()
+    assert len(names(chosen)) == 4
+
+
+def test_an_icon_that_is_sent_joins_once(chosen, qtbot):
+    for number in (9, 9):
+        chosen.take(exemplar(number).pictogram)
+    qtbot.waitUntil(lambda: len(names(chosen)) == 5)
+    qtbot.wait(50)
+    assert names(chosen)[-1] == "shapes:frame-9"
+
+
+def test_a_thirteenth_icon_is_refused(place, qtbot):
+    place.column.chooser.search("lamp")
+    pick(place, qtbot, 12)
+    place.take(exemplar(40).pictogram)
+    notice = place.window().desk.notice
+    qtbot.waitUntil(notice.isVisible)
+    assert "At most 12" in notice.label.text()
+    assert len(names(place)) == 12
+
+
+# -- pins ------------------------------------------------------------------------------------------
+
+
+def test_a_click_pins_the_nearest_part_and_a_click_on_the_pin_frees_it(chosen, qtbot, session):
+    card = chosen.column.cards.cards[3]  # the triangle: nothing but white at the top left
+    QTest.mouseClick(card, LEFT, pos=QPoint(6, 20))
+    (pin,) = chosen.document.page.ingredients[3].pins
+    shape = solid(exemplar(3).ink)
+    assert shape[int(pin[1]), int(pin[0])]
+    run(chosen, qtbot)
+    assert session.calls[-1][1].pins == ((), (), (), (pin,))
+    QTest.mouseClick(card, LEFT, pos=card.at(pin).toPoint())
+    assert chosen.document.page.mix.pins == ()
+    chosen.document.undo_stack.undo()
+    assert chosen.document.page.ingredients[3].pins == (pin,)
+
+
+def test_on_a_shape_is_a_point_that_stays_and_else_the_nearest():
+    ring = exemplar(0)
+    assert on_shape(ring, (128.2, 128.9)) == (128.5, 128.5), "in the hole is on the solid shape"
+    x, y = on_shape(ring, (128.5, 10.0))
+    assert x == 128.5
+    assert abs(y - (128 - 60)) <= 1
+
+
+def test_under_symmetry_the_mirror_image_of_a_pin_shows_and_frees_it(chosen):
+    chosen.column.symmetry.chosen.emit(Axis.HORIZONTAL)
+    card = chosen.column.cards.cards[0]
+    accent = card.palette().highlight().color()
+    spot = card.at((90.0, 128.0)).toPoint()
+    twin = card.at((166.0, 128.0)).toPoint()
+    before = card.grab().toImage().pixelColor(twin)
+    QTest.mouseClick(card, LEFT, pos=spot)
+    after = card.grab().toImage()
+    assert (
+        after.pixelColor(card.at(chosen.document.page.ingredients[0].pins[0]).toPoint()) == accent
+    )
+    assert after.pixelColor(twin) != before
+    QTest.mouseClick(card, LEFT, pos=twin)
+    assert not chosen.document.page.ingredients[0].pins
+
+
+def test_a_symmetry_that_all_icons_have_is_offered(chosen):
+    assert chosen.column.offer.isVisible()
+    QTest.mouseClick(chosen.column.offer, LEFT)
+    assert chosen.document.page.symmetry is Axis.HORIZONTAL
+    assert not chosen.column.offer.isVisible()
+    chosen.document.undo_stack.undo()
+    assert chosen.column.offer.isVisible()
+
+
+# -- the sheet -------------------------------------------------------------------------------------
+
+
+def test_a_batch_is_in_rank_order_without_repeats_and_ends_with_a_rule(mixed, session):
+    *pictures, rule = rows(mixed)
+    assert isinstance(rule, Rule)
+    assert len(pictures) == 40 - 3, "draws 19, 29 and 39 repeat the ninth"
+    assert totals(pictures) == sorted(totals(pictures), reverse=True)
+    assert threading.get_ident() not in session.thread_ids
+    assert mixed.window().desk.strip.label.text() == "37 hybrids"
+    assert sorted(int(one.title.split()[1]) for one in pictures) == list(range(1, 38))
+
+
+def test_scrolling_to_the_end_draws_on_and_drops_repeats_of_earlier_batches(mixed, qtbot, session):
+    first = rows(mixed)
+    scroll_down(mixed)
+    assert mixed.runner.running
+    finish(mixed, qtbot)
+    mixes = [call[1] for call in session.calls if call[0] == "mix"]
+    assert [mix.first for mix in mixes] == [0, 40]
+    assert rows(mixed)[: len(first)] == first
+    second = rows(mixed)[len(first) :]
+    assert len(totals(second)) == 40 - 4
+    assert totals(second) == sorted(totals(second), reverse=True)
+
+
+def test_the_same_seed_gives_the_same_sheet(mixed, qtbot):
+    before = [one.result.drawing.path for one in rows(mixed)[:-1]]
+    QTest.mouseClick(mixed.column.seed.dice, LEFT)
+    assert mixed.panel.note.text()
+    other = mixed.document.page.seed
+    mixed.column.seed.field.setFocus()
+    mixed.column.seed.field.selectAll()
+    QTest.keyClicks(mixed.column.seed.field, "7x12")
+    assert mixed.document.page.seed == 712
+    run(mixed, qtbot)
+    assert [one.result.drawing.path for one in rows(mixed)[:-1]] != before
+    mixed.document.undo_stack.undo()
+    assert mixed.document.page.seed in (0, other), "digits typed are undone together"
+    mixed.document.change("seed", type(mixed.document.page)(mixed.document.page.ingredients))
+    run(mixed, qtbot)
+    assert [one.result.drawing.path for one in rows(mixed)[:-1]] == before
+
+
+def test_a_hybrid_at_which_the_user_points_stays_where_it_is(chosen, qtbot, session):
+    session.gate = threading.Semaphore(12)
+    QTest.mouseClick(chosen.column.run, LEFT)
+    qtbot.waitUntil(lambda: len(rows(chosen)) >= 11)
+    qtbot.wait(50)
+    pointed = rows(chosen)[5]
+    hover(chosen, pointed)
+    spot = middle(chosen, pointed)
+    above = rows(chosen)[:6]
+    session.gate.release(100)
+    finish(chosen, qtbot)
+    assert rows(chosen)[:6] == above
+    assert middle(chosen, pointed) == spot
+    late = totals(rows(chosen)[6:])
+    assert late == sorted(late, reverse=True)
+    assert max(late) > min(totals(above))
+    leave(chosen)
+    assert totals(rows(chosen)) == sorted(totals(rows(chosen)), reverse=True)
+
+
+def test_results_that_arrive_do_not_scroll_the_sheet(mixed, qtbot, session):
+    session.gate = threading.Semaphore(10)
+    scroll_down(mixed)
+    qtbot.waitUntil(lambda: len(totals(rows(mixed))) > 40)
+    mixed.sheet.scrollToBottom()
+    seen = mixed.sheet.indexAt(QPoint(30, 60))
+    entry, top = mixed.sheet.hybrids.entry(seen), mixed.sheet.visualRect(seen).top()
+    session.gate.release(100)
+    finish(mixed, qtbot)
+    now = mixed.sheet.hybrids.index_of(entry)
+    assert mixed.sheet.visualRect(now).top() == top
+
+
+def test_cancel_keeps_what_is_there_and_going_on_misses_nothing(chosen, qtbot, session):
+    session.gate = threading.Semaphore(7)
+    QTest.mouseClick(chosen.column.run, LEFT)
+    qtbot.waitUntil(lambda: len(totals(rows(chosen))) == 7)
+    QTest.mouseClick(chosen.window().desk.strip.button, LEFT)
+    assert not chosen.runner.running
+    session.gate = None
+    run(chosen, qtbot)
+    assert session.calls[-1][1].first == 7
+    draws = [one.result.draw for one in rows(chosen) if isinstance(one, Picture)]
+    assert sorted(draws) == [n for n in range(47) if n % 10 != 9 or n == 9]
+
+
+def test_a_picked_hybrid_shows_large_and_is_kept_in_sight(mixed):
+    best = rows(mixed)[0]
+    click(mixed, best)
+    assert mixed.picture is best
+    assert mixed.window().recent.pictures == (best,)
+    assert "Rank score" in mixed.detail._about.toolTip()
+    assert "smooth seams" in mixed.sheet.hybrids.data(
+        mixed.sheet.hybrids.index(0), Qt.ItemDataRole.ToolTipRole
+    )
+    QTest.keyClick(mixed.sheet, Qt.Key.Key_Right)
+    assert mixed.picture is rows(mixed)[1]
+
+
+def test_colour_coding(mixed):
+    before = mixed.sheet.viewport().grab().toImage()
+    mixed.actions_by_name["coded"].trigger()
+    assert mixed.coded
+    assert mixed.sheet.viewport().grab().toImage() != before
+
+
+# -- what is done with a hybrid --------------------------------------------------------------------
+
+
+def test_favourites_by_key_button_and_menu_and_undo(mixed):
+    first, second, third = rows(mixed)[:3]
+    click(mixed, first)
+    QTest.keyClick(mixed.sheet, Qt.Key.Key_F)
+    hover(mixed, second)
+    assert mixed.sheet.bar.isVisible()
+    QTest.mouseClick(mixed.sheet.bar._star, LEFT)
+    mixed._open_menu(third, QPoint(10, 10))
+    mixed.menu.actions()[0].trigger()
+    mixed.menu.close()
+    assert mixed.tray.pictures == (first, second, third)
+    assert mixed.window().recent.pictures == (third, second, first)
+    mixed.document.undo_stack.undo()
+    assert mixed.tray.pictures == (first, second)
+    mixed.tray.strip.remove(first)
+    assert mixed.document.page.favourites == (second,)
+    mixed.document.undo_stack.undo()
+    assert mixed.tray.pictures == (first, second)
+    click(mixed, first)
+    QTest.keyClick(mixed.sheet, Qt.Key.Key_F)
+    assert mixed.tray.pictures == (second,)
+
+
+def test_all_favourites_are_saved_and_nothing_is_replaced(mixed, qtbot, tmp_path, monkeypatch):
+    for picture in rows(mixed)[:2]:
+        mixed.keep(picture)
+    title = rows(mixed)[0].title.replace(" ", "-")
+    (tmp_path / f"{title}-hybrid.svg").write_text("mine")
+    monkeypatch.setattr(mixed.saver, "ask_folder", lambda: tmp_path)
+    QTest.mouseClick(mixed.tray.button, LEFT)
+    qtbot.waitUntil(lambda: len(list(tmp_path.iterdir())) == 3)
+    assert (tmp_path / f"{title}-hybrid.svg").read_text() == "mine"
+    assert "Ada Example" in (tmp_path / f"{title}-hybrid-2.svg").read_text()
+    qtbot.waitUntil(lambda: "2 icons" in mixed.window().desk.strip.label.text())
+
+
+def test_more_like_this_has_a_section_of_its_own(mixed, qtbot, session):
+    whole = rows(mixed)
+    mixed.sheet.verticalScrollBar().setValue(40)
+    click(mixed, whole[9])
+    QTest.keyClick(mixed.sheet, Qt.Key.Key_L)
+    finish(mixed, qtbot)
+    assert session.calls[-1][1].like == whole[9].result.seeds
+    heading, *found = rows(mixed)
+    assert heading.text == f"More like {whole[9].title}" == mixed.panel.title.text()
+    assert not set(map(id, found)) & set(map(id, whole))
+    assert totals(found) == sorted(totals(found), reverse=True)
+    QTest.mouseClick(mixed.panel.button, LEFT)
+    assert rows(mixed) == [heading, *found, *whole]
+    assert not mixed.panel.button.isVisible()
+    count = len(session.calls)
+    mixed.draw_like(whole[9])
+    assert rows(mixed) == [heading, *found], "what is there is not drawn again"
+    assert len(session.calls) == count
+
+
+def test_a_hybrid_goes_to_another_workspace(mixed, qtbot):
+    best = rows(mixed)[0]
+    mixed._open_menu(best, QPoint(10, 10))
+    words = [action.text() for action in mixed.menu.actions()]
+    mixed.menu.close()
+    assert not any("Mix" in text for text in words), "it is here already"
+    mixed.send_picture(best, "Edit")
+    edit = mixed.window().workspace_of("Edit")
+    assert mixed.window().workspace is edit
+
+
+def test_two_icons_that_are_the_same_are_told(chosen, qtbot, session, monkeypatch):
+    from iconstudio.model import IconstudioError
+
+    def refuse(mix):
+        raise IconstudioError("“b” looks the same as another of the icons.")
+        yield
+
+    monkeypatch.setattr(session, "mix", refuse)
+    run(chosen, qtbot)
+    assert "looks the same" in chosen.window().desk.notice.label.text()
+
+
+# -- files -----------------------------------------------------------------------------------------
+
+
+def test_a_mix_is_saved_and_opened_again(chosen, qtbot, tmp_path, monkeypatch):
+    own = tmp_path / "own.svg"
+    own.write_text(SVG)
+    chosen.column.chooser.open_file(str(own))
+    qtbot.waitUntil(lambda: len(names(chosen)) == 5)
+    QTest.mouseClick(chosen.column.cards.cards[0], LEFT, pos=QPoint(36, 20))
+    chosen.column.symmetry.chosen.emit(Axis.VERTICAL)
+    chosen.column.seed.changed.emit(2**62)
+    page = chosen.document.page
+    path = tmp_path / "mix.json"
+    save_to(chosen, monkeypatch, path)
+    chosen.actions_by_name["save"].trigger()
+    qtbot.waitUntil(path.exists)
+    assert json.loads(path.read_text())["seed"] == 2**62
+    chosen.actions_by_name["new"].trigger()
+    assert not names(chosen)
+    chosen.open_mix(str(path))
+    qtbot.waitUntil(lambda: len(names(chosen)) == 5)
+    again = chosen.document.page
+    assert (again.seed, again.symmetry) == (page.seed, page.symmetry)
+    assert [one.id for one in again.ingredients][:4] == names(chosen)[:4]
+    assert again.ingredients[0].pins == page.ingredients[0].pins
+    chosen.document.undo_stack.undo()
+    chosen.document.undo_stack.undo()
+    assert chosen.document.page == page
+
+
+def test_a_file_with_a_keyword_picks(place, qtbot, tmp_path, session):
+    path = tmp_path / "mix.json"
+    path.write_text('{"keyword": "lamp", "count": 3, "seed": 2, "draws": 5}')
+    place.open_mix(str(path))
+    qtbot.waitUntil(lambda: len(names(place)) == 3)
+    assert ("choose", "lamp", 3, None, 2) in session.calls
+    run(place, qtbot)
+    assert len(totals(rows(place))) == 5
+
+
+@pytest.mark.parametrize(
+    ("text", "part"),
+    [
+        ("{", "not valid JSON"),
+        ('{"icons": ["shapes:ring-0"]}', "cannot be mixed"),
+        ('{"icons": ["shapes:ring-0", "shapes:ring-0"]}', "chosen twice"),
+        ('{"icons": ["shapes:ring-0", "shapes:nothing"]}', "no icon"),
+        ('{"icons": ["shapes:ring-0", "shapes:frame-1"], "pins": [[[1, 2]]]}', "pins for 1"),
+    ],
+)
+def test_a_bad_file_is_told_and_changes_nothing(chosen, qtbot, tmp_path, text, part):
+    before = chosen.document.page
+    path = tmp_path / "mix.json"
+    path.write_text(text)
+    chosen.open_mix(str(path))
+    notice = chosen.window().desk.notice
+    qtbot.waitUntil(notice.isVisible)
+    assert part in notice.label.text()
+    assert chosen.document.page is before
+
+
+def test_every_edit_is_one_step_and_undone_exactly(chosen):
+    stack, cards = chosen.document.undo_stack, chosen.column.cards.cards
+    pages = [chosen.document.page]
+    steps = [
+        lambda: QTest.mouseClick(cards[0], LEFT, pos=QPoint(36, 36)),
+        lambda: chosen.column.symmetry.chosen.emit(Axis.VERTICAL),
+        lambda: chosen.column.seed.changed.emit(5),
+        lambda: QTest.mouseClick(cards[2].button, LEFT),
+        lambda: chosen.actions_by_name["clear"].trigger(),
+        lambda: chosen.actions_by_name["new"].trigger(),
+    ]
+    for step in steps:
+        count = stack.count()
+        step()
+        assert stack.count() == count + 1
+        pages.append(chosen.document.page)
+    assert all(a != b for a, b in pairwise(pages))
+    for page in reversed(pages[:-1]):
+        stack.undo()
+        assert chosen.document.page is page
