@@ -19,6 +19,7 @@ from iconstudio.model import (
     Frame,
     IconstudioError,
     Mix,
+    Montage,
     Pictogram,
     Placement,
     Polygon,
@@ -37,6 +38,7 @@ from iconstudio.workflows.events import (
     StyleSkipped,
 )
 from iconstudio.workflows.hybrids import check as check_mix
+from iconstudio.workflows.montage import check as check_montage
 
 RECOMMENDED = 2
 """The column that is recommended in every row."""
@@ -191,6 +193,26 @@ class FakeSession:
                     while not self.gate.acquire(timeout=0.02):
                         yield Progress("remix", 0.5, "Mixing")
                 yield self._hybrid(mix, draw if draw % 10 < 9 else 9, draw, sources)
+        finally:
+            self.generators_closed += 1
+
+    def montage(self, montage: Montage) -> Iterator[Event]:
+        """A frame that is larger the more is scribbled; every pixel is owned by the last marked."""
+        self.calls.append(("montage", montage))
+        self.thread_ids.add(threading.get_ident())
+        scribbles = check_montage(montage)
+        layers = montage.layers
+        sources = tuple(Source(self.exemplar(one.icon), one.placement) for one in layers)
+        try:
+            while self.gate is not None and not self.gate.acquire(timeout=0.02):
+                yield Progress("remix", 0.5, "Joining parts")
+            owner = max(k for k, one in enumerate(scribbles) if one.any())
+            labels = np.full((CANVAS, CANVAS), owner, np.uint8)
+            shares = tuple(float(k == owner) for k in range(len(sources)))
+            composite = Composite("montage", 3.0, sources, labels, 3.0, 2.0, 1.0, shares, None)
+            side = 10 + scribbles.sum() / 1000
+            shape = Sketch(Polygon(((0, 0), (100, 0), (100, side), (0, side))))
+            yield Result(composite, drawing(shape, 1, 1), Score(1.0, 1.0, 1.0, 1.0, 1.0))
         finally:
             self.generators_closed += 1
 

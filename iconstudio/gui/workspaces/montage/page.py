@@ -8,7 +8,7 @@ from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QPainterPath, QTransform
 
 from iconstudio.gui.document import Document
-from iconstudio.gui.workspaces.montage.strokes import carried, cut, visible
+from iconstudio.gui.workspaces.montage.strokes import carried, cut, near_canvas, visible
 from iconstudio.model import (
     CANVAS,
     Exemplar,
@@ -134,13 +134,11 @@ class MontagePage:
 
     def montage(self) -> Montage:
         """Return what is to be joined. Strokes off the canvas wait for their icon to come back."""
-        in_order = sorted(self.layers, key=lambda one: one.number)
-        return Montage(
-            tuple(
-                Layer(one.icon.pictogram, one.placement, tuple(filter(visible, one.strokes)))
-                for one in in_order
-            )
-        )
+        layers = []
+        for one in sorted(self.layers, key=lambda one: one.number):
+            near = (part for stroke in one.strokes for part in near_canvas(stroke))
+            layers.append(Layer(one.icon.pictogram, one.placement, tuple(filter(visible, near))))
+        return Montage(tuple(layers))
 
     # -- other pages ---------------------------------------------------------------------------
 

@@ -98,6 +98,15 @@ def carried(stroke: Stroke, before: Placement, after: Placement) -> Stroke:
     return replace(stroke, width=min(max(stroke.width * grown, THINNEST), WIDEST), points=points)
 
 
+def near_canvas(stroke: Stroke) -> tuple[Stroke, ...]:
+    """Return a stroke without what is far off the canvas, where enlarging its icon may take it."""
+    far = 2.0 * CANVAS
+    if all(abs(value) <= far for point in stroke.points for value in point):
+        return (stroke,)
+    line = points_on(stroke)
+    return _parts(stroke, line, (np.abs(line) <= far).all(axis=1))
+
+
 def visible(stroke: Stroke) -> bool:
     """Whether a stroke covers any pixel of the canvas."""
     inside = all(0 <= value < CANVAS for value in stroke.points[0])
@@ -112,7 +121,14 @@ def _cut(stroke: Stroke, knife: Stroke) -> tuple[Stroke, ...]:
     free = _distances(line, knife.points) > clear
     if free.all():
         return (stroke,)
-    edges = np.flatnonzero(np.diff(np.concatenate(([False], free, [False]))))
+    return _parts(stroke, line, free)
+
+
+def _parts(
+    stroke: Stroke, line: NDArray[np.float64], kept: NDArray[np.bool_]
+) -> tuple[Stroke, ...]:
+    """Return the parts of a stroke where ``kept`` says so of the points along it, ``line``."""
+    edges = np.flatnonzero(np.diff(np.concatenate(([False], kept, [False]))))
     return tuple(
         Stroke(stroke.width, simplified(line[start:end].tolist(), _EXACT))
         for start, end in edges.reshape(-1, 2)
