@@ -113,6 +113,7 @@ def test_an_empty_canvas_offers_to_choose_an_icon_and_the_cursor_is_there(empty,
     assert empty.keyword_panel.field.text() == "frame"
     assert not empty.start_sheet.isVisible()
     assert empty.view.hasFocus()
+    assert "Remove" in empty.view.tool.hint
 
 
 def test_choosing_another_icon_starts_afresh_and_undo_brings_all_back(editing, qtbot):
@@ -550,6 +551,22 @@ def test_an_edit_is_saved_and_opened_again(marked, qtbot, tmp_path, monkeypatch)
     )
     near(after.remove[0].vertices, before.remove[0].vertices, 0.01)
     near(after.add[0].vertices, before.add[0].vertices, 0.01)
+
+
+def test_every_example_of_the_menu_opens(empty, qtbot, session, monkeypatch):
+    monkeypatch.setattr(session, "icon", lambda reference: exemplar(5).pictogram)
+    menu = empty.actions_by_name["examples"].menu().actions()
+    assert [action.text() for action in menu] == ["Camera", "Castle", "Glass"]
+    for action in menu:
+        before = empty.document.page
+        action.trigger()
+        qtbot.waitUntil(lambda before=before: empty.document.page is not before)
+        edit = empty.document.page.edit()
+        assert edit.remove or edit.add
+        assert edit.keyword
+        empty.run()
+        finish(empty, qtbot)
+        assert not notice(empty)
 
 
 def test_an_icon_that_no_collection_has_is_saved_beside_the_edit(

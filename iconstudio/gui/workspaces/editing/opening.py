@@ -15,6 +15,7 @@ from iconstudio.gui.workspaces.editing.page import EditDocument
 from iconstudio.gui.workspaces.editing.scene import EditScene
 from iconstudio.inputs.edit import read_edit
 from iconstudio.model import Edit, Exemplar, IconstudioError, Pictogram
+from iconstudio.resources import resource
 from iconstudio.session import Session
 
 _EDITS = "Edits (*.json);;All files (*)"
@@ -129,3 +130,8 @@ class Opener(QObject):
             self._traced.add(icon.pictogram.svg)
             job = self._worker.submit(lambda: self._trace(icon))
             job.event.connect(lambda drawn: self._scene.set_path(*drawn))
+
+
+def examples() -> list[Path]:
+    """Return the files of the example edits."""
+    return sorted((resource("examples") / "edits").glob("*.json"))

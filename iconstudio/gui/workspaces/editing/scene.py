@@ -60,11 +60,12 @@ class EditScene(Scene):
         everywhere = QPainterPath()
         everywhere.addRect(sheet.adjusted(-1, -1, 1, 1))
         path = self._paths.get(icon.pictogram.svg)
-        for part, color in (
-            (everywhere - gone, theme.color("text", 0.62)),
-            (gone, theme.color("danger", 0.5)),
+        for part, color, density in (
+            (everywhere - gone, theme.color("text"), 0.62),
+            (gone, theme.color("danger"), 0.5),
         ):
             painter.save()
+            painter.setOpacity(density)
             painter.setClipPath(part)
             if path is None:
                 painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)

@@ -2,7 +2,16 @@
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QMenu,
+    QPushButton,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
 
 from iconstudio.gui import icons, theme
 from iconstudio.gui.panels.chooser import IconChooser
@@ -22,7 +31,7 @@ class StartSheet(QFrame):
 
     closed = Signal()
 
-    def __init__(self, canvas: QWidget, session: Session, worker: Worker) -> None:
+    def __init__(self, canvas: QWidget, session: Session, worker: Worker, examples: QMenu) -> None:
         super().__init__(canvas)
         self.setProperty("sheet", True)
         self.setAutoFillBackground(True)
@@ -39,6 +48,9 @@ class StartSheet(QFrame):
         self.close_button.clicked.connect(self.closed)
         top = QHBoxLayout()
         top.addWidget(heading, 1)
+        try_example = QPushButton("Try an example")
+        try_example.setMenu(examples)
+        top.addWidget(try_example)
         top.addWidget(self.close_button)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(2 * UNIT, 2 * UNIT, 2 * UNIT, UNIT)

@@ -4,7 +4,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from PySide6.QtCore import QMimeData
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QMenu
 
 from iconstudio.gui import theme
 from iconstudio.gui.actions import Entry, Key
@@ -15,7 +15,7 @@ from iconstudio.gui.saving import Saver
 from iconstudio.gui.worker import Worker
 from iconstudio.gui.workspaces.editing import page as edits
 from iconstudio.gui.workspaces.editing.areas import AreaOutline
-from iconstudio.gui.workspaces.editing.opening import Opener
+from iconstudio.gui.workspaces.editing.opening import Opener, examples
 from iconstudio.gui.workspaces.editing.page import EditPage, Kind
 from iconstudio.gui.workspaces.editing.scene import EditScene
 from iconstudio.gui.workspaces.editing.start import StartSheet
@@ -31,6 +31,7 @@ OWN = {
     "&File": (
         Entry("new", "&New edit", "Start afresh", Key.New, "new"),
         Entry("icon", "Choose &icon…", "Choose another icon", Key.Open, "search"),
+        Entry("examples", "E&xamples", "Start from an example"),
         Entry("open", "Open &edit…", "Open an edit file", "Ctrl+Shift+O"),
         Entry("save", "&Save edit…", "Save the edit as JSON", Key.Save),
     ),
@@ -82,12 +83,12 @@ class EditWorkspace(RemixWorkspace):
         self.view = CanvasView(self.scene, self.tool, _can_be_opened)
         self.view.setAccessibleDescription("Mark what should go and what should come here")
         self.opener = Opener(session, self.document, self.scene, files, self)
-        self.start_sheet = StartSheet(self.view, session, self.worker)
         self.board.results.set_words(WELCOME, "Closer to the drawing")
         self.keyword_panel.set_words(
             "What is it? For example: camera", "Make the icon anew where it is marked (Ctrl+Return)"
         )
         self._make_actions()
+        self.start_sheet = StartSheet(self.view, session, self.worker, self._examples)
         self._lay_out()
         self._wire()
         self.refresh_icons(theme.current())
@@ -96,6 +97,7 @@ class EditWorkspace(RemixWorkspace):
     # -- putting together ----------------------------------------------------------------------
 
     def _make_actions(self) -> None:
+        self._examples = QMenu("&Examples", self)
         self.make_actions(
             {
                 "new": lambda: self.document.change("new edit", EditPage()),
@@ -113,7 +115,12 @@ class EditWorkspace(RemixWorkspace):
             },
             OWN,
         )
-        self.actions_by_name.choose_between("remove", "add", "select", "pan")
+        actions = self.actions_by_name
+        actions.choose_between("remove", "add", "select", "pan")
+        actions.add(OWN["&File"][2], self._examples.menuAction())
+        for path in examples():
+            action = self._examples.addAction(path.stem.replace("-", " ").capitalize())
+            action.triggered.connect(lambda _=False, path=path: self.opener.open_edit(str(path)))
 
     def _lay_out(self) -> None:
         named = self.actions_by_name
@@ -136,7 +143,7 @@ class EditWorkspace(RemixWorkspace):
         self.view.dropped.connect(lambda data, _: self.opener.open_mime(data))
         self.opener.failed.connect(self.failed)
         self.opener.opened.connect(self.said)
-        self.opener.opened.connect(lambda _: self._show_start(False))
+        self.opener.opened.connect(self._begin)
 
     # -- what the window asks for --------------------------------------------------------------
 
@@ -209,6 +216,11 @@ class EditWorkspace(RemixWorkspace):
         self.start_sheet.setVisible(shown)
         if was and not shown and self.isVisible():
             self.view.setFocus()
+
+    def _begin(self) -> None:
+        """Begin to mark: something has been put on the page."""
+        self._show_start(False)
+        self.actions_by_name["remove"].setChecked(True)
 
     def _choose_icon(self) -> None:
         self._show_start(True)
