@@ -1,13 +1,12 @@
 """What a user asked for, as reports of the grid show it: a sketch, or changes of an icon."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.raster import Bitmap, fill_polygon
-from iconstudio.model import CANVAS, Axis, Edit, Placement, Polygon, Sketch, Source
+from iconstudio.model import Axis, Edit, Sketch, Source
 from iconstudio.output.page import INK, MUTED, RGB
 from iconstudio.workflows.editing import Change
 
@@ -40,15 +39,12 @@ def sketched(sketch: Sketch) -> Wish:
 
 def changed(edit: Edit, change: Change) -> Wish:
     """Return the wish of an edit: red goes, green comes."""
-    removed, added = (
-        _covered(polygons, change.base.placement) for polygons in (edit.remove, edit.add)
-    )
     layers = (
-        (removed, _REMOVED_GROUND),
-        (added, _ADDED_GROUND),
+        (change.removed, _REMOVED_GROUND),
+        (change.added, _ADDED_GROUND),
         (change.ink, INK),
-        (change.ink & removed, REMOVED),
-        (change.ink & added, ADDED),
+        (change.ink & change.removed, REMOVED),
+        (change.ink & change.added, ADDED),
     )
     return Wish(
         edit.keyword,
@@ -59,16 +55,3 @@ def changed(edit: Edit, change: Change) -> Wish:
         change.base,
         change.mask,
     )
-
-
-def _covered(polygons: Sequence[Polygon], placement: Placement) -> Bitmap:
-    """Return what polygons cover once they are moved with the icon, which no edit mirrors."""
-    half, k = CANVAS / 2, placement.scale
-    covered = np.zeros((CANVAS, CANVAS), dtype=bool)
-    for polygon in polygons:
-        moved = (
-            (half + k * (x - half) + placement.dx, half + k * (y - half) + placement.dy)
-            for x, y in polygon.vertices
-        )
-        covered |= fill_polygon(Polygon(tuple(moved)))
-    return covered

@@ -42,6 +42,9 @@ class Change:
     """The icon E_0: label 0 of the graph cut."""
     ink: Bitmap
     """(CANVAS, CANVAS): the icon's own drawing."""
+    removed: Bitmap
+    added: Bitmap
+    """(CANVAS, CANVAS): the red and the green areas."""
     target: Bitmap
     """(CANVAS, CANVAS): the outline that is wanted, filled."""
     mask: NDArray[np.float32]
@@ -101,7 +104,7 @@ def prepare_change(edit: Edit, icon: Exemplar) -> Change:
     if not target.any():
         raise IconstudioError("Nothing of the icon would be left. Remove less, or add something.")
     mask = truncated_distance(removed | added, EDIT_REACH)
-    return Change(Source(icon, placement), ink, target, mask)
+    return Change(Source(icon, placement), ink, removed, added, target, mask)
 
 
 def own_styles(icon: Exemplar) -> tuple[str, ...]:

@@ -1,3 +1,5 @@
+from itertools import pairwise
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -89,7 +91,7 @@ def test_a_scribble_covers_what_lies_within_half_its_width(corners, width):
     covered = scribble([Stroke(width, tuple(corners))])
     ys, xs = np.mgrid[:CANVAS, :CANVAS] + 0.5
     nearest = np.full((CANVAS, CANVAS), np.inf)
-    ends = list(zip(corners, corners[1:], strict=False)) or [(corners[0], corners[0])]
+    ends = list(pairwise(corners)) or [(corners[0], corners[0])]
     for (x0, y0), (x1, y1) in ends:
         for t in np.linspace(0, 1, 60):
             x, y = x0 + t * (x1 - x0), y0 + t * (y1 - y0)

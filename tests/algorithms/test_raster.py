@@ -11,6 +11,7 @@ from iconstudio.algorithms.raster import (
     placed_ink,
     scaled_ink,
     shifted,
+    simplified,
     solid,
 )
 from iconstudio.library.resvg import render_placed
@@ -82,3 +83,33 @@ def test_scaling_about_the_centre_keeps_the_centre():
     ink = scaled_ink(exemplar(blob(1)), 1.25, pad=40)
     assert ink.shape == (CANVAS + 80, CANVAS + 80)
     assert abs(ink.sum() / blob(1).sum() - 1.25**2) < 0.02
+
+
+@given(
+    st.lists(st.tuples(st.integers(0, 60), st.integers(0, 60)), min_size=3, max_size=40),
+    st.sampled_from([0.5, 2.0, 6.0]),
+)
+def test_few_corners_stay_near_a_freehand_line(line, tolerance):
+    corners = simplified(line, tolerance)
+    assert len(corners) <= len(line)
+    assert set(corners) <= set(line)
+    ends = np.array([*corners, corners[0]], dtype=float)
+    for point in line:
+        assert min(map(from_segment(point), ends[:-1], ends[1:])) <= tolerance + 1e-9
+
+
+def from_segment(point):
+    """Return a function: how far ``point`` is from the segment between two others."""
+
+    def distance(a, b):
+        along = b - a
+        t = np.clip((point - a) @ along / max(along @ along, 1e-12), 0, 1)
+        return np.hypot(*(point - a - t * along))
+
+    return distance
+
+
+def test_the_corners_of_a_square_are_kept():
+    sides = [(x, 0) for x in range(10)] + [(10, y) for y in range(10)]
+    sides += [(x, 10) for x in range(10, 0, -1)] + [(0, y) for y in range(10, 0, -1)]
+    assert simplified(sides, 0.5) == ((0, 0), (10, 0), (10, 10), (0, 10))
