@@ -8,7 +8,7 @@ import pytest
 from fake_session import exemplar
 from hands import save_to
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QWheelEvent
+from PySide6.QtGui import QContextMenuEvent, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
@@ -49,7 +49,7 @@ def mixed(chosen, qtbot):
 def pick(place, qtbot, count):
     place.column.pick.count.setValue(count)
     QTest.mouseClick(place.column.pick.button, LEFT)
-    qtbot.waitUntil(lambda: not place.picking.running, timeout=20000)
+    qtbot.waitUntil(lambda: not place.gathering.runner.running, timeout=20000)
 
 
 def run(place, qtbot):
@@ -58,7 +58,7 @@ def run(place, qtbot):
 
 
 def finish(place, qtbot):
-    qtbot.waitUntil(lambda: not place.runner.running, timeout=20000)
+    qtbot.waitUntil(lambda: not place.draws.runner.running, timeout=20000)
 
 
 def rows(place):
@@ -77,6 +77,13 @@ def middle(place, picture):
 
 def click(place, picture):
     QTest.mouseClick(place.sheet.viewport(), LEFT, pos=middle(place, picture))
+
+
+def open_menu(place, picture):
+    spot = middle(place, picture)
+    QTest.mouseClick(place.sheet.viewport(), Qt.MouseButton.RightButton, pos=spot)
+    event = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, spot, QPoint(10, 10))
+    QApplication.sendEvent(place.sheet.viewport(), event)
 
 
 def hover(place, picture):
@@ -252,7 +259,7 @@ def test_a_batch_is_in_rank_order_without_repeats_and_ends_with_a_rule(mixed, se
 def test_scrolling_to_the_end_draws_on_and_drops_repeats_of_earlier_batches(mixed, qtbot, session):
     first = rows(mixed)
     scroll_down(mixed)
-    assert mixed.runner.running
+    assert mixed.draws.runner.running
     finish(mixed, qtbot)
     mixes = [call[1] for call in session.calls if call[0] == "mix"]
     assert [mix.first for mix in mixes] == [0, 40]
@@ -318,7 +325,7 @@ def test_cancel_keeps_what_is_there_and_going_on_misses_nothing(chosen, qtbot, s
     QTest.mouseClick(chosen.column.run, LEFT)
     qtbot.waitUntil(lambda: len(totals(rows(chosen))) == 7)
     QTest.mouseClick(chosen.window().desk.strip.button, LEFT)
-    assert not chosen.runner.running
+    assert not chosen.draws.runner.running
     session.gate = None
     run(chosen, qtbot)
     assert session.calls[-1][1].first == 7
@@ -356,7 +363,7 @@ def test_favourites_by_key_button_and_menu_and_undo(mixed):
     hover(mixed, second)
     assert mixed.sheet.bar.isVisible()
     QTest.mouseClick(mixed.sheet.bar._star, LEFT)
-    mixed._open_menu(third, QPoint(10, 10))
+    open_menu(mixed, third)
     mixed.menu.actions()[0].trigger()
     mixed.menu.close()
     assert mixed.tray.pictures == (first, second, third)
@@ -407,7 +414,7 @@ def test_more_like_this_has_a_section_of_its_own(mixed, qtbot, session):
 
 def test_a_hybrid_goes_to_another_workspace(mixed, qtbot):
     best = rows(mixed)[0]
-    mixed._open_menu(best, QPoint(10, 10))
+    open_menu(mixed, best)
     words = [action.text() for action in mixed.menu.actions()]
     mixed.menu.close()
     assert not any("Mix" in text for text in words), "it is here already"
@@ -447,7 +454,7 @@ def test_a_mix_is_saved_and_opened_again(chosen, qtbot, tmp_path, monkeypatch):
     assert json.loads(path.read_text())["seed"] == 2**62
     chosen.actions_by_name["new"].trigger()
     assert not names(chosen)
-    chosen.open_mix(str(path))
+    chosen.gathering.open_mix(str(path))
     qtbot.waitUntil(lambda: len(names(chosen)) == 5)
     again = chosen.document.page
     assert (again.seed, again.symmetry) == (page.seed, page.symmetry)
@@ -461,7 +468,7 @@ def test_a_mix_is_saved_and_opened_again(chosen, qtbot, tmp_path, monkeypatch):
 def test_a_file_with_a_keyword_picks(place, qtbot, tmp_path, session):
     path = tmp_path / "mix.json"
     path.write_text('{"keyword": "lamp", "count": 3, "seed": 2, "draws": 5}')
-    place.open_mix(str(path))
+    place.gathering.open_mix(str(path))
     qtbot.waitUntil(lambda: len(names(place)) == 3)
     assert ("choose", "lamp", 3, None, 2) in session.calls
     run(place, qtbot)
@@ -482,7 +489,7 @@ def test_a_bad_file_is_told_and_changes_nothing(chosen, qtbot, tmp_path, text, p
     before = chosen.document.page
     path = tmp_path / "mix.json"
     path.write_text(text)
-    chosen.open_mix(str(path))
+    chosen.gathering.open_mix(str(path))
     notice = chosen.window().desk.notice
     qtbot.waitUntil(notice.isVisible)
     assert part in notice.label.text()

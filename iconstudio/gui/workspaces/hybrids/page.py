@@ -1,11 +1,12 @@
 """What is mixed, and what was kept of it; and the edits of both."""
 
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 from iconstudio.gui.document import Document
 from iconstudio.gui.pictures import Picture
 from iconstudio.model import Axis, Exemplar, IconstudioError, Mix, Point, Seeds
-from iconstudio.workflows.hybrids import MOST
+from iconstudio.workflows.hybrids import FEWEST, MOST
 
 
 @dataclass(frozen=True, slots=True)
@@ -139,3 +140,27 @@ def set_favourites(document: HybridsDocument, favourites: tuple[Picture, ...]) -
         more = len(favourites) > len(page.favourites)
         text = "add favourite" if more else "remove favourite"
         document.change(text, replace(page, favourites=favourites))
+
+
+def problem(mix: Mix) -> str:
+    """Return what is missing before ``mix`` can be drawn, as a sentence; else nothing."""
+    if len(mix.icons) < FEWEST:
+        more = "two icons" if not mix.icons else "one more icon"
+        return f"Choose at least {more} to mix: look some up on the left, or let the program pick."
+    return ""
+
+
+def shared_axis(page: HybridsPage) -> Axis | None:
+    """Return an axis about which all icons of a page are nearly symmetric, if there is one."""
+    axes = [_axes(one.exemplar) for one in page.ingredients]
+    return next((axis for axis in Axis if axes and all(axis in some for some in axes)), None)
+
+
+@lru_cache(64)
+def _axes(exemplar: Exemplar) -> frozenset[Axis]:
+    """Return the axes about which an icon's solid shape is nearly symmetric."""
+    from iconstudio.algorithms.raster import solid
+    from iconstudio.algorithms.symmetry import NEARLY, likeness
+
+    shape = solid(exemplar.ink)
+    return frozenset(axis for axis in Axis if likeness(shape, axis) >= NEARLY)

@@ -222,6 +222,11 @@ class SheetPanel(QFrame):
         """Show the welcome, or the sheet."""
         self._stack.setCurrentIndex(0 if welcome else 1)
 
+    def show_section(self, title: str) -> None:
+        """Say which section is shown alone; empty if none."""
+        self.title.setText(title or "Hybrids")
+        self.button.setVisible(bool(title))
+
     def refresh_icons(self, look: theme.Theme) -> None:
         """Draw all icons in the colours of ``look``."""
         self.button.setIcon(icons.icon("back", look))

@@ -1,0 +1,141 @@
+"""Draws hybrids batch by batch onto a sheet."""
+
+from dataclasses import replace
+
+from PySide6.QtCore import QObject, Signal
+
+from iconstudio.gui.pictures import Picture
+from iconstudio.gui.runner import Runner
+from iconstudio.gui.worker import Worker
+from iconstudio.gui.workspaces.hybrids.batches import Seen, batch
+from iconstudio.gui.workspaces.hybrids.sheet import Sheet
+from iconstudio.gui.workspaces.hybrids.sheet_model import Section
+from iconstudio.model import IconstudioError, Mix
+from iconstudio.session import Session
+from iconstudio.workflows.events import Event
+
+
+class Draws(QObject):
+    """Fills a sheet: a main section, and above it one for each hybrid that others should be like.
+
+    Signals
+    -------
+    counted(int)
+        How many hybrids there are.
+    section_changed(str)
+        The section of that title is shown alone; empty if all are shown.
+    """
+
+    counted = Signal(int)
+    section_changed = Signal(str)
+
+    def __init__(self, session: Session, worker: Worker, sheet: Sheet, parent: QObject) -> None:
+        super().__init__(parent)
+        self._session = session
+        self._sheet = sheet
+        self._model = sheet.hybrids
+        self.ran: Mix | None = None
+        """What the hybrids on the sheet are of."""
+        self._name = ""
+        self._seen = Seen()
+        self._section: Section | None = None
+        """The section whose batch is drawn now, or was last."""
+        self._scrolled = 0
+        """Where the user was on the whole sheet."""
+        self.runner = Runner(worker, self)
+        self.runner.event.connect(self._show)
+        self.runner.ended.connect(self._end)
+        sheet.neared_end.connect(self.draw_on)
+
+    def start(self, mix: Mix, name: str) -> None:
+        """Draw on a new sheet, or more on the one that is there if it is of the same mix.
+
+        The hybrids are called ``name`` and a number.
+        """
+        if mix == self.ran:
+            self.show_all()
+            if not self.runner.running:
+                self._draw(self._main)
+            self._sheet.scrollToBottom()
+            return
+        self.runner.cancel()
+        self._model.clear()
+        self._seen, self.ran, self._name = Seen(), mix, name
+        section = Section("", mix)
+        self._model.open(section)
+        self._show_section()
+        self._draw(section)
+
+    def draw_like(self, picture: Picture) -> None:
+        """Draw hybrids that resemble one, in a section of their own.
+
+        Raises
+        ------
+        IconstudioError
+            If it is none of those on the sheet.
+        """
+        if not any(one is picture for one in self._model.pictures):
+            raise IconstudioError(
+                "This hybrid is of an earlier sheet. Mix its icons again to draw more like it."
+            )
+        if self._model.alone is None:
+            self._scrolled = self._sheet.verticalScrollBar().value()
+        title = f"More like {picture.title}"
+        section = next((one for one in self._model.sections if one.title == title), None)
+        if section is not None:
+            self._model.show_alone(section)
+        else:
+            self.runner.cancel()
+            section = Section(title, replace(self._main.mix, like=picture.result.seeds))
+            self._model.open(section)
+            self._draw(section)
+        self._show_section()
+
+    def draw_on(self) -> None:
+        """Draw the next batch of what the user has scrolled to the end of."""
+        section = self._model.alone or self._main
+        if section is not None and not self.runner.running and not section.exhausted:
+            self._draw(section)
+
+    def show_all(self) -> None:
+        """Show the whole sheet again, where the user left it."""
+        if self._model.alone is None:
+            return
+        self._model.show_alone(None)
+        self._show_section()
+        self._sheet.executeDelayedItemsLayout()
+        self._sheet.verticalScrollBar().setValue(self._scrolled)
+
+    @property
+    def _main(self) -> Section | None:
+        """The section of all draws that resemble nothing."""
+        return self._model.sections[-1] if self._model.sections else None
+
+    def _draw(self, section: Section) -> None:
+        self._section = section
+        self._model.begin(section)
+        mix, name, seen = replace(section.mix, first=section.drawn), self._name, self._seen
+        self.runner.start(lambda: batch(self._session, mix, name, seen))
+
+    def _show(self, event: Event | Picture) -> None:
+        if isinstance(event, Picture):
+            self._sheet.add(self._section, event)
+            self.counted.emit(len(self._model.pictures))
+
+    def _end(self, whole: bool) -> None:
+        section = self._section
+        new = section.batch
+        if whole:
+            section.drawn += section.mix.draws
+            section.exhausted = not new
+        else:
+            section.drawn = max([section.drawn, *(one.result.draw + 1 for one in new)])
+            # What was drawn but not shown any more may come again.
+            self._seen = Seen(self._model.pictures)
+        if whole or new:
+            nothing = ", the last of them brought nothing new" if section.exhausted else ""
+            self._sheet.end(section, f"{section.drawn} draws{nothing}")
+
+    def _show_section(self) -> None:
+        alone = self._model.alone
+        self.section_changed.emit("" if alone is None else alone.title)
