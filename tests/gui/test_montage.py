@@ -14,10 +14,14 @@ from PySide6.QtWidgets import QApplication, QFileDialog
 
 from iconstudio.algorithms.guidance import scribble
 from iconstudio.gui.dragging import packed
+from iconstudio.gui.main_window import MainWindow
 from iconstudio.gui.workspaces.montage import live
+from iconstudio.gui.workspaces.montage.workspace import MontageWorkspace
 from iconstudio.inputs.montage import read_montage
+from iconstudio.library.ownsvg import read_own_svg
 from iconstudio.model import Placement
 from iconstudio.output.colours import source_colours
+from iconstudio.session import Session
 
 LEFT, RIGHT = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton
 ALT, CTRL, SHIFT = (
@@ -672,3 +676,26 @@ def test_undo_gives_back_every_page(two, qtbot):
     for page in pages[1:]:
         stack.redo()
         assert two.document.page == page
+
+
+def test_from_an_empty_start_to_a_saved_icon_with_the_real_session(qtbot, tmp_path, monkeypatch):
+    window = MainWindow(Session(), (MontageWorkspace,))
+    qtbot.addWidget(window)
+    window.resize(1280, 720)
+    window.show()
+    place = window.workspace
+    example = place._examples.actions()[0]
+    example.trigger()
+    qtbot.waitUntil(lambda: place.picture is not None, timeout=60000)
+    first, icons = place.picture, place.document.page.layers
+    stroke(place, (128, 100), (140, 120))
+    qtbot.waitUntil(lambda: place.picture is not first, timeout=60000)
+    path = tmp_path / "icon.svg"
+    save_to(place, monkeypatch, path)
+    place.actions_by_name["svg"].trigger()
+    qtbot.waitUntil(path.exists)
+    contributors = [one.id for one in read_own_svg(path).origins]
+    assert contributors
+    assert set(contributors) <= {one.icon.pictogram.id for one in icons}
+    window.close()
+    assert not window.threads_alive()
