@@ -60,7 +60,7 @@ def outlines(filled: Bitmap, tolerance: float = 1.5) -> tuple[Polygon, ...]:
 
 
 def simplified(line: Sequence[Point], tolerance: float) -> tuple[Point, ...]:
-    """Return the corners of a freehand outline: few of its points, none twice.
+    """Return the corners of a freehand outline: few of its points.
 
     Joined, and the last to the first, they stray at most ``tolerance`` from the line.
     """

@@ -1,6 +1,6 @@
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from scipy import ndimage
@@ -85,6 +85,7 @@ def test_scaling_about_the_centre_keeps_the_centre():
     assert abs(ink.sum() / blob(1).sum() - 1.25**2) < 0.02
 
 
+@settings(deadline=None)  # the first call imports a large library
 @given(
     st.lists(st.tuples(st.integers(0, 60), st.integers(0, 60)), min_size=3, max_size=40),
     st.sampled_from([0.5, 2.0, 6.0]),

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from iconstudio.gui import app, theme
+from iconstudio.gui.main_window import MainWindow
 from iconstudio.model import IconstudioError
 
 
@@ -107,14 +108,19 @@ def test_an_unknown_example_is_told(window):
 
 
 def test_run_shows_the_window_and_ends_with_it(qtbot, session):
-    seen = []
-
     def look_and_close():
-        window = next(w for w in QApplication.topLevelWidgets() if w.isVisible())
-        seen.append(window.workspace.document.page.sketch.keyword)
-        window.close()
+        shown = [one for one in QApplication.topLevelWidgets() if one.isVisible()]
+        for window in shown:
+            if (
+                isinstance(window, MainWindow)
+                and window.workspace.document.page.sketch.keyword == "motorcycle"
+            ):
+                timer.stop()
+                window.close()
 
-    QTimer.singleShot(1000, look_and_close)
+    timer = QTimer(interval=50)
+    timer.timeout.connect(look_and_close)
+    timer.start()
     assert app.run("motorbike", session) == 0
-    assert seen == ["motorcycle"]
+    assert not timer.isActive()
     assert session.closed.is_set()

@@ -201,3 +201,23 @@ def test_results_of_the_bundled_collection_differ_and_suit_every_style(bundled):
     blackness = bundled._blackness[numbers] / 100
     for low, high in ((0, 0.4), (0.2, 0.6), (0.4, 0.8), (0.6, 1)):
         assert ((low <= blackness) & (blackness <= high)).sum() >= 25
+
+
+@pytest.mark.parametrize(
+    ("title", "keyword"),
+    [
+        ("camera 07", "camera"),
+        ("camera-outline-24", "camera"),
+        ("camera plus", "camera"),
+        ("police dog", "police dog"),
+        ("Fancy camera", "camera"),
+        ("camera.svg", "camera"),
+        ("unheard of", ""),
+        ("", ""),
+        (".svg", ""),
+    ],
+)
+def test_a_title_says_what_icons_like_it_are_looked_for_by(opened, monkeypatch, title, keyword):
+    monkeypatch.setattr("iconstudio.library.collection._FEW", 3)
+    names = [f"{thing}-{number}" for thing in ("camera", "police-dog") for number in (2, 3, 4)]
+    assert opened(small(*names, "camera-plus")).keyword(title) == keyword

@@ -7,6 +7,7 @@ from typing import Any
 from PySide6.QtCore import QMimeData, QObject, Signal
 from PySide6.QtWidgets import QFileDialog, QWidget
 
+from iconstudio.algorithms.raster import simplified
 from iconstudio.gui.dragging import dropped_file, unpacked
 from iconstudio.gui.vector import painter_path
 from iconstudio.gui.worker import Worker
@@ -101,6 +102,7 @@ class Opener(QObject):
         return self._session.exemplar(pictogram)
 
     def _trace(self, icon: Exemplar) -> Generator[Any]:
+        simplified(((0, 0),), 1)  # loads what it needs before the first line is drawn
         try:
             yield icon, painter_path(self._session.drawing(icon).path)
         except IconstudioError:

@@ -5,6 +5,7 @@ import math
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent, QPainter, QPen, QPolygonF
 
+from iconstudio.algorithms.raster import simplified
 from iconstudio.gui.canvas.camera import Camera
 from iconstudio.gui.canvas.tools.base import Pointer
 from iconstudio.gui.canvas.tools.polygon import NUDGES, PolygonTool
@@ -135,8 +136,6 @@ class DrawTool(AreaTool):
         self._missed = False
 
     def _draw(self, stroke: list[Point], camera: Camera) -> None:
-        from iconstudio.algorithms.raster import simplified
-
         vertices = simplified(stroke, STRAY / camera.zoom)
         try:
             Polygon(vertices).fitted()

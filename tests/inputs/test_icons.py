@@ -1,0 +1,32 @@
+"""What no collection has is kept beside the file that refers to it."""
+
+import pytest
+
+from iconstudio.inputs.icons import reference_to
+from iconstudio.model import Credit, IconstudioError, Pictogram
+
+CREDIT = Credit("Dog", "Ada", "MIT", "", "")
+
+
+def test_an_icon_of_a_collection_is_named(tmp_path):
+    assert reference_to(Pictogram("set:dog", "<svg/>", CREDIT), tmp_path / "a.json") == "set:dog"
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("identifier", ["made:dog-12ab", "own:dog-12ab"])
+def test_any_other_is_saved_under_the_names_of_both(tmp_path, identifier):
+    icon = Pictogram(identifier, "<svg>ä</svg>", CREDIT)
+    reference = reference_to(icon, tmp_path / "edit.json")
+    assert reference == str((tmp_path / "edit-dog-12ab.svg").resolve())
+    assert (tmp_path / "edit-dog-12ab.svg").read_text("utf-8") == icon.svg
+
+
+def test_a_name_cannot_lead_out_of_the_folder(tmp_path):
+    icon = Pictogram("own:../../x", "<svg/>", CREDIT)
+    reference_to(icon, tmp_path / "edit.json")
+    assert [path.parent for path in tmp_path.rglob("*.svg")] == [tmp_path]
+
+
+def test_a_folder_that_is_not_there_is_told(tmp_path):
+    with pytest.raises(IconstudioError, match="cannot be written"):
+        reference_to(Pictogram("own:x", "<svg/>", CREDIT), tmp_path / "gone" / "edit.json")
