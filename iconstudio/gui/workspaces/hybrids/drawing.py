@@ -9,7 +9,7 @@ from iconstudio.gui.runner import Runner
 from iconstudio.gui.worker import Worker
 from iconstudio.gui.workspaces.hybrids.batches import Seen, batch
 from iconstudio.gui.workspaces.hybrids.sheet import Sheet
-from iconstudio.gui.workspaces.hybrids.sheet_model import Section
+from iconstudio.gui.workspaces.hybrids.sheet_model import Rule, Section
 from iconstudio.model import IconstudioError, Mix
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
@@ -133,8 +133,8 @@ class Draws(QObject):
             # What was drawn but not shown any more may come again.
             self._seen = Seen(self._model.pictures)
         if whole or new:
-            nothing = ", the last of them brought nothing new" if section.exhausted else ""
-            self._sheet.end(section, f"{section.drawn} draws{nothing}")
+            more = " · nothing new any more" if section.exhausted else " · scroll on for more"
+            self._sheet.end(section, Rule(f"{section.drawn} draws", more=more))
 
     def _show_section(self) -> None:
         alone = self._model.alone

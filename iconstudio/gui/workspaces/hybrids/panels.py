@@ -202,6 +202,9 @@ class SheetPanel(QFrame):
         self.note.setProperty("muted", True)
         self.button = QPushButton("Whole sheet", toolTip="Go back to all hybrids")
         self.button.clicked.connect(self.back)
+        policy = self.button.sizePolicy()
+        policy.setRetainSizeWhenHidden(True)
+        self.button.setSizePolicy(policy)
         self.button.hide()
         top = QHBoxLayout()
         top.setContentsMargins(UNIT // 2, 0, UNIT, 0)
@@ -223,8 +226,7 @@ class SheetPanel(QFrame):
         self._stack.setCurrentIndex(0 if welcome else 1)
 
     def show_section(self, title: str) -> None:
-        """Say which section is shown alone; empty if none."""
-        self.title.setText(title or "Hybrids")
+        """Offer the way back if a section is shown alone; ``title`` is empty if none is."""
         self.button.setVisible(bool(title))
 
     def refresh_icons(self, look: theme.Theme) -> None:

@@ -52,7 +52,9 @@ class SheetDelegate(QStyledItemDelegate):
         painter.save()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         if isinstance(entry, Rule):
-            _paint_rule(painter, QRectF(option.rect), entry, look)
+            last = index.row() == index.model().rowCount() - 1
+            text = entry.text + (entry.more if last else "")
+            _paint_rule(painter, QRectF(option.rect), text, entry.heading, look)
         else:
             self._paint_picture(painter, option, entry, look)
         painter.restore()
@@ -214,9 +216,9 @@ class Sheet(QListView):
         if anchor is not None and anchor[0].row() != anchor[1]:  # else no layout is needed yet
             self._restore(anchor)
 
-    def end(self, section: Section, text: str) -> None:
+    def end(self, section: Section, rule: Rule) -> None:
         """End the present batch."""
-        self.hybrids.end(section, text)
+        self.hybrids.end(section, rule)
         self._unsettled = section
         if not self._hovered.isValid():
             self.settle()
@@ -335,14 +337,16 @@ class Sheet(QListView):
         self.picked.emit(self.picture)
 
 
-def _paint_rule(painter: QPainter, box: QRectF, rule: Rule, look: theme.Theme) -> None:
-    font = theme.strong(painter.font()) if rule.heading else painter.font()
-    font.setPixelSize(13 if rule.heading else 11)
+def _paint_rule(
+    painter: QPainter, box: QRectF, text: str, heading: bool, look: theme.Theme
+) -> None:
+    font = theme.strong(painter.font()) if heading else painter.font()
+    font.setPixelSize(13 if heading else 11)
     painter.setFont(font)
-    painter.setPen(look.color("text" if rule.heading else "muted"))
+    painter.setPen(look.color("text" if heading else "muted"))
     where = box.adjusted(UNIT / 2, 0, 0, 0)
-    painter.drawText(where, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, rule.text)
-    words = painter.fontMetrics().horizontalAdvance(rule.text)
+    painter.drawText(where, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, text)
+    words = painter.fontMetrics().horizontalAdvance(text)
     painter.setPen(QPen(look.color("border"), 1))
     y = box.center().y()
     painter.drawLine(int(where.left() + words + UNIT), int(y), int(box.right() - UNIT), int(y))

@@ -13,10 +13,14 @@ Index = QModelIndex | QPersistentModelIndex
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Rule:
-    """A line across the sheet with a few words; ``heading`` if it begins a section."""
+    """A line across the sheet with a few words; ``heading`` if it begins a section.
+
+    ``more`` is added as long as nothing follows.
+    """
 
     text: str
     heading: bool = False
+    more: str = ""
 
 
 Entry = Picture | Rule
@@ -152,9 +156,9 @@ class SheetModel(QAbstractListModel):
         self.changePersistentIndexList(before, [self.index(rows[id(one)]) for one in held])
         self.layoutChanged.emit()
 
-    def end(self, section: Section, text: str) -> None:
+    def end(self, section: Section, rule: Rule) -> None:
         """End the present batch with a rule."""
-        self._insert(section, len(section.entries), Rule(text))
+        self._insert(section, len(section.entries), rule)
 
     def _insert(self, section: Section, place: int, entry: Entry) -> None:
         top = self._top(section)
