@@ -7,6 +7,7 @@ from PySide6.QtSvg import QSvgRenderer
 from iconstudio.gui.theme import Theme
 
 _SHEET = '<rect x="4" y="4" width="16" height="16" rx="3" stroke-opacity="0.45"/>'
+_STAR = "M12 3.5l2.6 5.4 5.9.8-4.3 4.1 1 5.9-5.2-2.8-5.2 2.8 1-5.9-4.3-4.1 5.9-.8z"
 
 _SHAPES = {
     "photo": '<rect x="3" y="4" width="18" height="16" rx="2"/><circle cx="8.5" cy="9.5" r="1.8"/>'
@@ -34,8 +35,8 @@ _SHAPES = {
     "axis-vertical": f'{_SHEET}<path d="M2 12h20"/>',
     "axis-diagonal": f'{_SHEET}<path d="M3 3l18 18"/>',
     "axis-antidiagonal": f'{_SHEET}<path d="M21 3L3 21"/>',
-    "star": '<path d="M12 3.5l2.6 5.4 5.9.8-4.3 4.1 1 5.9-5.2-2.8-5.2 2.8 1-5.9-4.3-4.1 5.9-.8z"/>',
-    "star-full": '<path d="M12 3.5l2.6 5.4 5.9.8-4.3 4.1 1 5.9-5.2-2.8-5.2 2.8 1-5.9-4.3-4.1 5.9-.8z" fill="ink"/>',
+    "star": f'<path d="{_STAR}"/>',
+    "star-full": f'<path d="{_STAR}" fill="ink"/>',
     "like": '<rect x="3" y="3" width="8" height="8" rx="2" fill="ink"/>'
     '<rect x="14" y="4" width="6" height="6" rx="1.5"/><rect x="4" y="14" width="6" height="6" '
     'rx="1.5"/><rect x="14" y="14" width="6" height="6" rx="1.5"/>',
@@ -54,8 +55,7 @@ _SHAPES = {
     "brush": '<path d="M20 4c-5 1.5-9 5-10.5 8.5l2 2C15 13 18.5 9 20 4z"/>'
     '<path d="M9 13.5c-3 0-3 3-5 5.5 3.5 .5 7 0 7-3.5z"/>',
     "eraser": '<path d="M8.5 19L3.5 14 13.5 4l7 7-8 8zM8.5 9l7 7M8.5 19H20"/>',
-    "mirror": '<path d="M12 3v18" stroke-dasharray="3 2.5"/>'
-    '<path d="M9 7L3 17h6zM15 7l6 10h-6z"/>',
+    "mirror": '<path d="M12 3v18" stroke-dasharray="3 2.5"/><path d="M9 7L3 17h6zM15 7l6 10h-6z"/>',
     "eye": '<path d="M2.5 12C5 7.5 8.2 5.5 12 5.5s7 2 9.5 6.5c-2.5 4.5-5.7 6.5-9.5 '
     '6.5S5 16.5 2.5 12z"/><circle cx="12" cy="12" r="3"/>',
     "eye-closed": '<path d="M2.5 10C5 14 8.2 16 12 16s7-2 9.5-6M12 16v3.5M6.5 14.5l-2 '

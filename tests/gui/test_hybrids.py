@@ -13,10 +13,13 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from iconstudio.algorithms.raster import solid
+from iconstudio.gui.main_window import MainWindow
 from iconstudio.gui.pictures import Picture
 from iconstudio.gui.workspaces.hybrids.cards import on_shape
 from iconstudio.gui.workspaces.hybrids.sheet_model import Rule
-from iconstudio.model import Axis
+from iconstudio.gui.workspaces.hybrids.workspace import HybridsWorkspace
+from iconstudio.model import Axis, IconstudioError
+from iconstudio.session import Session
 
 LEFT = Qt.MouseButton.LeftButton
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -405,6 +408,7 @@ def test_more_like_this_has_a_section_of_its_own(mixed, qtbot, session):
     assert totals(found) == sorted(totals(found), reverse=True)
     QTest.mouseClick(mixed.panel.button, LEFT)
     assert rows(mixed) == [heading, *found, *whole]
+    assert mixed.picture is mixed.sheet.picture is whole[9], "it is still the picked one"
     assert not mixed.panel.button.isVisible()
     count = len(session.calls)
     mixed.draw_like(whole[9])
@@ -424,8 +428,6 @@ def test_a_hybrid_goes_to_another_workspace(mixed, qtbot):
 
 
 def test_two_icons_that_are_the_same_are_told(chosen, qtbot, session, monkeypatch):
-    from iconstudio.model import IconstudioError
-
     def refuse(mix):
         raise IconstudioError("“b” looks the same as another of the icons.")
         yield
@@ -516,3 +518,28 @@ def test_every_edit_is_one_step_and_undone_exactly(chosen):
     for page in reversed(pages[:-1]):
         stack.undo()
         assert chosen.document.page is page
+
+
+def test_from_nothing_to_a_saved_svg_with_real_icons(qtbot, tmp_path, monkeypatch):
+    window = MainWindow(Session(), (HybridsWorkspace,))
+    qtbot.addWidget(window)
+    window.show()
+    place = window.workspace
+    path = tmp_path / "lamps.json"
+    icons = ["fluent-mdl2:lightbulb", "uil:lightbulb-alt", "lets-icons:lamp-light"]
+    path.write_text(json.dumps({"icons": icons, "draws": 4}))
+    place.gathering.open_mix(str(path))
+    qtbot.waitUntil(lambda: names(place) == icons, timeout=60000)
+    QTest.mouseClick(place.column.offer, LEFT)
+    QTest.mouseClick(place.column.run, LEFT)
+    qtbot.waitUntil(lambda: not place.draws.runner.running, timeout=60000)
+    *hybrids, _ = rows(place)
+    assert totals(hybrids) == sorted(totals(hybrids), reverse=True)
+    click(place, hybrids[0])
+    save_to(place, monkeypatch, tmp_path / "new.svg")
+    place.actions_by_name["svg"].trigger()
+    qtbot.waitUntil((tmp_path / "new.svg").exists)
+    svg = (tmp_path / "new.svg").read_text()
+    assert 'd="M' in svg
+    assert "Iconscout" in svg or "Microsoft" in svg or "Tsvetkov" in svg
+    window.close()

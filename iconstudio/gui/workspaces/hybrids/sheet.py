@@ -137,8 +137,8 @@ class Sheet(QListView):
 
     Signals
     -------
-    picked(object)
-        The Picture that is the current one, or None.
+    picked(Picture)
+        The user has gone to it, by mouse or keys.
     chosen(Picture)
         The user clicked it, or pressed Space or Enter on it.
     favourite(Picture), like(Picture)
@@ -162,6 +162,8 @@ class Sheet(QListView):
         self._delegate = SheetDelegate(self)
         self._hovered = QPersistentModelIndex()
         self._unsettled: Section | None = None
+        self._last: Picture | None = None
+        """The hybrid that was picked last."""
         self.setModel(self.hybrids)
         self.setItemDelegate(self._delegate)
         self.setViewMode(QListView.ViewMode.IconMode)
@@ -180,6 +182,7 @@ class Sheet(QListView):
         self.viewportEntered.connect(lambda: self._hover(QPersistentModelIndex()))
         self.clicked.connect(lambda index: self._tell(self.chosen, index))
         self.selectionModel().currentChanged.connect(self._tell_picked)
+        self.hybrids.modelReset.connect(self._pick_again)
         self.verticalScrollBar().valueChanged.connect(self._scrolled)
 
     # -- what there is -------------------------------------------------------------------------
@@ -334,7 +337,14 @@ class Sheet(QListView):
             signal.emit(entry)
 
     def _tell_picked(self) -> None:
-        self.picked.emit(self.picture)
+        if self.picture is not None:
+            self._last = self.picture
+            self.picked.emit(self.picture)
+
+    def _pick_again(self) -> None:
+        """Mark the picked hybrid, if it is still in sight now that other sections are."""
+        if self._last is not None:
+            self.setCurrentIndex(self.hybrids.index_of(self._last))
 
 
 def _paint_rule(

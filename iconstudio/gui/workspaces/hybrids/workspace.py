@@ -254,12 +254,11 @@ class HybridsWorkspace(Workspace):
         if added:
             self.made.emit(picture)
 
-    def _look_at(self, picture: Picture | None) -> None:
+    def _look_at(self, picture: Picture) -> None:
         self.detail.show_picture(picture)
-        if picture is not None:
-            self.detail.explain(terms(picture))
+        self.detail.explain(terms(picture))
         for name in ("favourite", "like"):
-            self.actions_by_name[name].setEnabled(picture is not None)
+            self.actions_by_name[name].setEnabled(True)
         self.picked.emit(picture)
 
     def _open_menu(self, picture: Picture, spot: QPoint) -> None:
