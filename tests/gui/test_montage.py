@@ -447,6 +447,17 @@ def test_arrow_keys_nudge_and_m_mirrors(arranging):
     assert arranging.document.undo_stack.undoText() == "mirror icon"
 
 
+def test_delete_takes_the_chosen_icon_out(arranging):
+    press(arranging, Qt.Key.Key_Delete)
+    assert [one.number for one in arranging.document.page.layers] == [0]
+    press(arranging, Qt.Key.Key_Backspace)
+    assert arranging.scene.empty
+    press(arranging, Qt.Key.Key_Delete)
+    arranging.document.undo_stack.undo()
+    arranging.document.undo_stack.undo()
+    assert [one.number for one in arranging.document.page.layers] == [0, 1]
+
+
 def test_an_icon_cannot_be_pushed_off_the_canvas(arranging):
     for _ in range(60):
         press(arranging, Qt.Key.Key_Left, SHIFT)

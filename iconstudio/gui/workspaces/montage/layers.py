@@ -83,15 +83,17 @@ class LayerRow(QFrame):
         row.addWidget(self.eye)
         row.addWidget(self.bin)
         self.setProperty("layer", True)
+        self.refresh_icons(theme.current())
 
     def show_layer(self, layer: PlacedIcon, chosen: bool) -> None:
         """Show what the layer is now."""
-        self._hidden = layer.hidden
+        if self._hidden != layer.hidden:
+            self._hidden = layer.hidden
+            self.refresh_icons(theme.current())
         self.picture.show_layer(layer)
         self.count.setText(_counted(len(layer.strokes)))
         self.setToolTip(f"{layer.icon.pictogram.id}\nClick to scribble over it, drag to reorder")
         self.setAccessibleName(f"{layer.title}, {self.count.text()}")
-        self.refresh_icons(theme.current())
         if self.property("chosen") != chosen:
             self.setProperty("chosen", chosen)
             self.style().unpolish(self)

@@ -10,7 +10,10 @@ from iconstudio.gui.workspaces.montage.page import MontagePage, PlacedIcon
 from iconstudio.model import CANVAS, Stroke
 
 _FAINT, _CHOSEN = 0.20, 0.42
-"""Opacity of the icons."""
+"""Opacity of the icons; the chosen one stands out."""
+
+_FEW = 4
+"""More icons than these are still fainter, so that together they hide nothing."""
 
 _SCRIBBLE = 0.62
 
@@ -58,10 +61,11 @@ class MontageScene(Scene):
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawRect(self.bounds())
         current = page.current
+        faint = _FAINT * min(1.0, _FEW / len(page.layers))
         for layer in page.layers:
             if not layer.hidden:
                 color = layer.color
-                color.setAlphaF(_CHOSEN if layer is current else _FAINT)
+                color.setAlphaF(_CHOSEN if layer is current else faint)
                 painter.fillPath(layer.outline, color)
         for layer in page.layers:
             paint_strokes(painter, layer)

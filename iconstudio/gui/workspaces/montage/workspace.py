@@ -122,7 +122,7 @@ class MontageWorkspace(Workspace):
                 "open": self.opener.choose_montage,
                 "save": self._save,
                 "paste": lambda: self.opener.add_mime(QApplication.clipboard().mimeData()),
-                "delete": self._delete,
+                "delete": lambda: self._delete(self.document.page.current.number),
                 "clear": lambda: self._change("clear scribbles", MontagePage.cleared),
                 "mirror": self._mirror,
                 "wider": lambda: self.brush.step(1),
@@ -161,7 +161,7 @@ class MontageWorkspace(Workspace):
         for part, share in ((left, 0), (self.canvas_panel, 3), (self.detail, 2)):
             whole.addWidget(part)
             whole.setStretchFactor(whole.count() - 1, share)
-        whole.setSizes([270, 570, 420])
+        whole.setSizes([292, 552, 416])
         for splitter in (left, whole):
             splitter.setHandleWidth(UNIT)
             splitter.setChildrenCollapsible(False)
@@ -276,9 +276,7 @@ class MontageWorkspace(Workspace):
     def _add_exemplar(self, exemplar: Exemplar) -> None:
         self.opener.add(exemplar.pictogram)
 
-    def _delete(self, number: int | bool | None = None) -> None:
-        current = self.document.page.current
-        number = current.number if isinstance(number, bool) and current else number
+    def _delete(self, number: int) -> None:
         self._change("delete icon", lambda page: page.without(number))
 
     def _mirror(self) -> None:

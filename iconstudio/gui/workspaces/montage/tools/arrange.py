@@ -20,7 +20,7 @@ from iconstudio.gui.workspaces.montage.snapping import (
     moved,
     scaled,
 )
-from iconstudio.gui.workspaces.montage.tools.stepping import step_key
+from iconstudio.gui.workspaces.montage.tools.keys import layer_key
 from iconstudio.model import CANVAS, Point
 
 GRIP = 9.0
@@ -153,8 +153,8 @@ class ArrangeTool(Tool):
     # -- keys ----------------------------------------------------------------------------------
 
     def key(self, event: QKeyEvent) -> bool:
-        """Arrows nudge, Page Up and Down choose another icon."""
-        if step_key(self._document, event):
+        """Arrows nudge; the rest as with all tools."""
+        if layer_key(self._document, event):
             return True
         layer = self._document.page.current
         if event.key() not in _NUDGES or layer is None or self._start is not None:

@@ -11,7 +11,7 @@ from iconstudio.gui.theme import Theme
 from iconstudio.gui.workspaces.montage.page import MontageDocument, MontagePage, choose
 from iconstudio.gui.workspaces.montage.scene import MontageScene
 from iconstudio.gui.workspaces.montage.strokes import strokes_of, visible
-from iconstudio.gui.workspaces.montage.tools.stepping import step_key
+from iconstudio.gui.workspaces.montage.tools.keys import layer_key
 from iconstudio.model import CANVAS, Point
 
 THINNEST, WIDEST, USUAL = 2, 64, 14
@@ -76,8 +76,9 @@ class ScribbleTool(Tool):
 
     @property
     def cursor(self) -> Qt.CursorShape:
-        """None: the brush itself is drawn."""
-        return Qt.CursorShape.BlankCursor
+        """None, for the brush itself is drawn; unless there is nothing to draw over."""
+        empty = self._document.page.current is None
+        return Qt.CursorShape.ArrowCursor if empty else Qt.CursorShape.BlankCursor
 
     @property
     def hint(self) -> str:
@@ -149,8 +150,8 @@ class ScribbleTool(Tool):
         self._pointer = None
 
     def key(self, event: QKeyEvent) -> bool:
-        """Page Up and Down choose another icon."""
-        return not self._points and step_key(self._document, event)
+        """Do as with all tools."""
+        return not self._points and layer_key(self._document, event)
 
     def cancel(self) -> bool:
         """Give up the line."""
