@@ -4,8 +4,8 @@ import json
 from concurrent.futures import Future
 
 import pytest
-from conftest import icon_set, shape, write_sets
 from pebble import ProcessExpired
+from small_world import icon_set, shape, write_sets
 
 from iconstudio.library import drawings
 from iconstudio.library.archive import Archive

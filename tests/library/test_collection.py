@@ -8,7 +8,7 @@ from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 
 import pytest
-from conftest import icon_set, shape
+from small_world import icon_set, shape
 
 from iconstudio.library import database
 from iconstudio.library.archive import MANIFEST, Archive

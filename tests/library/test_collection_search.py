@@ -2,10 +2,10 @@
 
 import numpy as np
 import pytest
-from conftest import icon_set, shape
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
+from small_world import icon_set, shape
 
 from iconstudio.library import search
 from iconstudio.library.collection import Collection

@@ -1,9 +1,9 @@
 """Names taken apart, and what they say about the drawing."""
 
 import pytest
-from conftest import write_wordnet
 from hypothesis import given
 from hypothesis import strategies as st
+from small_world import write_wordnet
 
 from iconstudio.library.naming import is_negated, take_apart
 from iconstudio.library.readings import BADGED, COMPOUND, EXACT, MENTION, POSED, SCENE, readings
