@@ -27,11 +27,12 @@ ENTRIES = {
     entry.name: entry
     for entry in (
         Entry("new", "&New", "Start afresh", Key.New, "new"),
+        Entry("examples", "E&xamples", "Start from an example", icon="examples"),
         Entry("open", "&Open…", "Open a file", Key.Open, "open"),
         Entry("paste", "&Paste", "Use what is on the clipboard", Key.Paste),
         Entry("save", "&Save…", "Save the work as JSON", Key.Save),
         Entry("svg", "Save icon as S&VG…", "Save the picked icon as SVG", "Ctrl+E"),
-        Entry("png", "Save icon as P&NG…", "Save the picked icon as PNG", "Ctrl+Shift+E"),
+        Entry("png", "Save icon as PN&G…", "Save the picked icon as PNG", "Ctrl+Shift+E"),
         Entry("copy", "&Copy icon as SVG", "Copy the picked icon as SVG", "Ctrl+Shift+C"),
         Entry("quit", "&Quit", "", Key.Quit),
         Entry("undo", "&Undo", "Undo", Key.Undo, "undo"),
@@ -50,11 +51,24 @@ ENTRIES = {
 }
 """The actions that mean the same in several workspaces, or belong to the window."""
 
+
+def work_entries(noun: str) -> tuple[Entry, ...]:
+    """Return what ENTRIES say of the user's work, in words for work that is called ``noun``."""
+    return (
+        Entry("new", f"&New {noun}", "Start afresh", Key.New, "new"),
+        Entry("open", f"&Open {noun}…", f"Open a file with another {noun}", "Ctrl+Shift+O"),
+        Entry("save", f"&Save {noun}…", f"Save the {noun} as JSON", Key.Save),
+    )
+
+
 MODES, OWN = "modes", "own"
 """Places in the menus: of the switch between workspaces, and of a workspace's own actions."""
 
 MENUS: dict[str, tuple[str, ...]] = {
-    "&File": ("new", OWN, "", "open", "save", "", "svg", "png", "copy", "", "quit"),
+    "&File": (
+        *("new", OWN, "examples", "", "open", "save", ""),
+        *("svg", "png", "copy", "", "quit"),
+    ),
     "&Edit": ("undo", "redo", "", "paste", "delete", "clear", OWN, "", "run", "cancel"),
     "&View": (MODES, "", OWN, "pan", "", "zoom_in", "zoom_out", "fit", "", "coded"),
     "&Help": ("about",),

@@ -33,6 +33,11 @@ def dropped_file(data: QMimeData) -> str | None:
     return next((url.toLocalFile() for url in data.urls() if url.isLocalFile()), None)
 
 
+def droppable(data: QMimeData) -> bool:
+    """Whether an icon of this window or a file is dragged."""
+    return unpacked(data) is not None or dropped_file(data) is not None
+
+
 def drag(pictogram: Pictogram, picture: QPixmap, source: QWidget) -> None:
     """Let the user drag an icon, whose ``picture`` hangs on the pointer, and drop it."""
     carrier = QDrag(source)

@@ -127,7 +127,7 @@ class MainWindow(QMainWindow):
 
     def threads_alive(self) -> bool:
         """Whether a thread of the window still runs; not once it is closed."""
-        return self._files.alive or any(one.worker.alive for one in self.workspaces)
+        return any(worker.alive for worker in self.findChildren(Worker))
 
     def changeEvent(self, event: QEvent) -> None:
         """Follow the system between light and dark."""

@@ -66,7 +66,7 @@ class Job(QObject):
                 log.exception("a job failed")
             self._raised.emit(
                 f"The work stopped unexpectedly ({type(error).__name__}: {error}). "
-                "Your sketch is untouched; you can try again."
+                "Nothing is lost; you can try again."
             )
         finally:
             self._ended.emit()

@@ -3,7 +3,7 @@
 ``{"icon": "set:name", "keyword": "camera", "remove": [polygon, ...], "add": [polygon, ...],
 "symmetry": "horizontal", "exclude": ["set:name", ...]}``. ``icon`` may be the path of an SVG, from
 the file's folder. A polygon is ``[[x, y], ...]`` in canvas units (0 to 256) of the normalised icon.
-Of ``remove`` and ``add`` one may be left out; ``symmetry`` and ``exclude`` may.
+Of ``remove`` and ``add`` one may be left out; ``symmetry``, ``exclude`` and a ``title`` may.
 """
 
 from collections.abc import Callable
@@ -24,6 +24,7 @@ class EditFile:
     add: tuple[Polygon, ...] = ()
     symmetry: Axis | None = None
     exclude: frozenset[str] = frozenset()
+    title: str = ""
 
     def resolved(self, find: Callable[[str], Pictogram]) -> Edit:
         """Return the edit, its icon found by ``find``."""
@@ -48,6 +49,7 @@ def read_edit(path: Path) -> EditFile:
         fields.polygons("add"),
         fields.axis(),
         frozenset(fields.texts("exclude")),
+        fields.text("title"),
     )
 
 
@@ -60,6 +62,7 @@ def write_edit(path: Path, edit: EditFile) -> None:
         If the file cannot be written.
     """
     data = {
+        "title": edit.title or None,
         "icon": relative(edit.icon, path),
         "keyword": edit.keyword,
         "remove": [written(polygon.vertices) for polygon in edit.remove],

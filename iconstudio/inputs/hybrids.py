@@ -3,7 +3,7 @@
 ``{"icons": ["set:name", ...], "draws": 40, "seed": 0, "symmetry": "horizontal"}``, or, for icons
 that the program picks, ``{"keyword": "lamp", "count": 5, ...}``. An icon may be the path of an SVG,
 from the file's folder. ``"pins": [[[x, y], ...], ...]``, a list for each icon, are points that
-every hybrid keeps.
+every hybrid keeps. There may be a ``title``.
 """
 
 from collections.abc import Callable
@@ -31,6 +31,7 @@ class HybridsFile:
     symmetry: Axis | None = None
     pins: Seeds = ()
     """For each of the given icons, positions that every draw keeps; empty if there are none."""
+    title: str = ""
 
     def resolved(self, find: Callable[[str], Pictogram]) -> Mix:
         """Return the mix of the icons that are given, found by ``find``."""
@@ -65,6 +66,7 @@ def read_hybrids(path: Path) -> HybridsFile:
         fields.whole("seed", 0, 0, LARGEST_SEED),
         fields.axis(),
         fields.point_lists("pins", CANVAS),
+        fields.text("title"),
     )
 
 
@@ -85,4 +87,5 @@ def write_hybrids(path: Path, hybrids: HybridsFile) -> None:
         "symmetry": hybrids.symmetry,
         "pins": pins,
     }
-    write(path, (given if hybrids.icons else picked) | data)
+    title = {"title": hybrids.title or None}
+    write(path, title | (given if hybrids.icons else picked) | data)

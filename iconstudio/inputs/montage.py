@@ -6,6 +6,7 @@
 ``icon`` may be the path of an SVG, from the file's folder.
 A layer is mirrored left to right if ``flip``, scaled about the canvas's centre, and shifted by
 ``dx``, ``dy``; all but ``icon`` may be left out. Lengths are in canvas units (0 to 256), y down.
+There may be a ``title``.
 """
 
 from collections.abc import Callable
@@ -34,6 +35,7 @@ class MontageFile:
     """What a MONTAGE.json says."""
 
     layers: tuple[LayerFile, ...]
+    title: str = ""
 
     def resolved(self, find: Callable[[str], Pictogram]) -> Montage:
         """Return the montage, its icons found by ``find``."""
@@ -51,7 +53,8 @@ def read_montage(path: Path) -> MontageFile:
         If the file cannot be read or does not hold a montage.
     """
     fields = read(path)
-    return MontageFile(tuple(map(_layer, fields.objects("layers", "layer"))))
+    layers = tuple(map(_layer, fields.objects("layers", "layer")))
+    return MontageFile(layers, fields.text("title"))
 
 
 def write_montage(path: Path, montage: MontageFile) -> None:
@@ -75,7 +78,7 @@ def write_montage(path: Path, montage: MontageFile) -> None:
         }
         for layer in montage.layers
     ]
-    write(path, {"layers": layers})
+    write(path, {"title": montage.title or None, "layers": layers})
 
 
 def _line(points: tuple[Point, ...]) -> list[list[float]]:

@@ -24,12 +24,6 @@ class SketchFile:
     """The photo that the polygon was traced over."""
 
 
-def examples() -> list[SketchFile]:
-    """Return the example sketches, by title."""
-    files = resource("examples").glob("*.json")
-    return sorted(map(read_sketch, files), key=lambda example: example.title)
-
-
 def example(name: str) -> SketchFile:
     """Return the example of this file name, for instance ``motorbike``.
 

@@ -37,7 +37,7 @@ def empty(window):
 def settle(place, qtbot):
     """Wait until the icon is on the canvas, drawn crisply."""
     qtbot.waitUntil(lambda: place.document.page.icon is not None)
-    qtbot.waitUntil(lambda: place.document.page.icon.pictogram.svg in place.scene._paths)
+    qtbot.waitUntil(lambda: place.crisp.outline(place.document.page.icon) is not None)
 
 
 @pytest.fixture
@@ -167,11 +167,11 @@ def test_what_is_no_icon_is_told_and_nothing_is_lost(editing, qtbot, tmp_path):
     before = editing.document.page
     path = tmp_path / "letter.svg"
     path.write_text("Dear dog")
-    editing.opener.open_svg(str(path))
+    editing.opener.open_file(str(path))
     qtbot.waitUntil(lambda: "letter.svg" in notice(editing))
     QApplication.clipboard().setText("dog")
     editing.actions_by_name["paste"].trigger()
-    assert "Only SVG files" in notice(editing)
+    assert "no SVG file to paste" in notice(editing)
     assert editing.document.page == before
 
 
@@ -556,7 +556,11 @@ def test_an_edit_is_saved_and_opened_again(marked, qtbot, tmp_path, monkeypatch)
 def test_every_example_of_the_menu_opens(empty, qtbot, session, monkeypatch):
     monkeypatch.setattr(session, "icon", lambda reference: exemplar(5).pictogram)
     menu = empty.actions_by_name["examples"].menu().actions()
-    assert [action.text() for action in menu] == ["Camera", "Castle", "Glass"]
+    assert [action.text() for action in menu] == [
+        "Camera gains a flash",
+        "Castle gains a dome",
+        "Glass gains a handle",
+    ]
     for action in menu:
         before = empty.document.page
         action.trigger()
@@ -575,7 +579,7 @@ def test_an_icon_that_no_collection_has_is_saved_beside_the_edit(
     own = tmp_path / "elsewhere" / "logo.svg"
     own.parent.mkdir()
     own.write_text(SVG)
-    empty.opener.open_svg(str(own))
+    empty.opener.open_file(str(own))
     settle(empty, qtbot)
     lasso(empty, RED)
     path = tmp_path / "new.json"
@@ -594,6 +598,6 @@ def test_a_broken_edit_is_told_and_nothing_is_lost(marked, qtbot, tmp_path, text
     before = marked.document.page
     path = tmp_path / "broken.json"
     path.write_text(text)
-    marked.opener.open_edit(str(path))
+    marked.opener.open_work(str(path))
     qtbot.waitUntil(lambda: "broken.json" in notice(marked))
     assert marked.document.page == before

@@ -7,12 +7,13 @@ from itertools import pairwise
 import pytest
 from fake_session import exemplar
 from hands import save_to
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QContextMenuEvent, QWheelEvent
+from PySide6.QtCore import QEvent, QMimeData, QPoint, QPointF, Qt, QUrl
+from PySide6.QtGui import QContextMenuEvent, QDropEvent, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from iconstudio.algorithms.raster import solid
+from iconstudio.gui.dragging import packed
 from iconstudio.gui.main_window import MainWindow
 from iconstudio.gui.pictures import Picture
 from iconstudio.gui.workspaces.hybrids.cards import on_shape
@@ -107,6 +108,11 @@ def scroll_down(place):
     QApplication.sendEvent(viewport, event)
 
 
+def drop(place, data):
+    event = QDropEvent(QPointF(9, 9), Qt.DropAction.CopyAction, data, LEFT, CTRL.NoModifier)
+    place.column.cards.dropEvent(event)
+
+
 def names(place):
     return [one.id for one in place.document.page.ingredients]
 
@@ -114,16 +120,48 @@ def names(place):
 # -- icons -----------------------------------------------------------------------------------------
 
 
-def test_an_empty_window_says_what_to_do_and_offers_it(place, qtbot, session):
+def test_an_empty_window_says_what_to_do_and_offers_it(place):
     assert place.panel.start.isVisible()
     assert not place.column.run.isEnabled()
     assert "at least two icons" in place.column.run.toolTip()
-    QTest.mouseClick(place.panel.start, LEFT)
-    qtbot.waitUntil(lambda: len(rows(place)) > 0, timeout=20000)
-    finish(place, qtbot)
-    assert session.calls[-1][0] == "mix"
-    assert len(place.document.page.ingredients) == 5
-    assert not place.panel.start.isVisible()
+    menu = place.panel.start.menu()
+    assert menu is place.actions_by_name["examples"].menu()
+    titles = [action.text() for action in menu.actions()]
+    assert titles == ["Chess pieces", "Fish", "Robots", "Table lamps"]
+
+
+def test_every_example_of_the_menu_is_mixed_at_once(place, qtbot, session, monkeypatch):
+    known = {}
+    monkeypatch.setattr(
+        session, "icon", lambda name: known.setdefault(name, exemplar(len(known)).pictogram)
+    )
+    for action in place.panel.start.menu().actions():
+        count = len(session.calls)
+        action.trigger()
+        qtbot.waitUntil(lambda count=count: len(session.calls) > count, timeout=20000)
+        finish(place, qtbot)
+        assert session.calls[-1][0] == "mix"
+        hybrids = [one for one in rows(place) if isinstance(one, Picture)]
+        assert hybrids[0].title.startswith(action.text())
+        assert not place.panel.start.isVisible()
+
+
+def test_icons_and_files_can_be_dropped_on_the_cards_and_pasted(place, qtbot, tmp_path):
+    own, mix = tmp_path / "own.svg", tmp_path / "two.json"
+    own.write_text(SVG)
+    mix.write_text('{"icons": ["shapes:ring-4", "shapes:frame-5"]}')
+    drop(place, packed(exemplar(2).pictogram))
+    qtbot.waitUntil(lambda: names(place) == ["shapes:cross-2"])
+    urls = QMimeData()
+    urls.setUrls([QUrl.fromLocalFile(str(own))])
+    drop(place, urls)
+    qtbot.waitUntil(lambda: len(names(place)) == 2)
+    urls.setUrls([QUrl.fromLocalFile(str(mix))])
+    QApplication.clipboard().setMimeData(urls)
+    QTest.keyClick(place.column.cards.cards[0], Qt.Key.Key_V, CTRL)
+    qtbot.waitUntil(lambda: names(place) == ["shapes:ring-4", "shapes:frame-5"])
+    place.actions_by_name["undo"].trigger()
+    assert len(names(place)) == 2 and names(place)[0] == "shapes:cross-2"
 
 
 def test_icons_are_ticked_and_given_back(place, qtbot):
@@ -456,7 +494,7 @@ def test_a_mix_is_saved_and_opened_again(chosen, qtbot, tmp_path, monkeypatch):
     assert json.loads(path.read_text())["seed"] == 2**62
     chosen.actions_by_name["new"].trigger()
     assert not names(chosen)
-    chosen.gathering.open_mix(str(path))
+    chosen.gathering.open_work(str(path))
     qtbot.waitUntil(lambda: len(names(chosen)) == 5)
     again = chosen.document.page
     assert (again.seed, again.symmetry) == (page.seed, page.symmetry)
@@ -470,7 +508,7 @@ def test_a_mix_is_saved_and_opened_again(chosen, qtbot, tmp_path, monkeypatch):
 def test_a_file_with_a_keyword_picks(place, qtbot, tmp_path, session):
     path = tmp_path / "mix.json"
     path.write_text('{"keyword": "lamp", "count": 3, "seed": 2, "draws": 5}')
-    place.gathering.open_mix(str(path))
+    place.gathering.open_work(str(path))
     qtbot.waitUntil(lambda: len(names(place)) == 3)
     assert ("choose", "lamp", 3, None, 2) in session.calls
     run(place, qtbot)
@@ -491,7 +529,7 @@ def test_a_bad_file_is_told_and_changes_nothing(chosen, qtbot, tmp_path, text, p
     before = chosen.document.page
     path = tmp_path / "mix.json"
     path.write_text(text)
-    chosen.gathering.open_mix(str(path))
+    chosen.gathering.open_work(str(path))
     notice = chosen.window().desk.notice
     qtbot.waitUntil(notice.isVisible)
     assert part in notice.label.text()
@@ -528,7 +566,7 @@ def test_from_nothing_to_a_saved_svg_with_real_icons(qtbot, tmp_path, monkeypatc
     path = tmp_path / "lamps.json"
     icons = ["fluent-mdl2:lightbulb", "uil:lightbulb-alt", "lets-icons:lamp-light"]
     path.write_text(json.dumps({"icons": icons, "draws": 4}))
-    place.gathering.open_mix(str(path))
+    place.gathering.open_work(str(path))
     qtbot.waitUntil(lambda: names(place) == icons, timeout=60000)
     QTest.mouseClick(place.column.offer, LEFT)
     QTest.mouseClick(place.column.run, LEFT)

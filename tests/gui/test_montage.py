@@ -135,7 +135,7 @@ def test_icons_and_files_can_be_dropped_on_the_canvas(place, qtbot, tmp_path):
 def test_a_file_that_is_no_good_is_told_in_a_sentence(place, qtbot, tmp_path, window):
     file = tmp_path / "empty.svg"
     file.write_text("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 9 9'/>")
-    place.opener.add_file(str(file))
+    place.opener.open_file(str(file))
     qtbot.waitUntil(window.desk.notice.isVisible)
     assert "no dark ink" in window.desk.notice.label.text()
     assert place.document.page.layers == ()
@@ -621,7 +621,7 @@ def test_a_montage_is_saved_with_foreign_icons_beside_it_and_opened_again(
     own = tmp_path / "elsewhere" / "my drawing.svg"
     own.parent.mkdir()
     own.write_text(OWN)
-    two.opener.add_file(str(own))
+    two.opener.open_file(str(own))
     qtbot.waitUntil(lambda: len(two.document.page.layers) == 3)
     stroke(two, (60, 60), (90, 60))
     two.layers.chosen.emit(1)
@@ -656,16 +656,51 @@ def test_a_montage_with_overlapping_strokes_opens_without_the_overlap(place, qtb
     layers = [{"icon": one.id, "strokes": strokes} for one in (RING, TRIANGLE)]
     path = tmp_path / "overlap.json"
     path.write_text(json.dumps({"layers": layers}))
-    place.opener.open_montage(str(path))
+    place.opener.open_work(str(path))
     qtbot.waitUntil(lambda: place.picture is not None)
     assert [len(one.strokes) for one in place.document.page.layers] == [0, 1]
+    notice = place.window().desk.notice
+    qtbot.waitUntil(notice.isVisible)
+    assert "those of the upper icon were kept" in notice.label.text()
+
+
+def test_every_example_of_the_menu_opens_as_it_is(place, qtbot, session, monkeypatch):
+    known = {}
+    monkeypatch.setattr(
+        session, "icon", lambda name: known.setdefault(name, exemplar(len(known)).pictogram)
+    )
+    menu = place.actions_by_name["examples"].menu().actions()
+    assert [action.text() for action in menu] == [
+        "A mug with a cat",
+        "A palace with spires",
+        "Two robots in one",
+    ]
+    for action in menu:
+        before = place.document.page
+        action.trigger()
+        qtbot.waitUntil(lambda before=before: place.document.page is not before)
+        settled(place, qtbot)
+        assert place.picture is not None
+        assert f"“{action.text()}”" in place.window().desk.strip.label.text()
+        assert not place.window().desk.notice.isVisible()
+
+
+def test_a_montage_is_drawn_of_outlines_once_they_are_traced(place, qtbot, session, monkeypatch):
+    real, gate = session.drawing, threading.Event()
+    monkeypatch.setattr(session, "drawing", lambda icon: gate.wait(9) and real(icon))
+    bring(place, qtbot, RING)
+    ring = place.document.page.current.icon.exemplar
+    pixels = place.view.grab().toImage()
+    gate.set()
+    qtbot.waitUntil(lambda: place.crisp.outline(ring) is not None)
+    assert place.view.grab().toImage() != pixels, "the drawing of the test is the icon's box"
 
 
 def test_a_file_that_is_no_montage_leaves_the_page_as_it_is(two, qtbot, tmp_path, window):
     path = tmp_path / "none.json"
     path.write_text('{"layers": 3}')
     before = two.document.page
-    two.opener.open_montage(str(path))
+    two.opener.open_work(str(path))
     qtbot.waitUntil(window.desk.notice.isVisible)
     assert "none.json" in window.desk.notice.label.text()
     assert two.document.page is before
@@ -695,7 +730,7 @@ def test_from_an_empty_start_to_a_saved_icon_with_the_real_session(qtbot, tmp_pa
     window.resize(1280, 720)
     window.show()
     place = window.workspace
-    example = place._examples.actions()[0]
+    example = place.examples.actions()[0]
     example.trigger()
     qtbot.waitUntil(lambda: place.picture is not None, timeout=60000)
     first, icons = place.picture, place.document.page.layers

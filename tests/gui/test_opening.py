@@ -9,7 +9,8 @@ from PySide6.QtGui import QDropEvent, QImage
 from PySide6.QtWidgets import QApplication, QFileDialog
 
 from iconstudio.gui.photo import LONGEST, photo_from_image, read_photo
-from iconstudio.inputs.sketch import examples
+from iconstudio.inputs.examples import examples
+from iconstudio.inputs.sketch import example, read_sketch
 from iconstudio.model import IconstudioError
 
 
@@ -75,7 +76,7 @@ def test_a_file_that_is_no_photo_is_told_and_nothing_is_lost(sketching, qtbot, t
     before = sketching.document.page
     path = tmp_path / "letter.png"
     path.write_text("Dear dog")
-    sketching.opener.open_photo(str(path))
+    sketching.opener.open_file(str(path))
     qtbot.waitUntil(sketching.window().desk.notice.isVisible)
     assert "“letter.png” is not a photo" in sketching.window().desk.notice.label.text()
     assert sketching.document.page == before
@@ -130,7 +131,7 @@ def test_an_empty_image_is_no_photo():
 
 
 def test_the_dim_slider_fades_the_photo(sketching, qtbot, photo_file):
-    sketching.opener.open_photo(str(photo_file))
+    sketching.opener.open_file(str(photo_file))
     qtbot.waitUntil(has_photo(sketching))
     middle = sketching.view.rect().center()
     saturations = []
@@ -141,23 +142,23 @@ def test_the_dim_slider_fades_the_photo(sketching, qtbot, photo_file):
 
 
 def test_every_example_of_the_menu_opens(sketching, qtbot):
-    titles = [example.title for example in examples()]
+    shipped = [read_sketch(one.path) for one in examples("")]
     menu = sketching.actions_by_name["examples"].menu().actions()
-    assert [action.text() for action in menu] == titles
+    assert [action.text() for action in menu] == [one.title for one in shipped]
     assert len(menu) >= 5
-    for action, example in zip(menu, examples(), strict=True):
+    for action, sketch in zip(menu, shipped, strict=True):
         action.trigger()
-        qtbot.waitUntil(lambda sketch=example.sketch: sketching.document.page.sketch == sketch)
+        qtbot.waitUntil(lambda sketch=sketch: sketching.document.page.sketch == sketch.sketch)
         assert sketching.document.page.closed
-        assert (sketching.document.page.photo is None) == (example.photo is None)
-        assert sketching.keyword_panel.field.text() == example.sketch.keyword
+        assert (sketching.document.page.photo is None) == (sketch.photo is None)
+        assert sketching.keyword_panel.field.text() == sketch.sketch.keyword
 
 
 def test_another_sketch_can_be_undone(sketching, qtbot):
     trace(sketching)
     type_keyword(sketching, "dog")
     before = sketching.document.page
-    sketching.opener.open_example(examples()[0])
+    sketching.opener.open_example(example("coffee"))
     qtbot.waitUntil(lambda: sketching.document.page != before)
     sketching.actions_by_name["undo"].trigger()
     assert sketching.document.page == before
@@ -184,7 +185,7 @@ def test_a_broken_sketch_is_told_and_nothing_is_lost(sketching, qtbot, tmp_path,
     before = sketching.document.page
     path = tmp_path / "broken.json"
     path.write_text(text)
-    sketching.opener.open_sketch(str(path))
+    sketching.opener.open_work(str(path))
     qtbot.waitUntil(sketching.window().desk.notice.isVisible)
     assert sketching.window().desk.notice.label.text()
     assert sketching.document.page == before

@@ -7,7 +7,7 @@ from hands import save_to, trace, type_keyword
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
 
-from iconstudio.inputs.sketch import examples, read_sketch
+from iconstudio.inputs.sketch import example, read_sketch
 
 
 @pytest.fixture
@@ -21,16 +21,16 @@ def done(sketching, qtbot):
 
 
 def test_a_saved_sketch_is_read_back_the_same(sketching, qtbot, tmp_path, monkeypatch):
-    example = examples()[0]
-    sketching.opener.open_example(example)
+    shown = example("coffee")
+    sketching.opener.open_example(shown)
     qtbot.waitUntil(lambda: sketching.document.page.closed)
     path = tmp_path / "sketch.json"
     save_to(sketching, monkeypatch, path)
     sketching.actions_by_name["save"].trigger()
     qtbot.waitUntil(path.exists)
     saved = read_sketch(path)
-    assert saved.sketch == example.sketch
-    assert saved.photo == example.photo
+    assert saved.sketch == shown.sketch
+    assert saved.photo == shown.photo
     qtbot.waitUntil(lambda: str(path) in sketching.window().desk.strip.label.text())
 
 

@@ -61,7 +61,7 @@ def test_sketches_come_back(path, sketch):
 @given(
     st.builds(
         EditFile, names, words, st.tuples(polygons, polygons), st.tuples(polygons), axes,
-        st.frozensets(names),
+        st.frozensets(names), words,
     )
 )  # fmt: skip
 def test_edits_come_back(path, edit):
@@ -75,6 +75,7 @@ given_icons = st.builds(
     draws=st.integers(1, 1000),
     seed=st.integers(0, 2**63 - 1),
     symmetry=axes,
+    title=words,
 )
 picked_icons = st.builds(
     HybridsFile,
@@ -92,8 +93,12 @@ def test_hybrids_come_back(path, hybrids):
 
 
 @given(
-    st.lists(st.builds(LayerFile, names, placements, st.lists(strokes, max_size=3).map(tuple))).map(
-        lambda layers: MontageFile(tuple(layers))
+    st.builds(
+        MontageFile,
+        st.lists(
+            st.builds(LayerFile, names, placements, st.lists(strokes, max_size=3).map(tuple))
+        ).map(tuple),
+        words,
     )
 )
 def test_montages_come_back(path, montage):

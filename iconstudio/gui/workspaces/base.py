@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import ClassVar
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QMenu, QWidget
 
 from iconstudio.gui import theme
 from iconstudio.gui.actions import ENTRIES, Actions, Entry
@@ -16,6 +16,8 @@ from iconstudio.gui.panels.sending import Destination
 from iconstudio.gui.pictures import Picture
 from iconstudio.gui.saving import Saver
 from iconstudio.gui.worker import Worker
+from iconstudio.gui.workspaces.opening import Opener
+from iconstudio.inputs.examples import examples
 from iconstudio.model import Pictogram
 from iconstudio.session import Session
 
@@ -24,8 +26,9 @@ class Workspace(QWidget):
     """One workflow of section 4: its page, its work and its results, all its own.
 
     A subclass says its ``title``, calls ``make_actions`` in ``__init__``, and overrides what it
-    needs. It has a thread, ``worker``, for its runs; ``files`` reads and writes files without
-    waiting for them, and ``saver`` asks where to. The window shows what the signals tell.
+    needs. It has a thread, ``worker``, for its runs, and may have more; ``files`` reads and writes
+    files without waiting for them, and ``saver`` asks where to. The window shows what the signals
+    tell.
 
     Signals
     -------
@@ -99,9 +102,10 @@ class Workspace(QWidget):
         """Stop the work; results that are finished stay."""
 
     def close_work(self) -> None:
-        """Stop all work and wait until the thread has ended; for good."""
+        """Stop all work and wait until all threads of the workspace have ended; for good."""
         self.cancel()
-        self.worker.close(self.session.close)
+        for worker in self.findChildren(Worker):
+            worker.close(self.session.close)
 
     def refresh_icons(self, look: theme.Theme) -> None:
         """Draw all icons in the colours of ``look``."""
@@ -127,6 +131,27 @@ class Workspace(QWidget):
         actions.add(ENTRIES["redo"], stack.createRedoAction(self, "&Redo"))
         self._show_picked(None)
         self.picked.connect(self._show_picked)
+
+    def add_examples(self, folder: str, use: Callable[[str], object]) -> QMenu:
+        """Return a menu of the examples in a folder; ``use`` is called with the path of one.
+
+        Call it after ``make_actions``: the menu is an action, too.
+        """
+        menu = QMenu(ENTRIES["examples"].text, self)
+        for one in examples(folder):
+            menu.addAction(one.title, lambda path=str(one.path): use(path))
+        self.actions_by_name.add(ENTRIES["examples"], menu.menuAction())
+        return menu
+
+    @staticmethod
+    def opener_slots(opener: Opener) -> dict[str, Callable[..., object]]:
+        """Return what the actions that open things do."""
+        return {"open": opener.choose_work, "paste": opener.paste}
+
+    def connect_opener(self, opener: Opener) -> None:
+        """Pass on what an opener tells."""
+        opener.failed.connect(self.failed)
+        opener.opened.connect(self.said)
 
     @staticmethod
     def view_slots(view: CanvasView) -> dict[str, Callable[..., object]]:

@@ -6,6 +6,7 @@ from PySide6.QtGui import QPainter, QPainterPath, QPen, QPolygonF
 from iconstudio.gui.canvas import painters
 from iconstudio.gui.canvas.camera import Camera
 from iconstudio.gui.canvas.scene import Scene
+from iconstudio.gui.crisp import CrispIcons
 from iconstudio.gui.pictures import stencil
 from iconstudio.gui.theme import UNIT, Theme
 from iconstudio.gui.workspaces.editing.page import Area, EditDocument, Kind
@@ -17,20 +18,16 @@ _BODY = _SHEET.adjusted(MARGIN, MARGIN, -MARGIN, -MARGIN)
 
 
 class EditScene(Scene):
-    """Paints the icon under the areas."""
+    """Paints the icon under the areas: of pixels until its outline is there."""
 
-    def __init__(self, document: EditDocument) -> None:
+    def __init__(self, document: EditDocument, crisp: CrispIcons) -> None:
         super().__init__(document)
-        self._paths: dict[str, QPainterPath] = {}
+        self._crisp = crisp
+        crisp.changed.connect(self.changed)
 
     def bounds(self) -> QRectF:
         """Return the area to show: the icon's canvas, and room below for the hint."""
         return _SHEET.adjusted(0, 0, 0, 3 * UNIT)
-
-    def set_path(self, icon: Exemplar, path: QPainterPath) -> None:
-        """Draw an icon from its outline, crisp at any size; until then, it is drawn of pixels."""
-        self._paths[icon.pictogram.svg] = path
-        self.changed.emit()
 
     def paint(self, painter: QPainter, camera: Camera, ratio: float, theme: Theme) -> None:
         """Draw the layers from back to front."""
@@ -59,7 +56,7 @@ class EditScene(Scene):
         sheet = camera.transform.mapRect(_SHEET)
         everywhere = QPainterPath()
         everywhere.addRect(sheet.adjusted(-1, -1, 1, 1))
-        path = self._paths.get(icon.pictogram.svg)
+        path = self._crisp.outline(icon)
         for part, color, density in (
             (everywhere - gone, theme.color("text"), 0.62),
             (gone, theme.color("danger"), 0.5),

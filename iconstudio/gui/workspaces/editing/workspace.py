@@ -3,19 +3,17 @@
 from pathlib import Path
 from typing import NamedTuple
 
-from PySide6.QtCore import QMimeData
-from PySide6.QtWidgets import QApplication, QMenu
-
 from iconstudio.gui import theme
-from iconstudio.gui.actions import Entry, Key
+from iconstudio.gui.actions import Entry, Key, work_entries
 from iconstudio.gui.canvas.view import CanvasView
+from iconstudio.gui.crisp import CrispIcons
 from iconstudio.gui.document import Document
-from iconstudio.gui.dragging import dropped_file, unpacked
+from iconstudio.gui.dragging import droppable
 from iconstudio.gui.saving import Saver
 from iconstudio.gui.worker import Worker
 from iconstudio.gui.workspaces.editing import page as edits
 from iconstudio.gui.workspaces.editing.areas import AreaOutline
-from iconstudio.gui.workspaces.editing.opening import Opener, examples
+from iconstudio.gui.workspaces.editing.opening import EditOpener
 from iconstudio.gui.workspaces.editing.page import EditPage, Kind
 from iconstudio.gui.workspaces.editing.scene import EditScene
 from iconstudio.gui.workspaces.editing.start import StartSheet
@@ -29,11 +27,8 @@ from iconstudio.workflows.editing import own_styles, prepare_change
 
 OWN = {
     "&File": (
-        Entry("new", "&New edit", "Start afresh", Key.New, "new"),
+        *work_entries("edit"),
         Entry("icon", "Choose &icon…", "Choose another icon", Key.Open, "search"),
-        Entry("examples", "E&xamples", "Start from an example"),
-        Entry("open", "Open &edit…", "Open an edit file", "Ctrl+Shift+O"),
-        Entry("save", "&Save edit…", "Save the edit as JSON", Key.Save),
     ),
     "&Edit": (
         Entry("paste", "&Paste icon", "Use the SVG file on the clipboard", Key.Paste),
@@ -71,7 +66,11 @@ class EditWorkspace(RemixWorkspace):
 
     def __init__(self, session: Session, files: Worker, saver: Saver) -> None:
         super().__init__(session, files, saver, Document(EditPage()))
-        self.scene = EditScene(self.document)
+        self.finder = Worker(self)
+        """Looks icons up and draws them also while a run goes on."""
+        self.opener = EditOpener(session, self.document, files, self)
+        self.crisp = CrispIcons(session, self.finder, self)
+        self.scene = EditScene(self.document, self.crisp)
         self.scene.setParent(self)
         self.outline = AreaOutline(self.document)
         self.tools = {
@@ -80,15 +79,14 @@ class EditWorkspace(RemixWorkspace):
             "select": SelectTool(self.outline),
         }
         self.tool = self.tools["remove"]
-        self.view = CanvasView(self.scene, self.tool, _can_be_opened)
+        self.view = CanvasView(self.scene, self.tool, droppable)
         self.view.setAccessibleDescription("Mark what should go and what should come here")
-        self.opener = Opener(session, self.document, self.scene, files, self)
         self.board.results.set_words(WELCOME, "Closer to the drawing")
         self.keyword_panel.set_words(
             "What is it? For example: camera", "Make the icon anew where it is marked (Ctrl+Return)"
         )
         self._make_actions()
-        self.start_sheet = StartSheet(self.view, session, self.worker, self._examples)
+        self.start_sheet = StartSheet(self.view, session, self.finder, self.examples)
         self._lay_out()
         self._wire()
         self.refresh_icons(theme.current())
@@ -97,13 +95,10 @@ class EditWorkspace(RemixWorkspace):
     # -- putting together ----------------------------------------------------------------------
 
     def _make_actions(self) -> None:
-        self._examples = QMenu("&Examples", self)
         self.make_actions(
             {
                 "new": lambda: self.document.change("new edit", EditPage()),
                 "icon": self._choose_icon,
-                "paste": lambda: self.opener.open_mime(QApplication.clipboard().mimeData()),
-                "open": self.opener.choose_edit,
                 "save": self._save,
                 "delete": self._delete,
                 "clear": lambda: edits.clear(self.document),
@@ -111,16 +106,13 @@ class EditWorkspace(RemixWorkspace):
                 "add": lambda on: self._use("add", on),
                 "select": lambda on: self._use("select", on),
                 "styles": lambda _: self._show_page(self.document.page),
+                **self.opener_slots(self.opener),
                 **self.remix_slots(),
             },
             OWN,
         )
-        actions = self.actions_by_name
-        actions.choose_between("remove", "add", "select", "pan")
-        actions.add(OWN["&File"][2], self._examples.menuAction())
-        for path in examples():
-            action = self._examples.addAction(path.stem.replace("-", " ").capitalize())
-            action.triggered.connect(lambda _=False, path=path: self.opener.open_edit(str(path)))
+        self.actions_by_name.choose_between("remove", "add", "select", "pan")
+        self.examples = self.add_examples("edits", self.opener.open_work)
 
     def _lay_out(self) -> None:
         named = self.actions_by_name
@@ -135,14 +127,13 @@ class EditWorkspace(RemixWorkspace):
 
     def _wire(self) -> None:
         self.wire()
+        self.connect_opener(self.opener)
         chooser = self.start_sheet.chooser
         chooser.chosen.connect(self.opener.take_exemplar)
         self.start_sheet.closed.connect(lambda: self._show_start(False))
         self.document.page_changed.connect(self._show_page)
         self.document.opened.connect(lambda: self._show_start(self.document.page.empty))
         self.view.dropped.connect(lambda data, _: self.opener.open_mime(data))
-        self.opener.failed.connect(self.failed)
-        self.opener.opened.connect(self.said)
         self.opener.opened.connect(self._begin)
 
     # -- what the window asks for --------------------------------------------------------------
@@ -202,6 +193,8 @@ class EditWorkspace(RemixWorkspace):
         self.show_wish(self._wanted(), "edit")
         if page.empty:
             self._show_start(True)
+        else:
+            self.crisp.want(page.icon)
         there = {
             "save": not page.empty,
             "clear": bool(page.areas),
@@ -252,7 +245,3 @@ class EditWorkspace(RemixWorkspace):
             write_edit(path, file)
 
         self.saver.save_work("edit", page.keyword, write)
-
-
-def _can_be_opened(data: QMimeData) -> bool:
-    return unpacked(data) is not None or dropped_file(data) is not None

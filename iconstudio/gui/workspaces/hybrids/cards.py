@@ -20,7 +20,7 @@ from PySide6.QtWidgets import QGridLayout, QScrollArea, QToolButton, QWidget
 from iconstudio.algorithms.guidance import mirror_image
 from iconstudio.algorithms.raster import solid
 from iconstudio.gui import icons, theme
-from iconstudio.gui.dragging import dropped_file, unpacked
+from iconstudio.gui.dragging import droppable
 from iconstudio.gui.mipmap import Mipmap
 from iconstudio.gui.pictures import stencil
 from iconstudio.gui.theme import UNIT
@@ -175,16 +175,13 @@ class Cards(QScrollArea):
     -------
     pinned(str, tuple), removed(str)
         See ``IconCard``.
-    dropped(Pictogram)
-        An icon of this window was dropped.
-    dropped_file(str)
-        A file was dropped.
+    dropped(QMimeData)
+        An icon of this window or a file was dropped.
     """
 
     pinned = Signal(str, tuple)
     removed = Signal(str)
     dropped = Signal(object)
-    dropped_file = Signal(str)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -229,18 +226,13 @@ class Cards(QScrollArea):
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         """Let icons and files be dropped."""
-        data = event.mimeData()
-        if unpacked(data) is not None or dropped_file(data) is not None:
+        if droppable(event.mimeData()):
             event.acceptProposedAction()
 
     def dropEvent(self, event: QDropEvent) -> None:
         """Take what was dropped."""
-        icon, path = unpacked(event.mimeData()), dropped_file(event.mimeData())
         event.acceptProposedAction()
-        if icon is not None:
-            self.dropped.emit(icon)
-        elif path is not None:
-            self.dropped_file.emit(path)
+        self.dropped.emit(event.mimeData())
 
 
 def on_shape(exemplar: Exemplar, point: Point) -> Point:

@@ -11,8 +11,8 @@ from iconstudio.workflows.events import Event
 from iconstudio.workflows.hybrids import check
 
 
-def read_page(session: Session, path: Path) -> Generator[Event | HybridsPage]:
-    """Yield the page that a file describes, after the progress of picking its icons.
+def read_page(session: Session, path: Path) -> Generator[Event, None, HybridsPage]:
+    """Return the page that a file describes; yield the progress of picking its icons.
 
     Raises
     ------
@@ -34,7 +34,8 @@ def read_page(session: Session, path: Path) -> Generator[Event | HybridsPage]:
         Ingredient(session.exemplar(icon), points)
         for icon, points in zip(mix.icons, pins, strict=True)
     )
-    yield HybridsPage(ingredients, ask, mix.seed, mix.draws, mix.symmetry)
+    name = file.title or path.stem
+    return HybridsPage(ingredients, ask, mix.seed, mix.draws, mix.symmetry, name=name)
 
 
 def write_page(path: Path, page: HybridsPage) -> None:
@@ -47,5 +48,12 @@ def write_page(path: Path, page: HybridsPage) -> None:
     """
     mix = page.mix
     icons = tuple(reference_to(icon, path) for icon in mix.icons)
-    file = HybridsFile(icons, draws=mix.draws, seed=mix.seed, symmetry=mix.symmetry, pins=mix.pins)
+    file = HybridsFile(
+        icons,
+        draws=mix.draws,
+        seed=mix.seed,
+        symmetry=mix.symmetry,
+        pins=mix.pins,
+        title=page.name,
+    )
     write_hybrids(path, file)

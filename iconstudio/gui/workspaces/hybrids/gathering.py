@@ -1,19 +1,17 @@
 """Gathers the icons to mix: sent, dropped, picked by the program, or named in a file."""
 
-from collections.abc import Generator
+from collections.abc import Callable, Generator
 from contextlib import closing
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Signal
-from PySide6.QtWidgets import QFileDialog, QWidget
+from PySide6.QtCore import Signal
 
-from iconstudio.gui.runner import Runner
-from iconstudio.gui.worker import Worker
 from iconstudio.gui.workspaces.hybrids import files
 from iconstudio.gui.workspaces.hybrids import page as edits
-from iconstudio.gui.workspaces.hybrids.page import Ask, HybridsDocument, HybridsPage
-from iconstudio.model import Exemplar, IconstudioError, Pictogram
+from iconstudio.gui.workspaces.hybrids.page import Ask, HybridsPage
+from iconstudio.gui.workspaces.opening import Opener
+from iconstudio.model import Exemplar, Pictogram
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
 
@@ -26,77 +24,76 @@ class Picked:
     exemplars: tuple[Exemplar, ...]
 
 
-class Gathering(QObject):
-    """Finds icons in the background, and then puts them on the page, by one command each.
+@dataclass(frozen=True, slots=True)
+class Opened:
+    """What a file says."""
+
+    page: HybridsPage
+    example: bool
+
+
+class Gathering(Opener):
+    """Adds icons, or puts others in place of all that are there; favourites stay.
 
     Signals
     -------
-    failed(str)
-        Something could not be found or opened; a sentence for the user. The page is as it was.
-    picked(Ask)
-        The icons that the program picked are on the page.
+    shown()
+        The icons of an example are on the page.
     """
 
-    failed = Signal(str)
-    picked = Signal(object)
+    question = "Open a mix"
+    kinds = "Mixes"
 
-    def __init__(
-        self, session: Session, document: HybridsDocument, worker: Worker, owner: QWidget
-    ) -> None:
-        super().__init__(owner)
-        self._session = session
-        self._document = document
-        self._worker = worker
-        self._owner = owner
-        self.runner = Runner(worker, self)
-        """Picks and opens; its ``progress`` and ``ended`` may be listened to."""
-        self.runner.event.connect(self._put)
-        self.runner.failed.connect(self.failed)
+    shown = Signal()
 
     def take(self, pictogram: Pictogram) -> None:
         """Mix an icon that was sent or dropped."""
-        job = self._worker.submit(lambda: _drawn(self._session, pictogram))
-        job.event.connect(self.add)
-        job.failed.connect(self.failed)
+        self.add(lambda: _drawn(self.session, lambda: pictogram))
 
-    def add(self, exemplar: Exemplar) -> None:
-        """Mix an icon that was chosen."""
-        try:
-            edits.add_icon(self._document, exemplar)
-        except IconstudioError as error:
-            self.failed.emit(str(error))
+    def open_file(self, path: str) -> None:
+        """Mix the icon of an SVG file."""
+        self.add(lambda: _drawn(self.session, lambda: self.session.icon(path)))
+
+    def open_work(self, path: str) -> None:
+        """Mix the icons that a file names."""
+        self.replace(lambda: _opened(self.session, Path(path), example=False))
+
+    def open_example(self, path: str) -> None:
+        """Mix the icons of an example."""
+        self.replace(lambda: _opened(self.session, Path(path), example=True))
 
     def pick(self, keyword: str, count: int) -> None:
         """Let the program pick icons; once more, the next best ones."""
-        page = self._document.page
+        page = self.document.page
         ask = Ask(keyword, count, page.symmetry)
         if page.ask is not None and ask == replace(page.ask, group=0):
             ask = replace(ask, group=page.ask.group + 1)
-        self.runner.start(lambda: _picked(self._session, ask))
+        self.replace(lambda: _picked(self.session, ask))
 
-    def choose_mix(self) -> None:
-        """Ask for a file that says what to mix."""
-        path, _ = QFileDialog.getOpenFileName(
-            self._owner, "Open a mix", "", "Mixes (*.json);;All files (*)"
-        )
-        if path:
-            self.open_mix(path)
-
-    def open_mix(self, path: str) -> None:
-        """Put the icons that a file names on the page; favourites stay."""
-        self.runner.start(lambda: files.read_page(self._session, Path(path)))
-
-    def _put(self, event: Event | Picked | HybridsPage) -> None:
-        if isinstance(event, HybridsPage):
-            kept = self._document.page.favourites
-            self._document.change("open mix", replace(event, favourites=kept))
-        elif isinstance(event, Picked):
-            edits.set_icons(self._document, event.exemplars, event.ask)
-            self.picked.emit(event.ask)
+    def put(self, found: Exemplar | Picked | Opened) -> str:
+        """Add an icon, or put those that were picked or named on the page."""
+        match found:
+            case Exemplar():
+                edits.add_icon(self.document, found)
+                return f"Added “{found.id}”."
+            case Picked():
+                edits.set_icons(self.document, found.exemplars, found.ask)
+                return f"Picked {len(found.exemplars)} icons for “{found.ask.keyword}”."
+            case Opened(page):
+                page = replace(page, favourites=self.document.page.favourites)
+                self.document.change("open mix", page)
+                if found.example:
+                    self.shown.emit()
+                return f"Opened “{page.title}”."
 
 
-def _drawn(session: Session, pictogram: Pictogram) -> Generator[Exemplar]:
-    yield session.exemplar(pictogram)
+def _drawn(session: Session, find: Callable[[], Pictogram]) -> Generator[Exemplar]:
+    yield session.exemplar(find())
+
+
+def _opened(session: Session, path: Path, example: bool) -> Generator[Event | Opened]:
+    page = yield from files.read_page(session, path)
+    yield Opened(page, example)
 
 
 def _picked(session: Session, ask: Ask) -> Generator[Event | Picked]:

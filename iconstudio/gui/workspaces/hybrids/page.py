@@ -44,6 +44,8 @@ class HybridsPage:
     """How many are drawn in one go."""
     symmetry: Axis | None = None
     favourites: tuple[Picture, ...] = ()
+    name: str = ""
+    """What the user's file is called; empty if there is none."""
 
     def elsewhere(self, before: "HybridsPage") -> bool:
         """Whether none of the icons is the same."""
@@ -63,8 +65,8 @@ class HybridsPage:
 
     @property
     def title(self) -> str:
-        """What to call the hybrids: by the word that the icons were found with."""
-        return self.ask.keyword if self.ask is not None else "mix"
+        """What to call the hybrids: by the word that the icons were found with, or by the file."""
+        return self.ask.keyword if self.ask is not None else self.name or "mix"
 
 
 HybridsDocument = Document[HybridsPage]

@@ -185,12 +185,9 @@ class SheetPanel(QFrame):
     -------
     back()
         The user wants to see the whole sheet again.
-    example()
-        The user wants to see how it goes.
     """
 
     back = Signal()
-    example = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -241,8 +238,7 @@ class SheetPanel(QFrame):
             "Press Mix: their parts are put together at random, the best first."
         )
         words.setProperty("muted", True)
-        self.start = QPushButton("Try it with lamps")
-        self.start.clicked.connect(self.example)
+        self.start = QPushButton("Try an example")
         page = QWidget()
         column = QVBoxLayout(page)
         column.setSpacing(UNIT)

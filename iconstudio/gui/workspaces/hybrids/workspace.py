@@ -4,7 +4,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QHBoxLayout, QMenu, QSplitter, QVBoxLayout, QWidget
 
 from iconstudio.gui import theme
-from iconstudio.gui.actions import Entry, Key
+from iconstudio.gui.actions import Entry, Key, work_entries
 from iconstudio.gui.document import Document
 from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.panels.detail import DetailPanel
@@ -20,24 +20,20 @@ from iconstudio.gui.workspaces.hybrids import files
 from iconstudio.gui.workspaces.hybrids import page as edits
 from iconstudio.gui.workspaces.hybrids.drawing import Draws
 from iconstudio.gui.workspaces.hybrids.gathering import Gathering
-from iconstudio.gui.workspaces.hybrids.page import Ask, HybridsPage
+from iconstudio.gui.workspaces.hybrids.page import HybridsPage
 from iconstudio.gui.workspaces.hybrids.panels import IconsColumn, SheetPanel
 from iconstudio.gui.workspaces.hybrids.sheet_model import terms
 from iconstudio.model import IconstudioError, Pictogram
 from iconstudio.session import Session
 
-EXAMPLE = "lamp"
-"""What the welcome offers to mix."""
-
 OWN = {
     "&File": (
-        Entry("new", "&New mix", "Start afresh", Key.New, "new"),
-        Entry("svg_in", "Open S&VG…", "Mix a drawing of your own", Key.Open, "open"),
-        Entry("open", "Open &mix…", "Open a file of icons to mix", "Ctrl+Shift+O"),
-        Entry("save", "&Save mix…", "Save the icons to mix as JSON", Key.Save),
+        *work_entries("mix"),
+        Entry("svg_in", "Op&en SVG…", "Mix a drawing of your own", Key.Open, "open"),
         Entry("save_all", "Save all &favourites…", "Save every favourite as SVG", "Ctrl+Alt+S"),
     ),
     "&Edit": (
+        Entry("paste", "&Paste icon", "Mix the SVG file on the clipboard", Key.Paste),
         Entry("clear", "&Remove all icons", "Remove all icons", "Ctrl+Backspace", "clear"),
         Entry("favourite", "&Favourite", "Keep the picked hybrid, or no longer", "F"),
         Entry("like", "More &like this", "Draw hybrids like the picked one", "L"),
@@ -65,7 +61,6 @@ class HybridsWorkspace(Workspace):
         self.detail = DetailPanel()
         self.menu: QMenu | None = None
         self._destinations: tuple[Destination, ...] = ()
-        self._mix_when_picked = False
         self._make_actions()
         self._lay_out()
         self._wire_page()
@@ -80,7 +75,6 @@ class HybridsWorkspace(Workspace):
             {
                 "new": lambda: self.document.change("new mix", HybridsPage()),
                 "svg_in": self.column.chooser.choose_file,
-                "open": self.gathering.choose_mix,
                 "save": self._save,
                 "save_all": lambda: self.saver.save_svgs(self.document.page.favourites),
                 "clear": lambda: edits.clear_icons(self.document),
@@ -88,11 +82,13 @@ class HybridsWorkspace(Workspace):
                 "like": lambda: self.draw_like(self.picture),
                 "run": self.run,
                 "coded": self._set_coded,
+                **self.opener_slots(self.gathering),
             },
             OWN,
         )
         for name in ("favourite", "like"):
             self.actions_by_name[name].setEnabled(False)
+        self.panel.start.setMenu(self.add_examples("hybrids", self.gathering.open_example))
 
     def _lay_out(self) -> None:
         upper = QWidget()
@@ -117,13 +113,12 @@ class HybridsWorkspace(Workspace):
     def _wire_page(self) -> None:
         document, column, cards = self.document, self.column, self.column.cards
         document.page_changed.connect(self._show_page)
-        column.chooser.chosen.connect(self.gathering.add)
+        column.chooser.chosen.connect(self.gathering.receive)
         column.chooser.released.connect(lambda one: edits.remove_icon(document, one.id))
         column.pick.wanted.connect(self.pick)
         cards.pinned.connect(lambda icon, pins: edits.set_pins(document, icon, pins))
         cards.removed.connect(lambda icon: edits.remove_icon(document, icon))
-        cards.dropped.connect(self.take)
-        cards.dropped_file.connect(column.chooser.open_file)
+        cards.dropped.connect(self.gathering.open_mime)
         column.symmetry.chosen.connect(lambda axis: edits.set_symmetry(document, axis))
         column.offer.clicked.connect(
             lambda: edits.set_symmetry(document, edits.shared_axis(document.page))
@@ -141,15 +136,14 @@ class HybridsWorkspace(Workspace):
         self.draws.runner.failed.connect(self.failed)
         self.draws.counted.connect(self.counted)
         self.draws.section_changed.connect(panel.show_section)
-        self.gathering.failed.connect(self.failed)
-        self.gathering.picked.connect(self._show_ask)
+        self.connect_opener(self.gathering)
+        self.gathering.shown.connect(self.run)
         sheet.picked.connect(self._look_at)
         sheet.chosen.connect(self.made)
         sheet.favourite.connect(self.keep)
         sheet.like.connect(self.draw_like)
         sheet.asked.connect(self._open_menu)
         panel.back.connect(self.draws.show_all)
-        panel.example.connect(self._try_example)
         self.tray.picked.connect(self._look_at)
         self.tray.picked.connect(self.made)
         detail.sent.connect(lambda title: self.send_picture(detail.picture, title))
@@ -182,14 +176,8 @@ class HybridsWorkspace(Workspace):
 
     def cancel(self) -> None:
         """Stop drawing and picking; hybrids that are finished stay."""
-        self._mix_when_picked = False
         self.gathering.runner.cancel()
         self.draws.runner.cancel()
-
-    def close_work(self) -> None:
-        """Stop all work and wait until the threads have ended; for good."""
-        super().close_work()
-        self.finder.close(self.session.close)
 
     def refresh_icons(self, look: theme.Theme) -> None:
         """Draw all icons in the colours of ``look``."""
@@ -227,16 +215,6 @@ class HybridsWorkspace(Workspace):
         else:
             self.failed.emit("Type what the icons should show, for example “lamp”.")
             self.column.chooser.setFocus()
-
-    def _try_example(self) -> None:
-        self.column.chooser.search(EXAMPLE)
-        self.pick(self.column.pick.count.value())
-        self._mix_when_picked = True
-
-    def _show_ask(self, ask: Ask) -> None:
-        if self._mix_when_picked:
-            self._mix_when_picked = False
-            self.run()
 
     def _rest(self) -> None:
         if not (self.draws.runner.running or self.gathering.runner.running):

@@ -1,7 +1,7 @@
 """The list of a montage's icons, the topmost first."""
 
 from PySide6.QtCore import QPoint, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPaintEvent
+from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
@@ -13,10 +13,11 @@ from PySide6.QtWidgets import (
 )
 
 from iconstudio.gui import icons, theme
+from iconstudio.gui.mipmap import Mipmap
 from iconstudio.gui.panels.elided import ElidedLabel
+from iconstudio.gui.pictures import stencil
 from iconstudio.gui.theme import UNIT
 from iconstudio.gui.workspaces.montage.page import MontagePage, PlacedIcon
-from iconstudio.model import CANVAS
 
 EMPTY = "The icons of the montage are listed here."
 
@@ -27,6 +28,7 @@ class LayerPicture(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._layer: PlacedIcon | None = None
+        self._image: Mipmap | None = None
         self.setFixedSize(5 * UNIT, 4 * UNIT)
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
 
@@ -35,21 +37,30 @@ class LayerPicture(QWidget):
         self._layer = layer
         self.update()
 
+    def refresh(self) -> None:
+        """Draw in the present colours."""
+        self._image = None
+        self.update()
+
     def paintEvent(self, event: QPaintEvent) -> None:
         """Draw swatch and icon."""
         if self._layer is None:
             return
         color = self._layer.color
-        ink = theme.current().color("text", 0.35 if self._layer.hidden else 1.0)
+        if self._image is None:
+            ink = theme.current().color("text")
+            self._image = Mipmap.of(stencil(self._layer.icon.exemplar.coverage, ink), 32)
         with QPainter(self) as painter:
-            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            painter.setRenderHints(
+                QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform
+            )
             painter.setPen(Qt.PenStyle.NoPen)
-            painter.setBrush(QColor(color))
+            painter.setBrush(color)
             painter.drawRoundedRect(QRectF(0, 2, 5, self.height() - 4), 2.5, 2.5)
             side = self.height()
-            painter.translate(self.width() - side, 0)
-            painter.scale(side / CANVAS, side / CANVAS)
-            painter.fillPath(self._layer.icon.outline, ink)
+            painter.setOpacity(0.35 if self._layer.hidden else 1.0)
+            box = QRectF(self.width() - side, 0, side, side)
+            painter.drawImage(box, self._image.at(side * self.devicePixelRatioF()))
 
 
 class LayerRow(QFrame):
@@ -101,6 +112,7 @@ class LayerRow(QFrame):
 
     def refresh_icons(self, look: theme.Theme) -> None:
         """Draw the icons in the colours of ``look``."""
+        self.picture.refresh()
         self.eye.setIcon(icons.icon("eye-closed" if self._hidden else "eye", look))
         self.bin.setIcon(icons.icon("clear", look))
 

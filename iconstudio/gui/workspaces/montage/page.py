@@ -5,7 +5,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from PySide6.QtCore import QPointF, QRectF
-from PySide6.QtGui import QColor, QPainterPath, QTransform
+from PySide6.QtGui import QColor, QTransform
 
 from iconstudio.gui.document import Document
 from iconstudio.gui.workspaces.montage.strokes import carried, cut, near_canvas, visible
@@ -26,10 +26,9 @@ from iconstudio.workflows.montage import MOST
 
 @dataclass(frozen=True, eq=False)
 class Icon:
-    """An icon on the canvas, and its outline there before it is placed, to be drawn crisp."""
+    """An icon on the canvas, before it is placed."""
 
     exemplar: Exemplar
-    outline: QPainterPath
 
     @property
     def pictogram(self) -> Pictogram:
@@ -38,7 +37,7 @@ class Icon:
 
     @cached_property
     def box(self) -> QRectF:
-        """The tight box of its ink, in canvas pixels, before it is placed."""
+        """The tight box of its ink, in canvas pixels."""
         ink = self.exemplar.ink
         rows, columns = ink.any(axis=1).nonzero()[0], ink.any(axis=0).nonzero()[0]
         if not len(rows):
@@ -71,11 +70,6 @@ class PlacedIcon:
     def transform(self) -> QTransform:
         """The mapping from the icon to the canvas."""
         return transform_of(self.placement)
-
-    @property
-    def outline(self) -> QPainterPath:
-        """Its outline where it lies."""
-        return self.transform.map(self.icon.outline)
 
     @property
     def box(self) -> QRectF:

@@ -1,12 +1,14 @@
 """The canvas of a montage: the icons, faint, under what is scribbled over them."""
 
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QPainter, QPainterPath, QPainterPathStroker, QPen, QPolygonF
+from PySide6.QtGui import QColor, QPainter, QPainterPath, QPainterPathStroker, QPen, QPolygonF
 
 from iconstudio.gui.canvas.camera import Camera
 from iconstudio.gui.canvas.scene import Scene
+from iconstudio.gui.crisp import CrispIcons
+from iconstudio.gui.pictures import stencil
 from iconstudio.gui.theme import Theme
-from iconstudio.gui.workspaces.montage.page import MontagePage, PlacedIcon
+from iconstudio.gui.workspaces.montage.page import MontageDocument, MontagePage, PlacedIcon
 from iconstudio.model import CANVAS, Stroke
 
 _FAINT, _CHOSEN = 0.20, 0.42
@@ -27,7 +29,11 @@ class MontageScene(Scene):
         "each that you want to keep: they are joined at once.",
     )
 
-    _draft: MontagePage | None = None
+    def __init__(self, document: MontageDocument, crisp: CrispIcons) -> None:
+        super().__init__(document)
+        self._crisp = crisp
+        self._draft: MontagePage | None = None
+        crisp.changed.connect(self.changed)
 
     @property
     def page(self) -> MontagePage:
@@ -66,9 +72,20 @@ class MontageScene(Scene):
             if not layer.hidden:
                 color = layer.color
                 color.setAlphaF(_CHOSEN if layer is current else faint)
-                painter.fillPath(layer.outline, color)
+                self._paint_icon(painter, layer, color)
         for layer in page.layers:
             paint_strokes(painter, layer)
+        painter.restore()
+
+    def _paint_icon(self, painter: QPainter, layer: PlacedIcon, color: QColor) -> None:
+        path = self._crisp.outline(layer.icon.exemplar)
+        painter.save()
+        painter.setTransform(layer.transform, True)
+        if path is None:
+            painter.setOpacity(color.alphaF())
+            painter.drawImage(0, 0, stencil(layer.icon.exemplar.coverage, color))
+        else:
+            painter.fillPath(path, color)
         painter.restore()
 
 

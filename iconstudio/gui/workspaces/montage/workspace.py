@@ -3,25 +3,24 @@
 from collections.abc import Callable
 from dataclasses import replace
 
-from PySide6.QtCore import QMimeData, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QHideEvent
 from PySide6.QtWidgets import (
-    QApplication,
     QFrame,
     QHBoxLayout,
     QLabel,
-    QMenu,
     QSplitter,
     QVBoxLayout,
     QWidget,
 )
 
 from iconstudio.gui import theme
-from iconstudio.gui.actions import Entry, Key
+from iconstudio.gui.actions import Entry, Key, work_entries
 from iconstudio.gui.canvas.start import StartButtons
 from iconstudio.gui.canvas.view import CanvasView
+from iconstudio.gui.crisp import CrispIcons
 from iconstudio.gui.document import Document
-from iconstudio.gui.dragging import dropped_file, unpacked
+from iconstudio.gui.dragging import droppable
 from iconstudio.gui.panels.canvas import CanvasPanel
 from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.panels.coding import CodeSwitch
@@ -34,22 +33,19 @@ from iconstudio.gui.worker import Worker
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.montage.layers import LayerList, scrolling
 from iconstudio.gui.workspaces.montage.live import TITLE, LiveResult
-from iconstudio.gui.workspaces.montage.opening import Opener, examples, write_page
+from iconstudio.gui.workspaces.montage.opening import MontageOpener, write_page
 from iconstudio.gui.workspaces.montage.overlay import BrushSlider
 from iconstudio.gui.workspaces.montage.page import MontagePage, choose
 from iconstudio.gui.workspaces.montage.scene import MontageScene
 from iconstudio.gui.workspaces.montage.tools.arrange import ArrangeTool
 from iconstudio.gui.workspaces.montage.tools.scribble import Brush, ScribbleTool
-from iconstudio.model import Exemplar, Pictogram
+from iconstudio.model import Pictogram
 from iconstudio.session import Session
 
 OWN = {
     "&File": (
-        Entry("new", "&New montage", "Start afresh", Key.New, "new"),
-        Entry("svg_in", "Open S&VG…", "Add a drawing of your own", Key.Open, "open"),
-        Entry("examples", "&Examples", "Start from an example"),
-        Entry("open", "Open &montage…", "Open a montage file", "Ctrl+Shift+O"),
-        Entry("save", "&Save montage…", "Save the montage as JSON", Key.Save),
+        *work_entries("montage"),
+        Entry("svg_in", "Op&en SVG…", "Add a drawing of your own", Key.Open, "open"),
     ),
     "&Edit": (
         Entry("paste", "P&aste drawing", "Add the SVG file on the clipboard", Key.Paste),
@@ -81,12 +77,13 @@ class MontageWorkspace(Workspace):
         super().__init__(session, files, saver, Document(MontagePage()))
         self.finder = Worker(self)
         """Looks icons up and draws them also while a montage is made."""
-        self.opener = Opener(session, self.document, self.finder, self)
+        self.opener = MontageOpener(session, self.document, self.finder, self)
+        self.crisp = CrispIcons(session, self.finder, self)
         self.live = LiveResult(session, self.worker, self)
         self._kept: Picture | None = None
         self._coded = False
 
-        self.scene = MontageScene(self.document)
+        self.scene = MontageScene(self.document, self.crisp)
         self.scene.setParent(self)
         self.brush = Brush(self)
         self.tools = {
@@ -94,7 +91,7 @@ class MontageWorkspace(Workspace):
             "brush": ScribbleTool(self.document, self.scene, self.brush, rubs=False),
             "eraser": ScribbleTool(self.document, self.scene, self.brush, rubs=True),
         }
-        self.view = CanvasView(self.scene, self.tools["brush"], _can_be_added)
+        self.view = CanvasView(self.scene, self.tools["brush"], droppable)
         self.view.setAccessibleDescription("Arrange icons, and scribble over their parts, here")
         self.chooser = IconChooser(session, self.finder)
         self.layers = LayerList()
@@ -104,7 +101,7 @@ class MontageWorkspace(Workspace):
 
         self._make_actions()
         self.start_buttons = StartButtons(
-            self.view, "Open SVG…", self.actions_by_name["svg_in"], self._examples
+            self.view, "Open SVG…", self.actions_by_name["svg_in"], self.examples
         )
         self._lay_out()
         self._wire()
@@ -114,32 +111,26 @@ class MontageWorkspace(Workspace):
     # -- putting together ----------------------------------------------------------------------
 
     def _make_actions(self) -> None:
-        self._examples = QMenu("&Examples", self)
         self.make_actions(
             {
                 "new": lambda: self._change("new montage", lambda page: MontagePage()),
                 "svg_in": self.chooser.choose_file,
-                "open": self.opener.choose_montage,
                 "save": self._save,
-                "paste": lambda: self.opener.add_mime(QApplication.clipboard().mimeData()),
                 "delete": lambda: self._delete(self.document.page.current.number),
                 "clear": lambda: self._change("clear scribbles", MontagePage.cleared),
                 "mirror": self._mirror,
                 "wider": lambda: self.brush.step(1),
                 "narrower": lambda: self.brush.step(-1),
                 "coded": self._set_coded,
+                **self.opener_slots(self.opener),
                 **{name: self._chooser_of(name) for name in self.tools},
                 **self.view_slots(self.view),
                 "pan": lambda on: on and self.view.set_tool(self.view.pan_tool),
             },
             OWN,
         )
-        actions = self.actions_by_name
-        actions.choose_between("brush", "arrange", "eraser", "pan")
-        actions.add(OWN["&File"][2], self._examples.menuAction())
-        for path in examples():
-            action = self._examples.addAction(path.stem.replace("-", " ").capitalize())
-            action.triggered.connect(lambda _=False, path=path: self.opener.open_montage(str(path)))
+        self.actions_by_name.choose_between("brush", "arrange", "eraser", "pan")
+        self.examples = self.add_examples("montages", self.opener.open_work)
 
     def _chooser_of(self, name: str) -> Callable[[bool], None]:
         return lambda on: on and self.view.set_tool(self.tools[name])
@@ -171,10 +162,9 @@ class MontageWorkspace(Workspace):
 
     def _wire(self) -> None:
         layers, live = self.layers, self.live
-        self.chooser.chosen.connect(self._add_exemplar)
-        self.view.dropped.connect(lambda data, _: self.opener.add_mime(data))
-        self.opener.failed.connect(self.failed)
-        self.opener.opened.connect(self.said)
+        self.connect_opener(self.opener)
+        self.chooser.chosen.connect(lambda one: self.opener.take(one.pictogram))
+        self.view.dropped.connect(lambda data, _: self.opener.open_mime(data))
         layers.chosen.connect(lambda number: choose(self.document, number))
         layers.deleted.connect(self._delete)
         layers.hid.connect(self._hide)
@@ -209,7 +199,7 @@ class MontageWorkspace(Workspace):
 
     def take(self, pictogram: Pictogram) -> None:
         """Add an icon."""
-        self.opener.add(pictogram)
+        self.opener.take(pictogram)
 
     def set_destinations(self, destinations: tuple[Destination, ...]) -> None:
         """Say where results can be sent to."""
@@ -218,11 +208,6 @@ class MontageWorkspace(Workspace):
     def cancel(self) -> None:
         """Stop the run; the last result stays."""
         self.live.cancel()
-
-    def close_work(self) -> None:
-        """Stop all work and wait until both threads have ended."""
-        super().close_work()
-        self.finder.close(self.session.close)
 
     def refresh_icons(self, look: theme.Theme) -> None:
         """Draw all icons in the colours of ``look``."""
@@ -263,6 +248,8 @@ class MontageWorkspace(Workspace):
                 self.detail.show_picture(None)
                 self.picked.emit(None)
         self.layers.show_page(page)
+        for one in page.layers:
+            self.crisp.want(one.icon.exemplar)
         self.start_buttons.setVisible(not page.layers)
         self.actions_by_name["clear"].setEnabled(any(one.strokes for one in page.layers))
         for name in ("delete", "mirror", "save"):
@@ -272,9 +259,6 @@ class MontageWorkspace(Workspace):
         after = edit(self.document.page)
         if after != self.document.page:
             self.document.change(text, after)
-
-    def _add_exemplar(self, exemplar: Exemplar) -> None:
-        self.opener.add(exemplar.pictogram)
 
     def _delete(self, number: int) -> None:
         self._change("delete icon", lambda page: page.without(number))
@@ -291,10 +275,6 @@ class MontageWorkspace(Workspace):
     def _save(self) -> None:
         page = self.document.page
         self.saver.save_work("montage", TITLE, lambda path: write_page(path, page))
-
-
-def _can_be_added(data: QMimeData) -> bool:
-    return unpacked(data) is not None or dropped_file(data) is not None
 
 
 def _card(title: str, widget: QWidget) -> QFrame:

@@ -3,10 +3,9 @@
 from pathlib import Path
 
 from PySide6.QtCore import QMimeData, Qt
-from PySide6.QtWidgets import QApplication, QMenu
 
 from iconstudio.gui import theme
-from iconstudio.gui.actions import Entry, Key
+from iconstudio.gui.actions import Entry, Key, work_entries
 from iconstudio.gui.canvas.outline import Outline
 from iconstudio.gui.canvas.start import StartButtons
 from iconstudio.gui.canvas.tools.polygon import PolygonTool
@@ -18,23 +17,20 @@ from iconstudio.gui.saving import Saver
 from iconstudio.gui.worker import Worker
 from iconstudio.gui.workspaces.remixing import RemixWorkspace
 from iconstudio.gui.workspaces.sketching import page as edits
-from iconstudio.gui.workspaces.sketching.opening import Opener
+from iconstudio.gui.workspaces.sketching.opening import SketchOpener
 from iconstudio.gui.workspaces.sketching.overlay import DimSlider
 from iconstudio.gui.workspaces.sketching.page import SketchPage
 from iconstudio.gui.workspaces.sketching.proposal import SymmetryProposal
 from iconstudio.gui.workspaces.sketching.scene import SketchScene
-from iconstudio.inputs.sketch import SketchFile, examples, write_sketch
+from iconstudio.inputs.sketch import SketchFile, write_sketch
 from iconstudio.model import IconstudioError, Sketch
 from iconstudio.session import ModelSettings, Session
 from iconstudio.workflows.events import Event, RegionsFound
 
 OWN = {
     "&File": (
-        Entry("new", "&New sketch", "Start afresh", Key.New, "new"),
+        *work_entries("sketch"),
         Entry("photo", "Open &photo…", "Open a photo to trace over", Key.Open, "photo"),
-        Entry("examples", "&Examples", "Start from an example", icon="examples"),
-        Entry("open", "Open s&ketch…", "Open a sketch file", "Ctrl+Shift+O"),
-        Entry("save", "&Save sketch…", "Save the sketch as JSON", Key.Save),
     ),
     "&Edit": (
         Entry("paste", "P&aste photo", "Use the image on the clipboard", Key.Paste),
@@ -57,7 +53,7 @@ class SketchWorkspace(RemixWorkspace):
 
     def __init__(self, session: Session, files: Worker, saver: Saver) -> None:
         super().__init__(session, files, saver, Document(SketchPage()))
-        self.opener = Opener(self.document, files, self)
+        self.opener = SketchOpener(session, self.document, files, self)
         self._regions: tuple = ()
 
         self.scene = SketchScene(self.document)
@@ -72,7 +68,7 @@ class SketchWorkspace(RemixWorkspace):
 
         self._make_actions()
         self.start_buttons = StartButtons(
-            self.view, "Open photo…", self.actions_by_name["photo"], self._examples
+            self.view, "Open photo…", self.actions_by_name["photo"], self.examples
         )
         self._lay_out()
         self._wire()
@@ -82,28 +78,22 @@ class SketchWorkspace(RemixWorkspace):
     # -- putting together ----------------------------------------------------------------------
 
     def _make_actions(self) -> None:
-        self._examples = QMenu("&Examples", self)
         self.make_actions(
             {
                 "new": lambda: edits.load_sketch(self.document, Sketch(), text="new sketch"),
                 "photo": self.opener.choose_photo,
-                "paste": lambda: self.opener.open_mime(QApplication.clipboard().mimeData()),
-                "open": self.opener.choose_sketch,
                 "save": self._save,
                 "delete": self.tool.delete_selected,
                 "clear": self._clear_outline,
                 "trace": lambda on: self.view.set_tool(self.tool if on else self.view.pan_tool),
                 "regions": self._show_regions,
+                **self.opener_slots(self.opener),
                 **self.remix_slots(),
             },
             OWN,
         )
-        actions = self.actions_by_name
-        actions.choose_between("trace", "pan")
-        actions.add(OWN["&File"][2], self._examples.menuAction())
-        for example in examples():
-            action = self._examples.addAction(example.title)
-            action.triggered.connect(lambda _=False, e=example: self.opener.open_example(e))
+        self.actions_by_name.choose_between("trace", "pan")
+        self.examples = self.add_examples("", self.opener.open_work)
 
     def _lay_out(self) -> None:
         named = self.actions_by_name
@@ -117,13 +107,12 @@ class SketchWorkspace(RemixWorkspace):
 
     def _wire(self) -> None:
         self.wire()
+        self.connect_opener(self.opener)
         self.symmetry_hint.accepted.connect(self.hold_to)
         self._proposal.found.connect(self.symmetry_hint.offer)
         self.dim.slider.valueChanged.connect(self.scene.set_dim)
         self.document.page_changed.connect(self._show_page)
         self.view.dropped.connect(lambda data, _: self.opener.open_mime(data))
-        self.opener.failed.connect(self.failed)
-        self.opener.opened.connect(self.said)
 
     # -- what the window asks for --------------------------------------------------------------
 

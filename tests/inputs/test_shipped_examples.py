@@ -1,0 +1,67 @@
+"""The examples that come with the program are listed by title, open, and can be worked on."""
+
+import pytest
+
+from iconstudio.inputs.edit import read_edit
+from iconstudio.inputs.examples import examples
+from iconstudio.inputs.hybrids import read_hybrids
+from iconstudio.inputs.montage import read_montage
+from iconstudio.inputs.sketch import read_sketch
+from iconstudio.session import Session
+from iconstudio.workflows import hybrids, montage
+from iconstudio.workflows.editing import prepare_change
+
+
+@pytest.fixture(scope="module")
+def session():
+    with Session() as session:
+        yield session
+
+
+def listed(folder):
+    return pytest.mark.parametrize("example", examples(folder), ids=lambda one: one.path.stem)
+
+
+@pytest.mark.parametrize(
+    ("folder", "least"), [("", 5), ("edits", 3), ("hybrids", 4), ("montages", 3)]
+)
+def test_there_are_some_of_every_kind_each_with_a_title_of_its_own(folder, least):
+    titles = [one.title for one in examples(folder)]
+    assert len(titles) >= least
+    assert titles == sorted(set(titles))
+    assert not set(titles) & {one.path.stem for one in examples(folder)}
+
+
+@listed("")
+def test_a_sketch_opens(example):
+    file = read_sketch(example.path)
+    assert file.title == example.title
+    assert file.sketch.keyword
+    file.sketch.polygon.fitted()
+
+
+@listed("edits")
+def test_an_edit_changes_its_icon(example, session):
+    file = read_edit(example.path)
+    assert file.title == example.title
+    edit = file.resolved(session.icon)
+    assert edit.keyword
+    change = prepare_change(edit, session.exemplar(edit.icon))
+    assert (change.mask < 1).any()
+
+
+@listed("hybrids")
+def test_icons_to_mix_are_there(example, session):
+    file = read_hybrids(example.path)
+    assert file.title == example.title
+    mix = file.resolved(session.icon)
+    hybrids.check(mix)
+    assert all(session.exemplar(icon).ink.any() for icon in mix.icons)
+
+
+@listed("montages")
+def test_a_montage_keeps_something_of_every_icon(example, session):
+    file = read_montage(example.path)
+    assert file.title == example.title
+    scribbles = montage.check(file.resolved(session.icon))
+    assert all(one.any() for one in scribbles)
