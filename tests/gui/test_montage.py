@@ -8,14 +8,23 @@ import pytest
 from fake_session import exemplar
 from hands import at, drag, press, save_to
 from PySide6.QtCore import QEvent, QMimeData, QPointF, Qt, QUrl
-from PySide6.QtGui import QDropEvent, QInputDevice, QPointingDevice, QTabletEvent
+from PySide6.QtGui import (
+    QDropEvent,
+    QImage,
+    QInputDevice,
+    QPainter,
+    QPointingDevice,
+    QTabletEvent,
+)
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog
 
 from iconstudio.algorithms.guidance import scribble
+from iconstudio.gui import theme
 from iconstudio.gui.dragging import packed
 from iconstudio.gui.main_window import MainWindow
 from iconstudio.gui.workspaces.montage import live
+from iconstudio.gui.workspaces.montage.scene import MontageScene
 from iconstudio.gui.workspaces.montage.workspace import MontageWorkspace
 from iconstudio.inputs.montage import read_montage
 from iconstudio.library.ownsvg import read_own_svg
@@ -139,6 +148,47 @@ def test_a_file_that_is_no_good_is_told_in_a_sentence(place, qtbot, tmp_path, wi
     qtbot.waitUntil(window.desk.notice.isVisible)
     assert "no dark ink" in window.desk.notice.label.text()
     assert place.document.page.layers == ()
+
+
+def test_icons_kept_as_pictures_look_as_if_they_were_painted_anew(place, qtbot):
+    bring(place, qtbot, RING, FRAME, CROSS, TRIANGLE)
+    view, stack = place.view, place.document.undo_stack
+    qtbot.waitUntil(
+        lambda: all(place.crisp.outline(one.icon.exemplar) for one in place.document.page.layers)
+    )
+
+    def painted(scene):
+        image = QImage(view.size(), QImage.Format.Format_ARGB32_Premultiplied)
+        image.fill(Qt.GlobalColor.white)
+        with QPainter(image) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            scene.paint(painter, view.camera, 1.0, theme.current())
+        return image
+
+    seen = [painted(place.scene)]
+    place.layers.chosen.emit(1)
+    steps = [
+        lambda: press(place, Qt.Key.Key_V),
+        lambda: press(place, Qt.Key.Key_Right),
+        lambda: place.layers.chosen.emit(2),
+        lambda: view.pan(QPointF(30, -7)),
+        lambda: view.zoom_by(1.3),
+        lambda: view.zoom_by(9),
+        lambda: view.pan(QPointF(0.4, 60)),
+        view.fit,
+        lambda: place.actions_by_name["mirror"].trigger(),
+        lambda: place.layers.hid.emit(0, True),
+        lambda: place.layers.moved.emit(3, 0),
+        lambda: place.actions_by_name["delete"].trigger(),
+        lambda: place.layers.hid.emit(0, False),
+        stack.undo,
+        stack.undo,
+    ]
+    for step in steps:
+        step()
+        seen.append(painted(place.scene))
+        assert seen[-1] == painted(MontageScene(place.document, place.crisp))
+    assert sum(one != other for one, other in pairwise(seen)) > len(steps) - 4
 
 
 def test_the_thirty_first_icon_is_refused_in_a_sentence(place, qtbot, window):

@@ -55,6 +55,12 @@ def test_numbers_may_be_written_in_any_way():
     ]
 
 
+def test_level_and_upright_lines_keep_the_other_coordinate():
+    assert painter_path("M1 2H9V8H1ZM3 4V6 7H5Z") == painter_path(
+        "M1 2L9 2L9 8L1 8ZM3 4L3 6L3 7L5 7Z"
+    )
+
+
 def test_a_stencil_has_the_colour_and_the_coverage():
     coverage = np.arange(256, dtype=np.uint8).reshape(16, 16)
     image = stencil(coverage, QColor(255, 128, 0))

@@ -66,6 +66,12 @@ class PlacedIcon:
         """The colour of its strokes, and of its parts in the colour code."""
         return QColor(*numbered_colour(self.number))
 
+    def tint(self, density: float) -> QColor:
+        """Return its colour, transparent but for ``density``."""
+        color = self.color
+        color.setAlphaF(density)
+        return color
+
     @property
     def transform(self) -> QTransform:
         """The mapping from the icon to the canvas."""

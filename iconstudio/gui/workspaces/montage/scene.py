@@ -1,14 +1,16 @@
 """The canvas of a montage: the icons, faint, under what is scribbled over them."""
 
+from functools import lru_cache
+
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QPainter, QPainterPath, QPainterPathStroker, QPen, QPolygonF
+from PySide6.QtGui import QPainter, QPainterPath, QPainterPathStroker, QPen, QPolygonF
 
 from iconstudio.gui.canvas.camera import Camera
 from iconstudio.gui.canvas.scene import Scene
 from iconstudio.gui.crisp import CrispIcons
-from iconstudio.gui.pictures import stencil
 from iconstudio.gui.theme import Theme
 from iconstudio.gui.workspaces.montage.page import MontageDocument, MontagePage, PlacedIcon
+from iconstudio.gui.workspaces.montage.pictures import LayerPainter
 from iconstudio.model import CANVAS, Stroke
 
 _FAINT, _CHOSEN = 0.20, 0.42
@@ -31,7 +33,7 @@ class MontageScene(Scene):
 
     def __init__(self, document: MontageDocument, crisp: CrispIcons) -> None:
         super().__init__(document)
-        self._crisp = crisp
+        self._icons = LayerPainter(crisp)
         self._draft: MontagePage | None = None
         crisp.changed.connect(self.changed)
 
@@ -59,33 +61,23 @@ class MontageScene(Scene):
         if self.empty:
             return
         page = self.page
+        painter.setPen(QPen(theme.color("border"), 1))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawRect(camera.transform.mapRect(self.bounds()))
+        faint = _FAINT * min(1.0, _FEW / len(page.layers))
+        at = page.index(page.current.number)
+        below, above = (
+            [(one, one.tint(faint)) for one in some if not one.hidden]
+            for some in (page.layers[:at], page.layers[at + 1 :])
+        )
+        self._icons.paint_all("below", painter, below, camera, ratio)
+        if not page.current.hidden:
+            self._icons.paint(painter, page.current, page.current.tint(_CHOSEN), camera)
+        self._icons.paint_all("above", painter, above, camera, ratio)
         painter.save()
         painter.setTransform(camera.transform, True)
-        frame = QPen(theme.color("border"), 1)
-        frame.setCosmetic(True)
-        painter.setPen(frame)
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.drawRect(self.bounds())
-        current = page.current
-        faint = _FAINT * min(1.0, _FEW / len(page.layers))
-        for layer in page.layers:
-            if not layer.hidden:
-                color = layer.color
-                color.setAlphaF(_CHOSEN if layer is current else faint)
-                self._paint_icon(painter, layer, color)
         for layer in page.layers:
             paint_strokes(painter, layer)
-        painter.restore()
-
-    def _paint_icon(self, painter: QPainter, layer: PlacedIcon, color: QColor) -> None:
-        path = self._crisp.outline(layer.icon.exemplar)
-        painter.save()
-        painter.setTransform(layer.transform, True)
-        if path is None:
-            painter.setOpacity(color.alphaF())
-            painter.drawImage(0, 0, stencil(layer.icon.exemplar.coverage, color))
-        else:
-            painter.fillPath(path, color)
         painter.restore()
 
 
@@ -97,11 +89,10 @@ def paint_strokes(painter: QPainter, layer: PlacedIcon) -> None:
     shape.setFillRule(Qt.FillRule.WindingFill)
     for stroke in layer.strokes:
         shape.addPath(_outline(stroke))
-    color = layer.color
-    color.setAlphaF(_SCRIBBLE)
-    painter.fillPath(shape, color)
+    painter.fillPath(shape, layer.tint(_SCRIBBLE))
 
 
+@lru_cache(1024)
 def _outline(stroke: Stroke) -> QPainterPath:
     points = [QPointF(*point) for point in stroke.points]
     line = QPainterPath(points[0])
