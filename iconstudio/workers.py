@@ -21,22 +21,23 @@ _NICENESS = 5
 
 
 class Workers:
-    """A pool of processes. Functions and arguments must be picklable (module-level functions).
+    """Processes that each run one task after another.
 
-    Processes start on first use and end with ``close``, or at the end of the ``with`` block; at the
-    latest they end with the program, even when that is killed. All methods may
-    be called from any thread.
+    Functions and arguments must be picklable (module-level functions). Processes start on first use
+    and end with ``close``, or at the end of the ``with`` block; at the latest they end with the
+    program, even when that is killed. All methods may be called from any thread.
     """
 
     def __init__(self, count: int | None = None) -> None:
         self.count = count or max(1, os.cpu_count() or 1)
-        self._pool: Any = None
-        self._closed = False
-        self._lock = threading.Lock()
-        self._unsettled: set[Future[Any]] = set()
+        self._lanes = [_Lane() for _ in range(self.count)]
 
     def submit(
-        self, function: Callable[..., Any], *args: Any, timeout: float | None = None
+        self,
+        function: Callable[..., Any],
+        *args: Any,
+        timeout: float | None = None,
+        lane: int | None = None,
     ) -> "Future[Any]":
         """Run ``function(*args)`` in a worker.
 
@@ -44,34 +45,71 @@ class Workers:
         ``timeout`` seconds of running, ``CancelledError`` once it is cancelled or the pool closed,
         and an error of which ``died`` is true if the process died.
 
+        Parameters
+        ----------
+        lane
+            Number of the process, for tasks that build on what an earlier one left there; by
+            default the one that has least to do.
+
         Raises
         ------
         CancelledError
             If the pool has been closed.
         """
-        with self._lock:
-            if self._closed:
-                raise CancelledError("The worker processes have been closed.")
-            if self._pool is not None and not self._pool.active:  # for lack of memory, perhaps
-                self._stop()
-            if self._pool is None:
-                self._pool = _start(self.count)
-            future = self._pool.schedule(_run, args=(function, args, timeout), timeout=timeout)
-            self._unsettled.add(future)
-        future.add_done_callback(self._settle)
-        return future
+        number = self.idlest() if lane is None else lane
+        return self._lanes[number].submit(function, args, timeout)
+
+    def idlest(self) -> int:
+        """Return the number of the process that has least to do."""
+        return min(range(self.count), key=lambda number: self._lanes[number].load)
 
     def close(self) -> None:
         """Cancel all futures, kill the processes and wait until they have ended; for good."""
-        with self._lock:
-            self._closed = True
-            self._stop()
+        for lane in self._lanes:
+            lane.close()
 
     def __enter__(self) -> "Workers":
         return self
 
     def __exit__(self, *exc: object) -> None:
         self.close()
+
+
+class _Lane:
+    """One process, and what it has to do."""
+
+    def __init__(self) -> None:
+        self._pool: Any = None
+        self._closed = False
+        self._lock = threading.Lock()
+        self._unsettled: set[Future[Any]] = set()
+
+    @property
+    def load(self) -> int:
+        """How many tasks run or wait."""
+        return len(self._unsettled)
+
+    def submit(
+        self, function: Callable[..., Any], args: tuple[Any, ...], timeout: float | None
+    ) -> "Future[Any]":
+        """See ``Workers.submit``."""
+        with self._lock:
+            if self._closed:
+                raise CancelledError("The worker processes have been closed.")
+            if self._pool is not None and not self._pool.active:  # for lack of memory, perhaps
+                self._stop()
+            if self._pool is None:
+                self._pool = _start()
+            future = self._pool.schedule(_run, args=(function, args, timeout), timeout=timeout)
+            self._unsettled.add(future)
+        future.add_done_callback(self._settle)
+        return future
+
+    def close(self) -> None:
+        """See ``Workers.close``."""
+        with self._lock:
+            self._closed = True
+            self._stop()
 
     def _stop(self) -> None:
         pool, self._pool = self._pool, None
@@ -123,13 +161,13 @@ def memory_limit(size: int) -> Iterator[None]:
         resource.setrlimit(resource.RLIMIT_AS, before)
 
 
-def _start(count: int) -> Any:
+def _start() -> Any:
     from pebble import ProcessPool
 
     # spawn: forking a process that runs Qt and FFTW threads is not safe.
     context = multiprocessing.get_context("spawn")
     with _interrupts_blocked():
-        pool = ProcessPool(max_workers=count, initializer=_initialise, context=context)
+        pool = ProcessPool(max_workers=1, initializer=_initialise, context=context)
         _ = pool.active  # starts it
     return pool
 
