@@ -12,7 +12,6 @@ PACKAGE = ROOT / "iconstudio"
 ADAPTERS = {
     "maxflow": "algorithms/maxflow.py",
     "pyfftw": "algorithms/fft.py",
-    "potrace": "algorithms/vectorize.py",
     "resvg_py": "library/resvg.py",
     "pebble": "workers.py",
     "tqdm": "cli/progress.py",
