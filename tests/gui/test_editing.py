@@ -16,6 +16,7 @@ from PySide6.QtWidgets import QApplication, QFileDialog
 from iconstudio.gui.dragging import packed
 from iconstudio.gui.workspaces.editing.page import EditPage, Kind
 from iconstudio.gui.workspaces.editing.tools import DrawTool, SelectTool
+from iconstudio.gui.workspaces.proposal import PAUSE
 from iconstudio.inputs.edit import read_edit
 from iconstudio.model import Axis
 from iconstudio.session import ModelSettings
@@ -523,6 +524,40 @@ def test_a_result_is_edited_further_with_its_credits(marked, qtbot):
     settle(marked, qtbot)
     marked.actions_by_name["undo"].trigger()
     assert marked.document.page == before
+
+
+# -- symmetry --------------------------------------------------------------------------------
+
+
+def test_a_change_that_is_nearly_symmetric_can_be_held_to_symmetry(editing, qtbot):
+    hint = editing.symmetry_hint
+    lasso(editing, [(118, 20), (138, 20), (138, 90), (118, 90)])
+    qtbot.waitUntil(hint.isVisible)
+    before = editing.view.grab().toImage()
+    QTest.mouseClick(hint, Qt.MouseButton.LeftButton)
+    assert editing.document.page.symmetry is Axis.HORIZONTAL
+    assert editing.symmetry.axis is Axis.HORIZONTAL
+    assert not hint.isVisible()
+    assert editing.view.grab().toImage() != before
+    press(editing, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert editing.document.page.symmetry is None
+    assert hint.isVisible(), "it is offered again at once"
+    press(editing, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert not hint.isVisible(), "nothing is marked"
+
+
+@pytest.mark.parametrize(
+    "area", [[(20, 20), (150, 20), (150, 76), (20, 76)], [(2, 60), (22, 60), (22, 140)]]
+)
+def test_no_symmetry_is_offered_for_what_has_none_or_is_no_good(editing, qtbot, area):
+    looked = []
+    editing.proposal.found.connect(looked.append)
+    polygon(editing, area)
+    assert editing.document.page.open_area is None
+    qtbot.wait(2 * PAUSE)
+    assert set(looked) == {None}
+    assert editing.proposal._outline is not None, "it was looked at"
+    assert not editing.symmetry_hint.isVisible()
 
 
 # -- files -----------------------------------------------------------------------------------

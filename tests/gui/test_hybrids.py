@@ -203,8 +203,10 @@ def test_what_cannot_be_picked_is_told(place, qtbot):
     assert not names(place)
 
 
-def test_a_card_removes_its_icon_by_button_and_key(chosen):
+def test_a_card_removes_its_icon_by_button_and_key(chosen, qtbot):
     cards = chosen.column.cards.cards
+    QTest.mouseMove(cards[1])
+    qtbot.waitUntil(cards[1].button.isVisible)
     QTest.mouseClick(cards[1].button, LEFT)
     cards[0].setFocus()
     QTest.keyClick(cards[0], Qt.Key.Key_Backspace)
@@ -213,6 +215,27 @@ def test_a_card_removes_its_icon_by_button_and_key(chosen):
     chosen.document.undo_stack.undo()
     chosen.document.undo_stack.undo()
     assert len(names(chosen)) == 4
+
+
+def test_the_button_on_a_card_shows_only_where_the_user_is(chosen, qtbot):
+    cards = chosen.column.cards.cards
+
+    def shown():
+        return [number for number, card in enumerate(cards) if card.button.isVisible()]
+
+    chosen.column.seed.field.setFocus()
+    QTest.mouseMove(cards[1], QPoint(5, 5))  # Qt tells of the way off only after one on
+    QTest.mouseMove(cards[1])
+    qtbot.waitUntil(lambda: shown() == [1])
+    QTest.mouseMove(chosen.column.seed)
+    qtbot.waitUntil(lambda: shown() == [])
+    cards[2].setFocus()
+    assert shown() == [2]
+    QTest.keyClick(cards[2], Qt.Key.Key_Tab)
+    assert cards[2].button.hasFocus()
+    assert shown() == [2]
+    QTest.keyClick(cards[2].button, Qt.Key.Key_Space)
+    assert "shapes:cross-2" not in names(chosen)
 
 
 def test_an_icon_that_is_sent_joins_once(chosen, qtbot):

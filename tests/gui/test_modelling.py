@@ -3,14 +3,22 @@
 import itertools
 import threading
 import time
+from dataclasses import replace
 
 import pytest
-from fake_session import RECOMMENDED
+from fake_session import RECOMMENDED, exemplar
 from hands import SQUARE, click, press, trace, type_keyword
+from images import blank
 from PySide6.QtCore import Qt, QTimer
+from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
 
+from iconstudio.gui.mipmap import Mipmap
 from iconstudio.gui.panels.cell import CellState
+from iconstudio.gui.panels.detail import SourceRow
+from iconstudio.gui.panels.elided import ElidedLabel
+from iconstudio.gui.pictures import SourcePicture
+from iconstudio.model import Credit, Pictogram, Placement, Source
 from iconstudio.session import ModelSettings
 
 STYLES = ModelSettings().styles
@@ -210,6 +218,58 @@ def test_a_failure_on_the_way_is_told_and_the_window_goes_on(ready, qtbot, sessi
     finish(ready, qtbot)
     assert len(ready.board.results.pictures) == 24
     assert not ready.window().desk.notice.isVisible()
+
+
+def stacked(scale, *cells):
+    """Whether square cells lie one below the other, and the first below the scale."""
+    boxes = [one.geometry() for one in (scale, *cells)]
+    gaps = [two.top() - one.bottom() - 1 for one, two in itertools.pairwise(boxes)]
+    square = all(abs(one.width() - one.height()) <= 2 for one in boxes[1:])
+    return square and all(0 <= gap <= 1 for gap in gaps)
+
+
+def test_cells_are_no_higher_than_wide_and_begin_at_the_top(ready, qtbot):
+    """Also after a run of fewer styles than before."""
+    results, window = ready.board.results, ready.window()
+    window.resize(1280, 1400)
+    for styles in (STYLES, STYLES[:2], STYLES[:1]):
+        results.begin(styles, LAMBDAS)
+        column = [results.cell(style, LAMBDAS[0]) for style in styles]
+        qtbot.waitUntil(lambda column=column: stacked(results.scale, *column))
+    window.resize(1280, 720)
+    results.begin(STYLES, LAMBDAS)
+    cell = results.cell(STYLES[-1], LAMBDAS[-1])
+    qtbot.waitUntil(lambda: cell.mapTo(results, cell.rect().bottomRight()).y() < results.height())
+    assert 48 <= cell.height() <= cell.width()
+
+
+def test_an_icon_that_was_made_thanks_all_that_it_was_made_of(sketching, qtbot):
+    made = replace(
+        exemplar(1),
+        pictogram=Pictogram(
+            "made:new-1",
+            "",
+            Credit("new", "you, with Iconstudio", "CC-BY-4.0", "", ""),
+            tuple(exemplar(number).pictogram for number in (2, 3)),
+        ),
+    )
+    rows = [
+        SourceRow(SourcePicture(Source(one, Placement()), 0.4, QColor("red"), Mipmap.of(image, 8)))
+        for one, image in ((made, blank(9, 9)), (exemplar(2), blank(9, 9)))
+    ]
+    for row in rows:
+        qtbot.addWidget(row)
+    of_made, of_other = ([*row.findChildren(ElidedLabel)] for row in rows)
+    assert [label.openExternalLinks() for label in of_made] == [False, False]
+    assert "open" not in of_made[0].toolTip()
+    assert of_made[1].accessibleName() == "made of 2 icons · CC-BY-4.0"
+    assert of_made[1].toolTip().splitlines() == [
+        "cross 2, by Ada Example, CC-BY-4.0",
+        "triangle 3, by Ada Example, CC-BY-4.0",
+    ]
+    assert of_other[0].openExternalLinks()
+    assert "open https://example.org/cross-2" in of_other[0].toolTip()
+    assert of_other[1].toolTip() == "cross 2, by Ada Example, CC-BY-4.0"
 
 
 def test_picking_shows_the_icon_and_its_sources(ready, qtbot):

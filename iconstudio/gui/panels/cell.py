@@ -100,7 +100,7 @@ class ResultCell(QAbstractButton):
                 target.moveCenter(box.center())
                 self.picture.paint(painter, target, look.color("text"), self._coded)
                 if self.recommended:
-                    self._paint_mark(painter, look, box)
+                    self._paint_mark(painter, look, target)
 
     def _paint_frame(self, painter: QPainter, look: theme.Theme, box: QRectF) -> None:
         if self.isChecked():
@@ -113,10 +113,10 @@ class ResultCell(QAbstractButton):
             return
         painter.drawRoundedRect(box, 6, 6)
 
-    def _paint_mark(self, painter: QPainter, look: theme.Theme, box: QRectF) -> None:
+    def _paint_mark(self, painter: QPainter, look: theme.Theme, icon: QRectF) -> None:
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(look.color("accent"))
-        painter.drawPath(_star(box.topRight() + QPointF(-10, 10), 6.0))
+        painter.drawPath(_star(icon.topRight() + QPointF(-8, 8), 6.0))
 
 
 def _star(centre: QPointF, radius: float) -> QPainterPath:

@@ -24,6 +24,7 @@ from iconstudio.gui.panels.elided import ElidedLabel
 from iconstudio.gui.panels.sending import Destination, offer
 from iconstudio.gui.pictures import Picture, SourcePicture, source_pictures
 from iconstudio.gui.theme import UNIT
+from iconstudio.model import Credit
 from iconstudio.workflows.events import Result
 
 INVITATION = "Pick a result to see it large, with the icons that its parts come from."
@@ -101,18 +102,21 @@ class SourceRow(QWidget):
 
     def __init__(self, picture: SourcePicture, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        credit = picture.source.exemplar.pictogram.credit
-        title = ElidedLabel(picture.source.exemplar.id, credit.url)
+        icon = picture.source.exemplar.pictogram
+        title = ElidedLabel(icon.id, icon.credit.url)
         title.setProperty("heading", True)
-        title.setToolTip(f"{picture.source.exemplar.id}: open {credit.url}")
+        title.setToolTip(f"{icon.id}: open {icon.credit.url}" if icon.credit.url else icon.id)
         share = QLabel(f"{picture.share:.0%}")
         share.setProperty("heading", True)
         share.setFixedWidth(5 * UNIT)
         share.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         share.setToolTip("Part of the icon's ink that comes from this source")
-        text = ElidedLabel(f"{credit.author} · {credit.license}")
+        who = (
+            f"made of {_counted(len(icon.made_of), 'icon')}" if icon.made_of else icon.credit.author
+        )
+        text = ElidedLabel(f"{who} · {icon.credit.license}")
         text.setProperty("muted", True)
-        text.setToolTip(f"{credit.title}, by {credit.author}, {credit.license}")
+        text.setToolTip("\n".join(_thanks(one.credit) for one in icon.origins))
         words = QVBoxLayout()
         words.setSpacing(1)
         words.addStretch()
@@ -125,7 +129,7 @@ class SourceRow(QWidget):
         row.addWidget(SourceThumbnail(picture))
         row.addLayout(words, 1)
         row.addWidget(share)
-        self.setAccessibleName(f"{picture.source.exemplar.id}, {picture.share:.0%}")
+        self.setAccessibleName(f"{icon.id}, {picture.share:.0%}")
 
 
 class DetailPanel(QFrame):
@@ -272,6 +276,10 @@ class DetailPanel(QFrame):
         scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         scroll.setAccessibleName("Sources of the picked icon")
         return scroll
+
+
+def _thanks(credit: Credit) -> str:
+    return f"{credit.title}, by {credit.author}, {credit.license}"
 
 
 def _merits(result: Result) -> list[str]:

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from PySide6.QtCore import QPoint, QRectF, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtGui import QKeyEvent, QPainter, QPaintEvent, QPen, QResizeEvent
 from PySide6.QtWidgets import (
     QButtonGroup,
     QFrame,
@@ -118,6 +118,35 @@ class RowHead(QWidget):
         self._count.setText("" if count is None else f"from {count} icons")
 
 
+class Grid(QWidget):
+    """A row of cells for each style, below the scale; no cell is higher than wide."""
+
+    def __init__(self, scale: Scale, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._scale = scale
+        self._shape = 1, 1
+        self.cells = QGridLayout(self)
+        self.cells.setContentsMargins(0, 0, 0, 0)
+        self.cells.setSpacing(0)
+
+    def set_shape(self, rows: int, columns: int) -> None:
+        """Say how many rows and columns there are."""
+        self._shape = rows, columns
+        for row in range(1, max(self.cells.rowCount(), rows + 1)):
+            self.cells.setRowStretch(row, int(row <= rows))
+        self._fit()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Grow no higher than the cells are wide."""
+        super().resizeEvent(event)
+        self._fit()
+
+    def _fit(self) -> None:
+        rows, columns = self._shape
+        height = self._scale.height() + rows * (self.width() - _HEAD) // columns
+        self.setMaximumHeight(max(height, self.minimumSizeHint().height()))
+
+
 class ResultsPanel(QFrame):
     """All results of a run; fills while it goes on.
 
@@ -162,15 +191,19 @@ class ResultsPanel(QFrame):
         top.addWidget(self.note, 1)
         top.addWidget(self.switch)
         self.scale = Scale()
-        self._grid_widget = QWidget()
-        self._grid = QGridLayout(self._grid_widget)
-        self._grid.setContentsMargins(0, 0, 0, 0)
-        self._grid.setSpacing(0)
+        self._sheet = Grid(self.scale)
+        self._grid = self._sheet.cells
+        below = QWidget()
+        column = QVBoxLayout(below)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(self._sheet, 1000)  # nothing is left for what is below it until it is full
+        column.addStretch(1)
         self._welcome = QLabel(WELCOME, alignment=Qt.AlignmentFlag.AlignCenter, wordWrap=True)
         self._welcome.setProperty("muted", True)
         self._stack = QStackedLayout()
         self._stack.addWidget(self._welcome)
-        self._stack.addWidget(self._grid_widget)
+        self._stack.addWidget(below)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(2 * UNIT, UNIT * 3 // 2, 2 * UNIT, UNIT)
         layout.setSpacing(UNIT)
@@ -196,12 +229,12 @@ class ResultsPanel(QFrame):
         """Make room for the results of a new run."""
         self._clear()
         self.scale.set_lambdas(lambdas)
+        self._sheet.set_shape(len(styles), len(lambdas))
         self._grid.addWidget(self.scale, 0, 1, 1, len(lambdas))
         self.scale.show()
         for row, style in enumerate(styles, start=1):
             self._heads[style] = RowHead(style)
             self._grid.addWidget(self._heads[style], row, 0)
-            self._grid.setRowStretch(row, 1)
             cells = []
             for column, value in enumerate(lambdas, start=1):
                 cell = ResultCell(f"{style.capitalize()}, λ {value:.2f}")
@@ -214,7 +247,7 @@ class ResultsPanel(QFrame):
                 self._cells[style, value] = cell
                 cells.append(cell)
             self._rows.append(cells)
-        self._stack.setCurrentWidget(self._grid_widget)
+        self._stack.setCurrentIndex(1)
 
     def show_matched(self, event: StyleMatched) -> None:
         """Say how many icons a style had to choose from."""

@@ -2,6 +2,8 @@
 
 from collections.abc import Callable, Generator, Sequence
 
+import numpy as np
+from numpy.typing import NDArray
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QHBoxLayout, QSplitter, QWidget
@@ -13,7 +15,7 @@ from iconstudio.gui.panels.board import Board
 from iconstudio.gui.panels.canvas import CanvasPanel
 from iconstudio.gui.panels.keyword import KeywordPanel
 from iconstudio.gui.panels.sending import Destination
-from iconstudio.gui.panels.symmetry import SymmetryButton
+from iconstudio.gui.panels.symmetry import SymmetryButton, SymmetryHint
 from iconstudio.gui.pictures import Picture, pictured
 from iconstudio.gui.preparation import Preparation, Query
 from iconstudio.gui.runner import Runner
@@ -22,6 +24,7 @@ from iconstudio.gui.theme import UNIT
 from iconstudio.gui.worker import Worker
 from iconstudio.gui.workspaces import wishes
 from iconstudio.gui.workspaces.base import Workspace
+from iconstudio.gui.workspaces.proposal import SymmetryProposal
 from iconstudio.gui.workspaces.wishes import WishingPage
 from iconstudio.session import ModelSettings, Session
 from iconstudio.workflows.events import Event
@@ -110,6 +113,17 @@ class RemixWorkspace(Workspace):
         layout = QHBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(both)
+
+    def offer_symmetry(
+        self,
+        outline: Callable[[WishingPage], object],
+        filled: Callable[[object], NDArray[np.bool_]],
+    ) -> None:
+        """Offer on the canvas to hold to a symmetry: see ``SymmetryProposal``."""
+        self.symmetry_hint = SymmetryHint(self.view)
+        self.symmetry_hint.accepted.connect(self.hold_to)
+        self.proposal = SymmetryProposal(self.document, outline, filled, self)
+        self.proposal.found.connect(self.symmetry_hint.offer)
 
     def wire(self) -> None:
         """Connect the panels with the page and with the work, and open the collection."""

@@ -85,6 +85,7 @@ class EditWorkspace(RemixWorkspace):
         self.keyword_panel.set_words(
             "What is it? For example: camera", "Make the icon anew where it is marked (Ctrl+Return)"
         )
+        self.offer_symmetry(_outline, lambda page: prepare_change(page.edit(), page.icon).target)
         self._make_actions()
         self.start_sheet = StartSheet(self.view, session, self.finder, self.examples)
         self._lay_out()
@@ -245,3 +246,9 @@ class EditWorkspace(RemixWorkspace):
             write_edit(path, file)
 
         self.saver.save_work("edit", page.keyword, write)
+
+
+def _outline(page: EditPage) -> EditPage | None:
+    """Return what the outline that is wanted depends on; None if nothing is marked yet."""
+    marked = page.areas and page.open_area is None
+    return EditPage(page.icon, areas=page.areas) if marked else None

@@ -4,11 +4,12 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QDragEnterEvent,
     QDropEvent,
     QEnterEvent,
+    QFocusEvent,
     QKeyEvent,
     QMouseEvent,
     QPainter,
@@ -64,6 +65,8 @@ class IconCard(QWidget):
         self.button.clicked.connect(self._remove)
         self.button.adjustSize()
         self.button.move(SIDE - self.button.width() - 3, 3)
+        self.button.installEventFilter(self)
+        self.button.hide()
 
     def show_icon(self, ingredient: Ingredient, axis: Axis | None) -> None:
         """Show an icon, its pins, and under a symmetry their mirror images."""
@@ -124,12 +127,28 @@ class IconCard(QWidget):
     def enterEvent(self, event: QEnterEvent) -> None:
         """Show that something can be done."""
         super().enterEvent(event)
-        self.update()
+        self._show_button()
 
     def leaveEvent(self, event: QEvent) -> None:
         """Show no more that something can be done."""
         super().leaveEvent(event)
-        self.update()
+        self._show_button()
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        """Show that keys work here."""
+        super().focusInEvent(event)
+        self._show_button()
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        """Show no more that keys work here."""
+        super().focusOutEvent(event)
+        self._show_button()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Hide the button once it has lost the focus."""
+        if event.type() == QEvent.Type.FocusOut:
+            self._show_button()
+        return False
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """Draw the icon, its pins and their mirror images."""
@@ -162,6 +181,11 @@ class IconCard(QWidget):
         images = [pin] if self._axis is None else [pin, mirror_image(pin, self._axis)]
         gaps = [self.at(image) - spot for image in images]
         return any(math.hypot(gap.x(), gap.y()) <= NEAR for gap in gaps)
+
+    def _show_button(self) -> None:
+        """Show the button only where the user is: it covers some of the icon."""
+        self.button.setVisible(self.underMouse() or self.hasFocus() or self.button.hasFocus())
+        self.update()
 
     def _remove(self) -> None:
         if self._ingredient is not None:

@@ -2,6 +2,8 @@
 
 from pathlib import Path
 
+import numpy as np
+from numpy.typing import NDArray
 from PySide6.QtCore import QMimeData, Qt
 
 from iconstudio.gui import theme
@@ -11,7 +13,6 @@ from iconstudio.gui.canvas.start import StartButtons
 from iconstudio.gui.canvas.tools.polygon import PolygonTool
 from iconstudio.gui.canvas.view import CanvasView
 from iconstudio.gui.document import Document
-from iconstudio.gui.panels.symmetry import SymmetryHint
 from iconstudio.gui.pictures import Picture
 from iconstudio.gui.saving import Saver
 from iconstudio.gui.worker import Worker
@@ -20,10 +21,9 @@ from iconstudio.gui.workspaces.sketching import page as edits
 from iconstudio.gui.workspaces.sketching.opening import SketchOpener
 from iconstudio.gui.workspaces.sketching.overlay import DimSlider
 from iconstudio.gui.workspaces.sketching.page import SketchPage
-from iconstudio.gui.workspaces.sketching.proposal import SymmetryProposal
 from iconstudio.gui.workspaces.sketching.scene import SketchScene
 from iconstudio.inputs.sketch import SketchFile, write_sketch
-from iconstudio.model import IconstudioError, Sketch
+from iconstudio.model import IconstudioError, Polygon, Sketch
 from iconstudio.session import ModelSettings, Session
 from iconstudio.workflows.events import Event, RegionsFound
 
@@ -63,8 +63,7 @@ class SketchWorkspace(RemixWorkspace):
         self.view = CanvasView(self.scene, self.tool, _can_be_opened)
         self.view.setAccessibleDescription("Trace the outline of an object here")
         self.dim = DimSlider()
-        self.symmetry_hint = SymmetryHint(self.view)
-        self._proposal = SymmetryProposal(self.document, self)
+        self.offer_symmetry(lambda page: page.sketch.polygon if page.closed else None, _filled)
 
         self._make_actions()
         self.start_buttons = StartButtons(
@@ -108,8 +107,6 @@ class SketchWorkspace(RemixWorkspace):
     def _wire(self) -> None:
         self.wire()
         self.connect_opener(self.opener)
-        self.symmetry_hint.accepted.connect(self.hold_to)
-        self._proposal.found.connect(self.symmetry_hint.offer)
         self.dim.slider.valueChanged.connect(self.scene.set_dim)
         self.document.page_changed.connect(self._show_page)
         self.view.dropped.connect(lambda data, _: self.opener.open_mime(data))
@@ -188,6 +185,12 @@ class SketchWorkspace(RemixWorkspace):
 
 def _can_be_opened(data: QMimeData) -> bool:
     return data.hasUrls() or data.hasImage()
+
+
+def _filled(polygon: Polygon) -> NDArray[np.bool_]:
+    from iconstudio.algorithms.raster import fill_polygon
+
+    return fill_polygon(polygon.fitted())
 
 
 def _problem(sketch: Sketch) -> str:
