@@ -11,6 +11,7 @@ ROOT = Path(__file__).parents[1]
 PACKAGE = ROOT / "iconstudio"
 ADAPTERS = {
     "maxflow": "algorithms/maxflow.py",
+    "numba": "algorithms/compiled.py",
     "pyfftw": "algorithms/fft.py",
     "resvg_py": "library/resvg.py",
     "pebble": "workers.py",

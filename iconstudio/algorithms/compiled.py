@@ -1,0 +1,26 @@
+"""Compiled functions: the adapter of numba.
+
+Importing it takes a third of a second, and the first call of a function some seconds to compile,
+once: the result is kept beside the source, or in the user's cache folder if that cannot be written
+(``NUMBA_CACHE_DIR`` names another). So only processes that cut import this.
+"""
+
+from numba import njit, types
+from numba.extending import intrinsic
+
+entry = njit(nogil=True, cache=True)
+"""A function that Python calls; without the interpreter lock."""
+part = njit(nogil=True)
+"""A function that only compiled functions call. One that has no cache of its own."""
+inner = njit(nogil=True, inline="always")
+"""The same, written out where it is called: arguments that are arrays would cost time there."""
+
+
+@intrinsic
+def ones(typing_context, word):
+    """Count the ones of a uint64."""
+
+    def code(context, builder, signature, arguments):
+        return builder.ctpop(arguments[0])
+
+    return types.uint64(types.uint64), code

@@ -1,0 +1,261 @@
+"""Exact minimum cuts of grids of four neighbours, compiled.
+
+Importing this module loads numba, so only the process that cuts should do so. The functions let go
+of the interpreter lock.
+
+A network is two arrays. ``excess[i] > 0`` is a capacity from the source to node i, ``< 0`` one to
+the sink. ``capacity[i, d]`` is the capacity to its neighbour ``i + offset[d]``; ``d ^ 1`` is the
+way back. All are whole numbers, so flows are exact, without any tolerance, and the same on every
+machine. The cut that is found is the one with the fewest nodes on the source's side; the excess
+that remains there is what it gains over the cut with none.
+
+**Chains.** First, flow is sent along each row to the right and back to the left, then along each
+column: it carries most of the flow at little cost. How much a node may send on is known beforehand
+from a run in the other direction, so no flow ends where it finds no use.
+
+**Trees.** The rest is sent by the method of Boykov and Kolmogorov (2004): trees of residual
+capacities grow from all excess, positive and negative; where two of different kind meet flow is
+sent from root to root; what that cuts off its root is adopted by a neighbour or set free. Distances
+to the root and their age keep trees flat, as in the authors' program.
+
+Every node needs four neighbours: grids have a border of nodes without excess and capacities.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from iconstudio.algorithms.compiled import entry, inner
+
+SOURCE = 1
+"""In ``Trees.tree``: on the source's side."""
+
+_FREE, _SINK = 0, 2
+_ROOT, _ORPHAN = 4, 5
+"""Instead of the direction of a node's parent."""
+_FAR = 1 << 30
+
+Integers = NDArray[np.int32]
+
+
+class Trees(NamedTuple):
+    """Scratch space of a cut; afterwards ``tree`` is SOURCE for the nodes on the source's side."""
+
+    tree: NDArray[np.int8]
+    parent: NDArray[np.int8]
+    age: Integers
+    distance: Integers
+    queue: Integers
+    queued: NDArray[np.bool_]
+    orphans: Integers
+
+
+def new_trees(size: int) -> Trees:
+    """Return scratch space for ``size`` nodes."""
+    small, wide = np.zeros((2, size), np.int8), np.zeros((4, size), np.int32)
+    return Trees(*small, *wide[:3], np.zeros(size, np.bool_), wide[3])
+
+
+@entry
+def minimum_cut(offset, capacity, excess, trees):
+    """Send all the flow there is; the source's side is then what ``excess`` can still reach.
+
+    ``capacity`` and ``excess`` are changed in place to what remains.
+    """
+    _chains(offset, capacity, excess, trees.distance)
+    size = excess.size
+    head, count = 0, _plant(excess, trees)
+    time, here = 0, -1
+    while here >= 0 or count > 0:
+        if here < 0:
+            here = trees.queue[head]
+            head = head + 1 if head + 1 < size else 0
+            count -= 1
+            trees.queued[here] = False
+        if trees.tree[here] == _FREE:
+            here = -1
+            continue
+        met, count = _grow(offset, capacity, trees, here, head, count)
+        if met < 0:
+            here = -1
+            continue
+        time += 1
+        orphans = _send(offset, capacity, excess, trees, here, met)
+        count = _adopt(offset, capacity, trees, time, orphans, head, count)
+
+
+@inner
+def _chains(offset, capacity, excess, reach):
+    """Send flow along rows, then along columns: to the right, left, down and up.
+
+    ``reach`` is scratch space: how much of what flows on from a node finds a use, after what the
+    nodes that it passes send themselves.
+    """
+    margin = offset[2]
+    for d in range(4):
+        step = offset[d]
+        start, stop, stride = margin, excess.size - margin, 1
+        if step < 0:
+            start, stop, stride = stop - 1, start - 1, -1
+        for i in range(stop - stride, start - stride, -stride):
+            j = i + step
+            reach[i] = min(capacity[i, d], max(reach[j] - excess[j], 0))
+        for i in range(start, stop, stride):
+            if excess[i] > 0:
+                amount = min(excess[i], reach[i])
+                capacity[i, d] -= amount
+                capacity[i + step, d ^ 1] += amount
+                excess[i] -= amount
+                excess[i + step] += amount
+
+
+@inner
+def _plant(excess, trees):
+    """Make every node with excess a tree of its own, and active; return how many."""
+    tree, parent, age, distance, queue, queued, _ = trees
+    count = 0
+    for i in range(excess.size):
+        age[i] = 0
+        queued[i] = excess[i] != 0
+        if queued[i]:
+            tree[i] = SOURCE if excess[i] > 0 else _SINK
+            parent[i], distance[i] = _ROOT, 1
+            queue[count] = i
+            count += 1
+        else:
+            tree[i], parent[i] = _FREE, _ORPHAN
+    return count
+
+
+@inner
+def _activate(trees, i, head, count):
+    """Put a node at the end of the ring of active nodes, once; return how many there are."""
+    if trees.queued[i]:
+        return count
+    trees.queued[i] = True
+    last = head + count
+    trees.queue[last if last < trees.queue.size else last - trees.queue.size] = i
+    return count + 1
+
+
+@inner
+def _grow(offset, capacity, trees, i, head, count):
+    """Add free neighbours to the tree of i; stop and return the direction of the other tree."""
+    tree, parent, age, distance, _, _, _ = trees
+    side = tree[i]
+    for d in range(4):
+        j = i + offset[d]
+        if (capacity[i, d] if side == SOURCE else capacity[j, d ^ 1]) <= 0:
+            continue
+        if tree[j] == _FREE:
+            tree[j] = side
+            parent[j], age[j], distance[j] = d ^ 1, age[i], distance[i] + 1
+            count = _activate(trees, j, head, count)
+        elif tree[j] != side:
+            return d, count
+        elif age[j] <= age[i] and distance[j] > distance[i]:
+            parent[j], age[j], distance[j] = d ^ 1, age[i], distance[i] + 1
+    return -1, count
+
+
+@inner
+def _send(offset, capacity, excess, trees, i, met):
+    """Send flow from root to root across the edge where two trees meet; return the orphans made."""
+    parent = trees.parent
+    if trees.tree[i] == _SINK:
+        i += offset[met]
+        met ^= 1
+    other = i + offset[met]
+    amount = capacity[i, met]
+    p = i
+    while parent[p] != _ROOT:
+        d = parent[p]
+        p += offset[d]
+        amount = min(amount, capacity[p, d ^ 1])
+    amount = min(amount, excess[p])
+    q = other
+    while parent[q] != _ROOT:
+        amount = min(amount, capacity[q, parent[q]])
+        q += offset[parent[q]]
+    amount = min(amount, -excess[q])
+    capacity[i, met] -= amount
+    capacity[other, met ^ 1] += amount
+    orphans = 0
+    for node, way in ((i, -1), (other, 1)):
+        while parent[node] != _ROOT:
+            d = parent[node]
+            up = node + offset[d]
+            capacity[node, d] -= way * amount
+            capacity[up, d ^ 1] += way * amount
+            if (capacity[node, d] if way > 0 else capacity[up, d ^ 1]) == 0:
+                parent[node] = _ORPHAN
+                trees.orphans[orphans] = node
+                orphans += 1
+            node = up
+        excess[node] += way * amount
+        if excess[node] == 0:
+            parent[node] = _ORPHAN
+            trees.orphans[orphans] = node
+            orphans += 1
+    return orphans
+
+
+@inner
+def _adopt(offset, capacity, trees, time, left, head, count):
+    """Find each orphan a parent in its tree, or set it free, which may make more orphans.
+
+    Returns how many nodes are active.
+    """
+    tree, parent, age, distance, _, _, orphans = trees
+    first = 0
+    while left > 0:
+        i = orphans[first]
+        first = first + 1 if first + 1 < orphans.size else 0
+        left -= 1
+        side = tree[i]
+        best, least = -1, _FAR
+        for d in range(4):
+            j = i + offset[d]
+            if tree[j] == side and (capacity[j, d ^ 1] if side == SOURCE else capacity[i, d]) > 0:
+                length = _depth(offset, parent, age, distance, time, j)
+                if length < least:
+                    best, least = d, length
+        if best >= 0:
+            parent[i], age[i], distance[i] = best, time, least + 1
+            continue
+        tree[i] = _FREE
+        for d in range(4):
+            j = i + offset[d]
+            if tree[j] != side:
+                continue
+            if (capacity[j, d ^ 1] if side == SOURCE else capacity[i, d]) > 0:
+                count = _activate(trees, j, head, count)
+            if parent[j] == d ^ 1:
+                parent[j] = _ORPHAN
+                last = first + left
+                orphans[last if last < orphans.size else last - orphans.size] = j
+                left += 1
+    return count
+
+
+@inner
+def _depth(offset, parent, age, distance, time, i):
+    """Return how far a node is from its root, _FAR if it hangs from an orphan; mark the way."""
+    length, node = 0, i
+    while age[node] != time:
+        length += 1
+        if parent[node] == _ROOT:
+            age[node], distance[node] = time, 1
+            break
+        if parent[node] == _ORPHAN:
+            return _FAR
+        node += offset[parent[node]]
+    else:
+        length += distance[node]
+    node, below = i, length
+    while age[node] != time:
+        age[node], distance[node] = time, below
+        below -= 1
+        node += offset[parent[node]]
+    return length

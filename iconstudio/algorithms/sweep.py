@@ -1,0 +1,249 @@
+"""Remixes of one problem for many lambda_S, each helping the others (section 3.4).
+
+Importing this module loads numba, so only the process that cuts should do so.
+
+Alpha-expansion ends in one of many local minima, and in which depends on where it begins. A
+``Sweep`` keeps all labellings found so far. What a labelling costs is D + lambda_S S, so each
+counts for every lambda_S, and each search begins with the best one known.
+
+What is exact: every expansion is the best one (``networks``, ``cuts``), so no search ends above its
+beginning, and ``solve`` never answers worse than a labelling it knows.
+
+What is heuristic, in the order of the work:
+
+1. ``preview``: expansions on blocks of 2 x 2 sites. The energy is the true one, restricted to
+   labellings that are constant on blocks: a quarter of the nodes, a tenth of the time.
+2. ``explore`` looks for good regions to begin in: for each lambda_S on blocks of 4 x 4 from the
+   cheapest labels; on blocks of 2 x 2 from the lowest lambda_S, where the data cost rules, up, each
+   from the last, and again from the highest down; last, the labellings on 4 x 4 blocks, where they
+   are nearly as good as those on 2 x 2, once more on these.
+3. ``solve`` ends with expansions on the sites, only of labels that a good labelling for this or a
+   similar lambda_S uses.
+
+Everything is deterministic: the same calls in the same order give the same labellings.
+"""
+
+from collections.abc import Callable, Iterable
+
+import numpy as np
+
+from iconstudio.algorithms.cuts import minimum_cut, new_trees
+from iconstudio.algorithms.energy import EPSILON, F_INT, PATCH, SITES, Labels, RemixProblem
+from iconstudio.algorithms.expansion import Lattice
+from iconstudio.algorithms.networks import (
+    UNIT,
+    Box,
+    Grid,
+    Network,
+    Scratch,
+    Smoothness,
+    move,
+    new_network,
+    update,
+)
+from iconstudio.algorithms.symmetry import mirrored
+from iconstudio.model import CANVAS
+
+BLOCK = 2
+COARSE = 4
+SIMILAR = 1.6
+"""The lambda_S within this factor are similar."""
+PROMISING = 1.03
+"""An energy this much above the best known is worth refining."""
+LARGEST = 16.0
+"""Above this lambda_S, expansions are made as if it were this, as whole numbers have an end."""
+_DEAREST = 1 << 27
+"""The largest data cost of a node, in units: more than all seams around it."""
+
+
+class Stopped(Exception):  # noqa: N818 - nothing went wrong
+    """The work was no longer wanted."""
+
+
+class Level:
+    """A problem on blocks of ``block`` x ``block`` sites, and the networks of its labels.
+
+    Labels here are arrays (N,) uint8 with the grid's border.
+    """
+
+    def __init__(self, problem: RemixProblem, block: int, words: np.ndarray) -> None:
+        self.lattice = Lattice(problem, block)
+        side = CANVAS // block
+        width = side + 2
+        self._inside = (np.arange(1, side + 1)[:, None] * width + np.arange(1, side + 1)).ravel()
+        self._image = np.arange(side * side)
+        if problem.symmetry is not None:
+            self._image = np.minimum(self._image, mirrored(side, problem.symmetry))
+        kept = np.zeros(width * width, np.bool_)
+        kept[self._inside] = self._image == np.arange(side * side)
+        data = np.zeros((len(problem.data), width * width), np.int32)
+        cost = np.minimum(np.rint(self.lattice.data * UNIT), _DEAREST)
+        data[:, self._inside] = cost[:, self.lattice.node]
+        offset = np.array([1, -1, width, -width], np.int32)
+        self.grid = Grid(words, data, kept, offset, side, block)
+        self._networks: list[Network | None] = [None] * len(data)
+        self._trees = new_trees(width * width)
+        self._scratch = Scratch(
+            np.zeros((len(words), SITES), np.int32), *np.zeros((2, width * width, 2), np.int32)
+        )
+        self.begin(1.0)
+
+    def cheapest(self) -> Labels:
+        """Return the labels of least data cost."""
+        return self.grid.data.argmin(axis=0).astype(np.uint8)
+
+    def reduced(self, labels: Labels) -> Labels:
+        """Return the labels of the blocks' first sites; ``labels`` is (CANVAS, CANVAS)."""
+        block = self.grid.block
+        out = np.zeros(self.grid.kept.shape, np.uint8)
+        out[self._inside] = labels[::block, ::block].ravel()
+        return out
+
+    def full(self, labels: Labels) -> Labels:
+        """Return labels on the sites, (CANVAS, CANVAS)."""
+        side, block = self.grid.side, self.grid.block
+        picture = labels[self._inside][self._image].reshape(side, side)
+        return picture.repeat(block, axis=0).repeat(block, axis=1)
+
+    def descend(
+        self, labels: Labels, lambda_s: float, alphas: Iterable[int], stop: Callable[[], bool]
+    ) -> None:
+        """Expand the labels ``alphas`` in turn, in place, until none gains.
+
+        Raises
+        ------
+        Stopped
+            When ``stop()`` says so; asked before each expansion.
+        """
+        self.begin(lambda_s)
+        order = list(alphas)
+        idle, k = 0, 0
+        while idle < len(order):
+            if stop():
+                raise Stopped
+            idle = 0 if self.expand(labels, order[k]) else idle + 1
+            k = (k + 1) % len(order)
+
+    def begin(self, lambda_s: float) -> None:
+        """Set lambda_S for the expansions to come, of any labels."""
+        unit = min(lambda_s, LARGEST) * UNIT
+        root = np.ceil(unit * np.sqrt(np.arange(PATCH * PATCH + 1))).astype(np.int32)
+        self.smoothness = Smoothness(root, int(np.ceil(unit * F_INT)), int(np.ceil(unit * EPSILON)))
+        self._changed = [(0, self.grid.side, 0, self.grid.side)] * len(self._networks)
+
+    def touch(self, box: Box) -> None:
+        """Say that labels within a box have changed, one node or more from its border."""
+        self._changed = [_joined(one, box) for one in self._changed]
+
+    def expand(self, labels: Labels, alpha: int) -> int:
+        """Make the best expansion of a label, in place; return what it gains, in units.
+
+        ``labels`` are those of the last expansion, except where ``touch`` has been told.
+        """
+        box = self._changed[alpha]
+        if box[0] >= box[1]:
+            return 0
+        self._changed[alpha] = (CANVAS, 0, CANVAS, 0)
+        grid, trees = self.grid, self._trees
+        network = self._networks[alpha]
+        if network is None:
+            network = self._networks[alpha] = new_network(len(grid.kept))
+        if not update(grid, self.smoothness, network, self._scratch, labels, alpha, box):
+            return 0
+        minimum_cut(grid.offset, network.capacity, network.excess, trees)
+        gain, box = move(grid.side, network.excess, trees.tree, labels, alpha)
+        if gain:
+            self.touch(box)
+        return gain
+
+
+class Sweep:
+    """The labellings of a problem found so far, and the means to find better ones.
+
+    ``stop`` is asked between expansions; when it says so, ``Stopped`` is raised, and the sweep can
+    still be used.
+    """
+
+    def __init__(self, problem: RemixProblem, stop: Callable[[], bool] = lambda: False) -> None:
+        self._problem = problem
+        self._stop = stop
+        self._words = plane_words(problem)
+        self._levels: dict[int, Level] = {}
+        self._known: list[tuple[float, float, Labels]] = []
+        self._every = range(len(problem.data))
+
+    def add(self, labels: Labels) -> None:
+        """Make a labelling (CANVAS, CANVAS) known, such as that of a similar problem."""
+        data, smoothness = self._problem.costs(labels)
+        self._known.append((data, smoothness, labels))
+
+    def best(self, lambda_s: float) -> Labels:
+        """Return the best labelling known, (CANVAS, CANVAS)."""
+        return min(self._known, key=lambda one: one[0] + lambda_s * one[1])[2]
+
+    def energy(self, lambda_s: float) -> float:
+        """Return the energy of the best labelling known."""
+        return min(data + lambda_s * smoothness for data, smoothness, _ in self._known)
+
+    def preview(self, lambda_s: float) -> Labels:
+        """Return a good labelling soon, (CANVAS, CANVAS)."""
+        self._descend(BLOCK, lambda_s, self.best(lambda_s) if self._known else None)
+        return self.best(lambda_s)
+
+    def explore(self, lambdas: Iterable[float]) -> None:
+        """Look for good labellings for several lambda_S."""
+        rising = sorted(lambdas)
+        coarse = {value: self._descend(COARSE, value, None) for value in rising}
+        for order in (rising, rising[::-1]):
+            labels = None
+            for lambda_s in order:
+                labels = self._descend(BLOCK, lambda_s, labels)
+        for lambda_s, labels in coarse.items():
+            data, smoothness = self._problem.costs(labels)
+            if data + lambda_s * smoothness < PROMISING * self.energy(lambda_s):
+                self._descend(BLOCK, lambda_s, labels)
+
+    def solve(self, lambda_s: float) -> Labels:
+        """Return a labelling of low energy, (CANVAS, CANVAS)."""
+        if not self._known:
+            self.preview(lambda_s)
+        similar = (lambda_s / SIMILAR, lambda_s, lambda_s * SIMILAR)
+        used = np.unique([self.best(value) for value in similar])
+        self._descend(1, lambda_s, self.best(lambda_s), used.tolist())
+        return self.best(lambda_s)
+
+    def _descend(
+        self,
+        block: int,
+        lambda_s: float,
+        start: Labels | None,
+        alphas: Iterable[int] | None = None,
+    ) -> Labels:
+        """Expand from ``start``, the cheapest labels if None, and remember what is found."""
+        if block not in self._levels:
+            self._levels[block] = Level(self._problem, block, self._words)
+        level = self._levels[block]
+        labels = level.cheapest() if start is None else level.reduced(start)
+        level.descend(labels, lambda_s, self._every if alphas is None else alphas, self._stop)
+        found = level.full(labels)
+        self.add(found)
+        return found
+
+
+def plane_words(problem: RemixProblem) -> np.ndarray:
+    """Return ``Grid.words`` of a problem."""
+    inside = problem.interior.reshape(len(problem.data), SITES)
+    words = problem.patches | inside.astype(np.uint64) << np.uint64(63)
+    if problem.symmetry is None:
+        return words[None]
+    return np.stack([words, words[:, mirrored(CANVAS, problem.symmetry)]])
+
+
+def _joined(one: Box, other: Box) -> Box:
+    """Return the box around two."""
+    return (
+        min(one[0], other[0]),
+        max(one[1], other[1]),
+        min(one[2], other[2]),
+        max(one[3], other[3]),
+    )

@@ -1,0 +1,182 @@
+import numpy as np
+import pytest
+
+from iconstudio.algorithms import expansion
+from iconstudio.algorithms.energy import F_INT, Labels, RemixProblem
+from iconstudio.algorithms.expansion import Lattice, minimise
+from iconstudio.algorithms.networks import UNIT
+from iconstudio.algorithms.sweep import Level, Stopped, Sweep, plane_words
+from iconstudio.model import CANVAS, Axis
+from tests.shapes import blob, problem
+
+
+def busy_problem(seed: int = 0, count: int = 4, symmetry: Axis | None = None) -> RemixProblem:
+    """Sources that differ in the middle of the canvas, with a data cost that varies smoothly."""
+    ink = np.stack([blob(seed + k) & ~blob(seed + k, level=0.5) for k in range(count)])
+    rng = np.random.default_rng(seed)
+    data = rng.uniform(0, 0.1, (count, 8, 8)).repeat(CANVAS // 8, 1).repeat(CANVAS // 8, 2)
+    plain = problem(ink, data)
+    return RemixProblem(plain.data, plain.ink, plain.solid, symmetry)
+
+
+def energy(one: RemixProblem, labels: Labels, lambda_s: float) -> float:
+    return expansion.energy(one, labels, lambda_s)
+
+
+def never() -> bool:
+    return False
+
+
+def is_symmetric(labels: Labels, axis: Axis) -> bool:
+    lattice = Lattice(busy_problem(symmetry=axis))
+    return np.array_equal(lattice.full(lattice.reduced(labels)), labels)
+
+
+@pytest.mark.parametrize("symmetry", [None, *Axis])
+@pytest.mark.parametrize("block", [4, 8])
+def test_expansions_are_those_of_the_plain_program(symmetry, block):
+    one = busy_problem(3, symmetry=symmetry)
+    level, lattice = Level(one, block, plane_words(one)), Lattice(one, block)
+    assert one.interior.any()
+    rng = np.random.default_rng(block)
+    labels = level.cheapest()
+    for lambda_s in (0.3, 0.05, 0.1):  # flows are kept from one to the next
+        for alpha in rng.permutation([0, 1, 2, 3, 0, 1]).tolist():
+            level.begin(lambda_s)
+            before = level.full(labels)
+            plain, gain = expansion.expand(lattice, lattice.reduced(before), alpha, lambda_s)
+            gained = level.expand(labels, alpha) / UNIT
+            after = level.full(labels)
+            assert gained == pytest.approx(gain, rel=2e-5, abs=0.005)
+            assert energy(one, after, lambda_s) == pytest.approx(
+                energy(one, lattice.full(plain), lambda_s), rel=2e-5, abs=0.005
+            )
+            fallen = energy(one, before, lambda_s) - energy(one, after, lambda_s)
+            assert fallen == pytest.approx(gained, rel=2e-4, abs=0.02)
+
+
+def test_where_only_a_box_is_looked_at_the_rest_is_as_if_all_were():
+    one = busy_problem(5)
+    words = plane_words(one)
+    kept, fresh = Level(one, 4, words), Level(one, 4, words)
+    rng = np.random.default_rng(1)
+    labels = kept.cheapest()
+    kept.begin(0.1)
+    for _ in range(60):
+        alpha = int(rng.integers(4))
+        alone = labels.copy()
+        fresh.begin(0.1)
+        gain = kept.expand(labels, alpha)
+        assert fresh.expand(alone, alpha) == gain
+        assert np.array_equal(alone, labels)
+        if not gain:  # go on from elsewhere, as a box of random labels
+            y, x = rng.integers(1, 50, 2)
+            picture = labels.reshape(66, 66)
+            picture[y : y + 9, x : x + 6] = rng.integers(4)
+            kept.touch((int(y) - 2, int(y) + 9, int(x) - 2, int(x) + 6))
+
+
+def test_a_search_ends_where_no_expansion_gains():
+    one = busy_problem(2)
+    level = Level(one, 4, plane_words(one))
+    labels = level.cheapest()
+    level.descend(labels, 0.1, range(4), never)
+    lattice = Lattice(one, 4)
+    for alpha in range(4):
+        reduced = lattice.reduced(level.full(labels))
+        assert expansion.expand(lattice, reduced, alpha, 0.1)[1] < 0.005
+
+
+@pytest.mark.parametrize("symmetry", [None, Axis.HORIZONTAL, Axis.ANTIDIAGONAL])
+def test_a_sweep_is_about_as_good_as_plain_expansion(symmetry):
+    one = busy_problem(1, symmetry=symmetry)
+    lambdas = (0.03, 0.1, 0.4)
+    sweep = Sweep(one)
+    sweep.explore(lambdas)
+    plain = Lattice(one, 2)
+    for lambda_s in lambdas:
+        known = sweep.energy(lambda_s)
+        labels = sweep.solve(lambda_s)
+        assert sweep.energy(lambda_s) <= known
+        assert energy(one, labels, lambda_s) == pytest.approx(sweep.energy(lambda_s))
+        cold = minimise(plain, plain.data.argmin(axis=0).astype(np.uint8), lambda_s)
+        assert sweep.energy(lambda_s) <= 1.01 * energy(one, plain.full(cold), lambda_s)
+        if symmetry is not None:
+            assert is_symmetric(labels, symmetry)
+
+
+def test_the_same_calls_give_the_same_labels():
+    def run() -> list[Labels]:
+        sweep = Sweep(busy_problem(4))
+        first = sweep.preview(0.2)
+        sweep.explore((0.05, 0.2))
+        return [first, sweep.solve(0.2), sweep.solve(0.05), sweep.solve(0.1)]
+
+    for one, other in zip(run(), run(), strict=True):
+        assert np.array_equal(one, other)
+
+
+def test_a_solution_is_a_fixed_point_of_the_fine_lattice():
+    one = busy_problem(6, count=3)
+    labels = Sweep(one).solve(0.1)
+    fine = Lattice(one)
+    for alpha in np.unique(labels).tolist():
+        assert expansion.expand(fine, fine.reduced(labels), alpha, 0.1)[1] < 0.01
+
+
+def test_what_is_known_counts_for_every_lambda():
+    one = busy_problem(7)
+    sweep = Sweep(one)
+    flat = np.full((CANVAS, CANVAS), 2, np.uint8)
+    sweep.add(flat)
+    assert sweep.energy(0.5) == pytest.approx(energy(one, flat, 0.5))
+    sweep.preview(0.5)
+    assert sweep.energy(0.5) <= energy(one, flat, 0.5)
+    assert sweep.energy(1e6) <= energy(one, flat, 1e6)
+    assert np.array_equal(sweep.best(1e6), flat)
+
+
+def test_stopping_leaves_the_sweep_usable():
+    asked = 0
+
+    def stop() -> bool:
+        nonlocal asked
+        asked += 1
+        return asked == 5
+
+    one = busy_problem(8)
+    sweep = Sweep(one, stop)
+    with pytest.raises(Stopped):
+        sweep.solve(0.1)
+    assert asked == 5
+    assert np.array_equal(sweep.solve(0.1), Sweep(one).solve(0.1))
+
+
+@pytest.mark.parametrize("lambda_s", [0.0, 3.0, 1000.0])
+def test_extreme_lambdas(lambda_s):
+    one = busy_problem(9)
+    sweep = Sweep(one)
+    labels = sweep.solve(lambda_s)
+    cheapest = one.data.argmin(axis=0).astype(np.uint8)
+    assert energy(one, labels, lambda_s) <= energy(one, cheapest, lambda_s) + 0.01
+
+
+def test_marks_hold_against_strong_seams():
+    one = busy_problem(10, count=2)
+    data = np.zeros_like(one.data)
+    data[0, 100:110, 100:110] = 1e4
+    data[1, 140:150, 140:150] = 1e4
+    labels = Sweep(RemixProblem(data, one.ink, one.solid)).solve(3.0)
+    assert (labels[100:110, 100:110] == 1).all()
+    assert (labels[140:150, 140:150] == 0).all()
+
+
+def test_the_only_source_owns_everything():
+    assert not Sweep(busy_problem(11, count=1)).solve(0.1).any()
+
+
+def test_interior_structure_costs_what_the_paper_says():
+    one = busy_problem(12, count=2)
+    level = Level(one, 1, plane_words(one))
+    level.begin(1.0)
+    assert level.smoothness.through == F_INT * UNIT
