@@ -40,7 +40,7 @@ from iconstudio.workflows.hybrids import mix_icons
 from iconstudio.workflows.modelling import model
 from iconstudio.workflows.montage import check as check_montage
 from iconstudio.workflows.montage import montage_icons
-from iconstudio.workflows.remixing import answer, draw
+from iconstudio.workflows.remixing import answer, draw, warm_up
 
 _PLENTY = 8
 """With so many others, icons of two tones are left out: only their dark part could be used."""
@@ -76,6 +76,15 @@ class Session:
                         yield Progress("search", step.done, step.message)
                 except StopIteration as end:
                     self._collection = end.value
+
+    def get_ready(self) -> Iterator[Progress]:
+        """Open the collection and start the worker processes ahead of their first use.
+
+        The very first time they compile what cuts, which takes some seconds; later it is at hand.
+        """
+        yield from self.open()
+        for lane in range(self._workers.count):
+            self._workers.submit(warm_up, lane=lane)
 
     @property
     def collection(self) -> Collection:

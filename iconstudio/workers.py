@@ -14,8 +14,12 @@ from collections.abc import Callable, Iterator
 from concurrent.futures import CancelledError, Future
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager, suppress
-from typing import Any
+from typing import Any, TypeVar
 
+T = TypeVar("T")
+
+REMEMBERED = 3
+_memory: dict[object, Any] = {}
 _NICENESS = 5
 """By how much workers give way to the window."""
 
@@ -130,6 +134,18 @@ class _Lane:
     def _cancel_all(self) -> None:
         for future in tuple(self._unsettled):
             future.cancel()
+
+
+def remembered(key: object, make: Callable[[], T]) -> T:
+    """Return what a task has made under ``key`` in this process before, else ``make()``.
+
+    A process remembers ``REMEMBERED`` things. Tasks that build on each other name their lane.
+    """
+    found = _memory.pop(key, None)
+    _memory[key] = make() if found is None else found
+    while len(_memory) > REMEMBERED:
+        del _memory[next(iter(_memory))]
+    return _memory[key]
 
 
 def died(error: BaseException) -> bool:

@@ -146,7 +146,15 @@ def edit_icon(
                 unchanged=change.unchanged(result.drawing, answer(own)),
             )
 
-        return Job(style.name, everyone, problem, settings.lambdas, change.target, finish=finish)
+        return Job(
+            style.name,
+            everyone,
+            problem,
+            settings.lambdas,
+            change.target,
+            settings.explored,
+            finish=finish,
+        )
 
     try:
         yield from remix_styles(

@@ -36,6 +36,11 @@ class ModelSettings:
     """Values of lambda_S, in any order."""
     scales: tuple[float, ...] = SCALES
 
+    @property
+    def explored(self) -> tuple[float, ...]:
+        """The values of lambda_S that are searched: more than are asked for, as each helps all."""
+        return tuple(sorted({*self.lambdas, *LAMBDAS}))
+
     def chosen_styles(self) -> tuple[Style, ...]:
         """Return the styles named, in the paper's order.
 

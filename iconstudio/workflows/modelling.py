@@ -40,7 +40,7 @@ def model(
 
     def job(style: Style, sources: tuple[Source, ...]) -> Job:
         problem = remix_problem(field, sources, sketch.symmetry)
-        return Job(style.name, sources, problem, settings.lambdas, target)
+        return Job(style.name, sources, problem, settings.lambdas, target, settings.explored)
 
     yield from remix_styles(
         field,

@@ -1,5 +1,7 @@
 """Remixing placed sources, several problems at once: what all workflows share (section 3.4)."""
 
+import itertools
+import os
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, wait
 from dataclasses import dataclass, replace
@@ -12,13 +14,12 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms import ranking
 from iconstudio.algorithms.energy import Labels, RemixProblem, joined_ink
-from iconstudio.algorithms.expansion import remix
 from iconstudio.algorithms.fragments import fragments
 from iconstudio.algorithms.ranking import Score
 from iconstudio.algorithms.raster import solid
 from iconstudio.algorithms.redraw import SCALE, erase, redraw, two_tone
 from iconstudio.model import CANVAS, Composite, Drawing, Frame, IconstudioError, Placement, Source
-from iconstudio.workers import Workers, died
+from iconstudio.workers import Workers, died, remembered
 from iconstudio.workflows.events import Progress, Result
 
 Render = Callable[[str, Frame, Placement, int], NDArray[np.uint8]]
@@ -27,7 +28,7 @@ Render = Callable[[str, Frame, Placement, int], NDArray[np.uint8]]
 
 @dataclass(frozen=True, eq=False)
 class Job:
-    """A problem to solve for several lambda_S, from the highest down, each from the last."""
+    """A problem to solve for several lambda_S, from the highest down."""
 
     style: str
     sources: tuple[Source, ...]
@@ -35,6 +36,8 @@ class Job:
     lambdas: tuple[float, ...]
     target: NDArray[np.bool_] | None = None
     """(CANVAS, CANVAS): the filled outline that the results are compared with, if there is one."""
+    explored: tuple[float, ...] = ()
+    """Values of lambda_S for which to look for labellings first: they help each other."""
     sharing: bool = False
     """Whether a good result has its ink from several sources."""
     finish: Callable[[Result], Result] = lambda result: result
@@ -73,7 +76,7 @@ class Remixing:
         self._render = render
         self._total = total
         self._done = 0
-        self._running: dict[Future[Any], tuple[Job, float]] = {}
+        self._running: dict[Future[Any], _Step] = {}
 
     @property
     def busy(self) -> bool:
@@ -87,7 +90,8 @@ class Remixing:
 
     def start(self, job: Job) -> None:
         """Begin with the highest lambda_S of a job."""
-        self._submit(job, max(job.lambdas), None)
+        lambdas = tuple(sorted(job.lambdas, reverse=True))
+        self._submit(_Step(job, lambdas, next(_numbers), self._workers.idlest()))
 
     def expect_fewer(self, count: int) -> None:
         """Take ``count`` results off the expected total."""
@@ -100,13 +104,12 @@ class Remixing:
         """
         finished = wait(self._running, timeout, return_when=FIRST_COMPLETED).done
         for future in finished:
-            job, lambda_s = self._running.pop(future)
+            step = self._running.pop(future)
             solved = answer(future)
-            lower = [value for value in job.lambdas if value < lambda_s]
-            if lower:
-                self._submit(job, max(lower), solved.labels)
+            if len(step.lambdas) > 1:
+                self._submit(replace(step, lambdas=step.lambdas[1:]))
             self._done += 1
-            yield job.finish(_result(job, lambda_s, solved))
+            yield step.job.finish(_result(step.job, step.lambdas[0], solved))
         yield Progress("remix", self._done / max(1, self._total), "Joining parts")
 
     def cancel(self) -> None:
@@ -115,35 +118,73 @@ class Remixing:
             future.cancel()
         self._running.clear()
 
-    def _submit(self, job: Job, lambda_s: float, start: Labels | None) -> None:
+    def _submit(self, step: "_Step") -> None:
+        job = step.job
         future = self._workers.submit(
             solve,
+            (os.getpid(), step.number),
             job.problem,
-            lambda_s,
-            start,
+            step.lambdas[0],
+            job.explored,
             job.sharing,
             job.drawn,
             self._render,
+            lane=step.lane,
         )
-        self._running[future] = job, lambda_s
+        self._running[future] = step
+
+
+@dataclass(frozen=True, eq=False)
+class _Step:
+    """The next lambda_S of a job, and those to follow; always in the same process."""
+
+    job: Job
+    lambdas: tuple[float, ...]
+    number: int
+    lane: int
+
+
+_numbers = itertools.count()
 
 
 def solve(
+    key: object,
     problem: RemixProblem,
     lambda_s: float,
-    start: Labels | None,
+    explored: Sequence[float],
     sharing: bool,
     drawn: Sequence[tuple[str, Frame, Placement]],
     render: Render,
 ) -> Solved:
-    """Cut, judge, redraw and trace: one result. Runs in a worker process."""
+    """Cut, judge, redraw and trace: one result. Runs in a worker process.
+
+    What is found is remembered under ``key``, for other values of lambda_S.
+    """
+    from iconstudio.algorithms.sweep import Sweep
+
     began = perf_counter()
-    labels = remix(problem, lambda_s, start)
+
+    def begin() -> Sweep:
+        sweep = Sweep(problem)
+        sweep.explore(explored)
+        return sweep
+
+    labels = remembered(key, begin).solve(lambda_s)
     score = ranking.score(problem, labels, sharing=sharing)
     cut = perf_counter()
     drawing = draw(labels, problem.ink, drawn, render)
     seconds = cut - began, perf_counter() - cut
     return Solved(labels, problem.costs(labels), score, drawing, seconds)
+
+
+def warm_up() -> None:
+    """Load what cuts, and compile it if it never was, on a problem of nothing."""
+    from iconstudio.algorithms.sweep import Sweep
+
+    ink = np.zeros((2, CANVAS, CANVAS), dtype=bool)
+    sweep = Sweep(RemixProblem(ink.astype(np.float32), ink, ink))
+    sweep.explore([1.0])
+    sweep.solve(1.0)
 
 
 def draw(

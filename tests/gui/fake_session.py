@@ -111,7 +111,7 @@ class FakeSession:
         self.generators_closed = 0
         self.thread_ids: set[int] = set()
 
-    def open(self) -> Iterator[Event]:
+    def get_ready(self) -> Iterator[Event]:
         yield Progress("search", 0.5, "Opening the collection")
         yield Progress("search", 1.0, "Opening the collection")
 

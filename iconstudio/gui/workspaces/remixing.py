@@ -147,7 +147,7 @@ class RemixWorkspace(Workspace):
         self.runner.ended.connect(board.end)
         self.connect_board(board)
         self._rest()
-        self._opening.start(self.session.open)
+        self._opening.start(self.session.get_ready)
 
     def start(
         self, wanted: object, settings: ModelSettings, make: Callable[[], Generator[Event]]
