@@ -5,7 +5,7 @@ import threading
 
 import pytest
 from fake_session import FakeSession
-from PySide6.QtCore import QSize, QtMsgType
+from PySide6.QtCore import QCoreApplication, QEvent, QSize, QtMsgType
 from PySide6.QtWidgets import QApplication
 
 from iconstudio.gui import pictures
@@ -63,7 +63,6 @@ def session(monkeypatch):
 @pytest.fixture
 def window(qtbot, session, monkeypatch):
     window = MainWindow(session)
-    qtbot.addWidget(window)
     window.resize(QSize(1280, 720))
     window.show()
     qtbot.waitExposed(window)
@@ -71,6 +70,9 @@ def window(qtbot, session, monkeypatch):
     window.close()
     assert session.closed.is_set()
     assert not window.threads_alive()
+    # At once: windows of earlier tests would slow down whatever concerns all widgets.
+    window.deleteLater()
+    QCoreApplication.sendPostedEvents(window, QEvent.Type.DeferredDelete)
 
 
 @pytest.fixture
