@@ -30,7 +30,8 @@ _AFTER = {
     Kind.REMOVE: "Now add what should come (A), or press Remix · drag points to correct",
     Kind.ADD: "Press Remix, or mark more · drag points to correct",
 }
-"""What a tool says before an area is drawn, and after."""
+_MARKED = "Press Remix, or mark more · V selects areas to correct them"
+"""What a tool says before an area is drawn, after that, and if there are others only."""
 
 
 class AreaTool(PolygonTool):
@@ -86,9 +87,9 @@ class DrawTool(AreaTool):
             return super().hint
         if self._missed:
             return "That encloses nothing: drag all the way around, or click corners"
-        if self.outline.area is None:
-            return _BEFORE[self.kind]
-        return _AFTER[self.kind]
+        if self.outline.area is not None:
+            return _AFTER[self.kind]
+        return _MARKED if self.outline.document.page.areas else _BEFORE[self.kind]
 
     def move(self, pointer: Pointer) -> None:
         """Draw on, or do what is done with any outline."""

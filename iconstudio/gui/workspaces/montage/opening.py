@@ -48,7 +48,7 @@ class MontageOpener(Opener):
             self.document.change("open montage", found.page)
             return f"Opened “{found.title}”."
         self.document.change("add icon", self.document.page.with_icons([found]))
-        return f"Added “{found.pictogram.id}”."
+        return f"Added “{self.document.page.current.title}”."
 
     def _drawn(self, find: Callable[[], Pictogram]) -> Generator[Icon]:
         yield Icon(self.session.exemplar(find()))

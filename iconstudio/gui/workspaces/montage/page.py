@@ -59,7 +59,8 @@ class PlacedIcon:
     @property
     def title(self) -> str:
         """What to call it."""
-        return self.icon.pictogram.id.partition(":")[2] or self.icon.pictogram.id
+        icon = self.icon.pictogram
+        return icon.credit.title if icon.made_of else icon.id.partition(":")[2] or icon.id
 
     @property
     def color(self) -> QColor:
