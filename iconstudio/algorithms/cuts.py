@@ -9,7 +9,12 @@ way back. All are whole numbers, so flows are exact, without any tolerance, and 
 machine. The cut that is found is the one with the fewest nodes on the source's side; the excess
 that remains there is what it gains over the cut with none.
 
-**Chains.** First, flow is sent along each row to the right and back to the left, then along each
+**Blocks.** Where the capacities between nodes are large, flow goes far, in many small steps. So 2 x
+2 nodes are first joined and their network is cut, recursively; what flowed between two blocks is
+then shared out among their nodes, in proportion to the capacities, so it is feasible. Nodes within
+a block are evened out by what follows.
+
+**Chains.** Then, flow is sent along each row to the right and back to the left, and along each
 column: it carries most of the flow at little cost. How much a node may send on is known beforehand
 from a run in the other direction, so no flow ends where it finds no use.
 
@@ -35,6 +40,11 @@ _FREE, _SINK = 0, 2
 _ROOT, _ORPHAN = 4, 5
 """Instead of the direction of a node's parent."""
 _FAR = 1 << 30
+_MOST = 1 << 29
+"""The largest capacity or excess of a block; what is more is left to the nodes."""
+
+SMALLEST = 64
+"""Smaller grids are not cut coarsely first."""
 
 Integers = NDArray[np.int32]
 
@@ -57,15 +67,113 @@ def new_trees(size: int) -> Trees:
     return Trees(*small, *wide[:3], np.zeros(size, np.bool_), wide[3])
 
 
-@entry
-def minimum_cut(offset, capacity, excess, trees):
+def minimum_cut(
+    offset: Integers, capacity: Integers, excess: Integers, trees: Trees, anew: bool, far: bool
+) -> None:
     """Send all the flow there is; the source's side is then what ``excess`` can still reach.
 
-    ``capacity`` and ``excess`` are changed in place to what remains.
+    Parameters
+    ----------
+    offset
+        (4,): from a node to its right, left, lower and upper neighbour.
+    capacity, excess
+        (N, 4) and (N,), changed in place to what remains.
+    anew
+        Whether flow is to be expected all over the grid: then chains come first, and trees grow
+        from both sides, else only from the source's.
+    far
+        Whether it is to be expected to go far: then blocks come before all.
     """
-    _chains(offset, capacity, excess, trees.distance)
+    if far:
+        _send_in_blocks(offset, capacity, excess)
+    if anew:
+        _send_in_chains(offset, capacity, excess, trees.distance)
+    _send_in_trees(offset, capacity, excess, trees, anew)
+
+
+def _send_in_blocks(offset: Integers, capacity: Integers, excess: Integers) -> None:
+    """Send what flow the sums over 2 x 2 nodes suggest."""
+    width = int(offset[2])
+    rows, columns = len(excess) // width - 2, width - 2
+    if rows % 2 or columns % 2 or min(rows, columns) < SMALLEST:
+        return
+    wide = columns // 2 + 2
+    size = (rows // 2 + 2) * wide
+    coarse, sums = np.zeros((size, 4), np.int32), np.zeros(size, np.int32)
+    _add_up(width, capacity, excess, wide, coarse, sums)
+    steps = np.array([1, -1, wide, -wide], np.int32)
+    minimum_cut(steps, coarse, sums, new_trees(size), True, True)
+    _spread(width, capacity, excess, wide, coarse)
+
+
+@entry
+def _add_up(width, capacity, excess, wide, coarse, sums):
+    """Add up the excess of 2 x 2 nodes each, and the capacities between them."""
+    for p in range(wide + 1, len(sums) - wide - 1):
+        y, x = p // wide, p % wide
+        if x == 0 or x == wide - 1:
+            continue
+        i = (2 * y - 1) * width + 2 * x - 1
+        j = i + width
+        total = np.int64(excess[i]) + excess[i + 1] + excess[j] + excess[j + 1]
+        sums[p] = min(max(total, -_MOST), _MOST)
+        coarse[p, 0] = _sum(capacity[i + 1, 0], capacity[j + 1, 0])
+        coarse[p, 1] = _sum(capacity[i, 1], capacity[j, 1])
+        coarse[p, 2] = _sum(capacity[j, 2], capacity[j + 1, 2])
+        coarse[p, 3] = _sum(capacity[i, 3], capacity[i + 1, 3])
+
+
+@inner
+def _sum(one, other):
+    return min(np.int64(one) + other, _MOST)
+
+
+@entry
+def _spread(width, capacity, excess, wide, coarse):
+    """Send what flowed between blocks between their nodes, in proportion to the capacities.
+
+    Within a block flows the mean of what comes in and what goes out, if it can. ``coarse`` is what
+    remains of the capacities between blocks.
+    """
+    for axis in range(2):
+        d, along, across = (0, width, 1) if axis == 0 else (2, 1, width)
+        sent = np.zeros(excess.size, np.int64)
+        for p in range(wide + 1, len(coarse) - wide - 1):
+            y, x = p // wide, p % wide
+            if x == 0 or x == wide - 1:
+                continue
+            first = (2 * y - 1) * width + 2 * x - 1 + across
+            second = first + along
+            flow = _sum(capacity[first, d], capacity[second, d]) - coarse[p, d]
+            if flow > 0:
+                one, other = np.int64(capacity[first, d]), np.int64(capacity[second, d])
+                sent[first] = flow * one // (one + other)
+            elif flow < 0:
+                one = np.int64(capacity[first + across, d + 1])
+                other = np.int64(capacity[second + across, d + 1])
+                sent[first] = -(-flow * one // (one + other))
+            sent[second] = flow - sent[first]
+            for node in (first, second):
+                inside = (sent[node - 2 * across] + sent[node]) >> 1
+                inside = min(max(inside, -capacity[node, d + 1]), capacity[node - across, d])
+                _push(capacity, excess, node - across, node, d, inside)
+                _push(capacity, excess, node, node + across, d, sent[node])
+
+
+@inner
+def _push(capacity, excess, i, j, d, amount):
+    """Send an amount of either sign from node i to its neighbour j in direction d."""
+    capacity[i, d] -= amount
+    capacity[j, d ^ 1] += amount
+    excess[i] -= amount
+    excess[j] += amount
+
+
+@entry
+def _send_in_trees(offset, capacity, excess, trees, anew):
+    """Send all the rest of the flow."""
     size = excess.size
-    head, count = 0, _plant(excess, trees)
+    head, count = 0, _plant(excess, trees, anew)
     time, here = 0, -1
     while here >= 0 or count > 0:
         if here < 0:
@@ -82,11 +190,11 @@ def minimum_cut(offset, capacity, excess, trees):
             continue
         time += 1
         orphans = _send(offset, capacity, excess, trees, here, met)
-        count = _adopt(offset, capacity, trees, time, orphans, head, count)
+        count = _adopt(offset, capacity, trees, time, orphans, head, count, anew)
 
 
-@inner
-def _chains(offset, capacity, excess, reach):
+@entry
+def _send_in_chains(offset, capacity, excess, reach):
     """Send flow along rows, then along columns: to the right, left, down and up.
 
     ``reach`` is scratch space: how much of what flows on from a node finds a use, after what the
@@ -111,18 +219,19 @@ def _chains(offset, capacity, excess, reach):
 
 
 @inner
-def _plant(excess, trees):
+def _plant(excess, trees, anew):
     """Make every node with excess a tree of its own, and active; return how many."""
     tree, parent, age, distance, queue, queued, _ = trees
     count = 0
     for i in range(excess.size):
         age[i] = 0
-        queued[i] = excess[i] != 0
-        if queued[i]:
+        queued[i] = excess[i] > 0 or (anew and excess[i] < 0)
+        if excess[i] != 0:
             tree[i] = SOURCE if excess[i] > 0 else _SINK
             parent[i], distance[i] = _ROOT, 1
-            queue[count] = i
-            count += 1
+            if queued[i]:
+                queue[count] = i
+                count += 1
         else:
             tree[i], parent[i] = _FREE, _ORPHAN
     return count
@@ -202,7 +311,7 @@ def _send(offset, capacity, excess, trees, i, met):
 
 
 @inner
-def _adopt(offset, capacity, trees, time, left, head, count):
+def _adopt(offset, capacity, trees, time, left, head, count, anew):
     """Find each orphan a parent in its tree, or set it free, which may make more orphans.
 
     Returns how many nodes are active.
@@ -229,7 +338,9 @@ def _adopt(offset, capacity, trees, time, left, head, count):
             j = i + offset[d]
             if tree[j] != side:
                 continue
-            if (capacity[j, d ^ 1] if side == SOURCE else capacity[i, d]) > 0:
+            if (anew or side == SOURCE) and (
+                capacity[j, d ^ 1] if side == SOURCE else capacity[i, d]
+            ) > 0:
                 count = _activate(trees, j, head, count)
             if parent[j] == d ^ 1:
                 parent[j] = _ORPHAN

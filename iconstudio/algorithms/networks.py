@@ -176,7 +176,7 @@ def _compare(words, root, rough, labels, alpha, side, block, box):
                     for site in range(first, first + block):
                         one, other = words[plane, label, site], words[plane, alpha, site]
                         flags = ((one >> _LAST_BIT) << np.uint64(1)) | (other >> _LAST_BIT)
-                        differ = root[ones((one ^ other) & _PATCH_BITS)]
+                        differ = root[_bits(one, other)]
                         rough[plane, site] = (differ << 2) | np.int32(flags)
 
 
@@ -218,11 +218,9 @@ def _seams(words, root, through, least, kept, labels, alpha, there, back, excess
                     continue
                 first = _first(y, x, axis, side, block)
                 edge = (first, across, along, block)
-                keep = _cost(words, root, through, least, a, b, edge)
+                keep, i_moves, j_moves = _costs(words, root, through, least, a, b, alpha, edge)
                 to_i, to_j = keep, keep
                 if a != alpha and b != alpha:
-                    i_moves = _cost(words, root, through, least, alpha, b, edge)
-                    j_moves = _cost(words, root, through, least, a, alpha, edge)
                     either = i_moves + j_moves - keep
                     there[i, axis] = min(max(i_moves - (keep >> 1), 0), either)
                     back[i, axis] = either - there[i, axis]
@@ -281,17 +279,31 @@ def _first(y, x, axis, side, block):
 
 
 @part
-def _cost(words, root, through, least, a, b, edge):
-    """Return F_S where label a meets b across an edge."""
+def _costs(words, root, through, least, a, b, alpha, edge):
+    """Return F_S of an edge where a meets b, alpha meets b, and a meets alpha."""
     first, across, along, count = edge
-    total = 0
+    keep, i_moves, j_moves = 0, 0, 0
     for plane in range(words.shape[0]):
         for s in range(first, first + along * count, along):
             t = s + across
-            a_s, b_s = words[plane, a, s], words[plane, b, s]
-            a_t, b_t = words[plane, a, t], words[plane, b, t]
-            cost = root[ones((a_s ^ b_s) & _PATCH_BITS)] + root[ones((a_t ^ b_t) & _PATCH_BITS)]
-            if (a_s | b_t) >> _LAST_BIT:
-                cost += through
-            total += max(cost, least)
-    return total
+            a_s, b_s, alpha_s = words[plane, a, s], words[plane, b, s], words[plane, alpha, s]
+            a_t, b_t, alpha_t = words[plane, a, t], words[plane, b, t], words[plane, alpha, t]
+            differ = root[_bits(a_s, b_s)] + root[_bits(a_t, b_t)]
+            keep += max(differ + through * _inside(a_s, b_t), least)
+            differ = root[_bits(alpha_s, b_s)] + root[_bits(alpha_t, b_t)]
+            i_moves += max(differ + through * _inside(alpha_s, b_t), least)
+            differ = root[_bits(a_s, alpha_s)] + root[_bits(a_t, alpha_t)]
+            j_moves += max(differ + through * _inside(a_s, alpha_t), least)
+    return keep, i_moves, j_moves
+
+
+@inner
+def _bits(one, other):
+    """Return in how many pixels two patches differ."""
+    return ones((one ^ other) & _PATCH_BITS)
+
+
+@inner
+def _inside(one, other):
+    """Return 1 if either word says interior structure, else 0."""
+    return np.int64((one | other) >> _LAST_BIT)
