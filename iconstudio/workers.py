@@ -18,7 +18,8 @@ from typing import Any, TypeVar
 
 T = TypeVar("T")
 
-REMEMBERED = 3
+REMEMBERED = 2
+"""How many things a process remembers."""
 _memory: dict[object, Any] = {}
 _NICENESS = 5
 """By how much workers give way to the window."""
@@ -146,6 +147,11 @@ def remembered(key: object, make: Callable[[], T]) -> T:
     while len(_memory) > REMEMBERED:
         del _memory[next(iter(_memory))]
     return _memory[key]
+
+
+def forget(key: object) -> None:
+    """Let go of what ``remembered`` keeps under ``key``."""
+    _memory.pop(key, None)
 
 
 def died(error: BaseException) -> bool:

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from iconstudio.workers import Workers, died, memory_limit
+from iconstudio.workers import REMEMBERED, Workers, died, forget, memory_limit, remembered
 
 posix = pytest.mark.skipif(os.name != "posix", reason="needs POSIX signals")
 linux = pytest.mark.skipif(not Path("/proc/self").exists(), reason="looks processes up in /proc")
@@ -277,3 +277,42 @@ def test_an_interrupt_on_the_terminal_prints_nothing_and_leaves_nothing(program,
     assert process.wait(20) == 3
     assert process.stderr.read() == b""
     assert not any(alive(int(file.read_text() or 0)) for file in files if file.exists())
+
+
+def made_under(key):
+    made = []
+
+    def make():
+        made.append(key)
+        return object()
+
+    remembered(key, make)
+    return len(made)
+
+
+def drop(key):
+    forget(key)
+
+
+def test_a_process_remembers_the_last_few_things(workers):
+    lane = workers.idlest()
+
+    def ask(function, key):
+        return workers.submit(function, key, lane=lane).result(timeout=20)
+
+    assert ask(made_under, "a") == 1
+    assert ask(made_under, "a") == 0
+    for key in range(REMEMBERED):
+        assert ask(made_under, key) == 1
+    assert ask(made_under, "a") == 1
+    ask(drop, "a")
+    assert ask(made_under, "a") == 1
+    assert ask(made_under, REMEMBERED - 1) == 0
+
+
+def test_a_task_can_name_its_process():
+    with Workers(2) as pool:
+        first = {pool.submit(os.getpid, lane=0).result(timeout=20) for _ in range(3)}
+        second = pool.submit(os.getpid, lane=1).result(timeout=20)
+    assert len(first) == 1
+    assert second not in first

@@ -19,7 +19,7 @@ from iconstudio.algorithms.ranking import Score
 from iconstudio.algorithms.raster import solid
 from iconstudio.algorithms.redraw import SCALE, erase, redraw, two_tone
 from iconstudio.model import CANVAS, Composite, Drawing, Frame, IconstudioError, Placement, Source
-from iconstudio.workers import Workers, died, remembered
+from iconstudio.workers import Workers, died, forget, remembered
 from iconstudio.workflows.events import Progress, Result
 
 Render = Callable[[str, Frame, Placement, int], NDArray[np.uint8]]
@@ -125,6 +125,7 @@ class Remixing:
             (os.getpid(), step.number),
             job.problem,
             step.lambdas[0],
+            len(step.lambdas) == 1,
             job.explored,
             job.sharing,
             job.drawn,
@@ -151,6 +152,7 @@ def solve(
     key: object,
     problem: RemixProblem,
     lambda_s: float,
+    last: bool,
     explored: Sequence[float],
     sharing: bool,
     drawn: Sequence[tuple[str, Frame, Placement]],
@@ -158,7 +160,8 @@ def solve(
 ) -> Solved:
     """Cut, judge, redraw and trace: one result. Runs in a worker process.
 
-    What is found is remembered under ``key``, for other values of lambda_S.
+    What is found is remembered under ``key`` for other values of lambda_S, unless this is the
+    ``last``.
     """
     from iconstudio.algorithms.sweep import Sweep
 
@@ -170,6 +173,8 @@ def solve(
         return sweep
 
     labels = remembered(key, begin).solve(lambda_s)
+    if last:
+        forget(key)
     score = ranking.score(problem, labels, sharing=sharing)
     cut = perf_counter()
     drawing = draw(labels, problem.ink, drawn, render)
