@@ -8,12 +8,18 @@ once: the result is kept beside the source, or in the user's cache folder if tha
 from numba import njit, types
 from numba.extending import intrinsic
 
-entry = njit(nogil=True, cache=True)
-"""A function that Python calls; without the interpreter lock."""
 part = njit(nogil=True)
 """A function that only compiled functions call. One that has no cache of its own."""
 inner = njit(nogil=True, inline="always")
 """The same, written out where it is called: arguments that are arrays would cost time there."""
+
+
+def entry(function):
+    """Compile a function that Python calls; it runs without the interpreter lock."""
+    try:
+        return njit(nogil=True, cache=True)(function)
+    except RuntimeError:  # nowhere to keep what is compiled
+        return njit(nogil=True)(function)
 
 
 @intrinsic

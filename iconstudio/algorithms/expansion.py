@@ -1,12 +1,11 @@
-"""Alpha-expansion (section 3.4; Boykov, Veksler and Zabih 2001), coarse to fine.
+"""Alpha-expansion (section 3.4; Boykov, Veksler and Zabih 2001), the plain way.
 
 One expansion lets every site keep its label or take the label alpha, and finds the best of all
 these labellings at once by a minimum cut; the energy never rises. Expansions of all labels are
 repeated until none helps.
 
-Cuts of the whole lattice are slow, so the labelling is first found on blocks of 2 x 2 sites: this
-is the same energy, restricted to labellings that are constant on blocks. It is then polished on
-the sites themselves, near the borders of each region.
+The program itself cuts by ``sweep``, on the same lattices and many times as fast; the expansions
+here are the oracle that its tests and benchmarks compare it with.
 """
 
 from dataclasses import dataclass
@@ -14,7 +13,6 @@ from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import ndimage
 
 from iconstudio.algorithms import maxflow
 from iconstudio.algorithms.energy import SITES, Labels, RemixProblem
@@ -23,9 +21,6 @@ from iconstudio.model import CANVAS
 
 LAMBDAS = tuple(float(v) for v in np.geomspace(0.03, 0.75, 8))
 """The values of lambda_S that are tried (section 3.4)."""
-BLOCK = 2
-BAND = 3
-"""How far, in pixels, polishing may move the border of a region in one expansion."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -133,12 +128,6 @@ class Lattice:
         """Return values of the nodes on the blocks, (side, side)."""
         return values[self.node].reshape(self.side, self.side)
 
-    def near(self, region: NDArray[np.bool_], reach: int) -> NDArray[np.bool_]:
-        """Return the nodes within ``reach`` blocks of ``region``, both (nodes,) bool."""
-        picture = self.grid(region).view(np.uint8)
-        wide = ndimage.maximum_filter(picture, 2 * reach + 1, mode="constant").view(bool)
-        return wide.ravel()[self._first_block]
-
 
 def _key(p: NDArray[np.int64], q: NDArray[np.int64], side: int) -> NDArray[np.int64]:
     """Return a number for each undirected edge between blocks."""
@@ -205,35 +194,15 @@ def expand(
     return (moved, -change) if change < -1e-9 else (labels, 0.0)
 
 
-def minimise(lattice: Lattice, labels: Labels, lambda_s: float, band: int | None = None) -> Labels:
-    """Repeat expansions from ``labels`` (nodes,) until none of the K labels helps.
-
-    With ``band``, an expansion of alpha changes only nodes within that distance of its region.
-    """
+def minimise(lattice: Lattice, labels: Labels, lambda_s: float) -> Labels:
+    """Repeat expansions from ``labels`` (nodes,) until none of the K labels helps."""
     count = len(lattice.data)
     idle, alpha = 0, 0
     while idle < count:
-        free = lattice.near(labels == alpha, band) if band else None
-        labels, gain = expand(lattice, labels, alpha, lambda_s, free)
+        labels, gain = expand(lattice, labels, alpha, lambda_s)
         idle = 0 if gain > 0 else idle + 1
         alpha = (alpha + 1) % count
     return labels
-
-
-def remix(problem: RemixProblem, lambda_s: float, start: Labels | None = None) -> Labels:
-    """Return labels (CANVAS, CANVAS) of low energy (equation 5).
-
-    ``start`` is a labelling to begin with, such as the answer for the next higher lambda_S:
-    sweeping from high to low reaches lower energies than beginning anew. Without it, each site
-    begins with its cheapest label.
-    """
-    fine, coarse = Lattice(problem), Lattice(problem, BLOCK)
-    cheapest = coarse.data.argmin(axis=0).astype(np.uint8)
-    blocks = cheapest if start is None else coarse.reduced(start)
-    labels = coarse.full(minimise(coarse, blocks, lambda_s))
-    if start is not None and energy(problem, start, lambda_s) < energy(problem, labels, lambda_s):
-        labels = start
-    return fine.full(minimise(fine, fine.reduced(labels), lambda_s, BAND))
 
 
 def energy(problem: RemixProblem, labels: Labels, lambda_s: float) -> float:

@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from iconstudio.algorithms import maxflow
-from iconstudio.algorithms.expansion import LAMBDAS, Lattice, energy, expand, minimise, remix
+from iconstudio.algorithms.expansion import LAMBDAS, Lattice, energy, expand, minimise
 from iconstudio.model import CANVAS
 from tests.shapes import blob, problem
 
@@ -146,25 +146,6 @@ def test_minimise_ends_where_no_expansion_helps():
     )
     for alpha in range(3):
         assert expand(lattice, labels, alpha, 0.01)[1] == 0
-
-
-def test_coarse_to_fine_is_nearly_as_good_as_expansions_of_the_whole_lattice():
-    remix_problem = busy_problem(1)
-    labels = None
-    for lambda_s in (0.2, 0.03):  # from high to low, each from the last
-        labels = remix(remix_problem, lambda_s, labels)
-        plain = Lattice(remix_problem)
-        cold = minimise(plain, plain.data.argmin(axis=0).astype(np.uint8), lambda_s)
-        cold_energy = energy(remix_problem, cold.reshape(CANVAS, CANVAS), lambda_s)
-        assert energy(remix_problem, labels, lambda_s) <= 1.05 * cold_energy
-
-
-def test_a_source_that_costs_nothing_owns_everything():
-    remix_problem = busy_problem(4)
-    free = remix_problem.data.copy()
-    free[1] = 0
-    labels = remix(problem(remix_problem.ink, free), 0.1)
-    assert (labels == 1).all()
 
 
 def test_the_papers_lambdas():

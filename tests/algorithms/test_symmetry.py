@@ -6,8 +6,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from iconstudio.algorithms.energy import RemixProblem
-from iconstudio.algorithms.expansion import Lattice, energy, expand, remix
+from iconstudio.algorithms.expansion import Lattice, energy, expand
 from iconstudio.algorithms.raster import solid
+from iconstudio.algorithms.sweep import Sweep
 from iconstudio.algorithms.symmetry import likeness, mirrored, propose, reflected
 from iconstudio.model import CANVAS, Axis
 from tests.shapes import blob
@@ -88,12 +89,13 @@ def test_a_symmetric_expansion_is_the_best_of_all_symmetric_expansions(axis):
 @pytest.mark.parametrize("axis", [Axis.HORIZONTAL, Axis.ANTIDIAGONAL])
 def test_a_remix_keeps_the_constraint_and_costs_no_less_than_without(axis):
     held, free = symmetric_problem(axis), symmetric_problem(None)
-    labels = remix(held, 0.1)
+    sweep = Sweep(held)
+    labels = sweep.solve(0.1)
     assert np.array_equal(labels, reflected(labels, axis))
     assert len(np.unique(labels)) > 1
-    assert energy(held, labels, 0.1) >= 0.99 * energy(free, remix(free, 0.1), 0.1)
+    assert energy(held, labels, 0.1) >= 0.99 * energy(free, Sweep(free).solve(0.1), 0.1)
     # Lower lambda_S from there: still symmetric.
-    lower = remix(held, 0.05, labels)
+    lower = sweep.solve(0.05)
     assert np.array_equal(lower, reflected(lower, axis))
 
 

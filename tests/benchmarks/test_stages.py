@@ -8,7 +8,6 @@ import pytest
 from scipy import ndimage
 
 from iconstudio.algorithms.energy import remix_problem
-from iconstudio.algorithms.expansion import Lattice, energy, minimise, remix
 from iconstudio.algorithms.matching import (
     FAR,
     SlidingWindow,
@@ -19,6 +18,7 @@ from iconstudio.algorithms.matching import (
 )
 from iconstudio.algorithms.raster import fill_polygon
 from iconstudio.algorithms.style import STYLES
+from iconstudio.algorithms.sweep import Sweep
 from iconstudio.algorithms.tsdf import D_MAX, tsdf
 from iconstudio.inputs.sketch import example
 from iconstudio.library.resvg import render_placed
@@ -106,23 +106,9 @@ def test_match_exhaustively_at_full_resolution(benchmark, case):
     benchmark.pedantic(plain, rounds=1)
 
 
-@pytest.mark.benchmark(group="one cut of 27 sources, lambda_S = 0.19, cold")
-def test_remix(benchmark, medium):
-    labels = benchmark.pedantic(remix, (medium[1], 0.19), rounds=3)
-    benchmark.extra_info["energy"] = energy(medium[1], labels, 0.19)
-
-
-@pytest.mark.benchmark(group="one cut of 27 sources, lambda_S = 0.19, cold")
-def test_remix_by_plain_expansion(benchmark, medium):
-    lattice = Lattice(medium[1])
-    start = lattice.data.argmin(axis=0).astype(np.uint8)
-    labels = benchmark.pedantic(minimise, (lattice, start, 0.19), rounds=1)
-    benchmark.extra_info["energy"] = energy(medium[1], labels.reshape(CANVAS, CANVAS), 0.19)
-
-
 @pytest.mark.benchmark(group="redraw and trace a result at 1024 px")
 def test_draw(benchmark, medium):
     sources, problem = medium
-    labels = remix(problem, 0.19)
+    labels = Sweep(problem).solve(0.19)
     drawn = [(s.exemplar.pictogram.svg, s.exemplar.frame, s.placement) for s in sources]
     benchmark.pedantic(draw, (labels, problem.ink, drawn, render_placed), rounds=5, warmup_rounds=1)
