@@ -64,7 +64,8 @@ def test_window(benchmark, session, montage, qtbot):
     from PySide6.QtTest import QTest
 
     from iconstudio.gui.main_window import MainWindow
-    from iconstudio.gui.workspaces.montage.opening import page_of, traced
+    from iconstudio.gui.workspaces.montage.opening import page_of
+    from iconstudio.gui.workspaces.montage.page import Icon
     from iconstudio.gui.workspaces.montage.workspace import MontageWorkspace
 
     left = Qt.MouseButton.LeftButton
@@ -72,7 +73,7 @@ def test_window(benchmark, session, montage, qtbot):
     window.resize(1280, 720)
     window.show()
     place = window.workspace
-    icons = [traced(session.exemplar(layer.icon)) for layer in montage.layers]
+    icons = [Icon(session.exemplar(layer.icon)) for layer in montage.layers]
     place.document.change("open", page_of(montage.layers, icons))
 
     def spot(x: float, y: float) -> QPoint:
