@@ -106,6 +106,8 @@ class FakeSession:
         self.gate: threading.Semaphore | None = None
         self.search_gate: threading.Semaphore | None = None
         self.stuck = False
+        self.fits: dict[str, float] = {}
+        """How well the results of a style fit, where not as all others do."""
         self.closed = threading.Event()
         self.calls: list[tuple] = []
         self.generators_closed = 0
@@ -260,6 +262,6 @@ class FakeSession:
                     while not self.gate.acquire(timeout=0.02):
                         yield Progress("remix", column / 8, f"Remixing the {style} icons")
                 composite = Composite(style, lambda_s, sources, labels, 3.0, 2.0, 1.0, shares, 0.87)
-                score = Score(1.0, 1.0, 1.0, 1.0, 0.87)
+                score = Score(1.0, 1.0, 1.0, 1.0, self.fits.get(style, 0.87))
                 yield Result(composite, drawing(sketch, row, column), score)
             yield Recommended(style, settings.lambdas[RECOMMENDED])

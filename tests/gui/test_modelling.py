@@ -312,6 +312,14 @@ def test_the_first_recommended_result_takes_the_place_of_the_very_first(ready, q
     assert cell.grab().toImage() != plain, "the mark can be seen"
 
 
+def test_the_best_of_the_recommended_results_is_picked_in_the_end(ready, qtbot, session, window):
+    session.fits = {"lightest": 0.5, "light": 0.9, "medium": 0.7}
+    ready.run()
+    finish(ready, qtbot)
+    assert picked(ready) == ("light", LAMBDAS[RECOMMENDED])
+    assert list(window.recent.pictures) == [ready.board.detail.picture]
+
+
 def test_a_recommendation_does_not_take_away_what_the_user_picked(ready, qtbot, session):
     session.gate = threading.Semaphore(2)
     ready.run()

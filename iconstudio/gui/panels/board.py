@@ -17,7 +17,7 @@ from iconstudio.workflows.events import Event, Recommended, StyleMatched, StyleS
 class Board(QSplitter):
     """Shows the events of a run as they come: results by style and lambda_S.
 
-    Until the user picks a result, the first recommended one is picked, and until there is one the
+    Until the user picks a result, the best recommended one is picked, and until there is one the
     first result.
 
     Signals
@@ -43,7 +43,8 @@ class Board(QSplitter):
         self.detail = DetailPanel()
         self.menu: QMenu | None = None
         self._destinations: Sequence[Destination] = ()
-        self._chosen = self._recommended = False
+        self._chosen = False
+        self._best: Picture | None = None
         self.addWidget(self.results)
         self.addWidget(self.detail)
         self.setSizes([400, 210])
@@ -66,7 +67,8 @@ class Board(QSplitter):
 
     def begin(self, settings: ModelSettings) -> None:
         """Make room for the results of a new run."""
-        self._chosen = self._recommended = False
+        self._chosen = False
+        self._best: Picture | None = None
         self.results.begin(settings.styles, settings.lambdas)
 
     def show_event(self, event: Event | Picture) -> None:
@@ -84,8 +86,8 @@ class Board(QSplitter):
     def end(self) -> None:
         """Nothing more is to come."""
         self.results.end()
-        if not self._recommended and self.results.pictures:
-            self.made.emit(self.results.pictures[0])
+        if self.results.pictures:
+            self.made.emit(self._best or self.results.pictures[0])
 
     def _add(self, picture: Picture) -> None:
         self.results.add(picture)
@@ -96,10 +98,10 @@ class Board(QSplitter):
 
     def _recommend(self, event: Recommended) -> None:
         self.results.recommend(event.style, event.lambda_s)
-        if self._recommended:
+        picture = self.results.cell(event.style, event.lambda_s).picture
+        if self._best is not None and _score(picture) <= _score(self._best):
             return
-        self._recommended = True
-        self.made.emit(self.results.cell(event.style, event.lambda_s).picture)
+        self._best = picture
         if not self._chosen:
             self.results.pick(event.style, event.lambda_s)
 
@@ -114,3 +116,7 @@ class Board(QSplitter):
         self.menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         offer(self.menu, self._destinations, lambda title: self.sent.emit(picture, title))
         self.menu.popup(spot)
+
+
+def _score(picture: Picture) -> float:
+    return picture.result.score.total
