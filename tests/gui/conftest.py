@@ -6,6 +6,7 @@ except ImportError:
     pass
 else:
     from fixtures import (  # noqa: F401
+        frozen,
         look,
         no_thread_is_left,
         no_warnings_of_qt,

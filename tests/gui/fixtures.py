@@ -39,6 +39,15 @@ def no_warnings_of_qt(qtlog):
     assert not bad, bad
 
 
+@pytest.fixture(scope="session", autouse=True)
+def frozen():
+    """What was there before, compilers and all, need not be searched for garbage again and again."""
+    gc.collect()
+    gc.freeze()
+    yield
+    gc.unfreeze()
+
+
 @pytest.fixture(autouse=True)
 def no_thread_is_left():
     before = set(threading.enumerate())
