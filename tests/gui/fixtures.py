@@ -41,7 +41,7 @@ def no_warnings_of_qt(qtlog):
 
 @pytest.fixture(scope="session", autouse=True)
 def frozen():
-    """What was there before, compilers and all, need not be searched for garbage again and again."""
+    """What was there before, compilers and all, need not be searched for garbage each time."""
     gc.collect()
     gc.freeze()
     yield
