@@ -86,7 +86,7 @@ class Fields:
     def axis(self, key: str = "symmetry") -> Axis | None:
         """Return an axis of symmetry, or None."""
         value = self._given(key, None)
-        if value is None:
+        if value in (None, "none"):
             return None
         if not isinstance(value, str) or value not in list(Axis):
             raise self.mistake(f'"{key}" must be null or one of {", ".join(Axis)}.')

@@ -117,6 +117,7 @@ def test_a_dot_is_written_as_a_short_stroke_at_its_place(path):
 def test_what_may_be_left_out(path):
     edit = read_edit(saved(path, {"icon": "mdi:dog", "add": [SQUARE]}))
     assert edit == EditFile("mdi:dog", add=(Polygon.of(SQUARE),))
+    assert read_hybrids(saved(path, {"keyword": "lamp", "symmetry": "none"})).symmetry is None
     hybrids = read_hybrids(saved(path, {"keyword": "lamp", "symmetry": None}))
     assert hybrids == HybridsFile(keyword="lamp", count=5, draws=40, seed=0)
     montage = read_montage(saved(path, {"layers": [{"icon": "mdi:dog"}]}))
