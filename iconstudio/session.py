@@ -9,8 +9,6 @@ from collections import OrderedDict
 from collections.abc import Generator, Iterator
 from pathlib import Path
 
-import numpy as np
-
 from iconstudio.algorithms.matching import SCALES, PreparedExemplar, prepare
 from iconstudio.algorithms.style import two_toned
 from iconstudio.library.collection import Collection, cache_folder
@@ -18,7 +16,6 @@ from iconstudio.library.ownsvg import read_own_svg
 from iconstudio.library.rasters import RasterCache
 from iconstudio.library.resvg import render_placed
 from iconstudio.model import (
-    CANVAS,
     Axis,
     Drawing,
     Edit,
@@ -29,18 +26,17 @@ from iconstudio.model import (
     Pictogram,
     Placement,
     Sketch,
+    Source,
 )
 from iconstudio.workers import Workers
 from iconstudio.workflows.choosing import choose_icons
 from iconstudio.workflows.editing import edit_icon, own_styles, prepare_change
 from iconstudio.workflows.events import Event, Progress, Retrieved
 from iconstudio.workflows.grid import ModelSettings
-from iconstudio.workflows.hybrids import check as check_mix
 from iconstudio.workflows.hybrids import mix_icons
 from iconstudio.workflows.modelling import model
-from iconstudio.workflows.montage import check as check_montage
 from iconstudio.workflows.montage import montage_icons
-from iconstudio.workflows.remixing import answer, draw, warm_up
+from iconstudio.workflows.remixing import answer, draw_whole, warm_up
 
 _PLENTY = 8
 """With so many others, icons of two tones are left out: only their dark part could be used."""
@@ -63,6 +59,7 @@ class Session:
         self._rasters = RasterCache(self._cache / "rasters", self._workers)
         self._collection: Collection | None = None
         self._opening = threading.Lock()
+        self._cold = True
         self._prepared: OrderedDict[_Key, tuple[PreparedExemplar, ...]] = OrderedDict()
 
     def open(self) -> Iterator[Progress]:
@@ -83,8 +80,10 @@ class Session:
         The very first time they compile what cuts, which takes some seconds; later it is at hand.
         """
         yield from self.open()
-        for lane in range(self._workers.count):
-            self._workers.submit(warm_up, lane=lane)
+        cold, self._cold = self._cold, False
+        if cold:
+            for lane in range(self._workers.count):
+                self._workers.submit(warm_up, lane=lane)
 
     @property
     def collection(self) -> Collection:
@@ -136,11 +135,8 @@ class Session:
 
     def drawing(self, exemplar: Exemplar) -> Drawing:
         """Return an icon drawn and traced as results are: crisp at any size."""
-        whole = exemplar.pictogram.svg, exemplar.frame, Placement()
-        nobody = np.zeros((CANVAS, CANVAS), dtype=np.uint8)
-        return answer(
-            self._workers.submit(draw, nobody, exemplar.ink[None], [whole], render_placed)
-        )
+        whole = Source(exemplar, Placement())
+        return answer(draw_whole(whole, exemplar.ink, self._workers, render_placed))
 
     def keyword(self, pictogram: Pictogram) -> str:
         """Return what icons like this one are looked for by; empty if its name does not say."""
@@ -216,11 +212,11 @@ class Session:
             If the edit or the keyword is no good; before any work is done.
         """
         icon = self.exemplar(edit.icon)
-        prepare_change(edit, icon)
+        change = prepare_change(edit, icon)
         settings = settings or ModelSettings(own_styles(icon))
         settings.chosen_styles()
         exemplars = yield from self.prepare(edit.keyword, edit.exclude, settings.scales)
-        yield from edit_icon(edit, icon, exemplars, settings, self._workers, render_placed)
+        yield from edit_icon(edit, change, exemplars, settings, self._workers, render_placed)
 
     def choose(
         self, keyword: str, count: int, symmetry: Axis | None = None, seed: int = 0
@@ -232,14 +228,12 @@ class Session:
 
     def mix(self, mix: Mix) -> Iterator[Event]:
         """Draw hybrids (section 4.3): see ``workflows.hybrids.mix_icons``."""
-        check_mix(mix)
-        exemplars = [self.exemplar(icon) for icon in mix.icons]
+        exemplars = map(self.exemplar, mix.icons)
         yield from mix_icons(mix, exemplars, self._workers, render_placed)
 
     def montage(self, montage: Montage) -> Iterator[Event]:
         """Make a montage (section 4.4): see ``workflows.montage.montage_icons``."""
-        check_montage(montage)
-        exemplars = [self.exemplar(layer.icon) for layer in montage.layers]
+        exemplars = (self.exemplar(layer.icon) for layer in montage.layers)
         yield from montage_icons(montage, exemplars, self._workers, render_placed)
 
     def close(self) -> None:

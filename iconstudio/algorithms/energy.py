@@ -85,9 +85,9 @@ class RemixProblem:
         return float(data.sum(dtype=np.float64)), smooth
 
 
-def joined_ink(problem: RemixProblem, labels: Labels) -> NDArray[np.bool_]:
-    """Return the ink of a labelling, both (CANVAS, CANVAS)."""
-    return np.take_along_axis(problem.ink, labels[None].astype(np.intp), axis=0)[0]
+def joined_ink(ink: NDArray[np.bool_], labels: Labels) -> NDArray[np.bool_]:
+    """Return the ink of a labelling (h, w); ``ink`` is that of the sources, (K, h, w)."""
+    return np.take_along_axis(ink, labels[None].astype(np.intp), axis=0)[0]
 
 
 def lattice_edges() -> tuple[tuple[NDArray[np.int64], NDArray[np.int64]], ...]:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import ndimage
 
-from iconstudio.algorithms.energy import Labels
+from iconstudio.algorithms.energy import Labels, joined_ink
 
 SMALL = 0.02
 """A fragment holds at most this part of the ink."""
@@ -29,7 +29,7 @@ def fragments(labels: Labels, ink: NDArray[np.bool_], small: float = SMALL) -> N
     small
         The part of the ink that a fragment holds at most.
     """
-    joined = np.take_along_axis(ink, labels[None].astype(np.intp), axis=0)[0]
+    joined = joined_ink(ink, labels)
     pieces, count = ndimage.label(joined, _EIGHT)
     sizes = np.bincount(pieces.ravel(), minlength=count + 1)
     found = np.zeros_like(joined)

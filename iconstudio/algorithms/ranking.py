@@ -49,7 +49,7 @@ def score(problem: RemixProblem, labels: Labels, *, sharing: bool = False) -> Sc
 
     ``sharing`` says whether the ink should come from several sources.
     """
-    ink = joined_ink(problem, labels)
+    ink = joined_ink(problem.ink, labels)
     return Score(
         seam=float(np.exp(-seam_cost(problem, labels) / HARSH)),
         whole=_whole(problem, labels, ink),
@@ -67,7 +67,7 @@ def seam_cost(problem: RemixProblem, labels: Labels) -> float:
     """
     flat = labels.ravel().astype(np.intp)
     dark = problem.ink.reshape(len(problem.ink), -1)
-    drawn = joined_ink(problem, labels).ravel()
+    drawn = joined_ink(problem.ink, labels).ravel()
     cost, contour = 0.0, 0
     for first, second in lattice_edges():
         contour += int((drawn[first] != drawn[second]).sum())

@@ -20,6 +20,12 @@ def solid(ink: Bitmap) -> Bitmap:
     return background[1:-1, 1:-1] != background[0, 0]
 
 
+def overlap(first: Bitmap, second: Bitmap) -> float:
+    """Return the intersection over the union of two shapes; of two empty ones 1."""
+    either = (first | second).sum()
+    return float((first & second).sum() / either) if either else 1.0
+
+
 def interior(ink: Bitmap, filled: Bitmap) -> Bitmap:
     """Return the interior structure: white pixels inside the contour (section 3.4)."""
     return filled & ~ink

@@ -7,6 +7,7 @@ which these are. Only the source *positions* are symmetric, not the pixels.
 import numpy as np
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.raster import overlap
 from iconstudio.model import Axis
 
 NEARLY = 0.9
@@ -33,9 +34,7 @@ def mirrored(side: int, axis: Axis) -> NDArray[np.int64]:
 
 def likeness(shape: NDArray[np.bool_], axis: Axis) -> float:
     """Return intersection over union of a shape (n, n) bool and its mirror image."""
-    image = reflected(shape, axis)
-    either = (shape | image).sum()
-    return float((shape & image).sum() / either) if either else 1.0
+    return overlap(shape, reflected(shape, axis))
 
 
 def propose(shape: NDArray[np.bool_]) -> Axis | None:

@@ -7,8 +7,9 @@ from typing import Any
 
 import numpy as np
 
+from iconstudio.algorithms.energy import placed_sources
 from iconstudio.algorithms.guidance import edit_penalty
-from iconstudio.algorithms.raster import interior, placed_ink, solid
+from iconstudio.algorithms.raster import interior, solid
 from iconstudio.model import CANVAS, Composite, Exemplar, Point
 from iconstudio.output import record
 from iconstudio.output.folder import Folder
@@ -121,8 +122,7 @@ class GridReport:
         results = [result.composite for result in self._of(style)]
         if not results:
             return
-        placed = [placed_ink(source.exemplar, source.placement) for source in results[0].sources]
-        ink, filled = (np.stack(layer) for layer in zip(*placed, strict=True))
+        ink, filled = placed_sources(results[0].sources)
         matched = self._styles[style]
         exemplars = matched.exemplars if isinstance(matched, StyleMatched) else ()
         whole = [solid(exemplar.ink) for exemplar in exemplars]

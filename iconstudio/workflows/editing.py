@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from iconstudio.algorithms.energy import RemixProblem, joined_ink, remix_problem
 from iconstudio.algorithms.guidance import EDIT_REACH, edit_penalty, truncated_distance
 from iconstudio.algorithms.matching import PreparedExemplar
-from iconstudio.algorithms.raster import Bitmap, fill_polygon, outlines, placed_ink, solid
+from iconstudio.algorithms.raster import Bitmap, fill_polygon, outlines, overlap, placed_ink, solid
 from iconstudio.algorithms.saliency import saliency, salient_regions
 from iconstudio.algorithms.style import STYLES, Style, blackness
 from iconstudio.algorithms.tsdf import tsdf
@@ -28,7 +28,7 @@ from iconstudio.model import (
 from iconstudio.workers import Workers
 from iconstudio.workflows.events import Event, Result
 from iconstudio.workflows.grid import Matches, ModelSettings, remix_styles
-from iconstudio.workflows.remixing import Job, Render, answer, draw, overlap
+from iconstudio.workflows.remixing import Job, Render, answer, draw_whole
 
 
 @dataclass(frozen=True, eq=False)
@@ -114,7 +114,7 @@ def own_styles(icon: Exemplar) -> tuple[str, ...]:
 
 def edit_icon(
     edit: Edit,
-    icon: Exemplar,
+    change: Change,
     exemplars: Sequence[PreparedExemplar],
     settings: ModelSettings,
     workers: Workers,
@@ -122,24 +122,20 @@ def edit_icon(
 ) -> Iterator[Event]:
     """Remix an icon with parts of ``exemplars`` where it is to be changed.
 
-    The events, and the other parameters, are those of ``grid.remix_styles``. The icon itself is
-    left out of matching.
+    ``change`` is the edit on the canvas, by ``prepare_change``. The events, and the other
+    parameters, are those of ``grid.remix_styles``. The icon itself is left out of matching.
     """
-    change = prepare_change(edit, icon)
     field = tsdf(change.target)
     score = saliency(outlines(change.target), change.target, change.mask)
 
-    # The icon drawn as results are: what they are compared with.
-    nobody = np.zeros((CANVAS, CANVAS), dtype=np.uint8)
-    drawn = (icon.pictogram.svg, icon.frame, change.base.placement)
-    own = workers.submit(draw, nobody, change.ink[None], [drawn], render)
+    own = draw_whole(change.base, change.ink, workers, render)  # what results are compared with
 
     def job(style: Style, sources: tuple[Source, ...]) -> Job:
         everyone = (change.base, *sources)
         problem = change.problem(everyone, field, edit.symmetry)
 
         def finish(result: Result) -> Result:
-            likeness = change.likeness(joined_ink(problem, result.composite.labels))
+            likeness = change.likeness(joined_ink(problem.ink, result.composite.labels))
             return replace(
                 result,
                 score=replace(result.score, likeness=likeness),
@@ -160,7 +156,7 @@ def edit_icon(
         yield from remix_styles(
             field,
             salient_regions(score),
-            [one for one in exemplars if one.exemplar.id != icon.id],
+            [one for one in exemplars if one.exemplar.id != edit.icon.id],
             settings,
             refusal=_refusal,
             job=job,

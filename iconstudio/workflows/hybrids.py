@@ -1,6 +1,6 @@
 """Pictogram hybrids (section 4.3): icons mixed at random, repeats dropped."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 import numpy as np
@@ -47,9 +47,9 @@ def check(mix: Mix) -> None:
 
 
 def mix_icons(
-    mix: Mix, exemplars: Sequence[Exemplar], workers: Workers, render: Render
+    mix: Mix, exemplars: Iterable[Exemplar], workers: Workers, render: Render
 ) -> Iterator[Event]:
-    """Draw hybrids of ``exemplars``, one for each of ``mix.icons``.
+    """Draw hybrids of ``exemplars``, one for each of ``mix.icons``; asked for once all is checked.
 
     Yields ``Progress``, and each ``Result`` in the order of the draws, so that the same seed gives
     the same results; one that looks like a source or like an earlier result is dropped.
@@ -58,10 +58,11 @@ def mix_icons(
     sources = tuple(Source(exemplar, Placement()) for exemplar in exemplars)
     ink, filled = placed_sources(sources)
     seen = Gallery()
-    for exemplar, own in zip(exemplars, ink, strict=True):
+    for source, own in zip(sources, ink, strict=True):
         if not seen.add(own):
             raise IconstudioError(
-                f"“{exemplar.id}” looks the same as another of the icons. Choose different ones."
+                f"“{source.exemplar.id}” looks the same as another of the icons. "
+                "Choose different ones."
             )
     plain = RemixProblem(np.zeros(ink.shape, np.float32), ink, filled, mix.symmetry)
     remixing = Remixing(workers, render, total=mix.draws)
@@ -80,7 +81,7 @@ def mix_icons(
             while turn in waiting:
                 result = waiting.pop(turn)
                 turn += 1
-                if seen.add(joined_ink(plain, result.composite.labels)):
+                if seen.add(joined_ink(ink, result.composite.labels)):
                     yield result
     finally:
         remixing.cancel()

@@ -1,6 +1,6 @@
 """Pictogram montage (section 4.4): the parts that the user scribbles over, joined."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from itertools import combinations
 
 import numpy as np
@@ -20,10 +20,11 @@ SMALLEST, LARGEST = 0.02, 20.0
 
 
 def montage_icons(
-    montage: Montage, exemplars: Sequence[Exemplar], workers: Workers, render: Render
+    montage: Montage, exemplars: Iterable[Exemplar], workers: Workers, render: Render
 ) -> Iterator[Event]:
     """Join ``exemplars``, one for each layer, by what is scribbled over them.
 
+    They are asked for once the montage is checked.
     Yields ``Progress``, then one ``Result``.
     """
     scribbles = check(montage)

@@ -1,7 +1,6 @@
 """Remixing placed sources, several problems at once: what all workflows share (section 3.4)."""
 
 import itertools
-import os
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, wait
 from dataclasses import dataclass, replace
@@ -16,7 +15,7 @@ from iconstudio.algorithms import ranking
 from iconstudio.algorithms.energy import Labels, RemixProblem, joined_ink
 from iconstudio.algorithms.fragments import fragments
 from iconstudio.algorithms.ranking import Score
-from iconstudio.algorithms.raster import solid
+from iconstudio.algorithms.raster import overlap, solid
 from iconstudio.algorithms.redraw import SCALE, erase, redraw, two_tone
 from iconstudio.model import CANVAS, Composite, Drawing, Frame, IconstudioError, Placement, Source
 from iconstudio.workers import Workers, died, forget, remembered
@@ -42,11 +41,6 @@ class Job:
     """Whether a good result has its ink from several sources."""
     finish: Callable[[Result], Result] = lambda result: result
     """What the workflow adds to each result."""
-
-    @property
-    def drawn(self) -> list[tuple[str, Frame, Placement]]:
-        """What a worker process needs to know of the sources."""
-        return [(s.exemplar.pictogram.svg, s.exemplar.frame, s.placement) for s in self.sources]
 
 
 @dataclass(frozen=True, eq=False)
@@ -122,13 +116,13 @@ class Remixing:
         job = step.job
         future = self._workers.submit(
             solve,
-            (os.getpid(), step.number),
+            step.number,
             job.problem,
             step.lambdas[0],
             len(step.lambdas) == 1,
             job.explored,
             job.sharing,
-            job.drawn,
+            [drawn_from(source) for source in job.sources],
             self._render,
             lane=step.lane,
         )
@@ -213,6 +207,19 @@ def draw(
     return Drawing(trace(coverage), half.round().astype(np.uint8))
 
 
+def draw_whole(
+    source: Source, ink: NDArray[np.bool_], workers: Workers, render: Render
+) -> "Future[Drawing]":
+    """Begin to draw one source as results are drawn; ``ink`` is its, (CANVAS, CANVAS)."""
+    nobody = np.zeros((CANVAS, CANVAS), dtype=np.uint8)
+    return workers.submit(draw, nobody, ink[None], [drawn_from(source)], render)
+
+
+def drawn_from(source: Source) -> tuple[str, Frame, Placement]:
+    """Return what a worker process needs to know of a source."""
+    return source.exemplar.pictogram.svg, source.exemplar.frame, source.placement
+
+
 @lru_cache(maxsize=64)
 def _rendered(
     render: Render, svg: str, frame: Frame, placement: Placement, size: int
@@ -225,7 +232,7 @@ def composite(
     job: Job, lambda_s: float, labels: Labels, data_cost: float, smoothness_cost: float
 ) -> Composite:
     """Return the labelling with its energy, its shares of ink, and its likeness to the target."""
-    ink = joined_ink(job.problem, labels)
+    ink = joined_ink(job.problem.ink, labels)
     owned = np.bincount(labels[ink], minlength=len(job.sources))
     return Composite(
         style=job.style,
@@ -238,12 +245,6 @@ def composite(
         shares=tuple((owned / max(1, owned.sum())).tolist()),
         iou=None if job.target is None else overlap(solid(ink), job.target),
     )
-
-
-def overlap(first: NDArray[np.bool_], second: NDArray[np.bool_]) -> float:
-    """Return the intersection over the union of two shapes."""
-    either = (first | second).sum()
-    return float((first & second).sum() / either) if either else 1.0
 
 
 def _result(job: Job, lambda_s: float, solved: Solved) -> Result:

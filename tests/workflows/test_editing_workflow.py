@@ -36,7 +36,8 @@ def events():
     prepared = [prepare(one) for one in (ICON, WITH_KNOB, *others)]
     settings = ModelSettings(("dark",), (0.05, 0.3))
     with Workers() as workers:
-        return list(edit_icon(EDIT, ICON, prepared, settings, workers, render_placed))
+        change = prepare_change(EDIT, ICON)
+        return list(edit_icon(EDIT, change, prepared, settings, workers, render_placed))
 
 
 def of(kind, events):

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
+from iconstudio.algorithms.energy import joined_ink
 from iconstudio.algorithms.ranking import Gallery
 from iconstudio.gui.pictures import Picture, picture_of
 from iconstudio.model import CANVAS, Composite, Drawing, Mix
@@ -61,7 +62,7 @@ def batch(session: Session, mix: Mix, title: str, seen: Seen) -> Generator[Event
 def _ink(composite: Composite) -> NDArray[np.bool_]:
     """Return the joined ink of a composite whose icons lie where they are."""
     inks = np.stack([source.exemplar.ink for source in composite.sources])
-    return np.take_along_axis(inks, composite.labels[None].astype(np.intp), axis=0)[0]
+    return joined_ink(inks, composite.labels)
 
 
 def _reduced(drawing: Drawing) -> Drawing:
