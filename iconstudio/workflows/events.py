@@ -19,6 +19,8 @@ class Progress:
     stage: Stage
     done: float
     message: str
+    remaining: float | None = None
+    """Seconds until the whole run will have ended, if that can be told."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,6 +77,8 @@ class Result:
     """Of a hybrid: the number of its draw."""
     unchanged: float | None = None
     """Of an edit: the part of the pixels well outside the change that equal the icon's own."""
+    preview: bool = False
+    """Whether a better one of the same style and lambda_S is to follow."""
 
 
 @dataclass(frozen=True, slots=True)

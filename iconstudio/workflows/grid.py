@@ -35,6 +35,10 @@ class ModelSettings:
     lambdas: tuple[float, ...] = LAMBDAS
     """Values of lambda_S, in any order."""
     scales: tuple[float, ...] = SCALES
+    focus: tuple[str, float] | None = None
+    """Style and lambda_S of the result that is wanted first; then come others of its style."""
+    previews: bool = False
+    """Whether coarse results go ahead of the finished ones, for whoever waits."""
 
     @property
     def explored(self) -> tuple[float, ...]:
