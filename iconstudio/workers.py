@@ -1,10 +1,12 @@
-"""Worker processes that can be killed: the adapter of pebble.
+"""Worker processes that can be stopped or killed: the adapter of pebble.
 
-A renderer may crash or hang on a hostile SVG, and PyMaxflow holds the
-interpreter lock during a cut; neither may stop the window. So both run in
-worker processes, and whoever waits for them holds a future.
+A renderer may crash or hang on a hostile SVG, and a cut keeps a core busy for
+seconds; neither may stop the window. So both run in worker processes, and
+whoever waits for them holds a future. What is no longer wanted is stopped by
+its ticket, and the process lives on: to start another takes half a second.
 """
 
+import itertools
 import math
 import multiprocessing
 import os
@@ -14,6 +16,7 @@ from collections.abc import Callable, Iterator
 from concurrent.futures import CancelledError, Future
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager, suppress
+from time import monotonic
 from typing import Any, TypeVar
 
 T = TypeVar("T")
@@ -23,6 +26,33 @@ REMEMBERED = 2
 _memory: dict[object, Any] = {}
 _NICENESS = 5
 """By how much workers give way to the window."""
+_SLOTS = 1024
+"""How many tickets there can be at once."""
+_GRACE = 10.0
+"""Seconds after which a task that was stopped, but works on, is killed if it is in the way."""
+_stops: Any = None
+"""In a worker process: for each slot, the last ticket that was stopped."""
+_ticket: int | None = None
+"""In a worker process: the ticket of the task that runs."""
+
+
+class Ticket:
+    """What the tasks of one run have in common: that they can be stopped together."""
+
+    def __init__(self, number: int, stops: Any) -> None:
+        self.number = number
+        self._stops = stops
+        self._stopped: float | None = None
+
+    def stop(self) -> None:
+        """Tell the tasks to stop: those that ask ``stopped``, and those that have not begun."""
+        self._stops[self.number % _SLOTS] = self.number
+        self._stopped = monotonic()
+
+    @property
+    def overdue(self) -> bool:
+        """Whether the tasks should have stopped long ago."""
+        return self._stopped is not None and monotonic() - self._stopped > _GRACE
 
 
 class Workers:
@@ -35,7 +65,14 @@ class Workers:
 
     def __init__(self, count: int | None = None) -> None:
         self.count = count or max(1, os.cpu_count() or 1)
-        self._lanes = [_Lane() for _ in range(self.count)]
+        # Plain memory without a lock: one side writes, whole words.
+        self._stops = multiprocessing.get_context("spawn").RawArray("q", [-1] * _SLOTS)
+        self._tickets = itertools.count()
+        self._lanes = [_Lane(self._stops) for _ in range(self.count)]
+
+    def ticket(self) -> Ticket:
+        """Return a new ticket, for the tasks of one run."""
+        return Ticket(next(self._tickets), self._stops)
 
     def submit(
         self,
@@ -43,6 +80,7 @@ class Workers:
         *args: Any,
         timeout: float | None = None,
         lane: int | None = None,
+        ticket: Ticket | None = None,
     ) -> "Future[Any]":
         """Run ``function(*args)`` in a worker.
 
@@ -55,6 +93,9 @@ class Workers:
         lane
             Number of the process, for tasks that build on what an earlier one left there; by
             default the one that has least to do.
+        ticket
+            By which the task can be stopped: ``stopped`` tells it so. If it has not begun, the
+            future raises ``CancelledError``.
 
         Raises
         ------
@@ -62,11 +103,15 @@ class Workers:
             If the pool has been closed.
         """
         number = self.idlest() if lane is None else lane
-        return self._lanes[number].submit(function, args, timeout)
+        return self._lanes[number].submit(function, args, timeout, ticket)
 
     def idlest(self) -> int:
         """Return the number of the process that has least to do."""
-        return min(range(self.count), key=lambda number: self._lanes[number].load)
+        return min(range(self.count), key=self.load)
+
+    def load(self, lane: int) -> int:
+        """Return how many tasks a process has to do."""
+        return self._lanes[lane].load
 
     def close(self) -> None:
         """Cancel all futures, kill the processes and wait until they have ended; for good."""
@@ -83,11 +128,12 @@ class Workers:
 class _Lane:
     """One process, and what it has to do."""
 
-    def __init__(self) -> None:
+    def __init__(self, stops: Any) -> None:
+        self._stops = stops
         self._pool: Any = None
         self._closed = False
         self._lock = threading.Lock()
-        self._unsettled: set[Future[Any]] = set()
+        self._unsettled: dict[Future[Any], Ticket | None] = {}
 
     @property
     def load(self) -> int:
@@ -95,18 +141,27 @@ class _Lane:
         return len(self._unsettled)
 
     def submit(
-        self, function: Callable[..., Any], args: tuple[Any, ...], timeout: float | None
+        self,
+        function: Callable[..., Any],
+        args: tuple[Any, ...],
+        timeout: float | None,
+        ticket: Ticket | None,
     ) -> "Future[Any]":
         """See ``Workers.submit``."""
+        for future, other in tuple(self._unsettled.items()):
+            if other is not None and other.overdue:
+                future.cancel()
+        number = None if ticket is None else ticket.number
         with self._lock:
             if self._closed:
                 raise CancelledError("The worker processes have been closed.")
             if self._pool is not None and not self._pool.active:  # for lack of memory, perhaps
                 self._stop()
             if self._pool is None:
-                self._pool = _start()
-            future = self._pool.schedule(_run, args=(function, args, timeout), timeout=timeout)
-            self._unsettled.add(future)
+                self._pool = _start(self._stops)
+            task = function, args, timeout, number
+            future = self._pool.schedule(_run, args=task, timeout=timeout)
+            self._unsettled[future] = ticket
         future.add_done_callback(self._settle)
         return future
 
@@ -124,7 +179,7 @@ class _Lane:
             pool.join()
 
     def _settle(self, future: "Future[Any]") -> None:
-        self._unsettled.discard(future)
+        self._unsettled.pop(future, None)
         if future.cancelled():
             # Wake whoever waits for it; pebble does so later, or never once it is stopped.
             with suppress(RuntimeError):
@@ -152,6 +207,11 @@ def remembered(key: object, make: Callable[[], T]) -> T:
 def forget(key: object) -> None:
     """Let go of what ``remembered`` keeps under ``key``."""
     _memory.pop(key, None)
+
+
+def stopped() -> bool:
+    """Whether the task that runs in this process is no longer wanted."""
+    return _ticket is not None and _stops[_ticket % _SLOTS] >= _ticket
 
 
 def died(error: BaseException) -> bool:
@@ -183,13 +243,15 @@ def memory_limit(size: int) -> Iterator[None]:
         resource.setrlimit(resource.RLIMIT_AS, before)
 
 
-def _start() -> Any:
+def _start(stops: Any) -> Any:
     from pebble import ProcessPool
 
     # spawn: forking a process that runs Qt and FFTW threads is not safe.
     context = multiprocessing.get_context("spawn")
     with _interrupts_blocked():
-        pool = ProcessPool(max_workers=1, initializer=_initialise, context=context)
+        pool = ProcessPool(
+            max_workers=1, initializer=_initialise, initargs=[stops], context=context
+        )
         _ = pool.active  # starts it
     return pool
 
@@ -213,8 +275,10 @@ def _interrupts_blocked() -> Iterator[None]:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
-def _initialise() -> None:
+def _initialise(stops: Any) -> None:
     """Prepare a worker process."""
+    global _stops
+    _stops = stops
     # pebble's handler runs only between two steps of Python, so not in a cut or a hung renderer.
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
@@ -231,11 +295,20 @@ def _end_with_parent() -> None:
         os._exit(1)
 
 
-def _run(function: Callable[..., Any], args: tuple[Any, ...], timeout: float | None) -> Any:
+def _run(
+    function: Callable[..., Any],
+    args: tuple[Any, ...],
+    timeout: float | None,
+    ticket: int | None,
+) -> Any:
     """Run a task in a worker process, which outlives its time by two seconds at most.
 
     This is for a task that hangs in a library when nobody is left to kill it.
     """
+    global _ticket
+    _ticket = ticket
+    if stopped():
+        raise CancelledError
     if timeout is None or not hasattr(signal, "alarm"):
         return function(*args)
     signal.alarm(math.ceil(timeout) + 1)

@@ -9,7 +9,15 @@ from pathlib import Path
 
 import pytest
 
-from iconstudio.workers import REMEMBERED, Workers, died, forget, memory_limit, remembered
+from iconstudio.workers import (
+    REMEMBERED,
+    Workers,
+    died,
+    forget,
+    memory_limit,
+    remembered,
+    stopped,
+)
 
 posix = pytest.mark.skipif(os.name != "posix", reason="needs POSIX signals")
 linux = pytest.mark.skipif(not Path("/proc/self").exists(), reason="looks processes up in /proc")
@@ -316,3 +324,54 @@ def test_a_task_can_name_its_process():
         second = pool.submit(os.getpid, lane=1).result(timeout=20)
     assert len(first) == 1
     assert second not in first
+
+
+def work_until_stopped(path):
+    """Write down the process's number, then work until nobody wants it."""
+    Path(path).write_text(str(os.getpid()))
+    while not stopped():
+        time.sleep(0.001)
+    return os.getpid()
+
+
+def test_a_ticket_stops_what_runs_and_what_waits_and_the_process_lives_on(tmp_path):
+    with Workers(1) as workers:
+        ticket = workers.ticket()
+        running = workers.submit(work_until_stopped, tmp_path / "a", ticket=ticket)
+        waiting = workers.submit(add, 1, 2, ticket=ticket)
+        number = told(tmp_path / "a")
+        ticket.stop()
+        assert running.result(timeout=60) == number
+        with pytest.raises(CancelledError):
+            waiting.result(timeout=60)
+        assert workers.submit(pid, ticket=workers.ticket()).result(timeout=60) == number
+        assert workers.submit(pid).result(timeout=60) == number
+
+
+def test_a_ticket_stops_no_task_of_another(tmp_path):
+    with Workers(2) as workers:
+        one, other = workers.ticket(), workers.ticket()
+        first = workers.submit(work_until_stopped, tmp_path / "a", lane=0, ticket=one)
+        second = workers.submit(work_until_stopped, tmp_path / "b", lane=1, ticket=other)
+        told(tmp_path / "a")
+        told(tmp_path / "b")
+        other.stop()
+        second.result(timeout=60)
+        assert not first.done()
+        one.stop()
+        first.result(timeout=60)
+
+
+def test_nobody_is_stopped_outside_a_task():
+    assert not stopped()
+
+
+@posix
+def test_a_task_that_does_not_stop_is_killed_when_it_is_in_the_way(tmp_path, monkeypatch):
+    monkeypatch.setattr("iconstudio.workers._GRACE", 0.0)
+    with Workers(1) as workers:
+        ticket = workers.ticket()
+        workers.submit(sleep_after_telling, tmp_path / "a", ticket=ticket)
+        number = told(tmp_path / "a")
+        ticket.stop()
+        assert workers.submit(pid).result(timeout=60) != number
