@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.raster import interior, placed_ink
-from iconstudio.algorithms.tsdf import tsdf
+from iconstudio.algorithms.tsdf import D_MAX, tsdf
 from iconstudio.model import CANVAS, Axis, Source
 
 PATCH = 7
@@ -17,7 +17,6 @@ F_INT = 0.5
 """Penalty for a cut through interior structure."""
 EPSILON = 0.01
 """Least smoothness cost where two labels meet."""
-SITES = CANVAS * CANVAS
 
 Labels = NDArray[np.uint8]
 
@@ -28,32 +27,40 @@ _ROOT = np.sqrt(np.arange(PATCH * PATCH + 1, dtype=np.float32))
 class RemixProblem:
     """A graph cut to solve: K sources and what each costs at each site.
 
-    Sites are numbered row by row, site = y * CANVAS + x.
+    The canvas has m x m sites, m a multiple of 4; they are numbered row by row, site = y * m + x.
+    The paper's m is CANVAS. The data cost grows with the area, m ** 2, but seams with the length,
+    m: so lambda_S must be ``m / CANVAS`` times the paper's for the same trade-off.
     """
 
     data: NDArray[np.float32]
-    """(K, CANVAS, CANVAS): data cost F_D."""
+    """(K, m, m): data cost F_D."""
     ink: NDArray[np.bool_]
-    """(K, CANVAS, CANVAS): the images I_k, True = black."""
+    """(K, m, m): the images I_k, True = black."""
     solid: NDArray[np.bool_]
-    """(K, CANVAS, CANVAS): the same with holes filled."""
+    """(K, m, m): the same with holes filled."""
     symmetry: Axis | None = None
     """Sites that mirror each other must have one label (equation 9)."""
 
+    @property
+    def side(self) -> int:
+        """Sites in a row, m."""
+        return self.data.shape[-1]
+
     @cached_property
     def interior(self) -> NDArray[np.bool_]:
-        """(K, CANVAS, CANVAS): interior structure, white inside the contour."""
+        """(K, m, m): interior structure, white inside the contour."""
         return interior(self.ink, self.solid)
 
     @cached_property
     def patches(self) -> NDArray[np.uint64]:
-        """(K, SITES): the neighbourhoods, 49 bits each; the canvas is white around."""
-        return patch_words(self.ink).reshape(len(self.ink), SITES)
+        """(K, sites): the neighbourhoods, 49 bits each; the canvas is white around."""
+        return patch_words(self.ink).reshape(len(self.ink), -1)
 
     @cached_property
     def penalty(self) -> NDArray[np.float32]:
-        """(K, SITES): f_int where the source shows interior structure, else 0."""
-        return np.where(self.interior, np.float32(F_INT), np.float32(0)).reshape(-1, SITES)
+        """(K, sites): f_int where the source shows interior structure, else 0."""
+        inside = self.interior.reshape(len(self.ink), -1)
+        return np.where(inside, np.float32(F_INT), np.float32(0))
 
     def smoothness(
         self,
@@ -76,9 +83,9 @@ class RemixProblem:
     def costs(self, labels: Labels) -> tuple[float, float]:
         """Return the data cost and the smoothness cost (without lambda_S) of a labelling."""
         flat = labels.ravel()
-        data = np.take_along_axis(self.data.reshape(-1, SITES), flat[None].astype(int), axis=0)
+        data = np.take_along_axis(self.data.reshape(-1, flat.size), flat[None].astype(int), axis=0)
         smooth = 0.0
-        for first, second in lattice_edges():
+        for first, second in lattice_edges(self.side):
             seam = flat[first] != flat[second]
             a, b = first[seam], second[seam]
             smooth += float(self.smoothness(a, b, flat[a], flat[b]).sum(dtype=np.float64))
@@ -90,9 +97,11 @@ def joined_ink(ink: NDArray[np.bool_], labels: Labels) -> NDArray[np.bool_]:
     return np.take_along_axis(ink, labels[None].astype(np.intp), axis=0)[0]
 
 
-def lattice_edges() -> tuple[tuple[NDArray[np.int64], NDArray[np.int64]], ...]:
+def lattice_edges(
+    side: int = CANVAS,
+) -> tuple[tuple[NDArray[np.int64], NDArray[np.int64]], ...]:
     """Return the edges of the 4-connected lattice: (left, right) and (upper, lower) sites."""
-    site = np.arange(SITES).reshape(CANVAS, CANVAS)
+    site = np.arange(side * side).reshape(side, side)
     return (
         (site[:, :-1].ravel(), site[:, 1:].ravel()),
         (site[:-1].ravel(), site[1:].ravel()),
@@ -117,16 +126,32 @@ def patch_words(ink: NDArray[np.bool_]) -> NDArray[np.uint64]:
     return words
 
 
+def distance_field(filled: NDArray[np.bool_]) -> NDArray[np.float32]:
+    """Return the TSDF of filled shapes (..., m, m) bool on a canvas of any side m.
+
+    Distances are clamped at the same part of the canvas, and counted in canvases, whatever m is.
+    """
+    side = filled.shape[-1]
+    unit = np.float32(CANVAS / side)
+    return tsdf(filled, max(1, round(D_MAX / unit))) * unit
+
+
 def data_cost(sketch_field: NDArray[np.float32], filled: NDArray[np.bool_]) -> NDArray[np.float32]:
-    """Return F_D of solid shapes, (K, CANVAS, CANVAS) float32 (equation 6)."""
-    return np.abs(sketch_field - tsdf(filled))
+    """Return F_D of solid shapes (K, m, m) bool, (K, m, m) float32 (equation 6).
+
+    ``sketch_field`` is the sketch's ``distance_field``, (m, m).
+    """
+    return np.abs(sketch_field - distance_field(filled))
 
 
 def placed_sources(
-    sources: Sequence[Source],
+    sources: Sequence[Source], side: int = CANVAS
 ) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-    """Return ink and solid of sources at their placements, both (K, CANVAS, CANVAS) bool."""
-    placed = [placed_ink(source.exemplar, source.placement) for source in sources]
+    """Return ink and solid of sources at their placements, both (K, side, side) bool.
+
+    On a canvas that is not of the paper's side, the exemplars' pictures are enlarged or reduced.
+    """
+    placed = [placed_ink(source.exemplar, source.placement, side) for source in sources]
     return np.stack([pair[0] for pair in placed]), np.stack([pair[1] for pair in placed])
 
 
@@ -135,7 +160,17 @@ def remix_problem(
 ) -> RemixProblem:
     """Return the problem of joining ``sources`` in the shape of a sketch.
 
-    ``sketch_field`` is the sketch's TSDF D_P, (CANVAS, CANVAS) float32.
+    ``sketch_field`` is the sketch's TSDF D_P, its ``distance_field``, (m, m) float32; its side is
+    that of the problem.
     """
-    ink, filled = placed_sources(sources)
+    return joining(sketch_field, *placed_sources(sources, len(sketch_field)), symmetry)
+
+
+def joining(
+    sketch_field: NDArray[np.float32],
+    ink: NDArray[np.bool_],
+    filled: NDArray[np.bool_],
+    symmetry: Axis | None = None,
+) -> RemixProblem:
+    """Return the problem of joining drawn sources, ink and solid both (K, m, m) bool."""
     return RemixProblem(data_cost(sketch_field, filled), ink, filled, symmetry)

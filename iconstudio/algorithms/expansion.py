@@ -15,12 +15,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.algorithms import maxflow
-from iconstudio.algorithms.energy import SITES, Labels, RemixProblem
+from iconstudio.algorithms.energy import Labels, RemixProblem
 from iconstudio.algorithms.symmetry import mirrored
-from iconstudio.model import CANVAS
 
 LAMBDAS = tuple(float(v) for v in np.geomspace(0.03, 0.75, 8))
-"""The values of lambda_S that are tried (section 3.4)."""
+"""The values of lambda_S that are tried on the paper's canvas (section 3.4)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,7 +36,7 @@ class Lattice:
     @property
     def side(self) -> int:
         """Blocks in a row."""
-        return CANVAS // self.block
+        return self.problem.side // self.block
 
     @cached_property
     def node(self) -> NDArray[np.int64]:
@@ -77,7 +76,7 @@ class Lattice:
     def _graph(self) -> tuple[NDArray[np.int64], ...]:
         """The nodes that each edge joins, and its pairs of sites."""
         b, n = self.block, self.side
-        site = np.arange(SITES).reshape(n, b, n, b)
+        site = np.arange(self.problem.side**2).reshape(n, b, n, b)
         right, lower = site[:, :, 1:, 0], site[1:, 0, :, :]
         left, upper = site[:, :, :-1, -1], site[:-1, -1, :, :]
         first = np.concatenate([left.transpose(0, 2, 1).reshape(-1, b), upper.reshape(-1, b)])
@@ -92,7 +91,7 @@ class Lattice:
         image = mirrored(n, self.problem.symmetry)
         here, there = _key(p, q, n), _key(image[p], image[q], n)
         kept = here < there
-        r = mirrored(CANVAS, self.problem.symmetry)
+        r = mirrored(self.problem.side, self.problem.symmetry)
         return (
             self.node[p[kept]],
             self.node[q[kept]],
@@ -121,7 +120,7 @@ class Lattice:
         return labels[:: self.block, :: self.block].ravel()[self._first_block]
 
     def full(self, labels: Labels) -> Labels:
-        """Return a labelling of the nodes on the sites, (CANVAS, CANVAS)."""
+        """Return a labelling of the nodes on the sites, (m, m)."""
         return self.grid(labels).repeat(self.block, axis=0).repeat(self.block, axis=1)
 
     def grid(self, values: NDArray) -> NDArray:

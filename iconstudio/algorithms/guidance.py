@@ -13,7 +13,7 @@ from scipy import ndimage
 from iconstudio.model import CANVAS, Axis, Point, Stroke
 
 EDIT_REACH = 25
-"""t of D_E, in canvas pixels (section 4.2)."""
+"""t of D_E, in canvas units (section 4.2)."""
 HYBRID_REACH = 40
 """t of D_H (section 4.3)."""
 MONTAGE_REACH = 20
@@ -45,9 +45,10 @@ def edit_penalty(mask: NDArray[np.float32], count: int) -> NDArray[np.float32]:
     return penalty.astype(np.float32)
 
 
-def seed_cost(seeds: Sequence[Sequence[Point]]) -> NDArray[np.float32]:
-    """Return D_H of each icon, (K, CANVAS, CANVAS): the distance from its seed positions."""
-    return np.stack([truncated_distance(points_mask(points), HYBRID_REACH) for points in seeds])
+def seed_cost(seeds: Sequence[Sequence[Point]], side: int = CANVAS) -> NDArray[np.float32]:
+    """Return D_H of each icon, (K, side, side): the distance from its seed positions."""
+    reach = HYBRID_REACH * side / CANVAS
+    return np.stack([truncated_distance(points_mask(points, side), reach) for points in seeds])
 
 
 def held(marked: NDArray[np.bool_]) -> NDArray[np.float32]:
@@ -60,11 +61,12 @@ def held(marked: NDArray[np.bool_]) -> NDArray[np.float32]:
     return np.where(others > 0, np.float32(HELD), np.float32(0))
 
 
-def points_mask(points: Sequence[Point]) -> NDArray[np.bool_]:
-    """Return the pixels in which ``points``, in canvas pixels, lie; (CANVAS, CANVAS) bool."""
-    mask = np.zeros((CANVAS, CANVAS), dtype=bool)
-    for x, y in points:
-        mask[min(max(int(y), 0), CANVAS - 1), min(max(int(x), 0), CANVAS - 1)] = True
+def points_mask(points: Sequence[Point], side: int = CANVAS) -> NDArray[np.bool_]:
+    """Return the pixels in which ``points``, in canvas units, lie; (side, side) bool."""
+    mask = np.zeros((side, side), dtype=bool)
+    for point in points:
+        x, y = (min(max(int(v * side / CANVAS), 0), side - 1) for v in point)
+        mask[y, x] = True
     return mask
 
 

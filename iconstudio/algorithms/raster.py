@@ -76,7 +76,7 @@ def simplified(line: Sequence[Point], tolerance: float) -> tuple[Point, ...]:
     return tuple((float(x), float(y)) for x, y in corners)
 
 
-def scaled_ink(exemplar: Exemplar, scale: float, pad: int = 0) -> Bitmap:
+def scaled_ink(exemplar: Exemplar, scale: float, pad: int = 0, side: int = CANVAS) -> Bitmap:
     """Return an exemplar's ink scaled about the centre of the canvas.
 
     Parameters
@@ -85,16 +85,19 @@ def scaled_ink(exemplar: Exemplar, scale: float, pad: int = 0) -> Bitmap:
         Uniform scale factor (section 3.3).
     pad
         Extra pixels on each side, so that a factor above 1 loses nothing.
+    side
+        Pixels of the canvas's side.
 
     Returns
     -------
-    (CANVAS + 2 pad, CANVAS + 2 pad) bool
+    (side + 2 pad, side + 2 pad) bool
     """
-    if scale == 1.0:
+    if scale == 1.0 and side == CANVAS:
         return np.pad(exemplar.ink, pad)
     from PIL import Image
 
-    n = CANVAS + 2 * pad
+    scale *= side / CANVAS
+    n = side + 2 * pad
     step, start = 1 / scale, CANVAS / 2 - (n / 2) / scale
     # PIL samples output pixel centres: x_in = step * x_out + start, with centres at + 0.5.
     picture = Image.fromarray(exemplar.coverage).transform(
@@ -122,15 +125,18 @@ def shifted(picture: NDArray, dx: int, dy: int, size: int, fill: object = 0) -> 
     return out
 
 
-def placed_ink(exemplar: Exemplar, placement: Placement) -> tuple[Bitmap, Bitmap]:
-    """Return ink and solid of an exemplar at a placement, both (CANVAS, CANVAS) bool.
+def placed_ink(
+    exemplar: Exemplar, placement: Placement, side: int = CANVAS
+) -> tuple[Bitmap, Bitmap]:
+    """Return ink and solid of an exemplar at a placement, both (side, side) bool.
 
     The holes are filled before the canvas cuts the drawing off: what it encloses stays enclosed.
     """
-    pad = max(0, int(np.ceil(CANVAS / 2 * (placement.scale - 1))))
-    ink = scaled_ink(exemplar, placement.scale, pad)
+    pad = max(0, int(np.ceil(side / 2 * (placement.scale - 1))))
+    ink = scaled_ink(exemplar, placement.scale, pad, side)
     if placement.flip:
         ink = ink[:, ::-1]
     both = np.stack([ink, solid(ink)])
-    ink, filled = shifted(both, placement.dx, placement.dy, CANVAS, False)
+    dx, dy = (round(shift * side / CANVAS) for shift in (placement.dx, placement.dy))
+    ink, filled = shifted(both, dx, dy, side, False)
     return ink, filled

@@ -30,7 +30,7 @@ from collections.abc import Callable, Iterable
 import numpy as np
 
 from iconstudio.algorithms.cuts import minimum_cut, new_trees
-from iconstudio.algorithms.energy import EPSILON, F_INT, PATCH, SITES, Labels, RemixProblem
+from iconstudio.algorithms.energy import EPSILON, F_INT, PATCH, Labels, RemixProblem
 from iconstudio.algorithms.expansion import LAMBDAS, Lattice
 from iconstudio.algorithms.networks import (
     UNIT,
@@ -72,7 +72,7 @@ class Level:
 
     def __init__(self, problem: RemixProblem, block: int, words: np.ndarray) -> None:
         self.lattice = Lattice(problem, block)
-        side = CANVAS // block
+        side = problem.side // block
         width = side + 2
         self._inside = (np.arange(1, side + 1)[:, None] * width + np.arange(1, side + 1)).ravel()
         self._image = np.arange(side * side)
@@ -88,7 +88,8 @@ class Level:
         self._networks: list[Network | None] = [None] * len(data)
         self._trees = new_trees(width * width)
         self._scratch = Scratch(
-            np.zeros((len(words), SITES), np.int32), *np.zeros((2, width * width, 2), np.int32)
+            np.zeros((len(words), problem.side**2), np.int32),
+            *np.zeros((2, width * width, 2), np.int32),
         )
         self.begin(1.0)
 
@@ -97,14 +98,14 @@ class Level:
         return self.grid.data.argmin(axis=0).astype(np.uint8)
 
     def reduced(self, labels: Labels) -> Labels:
-        """Return the labels of the blocks' first sites; ``labels`` is (CANVAS, CANVAS)."""
+        """Return the labels of the blocks' first sites; ``labels`` is (m, m)."""
         block = self.grid.block
         out = np.zeros(self.grid.kept.shape, np.uint8)
         out[self._inside] = labels[::block, ::block].ravel()
         return out
 
     def full(self, labels: Labels) -> Labels:
-        """Return labels on the sites, (CANVAS, CANVAS)."""
+        """Return labels on the sites, (m, m)."""
         side, block = self.grid.side, self.grid.block
         picture = labels[self._inside][self._image].reshape(side, side)
         return picture.repeat(block, axis=0).repeat(block, axis=1)
@@ -148,7 +149,7 @@ class Level:
         box = self._changed[alpha]
         if box[0] >= box[1]:
             return 0
-        self._changed[alpha] = (CANVAS, 0, CANVAS, 0)
+        self._changed[alpha] = (self.grid.side, 0, self.grid.side, 0)
         grid, trees = self.grid, self._trees
         network = self._networks[alpha]
         cold = network is None
@@ -180,12 +181,12 @@ class Sweep:
         self._every = range(len(problem.data))
 
     def add(self, labels: Labels) -> None:
-        """Make a labelling (CANVAS, CANVAS) known, such as that of a similar problem."""
+        """Make a labelling (m, m) known, such as that of a similar problem."""
         data, smoothness = self._problem.costs(labels)
         self._known.append((data, smoothness, labels))
 
     def best(self, lambda_s: float) -> Labels:
-        """Return the best labelling known, (CANVAS, CANVAS)."""
+        """Return the best labelling known, (m, m)."""
         return min(self._known, key=lambda one: one[0] + lambda_s * one[1])[2]
 
     def energy(self, lambda_s: float) -> float:
@@ -193,10 +194,11 @@ class Sweep:
         return min(data + lambda_s * smoothness for data, smoothness, _ in self._known)
 
     def preview(self, lambda_s: float) -> Labels:
-        """Return a good labelling soon, (CANVAS, CANVAS)."""
+        """Return a good labelling soon, (m, m)."""
         if not self._known:
             labels = None
-            for value in np.geomspace(min(LAMBDAS[0], lambda_s), lambda_s, 3):
+            lowest = LAMBDAS[0] * self._problem.side / CANVAS
+            for value in np.geomspace(min(lowest, lambda_s), lambda_s, 3):
                 labels = self._descend(COARSE, value, labels)
             self._descend(COARSE, lambda_s, None)
         self._descend(BLOCK, lambda_s, self.best(lambda_s))
@@ -216,7 +218,7 @@ class Sweep:
                 self._descend(BLOCK, lambda_s, labels)
 
     def solve(self, lambda_s: float) -> Labels:
-        """Return a labelling of low energy, (CANVAS, CANVAS)."""
+        """Return a labelling of low energy, (m, m)."""
         if not self._known:
             self._descend(BLOCK, lambda_s, None)
         similar = (lambda_s / SIMILAR, lambda_s, lambda_s * SIMILAR)
@@ -244,11 +246,11 @@ class Sweep:
 
 def plane_words(problem: RemixProblem) -> np.ndarray:
     """Return ``Grid.words`` of a problem."""
-    inside = problem.interior.reshape(len(problem.data), SITES)
+    inside = problem.interior.reshape(len(problem.data), -1)
     words = problem.patches | inside.astype(np.uint64) << np.uint64(63)
     if problem.symmetry is None:
         return words[None]
-    return np.stack([words, words[:, mirrored(CANVAS, problem.symmetry)]])
+    return np.stack([words, words[:, mirrored(problem.side, problem.symmetry)]])
 
 
 def _joined(one: Box, other: Box) -> Box:

@@ -1,6 +1,7 @@
 import math
 
 import numpy as np
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
@@ -10,6 +11,8 @@ from iconstudio.algorithms.energy import (
     F_INT,
     PATCH,
     data_cost,
+    distance_field,
+    joining,
     lattice_edges,
     patch_words,
     remix_problem,
@@ -112,3 +115,49 @@ def test_a_problem_shows_the_sources_at_their_placements():
     remix = remix_problem(tsdf(blob(7)), [source])
     assert np.array_equal(remix.ink[0, 30:200, 60:200], shape.ink[40:210, 40:180])
     assert (remix.solid >= remix.ink).all()
+
+
+@pytest.mark.parametrize("side", [128, 512])
+def test_distances_count_in_canvases_on_any_side(side):
+    ys, xs = np.mgrid[:side, :side] * 256 // side  # pixels of the paper's canvas
+    large, usual = distance_field(xs > 99), tsdf(np.mgrid[:256, :256][1] > 99)
+    step = np.abs(large - usual[ys, xs]).max()
+    assert 0 < step <= 1 / side + 1e-7  # distances to pixel centres; a pixel is 1 / side
+    assert large.max() == usual.max()
+    assert large.min() == usual.min()
+
+
+@pytest.mark.parametrize("side", [128, 512])
+def test_a_problem_on_another_side_is_the_same_picture(side):
+    shape = exemplar(blob(7))
+    source = Source(shape, Placement(dx=20, dy=-10, scale=1.2, flip=True))
+    usual = remix_problem(tsdf(blob(7)), [source])
+    field = distance_field(np.ones((side, side), bool))
+    other = remix_problem(field, [source])
+    assert other.side == side
+    assert usual.side == CANVAS
+    near = np.arange(256) * side // 256
+    fine = near if side > 256 else slice(None)
+    coarse = slice(None) if side > 256 else slice(None, None, 2)
+    differ = other.ink[0][fine][:, fine] != usual.ink[0][coarse, coarse]
+    assert differ.mean() < 0.02 < usual.ink[0].mean()
+    drawn = joining(field, other.ink, other.solid)
+    assert np.array_equal(drawn.data, other.data)
+    assert drawn.patches.shape == (1, side * side)
+
+
+@pytest.mark.parametrize("side", [8, 12, 32])
+def test_costs_sum_over_sites_and_edges_on_any_side(side):
+    rng = np.random.default_rng(side)
+    remix = problem(rng.random((3, side, side)) < 0.4, rng.random((3, side, side)))
+    labels = rng.integers(0, 3, (side, side)).astype(np.uint8)
+    data, smoothness = remix.costs(labels)
+    every = list(np.ndindex(side, side))
+    assert data == pytest.approx(sum(remix.data[labels[i], *i] for i in every), rel=1e-5)
+    expected = sum(
+        smoothness_oracle(remix.ink, remix.interior, i, j, labels[i], labels[j])
+        for i in every
+        for j in ((i[0] + 1, i[1]), (i[0], i[1] + 1))
+        if max(j) < side
+    )
+    assert smoothness == pytest.approx(expected, rel=1e-4)

@@ -78,6 +78,12 @@ def test_seed_costs_are_zero_at_the_seeds_and_one_far_from_them():
     assert cost[1, 50, 150] == 1
 
 
+def test_seed_costs_on_a_finer_canvas_are_the_same_picture():
+    seeds = [((100.0, 50.0), (200.0, 50.0))]
+    usual, fine = seed_cost(seeds), seed_cost(seeds, 2 * CANVAS)
+    assert fine[:, ::2, ::2] == pytest.approx(usual, abs=1e-6)
+
+
 def test_seeds_at_the_very_edge_lie_in_the_last_pixel():
     assert points_mask([(CANVAS, CANVAS)])[CANVAS - 1, CANVAS - 1]
 

@@ -180,3 +180,17 @@ def test_interior_structure_costs_what_the_paper_says():
     level = Level(one, 1, plane_words(one))
     level.begin(1.0)
     assert level.smoothness.through == F_INT * UNIT
+
+
+@pytest.mark.parametrize("side", [4, 12, 36])
+def test_a_canvas_may_have_any_side(side):
+    rng = np.random.default_rng(side)
+    one = problem(rng.random((3, side, side)) < 0.4, rng.random((3, side, side)))
+    sweep = Sweep(one)
+    sweep.preview(0.1)
+    sweep.explore([0.02, 0.1])
+    labels = sweep.solve(0.1)
+    assert labels.shape == (side, side)
+    fine = Lattice(one)
+    for alpha in np.unique(labels).tolist():
+        assert expansion.expand(fine, fine.reduced(labels), alpha, 0.1)[1] < 0.01
