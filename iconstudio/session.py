@@ -30,13 +30,14 @@ from iconstudio.model import (
 )
 from iconstudio.workers import Workers
 from iconstudio.workflows.choosing import choose_icons
+from iconstudio.workflows.drawing import draw_whole
 from iconstudio.workflows.editing import edit_icon, own_styles, prepare_change
 from iconstudio.workflows.events import Event, Progress, Retrieved
 from iconstudio.workflows.grid import ModelSettings
 from iconstudio.workflows.hybrids import mix_icons
 from iconstudio.workflows.modelling import model
 from iconstudio.workflows.montage import montage_icons
-from iconstudio.workflows.remixing import answer, draw_whole, warm_up
+from iconstudio.workflows.remixing import answer, warm_up
 
 _PLENTY = 8
 """With so many others, icons of two tones are left out: only their dark part could be used."""

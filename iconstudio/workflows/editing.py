@@ -26,9 +26,10 @@ from iconstudio.model import (
     Source,
 )
 from iconstudio.workers import Workers
+from iconstudio.workflows.drawing import Render, draw_whole
 from iconstudio.workflows.events import Event, Result
 from iconstudio.workflows.grid import Matches, ModelSettings, remix_styles
-from iconstudio.workflows.remixing import Job, Render, answer, draw_whole
+from iconstudio.workflows.remixing import Job, answer
 
 
 @dataclass(frozen=True, eq=False)

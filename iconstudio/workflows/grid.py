@@ -13,6 +13,7 @@ from iconstudio.algorithms.saliency import Region
 from iconstudio.algorithms.style import STYLES, Style
 from iconstudio.model import IconstudioError, Placement, Source
 from iconstudio.workers import Workers
+from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import (
     Event,
     Recommended,
@@ -22,7 +23,7 @@ from iconstudio.workflows.events import (
     StyleSkipped,
     staged,
 )
-from iconstudio.workflows.remixing import Job, Remixing, Render
+from iconstudio.workflows.remixing import Job, Remixing
 
 Matches = tuple[tuple[Source, ...], ...]
 

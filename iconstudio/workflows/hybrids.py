@@ -11,8 +11,9 @@ from iconstudio.algorithms.guidance import held, scribble, seed_cost, with_mirro
 from iconstudio.algorithms.ranking import Gallery
 from iconstudio.model import Exemplar, IconstudioError, Mix, Placement, Seeds, Source, Stroke
 from iconstudio.workers import Workers
+from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import Event, Progress, Result
-from iconstudio.workflows.remixing import Job, Remixing, Render
+from iconstudio.workflows.remixing import Job, Remixing
 
 LAMBDA_S = 3.0
 FEWEST, MOST = 2, 12

@@ -10,9 +10,10 @@ from iconstudio.algorithms.style import Style
 from iconstudio.algorithms.tsdf import tsdf
 from iconstudio.model import Sketch, Source
 from iconstudio.workers import Workers
+from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.grid import Matches, ModelSettings, remix_styles
-from iconstudio.workflows.remixing import Job, Render
+from iconstudio.workflows.remixing import Job
 
 FEWEST = 4
 """A style with fewer exemplars is skipped: all its regions would keep the same three."""

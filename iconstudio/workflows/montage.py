@@ -10,8 +10,9 @@ from iconstudio.algorithms.energy import RemixProblem, placed_sources
 from iconstudio.algorithms.guidance import MONTAGE_REACH, held, scribble, truncated_distance
 from iconstudio.model import CANVAS, Exemplar, IconstudioError, Montage, Source
 from iconstudio.workers import Workers
+from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import Event
-from iconstudio.workflows.remixing import Job, Remixing, Render
+from iconstudio.workflows.remixing import Job, Remixing
 
 LAMBDA_S = 3.0
 MOST = 30

@@ -24,8 +24,8 @@ from iconstudio.inputs.sketch import example
 from iconstudio.library.resvg import render_placed
 from iconstudio.model import CANVAS
 from iconstudio.session import Session
+from iconstudio.workflows.drawing import draw
 from iconstudio.workflows.grid import distinct
-from iconstudio.workflows.remixing import draw
 from tests.shapes import regions_of
 
 

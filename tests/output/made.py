@@ -10,8 +10,9 @@ from iconstudio.algorithms.raster import fill_polygon
 from iconstudio.algorithms.tsdf import tsdf
 from iconstudio.library.resvg import render_placed
 from iconstudio.model import CANVAS, Composite, Credit, Exemplar, Placement, Polygon, Sketch, Source
+from iconstudio.workflows.drawing import draw
 from iconstudio.workflows.events import Result
-from iconstudio.workflows.remixing import Job, composite, draw
+from iconstudio.workflows.remixing import Job, composite
 from tests.shapes import exemplar
 
 SQUARE = Polygon.of([(0, 0), (100, 0), (100, 100), (0, 100)])
