@@ -37,7 +37,8 @@ from iconstudio.workflows.grid import ModelSettings
 from iconstudio.workflows.hybrids import mix_icons
 from iconstudio.workflows.modelling import model
 from iconstudio.workflows.montage import montage_icons
-from iconstudio.workflows.remixing import answer, warm_up
+from iconstudio.workflows.remixing import answer
+from iconstudio.workflows.solving import warm_up
 
 _PLENTY = 8
 """With so many others, icons of two tones are left out: only their dark part could be used."""

@@ -2,14 +2,15 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.energy import RemixProblem, joined_ink, remix_problem
+from iconstudio.algorithms.energy import remix_problem
 from iconstudio.algorithms.guidance import EDIT_REACH, edit_penalty, truncated_distance
 from iconstudio.algorithms.matching import PreparedExemplar
-from iconstudio.algorithms.raster import Bitmap, fill_polygon, outlines, overlap, placed_ink, solid
+from iconstudio.algorithms.raster import Bitmap, fill_polygon, outlines, placed_ink, solid
 from iconstudio.algorithms.saliency import saliency, salient_regions
 from iconstudio.algorithms.style import STYLES, Style, blackness
 from iconstudio.algorithms.tsdf import tsdf
@@ -29,7 +30,8 @@ from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import Render, draw_whole
 from iconstudio.workflows.events import Event, Result
 from iconstudio.workflows.grid import Matches, ModelSettings, remix_styles
-from iconstudio.workflows.remixing import Job, answer
+from iconstudio.workflows.remixing import answer
+from iconstudio.workflows.solving import Posed
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,15 +53,11 @@ class Change:
     mask: NDArray[np.float32]
     """D_E, (CANVAS, CANVAS): the distance from the changed area, from 0 to 1."""
 
-    def problem(
-        self, sources: tuple[Source, ...], field: NDArray[np.float32], symmetry: Axis | None
-    ) -> RemixProblem:
-        """Return the graph cut of ``sources``, the first of which is the icon itself.
-
-        ``field`` is D_P, the TSDF of the target.
-        """
-        problem = remix_problem(field, sources, symmetry)
-        return replace(problem, data=problem.data + edit_penalty(self.mask, len(sources)))
+    def pose(self, symmetry: Axis | None, sources: tuple[Source, ...]) -> Posed:
+        """Pose the graph cut of ``sources``, the first of which is the icon itself."""
+        problem = remix_problem(tsdf(self.target), sources, symmetry)
+        problem = replace(problem, data=problem.data + edit_penalty(self.mask, len(sources)))
+        return Posed(problem, self.target, near=self.mask < 1)
 
     def unchanged(self, edited: Drawing, own: Drawing) -> float:
         """Return the part of the pixels beyond the reach of the change that equal the icon's."""
@@ -67,11 +65,6 @@ class Change:
         far = (self.mask >= 1).repeat(step, axis=0).repeat(step, axis=1)
         same = (edited.coverage > 127) == (own.coverage > 127)
         return float(same[far].mean()) if far.any() else 1.0
-
-    def likeness(self, ink: Bitmap) -> float:
-        """Return how well an edited ink fits the target, looking at the changed area alone."""
-        near = self.mask < 1
-        return overlap(solid(ink)[near], self.target[near])
 
 
 def prepare_change(edit: Edit, icon: Exemplar) -> Change:
@@ -126,41 +119,22 @@ def edit_icon(
     ``change`` is the edit on the canvas, by ``prepare_change``. The events, and the other
     parameters, are those of ``grid.remix_styles``. The icon itself is left out of matching.
     """
-    field = tsdf(change.target)
     score = saliency(outlines(change.target), change.target, change.mask)
-
     own = draw_whole(change.base, change.ink, workers, render)  # what results are compared with
 
-    def job(style: Style, sources: tuple[Source, ...]) -> Job:
-        everyone = (change.base, *sources)
-        problem = change.problem(everyone, field, edit.symmetry)
-
-        def finish(result: Result) -> Result:
-            likeness = change.likeness(joined_ink(problem.ink, result.composite.labels))
-            return replace(
-                result,
-                score=replace(result.score, likeness=likeness),
-                unchanged=change.unchanged(result.drawing, answer(own)),
-            )
-
-        return Job(
-            style.name,
-            everyone,
-            problem,
-            settings.lambdas,
-            change.target,
-            settings.explored,
-            finish=finish,
-        )
+    def finish(result: Result) -> Result:
+        return replace(result, unchanged=change.unchanged(result.drawing, answer(own)))
 
     try:
         yield from remix_styles(
-            field,
+            tsdf(change.target),
             salient_regions(score),
             [one for one in exemplars if one.exemplar.id != edit.icon.id],
             settings,
             refusal=_refusal,
-            job=job,
+            always=(change.base,),
+            pose=partial(change.pose, edit.symmetry),
+            finish=finish,
             workers=workers,
             render=render,
         )

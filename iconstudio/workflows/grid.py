@@ -1,7 +1,9 @@
 """Remixing in every style and for every lambda_S (sections 3.3 to 3.5): modelling and editing."""
 
+import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,7 +25,8 @@ from iconstudio.workflows.events import (
     StyleSkipped,
     staged,
 )
-from iconstudio.workflows.remixing import Job, Remixing
+from iconstudio.workflows.remixing import Remixing
+from iconstudio.workflows.solving import Job, Posed
 
 Matches = tuple[tuple[Source, ...], ...]
 
@@ -46,8 +49,16 @@ class ModelSettings:
         """The values of lambda_S that are searched: more than are asked for, as each helps all."""
         return tuple(sorted({*self.lambdas, *LAMBDAS}))
 
+    @property
+    def wanted_lambdas(self) -> tuple[float, ...]:
+        """The values of lambda_S from the one in focus outwards; without focus, falling."""
+        if self.focus is None:
+            return tuple(sorted(self.lambdas, reverse=True))
+        centre = math.log(max(self.focus[1], 1e-9))
+        return tuple(sorted(self.lambdas, key=lambda v: abs(math.log(max(v, 1e-9)) - centre)))
+
     def chosen_styles(self) -> tuple[Style, ...]:
-        """Return the styles named, in the paper's order.
+        """Return the styles named, in the paper's order, that in focus first.
 
         Raises
         ------
@@ -60,7 +71,9 @@ class ModelSettings:
                 raise IconstudioError(
                     f"There is no style {name!r}. The styles are {', '.join(known)}."
                 )
-        return tuple(style for style in STYLES if style.name in self.styles)
+        first = self.focus[0] if self.focus else ""
+        chosen = (style for style in STYLES if style.name in self.styles)
+        return tuple(sorted(chosen, key=lambda style: style.name != first))
 
 
 def remix_styles(
@@ -70,15 +83,18 @@ def remix_styles(
     settings: ModelSettings,
     *,
     refusal: Callable[[Style, int, Matches | None], str],
-    job: Callable[[Style, tuple[Source, ...]], Job],
+    pose: Callable[[tuple[Source, ...]], Posed],
     workers: Workers,
     render: Render,
+    always: tuple[Source, ...] = (),
+    finish: Callable[[Result], Result] = lambda result: result,
 ) -> Iterator[Event]:
     """Match exemplars to the salient regions of an outline, and remix them in every style.
 
     Yields ``RegionsFound``, then for each style ``StyleMatched`` or ``StyleSkipped``, each
-    ``Result`` as it is ready, from the highest lambda_S of a style down, and then the style's
-    ``Recommended``. Closing the generator cancels what is left.
+    ``Result`` as it is ready, and then the style's ``Recommended``. Results come from the highest
+    lambda_S of a style down, or from ``settings.focus`` outwards. Closing the generator cancels
+    what is left.
 
     Parameters
     ----------
@@ -89,10 +105,14 @@ def remix_styles(
     refusal
         Says why a style with so many exemplars should be skipped, or nothing; asked before
         matching without matches, and again with them.
-    job
-        Makes of a style's sources what is to be solved.
+    pose
+        Makes of a style's sources the problem that is to be solved; must be picklable.
     render
         Draws a source at its placement; must be picklable.
+    always
+        Sources that every style has, before those that are matched.
+    finish
+        What to add to each result.
     """
     styles = settings.chosen_styles()
     yield RegionsFound(tuple(region.centre for region in regions))
@@ -101,6 +121,7 @@ def remix_styles(
     )
     remixing = Remixing(workers, render, total=len(styles) * len(settings.lambdas))
     recommending = Recommending(len(settings.lambdas))
+    preview = settings.previews
     try:
         for style in styles:
             admitted = [i for i, e in enumerate(exemplars) if style.admits(e.blackness)]
@@ -115,10 +136,20 @@ def remix_styles(
                 yield StyleSkipped(style.name, len(admitted), reason)
                 continue
             yield StyleMatched(style.name, tuple(exemplars[i].exemplar for i in admitted), rows)
-            remixing.start(job(style, distinct(rows)))
+            sources = (*always, *distinct(rows))
+            job = Job(
+                style.name,
+                sources,
+                partial(pose, sources),
+                settings.wanted_lambdas,
+                settings.explored,
+                preview,
+            )
+            preview = False
+            remixing.start(job, finish)
             yield from recommending.after(remixing.ready())
         while remixing.busy:
-            yield from recommending.after(remixing.ready(timeout=0.1))
+            yield from recommending.after(remixing.ready(wanted=True))
     finally:
         remixing.cancel()
 
@@ -134,7 +165,7 @@ class Recommending:
         """Pass events on, with a ``Recommended`` after the last result of a style."""
         for event in events:
             yield event
-            if isinstance(event, Result):
+            if isinstance(event, Result) and not event.preview:
                 row = self._results.setdefault(event.composite.style, [])
                 row.append(event)
                 if len(row) == self._count:

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +14,8 @@ from iconstudio.model import Exemplar, IconstudioError, Mix, Placement, Seeds, S
 from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import Event, Progress, Result
-from iconstudio.workflows.remixing import Job, Remixing
+from iconstudio.workflows.remixing import Remixing
+from iconstudio.workflows.solving import Job, Posed
 
 LAMBDA_S = 3.0
 FEWEST, MOST = 2, 12
@@ -65,7 +67,6 @@ def mix_icons(
                 f"“{source.exemplar.id}” looks the same as another of the icons. "
                 "Choose different ones."
             )
-    plain = RemixProblem(np.zeros(ink.shape, np.float32), ink, filled, mix.symmetry)
     remixing = Remixing(workers, render, total=mix.draws)
     numbers = iter(range(mix.first, mix.first + mix.draws))
     waiting: dict[int, Result] = {}
@@ -73,8 +74,11 @@ def mix_icons(
     try:
         while turn < mix.first + mix.draws:
             while remixing.hungry and (number := next(numbers, None)) is not None:
-                remixing.start(_job(mix, number, sources, plain))
-            for event in remixing.ready(timeout=0.1):
+                seeds = draw_seeds(mix, number, filled)
+                pose = partial(_pose, mix, seeds, ink, filled)
+                job = Job("hybrid", sources, pose, (LAMBDA_S,), sharing=True)
+                remixing.start(job, partial(replace, seeds=seeds, draw=number))
+            for event in remixing.ready(wanted=True):
                 if isinstance(event, Result):
                     waiting[event.draw] = event
                 else:
@@ -107,21 +111,12 @@ def draw_seeds(mix: Mix, number: int, shapes: NDArray[np.bool_]) -> Seeds:
     return tuple(seeds)
 
 
-def _job(mix: Mix, number: int, sources: tuple[Source, ...], plain: RemixProblem) -> Job:
-    """Return what draw ``number`` has to solve; ``plain`` is the problem without data cost."""
-    seeds = draw_seeds(mix, number, plain.solid)
+def _pose(mix: Mix, seeds: Seeds, ink: NDArray[np.bool_], filled: NDArray[np.bool_]) -> Posed:
+    """Pose the problem of a draw; ``ink`` and ``filled`` are the icons on the canvas."""
     data = seed_cost(seeds)
     if mix.pins:
         data += held(_pinned(mix))
-    problem = replace(plain, data=data)
-    return Job(
-        "hybrid",
-        sources,
-        problem,
-        (LAMBDA_S,),
-        sharing=True,
-        finish=lambda result: replace(result, seeds=seeds, draw=number),
-    )
+    return Posed(RemixProblem(data, ink, filled, mix.symmetry))
 
 
 def _pinned(mix: Mix) -> NDArray[np.bool_]:

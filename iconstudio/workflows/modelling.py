@@ -1,19 +1,20 @@
 """Sketch-based pictogram modelling (section 4.1): from a rough polygon to remixed icons."""
 
 from collections.abc import Iterator, Sequence
+from functools import partial
 
 from iconstudio.algorithms.energy import remix_problem
 from iconstudio.algorithms.matching import PreparedExemplar
-from iconstudio.algorithms.raster import fill_polygon
+from iconstudio.algorithms.raster import Bitmap, fill_polygon
 from iconstudio.algorithms.saliency import saliency, salient_regions
 from iconstudio.algorithms.style import Style
 from iconstudio.algorithms.tsdf import tsdf
-from iconstudio.model import Sketch, Source
+from iconstudio.model import Axis, Sketch, Source
 from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.grid import Matches, ModelSettings, remix_styles
-from iconstudio.workflows.remixing import Job
+from iconstudio.workflows.solving import Posed
 
 FEWEST = 4
 """A style with fewer exemplars is skipped: all its regions would keep the same three."""
@@ -37,22 +38,20 @@ def model(
     """
     polygon = sketch.polygon.fitted()
     target = fill_polygon(polygon)
-    field = tsdf(target)
-
-    def job(style: Style, sources: tuple[Source, ...]) -> Job:
-        problem = remix_problem(field, sources, sketch.symmetry)
-        return Job(style.name, sources, problem, settings.lambdas, target, settings.explored)
-
     yield from remix_styles(
-        field,
+        tsdf(target),
         salient_regions(saliency([polygon], target)),
         exemplars,
         settings,
         refusal=refusal,
-        job=job,
+        pose=partial(_pose, target, sketch.symmetry),
         workers=workers,
         render=render,
     )
+
+
+def _pose(target: Bitmap, symmetry: Axis | None, sources: tuple[Source, ...]) -> Posed:
+    return Posed(remix_problem(tsdf(target), sources, symmetry), target)
 
 
 def refusal(style: Style, count: int, rows: Matches | None) -> str:

@@ -1,6 +1,7 @@
 """Pictogram montage (section 4.4): the parts that the user scribbles over, joined."""
 
 from collections.abc import Iterable, Iterator
+from functools import partial
 from itertools import combinations
 
 import numpy as np
@@ -12,7 +13,8 @@ from iconstudio.model import CANVAS, Exemplar, IconstudioError, Montage, Source
 from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import Event
-from iconstudio.workflows.remixing import Job, Remixing
+from iconstudio.workflows.remixing import Remixing
+from iconstudio.workflows.solving import Job, Posed
 
 LAMBDA_S = 3.0
 MOST = 30
@@ -38,10 +40,10 @@ def montage_icons(
     data += held(scribbles)
     remixing = Remixing(workers, render, total=1)
     try:
-        problem = RemixProblem(data, ink, filled)
-        remixing.start(Job("montage", sources, problem, (LAMBDA_S,)))
+        pose = partial(Posed, RemixProblem(data, ink, filled))
+        remixing.start(Job("montage", sources, pose, (LAMBDA_S,)))
         while remixing.busy:
-            yield from remixing.ready(timeout=0.1)
+            yield from remixing.ready(wanted=True)
     finally:
         remixing.cancel()
 

@@ -1,63 +1,36 @@
-"""Remixing placed sources, several problems at once: what all workflows share (section 3.4)."""
+"""Remixing placed sources, several jobs at once: what all workflows share (section 3.4)."""
 
 import itertools
-from collections.abc import Callable, Iterator, Sequence
+from collections import deque
+from collections.abc import Callable, Iterator
 from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, wait
-from dataclasses import dataclass, replace
-from time import perf_counter
+from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
-from iconstudio.algorithms import ranking
-from iconstudio.algorithms.energy import Labels, RemixProblem, joined_ink
-from iconstudio.algorithms.ranking import Score
-from iconstudio.algorithms.raster import overlap, solid
-from iconstudio.model import CANVAS, Composite, Drawing, Frame, IconstudioError, Placement, Source
-from iconstudio.workers import Workers, died, forget, remembered
-from iconstudio.workflows.drawing import Render, draw, drawn_from
+from iconstudio.model import Composite, IconstudioError
+from iconstudio.workers import Workers, died
+from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import Progress, Result
+from iconstudio.workflows.solving import Job, Solved, Step, solve
 
+PIPELINED = 2
+"""How many steps are sent to a process ahead, so that it need not wait for the next."""
+PROMPT = 0.03
+"""Seconds after which whoever waits for results looks whether they are still wanted."""
 
-@dataclass(frozen=True, eq=False)
-class Job:
-    """A problem to solve for several lambda_S, from the highest down."""
-
-    style: str
-    sources: tuple[Source, ...]
-    problem: RemixProblem
-    lambdas: tuple[float, ...]
-    target: NDArray[np.bool_] | None = None
-    """(CANVAS, CANVAS): the filled outline that the results are compared with, if there is one."""
-    explored: tuple[float, ...] = ()
-    """Values of lambda_S for which to look for labellings first: they help each other."""
-    sharing: bool = False
-    """Whether a good result has its ink from several sources."""
-    finish: Callable[[Result], Result] = lambda result: result
-    """What the workflow adds to each result."""
-
-
-@dataclass(frozen=True, eq=False)
-class Solved:
-    """What a worker process answers; the score knows nothing of a target yet."""
-
-    labels: Labels
-    costs: tuple[float, float]
-    """Data cost and smoothness cost."""
-    score: Score
-    drawing: Drawing
-    seconds: tuple[float, float]
-    """To cut, and to draw."""
+Finish = Callable[[Result], Result]
 
 
 class Remixing:
     """Solves jobs in worker processes; results come out as they are ready.
 
+    All steps of a job are made by one process, which takes up the next job when it has nothing
+    left to do: jobs come first that were started first.
+
     Parameters
     ----------
     total
-        How many results are expected in all, for the progress.
+        How many finished results are expected in all, for the progress.
     """
 
     def __init__(self, workers: Workers, render: Render, total: int) -> None:
@@ -65,7 +38,10 @@ class Remixing:
         self._render = render
         self._total = total
         self._done = 0
-        self._running: dict[Future[Any], _Step] = {}
+        self._ticket = workers.ticket()
+        self._jobs: deque[tuple[Job, Finish]] = deque()
+        self._lanes: list[deque[_Task]] = [deque() for _ in range(workers.count)]
+        self._running: dict[Future[Any], _Task] = {}
 
     @property
     def busy(self) -> bool:
@@ -75,136 +51,98 @@ class Remixing:
     @property
     def hungry(self) -> bool:
         """Whether another job would keep the processes from running dry."""
-        return len(self._running) < 2 * self._workers.count
+        return not self._jobs
 
-    def start(self, job: Job) -> None:
-        """Begin with the highest lambda_S of a job."""
-        lambdas = tuple(sorted(job.lambdas, reverse=True))
-        self._submit(_Step(job, lambdas, next(_numbers), self._workers.idlest()))
+    def start(self, job: Job, finish: Finish = lambda result: result) -> None:
+        """Begin a job as soon as a process is free.
+
+        ``finish`` is what the workflow adds to each result.
+        """
+        self._jobs.append((job, finish))
+        self._feed()
 
     def expect_fewer(self, count: int) -> None:
         """Take ``count`` results off the expected total."""
         self._total -= count
 
-    def ready(self, timeout: float = 0.0) -> Iterator[Progress | Result]:
+    def ready(self, wanted: bool = False) -> Iterator[Progress | Result]:
         """Yield what has been finished, then the progress.
 
-        Waits at most ``timeout`` seconds for something, so that whoever iterates can stop soon.
+        If results are ``wanted``, wait a little for one: so that whoever iterates can soon stop.
         """
-        finished = wait(self._running, timeout, return_when=FIRST_COMPLETED).done
-        for future in finished:
-            step = self._running.pop(future)
+        timeout = PROMPT if wanted else 0
+        done = wait(self._running, timeout, return_when=FIRST_COMPLETED).done
+        for future in [one for one in self._running if one in done]:
+            task = self._running.pop(future)
             solved = answer(future)
-            if len(step.lambdas) > 1:
-                self._submit(replace(step, lambdas=step.lambdas[1:]))
-            self._done += 1
-            yield step.job.finish(_result(step.job, step.lambdas[0], solved))
+            self._feed()
+            self._done += not task.step.preview
+            yield task.finish(result_of(task.job, task.step, solved))
         yield Progress("remix", self._done / max(1, self._total), "Joining parts")
 
     def cancel(self) -> None:
-        """Kill what still runs."""
-        for future in self._running:
-            future.cancel()
+        """Stop what still runs; its processes live on."""
+        self._ticket.stop()
+        self._jobs.clear()
         self._running.clear()
 
-    def _submit(self, step: "_Step") -> None:
-        job = step.job
+    def _feed(self) -> None:
+        """Give each process enough to do, the idlest first."""
+        for lane in sorted(range(self._workers.count), key=self._workers.load):
+            under_way = sum(task.lane == lane for task in self._running.values())
+            for _ in range(PIPELINED - under_way):
+                if not self._lanes[lane] and self._jobs:
+                    self._lanes[lane].extend(_tasks(*self._jobs.popleft(), lane))
+                if self._lanes[lane]:
+                    self._submit(self._lanes[lane].popleft())
+
+    def _submit(self, task: "_Task") -> None:
         future = self._workers.submit(
             solve,
-            step.number,
-            job.problem,
-            step.lambdas[0],
-            len(step.lambdas) == 1,
-            job.explored,
-            job.sharing,
-            [drawn_from(source) for source in job.sources],
+            task.number,
+            task.job,
+            task.step,
             self._render,
-            lane=step.lane,
+            lane=task.lane,
+            ticket=self._ticket,
         )
-        self._running[future] = step
+        self._running[future] = task
 
 
 @dataclass(frozen=True, eq=False)
-class _Step:
-    """The next lambda_S of a job, and those to follow; always in the same process."""
+class _Task:
+    """A step of a job, in one of the processes."""
 
-    job: Job
-    lambdas: tuple[float, ...]
     number: int
+    job: Job
+    finish: Finish
+    step: Step
     lane: int
 
 
 _numbers = itertools.count()
 
 
-def solve(
-    key: object,
-    problem: RemixProblem,
-    lambda_s: float,
-    last: bool,
-    explored: Sequence[float],
-    sharing: bool,
-    drawn: Sequence[tuple[str, Frame, Placement]],
-    render: Render,
-) -> Solved:
-    """Cut, judge, redraw and trace: one result. Runs in a worker process.
-
-    What is found is remembered under ``key`` for other values of lambda_S, unless this is the
-    ``last``.
-    """
-    from iconstudio.algorithms.sweep import Sweep
-
-    began = perf_counter()
-
-    def begin() -> Sweep:
-        sweep = Sweep(problem)
-        sweep.explore(explored)
-        return sweep
-
-    labels = remembered(key, begin).solve(lambda_s)
-    if last:
-        forget(key)
-    score = ranking.score(problem, labels, sharing=sharing)
-    cut = perf_counter()
-    drawing = draw(labels, problem.ink, drawn, render)
-    seconds = cut - began, perf_counter() - cut
-    return Solved(labels, problem.costs(labels), score, drawing, seconds)
+def _tasks(job: Job, finish: Finish, lane: int) -> list[_Task]:
+    number = next(_numbers)
+    return [_Task(number, job, finish, step, lane) for step in job.steps]
 
 
-def warm_up() -> None:
-    """Load what cuts, and compile it if it never was, on a problem of nothing."""
-    from iconstudio.algorithms.sweep import Sweep
-
-    ink = np.zeros((2, CANVAS, CANVAS), dtype=bool)
-    sweep = Sweep(RemixProblem(ink.astype(np.float32), ink, ink))
-    sweep.explore([1.0])
-    sweep.solve(1.0)
-
-
-def composite(
-    job: Job, lambda_s: float, labels: Labels, data_cost: float, smoothness_cost: float
-) -> Composite:
-    """Return the labelling with its energy, its shares of ink, and its likeness to the target."""
-    ink = joined_ink(job.problem.ink, labels)
-    owned = np.bincount(labels[ink], minlength=len(job.sources))
-    return Composite(
+def result_of(job: Job, step: Step, solved: Solved) -> Result:
+    """Return the icon that a step of a job has come to."""
+    data_cost, smoothness_cost = solved.costs
+    composite = Composite(
         style=job.style,
-        lambda_s=lambda_s,
+        lambda_s=step.lambda_s,
         sources=job.sources,
-        labels=labels,
-        energy=data_cost + lambda_s * smoothness_cost,
+        labels=solved.labels,
+        energy=data_cost + step.lambda_s * smoothness_cost,
         data_cost=data_cost,
         smoothness_cost=smoothness_cost,
-        shares=tuple((owned / max(1, owned.sum())).tolist()),
-        iou=None if job.target is None else overlap(solid(ink), job.target),
+        shares=solved.shares,
+        iou=solved.iou,
     )
-
-
-def _result(job: Job, lambda_s: float, solved: Solved) -> Result:
-    icon = composite(job, lambda_s, solved.labels, *solved.costs)
-    likeness = 1.0 if icon.iou is None else icon.iou
-    score = replace(solved.score, likeness=likeness)
-    return Result(icon, solved.drawing, score, *solved.seconds)
+    return Result(composite, solved.drawing, solved.score, *solved.seconds, preview=step.preview)
 
 
 def answer(future: "Future[Any]") -> Any:

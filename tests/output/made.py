@@ -5,14 +5,13 @@ from dataclasses import replace
 import numpy as np
 
 from iconstudio.algorithms.energy import remix_problem
-from iconstudio.algorithms.ranking import score
 from iconstudio.algorithms.raster import fill_polygon
 from iconstudio.algorithms.tsdf import tsdf
 from iconstudio.library.resvg import render_placed
 from iconstudio.model import CANVAS, Composite, Credit, Exemplar, Placement, Polygon, Sketch, Source
-from iconstudio.workflows.drawing import draw
 from iconstudio.workflows.events import Result
-from iconstudio.workflows.remixing import Job, composite
+from iconstudio.workflows.remixing import result_of
+from iconstudio.workflows.solving import Job, Posed, Step, finished
 from tests.shapes import exemplar
 
 SQUARE = Polygon.of([(0, 0), (100, 0), (100, 100), (0, 100)])
@@ -51,12 +50,9 @@ def made(
     sources: tuple[Source, ...] = SOURCES,
 ) -> Result:
     """The result of a labelling, with its true energy."""
-    problem = remix_problem(tsdf(TARGET), sources)
-    job = Job(style, sources, problem, (lambda_s,), TARGET)
-    drawn = [(s.exemplar.pictogram.svg, s.exemplar.frame, s.placement) for s in sources]
-    icon = composite(job, lambda_s, labels, *problem.costs(labels))
-    drawing = draw(labels, problem.ink, drawn, render_placed)
-    return Result(icon, drawing, replace(score(problem, labels), likeness=icon.iou))
+    posed = Posed(remix_problem(tsdf(TARGET), sources), TARGET)
+    job = Job(style, sources, lambda: posed, (lambda_s,))
+    return result_of(job, Step(lambda_s), finished(posed, job, labels, render_placed))
 
 
 def with_shares(one: Composite, *shares: float) -> Composite:

@@ -1,0 +1,184 @@
+"""Solving a remix in a worker process, one step after another (section 3.4).
+
+The process remembers what it has found for a job, so that each step builds on those before.
+"""
+
+from collections.abc import Callable, Sequence
+from concurrent.futures import CancelledError
+from dataclasses import dataclass, replace
+from time import perf_counter
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from iconstudio.algorithms import ranking
+from iconstudio.algorithms.energy import Labels, RemixProblem, joined_ink
+from iconstudio.algorithms.ranking import Score
+from iconstudio.algorithms.raster import Bitmap, overlap, solid
+from iconstudio.model import CANVAS, Drawing, Source
+from iconstudio.workers import forget, remembered, stopped
+from iconstudio.workflows.drawing import Render, draw, drawn_from
+
+if TYPE_CHECKING:
+    from iconstudio.algorithms.sweep import Sweep
+
+
+@dataclass(frozen=True, eq=False)
+class Posed:
+    """A problem, and what its solutions are compared with."""
+
+    problem: RemixProblem
+    target: Bitmap | None = None
+    """(m, m): the filled outline that is wanted, if there is one."""
+    near: Bitmap | None = None
+    """(m, m): where the likeness to it counts; everywhere if None."""
+
+
+@dataclass(frozen=True, eq=False)
+class Job:
+    """A problem to solve for several lambda_S. It goes to a worker process, so it can be pickled.
+
+    The problem is posed there: it is many times as large as what it is made of.
+    """
+
+    style: str
+    sources: tuple[Source, ...]
+    pose: Callable[[], Posed]
+    lambdas: tuple[float, ...]
+    """In the order in which the results are wanted."""
+    explored: tuple[float, ...] = ()
+    """Values of lambda_S for which to look for labellings first: they help each other."""
+    preview: bool = False
+    """Whether a coarse result for the first lambda_S goes ahead."""
+    known: Sequence[Labels] = ()
+    """Labellings of a similar problem, for the preview to begin with."""
+    sharing: bool = False
+    """Whether a good result has its ink from several sources."""
+
+    @property
+    def steps(self) -> tuple["Step", ...]:
+        """What there is to do."""
+        finished = (Step(value, last=value == self.lambdas[-1]) for value in self.lambdas)
+        return (*(Step(self.lambdas[0], preview=True),) * self.preview, *finished)
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """What to do next for a job: a coarse result, or a finished one."""
+
+    lambda_s: float
+    preview: bool = False
+    last: bool = False
+    """Whether the job is done after it."""
+
+
+@dataclass(frozen=True, eq=False)
+class Solved:
+    """What a worker process answers."""
+
+    labels: Labels
+    costs: tuple[float, float]
+    """Data cost and smoothness cost."""
+    shares: tuple[float, ...]
+    """Each source's part of the ink."""
+    iou: float | None
+    """Overlap with the target, if there is one."""
+    score: Score
+    drawing: Drawing
+    seconds: tuple[float, float] = (0.0, 0.0)
+    """To cut, and to draw."""
+
+
+@dataclass(eq=False)
+class _Bench:
+    """What a process keeps of a job between its steps."""
+
+    posed: Posed
+    sweep: "Sweep"
+    unexplored: tuple[float, ...]
+
+
+def solve(key: object, job: Job, step: Step, render: Render) -> Solved:
+    """Cut, judge, redraw and trace: one result. Runs in a worker process.
+
+    What is found is remembered under ``key`` for the other steps of the job.
+
+    Raises
+    ------
+    CancelledError
+        As soon as the result is no longer wanted.
+    """
+    from iconstudio.algorithms.sweep import Stopped
+
+    began = perf_counter()
+    try:
+        bench = remembered(key, lambda: _begin(job))
+        labels = _cut(bench, job, step)
+    except Stopped:
+        forget(key)
+        raise CancelledError from None
+    if step.last:
+        forget(key)
+    cut = perf_counter()
+    solved = finished(bench.posed, job, labels, render)
+    return replace(solved, seconds=(cut - began, perf_counter() - cut))
+
+
+def finished(posed: Posed, job: Job, labels: Labels, render: Render) -> Solved:
+    """Judge, redraw and trace a labelling (m, m) of a job."""
+    problem = posed.problem
+    ink = joined_ink(problem.ink, labels)
+    owned = np.bincount(labels[ink], minlength=len(job.sources))
+    iou, likeness = _compared(posed, ink)
+    score = ranking.score(problem, labels, sharing=job.sharing)
+    return Solved(
+        labels,
+        problem.costs(labels),
+        tuple((owned / max(1, owned.sum())).tolist()),
+        iou,
+        replace(score, likeness=likeness),
+        draw(labels, problem.ink, [drawn_from(source) for source in job.sources], render),
+    )
+
+
+def warm_up() -> None:
+    """Load what cuts, and compile it if it never was, on a problem of nothing."""
+    from iconstudio.algorithms.sweep import Sweep
+
+    ink = np.zeros((2, CANVAS, CANVAS), dtype=bool)
+    sweep = Sweep(RemixProblem(ink.astype(np.float32), ink, ink))
+    sweep.explore([1.0])
+    sweep.solve(1.0)
+
+
+def _begin(job: Job) -> _Bench:
+    from iconstudio.algorithms.sweep import Sweep
+
+    posed = job.pose()
+    sweep = Sweep(posed.problem, stopped)
+    for labels in job.known:
+        sweep.add(labels)
+    return _Bench(posed, sweep, job.explored)
+
+
+def _cut(bench: _Bench, job: Job, step: Step) -> Labels:
+    if step.preview:
+        return bench.sweep.preview(step.lambda_s)
+    if bench.unexplored:
+        bench.sweep.explore(bench.unexplored)
+        bench.unexplored = ()
+    return bench.sweep.solve(step.lambda_s)
+
+
+def _compared(posed: Posed, ink: Bitmap) -> tuple[float | None, float]:
+    """Return overlap and likeness of a result with what was wanted; likeness is 1 if nothing was.
+
+    ``ink`` is (m, m).
+    """
+    if posed.target is None:
+        return None, 1.0
+    filled = solid(ink)
+    iou = overlap(filled, posed.target)
+    if posed.near is None:
+        return iou, iou
+    return iou, overlap(filled[posed.near], posed.target[posed.near])
