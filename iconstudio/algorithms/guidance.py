@@ -70,20 +70,22 @@ def points_mask(points: Sequence[Point], side: int = CANVAS) -> NDArray[np.bool_
     return mask
 
 
-def scribble(strokes: Sequence[Stroke]) -> NDArray[np.bool_]:
-    """Return the pixels that strokes cover, (CANVAS, CANVAS) bool.
+def scribble(strokes: Sequence[Stroke], side: int = CANVAS) -> NDArray[np.bool_]:
+    """Return the pixels that strokes, in canvas units, cover; (side, side) bool.
 
     A stroke covers all pixel centres within half its width of its line, and the pixels that the
     line runs through, however thin it is.
     """
-    covered = np.zeros((CANVAS, CANVAS), dtype=bool)
+    covered = np.zeros((side, side), dtype=bool)
+    unit = side / CANVAS
     for stroke in strokes:
+        stroke = Stroke(stroke.width * unit, tuple((x * unit, y * unit) for x, y in stroke.points))
         line = points_on(stroke)
-        inside = line[((line >= 0) & (line < CANVAS)).all(axis=1)].astype(int)
+        inside = line[((line >= 0) & (line < side)).all(axis=1)].astype(int)
         covered[inside[:, 1], inside[:, 0]] = True
         radius = stroke.width / 2
         left, top = np.maximum(np.floor(line.min(axis=0) - radius).astype(int), 0)
-        right, bottom = np.minimum(np.ceil(line.max(axis=0) + radius).astype(int), CANVAS)
+        right, bottom = np.minimum(np.ceil(line.max(axis=0) + radius).astype(int), side)
         if left < right and top < bottom:
             covered[top:bottom, left:right] |= (
                 _distance_to_line(stroke.points, left, top, right, bottom) <= radius

@@ -31,8 +31,8 @@ def interior(ink: Bitmap, filled: Bitmap) -> Bitmap:
     return filled & ~ink
 
 
-def fill_polygon(polygon: Polygon, size: int = CANVAS) -> Bitmap:
-    """Rasterise a polygon given in pixels: (size, size) bool, True inside (I_P of section 3.2).
+def fill_polygon(polygon: Polygon, side: int = CANVAS) -> Bitmap:
+    """Rasterise a polygon in canvas units: (side, side) bool, True inside (I_P of section 3.2).
 
     A pixel is inside if its centre is. Of an outline that crosses itself, all that it encloses
     counts as inside.
@@ -40,11 +40,11 @@ def fill_polygon(polygon: Polygon, size: int = CANVAS) -> Bitmap:
     from PIL import Image, ImageDraw
     from skimage.draw import polygon2mask
 
-    corners = np.array([(y - 0.5, x - 0.5) for x, y in polygon.vertices])
-    inside = polygon2mask((size, size), corners)
+    corners = np.array(polygon.vertices) * (side / CANVAS)
+    inside = polygon2mask((side, side), corners[:, ::-1] - 0.5)
     if polygon.crosses_itself:  # the even-odd rule leaves out what is enclosed twice
         outline = Image.fromarray(inside)
-        ImageDraw.Draw(outline).line([*polygon.vertices, polygon.vertices[0]], fill=1)
+        ImageDraw.Draw(outline).line([tuple(corner) for corner in (*corners, corners[0])], fill=1)
         inside = np.asarray(outline)
     return solid(inside)
 

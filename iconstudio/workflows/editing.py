@@ -7,7 +7,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.energy import remix_problem
+from iconstudio.algorithms.energy import distance_field, remix_problem
 from iconstudio.algorithms.guidance import EDIT_REACH, edit_penalty, truncated_distance
 from iconstudio.algorithms.matching import PreparedExemplar
 from iconstudio.algorithms.raster import Bitmap, fill_polygon, outlines, placed_ink, solid
@@ -36,7 +36,7 @@ from iconstudio.workflows.solving import Posed
 
 @dataclass(frozen=True, eq=False)
 class Change:
-    """An edit on the canvas: what is wanted, and where.
+    """An edit on a canvas of any side m: what is wanted, and where.
 
     If something is added beyond the canvas, all is made smaller so that it fits.
     """
@@ -44,31 +44,31 @@ class Change:
     base: Source
     """The icon E_0: label 0 of the graph cut."""
     ink: Bitmap
-    """(CANVAS, CANVAS): the icon's own drawing."""
+    """(m, m): the icon's own drawing."""
     removed: Bitmap
     added: Bitmap
-    """(CANVAS, CANVAS): the red and the green areas."""
+    """(m, m): the red and the green areas."""
     target: Bitmap
-    """(CANVAS, CANVAS): the outline that is wanted, filled."""
+    """(m, m): the outline that is wanted, filled."""
     mask: NDArray[np.float32]
-    """D_E, (CANVAS, CANVAS): the distance from the changed area, from 0 to 1."""
+    """D_E, (m, m): the distance from the changed area, from 0 to 1."""
 
     def pose(self, symmetry: Axis | None, sources: tuple[Source, ...]) -> Posed:
         """Pose the graph cut of ``sources``, the first of which is the icon itself."""
-        problem = remix_problem(tsdf(self.target), sources, symmetry)
+        problem = remix_problem(distance_field(self.target), sources, symmetry)
         problem = replace(problem, data=problem.data + edit_penalty(self.mask, len(sources)))
         return Posed(problem, self.target, near=self.mask < 1)
 
     def unchanged(self, edited: Drawing, own: Drawing) -> float:
         """Return the part of the pixels beyond the reach of the change that equal the icon's."""
-        step = own.coverage.shape[0] // CANVAS
+        step = own.coverage.shape[0] // len(self.mask)
         far = (self.mask >= 1).repeat(step, axis=0).repeat(step, axis=1)
         same = (edited.coverage > 127) == (own.coverage > 127)
         return float(same[far].mean()) if far.any() else 1.0
 
 
-def prepare_change(edit: Edit, icon: Exemplar) -> Change:
-    """Put an edit of ``icon`` on the canvas.
+def prepare_change(edit: Edit, icon: Exemplar, side: int = CANVAS) -> Change:
+    """Put an edit of ``icon`` on a canvas of that side.
 
     Raises
     ------
@@ -83,8 +83,8 @@ def prepare_change(edit: Edit, icon: Exemplar) -> Change:
     for polygon in (*edit.remove, *edit.add):
         polygon.fitted()  # refuses what encloses no area
     placement = _room(edit, icon)
-    ink, filled = placed_ink(icon, placement)
-    removed, added = (_union(polygons, placement) for polygons in (edit.remove, edit.add))
+    ink, filled = placed_ink(icon, placement, side)
+    removed, added = (_union(polygons, placement, side) for polygons in (edit.remove, edit.add))
     if edit.remove and not (removed & filled).any():
         raise IconstudioError(
             "The area to remove lies beside the icon. Enclose a part of the icon itself."
@@ -97,7 +97,7 @@ def prepare_change(edit: Edit, icon: Exemplar) -> Change:
     target = solid((filled & ~removed) | added)
     if not target.any():
         raise IconstudioError("Nothing of the icon would be left. Remove less, or add something.")
-    mask = truncated_distance(removed | added, EDIT_REACH)
+    mask = truncated_distance(removed | added, EDIT_REACH * side / CANVAS)
     return Change(Source(icon, placement), ink, removed, added, target, mask)
 
 
@@ -120,6 +120,9 @@ def edit_icon(
     parameters, are those of ``grid.remix_styles``. The icon itself is left out of matching.
     """
     score = saliency(outlines(change.target), change.target, change.mask)
+    posed = change
+    if settings.side != CANVAS:
+        posed = prepare_change(edit, change.base.exemplar, settings.side)
     own = draw_whole(change.base, change.ink, workers, render)  # what results are compared with
 
     def finish(result: Result) -> Result:
@@ -133,7 +136,7 @@ def edit_icon(
             settings,
             refusal=_refusal,
             always=(change.base,),
-            pose=partial(change.pose, edit.symmetry),
+            pose=partial(posed.pose, edit.symmetry),
             finish=finish,
             workers=workers,
             render=render,
@@ -175,14 +178,14 @@ def _room(edit: Edit, icon: Exemplar) -> Placement:
     )
 
 
-def _union(polygons: Sequence[Polygon], placement: Placement) -> Bitmap:
-    """Return what polygons enclose once they are moved with the icon."""
+def _union(polygons: Sequence[Polygon], placement: Placement, side: int) -> Bitmap:
+    """Return what polygons enclose once they are moved with the icon, (side, side) bool."""
     half, scale = CANVAS / 2, placement.scale
-    inside = np.zeros((CANVAS, CANVAS), dtype=bool)
+    inside = np.zeros((side, side), dtype=bool)
     for polygon in polygons:
         moved = (
             (half + scale * (x - half) + placement.dx, half + scale * (y - half) + placement.dy)
             for x, y in polygon.vertices
         )
-        inside |= fill_polygon(Polygon(tuple(moved)))
+        inside |= fill_polygon(Polygon(tuple(moved)), side)
     return inside

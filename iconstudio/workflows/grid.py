@@ -13,7 +13,7 @@ from iconstudio.algorithms.expansion import LAMBDAS
 from iconstudio.algorithms.matching import SCALES, PreparedExemplar
 from iconstudio.algorithms.saliency import Region
 from iconstudio.algorithms.style import STYLES, Style
-from iconstudio.model import IconstudioError, Placement, Source
+from iconstudio.model import CANVAS, IconstudioError, Placement, Source
 from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import (
@@ -27,6 +27,9 @@ from iconstudio.workflows.events import (
 )
 from iconstudio.workflows.remixing import Remixing
 from iconstudio.workflows.solving import Job, Posed
+
+FINE = 2 * CANVAS
+"""The side of fine results: seams run between half pixels of the canvas."""
 
 Matches = tuple[tuple[Source, ...], ...]
 
@@ -43,6 +46,8 @@ class ModelSettings:
     """Style and lambda_S of the result that is wanted first; then come others of its style."""
     previews: bool = False
     """Whether coarse results go ahead of the finished ones, for whoever waits."""
+    side: int = CANVAS
+    """m, the sites in a row of the graph cut: the paper's, or ``FINE``."""
 
     @property
     def explored(self) -> tuple[float, ...]:

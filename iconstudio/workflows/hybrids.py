@@ -10,7 +10,16 @@ from numpy.typing import NDArray
 from iconstudio.algorithms.energy import RemixProblem, joined_ink, placed_sources
 from iconstudio.algorithms.guidance import held, scribble, seed_cost, with_mirror_images
 from iconstudio.algorithms.ranking import Gallery
-from iconstudio.model import Exemplar, IconstudioError, Mix, Placement, Seeds, Source, Stroke
+from iconstudio.model import (
+    CANVAS,
+    Exemplar,
+    IconstudioError,
+    Mix,
+    Placement,
+    Seeds,
+    Source,
+    Stroke,
+)
 from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import Event, Progress, Result
@@ -50,16 +59,22 @@ def check(mix: Mix) -> None:
 
 
 def mix_icons(
-    mix: Mix, exemplars: Iterable[Exemplar], workers: Workers, render: Render
+    mix: Mix,
+    exemplars: Iterable[Exemplar],
+    workers: Workers,
+    render: Render,
+    side: int = CANVAS,
 ) -> Iterator[Event]:
     """Draw hybrids of ``exemplars``, one for each of ``mix.icons``; asked for once all is checked.
 
     Yields ``Progress``, and each ``Result`` in the order of the draws, so that the same seed gives
     the same results; one that looks like a source or like an earlier result is dropped.
+    ``side`` is m, the sites in a row of the graph cut.
     """
     check(mix)
     sources = tuple(Source(exemplar, Placement()) for exemplar in exemplars)
     ink, filled = placed_sources(sources)
+    posed = (ink, filled) if side == CANVAS else placed_sources(sources, side)
     seen = Gallery()
     for source, own in zip(sources, ink, strict=True):
         if not seen.add(own):
@@ -70,12 +85,12 @@ def mix_icons(
     remixing = Remixing(workers, render, total=mix.draws)
     numbers = iter(range(mix.first, mix.first + mix.draws))
     waiting: dict[int, Result] = {}
-    turn = mix.first
+    turn, finer = mix.first, side // CANVAS
     try:
         while turn < mix.first + mix.draws:
             while remixing.hungry and (number := next(numbers, None)) is not None:
                 seeds = draw_seeds(mix, number, filled)
-                pose = partial(_pose, mix, seeds, ink, filled)
+                pose = partial(_pose, mix, seeds, *posed)
                 job = Job("hybrid", sources, pose, (LAMBDA_S,), sharing=True)
                 remixing.start(job, partial(replace, seeds=seeds, draw=number))
             for event in remixing.ready(wanted=True):
@@ -86,7 +101,7 @@ def mix_icons(
             while turn in waiting:
                 result = waiting.pop(turn)
                 turn += 1
-                if seen.add(joined_ink(ink, result.composite.labels)):
+                if seen.add(joined_ink(posed[0], result.composite.labels)[::finer, ::finer]):
                     yield result
     finally:
         remixing.cancel()
@@ -112,17 +127,18 @@ def draw_seeds(mix: Mix, number: int, shapes: NDArray[np.bool_]) -> Seeds:
 
 
 def _pose(mix: Mix, seeds: Seeds, ink: NDArray[np.bool_], filled: NDArray[np.bool_]) -> Posed:
-    """Pose the problem of a draw; ``ink`` and ``filled`` are the icons on the canvas."""
-    data = seed_cost(seeds)
+    """Pose the problem of a draw; ``ink`` and ``filled`` are the icons on the canvas, (K, m, m)."""
+    side = ink.shape[-1]
+    data = seed_cost(seeds, side)
     if mix.pins:
-        data += held(_pinned(mix))
+        data += held(_pinned(mix, side))
     return Posed(RemixProblem(data, ink, filled, mix.symmetry))
 
 
-def _pinned(mix: Mix) -> NDArray[np.bool_]:
-    """Return what the pins hold of each icon, (K, CANVAS, CANVAS) bool."""
+def _pinned(mix: Mix, side: int) -> NDArray[np.bool_]:
+    """Return what the pins hold of each icon, (K, side, side) bool."""
     dots = [
         [Stroke(PIN, (point,)) for point in with_mirror_images(points, mix.symmetry)]
         for points in mix.pins
     ]
-    return np.stack([scribble(one) for one in dots])
+    return np.stack([scribble(one, side) for one in dots])

@@ -44,7 +44,7 @@ def model(
         exemplars,
         settings,
         refusal=refusal,
-        pose=partial(_pose, target, sketch.symmetry),
+        pose=partial(_pose, fill_polygon(polygon, settings.side), sketch.symmetry),
         workers=workers,
         render=render,
     )

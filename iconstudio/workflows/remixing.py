@@ -136,7 +136,7 @@ def result_of(job: Job, step: Step, solved: Solved) -> Result:
         lambda_s=step.lambda_s,
         sources=job.sources,
         labels=solved.labels,
-        energy=data_cost + step.lambda_s * smoothness_cost,
+        energy=solved.energy,
         data_cost=data_cost,
         smoothness_cost=smoothness_cost,
         shares=solved.shares,

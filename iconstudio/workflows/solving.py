@@ -25,13 +25,17 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class Posed:
-    """A problem, and what its solutions are compared with."""
+    """A problem on a canvas of any side m, and what its solutions are compared with."""
 
     problem: RemixProblem
     target: Bitmap | None = None
     """(m, m): the filled outline that is wanted, if there is one."""
     near: Bitmap | None = None
     """(m, m): where the likeness to it counts; everywhere if None."""
+
+    def weight(self, lambda_s: float) -> float:
+        """Return what the paper's lambda_S comes to on this canvas (see ``RemixProblem``)."""
+        return lambda_s * self.problem.side / CANVAS
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,6 +83,7 @@ class Solved:
     labels: Labels
     costs: tuple[float, float]
     """Data cost and smoothness cost."""
+    energy: float
     shares: tuple[float, ...]
     """Each source's part of the ink."""
     iou: float | None
@@ -113,27 +118,29 @@ def solve(key: object, job: Job, step: Step, render: Render) -> Solved:
     began = perf_counter()
     try:
         bench = remembered(key, lambda: _begin(job))
-        labels = _cut(bench, job, step)
+        labels = _cut(bench, step)
     except Stopped:
         forget(key)
         raise CancelledError from None
     if step.last:
         forget(key)
     cut = perf_counter()
-    solved = finished(bench.posed, job, labels, render)
+    solved = finished(bench.posed, job, step, labels, render)
     return replace(solved, seconds=(cut - began, perf_counter() - cut))
 
 
-def finished(posed: Posed, job: Job, labels: Labels, render: Render) -> Solved:
-    """Judge, redraw and trace a labelling (m, m) of a job."""
+def finished(posed: Posed, job: Job, step: Step, labels: Labels, render: Render) -> Solved:
+    """Judge, redraw and trace a labelling (m, m) that a step has come to."""
     problem = posed.problem
     ink = joined_ink(problem.ink, labels)
     owned = np.bincount(labels[ink], minlength=len(job.sources))
+    data_cost, smoothness_cost = problem.costs(labels)
     iou, likeness = _compared(posed, ink)
     score = ranking.score(problem, labels, sharing=job.sharing)
     return Solved(
         labels,
-        problem.costs(labels),
+        (data_cost, smoothness_cost),
+        data_cost + posed.weight(step.lambda_s) * smoothness_cost,
         tuple((owned / max(1, owned.sum())).tolist()),
         iou,
         replace(score, likeness=likeness),
@@ -161,13 +168,13 @@ def _begin(job: Job) -> _Bench:
     return _Bench(posed, sweep, job.explored)
 
 
-def _cut(bench: _Bench, job: Job, step: Step) -> Labels:
+def _cut(bench: _Bench, step: Step) -> Labels:
     if step.preview:
-        return bench.sweep.preview(step.lambda_s)
+        return bench.sweep.preview(bench.posed.weight(step.lambda_s))
     if bench.unexplored:
-        bench.sweep.explore(bench.unexplored)
+        bench.sweep.explore(map(bench.posed.weight, bench.unexplored))
         bench.unexplored = ()
-    return bench.sweep.solve(step.lambda_s)
+    return bench.sweep.solve(bench.posed.weight(step.lambda_s))
 
 
 def _compared(posed: Posed, ink: Bitmap) -> tuple[float | None, float]:

@@ -35,8 +35,8 @@ def test_interior_is_white_inside_the_contour(ink):
 
 
 def test_polygon_with_whole_corners_fills_whole_pixels():
-    ink = fill_polygon(Polygon.of([(2, 3), (7, 3), (7, 9), (2, 9)]), 12)
-    expected = np.zeros((12, 12), bool)
+    ink = fill_polygon(Polygon.of([(4, 6), (14, 6), (14, 18), (4, 18)]), CANVAS // 2)
+    expected = np.zeros((CANVAS // 2, CANVAS // 2), bool)
     expected[3:9, 2:7] = True
     assert np.array_equal(ink, expected)
 

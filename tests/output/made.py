@@ -52,7 +52,8 @@ def made(
     """The result of a labelling, with its true energy."""
     posed = Posed(remix_problem(tsdf(TARGET), sources), TARGET)
     job = Job(style, sources, lambda: posed, (lambda_s,))
-    return result_of(job, Step(lambda_s), finished(posed, job, labels, render_placed))
+    step = Step(lambda_s)
+    return result_of(job, step, finished(posed, job, step, labels, render_placed))
 
 
 def with_shares(one: Composite, *shares: float) -> Composite:
