@@ -1,7 +1,7 @@
 """The window's own small line icons, drawn on a grid of 24 units."""
 
 from PySide6.QtCore import QByteArray, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QIcon, QPainter, QPixmap
+from PySide6.QtGui import QColor, QIcon, QPainter, QPixmap, QPixmapCache
 from PySide6.QtSvg import QSvgRenderer
 
 from iconstudio.gui.theme import Theme
@@ -60,12 +60,26 @@ _SHAPES = {
     '6.5S5 16.5 2.5 12z"/><circle cx="12" cy="12" r="3"/>',
     "eye-closed": '<path d="M2.5 10C5 14 8.2 16 12 16s7-2 9.5-6M12 16v3.5M6.5 14.5l-2 '
     '3M17.5 14.5l2 3"/>',
+    "live": '<circle cx="12" cy="12" r="2" fill="ink"/><path d="M8.5 15.5a5 5 0 0 1 0-7M15.5 '
+    '8.5a5 5 0 0 1 0 7M5.6 18.4a9 9 0 0 1 0-12.8M18.4 5.6a9 9 0 0 1 0 12.8"/>',
     "warning": '<path d="M12 4L2.8 20h18.4zM12 10v5M12 17.4v.2"/>',
 }
 
 
 def pixmap(name: str, color: QColor, size: int = 20, ratio: float = 2.0) -> QPixmap:
-    """Draw the icon ``name`` in ``color``; ``size`` in device-independent pixels."""
+    """Return the icon ``name`` in ``color``; ``size`` in device-independent pixels.
+
+    Each is drawn once: the same icons stand in every workspace.
+    """
+    key = f"{name} {color.name(QColor.NameFormat.HexArgb)} {size} {ratio}"
+    picture = QPixmapCache.find(key)
+    if picture is None:
+        picture = _drawn(name, color, size, ratio)
+        QPixmapCache.insert(key, picture)
+    return picture
+
+
+def _drawn(name: str, color: QColor, size: int, ratio: float) -> QPixmap:
     ink = color.name()
     shapes = _SHAPES[name].replace('fill="ink"', f'fill="{ink}"')
     svg = (

@@ -9,7 +9,7 @@ from iconstudio.gui.worker import Worker
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event, Retrieved
 
-DEBOUNCE = 400
+DEBOUNCE = 300
 """Milliseconds without a keystroke after which a keyword counts as typed."""
 
 
@@ -39,25 +39,33 @@ class Preparation(QObject):
         The keyword cannot be used; a sentence for the user.
     remarked(str)
         Something that the user should know, though the work goes on.
+    settled()
+        The icons are ready for a run.
     """
 
     started = Signal(str)
     retrieved = Signal(tuple)
     failed = Signal(str)
     remarked = Signal(str)
+    settled = Signal()
 
     def __init__(self, session: Session, worker: Worker, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._session = session
         self.runner = Runner(worker, self)
         """Does the work; its ``progress`` and ``ended`` may be listened to."""
-        self._query = self._wanted = Query()
+        self._query = self._wanted = self._ready = Query()
         self._troubled = False
         self._timer = QTimer(self, singleShot=True, interval=DEBOUNCE)
         self._timer.timeout.connect(self._look_up)
-        self.runner.event.connect(self.show)
+        self.runner.event.connect(self._show)
         self.runner.failed.connect(self.failed)
-        self.runner.ended.connect(self._tell_trouble)
+        self.runner.ended.connect(self._end)
+
+    @property
+    def ready(self) -> bool:
+        """Whether the icons of what was wanted last are ready for a run."""
+        return bool(self._wanted.keyword) and self._wanted == self._ready
 
     def want(self, query: Query) -> None:
         """Look up ``query`` soon, unless it is the last one or yet another comes."""
@@ -81,9 +89,8 @@ class Preparation(QObject):
             self.started.emit("")
         self.runner.cancel()
 
-    def show(self, event: Event) -> None:
-        """Pass on what was retrieved, also by a run, unless the keyword is another by now."""
-        if isinstance(event, Retrieved) and event.keyword.strip() == self._query.keyword:
+    def _show(self, event: Event) -> None:
+        if isinstance(event, Retrieved):
             self.retrieved.emit(event.exemplars)
 
     def _look_up(self) -> None:
@@ -96,7 +103,10 @@ class Preparation(QObject):
         else:
             self.runner.cancel()
 
-    def _tell_trouble(self) -> None:
+    def _end(self, whole: bool) -> None:
+        if whole:
+            self._ready = self._query
+            self.settled.emit()
         if self._session.trouble and not self._troubled:
             self._troubled = True
             self.remarked.emit(self._session.trouble)

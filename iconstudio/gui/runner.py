@@ -19,7 +19,8 @@ class Runner(QObject):
     failed(str)
         It raised; a sentence for the user.
     ended(bool)
-        It is over, in whatever way; whether it came to its end. Once for each ``start``.
+        It is over, in whatever way; whether it came to its end. Once for each ``start``. If
+        another one took its place, that is ``running`` already.
     """
 
     progress = Signal(object)
@@ -40,12 +41,16 @@ class Runner(QObject):
 
     def start(self, make: Callable[[], Generator[Any]]) -> None:
         """Cancel what runs, and run the generator ``make()``."""
-        self.cancel()
+        before = self._job
+        if before is not None:
+            before.cancel()
         job = self._worker.submit(make)
         job.event.connect(self._tell)
         job.failed.connect(self._fail)
         job.finished.connect(self._end)
         self._job, self._whole = job, True
+        if before is not None:
+            self.ended.emit(False)
 
     def cancel(self) -> None:
         """Stop what runs; nothing more is heard of it but ``ended(False)``, at once."""

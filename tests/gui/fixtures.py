@@ -5,12 +5,14 @@ import threading
 
 import pytest
 from fake_session import FakeSession
-from PySide6.QtCore import QCoreApplication, QEvent, QSize, QtMsgType
+from PySide6.QtCore import QCoreApplication, QEvent, QSettings, QSize, QtMsgType
 from PySide6.QtWidgets import QApplication
 
 from iconstudio.gui import pictures
 from iconstudio.gui.app import application
 from iconstudio.gui.main_window import MainWindow
+from iconstudio.gui.preferences import prefer
+from iconstudio.gui.workspaces.live import PREFERENCE
 
 _HARMLESS = tuple(
     f"This plugin does not support {what}"
@@ -26,6 +28,14 @@ def qapp_cls():
 @pytest.fixture(scope="session", autouse=True)
 def look(qapp):
     application()
+
+
+@pytest.fixture(autouse=True)
+def own_preferences(tmp_path_factory):
+    """Nobody's preferences are read or changed; live mode is off unless a test is about it."""
+    folder = str(tmp_path_factory.mktemp("preferences"))
+    QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, folder)
+    prefer(PREFERENCE, False)
 
 
 @pytest.fixture(autouse=True)

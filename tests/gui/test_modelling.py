@@ -43,7 +43,7 @@ def ready(sketching, qtbot):
 
 
 def finish(sketching, qtbot):
-    qtbot.waitUntil(lambda: not sketching.runner.running, timeout=20000)
+    qtbot.waitUntil(lambda: not sketching.runs.running, timeout=20000)
 
 
 def test_icons_are_found_while_the_user_still_draws(sketching, qtbot, session):
@@ -66,7 +66,7 @@ def test_an_unknown_name_says_what_is_near(sketching, qtbot):
 def test_a_run_fills_the_grid_cell_by_cell(ready, qtbot, session):
     session.gate = threading.Semaphore(0)
     press(ready, Qt.Key.Key_Return, Qt.KeyboardModifier.ControlModifier)
-    assert ready.runner.running
+    assert ready.runs.running
     assert len(cells(ready, CellState.PENDING)) == 32
     for count in (1, 2, 3):
         session.gate.release()
@@ -118,7 +118,7 @@ def test_what_is_missing_is_said_in_the_window(sketching, session, points, keywo
     QTest.mouseClick(sketching.keyword_panel.button, Qt.MouseButton.LeftButton)
     assert sketching.window().desk.notice.isVisible()
     assert part in sketching.window().desk.notice.label.text()
-    assert not sketching.runner.running
+    assert not sketching.runs.running
     assert not [call for call in session.calls if call[0] == "model"]
 
 
@@ -136,7 +136,7 @@ def test_cancel_keeps_what_is_finished(ready, qtbot, session):
     ready.run()
     qtbot.waitUntil(lambda: len(ready.board.results.pictures) == 5)
     QTest.mouseClick(ready.window().desk.strip.button, Qt.MouseButton.LeftButton)
-    assert not ready.runner.running
+    assert not ready.runs.running
     assert len(cells(ready, CellState.BLANK)) == 27
     qtbot.waitUntil(lambda: session.generators_closed == 1)
     session.gate.release(100)

@@ -23,7 +23,6 @@ from iconstudio.algorithms.guidance import scribble
 from iconstudio.gui import theme
 from iconstudio.gui.dragging import packed
 from iconstudio.gui.main_window import MainWindow
-from iconstudio.gui.workspaces.montage import live
 from iconstudio.gui.workspaces.montage.scene import MontageScene
 from iconstudio.gui.workspaces.montage.workspace import MontageWorkspace
 from iconstudio.inputs.montage import read_montage
@@ -579,9 +578,8 @@ def test_of_many_strokes_only_the_newest_is_made_and_the_old_result_stays(two, q
     assert session.generators_closed == 3
 
 
-def test_a_run_that_hangs_gives_way_to_a_newer_one(two, qtbot, session, monkeypatch):
-    monkeypatch.setattr(live, "PATIENCE", 0.05)
-    two.live._timer.setInterval(50)
+def test_a_run_that_hangs_gives_way_to_a_newer_one(two, qtbot, session):
+    two.live.newest.timer.setInterval(50)
     session.gate = threading.Semaphore(0)
     stroke(two, (60, 60), (90, 60))
     stroke(two, (60, 80), (90, 80))
@@ -620,8 +618,8 @@ def test_a_failure_is_told_and_the_next_stroke_tries_again(two, qtbot, session, 
     assert not two.window().desk.notice.isVisible()
 
 
-def test_long_work_can_be_cancelled(two, qtbot, session, monkeypatch):
-    monkeypatch.setattr(live, "PATIENCE", 0.05)
+def test_long_work_can_be_cancelled(two, qtbot, session):
+    two.live.newest.timer.setInterval(50)
     session.gate = threading.Semaphore(0)
     stroke(two, (60, 60), (90, 60))
     strip = two.window().desk.strip

@@ -34,7 +34,7 @@ def test_everything_that_can_be_used_has_a_name_and_is_reached_by_keys(window):
 
 def test_every_button_on_the_bar_has_an_icon_and_says_what_it_does(sketching):
     buttons = [b for b in sketching.canvas_panel.findChildren(QToolButton) if b.defaultAction()]
-    assert len(buttons) == 9
+    assert len(buttons) == 10
     for button in buttons:
         assert not button.icon().isNull()
         assert len(button.toolTip()) > 3

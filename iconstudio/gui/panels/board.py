@@ -17,8 +17,8 @@ from iconstudio.workflows.events import Event, Recommended, StyleMatched, StyleS
 class Board(QSplitter):
     """Shows the events of a run as they come: results by style and lambda_S.
 
-    Until the user picks a result, the best recommended one is picked, and until there is one the
-    first result.
+    The best result of the first run of an object is picked, and until there is one its first
+    result; then the pick stays in its cell until the user picks another.
 
     Signals
     -------
@@ -43,7 +43,7 @@ class Board(QSplitter):
         self.detail = DetailPanel()
         self.menu: QMenu | None = None
         self._destinations: Sequence[Destination] = ()
-        self._chosen = False
+        self._settled = False
         self._best: Picture | None = None
         self.addWidget(self.results)
         self.addWidget(self.detail)
@@ -65,10 +65,16 @@ class Board(QSplitter):
         self._destinations = destinations
         self.detail.set_destinations(destinations)
 
-    def begin(self, settings: ModelSettings) -> None:
-        """Make room for the results of a new run."""
-        self._chosen = False
-        self._best: Picture | None = None
+    def begin(self, settings: ModelSettings, afresh: bool = True) -> None:
+        """Make room for the results of a new run.
+
+        ``afresh``: nothing that is there is of the same object. Otherwise it stays in sight until
+        it is replaced.
+        """
+        self._best = None
+        if afresh:
+            self._settled = False
+            self.results.clear()
         self.results.begin(settings.styles, settings.lambdas)
 
     def show_event(self, event: Event | Picture) -> None:
@@ -83,18 +89,22 @@ class Board(QSplitter):
             case Picture():
                 self._add(event)
 
-    def end(self) -> None:
-        """Nothing more is to come."""
+    def end(self, whole: bool = True, keep: bool = True) -> None:
+        """Nothing more is to come; ``keep`` the best result in sight."""
         self.results.end()
-        if self.results.pictures:
-            self.made.emit(self._best or self.results.pictures[0])
+        best = self._best
+        if best is not None and self._pick_is_hidden():
+            self._pick(best)
+        self._settled = self._settled or (whole and best is not None)
+        if keep and self.results.finished:
+            self.made.emit(best or self.detail.picture)
 
     def _add(self, picture: Picture) -> None:
-        self.results.add(picture)
-        self.counted.emit(len(self.results.pictures))
+        if not self.results.add(picture):
+            return
+        self.counted.emit(self.results.finished)
         if self.detail.picture is None:
-            composite = picture.result.composite
-            self.results.pick(composite.style, composite.lambda_s)
+            self._pick(picture)
 
     def _recommend(self, event: Recommended) -> None:
         self.results.recommend(event.style, event.lambda_s)
@@ -102,11 +112,19 @@ class Board(QSplitter):
         if self._best is not None and _score(picture) <= _score(self._best):
             return
         self._best = picture
-        if not self._chosen:
-            self.results.pick(event.style, event.lambda_s)
+        if not self._settled:
+            self._pick(picture)
+
+    def _pick(self, picture: Picture) -> None:
+        composite = picture.result.composite
+        self.results.pick(composite.style, composite.lambda_s)
+
+    def _pick_is_hidden(self) -> bool:
+        focus = self.results.focus
+        return focus is not None and self.results.skipped(focus[0])
 
     def _choose(self, picture: Picture) -> None:
-        self._chosen = True
+        self._settled = True
         self.made.emit(picture)
 
     def _open_menu(self, picture: Picture, spot: QPoint) -> None:

@@ -3,20 +3,40 @@
 import math
 from enum import Enum, auto
 
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, QTimer
 from PySide6.QtGui import QEnterEvent, QPainter, QPainterPath, QPaintEvent, QPen
 from PySide6.QtWidgets import QAbstractButton, QSizePolicy, QWidget
 
 from iconstudio.gui import theme
 from iconstudio.gui.pictures import Picture
 
+PALING = 700
+"""Milliseconds after which a result that is out of date turns pale: not at once, so that one that
+is soon replaced does not flicker."""
+
+PALE = 0.35
+"""How opaque it is then."""
+
 
 class CellState(Enum):
-    """What a cell is waiting for."""
+    """What a cell shows, and what it is waiting for."""
 
     BLANK = auto()
     PENDING = auto()
+    """Empty; a result is on its way."""
+    OLD = auto()
+    """A result of an earlier run, until a newer one comes."""
+    PREVIEW = auto()
+    """A coarse result, until the finished one comes."""
     READY = auto()
+
+
+_REMARKS = {
+    CellState.BLANK: "empty",
+    CellState.PENDING: "on its way",
+    CellState.OLD: "from before the last change",
+    CellState.PREVIEW: "preview",
+}
 
 
 class ResultCell(QAbstractButton):
@@ -28,7 +48,10 @@ class ResultCell(QAbstractButton):
         self.state = CellState.BLANK
         self._name = name
         self._coded = False
-        self.recommended = False
+        self.recommended = ""
+        self._paling = QTimer(self, singleShot=True, interval=PALING)
+        self._paling.timeout.connect(self._turn_pale)
+        self._pale = False
         self.setCheckable(True)
         self.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.setMinimumSize(48, 48)
@@ -42,28 +65,28 @@ class ResultCell(QAbstractButton):
     def expect(self, pending: bool) -> None:
         """Empty the cell; say whether something is to come."""
         self.picture = None
-        self.recommended = False
-        self.state = CellState.PENDING if pending else CellState.BLANK
+        self.recommended = ""
         self.setEnabled(False)
-        self.setChecked(False)
-        self.setAccessibleName(f"{self._name}: {'on its way' if pending else 'empty'}")
-        self.update()
+        self._turn(CellState.PENDING if pending else CellState.BLANK)
+
+    def renew(self) -> None:
+        """Something newer is to come: what is there stays until then, as an old result."""
+        if self.picture is None:
+            self.expect(True)
+        elif self.state is not CellState.OLD:
+            self._turn(CellState.OLD)
+            self._paling.start()
 
     def show_picture(self, picture: Picture) -> None:
         """Put a result into the cell."""
         self.picture = picture
-        self.state = CellState.READY
         self.setEnabled(True)
-        self.setAccessibleName(self._name)
-        self.setToolTip(self._name)
-        self.update()
+        self._turn(CellState.PREVIEW if picture.result.preview else CellState.READY)
 
     def recommend(self, reason: str) -> None:
-        """Mark the result as the one of its row to look at first."""
-        self.recommended = True
-        self.setToolTip(f"{self._name}\nLook here first: {reason}")
-        self.setAccessibleName(f"{self._name}, recommended")
-        self.update()
+        """Mark the result as the one of its row to look at first; without a reason, no more."""
+        self.recommended = reason
+        self._turn(self.state)
 
     def set_coded(self, coded: bool) -> None:
         """Switch between icon and colour code."""
@@ -98,9 +121,29 @@ class ResultCell(QAbstractButton):
                 self._paint_frame(painter, look, box)
                 target = QRectF(0, 0, side, side)
                 target.moveCenter(box.center())
+                painter.setOpacity(PALE if self._pale else 1.0)
                 self.picture.paint(painter, target, look.color("text"), self._coded)
                 if self.recommended:
                     self._paint_mark(painter, look, target)
+                if self.state is CellState.PREVIEW:
+                    self._paint_dots(painter, look, target)
+
+    def _turn(self, state: CellState) -> None:
+        """Enter a state; say in words what it is."""
+        self.state = state
+        if state is not CellState.OLD:
+            self._paling.stop()
+            self._pale = False
+        remark = _REMARKS.get(state)
+        first = "recommended" if self.recommended else ""
+        self.setAccessibleName(", ".join(part for part in (self._name, remark, first) if part))
+        advice = f"Look here first: {self.recommended}" if self.recommended else ""
+        self.setToolTip("\n".join(part for part in (self._name, advice) if part))
+        self.update()
+
+    def _turn_pale(self) -> None:
+        self._pale = True
+        self.update()
 
     def _paint_frame(self, painter: QPainter, look: theme.Theme, box: QRectF) -> None:
         if self.isChecked():
@@ -117,6 +160,13 @@ class ResultCell(QAbstractButton):
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(look.color("accent"))
         painter.drawPath(_star(icon.topRight() + QPointF(-8, 8), 6.0))
+
+    def _paint_dots(self, painter: QPainter, look: theme.Theme, icon: QRectF) -> None:
+        """Say “to be continued”."""
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(look.color("muted"))
+        for number in range(3):
+            painter.drawEllipse(icon.bottomRight() + QPointF(-6 * number - 6, -5), 1.5, 1.5)
 
 
 def _star(centre: QPointF, radius: float) -> QPainterPath:

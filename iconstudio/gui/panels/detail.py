@@ -200,24 +200,31 @@ class DetailPanel(QFrame):
         self.setMinimumHeight(23 * UNIT)
 
     def show_picture(self, picture: Picture | None) -> None:
-        """Show a result, or nothing."""
+        """Show a result, or nothing. Beside a preview the sources of the one before stay."""
         self.picture = picture
         self.large.show_picture(picture)
         self._stack.setCurrentIndex(0 if picture is None else 1)
-        while self._rows.count():
-            row = self._rows.takeAt(0).widget()
-            row.hide()
-            row.deleteLater()
         if picture is None:
+            self._show_sources(())
             return
         composite = picture.result.composite
         # Of hybrids and montages, λ is always the same.
         weight = "" if composite.iou is None else f", λ {composite.lambda_s:.2f}"
         self._title.setText(f"{composite.style.capitalize()}{weight}")
-        sources = source_pictures(composite, picture.colours)
-        icons = len({source.source.exemplar.id for source in sources})
-        parts = f"{_counted(len(sources), 'part')} of {_counted(icons, 'icon')}"
-        self._about.setText(" · ".join((parts, *_merits(picture.result))))
+        if picture.result.preview:
+            about = "preview"
+        else:
+            sources = source_pictures(composite, picture.colours)
+            icons = len({source.source.exemplar.id for source in sources})
+            about = f"{_counted(len(sources), 'part')} of {_counted(icons, 'icon')}"
+            self._show_sources(sources)
+        self._about.setText(" · ".join((about, *_merits(picture.result))))
+
+    def _show_sources(self, sources: Sequence[SourcePicture]) -> None:
+        while self._rows.count():
+            row = self._rows.takeAt(0).widget()
+            row.hide()
+            row.deleteLater()
         for number, source in enumerate(sources):
             self._rows.addWidget(SourceRow(source), *divmod(number, self._columns))
         self._rows.setRowStretch(self._rows.rowCount(), 1)

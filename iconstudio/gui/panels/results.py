@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from iconstudio.gui import theme
-from iconstudio.gui.panels.cell import ResultCell
+from iconstudio.gui.panels.cell import CellState, ResultCell
 from iconstudio.gui.panels.coding import CodeSwitch
 from iconstudio.gui.pictures import Picture
 from iconstudio.gui.theme import UNIT
@@ -174,6 +174,7 @@ class ResultsPanel(QFrame):
         self._heads: dict[str, RowHead] = {}
         self._reasons: dict[str, QLabel] = {}
         self._rows: list[list[ResultCell]] = []
+        self._shape: tuple[tuple[str, ...], tuple[float, ...]] = (), ()
         self._group = QButtonGroup(self)
         self._group.setExclusive(True)
         self._group.buttonClicked.connect(self._pick)
@@ -218,16 +219,58 @@ class ResultsPanel(QFrame):
 
     @property
     def pictures(self) -> list[Picture]:
-        """The results that are there."""
-        return [cell.picture for cell in self._cells.values() if cell.picture is not None]
+        """The results that are in sight."""
+        return [
+            cell.picture
+            for (style, _), cell in self._cells.items()
+            if cell.picture is not None and not self.skipped(style)
+        ]
+
+    @property
+    def finished(self) -> int:
+        """How many results of the last run are finished."""
+        return sum(cell.state is CellState.READY for cell in self._cells.values())
+
+    @property
+    def focus(self) -> tuple[str, float] | None:
+        """Style and lambda_S of the picked result."""
+        return next((key for key, cell in self._cells.items() if cell.isChecked()), None)
 
     def cell(self, style: str, lambda_s: float) -> ResultCell:
         """Return the cell of a style and a lambda_S."""
         return self._cells[style, lambda_s]
 
+    def skipped(self, style: str) -> bool:
+        """Whether a reason stands in place of the results of a style."""
+        return bool(self._reasons[style].text())
+
     def begin(self, styles: Sequence[str], lambdas: Sequence[float]) -> None:
-        """Make room for the results of a new run."""
-        self._clear()
+        """Make room for the results of a new run; those that are there stay until then."""
+        shape = tuple(styles), tuple(lambdas)
+        if shape != self._shape:
+            self._build(*shape)
+        for cell in self._cells.values():
+            cell.renew()
+        self._stack.setCurrentIndex(1)
+
+    def clear(self) -> None:
+        """Let go of all results."""
+        self._group.setExclusive(False)  # so that none may be picked
+        for cell in self._cells.values():
+            cell.expect(False)
+            cell.setChecked(False)
+        self._group.setExclusive(True)
+        for style, head in self._heads.items():
+            head.set_count(None)
+            self._set_skipped(style, "")
+        self.picked.emit(None)
+
+    def _build(self, styles: tuple[str, ...], lambdas: tuple[float, ...]) -> None:
+        """Make the grid; what is shown in both the old and the new one is taken over."""
+        kept = {key: cell.picture for key, cell in self._cells.items() if cell.picture is not None}
+        focus = self.focus
+        self._tear_down()
+        self._shape = styles, lambdas
         self.scale.set_lambdas(lambdas)
         self._sheet.set_shape(len(styles), len(lambdas))
         self._grid.addWidget(self.scale, 0, 1, 1, len(lambdas))
@@ -239,43 +282,61 @@ class ResultsPanel(QFrame):
             for column, value in enumerate(lambdas, start=1):
                 cell = ResultCell(f"{style.capitalize()}, λ {value:.2f}")
                 cell.set_coded(self.coded)
-                cell.expect(True)
                 cell.customContextMenuRequested.connect(self._ask)
                 self._group.addButton(cell)
                 self._grid.addWidget(cell, row, column)
                 self._grid.setColumnStretch(column, 1)
                 self._cells[style, value] = cell
                 cells.append(cell)
+            reason = QLabel(wordWrap=True)
+            reason.setProperty("muted", True)
+            reason.setContentsMargins(UNIT, 0, UNIT, 0)
+            reason.hide()
+            self._grid.addWidget(reason, row, 1, 1, -1)
+            self._reasons[style] = reason
             self._rows.append(cells)
-        self._stack.setCurrentIndex(1)
+        for key in kept.keys() & self._cells.keys():
+            self._cells[key].show_picture(kept[key])
+            self._cells[key].setChecked(key == focus)
+        if focus not in kept.keys() & self._cells.keys():
+            self.picked.emit(None)
 
     def show_matched(self, event: StyleMatched) -> None:
         """Say how many icons a style had to choose from."""
         self._heads[event.style].set_count(event.retrieved)
+        self._set_skipped(event.style, "")
 
     def show_skipped(self, event: StyleSkipped) -> None:
-        """Give the reason in place of the results of a style."""
-        row = list(self._heads).index(event.style)
-        for cell in self._rows[row]:
-            cell.expect(False)
-            cell.hide()
-        reason = QLabel(event.reason, wordWrap=True)
-        reason.setProperty("muted", True)
-        reason.setContentsMargins(UNIT, 0, UNIT, 0)
-        self._reasons[event.style] = reason
-        self._grid.addWidget(reason, row + 1, 1, 1, -1)
-        reason.show()
+        """Give the reason in place of the results of a style, until it is matched again."""
+        self._heads[event.style].set_count(None)
+        self._set_skipped(event.style, event.reason)
 
-    def add(self, picture: Picture) -> None:
-        """Put a result into its cell."""
+    def _set_skipped(self, style: str, reason: str) -> None:
+        label = self._reasons[style]
+        label.setText(reason)
+        label.setVisible(bool(reason))
+        for cell in self._rows[list(self._heads).index(style)]:
+            cell.setHidden(bool(reason))
+
+    def add(self, picture: Picture) -> bool:
+        """Put a result into its cell, and return whether it belongs there.
+
+        A preview does not once the finished result is there.
+        """
         composite = picture.result.composite
-        self._cells[composite.style, composite.lambda_s].show_picture(picture)
+        cell = self._cells[composite.style, composite.lambda_s]
+        if picture.result.preview and cell.state is CellState.READY:
+            return False
+        cell.show_picture(picture)
+        if cell.isChecked():
+            self.picked.emit(picture)
+        return True
 
     def recommend(self, style: str, lambda_s: float) -> None:
-        """Mark the result of a style to look at first."""
-        self.cell(style, lambda_s).recommend(
-            f"of the {style} icons, this one holds together best and is closest to the outline"
-        )
+        """Mark the result of a style to look at first, and no other of that style."""
+        reason = f"of the {style} icons, this one holds together best and is closest to the outline"
+        for value in self._shape[1]:
+            self.cell(style, value).recommend(reason if value == lambda_s else "")
 
     def end(self) -> None:
         """Nothing more is to come: empty the cells that still wait."""
@@ -313,7 +374,7 @@ class ResultsPanel(QFrame):
             if not (0 <= row < len(self._rows) and 0 <= column < len(self._rows[row])):
                 return
             target = self._rows[row][column]
-            if target.isEnabled():
+            if target.isEnabled() and target.isVisible():
                 target.setFocus(Qt.FocusReason.OtherFocusReason)
                 target.click()
                 return
@@ -326,8 +387,7 @@ class ResultsPanel(QFrame):
         cell = self.sender()
         self.asked.emit(cell.picture, cell.mapToGlobal(spot))
 
-    def _clear(self) -> None:
-        self.picked.emit(None)
+    def _tear_down(self) -> None:
         for cell in self._cells.values():
             self._group.removeButton(cell)
         for widget in (*self._cells.values(), *self._heads.values(), *self._reasons.values()):

@@ -16,7 +16,8 @@ from iconstudio.gui.panels.canvas import CanvasPanel
 from iconstudio.gui.panels.keyword import KeywordPanel
 from iconstudio.gui.panels.sending import Destination
 from iconstudio.gui.panels.symmetry import SymmetryButton, SymmetryHint
-from iconstudio.gui.pictures import Picture, pictured
+from iconstudio.gui.pictures import Picture
+from iconstudio.gui.preferences import preferred
 from iconstudio.gui.preparation import Preparation, Query
 from iconstudio.gui.runner import Runner
 from iconstudio.gui.saving import Saver
@@ -24,6 +25,7 @@ from iconstudio.gui.theme import UNIT
 from iconstudio.gui.worker import Worker
 from iconstudio.gui.workspaces import wishes
 from iconstudio.gui.workspaces.base import Workspace
+from iconstudio.gui.workspaces.live import PREFERENCE, Runs
 from iconstudio.gui.workspaces.proposal import SymmetryProposal
 from iconstudio.gui.workspaces.wishes import WishingPage
 from iconstudio.session import ModelSettings, Session
@@ -33,8 +35,9 @@ from iconstudio.workflows.events import Event
 class RemixWorkspace(Workspace):
     """Canvas and keyword on the left, results and details on the right.
 
-    A subclass makes a ``view`` and its actions, calls ``lay_out`` and ``wire``, and says in ``run``
-    what to start. ``make_actions`` needs only what it has beside ``remix_slots``.
+    A subclass makes a ``view`` and its actions, calls ``lay_out`` and ``wire``, and says what its
+    page wants: ``wanted``, ``problem``, ``settings`` and ``events`` (see ``live.Wanting``).
+    ``make_actions`` needs only what it has beside ``remix_slots``.
     """
 
     view: CanvasView
@@ -43,11 +46,9 @@ class RemixWorkspace(Workspace):
         self, session: Session, files: Worker, saver: Saver, document: Document[WishingPage]
     ) -> None:
         super().__init__(session, files, saver, document)
-        self.runner = Runner(self.worker, self)
         self.preparation = Preparation(session, self.worker, self)
+        self.runs = Runs(self, self.preparation, self.worker, self)
         self._opening = Runner(self.worker, self)
-        self.ran: object = None
-        """What the results are of."""
         self.keyword_panel = KeywordPanel()
         self.board = Board()
         self.symmetry = SymmetryButton()
@@ -65,8 +66,21 @@ class RemixWorkspace(Workspace):
         return self.board.results.coded
 
     def enter(self) -> None:
-        """Begin on the canvas."""
+        """Begin on the canvas, and in the mode that was switched to elsewhere."""
+        self.actions_by_name["live"].setChecked(preferred(PREFERENCE, True))
         self.view.setFocus()
+
+    def run(self) -> None:
+        """Remix what lies on the canvas; an outline that is still open is closed first."""
+        if self.runs.adopt():
+            return
+        self.said.emit("")
+        self.complete()
+        if problem := self.problem():
+            self.failed.emit(problem)
+            self.help_out()
+        else:
+            self.runs.run()
 
     def set_destinations(self, destinations: tuple[Destination, ...]) -> None:
         """Say where results can be sent to."""
@@ -75,12 +89,46 @@ class RemixWorkspace(Workspace):
     def cancel(self) -> None:
         """Stop the run and the search; results that are finished stay."""
         self.preparation.cancel()
-        self.runner.cancel()
+        self.runs.cancel()
 
     def refresh_icons(self, look: theme.Theme) -> None:
         """Draw all icons in the colours of ``look``."""
         super().refresh_icons(look)
         self.symmetry.refresh_icons(look)
+
+    # -- what a subclass says ------------------------------------------------------------------
+
+    def wanted(self) -> object:
+        """Return what the results depend on."""
+        raise NotImplementedError
+
+    def problem(self) -> str:
+        """Return what is missing before the page can be remixed."""
+        raise NotImplementedError
+
+    def settings(self) -> ModelSettings:
+        """Return which results to make."""
+        raise NotImplementedError
+
+    def events(self, wanted: object, settings: ModelSettings) -> Generator[Event]:
+        """Return the run that makes the results."""
+        raise NotImplementedError
+
+    def show_page(self) -> None:
+        """Show what the page says."""
+        raise NotImplementedError
+
+    def focus(self) -> tuple[str, float] | None:
+        """Return style and lambda_S of the picked result."""
+        return self.board.results.focus
+
+    def complete(self) -> None:
+        """Finish what the user is still drawing."""
+
+    def help_out(self) -> None:
+        """Put the focus where what is missing can be given."""
+        if not self.document.page.wish.keyword.strip():
+            self.keyword_panel.field.setFocus()
 
     # -- for subclasses ------------------------------------------------------------------------
 
@@ -88,6 +136,7 @@ class RemixWorkspace(Workspace):
         """Return what the actions do that modelling and editing share."""
         return {
             "run": self.run,
+            "live": self._set_live,
             "coded": self.board.results.set_coded,
             **self.view_slots(self.view),
         }
@@ -138,39 +187,33 @@ class RemixWorkspace(Workspace):
         preparation.retrieved.connect(panel.show_exemplars)
         preparation.failed.connect(panel.show_error)
         preparation.remarked.connect(self.failed)
-        for runner in (self.runner, preparation.runner, self._opening):
+        for runner in (preparation.runner, self._opening):
             runner.progress.connect(self.progressed)
             runner.ended.connect(self._rest)
-        for runner in (self.runner, self._opening):
-            runner.failed.connect(self.failed)
-        self.runner.event.connect(self.show_event)
-        self.runner.ended.connect(board.end)
+        self._opening.failed.connect(self.failed)
+        runs = self.runs
+        document.page_changed.connect(runs.renew)
+        runs.began.connect(self._begin_run)
+        runs.event.connect(self.show_event)
+        runs.progressed.connect(self.progressed)
+        runs.failed.connect(self.failed)
+        runs.ended.connect(self._end_run)
         self.connect_board(board)
+        self.actions_by_name["live"].setChecked(preferred(PREFERENCE, True))
         self._rest()
         self._opening.start(self.session.get_ready)
 
-    def start(
-        self, wanted: object, settings: ModelSettings, make: Callable[[], Generator[Event]]
-    ) -> None:
-        """Run ``make()``, and show the results as those of ``wanted``."""
-        self.preparation.hurry()
-        title = self.document.page.wish.keyword.strip()
-        self.runner.start(lambda: pictured(make(), title))
-        self.ran = wanted
-        self.board.begin(settings)
-
     def show_event(self, event: Event | Picture) -> None:
         """Show what a run has come to."""
-        self.preparation.show(event)
         self.board.show_event(event)
 
-    def show_wish(self, wanted: object, name: str) -> None:
-        """Show the wish of the page; results of another one than ``wanted`` are called so."""
+    def show_wish(self, name: str) -> None:
+        """Show the wish of the page; results of another ``name`` of work are called so."""
         wish = self.document.page.wish
         self.keyword_panel.set_sketch(wish.keyword, wish.exclude)
         self.preparation.want(Query.of(wish.keyword, wish.exclude))
         self.symmetry.set_axis(wish.symmetry)
-        stale = self.ran is not None and self.ran != wanted
+        stale = self.runs.stale and not self.runs.live
         note = f"of an earlier {name} – press Remix to renew" if stale else ""
         self.board.results.note.setText(note)
 
@@ -182,8 +225,25 @@ class RemixWorkspace(Workspace):
     def _toggle_icon(self, icon: str) -> None:
         wishes.exclude_icons(self.document, self.document.page.wish.exclude ^ {icon})
 
+    def _set_live(self, on: bool) -> None:
+        self.runs.set_live(on)
+        self.show_page()
+        self._rest()
+
+    def _begin_run(self, settings: ModelSettings, afresh: bool) -> None:
+        self.board.begin(settings, afresh)
+        if self.runs.live:
+            self.rested.emit("Live")  # no progress to be seen yet
+        self._allow_cancel(True)
+        self.show_page()
+
+    def _end_run(self, whole: bool, by_hand: bool) -> None:
+        self.board.end(whole, by_hand)
+        self._rest()
+
     def _rest(self) -> None:
-        busy = self.runner.running, self.preparation.runner.running, self._opening.running
+        busy = self.runs.running, self.preparation.runner.running, self._opening.running
         if not any(busy):
             count = len(self.board.results.pictures)
-            self.rested.emit(f"{count} icons" if count else "")
+            parts = "Live" if self.runs.live else "", f"{count} icons" if count else ""
+            self.rested.emit(" · ".join(part for part in parts if part))

@@ -1,5 +1,6 @@
 """Pictogram editing (section 4.2): choose an icon, mark what goes and what comes, remix."""
 
+from collections.abc import Generator
 from pathlib import Path
 from typing import NamedTuple
 
@@ -24,6 +25,7 @@ from iconstudio.inputs.icons import reference_to
 from iconstudio.model import Edit, IconstudioError, Pictogram
 from iconstudio.session import ModelSettings, Session
 from iconstudio.workflows.editing import own_styles, prepare_change
+from iconstudio.workflows.events import Event
 
 OWN = {
     "&File": (
@@ -91,7 +93,7 @@ class EditWorkspace(RemixWorkspace):
         self._lay_out()
         self._wire()
         self.refresh_icons(theme.current())
-        self._show_page(self.document.page)
+        self.show_page()
 
     # -- putting together ----------------------------------------------------------------------
 
@@ -106,7 +108,7 @@ class EditWorkspace(RemixWorkspace):
                 "remove": lambda on: self._use("remove", on),
                 "add": lambda on: self._use("add", on),
                 "select": lambda on: self._use("select", on),
-                "styles": lambda _: self._show_page(self.document.page),
+                "styles": lambda _: self._show_styles(),
                 **self.opener_slots(self.opener),
                 **self.remix_slots(),
             },
@@ -123,16 +125,17 @@ class EditWorkspace(RemixWorkspace):
                 [named["undo"], named["redo"]],
                 [named[name] for name in ("remove", "add", "select", "pan", "fit", "clear")],
                 [self.symmetry],
+                [named["live"]],
             ]
         )
 
     def _wire(self) -> None:
+        self.document.page_changed.connect(self.show_page)
         self.wire()
         self.connect_opener(self.opener)
         chooser = self.start_sheet.chooser
         chooser.chosen.connect(self.opener.take_exemplar)
         self.start_sheet.closed.connect(lambda: self._show_start(False))
-        self.document.page_changed.connect(self._show_page)
         self.document.opened.connect(lambda: self._show_start(self.document.page.empty))
         self.view.dropped.connect(lambda data, _: self.opener.open_mime(data))
         self.opener.opened.connect(self._begin)
@@ -154,44 +157,49 @@ class EditWorkspace(RemixWorkspace):
 
     # -- editing -------------------------------------------------------------------------------
 
-    def run(self) -> None:
-        """Remix the icon where it is marked; an area that is still open is closed first."""
-        if self.runner.running and self.ran == self._wanted():
-            return
-        self.said.emit("")
-        self.outline.finish()
-        wanted = self._wanted()
-        problem = self._problem()
-        if problem:
-            self.failed.emit(problem)
-            return
-        icon = self.document.page.icon
-        settings = ModelSettings() if wanted.all_styles else ModelSettings(own_styles(icon))
-        self.start(wanted, settings, lambda: self.session.edit(wanted.edit, settings))
-        self._show_page(self.document.page)
-
-    def _wanted(self) -> Wanted:
+    def wanted(self) -> Wanted:
+        """Return the edit and the mode."""
         return Wanted(self.document.page.edit(), self.actions_by_name["styles"].isChecked())
 
-    def _problem(self) -> str:
-        """Return what is missing before the icon can be remixed, as a sentence; else nothing."""
+    def settings(self) -> ModelSettings:
+        """Return the styles of the icon, or all."""
+        every = self.actions_by_name["styles"].isChecked()
+        return ModelSettings() if every else ModelSettings(own_styles(self.document.page.icon))
+
+    def events(self, wanted: Wanted, settings: ModelSettings) -> Generator[Event]:
+        """Return the run of an edit."""
+        return self.session.edit(wanted.edit, settings)
+
+    def complete(self) -> None:
+        """Close an area that is still open."""
+        self.outline.finish()
+
+    def problem(self) -> str:
+        """Return what is missing before the icon can be remixed."""
         page = self.document.page
         if page.icon is None:
-            self.start_sheet.setFocus()
             return "There is no icon yet. Look one up on the left, or open a drawing of your own."
         try:
             prepare_change(page.edit(), page.icon)
         except IconstudioError as error:
             return str(error)
         if not page.keyword.strip():
-            self.keyword_panel.field.setFocus()
             return "The icon has no name. Type what it is below the canvas, for example “camera”."
         return ""
 
+    def help_out(self) -> None:
+        """Put the focus where an icon can be chosen or named."""
+        if self.document.page.icon is None:
+            self.start_sheet.setFocus()
+        else:
+            super().help_out()
+
     # -- page ----------------------------------------------------------------------------------
 
-    def _show_page(self, page: EditPage) -> None:
-        self.show_wish(self._wanted(), "edit")
+    def show_page(self) -> None:
+        """Show what the page says."""
+        page = self.document.page
+        self.show_wish("edit")
         if page.empty:
             self._show_start(True)
         else:
@@ -203,6 +211,10 @@ class EditWorkspace(RemixWorkspace):
         }
         for name, enabled in there.items():
             self.actions_by_name[name].setEnabled(enabled)
+
+    def _show_styles(self) -> None:
+        self.show_page()
+        self.runs.renew()
 
     def _show_start(self, shown: bool) -> None:
         self.start_sheet.close_button.setVisible(not self.document.page.empty)

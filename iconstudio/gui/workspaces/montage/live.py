@@ -2,10 +2,10 @@
 
 from collections.abc import Generator
 from contextlib import closing
-from time import monotonic
 
-from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtCore import QObject, Signal
 
+from iconstudio.gui.newest import Newest
 from iconstudio.gui.pictures import Picture, picture_of
 from iconstudio.gui.runner import Runner
 from iconstudio.gui.worker import Worker
@@ -17,9 +17,8 @@ from iconstudio.workflows.events import Event, Result
 TITLE = "montage"
 """What results are called in files."""
 
-PATIENCE = 1.0
-"""Seconds that a run may go on though its result is out of date: to stop one ends a process, and
-to start another takes longer than to wait."""
+PATIENCE = 1000
+"""Milliseconds that a run may go on though its result is out of date."""
 
 
 class LiveResult(QObject):
@@ -46,15 +45,12 @@ class LiveResult(QObject):
         super().__init__(parent)
         self._session = session
         self._wanted: tuple[Montage, Palette] | None = None
-        self._waiting = False
-        self._began = 0.0
         self.runner = Runner(worker, self)
+        self.newest = Newest(self.runner, self._begin, PATIENCE)
         self.runner.event.connect(self._show)
         self.runner.progress.connect(self._tell)
         self.runner.failed.connect(self._fail)
         self.runner.ended.connect(self._go_on)
-        self._timer = QTimer(self, singleShot=True, interval=round(1000 * PATIENCE))
-        self._timer.timeout.connect(self._lose_patience)
 
     @property
     def busy(self) -> bool:
@@ -66,25 +62,20 @@ class LiveResult(QObject):
         if self._wanted is not None and self._wanted[0] == montage:
             return
         self._wanted = montage, palette
-        self._waiting = True
-        if not self.runner.running:
-            self._start()
-        elif monotonic() - self._began > PATIENCE:
-            self._lose_patience()
+        self.newest.want()
 
     def forget(self) -> None:
         """Want nothing: a run under way is of no interest."""
-        self._wanted, self._waiting = None, False
+        self._wanted = None
+        self.newest.forget()
 
     def cancel(self) -> None:
         """Stop at once."""
         self.forget()
         self.runner.cancel()
 
-    def _start(self) -> None:
+    def _begin(self) -> None:
         montage, palette = self._wanted
-        self._waiting, self._began = False, monotonic()
-        self._timer.start()
         self.runner.start(lambda: self._made(montage, palette))
 
     def _made(self, montage: Montage, palette: Palette) -> Generator[Event | Picture]:
@@ -101,23 +92,16 @@ class LiveResult(QObject):
             self.shown.emit(event)
 
     def _fail(self, message: str) -> None:
-        if not self._waiting:
+        if not self.newest.waiting:
             self.failed.emit(message)
 
     def _tell(self, progress: object) -> None:
-        if monotonic() - self._began > PATIENCE:
+        if not self.newest.patient:
             self.progress.emit(progress)
 
     def _go_on(self, whole: bool) -> None:
-        self._timer.stop()
-        if self._waiting:
-            self._start()
+        if self.runner.running:
             return
         if not whole:
             self._wanted = None
         self.rested.emit()
-
-    def _lose_patience(self) -> None:
-        """Stop what runs if something newer waits; its end starts that."""
-        if self._waiting and self.runner.running:
-            self.runner.cancel()

@@ -1,5 +1,6 @@
 """Sketch-based modelling (section 4.1): trace, name, remix."""
 
+from collections.abc import Generator
 from pathlib import Path
 
 import numpy as np
@@ -72,7 +73,7 @@ class SketchWorkspace(RemixWorkspace):
         self._lay_out()
         self._wire()
         self.refresh_icons(theme.current())
-        self._show_page(self.document.page)
+        self.show_page()
 
     # -- putting together ----------------------------------------------------------------------
 
@@ -101,14 +102,15 @@ class SketchWorkspace(RemixWorkspace):
             [named["undo"], named["redo"]],
             [named[name] for name in ("trace", "pan", "fit", "regions", "clear")],
             [self.symmetry],
+            [named["live"]],
         ]
         self.lay_out(groups, [self.dim])
 
     def _wire(self) -> None:
+        self.document.page_changed.connect(self.show_page)
         self.wire()
         self.connect_opener(self.opener)
         self.dim.slider.valueChanged.connect(self.scene.set_dim)
-        self.document.page_changed.connect(self._show_page)
         self.view.dropped.connect(lambda data, _: self.opener.open_mime(data))
 
     # -- what the window asks for --------------------------------------------------------------
@@ -125,28 +127,48 @@ class SketchWorkspace(RemixWorkspace):
 
     # -- modelling -----------------------------------------------------------------------------
 
-    def run(self) -> None:
-        """Remix for the sketch; an outline that is still open is closed first."""
+    def wanted(self) -> Sketch:
+        """Return the sketch."""
+        return self.document.page.sketch
+
+    def settings(self) -> ModelSettings:
+        """Return all styles."""
+        return ModelSettings()
+
+    def events(self, wanted: Sketch, settings: ModelSettings) -> Generator[Event]:
+        """Return the run of a sketch."""
+        return self.session.model(wanted, settings)
+
+    def complete(self) -> None:
+        """Close an outline that is still open."""
         page = self.document.page
-        if self.runner.running and self.ran == page.sketch:
-            return
-        self.said.emit("")
         if not page.closed and len(page.vertices) >= 3:
             self.outline.close()
-        sketch = self.document.page.sketch
-        problem = _problem(sketch)
-        if problem:
-            self.failed.emit(problem)
-            if not sketch.keyword.strip():
-                self.keyword_panel.field.setFocus()
-            return
-        settings = ModelSettings()
-        self.start(sketch, settings, lambda: self.session.model(sketch, settings))
-        self._show_page(self.document.page)
-        if sketch.polygon.crosses_itself:
+
+    def run(self) -> None:
+        """Remix for the sketch; an outline that is still open is closed first."""
+        super().run()
+        if self.runs.running and self.document.page.sketch.polygon.crosses_itself:
             self.failed.emit(
                 "The outline crosses itself; everything that it encloses counts as inside."
             )
+
+    def problem(self) -> str:
+        """Return what is missing before the sketch can be remixed."""
+        page = self.document.page
+        if not page.vertices:
+            return "There is no outline yet. Click around the object on the canvas to trace it."
+        try:
+            page.sketch.polygon.fitted()
+        except IconstudioError as error:
+            return str(error)
+        if not page.closed:
+            return "The outline is still open. Click its first point to close it."
+        if not page.sketch.keyword.strip():
+            return (
+                "The object has no name yet. Type what it is below the canvas, for example “dog”."
+            )
+        return ""
 
     def show_event(self, event: Event | Picture) -> None:
         """Show what a run has come to."""
@@ -157,8 +179,10 @@ class SketchWorkspace(RemixWorkspace):
 
     # -- page ----------------------------------------------------------------------------------
 
-    def _show_page(self, page: SketchPage) -> None:
-        self.show_wish(page.sketch, "sketch")
+    def show_page(self) -> None:
+        """Show what the page says."""
+        page = self.document.page
+        self.show_wish("sketch")
         self.start_buttons.setVisible(page.empty)
         self.dim.setVisible(page.photo is not None)
         if not page.vertices:
@@ -168,8 +192,10 @@ class SketchWorkspace(RemixWorkspace):
             self.actions_by_name[name].setEnabled(bool(page.vertices))
 
     def _show_regions(self) -> None:
-        same = self.ran is not None and self.ran.polygon == self.document.page.sketch.polygon
-        wanted = self.actions_by_name["regions"].isChecked() and same
+        ran = self.runs.ran
+        same = ran is not None and ran.polygon == self.document.page.sketch.polygon
+        # In live mode those of a moment ago stay until the new ones come.
+        wanted = self.actions_by_name["regions"].isChecked() and (same or self.runs.live)
         self.scene.set_regions(self._regions if wanted else ())
 
     def _clear_outline(self) -> None:
@@ -191,16 +217,3 @@ def _filled(polygon: Polygon) -> NDArray[np.bool_]:
     from iconstudio.algorithms.raster import fill_polygon
 
     return fill_polygon(polygon.fitted())
-
-
-def _problem(sketch: Sketch) -> str:
-    """Return what is missing before ``sketch`` can be remixed, as a sentence; else nothing."""
-    if not sketch.polygon.vertices:
-        return "There is no outline yet. Click around the object on the canvas to trace it."
-    try:
-        sketch.polygon.fitted()
-    except IconstudioError as error:
-        return str(error)
-    if not sketch.keyword.strip():
-        return "The object has no name yet. Type what it is below the canvas, for example “dog”."
-    return ""

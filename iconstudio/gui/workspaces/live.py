@@ -1,0 +1,187 @@
+"""The runs of a workspace: started by hand, or in live mode by every change of the page."""
+
+from collections.abc import Generator
+from dataclasses import replace
+from typing import Protocol
+
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from iconstudio.gui.newest import Newest
+from iconstudio.gui.pictures import Picture, pictured
+from iconstudio.gui.preferences import prefer, preferred
+from iconstudio.gui.preparation import Preparation
+from iconstudio.gui.runner import Runner
+from iconstudio.gui.worker import Worker
+from iconstudio.gui.workspaces.wishes import WishingDocument, WishingPage
+from iconstudio.session import ModelSettings
+from iconstudio.workflows.events import Event, Progress
+
+PREFERENCE = "live"
+
+PATIENCE = 700
+"""Milliseconds that a run which is out of date may take until it shows something."""
+
+CALM = 800
+"""Milliseconds that a run of live mode may take before its progress is shown: those that the next
+movement of the hand puts an end to are shorter."""
+
+
+class Wanting(Protocol):
+    """What a workspace says of its page."""
+
+    document: WishingDocument
+
+    def wanted(self) -> object:
+        """Return what the results depend on, to be compared."""
+        ...
+
+    def problem(self) -> str:
+        """Return what is missing before the page can be remixed, as a sentence; else nothing."""
+        ...
+
+    def settings(self) -> ModelSettings:
+        """Return which results to make. Called only if there is no problem."""
+        ...
+
+    def focus(self) -> tuple[str, float] | None:
+        """Return style and lambda_S of the result that the user looks at."""
+        ...
+
+    def events(self, wanted: object, settings: ModelSettings) -> Generator[Event]:
+        """Return the run that makes the results. Called in the worker's thread."""
+        ...
+
+
+class Runs(QObject):
+    """Remixes what a page says, one run at a time.
+
+    In live mode every change of what is wanted starts a run by itself, once the page is complete
+    and its icons are ready; a page that is not says nothing about it. While the hand moves, a run
+    gives way to the next one as soon as it has shown something: see ``Newest``.
+
+    Signals
+    -------
+    began(ModelSettings, bool)
+        A run starts; whether it is of something else than the one before.
+    event(object)
+        What it has come to: events, results as Pictures.
+    progressed(Progress)
+        It takes so long that the user should know.
+    failed(str)
+        A sentence for the user.
+    ended(bool, bool)
+        It is over, and no other one has taken its place: whether it came to its end, and whether
+        the user himself had asked for it.
+    """
+
+    began = Signal(object, bool)
+    event = Signal(object)
+    progressed = Signal(object)
+    failed = Signal(str)
+    ended = Signal(bool, bool)
+
+    def __init__(
+        self, page: Wanting, preparation: Preparation, worker: Worker, parent: QObject
+    ) -> None:
+        super().__init__(parent)
+        self._page = page
+        self._preparation = preparation
+        self.runner = Runner(worker, self)
+        self.newest = Newest(self.runner, self._follow, PATIENCE)
+        self.live = preferred(PREFERENCE, True)
+        """Whether results follow by themselves."""
+        self.ran: object = None
+        """What the results are of."""
+        self._ran_page: WishingPage | None = None
+        self._by_hand = False
+        self._calm = QTimer(self, singleShot=True, interval=CALM)
+        self.runner.event.connect(self._show)
+        self.runner.progress.connect(self._tell)
+        self.runner.failed.connect(self._fail)
+        self.runner.ended.connect(self._end)
+        preparation.settled.connect(self.renew)
+
+    @property
+    def running(self) -> bool:
+        """Whether something runs."""
+        return self.runner.running
+
+    @property
+    def stale(self) -> bool:
+        """Whether the results are of something else than what is wanted."""
+        return self.ran is not None and self.ran != self._page.wanted()
+
+    def set_live(self, on: bool) -> None:
+        """Let results follow by themselves, or not; remember which."""
+        self.live = on
+        prefer(PREFERENCE, on)
+        self.newest.forget()
+        self.renew()
+
+    def adopt(self) -> bool:
+        """Return whether what the page says is under way; if so, the user has asked for it."""
+        here = self.running and not self.stale
+        self._by_hand = self._by_hand or here
+        return here
+
+    def run(self) -> None:
+        """Remix what the page says, which has no problem, because the user asks for it."""
+        self.newest.forget()
+        self._calm.stop()
+        self._preparation.hurry()
+        self._begin(by_hand=True)
+
+    def renew(self) -> None:
+        """In live mode, remix what the page says now, unless that is done or cannot be done yet."""
+        if not self.live:
+            return
+        if self._page.wanted() == self.ran:
+            self.newest.forget()
+        elif self._preparation.ready and not self._page.problem():
+            self.newest.want()
+        else:
+            self._drop()
+
+    def cancel(self) -> None:
+        """Stop; in live mode, until the next change."""
+        self.newest.forget()
+        self.runner.cancel()
+
+    def _follow(self) -> None:
+        self._calm.start()
+        self._begin(by_hand=False)
+
+    def _begin(self, by_hand: bool) -> None:
+        page, sheet, before = self._page, self._page.document.page, self._ran_page
+        wanted, settings, title = page.wanted(), page.settings(), sheet.wish.keyword.strip()
+        afresh = not self.live or before is None or sheet.elsewhere(before)
+        if self.live:
+            settings = replace(settings, focus=None if afresh else page.focus(), previews=True)
+        self.ran, self._ran_page, self._by_hand = wanted, sheet, by_hand
+        self.runner.start(lambda: pictured(page.events(wanted, settings), title))
+        self.began.emit(settings, afresh)
+
+    def _drop(self) -> None:
+        """Stop a run that is out of date, though nothing can take its place."""
+        self.newest.forget()
+        if self.running:
+            self.ran = None
+            self.runner.cancel()
+
+    def _show(self, event: object) -> None:
+        self.event.emit(event)
+        if isinstance(event, Picture):
+            self.newest.enough()
+
+    def _fail(self, message: str) -> None:
+        if not self.newest.waiting:
+            self.failed.emit(message)
+
+    def _tell(self, progress: Progress) -> None:
+        if not self._calm.isActive():
+            self.progressed.emit(progress)
+
+    def _end(self, whole: bool) -> None:
+        if not self.running:
+            self._calm.stop()
+            self.ended.emit(whole, self._by_hand)
