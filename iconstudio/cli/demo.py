@@ -29,9 +29,10 @@ def command(ctx: click.Context, name: str, folder: Path, headless: bool) -> None
     click.echo(f"{reason}\nRemixing without a window.", err=True)
 
     from iconstudio.cli.model import run
+    from iconstudio.cli.timing import Stopwatch
     from iconstudio.session import Session
     from iconstudio.workflows.grid import ModelSettings
 
     with Session() as session:
-        run(session, sketch, ModelSettings(), folder)
+        run(session, sketch, ModelSettings(), folder, Stopwatch())
     click.echo("With a screen and Qt's libraries, the same command opens the window.", err=True)

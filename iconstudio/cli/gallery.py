@@ -8,6 +8,7 @@ import click
 
 from iconstudio.algorithms.expansion import LAMBDAS
 from iconstudio.cli.progress import ProgressBar
+from iconstudio.cli.timing import profile_option, profiled
 from iconstudio.inputs.sketch import SketchFile, read_sketch
 from iconstudio.model import Composite, Drawing, IconstudioError
 from iconstudio.output import png
@@ -58,24 +59,27 @@ class Choice:
     show_default=True,
     metavar="FILE.png",
 )
-def command(sketches: Path | None, out: Path) -> None:
+@profile_option
+def command(sketches: Path | None, out: Path, profile: bool) -> None:
     """Draw each sketch with its chosen result and its colour code."""
     files = sorted((sketches or resource("examples/gallery")).glob("*.json"))
     if not files:
         raise IconstudioError(f"There are no sketches (*.json) in “{sketches}”.")
     subjects = []
-    with Session() as session, ProgressBar() as bar:
+    with profiled(profile) as stopwatch, Session() as session, ProgressBar() as bar:
         for number, path in enumerate(files):
             sketch, choice = read_sketch(path), Choice.read(path)
             result = None
             for event in session.model(sketch.sketch, _settings(choice)):
+                stopwatch.note(event)
                 if isinstance(event, Result):
                     result = event  # the last one has the lambda_S that was chosen
                 elif isinstance(event, Progress):
                     bar.show((number + event.done) / len(files), sketch.title)
             picture = (result.composite, result.drawing) if result else None
             subjects.append(_subject(sketch, choice, picture))
-    png.write(out, png.encoded(gallery_sheet(subjects)))
+        png.write(out, png.encoded(gallery_sheet(subjects)))
+        stopwatch.wrote()
     click.echo(str(out))
 
 

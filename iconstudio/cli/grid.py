@@ -1,7 +1,9 @@
 """What ``iconstudio model`` and ``iconstudio edit`` share: options, and the grid of results."""
 
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any, TypeVar
 
 import click
 
@@ -10,23 +12,49 @@ from iconstudio.algorithms.matching import SCALES
 from iconstudio.algorithms.style import STYLES
 from iconstudio.cli import running
 from iconstudio.cli.lists import ListCommand, Numbers, Words, flat, is_number
-from iconstudio.model import IconstudioError
+from iconstudio.cli.timing import Stopwatch, profile_option
+from iconstudio.model import Edit, IconstudioError, Sketch
 from iconstudio.output.report import GridReport
 from iconstudio.output.wish import Wish
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.grid import ModelSettings
 
+_Wish = TypeVar("_Wish", Sketch, Edit)
 _STYLES = tuple(style.name for style in STYLES)
+
+
+@dataclass(frozen=True)
+class Asked:
+    """What the command line asks of a grid: one field an option."""
+
+    file: Path
+    folder: Path
+    keyword: str | None
+    exclude: tuple[str, ...]
+    styles: tuple[str, ...]
+    lambdas: tuple[float, ...]
+    scales: tuple[float, ...]
+    dump: bool
+    profile: bool
+
+    def of(self, wish: _Wish) -> _Wish:
+        """Return the wish in the file, as the options change it."""
+        return replace(
+            wish,
+            keyword=wish.keyword if self.keyword is None else self.keyword,
+            exclude=wish.exclude | frozenset(self.exclude),
+        )
+
+    def settings(self, styles: tuple[str, ...]) -> ModelSettings:
+        """Return which results to make; ``styles`` are those made if none is named."""
+        return ModelSettings(self.styles or styles, self.lambdas, self.scales)
 
 
 def grid_command(
     name: str, metavar: str, styles: str
-) -> Callable[[Callable[..., None]], click.Command]:
+) -> Callable[[Callable[[Asked], None]], click.Command]:
     """Make a function a command with the options of a grid.
-
-    It is called with ``file``, ``folder``, ``keyword`` or None, ``exclude``, ``styles``,
-    ``lambdas``, ``scales`` and ``dump``; the styles are empty if none is named.
 
     Parameters
     ----------
@@ -69,13 +97,17 @@ def grid_command(
         click.option(
             "--dump", is_flag=True, help="Write STYLE.npz too: all that a result can be checked by."
         ),
+        profile_option,
     )
     goes_on = {"--styles": _STYLES.__contains__, "--lambdas": is_number, "--scales": is_number}
 
-    def decorate(function: Callable[..., None]) -> click.Command:
+    def decorate(function: Callable[[Asked], None]) -> click.Command:
+        def call(**options: Any) -> None:
+            function(Asked(**options))
+
         for option in reversed(options):
-            function = option(function)
-        return click.command(name, cls=ListCommand, goes_on=goes_on)(function)
+            call = option(call)
+        return click.command(name, cls=ListCommand, goes_on=goes_on, help=function.__doc__)(call)
 
     return decorate
 
@@ -86,12 +118,13 @@ def run(
     wish: Wish,
     settings: ModelSettings,
     folder: Path,
+    stopwatch: Stopwatch,
     *,
     dump: bool = False,
 ) -> None:
     """Run a workflow that fills a grid, write everything into ``folder``, say what is there."""
     report = GridReport(folder, wish, settings.lambdas, dump=dump)
-    results = running.run(session, events, report)
+    results = running.run(session, events, report, stopwatch)
     if not results:
         raise IconstudioError(
             f"No style has enough icons of “{wish.keyword}”. Try a more common word; "

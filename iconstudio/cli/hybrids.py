@@ -7,6 +7,7 @@ from pathlib import Path
 import click
 
 from iconstudio.cli import running
+from iconstudio.cli.timing import profile_option, profiled
 from iconstudio.inputs.hybrids import LARGEST_SEED, HybridsFile, read_hybrids
 from iconstudio.model import IconstudioError
 from iconstudio.output.hybrids import HybridsReport
@@ -30,7 +31,8 @@ from iconstudio.workflows.hybrids import MOST_DRAWS
     metavar="N",
     help="The same seed gives the same hybrids; instead of the file's.",
 )
-def command(file: Path, folder: Path, draws: int | None, seed: int | None) -> None:
+@profile_option
+def command(file: Path, folder: Path, draws: int | None, seed: int | None, profile: bool) -> None:
     """Mix the icons in HYBRIDS.json at random, and rank what comes of it."""
     hybrids = read_hybrids(file)
     hybrids = replace(
@@ -38,12 +40,12 @@ def command(file: Path, folder: Path, draws: int | None, seed: int | None) -> No
         draws=hybrids.draws if draws is None else draws,
         seed=hybrids.seed if seed is None else seed,
     )
-    with Session() as session:
+    with profiled(profile) as stopwatch, Session() as session:
         events = _mixing(session, hybrids)
         report = HybridsReport(
             folder, hybrids.keyword, hybrids.draws, hybrids.seed, hybrids.symmetry
         )
-        results = running.run(session, events, report)
+        results = running.run(session, events, report, stopwatch)
     if not results:
         raise IconstudioError(
             "All hybrids repeat the icons. Choose icons that differ more, or ask for more draws."

@@ -5,6 +5,7 @@ from pathlib import Path
 import click
 
 from iconstudio.cli import running
+from iconstudio.cli.timing import profile_option, profiled
 from iconstudio.inputs.montage import read_montage
 from iconstudio.output.montage import MontageReport
 from iconstudio.session import Session
@@ -13,10 +14,12 @@ from iconstudio.session import Session
 @click.command("montage")
 @running.input_file("MONTAGE.json")
 @running.output_folder("sheet.png")
-def command(file: Path, folder: Path) -> None:
+@profile_option
+def command(file: Path, folder: Path, profile: bool) -> None:
     """Join the parts of icons that are scribbled over in MONTAGE.json."""
     read = read_montage(file)
-    with Session() as session:
+    with profiled(profile) as stopwatch, Session() as session:
         montage = read.resolved(session.icon)
-        running.run(session, session.montage(montage), MontageReport(folder, montage))
+        report = MontageReport(folder, montage)
+        running.run(session, session.montage(montage), report, stopwatch)
     click.echo(f"1 icon; see {folder / 'sheet.png'}")

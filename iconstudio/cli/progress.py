@@ -5,6 +5,8 @@ from types import TracebackType
 
 from tqdm import tqdm
 
+from iconstudio.workflows.estimating import spoken
+
 
 class ProgressBar:
     """One bar on standard error for all stages, each named beside it."""
@@ -15,12 +17,16 @@ class ProgressBar:
             total=100,
             disable=not sys.stderr.isatty(),
             leave=False,
-            bar_format="{desc:<28} {percentage:3.0f}% |{bar}| {elapsed}",
+            bar_format="{desc:<28} {percentage:3.0f}% |{bar}| {elapsed}{postfix}",
         )
 
-    def show(self, done: float, message: str) -> None:
-        """Show that ``done`` (0 to 1) of what ``message`` names is over."""
+    def show(self, done: float, message: str, remaining: float | None = None) -> None:
+        """Show that ``done`` (0 to 1) of what ``message`` names is over.
+
+        ``remaining`` are the seconds until all is over, if that can be told.
+        """
         self._bar.set_description_str(message, refresh=False)
+        self._bar.set_postfix_str("" if remaining is None else spoken(remaining), refresh=False)
         self._bar.n = 100 * done
         self._bar.refresh()
 

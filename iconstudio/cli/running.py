@@ -23,25 +23,26 @@ class Report(Protocol):
         """Write the rest; ``timings`` are seconds by stage."""
 
 
-def run(session: Session, events: Iterator[Event], report: Report) -> int:
+def run(session: Session, events: Iterator[Event], report: Report, stopwatch: Stopwatch) -> int:
     """Run a workflow to its end, write all that comes of it, and return how many results did."""
-    stopwatch = Stopwatch()
     results = 0
     with closing(events), ProgressBar() as bar:
         for event in events:
             stopwatch.note(event)
             report.add(event)
+            stopwatch.wrote()
             match event:
                 case Progress():
-                    bar.show(event.done, event.message)
+                    bar.show(event.done, event.message, event.remaining)
                 case StyleSkipped():
                     bar.say(event.reason)
                 case Retrieved():
                     bar.say(f"{len(event.exemplars)} different icons of “{event.keyword}”")
-                case Result():
+                case Result(preview=False):
                     results += 1
         bar.show(1.0, "Drawing the contact sheet")
         report.finish(stopwatch.timings())
+        stopwatch.wrote()
     if session.trouble:
         click.echo(session.trouble, err=True)
     return results

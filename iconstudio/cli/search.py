@@ -5,8 +5,10 @@ from pathlib import Path
 import click
 
 from iconstudio.cli.progress import ProgressBar
+from iconstudio.cli.timing import Stopwatch, profile_option, profiled
 from iconstudio.model import Exemplar, Pictogram
 from iconstudio.session import Session
+from iconstudio.workflows.events import Progress
 
 
 @click.command("search")
@@ -20,21 +22,29 @@ from iconstudio.session import Session
     metavar="FILE.png",
     help="Draw the icons as well.",
 )
-def command(word: str, exclude: tuple[str, ...], sheet: Path | None) -> None:
+@profile_option
+def command(word: str, exclude: tuple[str, ...], sheet: Path | None, profile: bool) -> None:
     """List the icons that WORD retrieves, best first: identifier, author, licence."""
-    with Session() as session:
+    with profiled(profile) as stopwatch, Session() as session:
         with ProgressBar() as bar:
             for step in session.open():
                 bar.show(step.done, step.message)
         pictograms = session.search(word, frozenset(exclude))
+        stopwatch.note(Progress("search", 1.0, word))
         if sheet is not None:
-            _draw(session, pictograms, word, sheet)
-    for pictogram in pictograms:
-        credit = pictogram.credit
-        click.echo(f"{pictogram.id}\t{credit.author}\t{credit.license}")
+            _draw(session, pictograms, word, sheet, stopwatch)
+        for pictogram in pictograms:
+            credit = pictogram.credit
+            click.echo(f"{pictogram.id}\t{credit.author}\t{credit.license}")
 
 
-def _draw(session: Session, pictograms: tuple[Pictogram, ...], word: str, sheet: Path) -> None:
+def _draw(
+    session: Session,
+    pictograms: tuple[Pictogram, ...],
+    word: str,
+    sheet: Path,
+    stopwatch: Stopwatch,
+) -> None:
     from iconstudio.output.sheet import search_sheet
 
     exemplars: tuple[Exemplar, ...] = ()
@@ -43,7 +53,9 @@ def _draw(session: Session, pictograms: tuple[Pictogram, ...], word: str, sheet:
         try:
             while True:
                 step = next(steps)
+                stopwatch.note(step)
                 bar.show(step.done, step.message)
         except StopIteration as end:
             exemplars = end.value
     search_sheet(exemplars, word, sheet)
+    stopwatch.wrote()

@@ -1,8 +1,26 @@
-"""How long the stages of a run take."""
+"""How long the stages of a command take, and how much memory."""
 
+import os
+import sys
+import time
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
 from time import perf_counter
 
+import click
+
 from iconstudio.workflows.events import Event, Progress, Result
+
+_LOADED = perf_counter()
+_NAMES = {
+    "search": "searching",
+    "prepare": "preparing icons",
+    "match": "matching",
+    "remix": "cutting",
+    "vectorize": "drawing",
+    "write": "writing files",
+}
 
 
 class Stopwatch:
@@ -16,7 +34,10 @@ class Stopwatch:
         self._began = self._last = perf_counter()
         self._stage = "search"
         self._seconds: dict[str, float] = {}
-        self._worked = [0.0, 0.0]
+        self.worked = {"remix": 0.0, "vectorize": 0.0}
+        """The worker processes' own seconds."""
+        self.first: float | None = None
+        """Seconds from the start of the program to the first result."""
 
     def note(self, event: Event) -> None:
         """Book the time since the last event."""
@@ -24,17 +45,84 @@ class Stopwatch:
             self._stage = event.stage
         elif isinstance(event, Result):
             self._stage = "remix"
-            self._worked[0] += event.remix_seconds
-            self._worked[1] += event.vectorize_seconds
-        now = perf_counter()
-        self._seconds[self._stage] = self._seconds.get(self._stage, 0.0) + now - self._last
-        self._last = now
+            self.worked["remix"] += event.remix_seconds
+            self.worked["vectorize"] += event.vectorize_seconds
+            self.first = since_start() if self.first is None else self.first
+        self._book(self._stage)
+
+    def wrote(self) -> None:
+        """Book the time since the last event on the writing of files."""
+        self._book("write")
 
     def timings(self) -> dict[str, float]:
         """Return the seconds of each stage so far, and in total."""
         seconds = dict(self._seconds)
-        both = seconds.get("remix", 0.0)
-        cutting, drawing = self._worked
-        seconds["remix"] = both * cutting / (cutting + drawing or 1.0)
-        seconds["vectorize"] = both - seconds["remix"]
+        both = seconds.pop("remix", 0.0)
+        if both:
+            share = self.worked["remix"] / (sum(self.worked.values()) or 1.0)
+            seconds |= {"remix": both * share, "vectorize": both * (1 - share)}
         return seconds | {"total": perf_counter() - self._began}
+
+    def _book(self, stage: str) -> None:
+        now = perf_counter()
+        self._seconds[stage] = self._seconds.get(stage, 0.0) + now - self._last
+        self._last = now
+
+
+@contextmanager
+def profiled(wanted: bool) -> Iterator[Stopwatch]:
+    """Give a stopwatch; at the end, if ``wanted``, say on standard error what it has booked.
+
+    The worker processes should have ended by then: memory is known of those that have.
+    """
+    stopwatch = Stopwatch()
+    yield stopwatch
+    if wanted:
+        click.echo("\n".join(_table(stopwatch)), err=True)
+
+
+def profile_option(function: "click.decorators.FC") -> "click.decorators.FC":
+    """Give a command the option ``--profile``."""
+    return click.option(
+        "--profile", is_flag=True, help="Say at the end where time and memory went."
+    )(function)
+
+
+def since_start() -> float:
+    """Return the seconds since this program was started; without Linux, since this was imported."""
+    try:
+        fields = Path("/proc/self/stat").read_text().rpartition(")")[2].split()
+        started = int(fields[19]) / os.sysconf("SC_CLK_TCK")
+        return time.clock_gettime(time.CLOCK_BOOTTIME) - started
+    except (OSError, AttributeError, ValueError):
+        return perf_counter() - _LOADED
+
+
+def _table(stopwatch: Stopwatch) -> Iterator[str]:
+    seconds: Mapping[str, float] = stopwatch.timings()
+    yield f"{'':<17}{'seconds':>8}{'of the worker processes':>26}"
+    for stage, name in _NAMES.items():
+        if stage in seconds:
+            worked = stopwatch.worked.get(stage)
+            own = "" if worked is None else f"{worked:26.2f}"
+            yield f"{name:<17}{seconds[stage]:8.2f}{own}"
+    yield f"{'all together':<17}{since_start():8.2f}  since the program was started"
+    if stopwatch.first is not None:
+        yield f"{'first result':<17}{stopwatch.first:8.2f}  after the start"
+    for size, whose in _memory():
+        yield f"{'memory':<17}{size:8.0f}  MiB at the peak of {whose}"
+
+
+def _memory() -> Iterator[tuple[float, str]]:
+    """Yield the most memory that was resident, in MiB, and whose it was."""
+    try:
+        import resource
+    except ImportError:  # Windows
+        return
+    unit = 2**20 if sys.platform == "darwin" else 2**10
+    for who, whose in (
+        (resource.RUSAGE_SELF, "this process"),
+        (resource.RUSAGE_CHILDREN, "the largest worker process"),
+    ):
+        if peak := resource.getrusage(who).ru_maxrss:
+            yield peak / unit, whose
