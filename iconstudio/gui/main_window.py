@@ -24,34 +24,32 @@ from iconstudio.session import Session
 
 
 class MainWindow(QMainWindow):
-    """The switch and the recent results above, the workspace in use below."""
+    """The switch and the recent results above, the workspace in use below.
+
+    A workspace is made when it is first used, so that the window opens fast.
+    """
 
     def __init__(
         self, session: Session, workspaces: Sequence[type[Workspace]] = WORKSPACES
     ) -> None:
         super().__init__()
         self._session = session
+        self._kinds = tuple(workspaces)
+        self._made: dict[int, Desk] = {}
         self._files = Worker(self)
         self.saver = Saver(self._files, self)
-        self.workspaces = [kind(session, self._files, self.saver) for kind in workspaces]
-        destinations = tuple(
+        self._destinations = tuple(
             Destination(one.title, one.invitation) for one in workspaces if one.invitation
         )
-        self.modes = ModeSwitch([workspace.title for workspace in workspaces])
-        self.recent = RecentStrip(destinations)
+        self.modes = ModeSwitch([one.title for one in workspaces])
+        self.recent = RecentStrip(self._destinations)
         self.desks = QStackedWidget()
         self.actions_by_name = Actions(
             self, {"quit": self.close, "about": lambda: show_about(self)}
         )
         self._menus: dict[str, QMenu] = {title: self.menuBar().addMenu(title) for title in MENUS}
         self._lay_out()
-        for workspace in self.workspaces:
-            workspace.set_destinations(destinations)
-            workspace.made.connect(self.recent.keep)
-            workspace.send.connect(self._send)
-            self.desks.addWidget(Desk(workspace))
         self._wire()
-        self.refresh_look()
         self.show_workspace(0)
 
     def _lay_out(self) -> None:
@@ -92,13 +90,18 @@ class MainWindow(QMainWindow):
         """The workspace in use."""
         return self.desk.workspace
 
+    @property
+    def workspaces(self) -> tuple[Workspace, ...]:
+        """All workspaces, as they stand on the switch."""
+        return tuple(self._desk(number).workspace for number in range(len(self._kinds)))
+
     def workspace_of(self, title: str) -> Workspace:
         """Return the workspace of that title."""
-        return next(one for one in self.workspaces if one.title == title)
+        return self._desk(self._number(title)).workspace
 
     def show_workspace(self, number: int) -> None:
         """Switch to a workspace; work that goes on elsewhere goes on."""
-        self.desks.setCurrentIndex(number)
+        self.desks.setCurrentWidget(self._desk(number))
         self.modes.show_current(number)
         actions = self.workspace.actions_by_name
         for title, menu in self._menus.items():
@@ -109,10 +112,24 @@ class MainWindow(QMainWindow):
         """Return an action of the workspace in use, or of the window itself."""
         return self.workspace.actions_by_name.get(name) or self.actions_by_name[name]
 
+    def _number(self, title: str) -> int:
+        return next(n for n, kind in enumerate(self._kinds) if kind.title == title)
+
+    def _desk(self, number: int) -> Desk:
+        """Return a workspace's desk, made if it is the first time."""
+        if number not in self._made:
+            workspace = self._kinds[number](self._session, self._files, self.saver)
+            workspace.set_destinations(self._destinations)
+            workspace.made.connect(self.recent.keep)
+            workspace.send.connect(self._send)
+            desk = self._made[number] = Desk(workspace)
+            desk.refresh_icons(theme.current())
+            self.desks.addWidget(desk)
+        return self._made[number]
+
     def _send(self, pictogram: Pictogram, title: str) -> None:
-        workspace = self.workspace_of(title)
-        self.show_workspace(self.workspaces.index(workspace))
-        workspace.take(pictogram)
+        self.show_workspace(self._number(title))
+        self.workspace.take(pictogram)
 
     def _send_picture(self, picture: Picture, title: str) -> None:
         self.recent.keep(picture)
@@ -122,8 +139,8 @@ class MainWindow(QMainWindow):
 
     def refresh_look(self) -> None:
         """Draw all icons in the colours of the present theme."""
-        for number in range(self.desks.count()):
-            self.desks.widget(number).refresh_icons(theme.current())
+        for desk in self._made.values():
+            desk.refresh_icons(theme.current())
 
     def threads_alive(self) -> bool:
         """Whether a thread of the window still runs; not once it is closed."""
@@ -132,15 +149,15 @@ class MainWindow(QMainWindow):
     def changeEvent(self, event: QEvent) -> None:
         """Follow the system between light and dark."""
         super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "desks"):
+        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_made"):
             self.refresh_look()
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Stop all work and wait until the threads have ended."""
-        for workspace in self.workspaces:
-            workspace.cancel()
-        for workspace in self.workspaces:
-            workspace.close_work()
+        for desk in self._made.values():
+            desk.workspace.cancel()
+        for desk in self._made.values():
+            desk.workspace.close_work()
         self._files.close(self._session.close)
         self._session.close()
         super().closeEvent(event)

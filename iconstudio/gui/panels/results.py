@@ -203,13 +203,14 @@ class ResultsPanel(QFrame):
         self._welcome = QLabel(WELCOME, alignment=Qt.AlignmentFlag.AlignCenter, wordWrap=True)
         self._welcome.setProperty("muted", True)
         self._stack = QStackedLayout()
-        self._stack.addWidget(self._welcome)
-        self._stack.addWidget(below)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(2 * UNIT, UNIT * 3 // 2, 2 * UNIT, UNIT)
         layout.setSpacing(UNIT)
         layout.addLayout(top)
         layout.addLayout(self._stack, 1)
+        # Only now that it has a place: elsewhere, its first page would open as a window.
+        self._stack.addWidget(self._welcome)
+        self._stack.addWidget(below)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
 
     def set_words(self, welcome: str, nearer: str) -> None:

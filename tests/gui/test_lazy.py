@@ -1,0 +1,54 @@
+"""The window opens fast: what is not needed to draw it comes later."""
+
+import subprocess
+import sys
+
+from PySide6.QtCore import QEvent, QObject
+from PySide6.QtWidgets import QApplication, QWidget
+
+from iconstudio.gui.workspaces.base import Workspace
+
+_LOADED = """
+import sys
+import iconstudio.gui.app
+print(*sys.modules)
+"""
+
+LATER = {"numba", "skimage", "pebble"}
+"""Slow to load, and needed only once something is drawn or cut."""
+
+
+def test_slow_libraries_are_loaded_later():
+    command = [sys.executable, "-c", _LOADED]
+    loaded = subprocess.run(command, check=True, capture_output=True, text=True).stdout.split()
+    assert "PySide6.QtWidgets" in loaded
+    assert not LATER & set(loaded)
+
+
+def test_a_workspace_is_made_when_it_is_first_used(window):
+    assert [one.title for one in window.findChildren(Workspace)] == ["Sketch"]
+    window.show_workspace(3)
+    assert [one.title for one in window.findChildren(Workspace)] == ["Sketch", "Montage"]
+    window.show_workspace(0)
+    window.show_workspace(3)
+    assert len(window.findChildren(Workspace)) == 2
+
+
+def test_making_a_workspace_opens_no_window_and_keeps_the_keys(window, qtbot):
+    opened = []
+
+    class Watch(QObject):
+        def eventFilter(self, watched, event):
+            if event.type() == QEvent.Type.Show and isinstance(watched, QWidget):
+                opened.extend([watched] if watched.isWindow() else [])
+            return False
+
+    watch = Watch()
+    QApplication.instance().installEventFilter(watch)
+    for number in (1, 2, 3):
+        window.show_workspace(number)
+        qtbot.wait(1)
+        assert window.isActiveWindow()
+        assert window.workspace.isAncestorOf(QApplication.focusWidget())
+    QApplication.instance().removeEventFilter(watch)
+    assert opened == []
