@@ -9,7 +9,7 @@ from collections import OrderedDict
 from collections.abc import Generator, Iterator
 from pathlib import Path
 
-from iconstudio.algorithms.matching import SCALES, PreparedExemplar, prepare
+from iconstudio.algorithms.matching import SCALES, Matcher, prepare
 from iconstudio.algorithms.style import two_toned
 from iconstudio.library.collection import Collection, cache_folder
 from iconstudio.library.ownsvg import read_own_svg
@@ -62,7 +62,7 @@ class Session:
         self._collection: Collection | None = None
         self._opening = threading.Lock()
         self._cold = True
-        self._prepared: OrderedDict[_Key, tuple[PreparedExemplar, ...]] = OrderedDict()
+        self._prepared: OrderedDict[_Key, Matcher] = OrderedDict()
 
     def open(self) -> Iterator[Progress]:
         """Open the bundled collection, which the very first use unpacks."""
@@ -160,17 +160,17 @@ class Session:
         keyword: str,
         exclude: frozenset[str] = frozenset(),
         scales: tuple[float, ...] = SCALES,
-    ) -> Generator[Event, None, tuple[PreparedExemplar, ...]]:
-        """Retrieve and rasterise a keyword's icons, and compute their distance fields.
+    ) -> Generator[Event, None, Matcher]:
+        """Retrieve and rasterise a keyword's icons, and make them ready for matching.
 
-        Yields ``Progress``, and ``Retrieved`` once the icons are drawn; returns the prepared
-        exemplars, best first. They are kept in memory, so that a later ``model`` of the keyword
-        starts at once.
+        Yields ``Progress``, and ``Retrieved`` once the icons are drawn; returns their
+        ``Matcher``, the best match of the keyword first. It is kept in memory, so that a later
+        ``model`` of the keyword starts at once.
         """
         key = keyword.strip().casefold(), exclude, scales
         kept = self._prepared.get(key)
         if kept is not None:
-            yield Retrieved(keyword, tuple(one.exemplar for one in kept))
+            yield Retrieved(keyword, tuple(one.exemplar for one in kept.exemplars))
             return kept
         yield from self.open()
         yield Progress("search", 0.0, f"Looking for “{keyword}”")
@@ -184,7 +184,7 @@ class Session:
         for number, exemplar in enumerate(exemplars, start=1):
             ready.append(prepare(exemplar, scales))
             yield Progress("prepare", number / len(exemplars), "Measuring distances")
-        self._prepared[key] = tuple(ready)
+        self._prepared[key] = Matcher(ready)
         while len(self._prepared) > _KEPT:
             self._prepared.popitem(last=False)
         return self._prepared[key]
@@ -200,8 +200,8 @@ class Session:
         settings = settings or ModelSettings()
         settings.chosen_styles()
         sketch.polygon.fitted()
-        exemplars = yield from self.prepare(sketch.keyword, sketch.exclude, settings.scales)
-        yield from model(sketch, exemplars, settings, self._workers, render_placed)
+        matcher = yield from self.prepare(sketch.keyword, sketch.exclude, settings.scales)
+        yield from model(sketch, matcher, settings, self._workers, render_placed)
 
     def edit(self, edit: Edit, settings: ModelSettings | None = None) -> Iterator[Event]:
         """Run editing (section 4.2): see ``workflows.editing.edit_icon``.
@@ -217,15 +217,15 @@ class Session:
         change = prepare_change(edit, icon)
         settings = settings or ModelSettings(own_styles(icon))
         settings.chosen_styles()
-        exemplars = yield from self.prepare(edit.keyword, edit.exclude, settings.scales)
-        yield from edit_icon(edit, change, exemplars, settings, self._workers, render_placed)
+        matcher = yield from self.prepare(edit.keyword, edit.exclude, settings.scales)
+        yield from edit_icon(edit, change, matcher, settings, self._workers, render_placed)
 
     def choose(
         self, keyword: str, count: int, symmetry: Axis | None = None, seed: int = 0
     ) -> Generator[Event, None, tuple[Pictogram, ...]]:
         """Choose icons of a keyword that mix well: see ``workflows.choosing.choose_icons``."""
-        exemplars = yield from self.prepare(keyword)
-        chosen = choose_icons([one.exemplar for one in exemplars], count, symmetry, seed)
+        matcher = yield from self.prepare(keyword)
+        chosen = choose_icons([one.exemplar for one in matcher.exemplars], count, symmetry, seed)
         return tuple(one.pictogram for one in chosen)
 
     def mix(self, mix: Mix) -> Iterator[Event]:

@@ -12,7 +12,6 @@ PACKAGE = ROOT / "iconstudio"
 ADAPTERS = {
     "maxflow": "algorithms/maxflow.py",
     "numba": "algorithms/compiled.py",
-    "pyfftw": "algorithms/fft.py",
     "resvg_py": "library/resvg.py",
     "pebble": "workers.py",
     "tqdm": "cli/progress.py",

@@ -1,60 +1,67 @@
-"""Sliding-window matching (section 3.3, equation 4; Appendix A, equations 12 to 16).
+"""Sliding-window matching (section 3.3, equation 4; Appendix A).
 
-Every exemplar is tried at every translation, mirrored or not, at every scale, against every salient
-region. The exhaustive search runs on fields reduced by ``COARSEN``; its best exemplars are then
-followed up to full resolution, so that the errors that rank them are equation 4 to the letter.
+Every exemplar is tried at every scale, mirrored or not, at every translation, against every salient
+region. ``sliding`` estimates the errors of all of them; the best are then followed to the exact
+place, so that the errors that rank them are equation 4 to the letter.
 """
 
+import hashlib
 import math
-from collections.abc import Callable, Generator, Iterable, Sequence
+import threading
+from collections import OrderedDict
+from collections.abc import Generator, Iterable, Sequence
 from dataclasses import dataclass
+from dataclasses import field as made_by
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.algorithms import fft
-from iconstudio.algorithms.raster import scaled_ink, shifted, solid
+from iconstudio.algorithms.raster import scaled_ink, solid
 from iconstudio.algorithms.saliency import Region
+from iconstudio.algorithms.sliding import REACH, STEP, SlidingWindow, Waves, told
 from iconstudio.algorithms.style import blackness
-from iconstudio.algorithms.tsdf import D_MAX, tsdf
+from iconstudio.algorithms.tsdf import D_MAX, distances, squared_distances
 from iconstudio.model import CANVAS, MARGIN, Exemplar, Placement, Source
 
 MATCHES = 3
 """How many different pictograms each region keeps."""
 SCALES = (0.9, 1.0, 1.1)
-COARSEN = 4
-"""The exhaustive search sees every 4 x 4 pixels as one."""
-SHORTLIST = 24
-"""How many variants of exemplars are followed up to full resolution in each region."""
-REACH = 2
-"""How far around a coarse match the next finer resolution looks, in its pixels."""
-HIT = np.dtype([("error", "f4"), ("dx", "i2"), ("dy", "i2")])
-"""The best coarse match of one variant in one region: its error and translation."""
 FAR = np.float32(D_MAX / CANVAS)
-"""The field's value far outside: fields are stored less this, so that zero padding is exact."""
-
-
-@dataclass(frozen=True, eq=False)
-class Variant:
-    """An exemplar at one scale, mirrored or not, before translation.
-
-    ``field`` is its TSDF less ``FAR``, (CANVAS + 2 pad,) * 2 float32; ``coarse`` is the same,
-    averaged over blocks of ``COARSEN`` pixels.
-    """
-
-    scale: float
-    flip: bool
-    field: NDArray[np.float32]
-    coarse: NDArray[np.float32]
+"""The field's value far outside: fields are matched less this, so that they vanish there."""
+DOUBT = 0.02, 0.025
+"""By how much an estimate may exceed the exact error: a part of it, and an amount. With these, 396
+of 396 regions of 44 sketches keep the pictograms of the exhaustive search."""
+CHUNK = 32
+"""How many exemplars are estimated at once; always the same together, so that rounding is too."""
+REMEMBERED = 64
+"""How many regions a ``Matcher`` remembers."""
+ESTIMATE = np.dtype([("error", "f4"), ("dx", "i2"), ("dy", "i2")])
+"""Least error of an exemplar at one scale, mirrored or not, and the translation it is at."""
 
 
 @dataclass(frozen=True, eq=False)
 class PreparedExemplar:
-    """All that matching needs of an exemplar and that no sketch changes."""
+    """All that matching needs of an exemplar and that no sketch changes.
+
+    Attributes
+    ----------
+    squared
+        (scales, n, n) int8: for each scale its TSDF as ``squared_distances``, on a canvas large
+        enough to keep it whole.
+    spectra
+        (x waves, scales, 2 y waves) complex64: see ``sliding.told``.
+    """
 
     exemplar: Exemplar
     blackness: float
-    variants: tuple[Variant, ...]
+    scales: tuple[float, ...]
+    squared: NDArray[np.int8]
+    spectra: NDArray[np.complex64]
+
+    def field(self, scale: int) -> NDArray[np.float32]:
+        """Return the TSDF at the scale of this number, less ``FAR``, (n, n)."""
+        return distances(self.squared[scale]) - FAR
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,199 +77,246 @@ class Match:
 def padding(scales: Iterable[float]) -> int:
     """Return the border that keeps an exemplar whole, band included, at the largest scale."""
     reach = (CANVAS / 2 - MARGIN) * max(scales) + D_MAX
-    return COARSEN * max(1, math.ceil((reach - CANVAS / 2) / COARSEN))
+    return max(0, math.ceil(reach - CANVAS / 2))
 
 
 def prepare(exemplar: Exemplar, scales: Sequence[float] = SCALES) -> PreparedExemplar:
-    """Compute an exemplar's blackness and the distance fields of all its variants."""
+    """Compute an exemplar's blackness, and its distance field and spectra at all scales."""
     pad = padding(scales)
-    inks = np.stack([scaled_ink(exemplar, scale, pad) for scale in scales])
-    fields = tsdf(np.stack([solid(ink) for ink in inks])) - FAR
-    variants = []
-    for scale, field in zip(scales, fields, strict=True):
-        coarse = reduced(field)
-        variants.append(Variant(scale, False, field, coarse))
-        variants.append(Variant(scale, True, field[:, ::-1], coarse[:, ::-1]))
-    return PreparedExemplar(exemplar, blackness(exemplar.ink), tuple(variants))
+    inks = [scaled_ink(exemplar, scale, pad) for scale in scales]
+    squared = squared_distances(np.stack([solid(ink) for ink in inks]))
+    spectra = told(Waves(squared.shape[-1]), distances(squared) - FAR)
+    return PreparedExemplar(exemplar, blackness(exemplar.ink), tuple(scales), squared, spectra)
 
 
-def reduced(field: NDArray[np.float32], factor: int = COARSEN) -> NDArray[np.float32]:
-    """Return the means of blocks of ``factor`` x ``factor`` pixels."""
-    n = field.shape[0] // factor
-    return field.reshape(n, factor, n, factor).mean(axis=(1, 3))
+class Matcher:
+    """The exemplars of a keyword, and what was found in regions that have not changed since.
+
+    It may be used from several threads at once. What it answers does not depend on what it
+    remembers.
+    """
+
+    def __init__(self, exemplars: Sequence[PreparedExemplar]) -> None:
+        self.exemplars = tuple(exemplars)
+        self._chunks = [
+            np.concatenate([one.spectra for one in self.exemplars[start : start + CHUNK]], axis=1)
+            for start in range(0, len(self.exemplars), CHUNK)
+        ]
+        self._waves = Waves(self.exemplars[0].squared.shape[-1] if self.exemplars else CANVAS)
+        self._memory: OrderedDict[bytes, _Found] = OrderedDict()
+        self._lock = threading.Lock()
+
+    def match(
+        self, field: NDArray[np.float32], regions: Sequence[Region], admitted: Sequence[int]
+    ) -> Generator[float, None, list[list[Match]]]:
+        """Find the ``MATCHES`` best exemplars of each region; yield the part that is done.
+
+        Parameters
+        ----------
+        field
+            The sketch's TSDF, (CANVAS, CANVAS) float32.
+        admitted
+            Numbers of the exemplars that may be used.
+
+        Returns
+        -------
+        list
+            ``matches[region]``: the best placements of different exemplars, by rising error.
+        """
+        chosen = np.array(sorted(set(admitted)), dtype=int)
+        fields: dict[tuple[int, int], NDArray[np.float32]] = {}
+        matches: list[list[Match]] = []
+        for number, region in enumerate(regions):
+            target = Target(field - FAR, region, self._waves)
+            found = self._recall(target.key)
+            for part in self._estimate(target, found, chosen):
+                yield (number + part) / len(regions)
+            matches.append(self._best(target, found, chosen, fields))
+            yield (number + 1) / len(regions)
+        return matches
+
+    def _recall(self, key: bytes) -> "_Found":
+        """Return what is known of a region: at first nothing."""
+        with self._lock:
+            found = self._memory.pop(key, None)
+            if found is None:
+                variants = 2 * len(self.exemplars[0].scales) if self.exemplars else 0
+                found = _Found(np.zeros((len(self.exemplars), variants), ESTIMATE))
+            self._memory[key] = found
+            while len(self._memory) > REMEMBERED:
+                self._memory.popitem(last=False)
+        return found
+
+    def _estimate(
+        self, target: "Target", found: "_Found", chosen: NDArray[np.int64]
+    ) -> Generator[float, None, None]:
+        """Estimate the errors of all chunks that hold a chosen exemplar; yield the part done."""
+        needed = sorted({int(index) // CHUNK for index in chosen})
+        for done, chunk in enumerate(needed, start=1):
+            if chunk not in found.chunks:
+                hits = found.hits[chunk * CHUNK : (chunk + 1) * CHUNK]
+                hits[:] = target.estimates(self._chunks[chunk]).reshape(hits.shape)
+                found.chunks.add(chunk)
+                yield done / (len(needed) + 1)
+
+    def _best(
+        self,
+        target: "Target",
+        found: "_Found",
+        chosen: NDArray[np.int64],
+        fields: dict[tuple[int, int], NDArray[np.float32]],
+    ) -> list[Match]:
+        """Follow the most promising estimates until no other can be among the best.
+
+        ``fields`` keeps the exemplars' distance fields at the scales that were needed.
+        """
+        hits = found.hits[chosen]
+        best: dict[int, Match] = {}
+        for nth, variant in _by_rising_error(hits):
+            index, hit = int(chosen[nth]), hits[nth, variant]
+            if hit["error"] > _hopeless(best.values()):
+                break
+            match = found.followed.get((index, variant))
+            if match is None:
+                (scale, flip), one = divmod(variant, 2), self.exemplars[index]
+                if (index, scale) not in fields:
+                    fields[index, scale] = one.field(scale)
+                error, dx, dy = target.follow(
+                    fields[index, scale], bool(flip), int(hit["dx"]), int(hit["dy"])
+                )
+                match = Match(index, Placement(one.scales[scale], bool(flip), dx, dy), error)
+                found.followed[index, variant] = match
+            known = best.get(index, match)
+            best[index] = min(known, match, key=lambda m: (m.error, m.placement))
+        return sorted(best.values(), key=lambda m: (m.error, m.index))[:MATCHES]
 
 
-class SlidingWindow:
-    """Equation 4 for one field of the sketch and several masks, by the Fourier transform.
+def _by_rising_error(hits: NDArray[np.void]) -> list[tuple[int, int]]:
+    """Return the positions in ``hits`` (n, variants), the least error first."""
+    order = np.argsort(hits["error"], axis=None, kind="stable")
+    rows, columns = np.unravel_index(order, hits.shape)
+    return list(zip(rows.tolist(), columns.tolist(), strict=True))
 
-    With A the exemplar's and B the sketch's field, both less ``FAR`` so that they vanish far
-    outside, equation 12 reads sum M A^2 - 2 sum M B A + sum M B^2: two correlations, joined in one
-    inverse transform, and a constant.
+
+def _hopeless(best: Iterable[Match]) -> float:
+    """Return the estimate beyond which no exemplar can come before the last of the best."""
+    errors = sorted(match.error for match in best)
+    return errors[MATCHES - 1] * (1 + DOUBT[0]) + DOUBT[1] if len(errors) >= MATCHES else math.inf
+
+
+@dataclass(frozen=True, eq=False)
+class _Found:
+    """What was found in one region. Threads may write the same at the same time."""
+
+    hits: NDArray[np.void]
+    """(exemplars, variants) of ``ESTIMATE``; a variant is a scale, mirrored or not."""
+    chunks: set[int] = made_by(default_factory=set)
+    """Which chunks of ``hits`` are there."""
+    followed: dict[tuple[int, int], Match] = made_by(default_factory=dict)
+    """Exact matches by exemplar and variant."""
+
+
+class Target:
+    """A region of the sketch: what exemplars are compared with.
 
     Parameters
     ----------
     field
-        (n, n) float32, the sketch's TSDF less ``FAR``.
-    masks
-        (r, n, n) float32, the regions' masks.
-    side
-        Side of the exemplars' fields, in the same pixels; at least n.
+        The sketch's TSDF less ``FAR``.
+    waves
+        Those of the exemplars' spectra.
     """
 
-    def __init__(self, field: NDArray[np.float32], masks: NDArray[np.float32], side: int) -> None:
-        self.count = len(masks)
-        self.side = side
-        self.offset = (side - field.shape[0]) // 2
-        self.size = fft.fast_size(field.shape[0] + side - 1)
-        self._mask = fft.forward(masks, self.size)
-        self._mask_field = -2 * fft.forward(masks * field, self.size)
-        self._constant = (masks * field**2).sum(axis=(1, 2))
+    def __init__(self, field: NDArray[np.float32], region: Region, waves: Waves) -> None:
+        self._waves = waves
+        self._field = field
+        self._mirrored = np.ascontiguousarray(field[:, ::-1])
+        self._down, self._across = region.down, region.across
 
-    def errors(self, exemplar: NDArray[np.float32]) -> NDArray[np.float32]:
-        """Return the error at every translation, (r, size, size) float32.
+    @cached_property
+    def key(self) -> bytes:
+        """Equal for equal masks and equal fields, as far as the mask is above 0."""
+        seen = self._field[self._down > 0][:, self._across > 0]
+        parts = self._down, self._across, seen
+        return hashlib.blake2b(b"".join(part.tobytes() for part in parts)).digest()
 
-        ``errors[k, y, x]`` belongs to the translation that ``translation(y, x)`` names.
-        """
-        both = fft.forward(np.stack([exemplar, exemplar**2]), self.size)
-        both = both.conj()
-        spectra = self._mask * both[1]
-        spectra += self._mask_field * both[0]
-        return fft.inverse(spectra, self.size) + self._constant[:, None, None]
+    @cached_property
+    def _window(self) -> SlidingWindow:
+        return SlidingWindow(self._waves, self._field, np.outer(self._down, self._across))
 
-    def translation(self, y: int, x: int) -> tuple[int, int]:
-        """Return (dx, dy), in the field's pixels, for a position in ``errors``."""
-
-        def signed(position: int) -> int:
-            # Positions count the shift of the exemplar's corner, modulo the transform's size.
-            shift = position if position < self.size - self.side + 1 else position - self.size
-            return shift + self.offset
-
-        return signed(x), signed(y)
-
-
-def direct_error(
-    field: NDArray[np.float32],
-    mask: NDArray[np.float32],
-    exemplar: NDArray[np.float32],
-    dx: int,
-    dy: int,
-) -> float:
-    """Return equation 4 for one translation, summed as it is written."""
-    moved = shifted(exemplar, dx, dy, field.shape[0], np.float32(0))
-    difference = moved - field
-    return float(np.einsum("ij,ij,ij->", mask, difference, difference))
-
-
-def coarse_search(
-    sketch_field: NDArray[np.float32],
-    regions: Sequence[Region],
-    exemplars: Sequence[PreparedExemplar],
-) -> Generator[float, None, NDArray[np.void]]:
-    """Try every exemplar at every translation, on reduced fields; yield the part that is done.
-
-    Parameters
-    ----------
-    sketch_field
-        The sketch's TSDF, (CANVAS, CANVAS) float32.
-
-    Returns
-    -------
-    (regions, exemplars, variants) records of ``HIT``, translations in blocks of ``COARSEN`` pixels
-    """
-    count = len(exemplars[0].variants) if exemplars else 0
-    hits = np.zeros((len(regions), len(exemplars), count), dtype=HIT)
-    if not exemplars:
+    def estimates(self, spectra: NDArray[np.complex64]) -> NDArray[np.void]:
+        """Return the least errors of exemplars, as ``told``: (v, 2) of ``ESTIMATE``."""
+        error, dy, dx = least(self._window.errors(spectra))
+        hits = np.zeros(error.shape, ESTIMATE)
+        hits["error"] = error
+        hits["dy"] = np.rint(dy * STEP - REACH)
+        hits["dx"] = np.rint(dx * STEP - REACH)
+        hits["dx"][:, 1] *= -1
         return hits
-    masks = np.stack([reduced(region.mask) for region in regions])
-    window = SlidingWindow(
-        reduced(sketch_field - FAR), masks, exemplars[0].variants[0].coarse.shape[0]
-    )
-    for index, prepared in enumerate(exemplars):
-        for number, variant in enumerate(prepared.variants):
-            hits[:, index, number] = _least_errors(window, variant.coarse)
-        yield (index + 1) / len(exemplars)
-    return hits
+
+    def error(self, exemplar: NDArray[np.float32], flip: bool, dx: int, dy: int) -> float:
+        """Return equation 4 for a placement of an exemplar's field (n, n) less ``FAR``."""
+        field, across = self._field, self._across
+        if flip:  # the sketch instead, which is the same
+            field, across, dx = self._mirrored, across[::-1], -dx
+        difference = field.copy()
+        border = (exemplar.shape[0] - CANVAS) // 2
+        (here_y, there_y), (here_x, there_x) = (_common(border, d) for d in (dy, dx))
+        difference[here_y, here_x] -= exemplar[there_y, there_x]
+        difference *= difference
+        return float(self._down @ difference @ across)
+
+    def follow(
+        self, exemplar: NDArray[np.float32], flip: bool, dx: int, dy: int
+    ) -> tuple[float, int, int]:
+        """Return the least error near a translation, and where it is: go downhill until at home."""
+        known: dict[tuple[int, int], float] = {}
+        while True:
+            around = [(x, y) for y in (dy - 1, dy, dy + 1) for x in (dx - 1, dx, dx + 1)]
+            for x, y in around:
+                if (x, y) not in known:
+                    known[x, y] = self.error(exemplar, flip, x, y)
+            best = min(around, key=lambda at: (known[at], at))
+            if known[best] == known[dx, dy]:
+                return known[dx, dy], dx, dy
+            dx, dy = best
 
 
-def refine(
-    sketch_field: NDArray[np.float32],
-    regions: Sequence[Region],
-    exemplars: Sequence[PreparedExemplar],
-    hits: NDArray[np.void],
-    admitted: Sequence[int],
-    *,
-    keep: int = SHORTLIST,
-) -> list[list[Match]]:
-    """Return the best matches of every region among the ``admitted`` exemplars.
+def _common(border: int, shift: int) -> tuple[slice, slice]:
+    """Return where the canvas meets a field moved by ``shift``: in the canvas, in the field."""
+    first = max(0, shift - border)
+    last = max(first, min(CANVAS, CANVAS + border + shift))
+    return slice(first, last), slice(first + border - shift, last + border - shift)
 
-    The ``keep`` best variants of the coarse search are followed up to full resolution.
 
-    Returns
-    -------
-    list
-        ``matches[region]``: matches of different exemplars by rising error.
+def least(
+    errors: NDArray[np.float32],
+) -> tuple[NDArray[np.float32], NDArray[np.float32], NDArray[np.float32]]:
+    """Return the least values of surfaces (..., h, w), and where they are: value, y, x.
+
+    Between the samples a surface is taken for a paraboloid.
     """
-    field = sketch_field - FAR
-    chosen = np.array(admitted, dtype=int)
-    matches = []
-    for region, row in zip(regions, hits, strict=True):
-        errors = row["error"][chosen]
-        best: dict[int, Match] = {}
-        for position in np.argsort(errors, axis=None, kind="stable")[:keep]:
-            nth, number = divmod(int(position), errors.shape[1])
-            index = int(chosen[nth])
-            variant = exemplars[index].variants[number]
-            match = _follow(field, region.mask, variant, index, row[index, number])
-            if index not in best or match.error < best[index].error:
-                best[index] = match
-        matches.append(sorted(best.values(), key=lambda m: (m.error, m.index)))
-    return matches
+    *shape, height, width = errors.shape
+    surfaces = errors.reshape(-1, height * width)
+    nth, at = np.arange(len(surfaces)), surfaces.argmin(axis=1)
+    y, x = at // width, at % width
+    middle = np.clip(y, 1, height - 2) * width + np.clip(x, 1, width - 2)
 
+    def value(dy: int, dx: int) -> NDArray[np.float32]:
+        return surfaces[nth, middle + dy * width + dx]
 
-def _least_errors(window: SlidingWindow, coarse: NDArray[np.float32]) -> NDArray[np.void]:
-    """Return for each region the least error of one variant, as records of ``HIT``."""
-    flat = window.errors(coarse).reshape(window.count, -1)
-    at = flat.argmin(axis=1)
-    hits = np.zeros(len(flat), dtype=HIT)
-    hits["error"] = flat[np.arange(len(flat)), at]
-    for hit, position in zip(hits, at, strict=True):
-        hit["dx"], hit["dy"] = window.translation(*divmod(int(position), window.size))
-    return hits
-
-
-def _follow(
-    field: NDArray[np.float32],
-    mask: NDArray[np.float32],
-    variant: Variant,
-    index: int,
-    hit: np.void,
-) -> Match:
-    """Follow a coarse match to full resolution: halve the pixels, go downhill, twice."""
-    error, dx, dy = math.inf, int(hit["dx"]), int(hit["dy"])
-    factor = COARSEN
-    while factor > 1:
-        factor //= 2
-        small = [reduced(a, factor) if factor > 1 else a for a in (field, mask, variant.field)]
-        error, dx, dy = _downhill(lambda x, y, s=small: direct_error(*s, x, y), 2 * dx, 2 * dy)
-    return Match(index, Placement(variant.scale, variant.flip, dx, dy), error)
-
-
-def _downhill(error_at: Callable[[int, int], float], dx: int, dy: int) -> tuple[float, int, int]:
-    """Return the least error and its translation: look around, go to the best, until at home."""
-    known: dict[tuple[int, int], float] = {}
-    while True:
-        around = [
-            (x, y)
-            for y in range(dy - REACH, dy + REACH + 1)
-            for x in range(dx - REACH, dx + REACH + 1)
-        ]
-        for at in around:
-            if at not in known:
-                known[at] = error_at(*at)
-        best = min(around, key=lambda at: (known[at], at))
-        if known[best] == known[dx, dy]:
-            return known[dx, dy], dx, dy
-        dx, dy = best
+    centre = value(0, 0)
+    slope_x, slope_y = (value(0, 1) - value(0, -1)) / 2, (value(1, 0) - value(-1, 0)) / 2
+    bend_x = value(0, 1) + value(0, -1) - 2 * centre
+    bend_y = value(1, 0) + value(-1, 0) - 2 * centre
+    twist = (value(1, 1) + value(-1, -1) - value(1, -1) - value(-1, 1)) / 4
+    bowl = bend_x * bend_y - twist**2
+    sound = (middle == at) & (bend_x > 0) & (bowl > 0)
+    bowl = np.where(sound, bowl, 1)
+    off_x = np.where(sound, (twist * slope_y - bend_y * slope_x) / bowl, 0).clip(-1, 1)
+    off_y = np.where(sound, (twist * slope_x - bend_x * slope_y) / bowl, 0).clip(-1, 1)
+    lowest = surfaces[nth, at] + (slope_x * off_x + slope_y * off_y) / 2
+    return lowest.reshape(shape), (y + off_y).reshape(shape), (x + off_x).reshape(shape)
 
 
 def sources_of(

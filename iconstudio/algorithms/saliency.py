@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import ndimage, special
+from scipy import special
 
 from iconstudio.model import CANVAS, Point, Polygon
 
@@ -24,10 +24,19 @@ _REACH = SQUARE // 2 + 3 * SIGMA
 
 @dataclass(frozen=True, eq=False)
 class Region:
-    """A salient region: its centre in canvas pixels, and its mask M_i (CANVAS, CANVAS) float32."""
+    """A salient region: its centre in canvas pixels, and its mask M_i.
+
+    The mask is separable: ``mask[y, x] = down[y] * across[x]``, both (CANVAS,) float32.
+    """
 
     centre: Point
-    mask: NDArray[np.float32]
+    down: NDArray[np.float32]
+    across: NDArray[np.float32]
+
+    @property
+    def mask(self) -> NDArray[np.float32]:
+        """M_i, (CANVAS, CANVAS) float32."""
+        return np.outer(self.down, self.across)
 
 
 def profile(offsets: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -90,21 +99,20 @@ def salient_regions(score: NDArray[np.float64], count: int = REGIONS) -> tuple[R
     """
     score = score.copy()
     ys, xs = np.mgrid[:CANVAS, :CANVAS]
+    along = np.arange(CANVAS)
     regions: list[Region] = []
     while len(regions) < count:
         y, x = np.unravel_index(np.argmax(score), score.shape)
         if score[y, x] == -np.inf:
             break
-        across = np.arange(CANVAS)
-        mask = np.outer(profile(across - y), profile(across - x)).astype(np.float32)
-        regions.append(Region((int(x), int(y)), mask))
+        down, across = (profile(along - at).astype(np.float32) for at in (y, x))
+        regions.append(Region((int(x), int(y)), down, across))
         score[(xs - x) ** 2 + (ys - y) ** 2 < SPACING**2] = -np.inf
     return tuple(regions)
 
 
 def _smooth(picture: NDArray[np.float64], outside: float) -> NDArray[np.float64]:
     """Convolve with M; the picture goes on as ``outside`` beyond its borders."""
-    kernel = profile(np.arange(-_REACH, _REACH + 1.0))
-    kernel /= kernel.sum()
-    rows = ndimage.convolve1d(picture, kernel, axis=1, mode="constant", cval=outside)
-    return ndimage.convolve1d(rows, kernel, axis=0, mode="constant", cval=outside)
+    across = np.arange(CANVAS, dtype=float)
+    kernel = profile(across[:, None] - across) / profile(np.arange(-_REACH, _REACH + 1.0)).sum()
+    return kernel @ (picture - outside) @ kernel + outside

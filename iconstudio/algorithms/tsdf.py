@@ -20,15 +20,28 @@ def tsdf(filled: NDArray[np.bool_], d_max: int = D_MAX) -> NDArray[np.float32]:
     filled
         (..., h, w) bool, the solid shape; beyond its borders nothing is known, so a contour lies
         only between pixels of the picture.
+    """
+    return distances(squared_distances(filled, d_max))
+
+
+def distances(squared: NDArray[np.int8]) -> NDArray[np.float32]:
+    """Return the TSDF of which ``squared`` are the signed squares, in pixels (any shape)."""
+    signed = squared.astype(np.float32)
+    return np.copysign(np.sqrt(np.abs(signed)), signed) / np.float32(CANVAS)
+
+
+def squared_distances(filled: NDArray[np.bool_], d_max: int = D_MAX) -> NDArray[np.int8]:
+    """Return the TSDF of ``filled`` (..., h, w) in a quarter of the room.
+
+    Each value is the square of the distance in pixels, negative inside; so ``d_max`` is at most 11.
 
     Notes
     -----
     Only distances up to ``d_max`` are wanted, so a full distance transform would be waste: a row
     pass and a column pass over 2 d_max + 1 offsets in small integers are exact.
     """
-    squared = _squared_distance(filled, d_max).astype(np.int16)
-    squared -= _squared_distance(~filled, d_max)  # one of the two is 0 everywhere
-    return _root_table(d_max)[squared + d_max * d_max]
+    outside, inside = _squared_distance(filled, d_max), _squared_distance(~filled, d_max)
+    return outside.astype(np.int8) - inside.astype(np.int8)  # one of the two is 0 everywhere
 
 
 def _squared_distance(target: NDArray[np.bool_], reach: int) -> NDArray[np.uint8]:
@@ -47,8 +60,3 @@ def _squared_distance(target: NDArray[np.bool_], reach: int) -> NDArray[np.uint8
         np.minimum(out[..., k:, :], near[..., :-k, :], out=out[..., k:, :])
         np.minimum(out[..., :-k, :], near[..., k:, :], out=out[..., :-k, :])
     return out
-
-
-def _root_table(d_max: int) -> NDArray[np.float32]:
-    squares = np.arange(-d_max * d_max, d_max * d_max + 1)
-    return (np.sign(squares) * np.sqrt(np.abs(squares)) / CANVAS).astype(np.float32)

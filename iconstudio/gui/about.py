@@ -10,7 +10,7 @@ ABOUT = """<h3>Iconstudio {version}</h3>
 <i>Data-Driven Iconification</i>.</p>
 <p>Free software under the GNU General Public License, version 3 or later. Every icon it
 makes carries the credits of its sources: their authors and licences are in the saved SVG.</p>
-<p>Made with Qt, NumPy, SciPy, scikit-image, PyMaxflow, FFTW and resvg.
+<p>Made with Qt, NumPy, SciPy, scikit-image, PyMaxflow, Numba and resvg.
 The icons come from the open sets of Iconify; the file CREDITS beside the
 collection names them all.</p>
 """

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.energy import distance_field, remix_problem
 from iconstudio.algorithms.guidance import EDIT_REACH, edit_penalty, truncated_distance
-from iconstudio.algorithms.matching import PreparedExemplar
+from iconstudio.algorithms.matching import Matcher
 from iconstudio.algorithms.raster import Bitmap, fill_polygon, outlines, placed_ink, solid
 from iconstudio.algorithms.saliency import saliency, salient_regions
 from iconstudio.algorithms.style import STYLES, Style, blackness
@@ -109,12 +109,12 @@ def own_styles(icon: Exemplar) -> tuple[str, ...]:
 def edit_icon(
     edit: Edit,
     change: Change,
-    exemplars: Sequence[PreparedExemplar],
+    matcher: Matcher,
     settings: ModelSettings,
     workers: Workers,
     render: Render,
 ) -> Iterator[Event]:
-    """Remix an icon with parts of ``exemplars`` where it is to be changed.
+    """Remix an icon with parts of the exemplars of ``matcher`` where it is to be changed.
 
     ``change`` is the edit on the canvas, by ``prepare_change``. The events, and the other
     parameters, are those of ``grid.remix_styles``. The icon itself is left out of matching.
@@ -132,12 +132,13 @@ def edit_icon(
         yield from remix_styles(
             tsdf(change.target),
             salient_regions(score),
-            [one for one in exemplars if one.exemplar.id != edit.icon.id],
+            matcher,
             settings,
             refusal=_refusal,
             always=(change.base,),
             pose=partial(posed.pose, edit.symmetry),
             finish=finish,
+            but=edit.icon.id,
             workers=workers,
             render=render,
         )

@@ -8,9 +8,8 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.algorithms import matching
 from iconstudio.algorithms.expansion import LAMBDAS
-from iconstudio.algorithms.matching import SCALES, PreparedExemplar
+from iconstudio.algorithms.matching import SCALES, Matcher, sources_of
 from iconstudio.algorithms.saliency import Region
 from iconstudio.algorithms.style import STYLES, Style
 from iconstudio.model import CANVAS, IconstudioError, Placement, Source
@@ -84,7 +83,7 @@ class ModelSettings:
 def remix_styles(
     field: NDArray[np.float32],
     regions: Sequence[Region],
-    exemplars: Sequence[PreparedExemplar],
+    matcher: Matcher,
     settings: ModelSettings,
     *,
     refusal: Callable[[Style, int, Matches | None], str],
@@ -93,6 +92,7 @@ def remix_styles(
     render: Render,
     always: tuple[Source, ...] = (),
     finish: Callable[[Result], Result] = lambda result: result,
+    but: str = "",
 ) -> Iterator[Event]:
     """Match exemplars to the salient regions of an outline, and remix them in every style.
 
@@ -105,8 +105,8 @@ def remix_styles(
     ----------
     field
         D_P, the TSDF of the outline that is wanted, (CANVAS, CANVAS).
-    exemplars
-        Prepared with ``settings.scales``.
+    matcher
+        Exemplars prepared with ``settings.scales``.
     refusal
         Says why a style with so many exemplars should be skipped, or nothing; asked before
         matching without matches, and again with them.
@@ -118,23 +118,29 @@ def remix_styles(
         Sources that every style has, before those that are matched.
     finish
         What to add to each result.
+    but
+        Identifier of an exemplar that is left out.
     """
     styles = settings.chosen_styles()
     yield RegionsFound(tuple(region.centre for region in regions))
-    hits = yield from staged(
-        "match", "Matching parts", matching.coarse_search(field, regions, exemplars)
-    )
+    exemplars = matcher.exemplars
     remixing = Remixing(workers, render, total=len(styles) * len(settings.lambdas))
     recommending = Recommending(len(settings.lambdas))
     preview = settings.previews
     try:
         for style in styles:
-            admitted = [i for i, e in enumerate(exemplars) if style.admits(e.blackness)]
+            admitted = [
+                number
+                for number, one in enumerate(exemplars)
+                if style.admits(one.blackness) and one.exemplar.id != but
+            ]
             rows: Matches | None = None
             reason = refusal(style, len(admitted), rows)
             if not reason:
-                matches = matching.refine(field, regions, exemplars, hits, admitted)
-                rows = matching.sources_of(matches, exemplars)
+                matches = yield from staged(
+                    "match", "Matching parts", matcher.match(field, regions, admitted)
+                )
+                rows = sources_of(matches, exemplars)
                 reason = refusal(style, len(admitted), rows)
             if reason or rows is None:
                 remixing.expect_fewer(len(settings.lambdas))

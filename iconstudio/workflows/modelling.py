@@ -1,10 +1,10 @@
 """Sketch-based pictogram modelling (section 4.1): from a rough polygon to remixed icons."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from functools import partial
 
 from iconstudio.algorithms.energy import remix_problem
-from iconstudio.algorithms.matching import PreparedExemplar
+from iconstudio.algorithms.matching import Matcher
 from iconstudio.algorithms.raster import Bitmap, fill_polygon
 from iconstudio.algorithms.saliency import saliency, salient_regions
 from iconstudio.algorithms.style import Style
@@ -27,12 +27,12 @@ of some forty sketches: those that it skips were beyond recognition."""
 
 def model(
     sketch: Sketch,
-    exemplars: Sequence[PreparedExemplar],
+    matcher: Matcher,
     settings: ModelSettings,
     workers: Workers,
     render: Render,
 ) -> Iterator[Event]:
-    """Remix ``exemplars`` in the shape of a sketch, in every style and for every lambda_S.
+    """Remix the exemplars of ``matcher`` in the shape of a sketch, for every style and lambda_S.
 
     The events, and the other parameters, are those of ``grid.remix_styles``.
     """
@@ -41,7 +41,7 @@ def model(
     yield from remix_styles(
         tsdf(target),
         salient_regions(saliency([polygon], target)),
-        exemplars,
+        matcher,
         settings,
         refusal=refusal,
         pose=partial(_pose, fill_polygon(polygon, settings.side), sketch.symmetry),

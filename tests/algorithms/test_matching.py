@@ -1,23 +1,21 @@
+from concurrent.futures import ThreadPoolExecutor
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from iconstudio.algorithms import matching
-from iconstudio.algorithms.matching import (
-    FAR,
-    SlidingWindow,
-    coarse_search,
-    direct_error,
-    prepare,
-    refine,
-    sources_of,
-)
-from iconstudio.algorithms.raster import placed_ink
+from iconstudio.algorithms.matching import FAR, Matcher, Target, least, prepare, sources_of
+from iconstudio.algorithms.raster import placed_ink, scaled_ink, shifted, solid
 from iconstudio.algorithms.saliency import Region
+from iconstudio.algorithms.sliding import Waves
 from iconstudio.algorithms.tsdf import tsdf
 from iconstudio.model import CANVAS, Placement, Polygon
+from tests.exhaustive import exhaustive
 from tests.shapes import blob, exemplar, regions_of
+
+EVERYONE = range(12)
 
 
 def finished(generator):
@@ -28,58 +26,31 @@ def finished(generator):
             return end.value
 
 
-def best_matches(field, regions, exemplars, **options):
-    hits = finished(coarse_search(field, regions, exemplars))
-    return refine(field, regions, exemplars, hits, range(len(exemplars)), **options)
-
-
-@settings(max_examples=30, deadline=None)
-@given(st.integers(0, 2**32 - 1), st.integers(4, 9), st.integers(0, 4))
-def test_fourier_errors_equal_the_direct_sum_at_every_translation(seed, n, border):
-    rng = np.random.default_rng(seed)
-    side = n + 2 * (border // 2)
-    field = rng.uniform(-2, 0, (n, n)).astype(np.float32)
-    masks = rng.uniform(0, 1, (2, n, n)).astype(np.float32)
-    shape = rng.uniform(-2, 0, (side, side)).astype(np.float32)
-    window = SlidingWindow(field, masks, side)
-    errors = window.errors(shape)
-    seen = set()
-    for y in range(window.size):
-        for x in range(window.size):
-            dx, dy = window.translation(y, x)
-            if max(abs(dx), abs(dy)) > (n + side) // 2:
-                continue  # a longer transform than needed: the shapes no longer meet
-            seen.add((dx, dy))
-            for mask, error in zip(masks, errors, strict=True):
-                expected = direct_error(field, mask, shape, dx, dy)
-                assert error[y, x] == pytest.approx(expected, abs=1e-3)
-    reach = (n + side) // 2 - 1
-    assert {(dx, dy) for dx in (-reach, 0, reach) for dy in (-reach, 0, reach)} <= seen
-
-
-def test_direct_error_is_equation_4():
-    rng = np.random.default_rng(1)
-    field, mask, shape = rng.normal(size=(3, 5, 5)).astype(np.float32)
-    total = 0.0
-    for y in range(5):
-        for x in range(5):
-            inside = 0 <= y - 1 < 5 and 0 <= x + 2 < 5
-            value = shape[y - 1, x + 2] if inside else 0.0
-            total += mask[y, x] * (value - field[y, x]) ** 2
-    assert direct_error(field, mask, shape, -2, 1) == pytest.approx(total, rel=1e-5)
-
-
 @pytest.fixture(scope="module")
 def collection():
-    return [prepare(exemplar(blob(seed), f"blob-{seed}")) for seed in range(12)]
+    return [prepare(exemplar(blob(seed), f"blob-{seed}")) for seed in EVERYONE]
 
 
-def sketch_of(shape, placement):
-    return tsdf(placed_ink(shape, placement)[1])
+@pytest.fixture
+def matcher(collection):
+    return Matcher(collection)
+
+
+def sketch_of(shape, placement=None):
+    return tsdf(placed_ink(shape, placement or Placement())[1])
 
 
 def regions_of_a_square():
     return regions_of(Polygon.of([(60, 60), (196, 60), (196, 196), (60, 196)]))
+
+
+def direct(field, region, one, placement):
+    """Equation 4 as it is written: exemplar ``one`` goes on beyond the canvas."""
+    theirs = tsdf(solid(scaled_ink(one, placement.scale, 64)))
+    if placement.flip:
+        theirs = theirs[:, ::-1]
+    moved = shifted(theirs, placement.dx, placement.dy, CANVAS, FAR)
+    return float((region.mask.astype(float) * (moved - field) ** 2).sum())
 
 
 @pytest.mark.parametrize(
@@ -92,67 +63,164 @@ def regions_of_a_square():
         Placement(scale=1.1, flip=True, dx=5, dy=9),
     ],
 )
-def test_an_exemplar_that_equals_the_sketch_is_found_exactly(collection, placement):
-    field = sketch_of(collection[4].exemplar, placement)
-    for row in best_matches(field, regions_of_a_square(), collection):
+def test_an_exemplar_that_equals_the_sketch_is_found_exactly(matcher, placement):
+    field = sketch_of(matcher.exemplars[4].exemplar, placement)
+    for row in finished(matcher.match(field, regions_of_a_square(), EVERYONE)):
         assert row[0].index == 4
         assert row[0].placement == placement
         assert row[0].error == pytest.approx(0, abs=1e-6)
 
 
-def test_matches_are_those_of_the_exhaustive_search_at_full_resolution(collection):
+@pytest.mark.parametrize("seed", [99, 100, 101])
+def test_matches_are_those_of_the_exhaustive_search_at_full_resolution(matcher, seed):
     regions = regions_of_a_square()
-    field = sketch_of(exemplar(blob(99)), Placement())
-    found = best_matches(field, regions, collection)
-    masks = np.stack([region.mask for region in regions])
-    window = SlidingWindow(field - FAR, masks, collection[0].variants[0].field.shape[0])
-    least = np.full((len(regions), len(collection)), np.inf)
-    for index, one in enumerate(collection):
-        for variant in one.variants:
-            errors = window.errors(variant.field).reshape(len(regions), -1)
-            least[:, index] = np.minimum(least[:, index], errors.min(axis=1))
-    for row, exhaustive in zip(found, least, strict=True):
-        best = np.sort(exhaustive)[:3]
-        assert np.allclose([match.error for match in row[:3]], best, rtol=0.01, atol=1e-4)
+    field = sketch_of(exemplar(blob(seed)))
+    found = finished(matcher.match(field, regions, EVERYONE))
+    for row, errors in zip(found, exhaustive(field, regions, matcher.exemplars), strict=True):
+        assert [match.index for match in row] == list(np.argsort(errors)[:3])
+        assert np.allclose([match.error for match in row], np.sort(errors)[:3], atol=1e-4)
 
 
-def test_matches_are_of_different_pictograms_by_rising_error(collection):
-    field = sketch_of(exemplar(blob(50)), Placement())
-    regions = regions_of_a_square()
-    matches = best_matches(field, regions, collection)
-    for number, row in enumerate(sources_of(matches, collection)):
+@settings(max_examples=30, deadline=None)
+@given(
+    st.sampled_from(range(3)),
+    st.booleans(),
+    st.integers(-200, 200),
+    st.integers(-200, 200),
+    st.sampled_from(range(4)),
+)
+def test_errors_are_equation_4(collection, scale, flip, dx, dy, number):
+    field = sketch_of(exemplar(blob(77)))
+    region, one = regions_of_a_square()[number], collection[number]
+    target = Target(field - FAR, region, Waves(CANVAS))
+    placement = Placement(one.scales[scale], flip, dx, dy)
+    expected = direct(field, region, one.exemplar, placement)
+    assert target.error(one.field(scale), flip, dx, dy) == pytest.approx(expected, rel=1e-4)
+
+
+def test_no_neighbouring_placement_is_better(matcher):
+    field = sketch_of(exemplar(blob(78)))
+    region = regions_of_a_square()[0]
+    ((match, *_),) = finished(matcher.match(field, [region], EVERYONE))
+    at, one = match.placement, matcher.exemplars[match.index].exemplar
+    errors = {
+        (dx, dy): direct(field, region, one, Placement(at.scale, at.flip, at.dx + dx, at.dy + dy))
+        for dx in (-1, 0, 1)
+        for dy in (-1, 0, 1)
+    }
+    assert match.error == pytest.approx(errors[0, 0], rel=1e-4)
+    assert min(errors.values()) >= match.error * (1 - 1e-4)
+
+
+def test_matches_are_of_different_pictograms_by_rising_error(matcher):
+    field = sketch_of(exemplar(blob(50)))
+    matches = finished(matcher.match(field, regions_of_a_square(), EVERYONE))
+    for number, row in enumerate(sources_of(matches, matcher.exemplars)):
         assert len({source.exemplar.id for source in row}) == 3
         assert [source.error for source in row] == sorted(source.error for source in row)
         assert {source.region for source in row} == {number}
 
 
-def test_only_admitted_exemplars_are_refined(collection):
-    field = sketch_of(collection[4].exemplar, Placement())
-    regions = regions_of_a_square()[:2]
-    hits = finished(coarse_search(field, regions, collection))
-    for row in refine(field, regions, collection, hits, [1, 7, 9]):
-        assert {match.index for match in row} == {1, 7, 9}
-
-
-def test_errors_are_those_of_the_placement_that_is_named(collection):
-    field = sketch_of(exemplar(blob(77)), Placement())
-    regions = regions_of_a_square()[:1]
-    match = best_matches(field, regions, collection)[0][0]
-    placed = tsdf(placed_ink(collection[match.index].exemplar, match.placement)[1])
-    expected = (regions[0].mask * (placed - field) ** 2).sum()
-    # The canvas cuts a placed exemplar off; the matched one goes on beyond it.
-    assert match.error == pytest.approx(expected, rel=0.02)
+def test_only_admitted_exemplars_are_matched(matcher):
+    field = sketch_of(matcher.exemplars[4].exemplar)
+    for admitted in ([1, 7, 9], [7, 2], [3], []):
+        for row in finished(matcher.match(field, regions_of_a_square()[:2], admitted)):
+            assert {match.index for match in row} == set(admitted)
 
 
 def test_nothing_to_match():
-    region = Region((128, 128), np.ones((CANVAS, CANVAS), np.float32))
-    assert best_matches(np.zeros((CANVAS, CANVAS), np.float32), [region], []) == [[]]
+    whole = np.ones(CANVAS, np.float32)
+    run = Matcher([]).match(
+        np.zeros((CANVAS, CANVAS), np.float32), [Region((9, 9), whole, whole)], []
+    )
+    assert finished(run) == [[]]
+
+
+def test_the_part_that_is_done_rises_to_the_whole(matcher):
+    parts = list(matcher.match(sketch_of(exemplar(blob(50))), regions_of_a_square(), EVERYONE))
+    assert parts == sorted(parts)
+    assert parts[-1] == 1
+
+
+FIELDS = [sketch_of(exemplar(blob(seed))) for seed in (60, 61)]
+
+
+@settings(max_examples=15, deadline=None)
+@given(st.data())
+def test_what_is_remembered_changes_no_answer(collection, data):
+    """Also not what was remembered by a run that was closed half-way, or forgotten."""
+    regions = regions_of_a_square()
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(matching, "CHUNK", 5)
+        patch.setattr(matching, "REMEMBERED", 3)
+        old = Matcher(collection)
+        for _ in range(4):
+            field = data.draw(st.sampled_from(FIELDS))
+            some = data.draw(st.lists(st.sampled_from(regions), max_size=3))
+            admitted = data.draw(st.sets(st.sampled_from(EVERYONE)))
+            begun = old.match(field, some, admitted)
+            for _ in range(data.draw(st.integers(0, 4))):
+                next(begun, None)
+            begun.close()
+            fresh = finished(Matcher(collection).match(field, some, admitted))
+            assert finished(old.match(field, some, admitted)) == fresh
+            assert len(old._memory) <= 3
+
+
+def test_what_has_not_changed_is_not_estimated_again(matcher, monkeypatch):
+    regions = regions_of_a_square()
+    first = finished(matcher.match(FIELDS[0], regions, EVERYONE))
+    monkeypatch.setattr(Target, "estimates", None)
+    monkeypatch.setattr(Target, "follow", None)
+    assert finished(matcher.match(FIELDS[0].copy(), regions[::-1], EVERYONE)) == first[::-1]
+    with pytest.raises(TypeError):
+        finished(matcher.match(FIELDS[1], regions, EVERYONE))
+
+
+def test_a_change_where_the_mask_is_zero_counts_for_nothing(matcher, monkeypatch):
+    across = np.zeros(CANVAS, np.float32)
+    across[40:90] = 1
+    region = Region((65, 65), across, across)
+    finished(matcher.match(FIELDS[0], [region], EVERYONE))
+    changed = FIELDS[0].copy()
+    changed[100:] = FAR
+    monkeypatch.setattr(Target, "estimates", None)
+    finished(matcher.match(changed, [region], EVERYONE))
+
+
+def test_two_threads_share_a_matcher(collection):
+    regions = regions_of_a_square()
+    wishes = [(field, set(EVERYONE) - {out}) for out in range(3) for field in FIELDS]
+    expected = [finished(Matcher(collection).match(f, regions, some)) for f, some in wishes]
+    matcher = Matcher(collection)
+    with ThreadPoolExecutor(4) as threads:
+        found = threads.map(lambda wish: finished(matcher.match(wish[0], regions, wish[1])), wishes)
+    assert list(found) == expected
+
+
+@given(
+    st.floats(0.1, 5), st.floats(0.1, 5), st.floats(-0.09, 0.09),
+    st.floats(1.6, 5.4), st.floats(1.6, 7.4), st.floats(-2, 2),
+)  # fmt: skip
+def test_the_lowest_point_of_a_paraboloid_is_found_between_the_samples(a, b, c, y0, x0, level):
+    ys, xs = np.mgrid[:8, :10].astype(float)
+    surface = a * (ys - y0) ** 2 + b * (xs - x0) ** 2 + 2 * c * (ys - y0) * (xs - x0) + level
+    lowest, y, x = least(np.stack([surface, surface.T[::-1].T]))
+    assert (lowest[0], y[0], x[0]) == pytest.approx((level, y0, x0), abs=1e-6)
+
+
+def test_the_least_at_the_rim_is_taken_as_it_is():
+    for y, x in ((0, 0), (0, 3), (4, 2), (2, 0), (4, 5)):
+        surface = np.ones((5, 6))
+        surface[y, x] = -1
+        assert least(surface) == (-1, y, x)
 
 
 def test_padding_keeps_the_largest_scale_whole():
     whole = np.zeros((CANVAS, CANVAS), bool)
     whole[16:240, 16:240] = True
     for scales in ((1.0,), (0.9, 1.1), (0.8, 1.25), (1.5,)):
-        for variant in prepare(exemplar(whole), scales).variants:
-            assert (variant.field[0] == 0).all() and (variant.field[:, -1] == 0).all()
-            assert variant.field.shape[0] % matching.COARSEN == 0
+        prepared = prepare(exemplar(whole), scales)
+        for number in range(len(scales)):
+            field = prepared.field(number)
+            assert (field[0] == 0).all() and (field[:, -1] == 0).all()

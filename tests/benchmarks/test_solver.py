@@ -9,7 +9,7 @@ import pytest
 
 from iconstudio.algorithms.energy import RemixProblem, remix_problem
 from iconstudio.algorithms.expansion import LAMBDAS, Lattice, energy, minimise
-from iconstudio.algorithms.matching import coarse_search, refine, sources_of
+from iconstudio.algorithms.matching import sources_of
 from iconstudio.algorithms.raster import fill_polygon
 from iconstudio.algorithms.style import STYLES
 from iconstudio.algorithms.sweep import Sweep
@@ -35,13 +35,12 @@ def medium(request):
     """The problem of an example's medium style."""
     sketch = example(request.param).sketch
     with Session() as session:
-        exemplars = result_of(session.prepare(sketch.keyword))
+        matcher = result_of(session.prepare(sketch.keyword))
     polygon = sketch.polygon.fitted()
     field = tsdf(fill_polygon(polygon))
-    admitted = [i for i, e in enumerate(exemplars) if STYLES[2].admits(e.blackness)]
-    hits = result_of(coarse_search(field, regions_of(polygon), exemplars))
-    matches = refine(field, regions_of(polygon), exemplars, hits, admitted)
-    return remix_problem(field, distinct(sources_of(matches, exemplars)), sketch.symmetry)
+    admitted = [i for i, e in enumerate(matcher.exemplars) if STYLES[2].admits(e.blackness)]
+    matches = result_of(matcher.match(field, regions_of(polygon), admitted))
+    return remix_problem(field, distinct(sources_of(matches, matcher.exemplars)), sketch.symmetry)
 
 
 def swept(problem: RemixProblem) -> Sweep:

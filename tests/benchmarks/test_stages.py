@@ -8,14 +8,7 @@ import pytest
 from scipy import ndimage
 
 from iconstudio.algorithms.energy import remix_problem
-from iconstudio.algorithms.matching import (
-    FAR,
-    SlidingWindow,
-    coarse_search,
-    prepare,
-    refine,
-    sources_of,
-)
+from iconstudio.algorithms.matching import sources_of
 from iconstudio.algorithms.raster import fill_polygon
 from iconstudio.algorithms.style import STYLES
 from iconstudio.algorithms.sweep import Sweep
@@ -31,42 +24,31 @@ from tests.shapes import regions_of
 
 @pytest.fixture(scope="module")
 def case():
-    """Sketch, regions and prepared exemplars of the motorbike example."""
+    """Field, regions and matcher of the motorbike example."""
     sketch = example("motorbike").sketch
     with Session() as session:
-        steps = session.prepare(sketch.keyword)
-        while True:
-            try:
-                next(steps)
-            except StopIteration as end:
-                exemplars = end.value
-                break
+        matcher = result_of(session.prepare(sketch.keyword))
     polygon = sketch.polygon.fitted()
-    return tsdf(fill_polygon(polygon)), regions_of(polygon), exemplars
+    return tsdf(fill_polygon(polygon)), regions_of(polygon), matcher
 
 
-def matched(field, regions, exemplars, admitted):
-    steps = coarse_search(field, regions, exemplars)
+def result_of(steps):
     while True:
         try:
             next(steps)
         except StopIteration as end:
-            return refine(field, regions, exemplars, end.value, admitted)
+            return end.value
 
 
 @pytest.fixture(scope="module")
 def medium(case):
     """Sources and problem of the medium style."""
-    field, regions, exemplars = case
+    field, regions, matcher = case
     style = STYLES[2]
-    admitted = [i for i, e in enumerate(exemplars) if style.admits(e.blackness)]
-    sources = distinct(sources_of(matched(field, regions, exemplars, admitted), exemplars))
+    admitted = [i for i, e in enumerate(matcher.exemplars) if style.admits(e.blackness)]
+    matches = result_of(matcher.match(field, regions, admitted))
+    sources = distinct(sources_of(matches, matcher.exemplars))
     return sources, remix_problem(field, sources)
-
-
-@pytest.mark.benchmark(group="prepare an exemplar at 3 scales")
-def test_prepare(benchmark, case):
-    benchmark.pedantic(prepare, (case[2][0].exemplar,), rounds=20)
 
 
 @pytest.mark.benchmark(group="distance field, 256 x 256")
@@ -83,27 +65,6 @@ def test_tsdf_by_full_distance_transforms(benchmark, case):
         return np.clip(both, -D_MAX, D_MAX) / CANVAS
 
     benchmark(plain)
-
-
-@pytest.mark.benchmark(group="match all exemplars, 9 regions")
-def test_match(benchmark, case):
-    field, regions, exemplars = case
-    every = range(len(exemplars))
-    benchmark.pedantic(matched, (field, regions, exemplars, every), rounds=3, warmup_rounds=1)
-
-
-@pytest.mark.benchmark(group="match all exemplars, 9 regions")
-def test_match_exhaustively_at_full_resolution(benchmark, case):
-    field, regions, exemplars = case
-    masks = np.stack([region.mask for region in regions])
-
-    def plain():
-        window = SlidingWindow(field - FAR, masks, exemplars[0].variants[0].field.shape[0])
-        for one in exemplars:
-            for variant in one.variants:
-                window.errors(variant.field).reshape(len(regions), -1).argmin(axis=1)
-
-    benchmark.pedantic(plain, rounds=1)
 
 
 @pytest.mark.benchmark(group="redraw and trace a result at 1024 px")

@@ -3,7 +3,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from iconstudio.algorithms.matching import prepare
+from iconstudio.algorithms.matching import Matcher, prepare
 from iconstudio.library.resvg import render_placed
 from iconstudio.model import CANVAS, Edit, IconstudioError, Polygon
 from iconstudio.workers import Workers
@@ -33,7 +33,7 @@ EDIT = Edit(ICON.pictogram, "body", add=(rectangle(60, 60, 110, 100),))
 @pytest.fixture(scope="module")
 def events():
     others = [exemplar(blob(seed), f"blob-{seed}") for seed in range(3)]
-    prepared = [prepare(one) for one in (ICON, WITH_KNOB, *others)]
+    prepared = Matcher([prepare(one) for one in (ICON, WITH_KNOB, *others)])
     settings = ModelSettings(("dark",), (0.05, 0.3))
     with Workers() as workers:
         change = prepare_change(EDIT, ICON)

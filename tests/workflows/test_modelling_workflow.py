@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from iconstudio.algorithms.matching import prepare
+from iconstudio.algorithms.matching import Matcher, prepare
 from iconstudio.library.resvg import render_coverage, render_placed
 from iconstudio.model import CANVAS, Frame, IconstudioError, Placement, Polygon, Sketch
 from iconstudio.workers import Workers
@@ -35,7 +35,7 @@ def house_ink():
 def prepared():
     shapes = [exemplar(blob(seed), f"blob-{seed}") for seed in range(FEWEST)]
     shapes.append(exemplar(house_ink(), "house"))
-    return [prepare(shape) for shape in shapes]
+    return Matcher([prepare(shape) for shape in shapes])
 
 
 @pytest.fixture(scope="module")
@@ -129,9 +129,8 @@ def test_a_remix_of_two_halves_joins_them(workers):
         + [(40, 216)]
     )
     settings = ModelSettings(styles=("dark",), lambdas=(0.03,), scales=(1.0,))
-    run = model(
-        Sketch(outline), [prepare(s, (1.0,)) for s in shapes], settings, workers, render_placed
-    )
+    matcher = Matcher([prepare(one, (1.0,)) for one in shapes])
+    run = model(Sketch(outline), matcher, settings, workers, render_placed)
     (result,) = of(Result, list(run))
     assert result.composite.iou > 0.93
     composite = result.composite
@@ -147,7 +146,7 @@ def test_few_exemplars_that_are_unlike_the_sketch_are_skipped(workers):
     bars = np.zeros((FEWEST, CANVAS, CANVAS), bool)
     for number, bar in enumerate(bars):
         bar[120 : 126 + number, 16:240] = True
-    prepared = [prepare(exemplar(bar, f"bar-{n}"), (1.0,)) for n, bar in enumerate(bars)]
+    prepared = Matcher([prepare(exemplar(bar, f"bar-{n}"), (1.0,)) for n, bar in enumerate(bars)])
     settings = ModelSettings(styles=("dark",), lambdas=(0.1,), scales=(1.0,))
     square = Polygon.of([(0, 0), (9, 0), (9, 9), (0, 9)])
     (skipped,) = of(
