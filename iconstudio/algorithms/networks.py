@@ -39,6 +39,11 @@ from iconstudio.algorithms.cuts import SOURCE
 UNIT = 1 << 16
 """Whole numbers are energies times this."""
 
+HELD, FREE = 1, 2
+"""In ``Grid.kept``."""
+_BOUND = -(1 << 29)
+"""The excess of a node that keeps its label: no flow outweighs it."""
+
 _PATCH_BITS = np.uint64((1 << 49) - 1)
 _LAST_BIT = np.uint64(63)
 
@@ -54,8 +59,9 @@ class Grid(NamedTuple):
     """(planes, K, sites): the patch of each site, 49 bits; bit 63 says interior structure."""
     data: Integers
     """(K, N): data cost."""
-    kept: NDArray[np.bool_]
-    """(N,): nodes of the grid."""
+    kept: NDArray[np.int8]
+    """(N,): ``FREE`` for nodes that may change, ``HELD`` for neighbours of these that keep their
+    labels; 0 for all others, which are not looked at, and for what is no node of the grid."""
     offset: Integers
     """(4,): from a node to its right, left, lower and upper neighbour; d ^ 1 is the way back."""
     side: int
@@ -124,12 +130,16 @@ def update(grid, smoothness, network, scratch, labels, alpha, box):
     root, through, least = smoothness
     capacity, whole, excess = network
     rough, there, back = scratch
-    _compare(words, root, rough, labels, alpha, side, block, box)
+    _compare(words, root, kept, rough, labels, alpha, side, block, box)
     _meet(rough, through, least, kept, there, back, side, block, box)
     top, bottom, left, right = box
     for y in range(top, bottom):
         for i in range((y + 1) * (side + 2) + left + 1, (y + 1) * (side + 2) + right + 1):
-            excess[i] = data[labels[i], i] - data[alpha, i] if kept[i] else 0
+            excess[i] = 0
+            if kept[i] == FREE:
+                excess[i] = data[labels[i], i] - data[alpha, i]
+            elif kept[i] == HELD:
+                excess[i] = _BOUND
     _seams(words, root, through, least, kept, labels, alpha, there, back, excess, side, block, box)
     _carry(capacity, whole, there, back, excess, side, box)
     wanted = False
@@ -161,7 +171,7 @@ def move(side, excess, tree, labels, alpha):
 
 
 @inner
-def _compare(words, root, rough, labels, alpha, side, block, box):
+def _compare(words, root, kept, rough, labels, alpha, side, block, box):
     """Set ``rough`` in and around a box: 4 x the patch distance of a site's label and alpha.
 
     Plus 2 if the label, and 1 if alpha shows interior structure at the site.
@@ -170,7 +180,10 @@ def _compare(words, root, rough, labels, alpha, side, block, box):
     for plane in range(words.shape[0]):
         for y in range(max(top - 1, 0), min(bottom + 1, side)):
             for x in range(max(left - 1, 0), min(right + 1, side)):
-                label = labels[(y + 1) * (side + 2) + x + 1]
+                i = (y + 1) * (side + 2) + x + 1
+                if not kept[i]:
+                    continue
+                label = labels[i]
                 for k in range(block):
                     first = ((y * block + k) * side + x) * block
                     for site in range(first, first + block):
@@ -190,7 +203,7 @@ def _meet(rough, through, least, kept, there, back, side, block, box):
             for x in range(max(left - 1, 0), right):
                 i = (y + 1) * (side + 2) + x + 1
                 there[i, axis] = back[i, axis] = 0
-                if not (kept[i] and kept[i + step]):
+                if kept[i] + kept[i + step] <= FREE:
                     continue
                 first = _first(y, x, axis, side, block)
                 for plane in range(rough.shape[0]):
@@ -211,7 +224,7 @@ def _seams(words, root, through, least, kept, labels, alpha, there, back, excess
             for x in range(max(left - 1, 0), right):
                 i = (y + 1) * (side + 2) + x + 1
                 a, b = labels[i], labels[i + step]
-                if (a == b and a != alpha) or not (kept[i] and kept[i + step]):
+                if (a == b and a != alpha) or kept[i] + kept[i + step] <= FREE:
                     continue
                 there[i, axis] = back[i, axis] = 0
                 if a == b:

@@ -19,8 +19,8 @@ What is heuristic, in the order of the work:
    cheapest labels; on blocks of 2 x 2 from the lowest lambda_S up, each from the last, and again
    from the highest down; last, those on 4 x 4 blocks that are nearly as good as the best known are
    improved on 2 x 2.
-3. ``solve`` ends with expansions on the sites, of the labels that a good labelling for this or a
-   similar lambda_S uses: others gain next to nothing.
+3. ``solve`` ends with expansions on the sites near the seams of the best labelling known: elsewhere
+   next to nothing is gained.
 
 Everything is deterministic: the same calls in the same order give the same labellings.
 """
@@ -28,11 +28,14 @@ Everything is deterministic: the same calls in the same order give the same labe
 from collections.abc import Callable, Iterable
 
 import numpy as np
+from scipy import ndimage
 
 from iconstudio.algorithms.cuts import minimum_cut, new_trees
 from iconstudio.algorithms.energy import EPSILON, F_INT, PATCH, Labels, RemixProblem
 from iconstudio.algorithms.expansion import LAMBDAS, Lattice
 from iconstudio.algorithms.networks import (
+    FREE,
+    HELD,
     UNIT,
     Box,
     Grid,
@@ -48,8 +51,8 @@ from iconstudio.model import CANVAS
 
 BLOCK = 2
 COARSE = 4
-SIMILAR = 1.6
-"""The lambda_S within this factor are similar."""
+REACH = 5
+"""Sites farther than this from a seam keep their labels in the end."""
 PROMISING = 1.03
 """An energy this much above the best known is worth refining."""
 FAR = 0.5
@@ -78,8 +81,9 @@ class Level:
         self._image = np.arange(side * side)
         if problem.symmetry is not None:
             self._image = np.minimum(self._image, mirrored(side, problem.symmetry))
-        kept = np.zeros(width * width, np.bool_)
-        kept[self._inside] = self._image == np.arange(side * side)
+        kept = np.zeros(width * width, np.int8)
+        kept[self._inside] = np.where(self._image == np.arange(side * side), FREE, 0)
+        self._nodes = kept > 0
         data = np.zeros((len(problem.data), width * width), np.int32)
         cost = np.minimum(np.rint(self.lattice.data * UNIT), _DEAREST)
         data[:, self._inside] = cost[:, self.lattice.node]
@@ -110,10 +114,19 @@ class Level:
         picture = labels[self._inside][self._image].reshape(side, side)
         return picture.repeat(block, axis=0).repeat(block, axis=1)
 
-    def descend(
-        self, labels: Labels, lambda_s: float, alphas: Iterable[int], stop: Callable[[], bool]
-    ) -> None:
-        """Expand the labels ``alphas`` in turn, in place, until none gains.
+    def hold(self, labels: Labels) -> None:
+        """From the next ``begin`` on, let only nodes near seams of the labels change."""
+        side = self.grid.side
+        inside = (slice(1, -1), slice(1, -1))
+        picture = labels.reshape(side + 2, side + 2)[inside]
+        seam = ndimage.maximum_filter(picture, 3) != ndimage.minimum_filter(picture, 3)
+        free = ndimage.maximum_filter(seam, 2 * REACH - 1)
+        kept = np.zeros((side + 2, side + 2), np.int8)
+        kept[inside] = np.where(free, FREE, np.where(ndimage.maximum_filter(free, 3), HELD, 0))
+        self.grid = self.grid._replace(kept=np.where(self._nodes, kept.ravel(), 0).astype(np.int8))
+
+    def descend(self, labels: Labels, lambda_s: float, stop: Callable[[], bool]) -> None:
+        """Expand all labels in turn, in place, until none gains.
 
         Raises
         ------
@@ -121,13 +134,13 @@ class Level:
             When ``stop()`` says so; asked before each expansion.
         """
         self.begin(lambda_s)
-        order = list(alphas)
-        idle, k = 0, 0
-        while idle < len(order):
+        count = len(self._networks)
+        idle, alpha = 0, 0
+        while idle < count:
             if stop():
                 raise Stopped
-            idle = 0 if self.expand(labels, order[k]) else idle + 1
-            k = (k + 1) % len(order)
+            idle = 0 if self.expand(labels, alpha) else idle + 1
+            alpha = (alpha + 1) % count
 
     def begin(self, lambda_s: float) -> None:
         """Set lambda_S for the expansions to come, of any labels."""
@@ -178,7 +191,6 @@ class Sweep:
         self._words = plane_words(problem)
         self._levels: dict[int, Level] = {}
         self._known: list[tuple[float, float, Labels]] = []
-        self._every = range(len(problem.data))
 
     def add(self, labels: Labels) -> None:
         """Make a labelling (m, m) known, such as that of a similar problem."""
@@ -221,24 +233,18 @@ class Sweep:
         """Return a labelling of low energy, (m, m)."""
         if not self._known:
             self._descend(BLOCK, lambda_s, None)
-        similar = (lambda_s / SIMILAR, lambda_s, lambda_s * SIMILAR)
-        used = np.unique([self.best(value) for value in similar])
-        self._descend(1, lambda_s, self.best(lambda_s), used.tolist())
+        self._descend(1, lambda_s, self.best(lambda_s))
         return self.best(lambda_s)
 
-    def _descend(
-        self,
-        block: int,
-        lambda_s: float,
-        start: Labels | None,
-        alphas: Iterable[int] | None = None,
-    ) -> Labels:
+    def _descend(self, block: int, lambda_s: float, start: Labels | None) -> Labels:
         """Expand from ``start``, the cheapest labels if None, and remember what is found."""
         if block not in self._levels:
             self._levels[block] = Level(self._problem, block, self._words)
         level = self._levels[block]
         labels = level.cheapest() if start is None else level.reduced(start)
-        level.descend(labels, lambda_s, self._every if alphas is None else alphas, self._stop)
+        if block == 1:
+            level.hold(labels)
+        level.descend(labels, lambda_s, self._stop)
         found = level.full(labels)
         self.add(found)
         return found

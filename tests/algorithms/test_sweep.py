@@ -80,7 +80,7 @@ def test_a_search_ends_where_no_expansion_gains():
     one = busy_problem(2)
     level = Level(one, 4, plane_words(one))
     labels = level.cheapest()
-    level.descend(labels, 0.1, range(4), never)
+    level.descend(labels, 0.1, never)
     lattice = Lattice(one, 4)
     for alpha in range(4):
         reduced = lattice.reduced(level.full(labels))
