@@ -140,3 +140,23 @@ def placed_ink(
     dx, dy = (round(shift * side / CANVAS) for shift in (placement.dx, placement.dy))
     ink, filled = shifted(both, dx, dy, side, False)
     return ink, filled
+
+
+def inked_tiles(exemplar: Exemplar, placement: Placement, count: int) -> Bitmap:
+    """Return which of ``count`` x ``count`` tiles of the canvas a placed exemplar may have ink in.
+
+    No tile is left out that has any, however faint. What lies beyond the exemplar's own canvas is
+    no part of it.
+    """
+    before = np.zeros((CANVAS + 1, CANVAS + 1), dtype=np.int32)  # how many pixels, to each corner
+    before[1:, 1:] = (exemplar.coverage > 0).cumsum(axis=0).cumsum(axis=1)
+    edges = np.linspace(0, CANVAS, count + 1) - CANVAS / 2
+    soft = 1 + 1 / placement.scale  # the soft edge of a pixel before, and of one after placing it
+    ranges = []
+    for shift, mirror in ((placement.dy, 1), (placement.dx, -1 if placement.flip else 1)):
+        at = CANVAS / 2 + mirror * (edges - shift) / placement.scale
+        first, last = np.minimum(at[:-1], at[1:]) - soft, np.maximum(at[:-1], at[1:]) + soft
+        ranges.append(np.clip(np.rint([first, last]), 0, CANVAS).astype(int))
+    (top, bottom), (left, right) = ranges
+    upper, lower = before[top], before[bottom]
+    return lower[:, right] - lower[:, left] - upper[:, right] + upper[:, left] > 0

@@ -16,13 +16,15 @@ from resvg_py import __version__, svg_to_bytes
 
 from iconstudio.model import Frame, IconstudioError, Placement
 
-__all__ = ["VERSION", "Box", "render_coverage", "render_placed", "view_box"]
+__all__ = ["VERSION", "Box", "Window", "render_coverage", "render_placed", "view_box"]
 
 VERSION = __version__
 """Of resvg-py: another version may draw differently."""
 
 Box = tuple[float, float, float, float]
 """x, y, width and height in user space."""
+Window = tuple[int, int, int, int]
+"""Left, top, right and bottom in pixels."""
 
 _SVG = "http://www.w3.org/2000/svg"
 _NUMBER = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?")
@@ -48,7 +50,9 @@ def view_box(svg: str) -> Box:
     return _view_box(_root(svg))
 
 
-def render_coverage(svg: str, frame: Frame, size: int) -> NDArray[np.uint8]:
+def render_coverage(
+    svg: str, frame: Frame, size: int, window: Window | None = None
+) -> NDArray[np.uint8]:
     """Draw ``frame`` of a document, ``currentColor`` being black.
 
     Parameters
@@ -59,10 +63,13 @@ def render_coverage(svg: str, frame: Frame, size: int) -> NDArray[np.uint8]:
         The square of its user space to show; what lies outside its ``view_box`` stays empty.
     size:
         Side of the picture in pixels.
+    window:
+        The part of the picture to draw, which may reach beyond it; by default all. The time that
+        drawing takes grows with its area.
 
     Returns
     -------
-    (size, size) uint8: alpha times darkness, 255 = opaque black.
+    (size, size) uint8, or as large as the window: alpha times darkness, 255 = opaque black.
 
     Raises
     ------
@@ -76,9 +83,12 @@ def render_coverage(svg: str, frame: Frame, size: int) -> NDArray[np.uint8]:
     if "viewBox" not in root.attrib:
         root.set("viewBox", _numbers(box))
     root.set("overflow", "visible")
-    shown = _numbers((frame.x, frame.y, frame.size, frame.size))
-    side = str(size)
-    outer = ET.Element(f"{{{_SVG}}}svg", viewBox=shown, width=side, height=side)
+    left, top, right, bottom = window or (0, 0, size, size)
+    width, height = right - left, bottom - top
+    unit = frame.size / size
+    corner = frame.x + left * unit, frame.y + top * unit
+    shown = _numbers((*corner, width * unit, height * unit))
+    outer = ET.Element(f"{{{_SVG}}}svg", viewBox=shown, width=str(width), height=str(height))
     outer.append(root)
     try:
         png = svg_to_bytes(
@@ -99,14 +109,20 @@ def render_coverage(svg: str, frame: Frame, size: int) -> NDArray[np.uint8]:
         coverage = 255 - np.asarray(image.convert("L"))
     # A layer of half opacity comes out as 127 or 128; it is not *more* than half dark.
     coverage[coverage == 128] = 127
-    _clip(coverage, box, frame)
+    _clip(coverage, box, corner, unit)
     return coverage
 
 
-def render_placed(svg: str, frame: Frame, placement: Placement, size: int) -> NDArray[np.uint8]:
-    """Draw the exemplar of ``frame`` at ``placement``: the canvas, (size, size) uint8."""
-    coverage = render_coverage(svg, placement.frame(frame), size)
-    return np.ascontiguousarray(coverage[:, ::-1]) if placement.flip else coverage
+def render_placed(
+    svg: str, frame: Frame, placement: Placement, size: int, window: Window | None = None
+) -> NDArray[np.uint8]:
+    """Draw the exemplar of ``frame`` at ``placement``: the canvas, (size, size) uint8, or part."""
+    if not placement.flip:
+        return render_coverage(svg, placement.frame(frame), size, window)
+    left, top, right, bottom = window or (0, 0, size, size)
+    mirrored = size - right, top, size - left, bottom
+    coverage = render_coverage(svg, placement.frame(frame), size, mirrored)
+    return np.ascontiguousarray(coverage[:, ::-1])
 
 
 def _root(svg: str) -> ET.Element:
@@ -150,15 +166,17 @@ def _numbers(values: Box) -> str:
     return " ".join(map(repr, values))
 
 
-def _clip(coverage: NDArray[np.uint8], box: Box, frame: Frame) -> None:
-    """Empty what lies outside ``box``, fading the pixels that its edges cross."""
-    size = len(coverage)
-    unit = frame.size / size
+def _clip(coverage: NDArray[np.uint8], box: Box, corner: tuple[float, float], unit: float) -> None:
+    """Empty what lies outside ``box``, fading the pixels that its edges cross.
+
+    ``corner`` and ``unit`` are the picture's top left corner, and the side of a pixel.
+    """
     edges = (
-        (coverage.T, (box[0] - frame.x) / unit, (box[0] + box[2] - frame.x) / unit),
-        (coverage, (box[1] - frame.y) / unit, (box[1] + box[3] - frame.y) / unit),
+        (coverage.T, (box[0] - corner[0]) / unit, (box[0] + box[2] - corner[0]) / unit),
+        (coverage, (box[1] - corner[1]) / unit, (box[1] + box[3] - corner[1]) / unit),
     )
     for rows, low, high in edges:
+        size = len(rows)
         low, high = min(max(low, 0.0), size), min(max(high, 0.0), size)
         first, last = math.floor(low), math.ceil(high)
         rows[:first] = 0

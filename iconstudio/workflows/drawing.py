@@ -1,41 +1,77 @@
-"""Drawing a labelling from the SVG of its sources (section 3.4, post-processing), in a process."""
+"""Drawing a labelling from the SVG of its sources (section 3.4, post-processing), in a process.
 
-from collections.abc import Callable, Sequence
+A source is drawn only where it is needed: a renderer takes longer the more pixels there are.
+"""
+
+from collections.abc import Mapping, Sequence
 from concurrent.futures import Future
+from dataclasses import dataclass, field
 from functools import lru_cache
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
+from PIL import Image
+from scipy import ndimage
 
 from iconstudio.algorithms.energy import Labels
 from iconstudio.algorithms.fragments import fragments
-from iconstudio.algorithms.redraw import SCALE, erase, redraw, two_tone
-from iconstudio.model import CANVAS, Drawing, Frame, Placement, Source
+from iconstudio.algorithms.raster import Bitmap, inked_tiles
+from iconstudio.algorithms.redraw import FAR, REACH, SCALE, erase, redraw, two_tone
+from iconstudio.model import CANVAS, Drawing, Exemplar, Frame, Placement, Source
 from iconstudio.workers import Workers
 
-Render = Callable[[str, Frame, Placement, int], NDArray[np.uint8]]
-"""Draws (svg, frame, placement, n): the canvas with an exemplar at its placement, (n, n) uint8."""
+PREVIEW = 2
+"""Drawn pixels to a canvas pixel, in previews."""
+_TILES = 64
+"""Sources are drawn by tiles, so many to a side of the canvas."""
+_AROUND = -(-(REACH + FAR) * _TILES // CANVAS)
+"""Tiles around a region in which its owner's drawing counts."""
+_COVERAGE = 2 * CANVAS
+"""Side of a drawing's coverage, in pixels."""
+
+
+class Render(Protocol):
+    """Draws exemplars at their placement."""
+
+    def __call__(
+        self,
+        svg: str,
+        frame: Frame,
+        placement: Placement,
+        size: int,
+        window: tuple[int, int, int, int] | None = None,
+    ) -> NDArray[np.uint8]:
+        """Draw the canvas, (size, size) uint8, or a window of it.
+
+        ``window`` is left, top, right and bottom in pixels, and may reach beyond the canvas.
+        """
+        ...
 
 
 def draw(
     labels: Labels,
     ink: NDArray[np.bool_],
-    drawn: Sequence[tuple[str, Frame, Placement]],
+    sources: Sequence[Source],
     render: Render,
+    scale: int = SCALE,
 ) -> Drawing:
     """Redraw a labelling from its owners' SVG without its crumbs, and trace it.
 
-    ``ink`` is (K, CANVAS, CANVAS) bool: the sources on the canvas.
+    Parameters
+    ----------
+    labels
+        (m, m): index of each pixel's owner.
+    ink
+        (K, m, m) bool: the sources on the canvas.
+    scale
+        Drawn pixels to a canvas pixel: 2, 4 or 8, and no fewer than there are labels.
     """
     from iconstudio.algorithms.vectorize import trace
 
-    coverages = {
-        int(label): _rendered(render, *drawn[label], SCALE * CANVAS) for label in np.unique(labels)
-    }
-    coverage = redraw(labels, coverages)
+    coverage = redraw(labels, _drawn(labels, sources, render, scale * CANVAS))
     erase(coverage, fragments(labels, ink))
-    half = coverage.reshape(CANVAS * SCALE // 2, 2, CANVAS * SCALE // 2, 2).mean(axis=(1, 3))
-    return Drawing(trace(coverage), half.round().astype(np.uint8))
+    return Drawing(trace(coverage), _reduced(coverage))
 
 
 def draw_whole(
@@ -43,17 +79,77 @@ def draw_whole(
 ) -> "Future[Drawing]":
     """Begin to draw one source as results are drawn; ``ink`` is its, (CANVAS, CANVAS)."""
     nobody = np.zeros((CANVAS, CANVAS), dtype=np.uint8)
-    return workers.submit(draw, nobody, ink[None], [drawn_from(source)], render)
+    return workers.submit(draw, nobody, ink[None], [source], render)
 
 
-def drawn_from(source: Source) -> tuple[str, Frame, Placement]:
-    """Return what a worker process needs to know of a source."""
-    return source.exemplar.pictogram.svg, source.exemplar.frame, source.placement
+def _drawn(
+    labels: Labels, sources: Sequence[Source], render: Render, side: int
+) -> Mapping[int, NDArray[np.uint8]]:
+    """Draw every owner, (side, side) uint8, wherever it counts."""
+    m = len(labels)
+    tile = np.arange(m) * _TILES // m
+    owned = np.zeros((len(sources), _TILES, _TILES), dtype=bool)
+    owned[labels, tile[:, None], tile] = True
+    coverages = {}
+    for label in np.flatnonzero(owned.any(axis=(1, 2))):
+        near = ndimage.maximum_filter(owned[label], 2 * _AROUND + 1)
+        coverages[int(label)] = _sheet(_Wanted.of(sources[label], render, side)).shown(near)
+    return coverages
+
+
+@dataclass(frozen=True)
+class _Wanted:
+    """What tells one sheet from another."""
+
+    render: Render
+    svg: str
+    frame: Frame
+    placement: Placement
+    side: int
+    exemplar: Exemplar = field(compare=False)
+
+    @classmethod
+    def of(cls, source: Source, render: Render, side: int) -> "_Wanted":
+        one = source.exemplar
+        return cls(render, one.pictogram.svg, one.frame, source.placement, side, one)
+
+
+class _Sheet:
+    """A source at its placement, drawn tile by tile as they are needed, in two tones."""
+
+    def __init__(self, wanted: _Wanted) -> None:
+        self._wanted = wanted
+        self._coverage = np.zeros((wanted.side, wanted.side), dtype=np.uint8)
+        self._missing = inked_tiles(wanted.exemplar, wanted.placement, _TILES)
+
+    def shown(self, needed: Bitmap) -> NDArray[np.uint8]:
+        """Return the drawing, (side, side) uint8, complete in the ``needed`` tiles at least."""
+        pieces, _ = ndimage.label(needed & self._missing)
+        for tiles in ndimage.find_objects(pieces):
+            self._draw(*tiles)
+            self._missing[tiles] = False
+        return self._coverage
+
+    def _draw(self, rows: slice, columns: slice) -> None:
+        wanted = self._wanted
+        step = wanted.side // _TILES
+        top, bottom, left, right = (
+            end * step for side in (rows, columns) for end in (side.start, side.stop)
+        )
+        # One more pixel around, for the edges between ink and paper.
+        window = left - 1, top - 1, right + 1, bottom + 1
+        drawn = wanted.render(wanted.svg, wanted.frame, wanted.placement, wanted.side, window)
+        self._coverage[top:bottom, left:right] = two_tone(drawn)[1:-1, 1:-1]
 
 
 @lru_cache(maxsize=64)
-def _rendered(
-    render: Render, svg: str, frame: Frame, placement: Placement, size: int
-) -> NDArray[np.uint8]:
-    """Remember drawings, 1 MiB each: the results of one style share most of their sources."""
-    return two_tone(render(svg, frame, placement, size))
+def _sheet(wanted: _Wanted) -> _Sheet:
+    """Remember sheets, 1 MiB each at most: the results of a style share most of their sources."""
+    return _Sheet(wanted)
+
+
+def _reduced(coverage: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    factor = len(coverage) // _COVERAGE
+    if factor == 1:
+        return coverage
+    return np.asarray(Image.fromarray(coverage).reduce(factor))

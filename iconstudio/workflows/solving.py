@@ -15,9 +15,10 @@ from iconstudio.algorithms import ranking
 from iconstudio.algorithms.energy import Labels, RemixProblem, joined_ink
 from iconstudio.algorithms.ranking import Score
 from iconstudio.algorithms.raster import Bitmap, overlap, solid
+from iconstudio.algorithms.redraw import SCALE
 from iconstudio.model import CANVAS, Drawing, Source
 from iconstudio.workers import forget, remembered, stopped
-from iconstudio.workflows.drawing import Render, draw, drawn_from
+from iconstudio.workflows.drawing import PREVIEW, Render, draw
 
 if TYPE_CHECKING:
     from iconstudio.algorithms.sweep import Sweep
@@ -144,7 +145,7 @@ def finished(posed: Posed, job: Job, step: Step, labels: Labels, render: Render)
         tuple((owned / max(1, owned.sum())).tolist()),
         iou,
         replace(score, likeness=likeness),
-        draw(labels, problem.ink, [drawn_from(source) for source in job.sources], render),
+        draw(labels, problem.ink, job.sources, render, PREVIEW if step.preview else SCALE),
     )
 
 

@@ -2,10 +2,21 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from PIL import Image
 from scipy import ndimage
+from scipy.spatial.distance import cdist
 
 from iconstudio.algorithms.fragments import fragments
-from iconstudio.algorithms.redraw import SCALE, erase, redraw, signed_distance, two_tone
+from iconstudio.algorithms.redraw import (
+    FADE,
+    FAR,
+    REACH,
+    SCALE,
+    SignedDistance,
+    erase,
+    redraw,
+    two_tone,
+)
 from iconstudio.algorithms.vectorize import trace
 from iconstudio.library.resvg import render_coverage
 from iconstudio.model import CANVAS, Frame
@@ -67,26 +78,103 @@ def test_without_cross_fading_the_same_seam_has_a_notch():
     assert np.abs(upper[SCALE:] - upper[:-SCALE]).max() > 1.5
 
 
+def contour(coverage):
+    """Where the coverage crosses one half from one pixel to the next, one crossing at a time."""
+    points = []
+    for y, x in np.ndindex(coverage.shape):
+        for dy, dx in ((1, 0), (0, 1)):
+            if y + dy < len(coverage) and x + dx < len(coverage):
+                a, b = float(coverage[y, x]), float(coverage[y + dy, x + dx])
+                if (a > 127) != (b > 127):
+                    part = (127.5 - a) / (b - a)
+                    points.append((y + dy * part, x + dx * part))
+    return np.array(points).reshape(-1, 2)
+
+
+def plain_distance(coverage):
+    """The signed distance of every pixel, at most FAR, to all points of the contour."""
+    pixels = np.argwhere(np.ones_like(coverage))
+    far = FAR * len(coverage) / CANVAS
+    away = cdist(pixels, contour(coverage)).min(axis=1, initial=far).reshape(coverage.shape)
+    return np.where(coverage > 127, -away, away)
+
+
+def plain_redraw(labels, coverages):
+    """The definition: every owner's share, drawing and distance at every pixel."""
+    n, m = len(coverages[0]), len(labels)
+    mean, inked, distance = np.zeros((3, n, n))
+    for label, coverage in coverages.items():
+        soft = ndimage.gaussian_filter(
+            (labels == label).astype(np.float32), FADE * m / CANVAS, radius=REACH * m // CANVAS
+        )
+        share = np.asarray(Image.fromarray(soft).resize((n, n), Image.Resampling.BILINEAR))
+        mean += share * coverage
+        inked += share * (coverage > 127)
+        distance += share * plain_distance(coverage)
+    disagreed = (inked > 1e-3) & (inked < 1 - 1e-3)
+    return np.where(disagreed, 255 * np.clip(0.5 - distance, 0, 1), mean)
+
+
+def soft_shape(seed, n):
+    """A smooth blob with soft edges, (n, n) uint8."""
+    noise = ndimage.gaussian_filter(np.random.default_rng(seed).normal(size=(n, n)), 5)
+    return np.clip(127 + 150 * noise / noise.std() * 2, 0, 255).astype(np.uint8)
+
+
+@pytest.fixture
+def small(monkeypatch):
+    """A canvas of 32 pixels, on which the plain definition takes no minutes."""
+    monkeypatch.setattr("iconstudio.algorithms.redraw.CANVAS", 32)
+    monkeypatch.setitem(globals(), "CANVAS", 32)
+
+
+@pytest.mark.parametrize(("m", "scale"), [(32, 4), (32, 2), (16, 8), (64, 2), (64, 1)])
+@pytest.mark.parametrize("seed", [0, 1])
+def test_redrawing_equals_its_definition(small, m, scale, seed):
+    n = m * scale
+    regions = ndimage.gaussian_filter(np.random.default_rng(seed).normal(size=(3, m, m)), (0, 3, 3))
+    labels = regions.argmax(axis=0).astype(np.uint8)
+    coverages = {label: soft_shape(10 * seed + label, n) for label in range(3)}
+    coverages[2][: n // 2] = 0
+    expected = plain_redraw(labels, coverages)
+    joined = redraw(labels, coverages)
+    assert len(np.unique(labels)) == 3
+    assert abs(joined - expected).max() <= 1
+    plain = np.choose(labels.repeat(scale, 0).repeat(scale, 1), [coverages[k] for k in range(3)])
+    assert abs(joined - plain.astype(float)).max() > 60, "the seams make a difference"
+
+
+def test_a_drawing_far_from_its_region_counts_for_nothing():
+    one, other = soft_shape(1, N), soft_shape(2, N)
+    joined = redraw(LEFT_RIGHT, {0: one, 1: other})
+    cleared = other.copy()
+    cleared[:, : (128 - REACH - FAR) * SCALE] = 0
+    assert np.array_equal(redraw(LEFT_RIGHT, {0: one, 1: cleared}), joined)
+    assert (cleared != other).any()
+
+
 @settings(max_examples=15, deadline=None)
 @given(st.integers(0, 1000))
 def test_signed_distance_equals_the_distance_transform(seed):
-    ink = ndimage.zoom(blob(seed)[64:192, 64:192].astype(float), 1, order=0) > 0.5
+    ink = blob(seed)[64:192, 64:192].copy()
     ink[0, 0] = False
     coverage = np.where(ink, 255, 0).astype(np.uint8)
     points = np.argwhere(np.ones_like(ink))[::37]
-    distance = signed_distance(coverage, points)
+    distance = SignedDistance(coverage, points, 0).at(points)
     outside = ndimage.distance_transform_edt(~ink)
     inside = ndimage.distance_transform_edt(ink)
     # The contour runs half a pixel before the nearest pixel of the other side.
     expected = np.where(ink, 0.5 - inside, outside - 0.5)[tuple(points.T)]
-    assert np.abs(distance - expected).max() < 0.75
+    far = FAR * len(ink) / CANVAS
+    assert np.abs(distance - np.clip(expected, -far, far)).max() < 0.75
     assert ((distance < 0) == ink[tuple(points.T)]).all()
 
 
 def test_distance_in_a_picture_without_contour():
-    blank = np.zeros((8, 8), np.uint8)
-    assert (signed_distance(blank, np.array([[1, 1]])) == 8).all()
-    assert (signed_distance(blank + 255, np.array([[1, 1]])) == -8).all()
+    blank, points = np.zeros((8, 8), np.uint8), np.array([[1, 1]])
+    far = FAR * 8 / CANVAS
+    assert (SignedDistance(blank, points, 0).at(points) == far).all()
+    assert (SignedDistance(blank + 255, points, 0).at(points) == -far).all()
 
 
 def test_a_trace_redraws_its_bitmap():
@@ -144,6 +232,16 @@ def test_a_pale_layer_is_paper_and_edges_stay_soft():
     assert (flat[3:5, 3:5] == 255).all()
     assert (flat[3:5, 6] == 60).all()
     assert np.array_equal(flat > 127, drawing > 127)
+
+
+@given(st.integers(0, 1000))
+def test_two_tones_equal_their_definition(seed):
+    rng = np.random.default_rng(seed)
+    coverage = rng.choice(np.array([0, 60, 127, 128, 200, 255], np.uint8), (9, 13))
+    ink = coverage > 127
+    square = np.ones((3, 3), bool)
+    edge = ndimage.binary_dilation(ink, square) & ndimage.binary_dilation(~ink, square)
+    assert np.array_equal(two_tone(coverage), np.where(edge, coverage, 255 * ink))
 
 
 def test_a_large_piece_is_never_a_fragment():
