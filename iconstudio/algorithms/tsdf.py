@@ -24,16 +24,19 @@ def tsdf(filled: NDArray[np.bool_], d_max: int = D_MAX) -> NDArray[np.float32]:
     return distances(squared_distances(filled, d_max))
 
 
-def distances(squared: NDArray[np.int8]) -> NDArray[np.float32]:
+def distances(squared: NDArray[np.signedinteger]) -> NDArray[np.float32]:
     """Return the TSDF of which ``squared`` are the signed squares, in pixels (any shape)."""
     signed = squared.astype(np.float32)
     return np.copysign(np.sqrt(np.abs(signed)), signed) / np.float32(CANVAS)
 
 
-def squared_distances(filled: NDArray[np.bool_], d_max: int = D_MAX) -> NDArray[np.int8]:
-    """Return the TSDF of ``filled`` (..., h, w) in a quarter of the room.
+def squared_distances(
+    filled: NDArray[np.bool_], d_max: int = D_MAX
+) -> NDArray[np.int8] | NDArray[np.int16]:
+    """Return the TSDF of ``filled`` (..., h, w) in a quarter of the room, or half of it.
 
-    Each value is the square of the distance in pixels, negative inside; so ``d_max`` is at most 11.
+    Each value is the square of the distance in pixels, negative inside: int8 up to a ``d_max`` of
+    11, else int16, up to 15.
 
     Notes
     -----
@@ -41,7 +44,8 @@ def squared_distances(filled: NDArray[np.bool_], d_max: int = D_MAX) -> NDArray[
     pass and a column pass over 2 d_max + 1 offsets in small integers are exact.
     """
     outside, inside = _squared_distance(filled, d_max), _squared_distance(~filled, d_max)
-    return outside.astype(np.int8) - inside.astype(np.int8)  # one of the two is 0 everywhere
+    small = np.int8 if d_max <= 11 else np.int16
+    return outside.astype(small) - inside.astype(small)  # one of the two is 0 everywhere
 
 
 def _squared_distance(target: NDArray[np.bool_], reach: int) -> NDArray[np.uint8]:
