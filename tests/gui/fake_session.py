@@ -251,17 +251,24 @@ class FakeSession:
         labels[:, 128:] = 1
         labels[150:, :] = 2
         shares = (0.5, 0.3, 0.2) + (0.0,) * 24
-        for row, style in enumerate(settings.styles):
+        focus = settings.focus or (settings.styles[0], settings.lambdas[0])
+        preview = settings.previews
+        # Those in focus come first.
+        for style in sorted(settings.styles, key=lambda one: one != focus[0]):
+            row = settings.styles.index(style)
             yield Progress("match", row / 4, f"Matching the {style} icons")
             if style == self.skip:
                 yield StyleSkipped(style, 4, f"Only 4 icons are {style}; at least 9 are needed.")
                 continue
             yield StyleMatched(style, (sources[0].exemplar,) * (120 - row), (sources[:3],) * 9)
-            for column, lambda_s in enumerate(settings.lambdas):
+            lambdas = sorted(settings.lambdas, key=lambda one: one != focus[1])
+            for lambda_s in lambdas[:1] * preview + lambdas:
+                column = settings.lambdas.index(lambda_s)
                 if self.gate is not None:
                     while not self.gate.acquire(timeout=0.02):
                         yield Progress("remix", column / 8, f"Remixing the {style} icons")
                 composite = Composite(style, lambda_s, sources, labels, 3.0, 2.0, 1.0, shares, 0.87)
                 score = Score(1.0, 1.0, 1.0, 1.0, self.fits.get(style, 0.87))
-                yield Result(composite, drawing(sketch, row, column), score)
+                yield Result(composite, drawing(sketch, row, column), score, preview=preview)
+                preview = False
             yield Recommended(style, settings.lambdas[RECOMMENDED])

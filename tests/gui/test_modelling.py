@@ -286,7 +286,9 @@ def test_picking_shows_the_icon_and_its_sources(ready, qtbot):
         "shapes:frame-1, 30%",
         "shapes:cross-2, 20%",
     ]
-    assert ready.board.detail._about.text() == "3 parts of 3 icons · fits the sketch by 87%"
+    assert ready.board.detail._about.text() == (
+        f"λ {LAMBDAS[3]:.2f} · 3 parts of 3 icons · fits the sketch by 87%"
+    )
 
 
 def picked(place):

@@ -208,9 +208,7 @@ class DetailPanel(QFrame):
             self._show_sources(())
             return
         composite = picture.result.composite
-        # Of hybrids and montages, λ is always the same.
-        weight = "" if composite.iou is None else f", λ {composite.lambda_s:.2f}"
-        self._title.setText(f"{composite.style.capitalize()}{weight}")
+        self._title.setText(composite.style.capitalize())
         if picture.result.preview:
             about = "preview"
         else:
@@ -218,7 +216,9 @@ class DetailPanel(QFrame):
             icons = len({source.source.exemplar.id for source in sources})
             about = f"{_counted(len(sources), 'part')} of {_counted(icons, 'icon')}"
             self._show_sources(sources)
-        self._about.setText(" · ".join((about, *_merits(picture.result))))
+        # Of hybrids and montages, λ is always the same.
+        weight = [] if composite.iou is None else [f"λ {composite.lambda_s:.2f}"]
+        self._about.setText(" · ".join((*weight, about, *_merits(picture.result))))
 
     def _show_sources(self, sources: Sequence[SourcePicture]) -> None:
         while self._rows.count():

@@ -2,7 +2,6 @@
 
 from collections.abc import Generator
 from dataclasses import replace
-from typing import Protocol
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
@@ -17,6 +16,7 @@ from iconstudio.session import ModelSettings
 from iconstudio.workflows.events import Event, Progress
 
 PREFERENCE = "live"
+"""Under which it is remembered whether live mode is on."""
 
 PATIENCE = 700
 """Milliseconds that a run which is out of date may take until it shows something."""
@@ -26,30 +26,30 @@ CALM = 800
 movement of the hand puts an end to are shorter."""
 
 
-class Wanting(Protocol):
-    """What a workspace says of its page."""
+class Wanting:
+    """A workspace, as far as it says what its page wants."""
 
     document: WishingDocument
 
     def wanted(self) -> object:
         """Return what the results depend on, to be compared."""
-        ...
+        raise NotImplementedError
 
     def problem(self) -> str:
         """Return what is missing before the page can be remixed, as a sentence; else nothing."""
-        ...
+        raise NotImplementedError
 
     def settings(self) -> ModelSettings:
         """Return which results to make. Called only if there is no problem."""
-        ...
+        raise NotImplementedError
 
     def focus(self) -> tuple[str, float] | None:
         """Return style and lambda_S of the result that the user looks at."""
-        ...
+        raise NotImplementedError
 
     def events(self, wanted: object, settings: ModelSettings) -> Generator[Event]:
         """Return the run that makes the results. Called in the worker's thread."""
-        ...
+        raise NotImplementedError
 
 
 class Runs(QObject):

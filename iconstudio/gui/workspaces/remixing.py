@@ -1,6 +1,6 @@
 """What modelling and editing share: name the object, remix, look at a grid of results."""
 
-from collections.abc import Callable, Generator, Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,19 +25,18 @@ from iconstudio.gui.theme import UNIT
 from iconstudio.gui.worker import Worker
 from iconstudio.gui.workspaces import wishes
 from iconstudio.gui.workspaces.base import Workspace
-from iconstudio.gui.workspaces.live import PREFERENCE, Runs
+from iconstudio.gui.workspaces.live import PREFERENCE, Runs, Wanting
 from iconstudio.gui.workspaces.proposal import SymmetryProposal
 from iconstudio.gui.workspaces.wishes import WishingPage
 from iconstudio.session import ModelSettings, Session
 from iconstudio.workflows.events import Event
 
 
-class RemixWorkspace(Workspace):
+class RemixWorkspace(Workspace, Wanting):
     """Canvas and keyword on the left, results and details on the right.
 
     A subclass makes a ``view`` and its actions, calls ``lay_out`` and ``wire``, and says what its
-    page wants: ``wanted``, ``problem``, ``settings`` and ``events`` (see ``live.Wanting``).
-    ``make_actions`` needs only what it has beside ``remix_slots``.
+    page wants (see ``Wanting``). ``make_actions`` needs only what it has beside ``remix_slots``.
     """
 
     view: CanvasView
@@ -98,29 +97,13 @@ class RemixWorkspace(Workspace):
 
     # -- what a subclass says ------------------------------------------------------------------
 
-    def wanted(self) -> object:
-        """Return what the results depend on."""
-        raise NotImplementedError
-
-    def problem(self) -> str:
-        """Return what is missing before the page can be remixed."""
-        raise NotImplementedError
-
-    def settings(self) -> ModelSettings:
-        """Return which results to make."""
-        raise NotImplementedError
-
-    def events(self, wanted: object, settings: ModelSettings) -> Generator[Event]:
-        """Return the run that makes the results."""
-        raise NotImplementedError
+    def focus(self) -> tuple[str, float] | None:
+        """Return style and lambda_S of the picked result."""
+        return self.board.results.focus
 
     def show_page(self) -> None:
         """Show what the page says."""
         raise NotImplementedError
-
-    def focus(self) -> tuple[str, float] | None:
-        """Return style and lambda_S of the picked result."""
-        return self.board.results.focus
 
     def complete(self) -> None:
         """Finish what the user is still drawing."""

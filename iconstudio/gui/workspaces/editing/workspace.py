@@ -124,8 +124,7 @@ class EditWorkspace(RemixWorkspace):
                 [named["icon"]],
                 [named["undo"], named["redo"]],
                 [named[name] for name in ("remove", "add", "select", "pan", "fit", "clear")],
-                [self.symmetry],
-                [named["live"]],
+                [self.symmetry, named["live"]],
             ]
         )
 
@@ -144,7 +143,9 @@ class EditWorkspace(RemixWorkspace):
 
     def enter(self) -> None:
         """Begin on the canvas, or choose an icon."""
-        (self.start_sheet if self.start_sheet.isVisibleTo(self) else self.view).setFocus()
+        super().enter()
+        if self.start_sheet.isVisibleTo(self):
+            self.start_sheet.setFocus()
 
     def take(self, pictogram: Pictogram) -> None:
         """Begin with an icon that was sent here."""

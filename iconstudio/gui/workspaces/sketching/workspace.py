@@ -101,8 +101,7 @@ class SketchWorkspace(RemixWorkspace):
             [named["photo"], named["examples"]],
             [named["undo"], named["redo"]],
             [named[name] for name in ("trace", "pan", "fit", "regions", "clear")],
-            [self.symmetry],
-            [named["live"]],
+            [self.symmetry, named["live"]],
         ]
         self.lay_out(groups, [self.dim])
 

@@ -1,0 +1,586 @@
+"""Results that follow the hand, in the real window. No test waits for time to pass: how long a run
+is waited for is set to for ever, or to nothing, and what a run has shown is let through a gate."""
+
+import threading
+
+import pytest
+from fake_session import RECOMMENDED, FakeSession, exemplar
+from hands import SQUARE, click, drag, press, trace, type_keyword
+from PySide6.QtCore import QSettings, Qt
+from PySide6.QtTest import QTest
+
+from iconstudio.gui.main_window import MainWindow
+from iconstudio.gui.panels.cell import CellState
+from iconstudio.gui.panels.progress import time_left
+from iconstudio.model import Axis
+from iconstudio.session import ModelSettings
+
+STYLES = ModelSettings().styles
+LAMBDAS = ModelSettings().lambdas
+FOR_EVER = 10**6
+CONTROL = Qt.KeyboardModifier.ControlModifier
+
+
+def patient(place):
+    """Switch live mode on; let each run show something, however long that takes."""
+    place.actions_by_name["live"].trigger()
+    assert place.runs.live
+    place.runs.newest.timer.setInterval(FOR_EVER)
+    return place
+
+
+@pytest.fixture
+def live(sketching):
+    return patient(sketching)
+
+
+@pytest.fixture
+def drawn(live, qtbot, session):
+    """A window in which all results of a first sketch are there."""
+    trace(live)
+    type_keyword(live, "motorcycle")
+    rest(live, qtbot, session)
+    assert len(live.board.results.pictures) == 24
+    session.gate = threading.Semaphore(0)
+    return live
+
+
+def runs(session):
+    """What the runs were started with, in their order."""
+    return [call[1:] for call in session.calls if call[0] in ("model", "edit")]
+
+
+def rest(place, qtbot, session):
+    """Wait until the last run that was wanted is over."""
+    qtbot.waitUntil(
+        lambda: (
+            not place.runs.running
+            and bool(runs(session))
+            and runs(session)[-1][0] == (place.runs.ran and wish(place))
+        ),
+        timeout=20000,
+    )
+
+
+def wish(place):
+    wanted = place.wanted()
+    return getattr(wanted, "edit", wanted)
+
+
+def begun(session, count):
+    return lambda: len(runs(session)) == count
+
+
+def states(place):
+    cells = {(s, v): place.board.results.cell(s, v) for s in STYLES for v in LAMBDAS}
+    return {
+        key: cell.state for key, cell in cells.items() if not place.board.results.skipped(key[0])
+    }
+
+
+def picked(place):
+    composite = place.board.detail.picture.result.composite
+    return composite.style, composite.lambda_s
+
+
+def pick(place, style, value):
+    QTest.mouseClick(place.board.results.cell(style, value), Qt.MouseButton.LeftButton)
+
+
+def add_point(place):
+    """One edit: click on the outline."""
+    click(place, (245, 110))
+
+
+def move(place, number=0, by=8.0):
+    """Some edits, of which all but the first wait: drag a point."""
+    x, y = place.document.page.vertices[number]
+    drag(place, (x, y), (x + by, y + by))
+
+
+def strip(place):
+    return place.window().desk.strip
+
+
+# -- the switch --------------------------------------------------------------------------------
+
+
+def test_it_is_on_until_it_is_switched_off_for_good(qtbot, tmp_path):
+    scope = QSettings.Scope.UserScope
+    QSettings.setPath(QSettings.Format.IniFormat, scope, str(tmp_path))
+    for expected in (True, False):
+        window = MainWindow(FakeSession())
+        qtbot.addWidget(window)
+        for title in ("Sketch", "Edit"):
+            place = window.workspace_of(title)
+            assert place.runs.live is expected
+            assert place.actions_by_name["live"].isChecked() is expected
+        window.workspace.actions_by_name["live"].trigger()
+        window.show_workspace(1)
+        assert window.workspace.runs.live is not expected, "the mode is the same everywhere"
+        if not expected:
+            window.workspace.actions_by_name["live"].trigger()
+        window.close()
+
+
+def test_it_is_switched_with_a_key(sketching):
+    for expected in (True, False):
+        press(sketching, Qt.Key.Key_L, CONTROL)
+        assert sketching.runs.live is expected
+
+
+def test_the_switch_says_in_the_tool_tip_what_it_does(sketching):
+    assert "results follow while you draw" in sketching.actions_by_name["live"].toolTip()
+
+
+def test_when_off_nothing_runs_but_what_is_asked_for(drawn, qtbot, session):
+    drawn.actions_by_name["live"].trigger()
+    session.gate = None
+    move(drawn)
+    assert "press Remix to renew" in drawn.board.results.note.text()
+    qtbot.waitUntil(lambda: not drawn.preparation.runner.running)
+    assert len(runs(session)) == 1
+    drawn.run()
+    rest(drawn, qtbot, session)
+    assert runs(session)[-1] == (drawn.document.page.sketch, ModelSettings())
+    drawn.document.undo_stack.undo()
+    assert len(runs(session)) == 2
+    drawn.actions_by_name["live"].trigger()
+    qtbot.waitUntil(begun(session, 3))
+    assert drawn.board.results.note.text() == ""
+
+
+# -- when it runs ------------------------------------------------------------------------------
+
+
+def test_it_begins_as_soon_as_the_page_is_complete(live, qtbot, session):
+    type_keyword(live, "motorcycle")
+    qtbot.waitUntil(lambda: live.preparation.ready)
+    for point in SQUARE:
+        click(live, point)
+    assert not runs(session)
+    click(live, SQUARE[0])
+    rest(live, qtbot, session)
+    ((sketch, settings),) = runs(session)
+    assert sketch == live.document.page.sketch
+    assert settings == ModelSettings(focus=None, previews=True)
+    assert [call[0] for call in session.calls] == ["prepare", "model"], (
+        "the icons are made ready once"
+    )
+    assert live.board.results.finished == 24
+
+
+def test_a_name_that_is_typed_last_starts_one_run(live, qtbot, session):
+    trace(live)
+    type_keyword(live, "motorcycle")
+    rest(live, qtbot, session)
+    assert [sketch.keyword for sketch, _ in runs(session)] == ["motorcycle"]
+
+
+@pytest.mark.parametrize(
+    ("points", "closed", "keyword"),
+    [
+        ([], False, "dog"),
+        (SQUARE, False, "dog"),
+        ([(10, 10), (100, 100), (300, 300)], True, "dog"),
+        (SQUARE, True, ""),
+        (SQUARE, True, "  "),
+        (SQUARE, True, "zzebra"),
+    ],
+)
+def test_a_page_that_is_no_good_yet_says_nothing(live, qtbot, session, points, closed, keyword):
+    type_keyword(live, keyword)
+    qtbot.waitUntil(lambda: "…" not in live.keyword_panel.caption.text())
+    if keyword.startswith("zz"):
+        qtbot.waitUntil(lambda: "zebra”, “zip" in live.keyword_panel.caption.text())
+    elif keyword.strip():
+        qtbot.waitUntil(lambda: live.preparation.ready)
+    for point in points:
+        click(live, point)
+    if closed:
+        click(live, points[0])
+    assert not live.runs.running
+    assert not runs(session)
+    assert not live.window().desk.notice.isVisible()
+
+
+def test_every_kind_of_change_starts_again(drawn, qtbot, session):
+    session.gate = None
+    stack = drawn.document.undo_stack
+    for change in (
+        lambda: move(drawn),
+        lambda: add_point(drawn),
+        stack.undo,
+        stack.redo,
+        lambda: drawn.hold_to(Axis.HORIZONTAL),
+        lambda: drawn.keyword_panel.toggled.emit("shapes:cross-2"),
+        lambda: type_keyword(drawn, "s"),
+    ):
+        count = len(runs(session))
+        change()
+        rest(drawn, qtbot, session)
+        assert len(runs(session)) > count
+        assert len(drawn.board.results.pictures) == 24
+
+
+def test_nothing_is_added_to_what_can_be_undone(drawn, qtbot, session):
+    count = drawn.document.undo_stack.count()
+    session.gate = None
+    move(drawn)
+    rest(drawn, qtbot, session)
+    assert drawn.document.undo_stack.count() == count + 1
+
+
+def test_what_does_not_count_does_not_start_again(drawn, qtbot, session):
+    drawn.dim.slider.setValue(90)
+    drawn.view.zoom_in()
+    pick(drawn, "light", LAMBDAS[1])
+    assert not drawn.runs.running and not drawn.runs.newest.waiting
+
+
+# -- while the hand moves ----------------------------------------------------------------------
+
+
+def test_of_fast_edits_the_first_is_shown_and_then_the_last(drawn, qtbot, session):
+    for _ in range(3):
+        move(drawn)
+    qtbot.waitUntil(begun(session, 2))
+    last = drawn.document.page.sketch
+    session.gate.release()
+    qtbot.waitUntil(begun(session, 3))
+    assert session.generators_closed == 2, "one run after the other"
+    assert [sketch == last for sketch, _ in runs(session)] == [False, False, True]
+    assert list(states(drawn).values()).count(CellState.OLD) == 24
+    session.gate.release(100)
+    rest(drawn, qtbot, session)
+    assert len(runs(session)) == 3
+
+
+def test_a_run_that_has_shown_its_preview_is_dropped_at_once(drawn, qtbot, session):
+    add_point(drawn)
+    qtbot.waitUntil(begun(session, 2))
+    session.gate.release(3)
+    qtbot.waitUntil(lambda: CellState.READY in states(drawn).values())
+    assert not drawn.runs.newest.patient
+    drawn.document.undo_stack.undo()
+    qtbot.waitUntil(begun(session, 3))
+    assert session.generators_closed == 2
+    assert set(states(drawn).values()) == {CellState.OLD}
+
+
+def test_a_run_that_shows_nothing_gives_way_after_a_while(drawn, qtbot, session):
+    move(drawn)
+    qtbot.waitUntil(begun(session, 2))
+    move(drawn)
+    assert drawn.runs.newest.waiting
+    drawn.runs.newest.timer.timeout.emit()
+    qtbot.waitUntil(begun(session, 3))
+    assert runs(session)[-1][0] == drawn.document.page.sketch
+
+
+def test_going_back_to_what_runs_lets_it_go_on(drawn, qtbot, session):
+    drawn.hold_to(Axis.HORIZONTAL)
+    qtbot.waitUntil(begun(session, 2))
+    drawn.hold_to(Axis.VERTICAL)
+    assert drawn.runs.newest.waiting
+    drawn.document.undo_stack.undo()
+    assert not drawn.runs.newest.waiting
+    session.gate.release(100)
+    rest(drawn, qtbot, session)
+    assert len(runs(session)) == 2
+
+
+def test_a_page_that_becomes_incomplete_stops_the_run_and_keeps_what_is_there(
+    drawn, qtbot, session
+):
+    move(drawn)
+    qtbot.waitUntil(begun(session, 2))
+    drawn.actions_by_name["clear"].trigger()
+    assert not drawn.runs.running
+    assert len(drawn.board.results.pictures) == 24
+    assert not drawn.window().desk.notice.isVisible()
+    drawn.document.undo_stack.undo()
+    qtbot.waitUntil(begun(session, 3))
+
+
+# -- what is seen ------------------------------------------------------------------------------
+
+
+def test_old_results_stay_until_they_are_replaced(drawn, qtbot, session):
+    before = drawn.board.results.pictures
+    shown = drawn.board.detail.picture
+    cell = drawn.board.results.cell(*picked(drawn))
+    fresh = cell.grab().toImage()
+    add_point(drawn)
+    qtbot.waitUntil(begun(session, 2))
+    assert drawn.board.results.pictures == before
+    assert drawn.board.detail.picture is shown
+    assert set(states(drawn).values()) == {CellState.OLD}
+    assert "before the last change" in cell.accessibleName()
+    assert cell.isEnabled()
+    assert cell.grab().toImage() == fresh, "one that is soon replaced does not flicker"
+    cell._paling.timeout.emit()
+    assert cell.grab().toImage() != fresh
+    session.gate.release(2)
+    qtbot.waitUntil(lambda: cell.state is CellState.READY)
+    assert list(states(drawn).values()).count(CellState.OLD) == 23
+    assert len(drawn.board.results.pictures) == 24
+
+
+def test_the_grid_is_built_once(drawn, qtbot, session):
+    cells = [drawn.board.results.cell(style, value) for style in STYLES for value in LAMBDAS]
+    session.gate = None
+    move(drawn)
+    rest(drawn, qtbot, session)
+    assert cells == [drawn.board.results.cell(s, v) for s in STYLES for v in LAMBDAS]
+
+
+def test_a_preview_comes_first_and_the_finished_result_takes_its_place(drawn, qtbot, session):
+    pick(drawn, "medium", LAMBDAS[3])
+    cell = drawn.board.results.cell("medium", LAMBDAS[3])
+    rows = drawn.board.detail._rows
+    sources = [rows.itemAt(number).widget() for number in range(rows.count())]
+    add_point(drawn)
+    qtbot.waitUntil(begun(session, 2))
+    assert runs(session)[-1][1].focus == ("medium", LAMBDAS[3])
+    session.gate.release()
+    qtbot.waitUntil(lambda: cell.state is CellState.PREVIEW)
+    preview = cell.picture
+    assert preview.result.preview
+    assert drawn.board.detail.picture is preview
+    assert "preview · fits the sketch" in drawn.board.detail._about.text()
+    assert [rows.itemAt(i).widget() for i in range(rows.count())] == sources, (
+        "they stay as they are"
+    )
+    assert "preview" in cell.accessibleName()
+    assert drawn.board.results.finished == 0
+    looks = cell.grab().toImage()
+    session.gate.release()
+    qtbot.waitUntil(lambda: cell.state is CellState.READY)
+    assert not cell.picture.result.preview
+    assert drawn.board.detail.picture is cell.picture
+    assert "3 parts of 3 icons" in drawn.board.detail._about.text()
+    assert drawn.board.results.finished == 1
+    assert cell.grab().toImage() != looks, "that it was a preview could be seen"
+    drawn.board.show_event(preview)
+    assert cell.state is CellState.READY
+    assert cell.picture is not preview, "a preview never replaces a finished one"
+    assert drawn.board.detail.picture is cell.picture
+
+
+def test_only_the_first_run_of_a_sketch_picks_the_best(drawn, qtbot, session):
+    first = picked(drawn)
+    assert first == ("lightest", LAMBDAS[RECOMMENDED])
+    session.gate = None
+    session.fits = {"medium": 0.99}
+    move(drawn)
+    rest(drawn, qtbot, session)
+    assert picked(drawn) == first
+    assert drawn.board.detail.picture is drawn.board.results.cell(*first).picture
+    stars = [key for key in states(drawn) if drawn.board.results.cell(*key).recommended]
+    assert stars == [(style, LAMBDAS[RECOMMENDED]) for style in STYLES if style != "dark"]
+
+
+def test_the_focus_follows_what_the_user_picks(drawn, qtbot, session):
+    session.gate = None
+    for target in (("light", LAMBDAS[5]), ("medium", LAMBDAS[0])):
+        pick(drawn, *target)
+        move(drawn)
+        rest(drawn, qtbot, session)
+        assert runs(session)[-1][1].focus == target
+        assert picked(drawn) == target
+
+
+def test_another_sketch_begins_afresh(drawn, qtbot, session):
+    pick(drawn, "medium", LAMBDAS[4])
+    drawn.actions_by_name["new"].trigger()
+    assert len(drawn.board.results.pictures) == 24
+    session.gate = None
+    type_keyword(drawn, "dog")
+    trace(drawn, [(50, 60), (300, 70), (200, 300)])
+    rest(drawn, qtbot, session)
+    assert runs(session)[-1][1].focus is None
+    assert picked(drawn) == ("lightest", LAMBDAS[RECOMMENDED])
+
+
+def test_a_skipped_style_says_why_and_comes_back(drawn, qtbot, session):
+    session.gate, session.skip = None, "light"
+    results = drawn.board.results
+    pick(drawn, "light", LAMBDAS[2])
+    move(drawn)
+    rest(drawn, qtbot, session)
+    assert results.skipped("light") and not results.skipped("dark")
+    assert results._reasons["light"].isVisible()
+    assert not results.cell("light", LAMBDAS[2]).isVisible()
+    assert results.cell("dark", LAMBDAS[2]).isVisible()
+    assert len(results.pictures) == 24
+    assert picked(drawn)[0] != "light", "what is not there cannot be looked at"
+    session.skip = "dark"
+    move(drawn)
+    rest(drawn, qtbot, session)
+    assert not results.skipped("light")
+    assert results.cell("light", LAMBDAS[2]).isVisible()
+    assert results.cell("light", LAMBDAS[2]).state is CellState.READY
+
+
+def test_salient_regions_stay_until_the_new_ones_come(drawn, qtbot, session):
+    drawn.actions_by_name["regions"].trigger()
+    assert len(drawn.scene.regions) == 9
+    move(drawn)
+    assert len(drawn.scene.regions) == 9
+    drawn.actions_by_name["clear"].trigger()
+    assert not drawn.scene.regions
+
+
+def test_only_what_the_user_picks_or_asks_for_is_kept(drawn, qtbot, session, window):
+    session.gate = None
+    assert not window.recent.pictures, "not what came by itself"
+    pick(drawn, "light", LAMBDAS[1])
+    move(drawn)
+    rest(drawn, qtbot, session)
+    assert len(window.recent.pictures) == 1
+    session.gate = threading.Semaphore(0)
+    move(drawn)
+    session.gate.release(100)
+    drawn.run()
+    rest(drawn, qtbot, session)
+    qtbot.waitUntil(lambda: len(window.recent.pictures) == 2)
+
+
+def test_remix_takes_over_what_runs_already(drawn, qtbot, session, window):
+    add_point(drawn)
+    qtbot.waitUntil(begun(session, 2))
+    drawn.run()
+    session.gate.release(100)
+    rest(drawn, qtbot, session)
+    assert len(runs(session)) == 2
+    (kept,) = window.recent.pictures
+    assert kept.result.composite.lambda_s == LAMBDAS[RECOMMENDED]
+
+
+# -- progress and cancel -----------------------------------------------------------------------
+
+
+def test_a_short_run_shows_no_progress_but_can_be_cancelled(drawn, qtbot, session):
+    drawn.runs._calm.setInterval(FOR_EVER)
+    assert strip(drawn).label.text() == "Live · 24 icons"
+    add_point(drawn)
+    qtbot.waitUntil(begun(session, 2))
+    told = []
+    drawn.runs.runner.progress.connect(told.append)
+    qtbot.waitUntil(lambda: len(told) > 3)
+    assert not strip(drawn).bar.isVisible()
+    assert strip(drawn).label.text() == "Live"
+    drawn.runs._calm.stop()
+    qtbot.waitUntil(strip(drawn).bar.isVisible)
+    press(drawn, Qt.Key.Key_Period, CONTROL)
+    assert not drawn.runs.running
+    assert not strip(drawn).bar.isVisible()
+
+
+def test_cancel_stops_until_the_next_change(drawn, qtbot, session):
+    add_point(drawn)
+    qtbot.waitUntil(begun(session, 2))
+    session.gate.release(2)
+    qtbot.waitUntil(lambda: drawn.board.results.finished == 1)
+    press(drawn, Qt.Key.Key_Period, CONTROL)
+    qtbot.waitUntil(lambda: session.generators_closed == 2)
+    assert not drawn.runs.running and not drawn.runs.newest.waiting
+    assert len(drawn.board.results.pictures) == 24
+    assert drawn.board.results.finished == 1
+    drawn.runs.renew()
+    assert not drawn.runs.running
+    drawn.document.undo_stack.undo()
+    qtbot.waitUntil(begun(session, 3))
+
+
+def test_a_failure_is_told_and_the_next_change_tries_again(drawn, qtbot, session, monkeypatch):
+    def broken(sketch, settings):
+        yield from ()
+        raise MemoryError("no room")
+
+    session.gate = None
+    with monkeypatch.context() as patch:
+        patch.setattr(session, "_model", broken)
+        add_point(drawn)
+        qtbot.waitUntil(drawn.window().desk.notice.isVisible)
+    assert "no room" in drawn.window().desk.notice.label.text()
+    assert len(drawn.board.results.pictures) == 24
+    drawn.document.undo_stack.undo()
+    rest(drawn, qtbot, session)
+    assert not drawn.window().desk.notice.isVisible()
+    assert drawn.board.results.finished == 24
+
+
+@pytest.mark.parametrize("stuck", [False, True])
+def test_closing_the_window_leaves_nothing_behind(drawn, qtbot, session, stuck):
+    session.stuck = stuck
+    move(drawn)
+    qtbot.waitUntil(lambda: len(runs(session)) > 1)
+    count = len(runs(session))
+    drawn.window().close()
+    assert session.closed.is_set()
+    assert session.generators_closed == count
+    assert not drawn.window().threads_alive()
+
+
+@pytest.mark.parametrize(
+    ("seconds", "words"),
+    [
+        (0.2, "almost done"),
+        (1.0, "about 1 s left"),
+        (4.6, "about 5 s left"),
+        (12.4, "about 10 s left"),
+        (33.0, "about 35 s left"),
+        (61.0, "about 1 min left"),
+        (200.0, "about 3 min left"),
+    ],
+)
+def test_the_time_left_is_told_no_more_exactly_than_it_is_known(seconds, words):
+    assert time_left(seconds) == words
+
+
+# -- editing -----------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def editing(window, qtbot):
+    """An icon on the canvas of the Edit workspace, in live mode."""
+    place = window.workspace_of("Edit")
+    window.show_workspace(window.workspaces.index(place))
+    patient(place)
+    place.take(exemplar(5).pictogram)
+    qtbot.waitUntil(lambda: place.document.page.icon is not None)
+    qtbot.waitUntil(lambda: place.preparation.ready)
+    return place
+
+
+def test_an_edit_follows_its_areas_and_the_styles(editing, qtbot, session):
+    assert not runs(session), "nothing is marked yet"
+    points = [(40.0, 40.0), (120.0, 45.0), (115.0, 120.0), (45.0, 110.0)]
+    for point in points:
+        click(editing, point)
+    assert not runs(session)
+    click(editing, points[0])
+    rest(editing, qtbot, session)
+    ((edit, settings),) = runs(session)
+    assert edit == editing.document.page.edit()
+    assert settings == ModelSettings(("medium", "dark"), focus=None, previews=True)
+    assert not editing.window().desk.notice.isVisible()
+    drag(editing, points[2], (100, 100))
+    rest(editing, qtbot, session)
+    assert runs(session)[-1][0] == editing.document.page.edit()
+    assert runs(session)[-1][1].focus == ("medium", LAMBDAS[RECOMMENDED])
+    before = editing.board.results.pictures
+    session.gate = threading.Semaphore(0)
+    count = len(runs(session))
+    editing.actions_by_name["styles"].trigger()
+    qtbot.waitUntil(begun(session, count + 1))
+    assert runs(session)[-1][1].styles == STYLES
+    assert editing.board.results.pictures == before, "those of the same styles stay in sight"
+    assert picked(editing) == ("medium", LAMBDAS[RECOMMENDED])
+    session.gate.release(100)
+    rest(editing, qtbot, session)
+    editing.actions_by_name["clear"].trigger()
+    assert not editing.runs.running
+    assert not editing.window().desk.notice.isVisible()
