@@ -1,6 +1,7 @@
 """Montages by mouse, pen and keys, in the real window with the session that needs no icons."""
 
 import json
+import math
 import threading
 from itertools import pairwise
 
@@ -23,6 +24,8 @@ from iconstudio.algorithms.guidance import scribble
 from iconstudio.gui import theme
 from iconstudio.gui.dragging import packed
 from iconstudio.gui.main_window import MainWindow
+from iconstudio.gui.workspaces.montage import pictures as montage_pictures
+from iconstudio.gui.workspaces.montage.pictures import LayerPainter
 from iconstudio.gui.workspaces.montage.scene import MontageScene
 from iconstudio.gui.workspaces.montage.workspace import MontageWorkspace
 from iconstudio.inputs.montage import read_montage
@@ -149,22 +152,33 @@ def test_a_file_that_is_no_good_is_told_in_a_sentence(place, qtbot, tmp_path, wi
     assert place.document.page.layers == ()
 
 
-def test_icons_kept_as_pictures_look_as_if_they_were_painted_anew(place, qtbot):
+def painted(place, scene):
+    """Return what a scene looks like in the view."""
+    image = QImage(place.view.size(), QImage.Format.Format_ARGB32_Premultiplied)
+    image.fill(Qt.GlobalColor.white)
+    with QPainter(image) as painter:
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        scene.paint(painter, place.view.camera, 1.0, theme.current())
+    return image
+
+
+@pytest.mark.parametrize("budget", [0.0, math.inf])
+def test_icons_kept_as_pictures_look_as_if_they_were_painted_anew(
+    place, qtbot, monkeypatch, budget
+):
+    monkeypatch.setattr(montage_pictures, "BUDGET", budget)
     bring(place, qtbot, RING, FRAME, CROSS, TRIANGLE)
     view, stack = place.view, place.document.undo_stack
     qtbot.waitUntil(
         lambda: all(place.crisp.outline(one.icon.exemplar) for one in place.document.page.layers)
     )
 
-    def painted(scene):
-        image = QImage(view.size(), QImage.Format.Format_ARGB32_Premultiplied)
-        image.fill(Qt.GlobalColor.white)
-        with QPainter(image) as painter:
-            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-            scene.paint(painter, view.camera, 1.0, theme.current())
-        return image
+    def settled_picture(scene):
+        while painted(place, scene) and not scene.icons.sharp:
+            qtbot.wait(5)
+        return painted(place, scene)
 
-    seen = [painted(place.scene)]
+    seen = [settled_picture(place.scene)]
     place.layers.chosen.emit(1)
     steps = [
         lambda: press(place, Qt.Key.Key_V),
@@ -185,9 +199,26 @@ def test_icons_kept_as_pictures_look_as_if_they_were_painted_anew(place, qtbot):
     ]
     for step in steps:
         step()
-        seen.append(painted(place.scene))
-        assert seen[-1] == painted(MontageScene(place.document, place.crisp))
+        seen.append(settled_picture(place.scene))
+        assert seen[-1] == settled_picture(MontageScene(place.document, place.crisp))
     assert sum(one != other for one, other in pairwise(seen)) > len(steps) - 4
+
+
+def test_while_zooming_the_last_picture_stands_in_until_the_hand_rests(place, qtbot, monkeypatch):
+    monkeypatch.setattr(montage_pictures, "BUDGET", 0.0)
+    bring(place, qtbot, RING, FRAME, CROSS, TRIANGLE)
+    icons, outlines = place.scene.icons, []
+    qtbot.waitUntil(lambda: painted(place, place.scene) and icons.sharp)
+    monkeypatch.setattr(
+        LayerPainter, "paint", lambda self, painter, layer, *_: outlines.append(layer.number)
+    )
+    for _ in range(5):
+        place.view.zoom_by(1.1)
+        painted(place, place.scene)
+    assert set(outlines) == {place.document.page.current.number}, "the others were only scaled"
+    assert not icons.sharp
+    qtbot.waitUntil(lambda: icons.sharp)
+    assert set(outlines) == {0, 1, 2, 3}
 
 
 def test_the_thirty_first_icon_is_refused_in_a_sentence(place, qtbot, window):

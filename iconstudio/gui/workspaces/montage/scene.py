@@ -33,9 +33,10 @@ class MontageScene(Scene):
 
     def __init__(self, document: MontageDocument, crisp: CrispIcons) -> None:
         super().__init__(document)
-        self._icons = LayerPainter(crisp)
+        self.icons = LayerPainter(crisp, self)
         self._draft: MontagePage | None = None
         crisp.changed.connect(self.changed)
+        self.icons.sharpened.connect(self.changed)
 
     @property
     def page(self) -> MontagePage:
@@ -70,10 +71,10 @@ class MontageScene(Scene):
             [(one, one.tint(faint)) for one in some if not one.hidden]
             for some in (page.layers[:at], page.layers[at + 1 :])
         )
-        self._icons.paint_all("below", painter, below, camera, ratio)
+        self.icons.paint_all("below", painter, below, camera, ratio)
         if not page.current.hidden:
-            self._icons.paint(painter, page.current, page.current.tint(_CHOSEN), camera)
-        self._icons.paint_all("above", painter, above, camera, ratio)
+            self.icons.paint(painter, page.current, page.current.tint(_CHOSEN), camera)
+        self.icons.paint_all("above", painter, above, camera, ratio)
         painter.save()
         painter.setTransform(camera.transform, True)
         for layer in page.layers:
