@@ -16,6 +16,8 @@ _SAMPLES = 40
 _ROUNDS = 8
 _HOPELESS = 6
 """A fit so many times further off than is allowed will not come near."""
+_SLOW = 0.9
+"""A round that leaves so much of the error was the last that a good fit needs."""
 _LONGEST = 1.2
 """A handle longer than this many times the row would loop."""
 _SNAP = 0.03
@@ -98,9 +100,13 @@ def _fit_one(
         p1, p2 = first + handles[0], last + handles[1]
         gap = b0 * first + b1 * p1 + b2 * p2 + b3 * last - inner
         error = abs(gap).max()
+        slow = min(1.0, error / least)
         if error < least:
             best, least = (first, p1, p2, last), error
-        if error < tolerance / 2 or (turn > 0 and error > _HOPELESS * tolerance):
+        if error < tolerance / 2 or (error < tolerance and slow > _SLOW):
+            break
+        hoped = error * slow ** (_ROUNDS - 1 - turn)
+        if turn > 0 and (error > _HOPELESS * tolerance or hoped > tolerance):
             break
         # A Newton step moves each parameter to the foot of its point.
         speed = 3 * (v * v * (p1 - first) + 2 * v * u * (p2 - p1) + u * u * (last - p2))

@@ -71,5 +71,4 @@ def test_tsdf_by_full_distance_transforms(benchmark, case):
 def test_draw(benchmark, medium):
     sources, problem = medium
     labels = Sweep(problem).solve(0.19)
-    drawn = [(s.exemplar.pictogram.svg, s.exemplar.frame, s.placement) for s in sources]
-    benchmark.pedantic(draw, (labels, problem.ink, drawn, render_placed), rounds=5, warmup_rounds=1)
+    benchmark.pedantic(draw, (labels, problem.ink, sources, render_placed), rounds=5, warmup_rounds=1)
