@@ -6,4 +6,10 @@ Rusinkiewicz). Data flows one way: ``library`` and ``algorithms`` stand on
 library; ``cli`` and ``gui`` show what comes out.
 """
 
+import os
+
+# Before NumPy is imported: threads of its own that wait for each other while the worker processes
+# need the cores make matrix products ten times slower.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
 __version__ = "0.2.0"

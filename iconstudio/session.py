@@ -9,10 +9,11 @@ from collections import OrderedDict
 from collections.abc import Generator, Iterator
 from pathlib import Path
 
-from iconstudio.algorithms.matching import SCALES, Matcher, prepare
+from iconstudio.algorithms.matching import SCALES, Matcher, PreparedExemplar
 from iconstudio.algorithms.style import two_toned
 from iconstudio.library.collection import Collection, cache_folder
 from iconstudio.library.ownsvg import read_own_svg
+from iconstudio.library.preparing import PreparingCache
 from iconstudio.library.rasters import RasterCache
 from iconstudio.library.resvg import render_placed
 from iconstudio.model import (
@@ -43,7 +44,7 @@ from iconstudio.workflows.solving import warm_up
 _PLENTY = 8
 """With so many others, icons of two tones are left out: only their dark part could be used."""
 _KEPT = 3
-"""How many keywords stay prepared: some 100 MiB each."""
+"""How many keywords stay prepared: at most 70 MiB each."""
 
 _Key = tuple[str, frozenset[str], tuple[float, ...]]
 
@@ -59,6 +60,7 @@ class Session:
         self._cache = cache or cache_folder()
         self._workers = Workers()
         self._rasters = RasterCache(self._cache / "rasters", self._workers)
+        self._preparing = PreparingCache(self._cache / "prepared", self._workers)
         self._collection: Collection | None = None
         self._opening = threading.Lock()
         self._cold = True
@@ -98,7 +100,7 @@ class Session:
     @property
     def trouble(self) -> str | None:
         """A sentence for the user if drawings cannot be kept in the cache, else None."""
-        return self._rasters.trouble
+        return self._rasters.trouble or self._preparing.trouble
 
     def search(self, keyword: str, exclude: frozenset[str] = frozenset()) -> tuple[Pictogram, ...]:
         """Return at most 200 pictograms for a keyword, best first (section 3.1).
@@ -180,11 +182,11 @@ class Session:
         if len(plain) >= _PLENTY:
             exemplars = plain
         yield Retrieved(keyword, exemplars)
-        ready = []
-        for number, exemplar in enumerate(exemplars, start=1):
-            ready.append(prepare(exemplar, scales))
-            yield Progress("prepare", number / len(exemplars), "Measuring distances")
-        self._prepared[key] = Matcher(ready)
+        ready: dict[int, PreparedExemplar] = {}
+        for index, one in self._preparing.prepared(exemplars, scales):
+            ready[index] = one
+            yield Progress("prepare", len(ready) / len(exemplars), "Measuring distances")
+        self._prepared[key] = Matcher([ready[index] for index in range(len(exemplars))])
         while len(self._prepared) > _KEPT:
             self._prepared.popitem(last=False)
         return self._prepared[key]

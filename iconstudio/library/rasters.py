@@ -1,6 +1,5 @@
 """Exemplars of many pictograms: from the disk cache, or rasterised in worker processes."""
 
-import hashlib
 import struct
 import zlib
 from collections import deque
@@ -11,9 +10,9 @@ from typing import Any
 
 import numpy as np
 
-from iconstudio.files import write_atomically
 from iconstudio.library.rasterise import rasterise
 from iconstudio.library.resvg import VERSION
+from iconstudio.library.store import Store, key_of
 from iconstudio.model import CANVAS, Exemplar, Frame, IconstudioError, Pictogram
 from iconstudio.workers import Workers, died, memory_limit
 
@@ -33,20 +32,18 @@ _DRAWN, _REFUSED = b"D", b"R"
 class RasterCache:
     """Rasterises pictograms and remembers the exemplars in ``folder``, by content.
 
-    Several processes may use the same folder. A file that is broken is made again; where the
-    folder cannot be written, everything works without it.
-
-    Attributes
-    ----------
-    trouble:
-        A sentence for the user if the folder cannot be used, else None.
+    A file that is broken is made again.
     """
 
     def __init__(self, folder: Path, workers: Workers) -> None:
-        self.trouble: str | None = None
-        self._folder = folder
+        self._store = Store(folder)
         self._workers = workers
         self._refusals: dict[str, str] = {}
+
+    @property
+    def trouble(self) -> str | None:
+        """A sentence for the user if the folder cannot be used, else None."""
+        return self._store.trouble
 
     def exemplars(
         self, pictograms: Sequence[Pictogram]
@@ -97,7 +94,7 @@ class RasterCache:
         if key in self._refusals:
             return _refusal(pictogram, self._refusals[key])
         try:
-            return _decoded(self._path(key).read_bytes(), pictogram)
+            return _decoded(self._store.read(key), pictogram)
         except (OSError, ValueError, zlib.error, struct.error):
             return None
 
@@ -108,20 +105,8 @@ class RasterCache:
             # Not written down: on a quieter day it may be drawn in time.
             self._refusals[key] = entry
             return _refusal(pictogram, entry)
-        if self.trouble is None:
-            path = self._path(key)
-            try:
-                path.parent.mkdir(parents=True, exist_ok=True)
-                write_atomically(path, entry)
-            except OSError as error:
-                self.trouble = (
-                    f"Drawings are not kept in {self._folder}: {error.strerror or error}. "
-                    "The next start will be slower."
-                )
+        self._store.write(key, entry)
         return _decoded(entry, pictogram)
-
-    def _path(self, key: str) -> Path:
-        return self._folder / key[:2] / key[2:]
 
 
 def draw_entries(documents: Sequence[str]) -> list[bytes]:
@@ -169,5 +154,4 @@ def _failure(future: "Future[Any]") -> str | None:
 
 
 def _key(svg: str) -> str:
-    text = f"{FORMAT} {VERSION} {CANVAS}\n{svg}"
-    return hashlib.sha256(text.encode(errors="surrogatepass")).hexdigest()[:40]
+    return key_of(FORMAT, VERSION, CANVAS, svg)

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from iconstudio.library import rasters
+from iconstudio.library import rasters, store
 from iconstudio.library.rasterise import rasterise
 from iconstudio.library.rasters import RasterCache, draw_entries
 from iconstudio.model import Credit, IconstudioError, Pictogram
@@ -158,7 +158,7 @@ def test_a_folder_that_lets_nothing_in(cache, tmp_path, monkeypatch, reason):
     def full(path, data):
         raise OSError(reason, os.strerror(reason))
 
-    monkeypatch.setattr(rasters, "write_atomically", full)
+    monkeypatch.setattr(store, "write_atomically", full)
     for found, one in zip(drawn(cache, GOOD[:3]), GOOD[:3], strict=True):
         assert_drawn(found, one)
     assert os.strerror(reason) in cache.trouble
