@@ -47,14 +47,23 @@ class Opened:
             pass
 
 
+def empty(cache):
+    """Leave the unpacked collection alone."""
+    for made in cache.iterdir():
+        if made.is_dir():
+            shutil.rmtree(made)
+        elif not made.name.startswith("collection-"):
+            made.unlink()
+
+
 def measured(benchmark, cache, rounds, cold):
     opened = []
 
     def setup():
         while opened:
             opened.pop().session.close()
-        for made in cache.iterdir() if cold else ():
-            shutil.rmtree(made) if made.is_dir() else None
+        if cold:
+            empty(cache)
         opened.append(Opened(cache))
 
     def close():
