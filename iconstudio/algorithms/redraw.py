@@ -7,7 +7,7 @@ The paper (section 3.4, post-processing) traces the 256-pixel bitmap instead, wh
 staircases.
 
 Most pixels are their owner's: distances are found where owners disagree, and only where the faded
-contour may run. In this module a *block* is the square of drawn pixels that one label covers.
+contour may run.
 """
 
 from collections.abc import Mapping
@@ -19,6 +19,16 @@ from scipy import ndimage
 from scipy.spatial import KDTree
 
 from iconstudio.algorithms.energy import Labels
+from iconstudio.algorithms.sharing import (
+    Blocks,
+    Share,
+    at,
+    enlarged,
+    in_blocks,
+    regions,
+    shares,
+    spread,
+)
 from iconstudio.model import CANVAS
 
 SCALE = 4
@@ -33,29 +43,6 @@ _AGREED = 1e-3
 _ROUGH = 1.5
 """Drawn pixels by which a signed distance may differ between two pixels beyond how far these are
 apart: contours are known where they cross between pixels."""
-
-_Window = tuple[slice, slice]
-
-
-@dataclass(frozen=True, eq=False)
-class _Share:
-    """How much one owner has to say, in a window of the label map around its region."""
-
-    label: int
-    window: _Window
-    soft: NDArray[np.float32]
-    """(h + 2, w + 2): its share at the middle of each block, with a frame."""
-
-    @property
-    def touched(self) -> NDArray[np.bool_]:
-        """(h, w): the blocks any of whose pixels it has a share of."""
-        return _spread(self.soft > 0)[1:-1, 1:-1]
-
-    def weights(self, blocks: NDArray[np.intp], s: int) -> NDArray[np.float32]:
-        """Return its share of each pixel of ``blocks`` (b, 2): (b, s, s)."""
-        ys, xs = (blocks - _corner(self.window)).T
-        around = np.stack([self.soft[ys + y, xs + x] for y in range(3) for x in range(3)], axis=1)
-        return (around @ _bilinear(s)).reshape(-1, s, s)
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,70 +72,54 @@ def redraw(labels: Labels, coverages: Mapping[int, NDArray[np.uint8]]) -> NDArra
     -------
     (n, n) uint8, 255 = ink
     """
-    found = ndimage.find_objects(labels.astype(np.int32) + 1)
-    regions = {label: region for label, region in enumerate(found) if region is not None}
-    joined = _plain(labels, coverages, regions)
-    if len(regions) == 1:
+    joined = _plain(labels, coverages)
+    found = list(shares(labels, FADE, REACH))
+    if len(found) == 1:
         return joined
-    shares = [_share(labels, label, region) for label, region in regions.items()]
-    blocks = np.argwhere(_doubtful(labels, coverages, shares))
+    blocks = np.argwhere(_doubtful(labels, coverages, found))
     s = len(joined) // len(labels)
     voices = []
-    for share in shares:
-        rows = np.flatnonzero(_within(blocks, share.window))
-        here = blocks[rows] - _corner(share.window)
-        rows = rows[share.touched[tuple(here.T)]]
+    for share in found:
+        rows = share.rows(blocks)
         if len(rows):
             weights = share.weights(blocks[rows], s)
             voices.append(_Voice(coverages[share.label], rows, weights))
     mean, inked = np.zeros((2, len(blocks), s, s), dtype=np.float32)
     for voice in voices:
-        own = _blocks(voice.coverage, s)[_at(blocks[voice.rows])]
+        own = in_blocks(voice.coverage, s)[at(blocks[voice.rows])]
         mean[voice.rows] += voice.weights * own
         inked[voice.rows] += voice.weights * (own > 127)
     # Where all owners agree, so does any mean of their distance fields: only the rest needs them.
     disagreed = (inked > _AGREED) & (inked < 1 - _AGREED)
     distance = _faded(blocks, voices, disagreed)
     mean[disagreed] = 255 * np.clip(0.5 - distance[disagreed], 0, 1)
-    _blocks(joined, s)[_at(blocks)] = mean.round()
+    in_blocks(joined, s)[at(blocks)] = mean.round()
     return joined
 
 
-def _plain(
-    labels: Labels, coverages: Mapping[int, NDArray[np.uint8]], regions: Mapping[int, _Window]
-) -> NDArray[np.uint8]:
+def _plain(labels: Labels, coverages: Mapping[int, NDArray[np.uint8]]) -> NDArray[np.uint8]:
     """Give every pixel what its owner draws there."""
     n = len(next(iter(coverages.values())))
     s = n // len(labels)
     joined = np.zeros((n, n), dtype=np.uint8)
-    for label, region in regions.items():
-        large = _enlarged(region, s)
+    for label, region in regions(labels).items():
+        large = enlarged(region, s)
         own = (labels[region] == label).repeat(s, axis=0).repeat(s, axis=1)
         np.copyto(joined[large], coverages[label][large], where=own)
     return joined
 
 
-def _share(labels: Labels, label: int, region: _Window) -> _Share:
-    """Blur an owner's region, so that shares of neighbours cross-fade; all shares sum to 1."""
-    m = len(labels)
-    reach = REACH * m // CANVAS
-    window = _wider(region, reach + 1, m)
-    own = (labels[window] == label).astype(np.float32)
-    soft = ndimage.gaussian_filter(own, FADE * m / CANVAS, radius=reach)
-    return _Share(label, window, np.pad(soft, 1, mode="edge"))
-
-
 def _doubtful(
-    labels: Labels, coverages: Mapping[int, NDArray[np.uint8]], shares: list[_Share]
+    labels: Labels, coverages: Mapping[int, NDArray[np.uint8]], found: list[Share]
 ) -> NDArray[np.bool_]:
     """Find the blocks, (m, m) bool, whose owners are not all white there, nor all black."""
     owners = np.zeros(labels.shape, dtype=np.uint8)
     some, every = np.zeros(labels.shape, dtype=bool), np.ones(labels.shape, dtype=bool)
-    for share in shares:
+    for share in found:
         coverage = coverages[share.label]
         s = len(coverage) // len(labels)
         # The s pixels of a row of a block as one number.
-        rows = np.ascontiguousarray(coverage[_enlarged(share.window, s)]).view(f"u{s}")
+        rows = np.ascontiguousarray(coverage[enlarged(share.window, s)]).view(f"u{s}")
         rows = rows.reshape(-1, s, rows.shape[1])
         touched = share.touched
         owners[share.window] += touched
@@ -158,15 +129,8 @@ def _doubtful(
     return (owners > 1) & some & ~every
 
 
-def _bilinear(s: int) -> NDArray[np.float32]:
-    """Return how the pixels of a block mix those of 3 x 3 blocks, (9, s * s)."""
-    offset = (np.arange(s) + 0.5) / s - 0.5
-    near = np.clip(1 - abs(np.array([-1, 0, 1])[:, None] - offset), 0, None)
-    return np.einsum("iy,jx->ijyx", near, near).reshape(9, s * s).astype(np.float32)
-
-
 def _faded(
-    blocks: NDArray[np.intp], voices: list[_Voice], disagreed: NDArray[np.bool_]
+    blocks: Blocks, voices: list[_Voice], disagreed: NDArray[np.bool_]
 ) -> NDArray[np.float32]:
     """Return the mean of the owners' signed distances at the pixels of blocks, (b, s, s).
 
@@ -248,19 +212,8 @@ def two_tone(coverage: NDArray[np.uint8]) -> NDArray[np.uint8]:
     A duotone's pale layer is no ink, and its dark one is all ink (section 3.1: black and white).
     """
     ink = coverage > 127
-    edge = _spread(ink) & _spread(~ink)
+    edge = spread(ink) & spread(~ink)
     return np.where(edge, coverage, np.where(ink, np.uint8(255), np.uint8(0)))
-
-
-def _spread(ink: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Add all eight neighbours. (SciPy's dilation takes ten times as long.)"""
-    rows = ink.copy()
-    rows[1:] |= ink[:-1]
-    rows[:-1] |= ink[1:]
-    both = rows.copy()
-    both[:, 1:] |= rows[:, :-1]
-    both[:, :-1] |= rows[:, 1:]
-    return both
 
 
 def erase(coverage: NDArray[np.uint8], fragments: NDArray[np.bool_]) -> None:
@@ -272,31 +225,3 @@ def erase(coverage: NDArray[np.uint8], fragments: NDArray[np.bool_]) -> None:
         s = len(coverage) // len(fragments)
         near = ndimage.binary_dilation(fragments, iterations=2 * len(fragments) // CANVAS or 1)
         coverage[near.repeat(s, axis=0).repeat(s, axis=1)] = 0
-
-
-def _wider(window: _Window, margin: int, size: int) -> _Window:
-    ys, xs = (slice(max(0, at.start - margin), min(size, at.stop + margin)) for at in window)
-    return ys, xs
-
-
-def _corner(window: _Window) -> tuple[int, int]:
-    return window[0].start, window[1].start
-
-
-def _within(blocks: NDArray[np.intp], window: _Window) -> NDArray[np.bool_]:
-    low, high = ([side.start for side in window], [side.stop for side in window])
-    return ((blocks >= low) & (blocks < high)).all(axis=1)
-
-
-def _enlarged(window: _Window, s: int) -> _Window:
-    ys, xs = (slice(at.start * s, at.stop * s) for at in window)
-    return ys, xs
-
-
-def _blocks(picture: NDArray[np.uint8], s: int) -> NDArray[np.uint8]:
-    """Return a view of a picture (n, n) as rows and columns of blocks, (n/s, s, n/s, s)."""
-    return picture.reshape(len(picture) // s, s, -1, s)
-
-
-def _at(blocks: NDArray[np.intp]) -> tuple[NDArray[np.intp], slice, NDArray[np.intp], slice]:
-    return blocks[:, 0], slice(None), blocks[:, 1], slice(None)

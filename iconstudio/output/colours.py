@@ -10,6 +10,7 @@ from PIL import Image
 from scipy import ndimage
 
 from iconstudio.algorithms.raster import solid
+from iconstudio.algorithms.sharing import at, in_blocks, shares
 from iconstudio.model import CANVAS, Composite, Drawing, Placement, Source
 
 Key = tuple[str, Placement]
@@ -40,6 +41,8 @@ SIGNIFICANT = 0.02
 _BLUR = 1.2
 """Standard deviation, in canvas pixels, that rounds the staircase between two owners off."""
 _REACH = 4
+_NEAR = 2
+"""How far from the staircase, in canvas pixels, the smooth border may run."""
 
 
 def significant_sources(composite: Composite, least: float = SIGNIFICANT) -> tuple[int, ...]:
@@ -100,12 +103,12 @@ def colour_code(
     -------
     (size, size, 4) uint8 RGBA, alpha not multiplied in
     """
-    n = CANVAS * -(-size // CANVAS)
-    coverage = np.asarray(_resized(Image.fromarray(drawing.coverage), n))
-    tint = np.where(solid(coverage > 127), round(255 * TINT), 0)
-    picture = np.empty((n, n, 4), np.uint8)
-    picture[..., :3] = _painted(composite.labels, source_colours(composite, colours), n // CANVAS)
-    picture[..., 3] = np.maximum(coverage, tint)
+    m = len(composite.labels)
+    scale = -(-size // m)
+    coverage = np.asarray(_resized(Image.fromarray(drawing.coverage), m * scale))
+    alpha = np.maximum(coverage, np.where(solid(coverage > 127), round(255 * TINT), 0))
+    colours = source_colours(composite, colours)
+    picture = np.dstack([_painted(composite.labels, colours, alpha > 0), alpha.astype(np.uint8)])
     return np.asarray(_resized(Image.fromarray(picture), size))
 
 
@@ -115,28 +118,29 @@ def key_of(source: Source) -> Key:
 
 
 def _painted(
-    labels: NDArray[np.uint8], colours: NDArray[np.uint8], scale: int
-) -> NDArray[np.float32]:
-    """Paint the label map, enlarged, with smooth borders: (n, n, 3), 0 to 255.
+    labels: NDArray[np.uint8], colours: NDArray[np.uint8], seen: NDArray[np.bool_]
+) -> NDArray[np.uint8]:
+    """Paint the label map, enlarged, with smooth borders where they are seen: (n, n, 3).
 
     Each owner's region is blurred; its high power makes borders an edge a pixel wide again.
+    ``seen`` is (n, n) bool.
     """
-    n = CANVAS * scale
-    total, paint = np.zeros((n, n, 1), np.float32), np.zeros((n, n, 3), np.float32)
-    for label, box in enumerate(ndimage.find_objects(labels.astype(np.int32) + 1)):
-        if box is None:
-            continue
-        ys, xs = (
-            slice(max(0, side.start - _REACH), min(CANVAS, side.stop + _REACH)) for side in box
-        )
-        own = (labels[ys, xs] == label).astype(np.float32)
-        soft = Image.fromarray(ndimage.gaussian_filter(own, _BLUR, radius=_REACH))
-        large = soft.resize((soft.width * scale, soft.height * scale), Image.Resampling.BILINEAR)
-        weight = np.maximum(np.asarray(large), 1e-4)[..., None] ** 8
-        window = tuple(slice(side.start * scale, side.stop * scale) for side in (ys, xs))
-        total[window] += weight
-        paint[window] += weight * colours[label].astype(np.float32)
-    return paint / total
+    m, n = len(labels), len(seen)
+    s = n // m
+    picture = colours[labels].repeat(s, axis=0).repeat(s, axis=1)
+    around = 2 * (_NEAR * m // CANVAS) + 1
+    border = ndimage.maximum_filter(labels, around) != ndimage.minimum_filter(labels, around)
+    blocks = np.argwhere(border & in_blocks(seen, s).any(axis=(1, 3)))
+    total, paint = (np.zeros((len(blocks), s, s, depth), np.float32) for depth in (1, 3))
+    for share in shares(labels, _BLUR, _REACH):
+        rows = share.rows(blocks)
+        weight = np.maximum(share.weights(blocks[rows], s), 1e-4)[..., None]
+        for _ in range(3):
+            weight *= weight
+        total[rows] += weight
+        paint[rows] += weight * colours[share.label].astype(np.float32)
+    in_blocks(picture, s)[at(blocks)] = (paint / total).round()
+    return picture
 
 
 def _colour(hue: int, placement: int) -> RGB:
