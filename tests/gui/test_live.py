@@ -14,6 +14,7 @@ from iconstudio.gui.panels.cell import CellState
 from iconstudio.gui.panels.progress import time_left
 from iconstudio.model import Axis
 from iconstudio.session import ModelSettings
+from iconstudio.workflows.events import StyleSkipped
 
 STYLES = ModelSettings().styles
 LAMBDAS = ModelSettings().lambdas
@@ -266,6 +267,22 @@ def test_a_run_that_has_shown_its_preview_is_dropped_at_once(drawn, qtbot, sessi
     qtbot.waitUntil(begun(session, 3))
     assert session.generators_closed == 2
     assert set(states(drawn).values()) == {CellState.OLD}
+
+
+def test_what_is_not_looked_at_is_not_enough(drawn, qtbot, session):
+    """The newest edit waits for the picked result, unless its style is skipped."""
+    pick(drawn, "medium", LAMBDAS[3])
+    light = drawn.board.results.cell("light", LAMBDAS[0]).picture
+    add_point(drawn)
+    qtbot.waitUntil(begun(session, 2))
+    drawn.runs.runner.event.emit(light)
+    assert drawn.runs.newest.patient
+    drawn.runs.runner.event.emit(StyleSkipped("dark", 1, "Too few."))
+    drawn.runs.runner.event.emit(light)
+    assert drawn.runs.newest.patient
+    drawn.runs.runner.event.emit(StyleSkipped("medium", 1, "Too few."))
+    drawn.runs.runner.event.emit(light)
+    assert not drawn.runs.newest.patient
 
 
 def test_a_run_that_shows_nothing_gives_way_after_a_while(drawn, qtbot, session):

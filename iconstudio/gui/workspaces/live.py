@@ -13,7 +13,7 @@ from iconstudio.gui.runner import Runner
 from iconstudio.gui.worker import Worker
 from iconstudio.gui.workspaces.wishes import WishingDocument, WishingPage
 from iconstudio.session import ModelSettings
-from iconstudio.workflows.events import Event, Progress
+from iconstudio.workflows.events import Event, Progress, Result, StyleSkipped
 
 PREFERENCE = "live"
 """Under which it is remembered whether live mode is on."""
@@ -93,6 +93,7 @@ class Runs(QObject):
         self.ran: object = None
         """What the results are of."""
         self._ran_page: WishingPage | None = None
+        self._focus: tuple[str, float] | None = None
         self._by_hand = False
         self._calm = QTimer(self, singleShot=True, interval=CALM)
         self.runner.event.connect(self._show)
@@ -155,8 +156,10 @@ class Runs(QObject):
         page, sheet, before = self._page, self._page.document.page, self._ran_page
         wanted, settings, title = page.wanted(), page.settings(), sheet.wish.keyword.strip()
         afresh = not self.live or before is None or sheet.elsewhere(before)
+        focus = page.focus() if self.live and not afresh else None
+        self._focus = focus if focus and focus[0] in settings.styles else None
         if self.live:
-            settings = replace(settings, focus=None if afresh else page.focus(), previews=True)
+            settings = replace(settings, focus=self._focus, previews=True)
         self.ran, self._ran_page, self._by_hand = wanted, sheet, by_hand
         self.runner.start(lambda: pictured(page.events(wanted, settings), title))
         self.began.emit(settings, afresh)
@@ -170,8 +173,11 @@ class Runs(QObject):
 
     def _show(self, event: object) -> None:
         self.event.emit(event)
-        if isinstance(event, Picture):
-            self.newest.enough()
+        match event:
+            case StyleSkipped(style) if self._focus and style == self._focus[0]:
+                self._focus = None
+            case Picture(result) if self._focus in (None, _place(result)):
+                self.newest.enough()
 
     def _fail(self, message: str) -> None:
         if not self.newest.waiting:
@@ -185,3 +191,7 @@ class Runs(QObject):
         if not self.running:
             self._calm.stop()
             self.ended.emit(whole, self._by_hand)
+
+
+def _place(result: Result) -> tuple[str, float]:
+    return result.composite.style, result.composite.lambda_s
