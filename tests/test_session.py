@@ -1,10 +1,11 @@
-"""What only the session can say of an icon: how it is drawn large, and what it is called."""
+"""What only the session knows: how an icon is drawn large, what it is called, what is ready."""
 
 import numpy as np
 import pytest
 
 from iconstudio.model import CANVAS
 from iconstudio.session import Session
+from iconstudio.workflows.events import Progress, Retrieved
 
 
 @pytest.fixture(scope="module")
@@ -31,3 +32,27 @@ def test_an_icon_is_drawn_as_on_the_canvas_but_finer(session):
 )
 def test_an_icon_is_named_after_what_it_shows(session, reference, keyword):
     assert session.keyword(session.icon(reference)) == keyword
+
+
+def prepared(session, keyword):
+    steps, events = session.prepare(keyword), []
+    while True:
+        try:
+            events.append(next(steps))
+        except StopIteration as end:
+            return events, end.value
+
+
+def test_a_keyword_is_made_ready_once(session):
+    events, matcher = prepared(session, "otter")
+    (retrieved,) = (event for event in events if isinstance(event, Retrieved))
+    exemplars = tuple(one.exemplar for one in matcher.exemplars)
+    assert retrieved.exemplars == exemplars
+    assert len(exemplars) > 1
+    # The icons are shown before they are ready for matching.
+    after = events[events.index(retrieved) + 1 :]
+    assert [event.done for event in after if isinstance(event, Progress)][-1] == 1
+    assert len(after) == len(exemplars)
+    again, same = prepared(session, " Otter")
+    assert same is matcher
+    assert [type(event) for event in again] == [Retrieved]

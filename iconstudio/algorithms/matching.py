@@ -5,22 +5,23 @@ region. ``sliding`` estimates the errors of all of them; the best are then follo
 place, so that the errors that rank them are equation 4 to the letter.
 """
 
-import hashlib
 import math
+import os
 import threading
 from collections import OrderedDict
 from collections.abc import Generator, Iterable, Sequence
+from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
 from dataclasses import dataclass
 from dataclasses import field as made_by
-from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.raster import scaled_ink, solid
 from iconstudio.algorithms.saliency import Region
-from iconstudio.algorithms.sliding import REACH, STEP, SlidingWindow, Waves, told
+from iconstudio.algorithms.sliding import Waves, told
 from iconstudio.algorithms.style import blackness
+from iconstudio.algorithms.target import ESTIMATE, Target
 from iconstudio.algorithms.tsdf import D_MAX, distances, squared_distances
 from iconstudio.model import CANVAS, MARGIN, Exemplar, Placement, Source
 
@@ -36,8 +37,8 @@ CHUNK = 32
 """How many exemplars are estimated at once; always the same together, so that rounding is too."""
 REMEMBERED = 64
 """How many regions a ``Matcher`` remembers."""
-ESTIMATE = np.dtype([("error", "f4"), ("dx", "i2"), ("dy", "i2")])
-"""Least error of an exemplar at one scale, mirrored or not, and the translation it is at."""
+_TICK = 0.02
+"""At least so often a run says how far it is, in seconds."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,8 +97,11 @@ class Matcher:
     remembers.
     """
 
-    def __init__(self, exemplars: Sequence[PreparedExemplar]) -> None:
+    def __init__(
+        self, exemplars: Sequence[PreparedExemplar], threads: int = os.cpu_count() or 1
+    ) -> None:
         self.exemplars = tuple(exemplars)
+        self._threads = threads
         self._chunks = [
             np.concatenate([one.spectra for one in self.exemplars[start : start + CHUNK]], axis=1)
             for start in range(0, len(self.exemplars), CHUNK)
@@ -111,6 +115,8 @@ class Matcher:
     ) -> Generator[float, None, list[list[Match]]]:
         """Find the ``MATCHES`` best exemplars of each region; yield the part that is done.
 
+        Closing the generator ends its threads.
+
         Parameters
         ----------
         field
@@ -123,17 +129,30 @@ class Matcher:
         list
             ``matches[region]``: the best placements of different exemplars, by rising error.
         """
-        chosen = np.array(sorted(set(admitted)), dtype=int)
-        fields: dict[tuple[int, int], NDArray[np.float32]] = {}
-        matches: list[list[Match]] = []
-        for number, region in enumerate(regions):
-            target = Target(field - FAR, region, self._waves)
-            found = self._recall(target.key)
-            for part in self._estimate(target, found, chosen):
-                yield (number + part) / len(regions)
-            matches.append(self._best(target, found, chosen, fields))
-            yield (number + 1) / len(regions)
-        return matches
+        run = _Run(np.array(sorted(set(admitted)), dtype=int))
+        targets = [Target(field - FAR, region, self._waves) for region in regions]
+        with ThreadPoolExecutor(self._threads, "match") as threads:
+            futures = [threads.submit(self._matches, target, run) for target in targets]
+            pending = set(futures)
+            try:
+                while pending:
+                    _, pending = wait(pending, _TICK, FIRST_COMPLETED)
+                    yield 1 - len(pending) / len(futures)
+            finally:
+                run.stopped = True
+                threads.shutdown(wait=False, cancel_futures=True)
+        return [future.result() for future in futures]
+
+    def _matches(self, target: Target, run: "_Run") -> list[Match]:
+        """Return the best matches of one region; nothing once the run is stopped."""
+        found = self._recall(target.key)
+        for chunk in sorted({int(index) // CHUNK for index in run.chosen} - found.chunks):
+            if run.stopped:
+                return []
+            hits = found.hits[chunk * CHUNK : (chunk + 1) * CHUNK]
+            hits[:] = target.estimates(self._chunks[chunk]).reshape(hits.shape)
+            found.chunks.add(chunk)
+        return self._best(target, found, run)
 
     def _recall(self, key: bytes) -> "_Found":
         """Return what is known of a region: at first nothing."""
@@ -147,48 +166,33 @@ class Matcher:
                 self._memory.popitem(last=False)
         return found
 
-    def _estimate(
-        self, target: "Target", found: "_Found", chosen: NDArray[np.int64]
-    ) -> Generator[float, None, None]:
-        """Estimate the errors of all chunks that hold a chosen exemplar; yield the part done."""
-        needed = sorted({int(index) // CHUNK for index in chosen})
-        for done, chunk in enumerate(needed, start=1):
-            if chunk not in found.chunks:
-                hits = found.hits[chunk * CHUNK : (chunk + 1) * CHUNK]
-                hits[:] = target.estimates(self._chunks[chunk]).reshape(hits.shape)
-                found.chunks.add(chunk)
-                yield done / (len(needed) + 1)
-
-    def _best(
-        self,
-        target: "Target",
-        found: "_Found",
-        chosen: NDArray[np.int64],
-        fields: dict[tuple[int, int], NDArray[np.float32]],
-    ) -> list[Match]:
-        """Follow the most promising estimates until no other can be among the best.
-
-        ``fields`` keeps the exemplars' distance fields at the scales that were needed.
-        """
-        hits = found.hits[chosen]
+    def _best(self, target: Target, found: "_Found", run: "_Run") -> list[Match]:
+        """Follow the most promising estimates until no other can be among the best."""
+        hits = found.hits[run.chosen]
         best: dict[int, Match] = {}
         for nth, variant in _by_rising_error(hits):
-            index, hit = int(chosen[nth]), hits[nth, variant]
-            if hit["error"] > _hopeless(best.values()):
+            index, hit = int(run.chosen[nth]), hits[nth, variant]
+            if run.stopped or hit["error"] > _hopeless(best.values()):
                 break
             match = found.followed.get((index, variant))
             if match is None:
-                (scale, flip), one = divmod(variant, 2), self.exemplars[index]
-                if (index, scale) not in fields:
-                    fields[index, scale] = one.field(scale)
-                error, dx, dy = target.follow(
-                    fields[index, scale], bool(flip), int(hit["dx"]), int(hit["dy"])
-                )
-                match = Match(index, Placement(one.scales[scale], bool(flip), dx, dy), error)
+                match = self._followed(target, index, variant, hit, run.fields)
                 found.followed[index, variant] = match
             known = best.get(index, match)
             best[index] = min(known, match, key=lambda m: (m.error, m.placement))
         return sorted(best.values(), key=lambda m: (m.error, m.index))[:MATCHES]
+
+    def _followed(
+        self, target: Target, index: int, variant: int, hit: np.void, fields: "_Fields"
+    ) -> Match:
+        """Return the exact match of an estimate."""
+        (scale, flip), one = divmod(variant, 2), self.exemplars[index]
+        if (index, scale) not in fields:
+            fields[index, scale] = one.field(scale)
+        error, dx, dy = target.follow(
+            fields[index, scale], bool(flip), int(hit["dx"]), int(hit["dy"])
+        )
+        return Match(index, Placement(one.scales[scale], bool(flip), dx, dy), error)
 
 
 def _by_rising_error(hits: NDArray[np.void]) -> list[tuple[int, int]]:
@@ -204,6 +208,21 @@ def _hopeless(best: Iterable[Match]) -> float:
     return errors[MATCHES - 1] * (1 + DOUBT[0]) + DOUBT[1] if len(errors) >= MATCHES else math.inf
 
 
+_Fields = dict[tuple[int, int], NDArray[np.float32]]
+"""Distance fields by exemplar and scale."""
+
+
+@dataclass(eq=False)
+class _Run:
+    """What the threads of one run share."""
+
+    chosen: NDArray[np.int64]
+    """Numbers of the exemplars that may be used."""
+    fields: _Fields = made_by(default_factory=dict)
+    """Those that were needed so far."""
+    stopped: bool = False
+
+
 @dataclass(frozen=True, eq=False)
 class _Found:
     """What was found in one region. Threads may write the same at the same time."""
@@ -214,109 +233,6 @@ class _Found:
     """Which chunks of ``hits`` are there."""
     followed: dict[tuple[int, int], Match] = made_by(default_factory=dict)
     """Exact matches by exemplar and variant."""
-
-
-class Target:
-    """A region of the sketch: what exemplars are compared with.
-
-    Parameters
-    ----------
-    field
-        The sketch's TSDF less ``FAR``.
-    waves
-        Those of the exemplars' spectra.
-    """
-
-    def __init__(self, field: NDArray[np.float32], region: Region, waves: Waves) -> None:
-        self._waves = waves
-        self._field = field
-        self._mirrored = np.ascontiguousarray(field[:, ::-1])
-        self._down, self._across = region.down, region.across
-
-    @cached_property
-    def key(self) -> bytes:
-        """Equal for equal masks and equal fields, as far as the mask is above 0."""
-        seen = self._field[self._down > 0][:, self._across > 0]
-        parts = self._down, self._across, seen
-        return hashlib.blake2b(b"".join(part.tobytes() for part in parts)).digest()
-
-    @cached_property
-    def _window(self) -> SlidingWindow:
-        return SlidingWindow(self._waves, self._field, np.outer(self._down, self._across))
-
-    def estimates(self, spectra: NDArray[np.complex64]) -> NDArray[np.void]:
-        """Return the least errors of exemplars, as ``told``: (v, 2) of ``ESTIMATE``."""
-        error, dy, dx = least(self._window.errors(spectra))
-        hits = np.zeros(error.shape, ESTIMATE)
-        hits["error"] = error
-        hits["dy"] = np.rint(dy * STEP - REACH)
-        hits["dx"] = np.rint(dx * STEP - REACH)
-        hits["dx"][:, 1] *= -1
-        return hits
-
-    def error(self, exemplar: NDArray[np.float32], flip: bool, dx: int, dy: int) -> float:
-        """Return equation 4 for a placement of an exemplar's field (n, n) less ``FAR``."""
-        field, across = self._field, self._across
-        if flip:  # the sketch instead, which is the same
-            field, across, dx = self._mirrored, across[::-1], -dx
-        difference = field.copy()
-        border = (exemplar.shape[0] - CANVAS) // 2
-        (here_y, there_y), (here_x, there_x) = (_common(border, d) for d in (dy, dx))
-        difference[here_y, here_x] -= exemplar[there_y, there_x]
-        difference *= difference
-        return float(self._down @ difference @ across)
-
-    def follow(
-        self, exemplar: NDArray[np.float32], flip: bool, dx: int, dy: int
-    ) -> tuple[float, int, int]:
-        """Return the least error near a translation, and where it is: go downhill until at home."""
-        known: dict[tuple[int, int], float] = {}
-        while True:
-            around = [(x, y) for y in (dy - 1, dy, dy + 1) for x in (dx - 1, dx, dx + 1)]
-            for x, y in around:
-                if (x, y) not in known:
-                    known[x, y] = self.error(exemplar, flip, x, y)
-            best = min(around, key=lambda at: (known[at], at))
-            if known[best] == known[dx, dy]:
-                return known[dx, dy], dx, dy
-            dx, dy = best
-
-
-def _common(border: int, shift: int) -> tuple[slice, slice]:
-    """Return where the canvas meets a field moved by ``shift``: in the canvas, in the field."""
-    first = max(0, shift - border)
-    last = max(first, min(CANVAS, CANVAS + border + shift))
-    return slice(first, last), slice(first + border - shift, last + border - shift)
-
-
-def least(
-    errors: NDArray[np.float32],
-) -> tuple[NDArray[np.float32], NDArray[np.float32], NDArray[np.float32]]:
-    """Return the least values of surfaces (..., h, w), and where they are: value, y, x.
-
-    Between the samples a surface is taken for a paraboloid.
-    """
-    *shape, height, width = errors.shape
-    surfaces = errors.reshape(-1, height * width)
-    nth, at = np.arange(len(surfaces)), surfaces.argmin(axis=1)
-    y, x = at // width, at % width
-    middle = np.clip(y, 1, height - 2) * width + np.clip(x, 1, width - 2)
-
-    def value(dy: int, dx: int) -> NDArray[np.float32]:
-        return surfaces[nth, middle + dy * width + dx]
-
-    centre = value(0, 0)
-    slope_x, slope_y = (value(0, 1) - value(0, -1)) / 2, (value(1, 0) - value(-1, 0)) / 2
-    bend_x = value(0, 1) + value(0, -1) - 2 * centre
-    bend_y = value(1, 0) + value(-1, 0) - 2 * centre
-    twist = (value(1, 1) + value(-1, -1) - value(1, -1) - value(-1, 1)) / 4
-    bowl = bend_x * bend_y - twist**2
-    sound = (middle == at) & (bend_x > 0) & (bowl > 0)
-    bowl = np.where(sound, bowl, 1)
-    off_x = np.where(sound, (twist * slope_y - bend_y * slope_x) / bowl, 0).clip(-1, 1)
-    off_y = np.where(sound, (twist * slope_x - bend_x * slope_y) / bowl, 0).clip(-1, 1)
-    lowest = surfaces[nth, at] + (slope_x * off_x + slope_y * off_y) / 2
-    return lowest.reshape(shape), (y + off_y).reshape(shape), (x + off_x).reshape(shape)
 
 
 def sources_of(

@@ -1,3 +1,5 @@
+import threading
+import time
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
@@ -6,10 +8,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from iconstudio.algorithms import matching
-from iconstudio.algorithms.matching import FAR, Matcher, Target, least, prepare, sources_of
+from iconstudio.algorithms.matching import FAR, Matcher, prepare, sources_of
 from iconstudio.algorithms.raster import placed_ink, scaled_ink, shifted, solid
 from iconstudio.algorithms.saliency import Region
 from iconstudio.algorithms.sliding import Waves
+from iconstudio.algorithms.target import Target, least
 from iconstudio.algorithms.tsdf import tsdf
 from iconstudio.model import CANVAS, Placement, Polygon
 from tests.exhaustive import exhaustive
@@ -140,6 +143,36 @@ def test_the_part_that_is_done_rises_to_the_whole(matcher):
     parts = list(matcher.match(sketch_of(exemplar(blob(50))), regions_of_a_square(), EVERYONE))
     assert parts == sorted(parts)
     assert parts[-1] == 1
+
+
+def threads_at_work():
+    return [one for one in threading.enumerate() if one.name.startswith("match")]
+
+
+def test_closing_the_generator_ends_its_threads(collection, monkeypatch):
+    begun = []
+
+    def slowly(self, spectra):
+        begun.append(self)
+        time.sleep(0.1)
+        return estimates(self, spectra)
+
+    estimates = Target.estimates
+    monkeypatch.setattr(Target, "estimates", slowly)
+    regions = regions_of_a_square() * 5
+    run = Matcher(collection, threads=2).match(FIELDS[0], regions, EVERYONE)
+    assert next(run) < 1
+    assert len(threads_at_work()) == 2
+    run.close()
+    assert not threads_at_work()
+    assert len(begun) < len(regions)
+
+
+def test_a_mistake_in_a_thread_is_not_hidden(matcher, monkeypatch):
+    monkeypatch.setattr(Target, "estimates", lambda self, spectra: 1 / 0)
+    with pytest.raises(ZeroDivisionError):
+        finished(matcher.match(FIELDS[0], regions_of_a_square(), EVERYONE))
+    assert not threads_at_work()
 
 
 FIELDS = [sketch_of(exemplar(blob(seed))) for seed in (60, 61)]
