@@ -13,6 +13,7 @@ from scipy import ndimage
 from iconstudio.algorithms.energy import Labels, RemixProblem, joined_ink, lattice_edges
 from iconstudio.algorithms.fragments import fragments
 from iconstudio.algorithms.symmetry import likeness
+from iconstudio.model import CANVAS
 
 HARSH = 0.8
 """Cost of the visible seams, for each pixel of the contour, at which the term ``seam`` is 1/e."""
@@ -20,7 +21,7 @@ EVEN = 0.35
 """Part of the ink that the other sources must own, beside the largest, to share truly."""
 SAME, STRAY = 3, 0.02
 """Two pictures repeat each other if at most the part STRAY of their ink lies further than SAME
-pixels from the other's ink."""
+canvas pixels from the other's ink."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,7 +46,7 @@ class Score:
 
 
 def score(problem: RemixProblem, labels: Labels, *, sharing: bool = False) -> Score:
-    """Return the terms of a labelling (CANVAS, CANVAS) for which no outline was wanted.
+    """Return the terms of a labelling (m, m) for which no outline was wanted.
 
     ``sharing`` says whether the ink should come from several sources.
     """
@@ -69,7 +70,7 @@ def seam_cost(problem: RemixProblem, labels: Labels) -> float:
     dark = problem.ink.reshape(len(problem.ink), -1)
     drawn = joined_ink(problem.ink, labels).ravel()
     cost, contour = 0.0, 0
-    for first, second in lattice_edges():
+    for first, second in lattice_edges(len(labels)):
         contour += int((drawn[first] != drawn[second]).sum())
         seam = flat[first] != flat[second]
         a, b = first[seam], second[seam]
@@ -86,8 +87,9 @@ class Gallery:
         self._seen: list[tuple[NDArray[np.bool_], NDArray[np.bool_]]] = []
 
     def add(self, ink: NDArray[np.bool_]) -> bool:
-        """Note a picture (h, w) bool; return whether it is new."""
-        wide = ndimage.maximum_filter(ink.view(np.uint8), 2 * SAME + 1).view(bool)
+        """Note a picture (m, m) bool; return whether it is new."""
+        around = 2 * (SAME * len(ink) // CANVAS) + 1
+        wide = ndimage.maximum_filter(ink.view(np.uint8), around).view(bool)
         new = not any(_repeats(ink, wide, *other) for other in self._seen)
         if new:
             self._seen.append((ink, wide))

@@ -1,6 +1,6 @@
 """Pictogram montage (section 4.4): the parts that the user scribbles over, joined."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from functools import partial
 from itertools import combinations
 
@@ -35,17 +35,19 @@ def montage_icons(
         Source(exemplar, layer.placement)
         for exemplar, layer in zip(exemplars, montage.layers, strict=True)
     )
-    ink, filled = placed_sources(sources)
-    data = np.stack([truncated_distance(one, MONTAGE_REACH) for one in scribbles])
-    data += held(scribbles)
     remixing = Remixing(workers, render, total=1)
     try:
-        pose = partial(Posed, RemixProblem(data, ink, filled))
-        remixing.start(Job("montage", sources, pose, (LAMBDA_S,)))
+        remixing.start(Job("montage", sources, partial(_pose, sources, scribbles), (LAMBDA_S,)))
         while remixing.busy:
             yield from remixing.ready(wanted=True)
     finally:
         remixing.cancel()
+
+
+def _pose(sources: Sequence[Source], scribbles: NDArray[np.bool_]) -> Posed:
+    ink, filled = placed_sources(sources)
+    data = np.stack([truncated_distance(one, MONTAGE_REACH) for one in scribbles])
+    return Posed(RemixProblem(data + held(scribbles), ink, filled))
 
 
 def check(montage: Montage) -> NDArray[np.bool_]:

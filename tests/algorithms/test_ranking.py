@@ -1,4 +1,5 @@
 import numpy as np
+import pytest
 
 from iconstudio.algorithms.energy import RemixProblem
 from iconstudio.algorithms.ranking import Gallery, score, seam_cost
@@ -32,6 +33,24 @@ def test_a_seam_between_equal_drawings_scores_better_than_a_step():
     larger = score(problem_of(bar(20), bar(20, 14)), labels)
     assert same.seam > 0.98
     assert same.seam > step.seam > larger.seam
+
+
+@pytest.mark.parametrize("scale", [2, 4])
+def test_a_finer_canvas_scores_alike(scale):
+    axis = Axis.HORIZONTAL
+
+    def fine(picture):
+        return picture.repeat(scale, axis=0).repeat(scale, axis=1)
+
+    inks = bar(20), bar(20, 6)
+    torn = halves()
+    torn[100:115, 30:45] = 1
+    plain = score(problem_of(*inks, symmetry=axis), torn, sharing=True)
+    finer = score(problem_of(*map(fine, inks), symmetry=axis), fine(torn), sharing=True)
+    for term in ("whole", "symmetry", "sharing"):
+        assert getattr(finer, term) == pytest.approx(getattr(plain, term), abs=0.02)
+    assert plain.seam < 0.95
+    assert finer.seam == pytest.approx(plain.seam, abs=0.05)
 
 
 def test_seams_through_common_white_are_not_seen():
