@@ -1,4 +1,4 @@
-"""How soon a montage of four icons is made anew after one more stroke (the aim is 0.3 s).
+"""How soon a montage of four icons is made anew after one more stroke (the aim is 0.15 s).
 
 Run with ``python -m pytest tests/benchmarks --benchmark-only``; figures are medians.
 """

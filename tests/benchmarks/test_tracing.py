@@ -1,4 +1,4 @@
-"""How long tracing takes, and how far its outlines are from the icons', in canvas units.
+"""How long drawing and tracing take, and how far the outlines are from the icons', in canvas units.
 
 Run with ``python -m pytest tests/benchmarks --benchmark-only``; figures are medians.
 """
@@ -7,13 +7,15 @@ import re
 
 import numpy as np
 import pytest
+from PIL import Image
 from scipy import ndimage
 
-from iconstudio.algorithms.redraw import SCALE, two_tone
+from iconstudio.algorithms.redraw import SCALE, redraw, two_tone
 from iconstudio.algorithms.vectorize import trace
 from iconstudio.library.resvg import render_coverage, render_placed
 from iconstudio.model import CANVAS, Frame, Placement
 from iconstudio.session import Session
+from iconstudio.workflows.drawing import PREVIEW
 
 WORDS = ("house", "cat", "car", "tree", "camera", "chess", "bicycle", "flower", "gear", "music")
 FINE = 16 * CANVAS
@@ -39,10 +41,13 @@ def edge(ink: np.ndarray) -> np.ndarray:
     return ink & ~ndimage.binary_erosion(ink, border_value=1)
 
 
+def document(path: str) -> str:
+    return f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 256 256"><path d="{path}"/></svg>'
+
+
 def astray(path: str, truth: np.ndarray) -> np.ndarray:
     """Distances from the outline of the path to that of the icon."""
-    svg = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 256 256"><path d="{path}"/></svg>'
-    ours = edge(render_coverage(svg, Frame(0, 0, CANVAS), FINE) > 127)
+    ours = edge(render_coverage(document(path), Frame(0, 0, CANVAS), FINE) > 127)
     away = ndimage.distance_transform_edt(~edge(truth)) * CANVAS / FINE
     return np.minimum(away[ours], FAR)
 
@@ -61,3 +66,28 @@ def test_trace(benchmark, icons):
     benchmark.extra_info["segments, mean"] = float(np.mean(segments))
     benchmark.extra_info["bytes, mean"] = float(np.mean([len(path) for path in paths]))
     assert np.mean([e.mean() for e in errors]) < 0.03
+
+
+@pytest.mark.benchmark(group="drawing a result as SVG")
+@pytest.mark.parametrize("scale", [SCALE, PREVIEW], ids=["at 1024 px", "at 512 px, as a preview"])
+def test_draw(benchmark, icons, scale):
+    """Four icons in each, whose regions have nothing to do with them: the worst of results."""
+    noise = np.random.default_rng(0).normal(size=(4, CANVAS, CANVAS))
+    labels = ndimage.gaussian_filter(noise, (0, 15, 15)).argmax(axis=0).astype(np.uint8)
+    smaller = SCALE // scale
+    drawn = [np.asarray(Image.fromarray(coverage).reduce(smaller)) for coverage, _ in icons]
+    results = [dict(enumerate(drawn[k : k + 4])) for k in range(0, len(drawn) - 3, 2)]
+
+    def draw(coverages):
+        joined = redraw(labels, coverages)
+        return joined, trace(joined)
+
+    rounds = iter(results * 2)
+    benchmark.pedantic(draw, setup=lambda: ((next(rounds),), {}), rounds=2 * len(results))
+    least = 1.0
+    for joined, path in map(draw, results):
+        again = render_coverage(document(path), Frame(0, 0, CANVAS), len(joined)) > 127
+        truth = joined > 127
+        least = min(least, (again & truth).sum() / (again | truth).sum())
+    benchmark.extra_info["least overlap with the redrawn sources"] = round(float(least), 4)
+    assert scale < SCALE or least > 0.99
