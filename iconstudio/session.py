@@ -7,6 +7,7 @@ import os
 import threading
 from collections import OrderedDict
 from collections.abc import Generator, Iterator
+from contextlib import closing
 from pathlib import Path
 
 from iconstudio.algorithms.matching import SCALES, Matcher, PreparedExemplar
@@ -17,7 +18,9 @@ from iconstudio.library.preparing import PreparingCache
 from iconstudio.library.rasters import RasterCache
 from iconstudio.library.resvg import render_placed
 from iconstudio.model import (
+    CANVAS,
     Axis,
+    Composite,
     Drawing,
     Edit,
     Exemplar,
@@ -33,7 +36,8 @@ from iconstudio.workers import Workers
 from iconstudio.workflows.choosing import choose_icons
 from iconstudio.workflows.drawing import draw_whole
 from iconstudio.workflows.editing import edit_icon, own_styles, prepare_change
-from iconstudio.workflows.events import Event, Progress, Retrieved
+from iconstudio.workflows.estimating import estimated
+from iconstudio.workflows.events import Event, Progress, Result, Retrieved
 from iconstudio.workflows.grid import ModelSettings
 from iconstudio.workflows.hybrids import mix_icons
 from iconstudio.workflows.modelling import model
@@ -65,6 +69,7 @@ class Session:
         self._opening = threading.Lock()
         self._cold = True
         self._prepared: OrderedDict[_Key, Matcher] = OrderedDict()
+        self._earlier: dict[str, Composite] = {}
 
     def open(self) -> Iterator[Progress]:
         """Open the bundled collection, which the very first use unpacks."""
@@ -203,7 +208,10 @@ class Session:
         settings.chosen_styles()
         sketch.polygon.fitted()
         matcher = yield from self.prepare(sketch.keyword, sketch.exclude, settings.scales)
-        yield from model(sketch, matcher, settings, self._workers, render_placed)
+        events = model(
+            sketch, matcher, settings, self._workers, render_placed, self._earlier.get("model")
+        )
+        yield from self._remixed("model", events, settings)
 
     def edit(self, edit: Edit, settings: ModelSettings | None = None) -> Iterator[Event]:
         """Run editing (section 4.2): see ``workflows.editing.edit_icon``.
@@ -220,7 +228,9 @@ class Session:
         settings = settings or ModelSettings(own_styles(icon))
         settings.chosen_styles()
         matcher = yield from self.prepare(edit.keyword, edit.exclude, settings.scales)
-        yield from edit_icon(edit, change, matcher, settings, self._workers, render_placed)
+        earlier = self._earlier.get(edit.icon.id)
+        events = edit_icon(edit, change, matcher, settings, self._workers, render_placed, earlier)
+        yield from self._remixed(edit.icon.id, events, settings)
 
     def choose(
         self, keyword: str, count: int, symmetry: Axis | None = None, seed: int = 0
@@ -230,15 +240,28 @@ class Session:
         chosen = choose_icons([one.exemplar for one in matcher.exemplars], count, symmetry, seed)
         return tuple(one.pictogram for one in chosen)
 
-    def mix(self, mix: Mix) -> Iterator[Event]:
+    def mix(self, mix: Mix, side: int = CANVAS) -> Iterator[Event]:
         """Draw hybrids (section 4.3): see ``workflows.hybrids.mix_icons``."""
         exemplars = map(self.exemplar, mix.icons)
-        yield from mix_icons(mix, exemplars, self._workers, render_placed)
+        events = mix_icons(mix, exemplars, self._workers, render_placed, side)
+        yield from estimated(events, self._workers.count)
 
     def montage(self, montage: Montage) -> Iterator[Event]:
         """Make a montage (section 4.4): see ``workflows.montage.montage_icons``."""
         exemplars = (self.exemplar(layer.icon) for layer in montage.layers)
         yield from montage_icons(montage, exemplars, self._workers, render_placed)
+
+    def _remixed(
+        self, name: str, events: Iterator[Event], settings: ModelSettings
+    ) -> Iterator[Event]:
+        """Pass on a run, with the time that remains; keep the result in focus for the next one."""
+        with closing(estimated(events, self._workers.count)) as timed:
+            for event in timed:
+                if isinstance(event, Result):
+                    one = event.composite
+                    if (one.style, one.lambda_s) == settings.focus:
+                        self._earlier = {name: one}
+                yield event
 
     def close(self) -> None:
         """End the worker processes and close the collection."""

@@ -18,6 +18,7 @@ from iconstudio.model import (
     CANVAS,
     MARGIN,
     Axis,
+    Composite,
     Drawing,
     Edit,
     Exemplar,
@@ -113,6 +114,7 @@ def edit_icon(
     settings: ModelSettings,
     workers: Workers,
     render: Render,
+    earlier: Composite | None = None,
 ) -> Iterator[Event]:
     """Remix an icon with parts of the exemplars of ``matcher`` where it is to be changed.
 
@@ -141,6 +143,7 @@ def edit_icon(
             but=edit.icon.id,
             workers=workers,
             render=render,
+            earlier=earlier,
         )
     finally:
         own.cancel()

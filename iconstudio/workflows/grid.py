@@ -12,7 +12,7 @@ from iconstudio.algorithms.expansion import LAMBDAS
 from iconstudio.algorithms.matching import SCALES, Matcher, sources_of
 from iconstudio.algorithms.saliency import Region
 from iconstudio.algorithms.style import STYLES, Style
-from iconstudio.model import CANVAS, IconstudioError, Placement, Source
+from iconstudio.model import CANVAS, Composite, IconstudioError, Placement, Source
 from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import (
@@ -93,6 +93,7 @@ def remix_styles(
     always: tuple[Source, ...] = (),
     finish: Callable[[Result], Result] = lambda result: result,
     but: str = "",
+    earlier: Composite | None = None,
 ) -> Iterator[Event]:
     """Match exemplars to the salient regions of an outline, and remix them in every style.
 
@@ -120,6 +121,8 @@ def remix_styles(
         What to add to each result.
     but
         Identifier of an exemplar that is left out.
+    earlier
+        A result of a similar run, for the preview to begin with.
     """
     styles = settings.chosen_styles()
     yield RegionsFound(tuple(region.centre for region in regions))
@@ -155,6 +158,7 @@ def remix_styles(
                 settings.wanted_lambdas,
                 settings.explored,
                 preview,
+                earlier if preview and earlier and earlier.style == style.name else None,
             )
             preview = False
             remixing.start(job, finish)

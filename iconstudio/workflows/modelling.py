@@ -9,7 +9,7 @@ from iconstudio.algorithms.raster import Bitmap, fill_polygon
 from iconstudio.algorithms.saliency import saliency, salient_regions
 from iconstudio.algorithms.style import Style
 from iconstudio.algorithms.tsdf import tsdf
-from iconstudio.model import Axis, Sketch, Source
+from iconstudio.model import Axis, Composite, Sketch, Source
 from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import Event
@@ -31,6 +31,7 @@ def model(
     settings: ModelSettings,
     workers: Workers,
     render: Render,
+    earlier: Composite | None = None,
 ) -> Iterator[Event]:
     """Remix the exemplars of ``matcher`` in the shape of a sketch, for every style and lambda_S.
 
@@ -47,6 +48,7 @@ def model(
         pose=partial(_pose, fill_polygon(polygon, settings.side), sketch.symmetry),
         workers=workers,
         render=render,
+        earlier=earlier,
     )
 
 

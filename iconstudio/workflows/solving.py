@@ -3,7 +3,7 @@
 The process remembers what it has found for a job, so that each step builds on those before.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from concurrent.futures import CancelledError
 from dataclasses import dataclass, replace
 from time import perf_counter
@@ -16,7 +16,8 @@ from iconstudio.algorithms.energy import Labels, RemixProblem, joined_ink
 from iconstudio.algorithms.ranking import Score
 from iconstudio.algorithms.raster import Bitmap, overlap, solid
 from iconstudio.algorithms.redraw import SCALE
-from iconstudio.model import CANVAS, Drawing, Source
+from iconstudio.algorithms.transfer import transferred
+from iconstudio.model import CANVAS, Composite, Drawing, Source
 from iconstudio.workers import forget, remembered, stopped
 from iconstudio.workflows.drawing import PREVIEW, Render, draw
 
@@ -55,8 +56,8 @@ class Job:
     """Values of lambda_S for which to look for labellings first: they help each other."""
     preview: bool = False
     """Whether a coarse result for the first lambda_S goes ahead."""
-    known: Sequence[Labels] = ()
-    """Labellings of a similar problem, for the preview to begin with."""
+    earlier: Composite | None = None
+    """A result of a similar problem, for the preview to begin with."""
     sharing: bool = False
     """Whether a good result has its ink from several sources."""
 
@@ -164,8 +165,10 @@ def _begin(job: Job) -> _Bench:
 
     posed = job.pose()
     sweep = Sweep(posed.problem, stopped)
-    for labels in job.known:
-        sweep.add(labels)
+    before = job.earlier
+    if before is not None and before.labels.shape == posed.problem.data.shape[1:]:
+        data = posed.problem.data
+        sweep.add(transferred(before.labels, before.sources, job.sources, data))
     return _Bench(posed, sweep, job.explored)
 
 
