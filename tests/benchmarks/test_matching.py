@@ -118,6 +118,7 @@ def compared(session, path: Path) -> tuple[int, list[float]]:
     return len(regions), ratios
 
 
+@pytest.mark.timeout(7200)
 @pytest.mark.benchmark(group="the same pictograms as the exhaustive search")
 def test_matches_are_those_of_the_exhaustive_search(benchmark, session):
     """A check rather than a benchmark: it takes minutes."""
