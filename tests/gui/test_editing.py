@@ -602,7 +602,7 @@ def test_every_example_of_the_menu_opens(empty, qtbot, session, monkeypatch):
         qtbot.waitUntil(lambda before=before: empty.document.page is not before)
         edit = empty.document.page.edit()
         assert edit.remove or edit.add
-        assert "Press Remix" in empty.view.tool.hint
+        assert "Mark more" in empty.view.tool.hint
         assert edit.keyword
         empty.run()
         finish(empty, qtbot)

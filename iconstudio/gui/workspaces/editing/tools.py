@@ -27,10 +27,10 @@ _BEFORE = {
     Kind.ADD: "Add: drag the outline of what should come, or click its corners",
 }
 _AFTER = {
-    Kind.REMOVE: "Now add what should come (A), or press Remix · drag points to correct",
-    Kind.ADD: "Press Remix, or mark more · drag points to correct",
+    Kind.REMOVE: "Add what should come (A) · drag points to correct",
+    Kind.ADD: "Mark more, or drag points to correct",
 }
-_MARKED = "Press Remix, or mark more · V selects areas to correct them"
+_MARKED = "Mark more · V selects areas to correct them"
 """What a tool says before an area is drawn, after that, and if there are others only."""
 
 

@@ -18,8 +18,8 @@ class SketchScene(Scene):
 
     welcome = (
         "Open a photo, or just start drawing",
-        "Click around an object to trace its outline. Name it below, "
-        "and press Remix: new icons are put together from parts of real ones.",
+        "Click around an object to trace its outline, and name it below: "
+        "new icons are put together from parts of real ones.",
     )
 
     def __init__(self, document: SketchDocument) -> None:
