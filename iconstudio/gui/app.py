@@ -1,5 +1,6 @@
 """Open the window."""
 
+import gc
 import sys
 
 from PySide6.QtCore import QObject
@@ -11,13 +12,17 @@ from iconstudio.gui.workspaces.sketching.workspace import SketchWorkspace
 from iconstudio.inputs.sketch import example as read_example
 from iconstudio.session import Session
 
+_TURN = 0.001
+"""Seconds after which a busy thread lets the window's go on. Each call of Qt gives the interpreter
+lock away, so that painting has to wait for it many times."""
+
 
 def application() -> QApplication:
     """Return the application, with the program's look, which follows the system's colour scheme."""
     app = QApplication.instance() or QApplication(sys.argv[:1])
     app.setApplicationName("iconstudio")
     app.setApplicationDisplayName("Iconstudio")
-    theme.load_fonts(app)
+    theme.prepare(app)
     theme.apply(app, theme.current())
     _Follower(app)
     return app
@@ -39,10 +44,13 @@ def run(example: str | None = None, session: Session | None = None) -> int:
         If there is no such example.
     """
     app = application()
+    sys.setswitchinterval(_TURN)
     window = MainWindow(session or Session())
     if example is not None:
         start(window, example)
     window.show()
+    # What is loaded now stays: looking through all of it for garbage would stop the window.
+    gc.freeze()
     return app.exec()
 
 

@@ -80,14 +80,19 @@ def current() -> Theme:
     return DARK if dark else LIGHT
 
 
+def prepare(application: QApplication) -> None:
+    """Set what is the same in all themes: the style of the widgets, and the typeface."""
+    application.setStyle(QStyleFactory.create("Fusion"))
+    _load_fonts(application)
+
+
 def apply(application: QApplication, theme: Theme) -> None:
     """Give the whole application the look of ``theme``."""
-    application.setStyle(QStyleFactory.create("Fusion"))
     application.setPalette(_palette(theme))
     application.setStyleSheet(_style_sheet(theme))
 
 
-def load_fonts(application: QApplication) -> None:
+def _load_fonts(application: QApplication) -> None:
     """Use the bundled typeface; without it, the system's."""
     families: list[str] = []
     folder = resource("fonts")
