@@ -27,7 +27,7 @@ _BEFORE = {
     Kind.ADD: "Add: drag the outline of what should come, or click its corners",
 }
 _AFTER = {
-    Kind.REMOVE: "Add what should come (A) · drag points to correct",
+    Kind.REMOVE: "Now add what should come (A) · drag points to correct",
     Kind.ADD: "Mark more, or drag points to correct",
 }
 _MARKED = "Mark more · V selects areas to correct them"
