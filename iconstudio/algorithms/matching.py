@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.raster import scaled_ink, solid
 from iconstudio.algorithms.saliency import Region
-from iconstudio.algorithms.sliding import Waves, told
+from iconstudio.algorithms.sliding import Waves, spectra_of
 from iconstudio.algorithms.style import blackness
 from iconstudio.algorithms.target import ESTIMATE, Target
 from iconstudio.algorithms.tsdf import D_MAX, distances, squared_distances
@@ -51,7 +51,7 @@ class PreparedExemplar:
         (scales, n, n) int8: for each scale its TSDF as ``squared_distances``, on a canvas large
         enough to keep it whole.
     spectra
-        (x waves, scales, 2 y waves) complex64: see ``sliding.told``.
+        (x waves, scales, 2 y waves) complex64: see ``sliding.spectra_of``.
     """
 
     exemplar: Exemplar
@@ -86,7 +86,7 @@ def prepare(exemplar: Exemplar, scales: Sequence[float] = SCALES) -> PreparedExe
     pad = padding(scales)
     inks = [scaled_ink(exemplar, scale, pad) for scale in scales]
     squared = squared_distances(np.stack([solid(ink) for ink in inks]))
-    spectra = told(Waves(squared.shape[-1]), distances(squared) - FAR)
+    spectra = spectra_of(Waves(squared.shape[-1]), distances(squared) - FAR)
     return PreparedExemplar(exemplar, blackness(exemplar.ink), tuple(scales), squared, spectra)
 
 

@@ -43,7 +43,7 @@ class Target:
         return SlidingWindow(self._waves, self._field, np.outer(self._down, self._across))
 
     def estimates(self, spectra: NDArray[np.complex64]) -> NDArray[np.void]:
-        """Return the least errors of exemplars, as ``told``: (v, 2) of ``ESTIMATE``."""
+        """Return the least error of each exemplar, by its spectra: (v, 2) of ``ESTIMATE``."""
         error, dy, dx = least(self._window.errors(spectra))
         hits = np.zeros(error.shape, ESTIMATE)
         hits["error"] = error

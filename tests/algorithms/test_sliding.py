@@ -7,7 +7,7 @@ from hypothesis.extra.numpy import arrays
 from iconstudio.algorithms import sliding
 from iconstudio.algorithms.matching import FAR
 from iconstudio.algorithms.raster import shifted
-from iconstudio.algorithms.sliding import SlidingWindow, Waves, told
+from iconstudio.algorithms.sliding import SlidingWindow, Waves, spectra_of
 from iconstudio.algorithms.tsdf import tsdf
 from iconstudio.model import CANVAS
 from tests.shapes import blob
@@ -33,7 +33,7 @@ def test_with_all_waves_the_errors_are_exact_at_every_translation(data):
         assert waves.period % 2  # an even period would count its shortest wave twice
         field, mask = data.draw(numbers(8, -2, 2)), data.draw(numbers(8, 0, 1))
         shapes = np.stack([data.draw(numbers(12, -2, 2)) for _ in range(2)])
-        errors = SlidingWindow(waves, field, mask).errors(told(waves, shapes))
+        errors = SlidingWindow(waves, field, mask).errors(spectra_of(waves, shapes))
         for one, row in zip(shapes, errors, strict=True):
             for flip in (False, True):
                 for dy in range(-5, 6):
@@ -47,7 +47,7 @@ def test_the_long_waves_are_enough_for_distance_fields():
     waves = Waves(CANVAS)
     mask = np.outer(np.hanning(CANVAS), np.hanning(CANVAS)).astype(np.float32)
     field, other = (tsdf(blob(seed)) - FAR for seed in (3, 4))
-    errors = SlidingWindow(waves, field, mask).errors(told(waves, np.stack([field, other])))
+    errors = SlidingWindow(waves, field, mask).errors(spectra_of(waves, np.stack([field, other])))
     for one, row in zip((field, other), errors, strict=True):
         exact = np.array(
             [[direct(field, mask, one, dx, dy) for dx in waves.steps] for dy in waves.steps]
@@ -60,7 +60,7 @@ def test_errors_do_not_depend_on_which_regions_came_before():
     waves = Waves(CANVAS)
     rng = np.random.default_rng(0)
     mask, shape = rng.random((2, CANVAS, CANVAS), dtype=np.float32)
-    spectra = told(waves, shape[None])
+    spectra = spectra_of(waves, shape[None])
     first = SlidingWindow(waves, shape, mask).errors(spectra)
     SlidingWindow(waves, mask, shape).errors(spectra)
     assert np.array_equal(first, SlidingWindow(waves, shape, mask).errors(spectra))
