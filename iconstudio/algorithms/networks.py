@@ -93,12 +93,24 @@ class Network(NamedTuple):
 class Scratch(NamedTuple):
     """What ``update`` works with."""
 
-    rough: Integers
-    """(planes, sites): the patch distance of each site's label and alpha, and two flags."""
+    site: Integers
+    """(3, planes, sites): the patch distance of each site's label and alpha; f_int if the label,
+    and if alpha shows interior structure there, else 0."""
+    row: Integers
+    """(2, sites in a row)"""
     there: Integers
-    """(N, 2): the capacities to the right and down."""
+    """(2, N): the capacities to the right and down."""
     back: Integers
-    """(N, 2): the opposite ones."""
+    """(2, N): the opposite ones."""
+
+
+def new_scratch(planes: int, sites: int, size: int) -> Scratch:
+    """Return what ``update`` works with, for a row of ``sites``, and ``size`` nodes."""
+    return Scratch(
+        np.zeros((3, planes, sites * sites), np.int32),
+        np.zeros((2, sites), np.int32),
+        *np.zeros((2, 2, size), np.int32),
+    )
 
 
 def new_network(size: int) -> Network:
@@ -129,9 +141,9 @@ def update(grid, smoothness, network, scratch, labels, alpha, box):
     words, data, kept, _, side, block = grid
     root, through, least = smoothness
     capacity, whole, excess = network
-    rough, there, back = scratch
-    _compare(words, root, kept, rough, labels, alpha, side, block, box)
-    _meet(rough, through, least, kept, there, back, side, block, box)
+    site, row, there, back = scratch
+    _compare(words, root, through, kept, site, labels, alpha, side, block, box)
+    _meet(site, row, least, kept, there, back, side, block, box)
     top, bottom, left, right = box
     for y in range(top, bottom):
         for i in range((y + 1) * (side + 2) + left + 1, (y + 1) * (side + 2) + right + 1):
@@ -171,11 +183,8 @@ def move(side, excess, tree, labels, alpha):
 
 
 @inner
-def _compare(words, root, kept, rough, labels, alpha, side, block, box):
-    """Set ``rough`` in and around a box: 4 x the patch distance of a site's label and alpha.
-
-    Plus 2 if the label, and 1 if alpha shows interior structure at the site.
-    """
+def _compare(words, root, through, kept, out, labels, alpha, side, block, box):
+    """Set ``Scratch.site`` in and around a box."""
     top, bottom, left, right = box
     for plane in range(words.shape[0]):
         for y in range(max(top - 1, 0), min(bottom + 1, side)):
@@ -186,32 +195,60 @@ def _compare(words, root, kept, rough, labels, alpha, side, block, box):
                 label = labels[i]
                 for k in range(block):
                     first = ((y * block + k) * side + x) * block
-                    for site in range(first, first + block):
-                        one, other = words[plane, label, site], words[plane, alpha, site]
-                        flags = ((one >> _LAST_BIT) << np.uint64(1)) | (other >> _LAST_BIT)
-                        differ = root[_bits(one, other)]
-                        rough[plane, site] = (differ << 2) | np.int32(flags)
+                    for s in range(first, first + block):
+                        one, other = words[plane, label, s], words[plane, alpha, s]
+                        out[0, plane, s] = root[_bits(one, other)]
+                        out[1, plane, s] = through if one >> _LAST_BIT else 0
+                        out[2, plane, s] = through if other >> _LAST_BIT else 0
 
 
 @inner
-def _meet(rough, through, least, kept, there, back, side, block, box):
+def _meet(site, row, least, kept, there, back, side, block, box):
     """Set the capacities of all edges of a box as if both nodes had one label, but not alpha."""
     top, bottom, left, right = box
-    for axis in range(2):
-        step, across, along = _layout(axis, side, block)
-        for y in range(max(top - 1, 0), bottom):
-            for x in range(max(left - 1, 0), right):
-                i = (y + 1) * (side + 2) + x + 1
-                there[i, axis] = back[i, axis] = 0
-                if kept[i] + kept[i + step] <= FREE:
-                    continue
-                first = _first(y, x, axis, side, block)
-                for plane in range(rough.shape[0]):
-                    for s in range(first, first + along * block, along):
-                        at_s, at_t = rough[plane, s], rough[plane, s + across]
-                        differ = (at_s >> 2) + (at_t >> 2)
-                        there[i, axis] += max(differ + ((at_s | at_t >> 1) & 1) * through, least)
-                        back[i, axis] += max(differ + ((at_s >> 1 | at_t) & 1) * through, least)
+    top, left = max(top - 1, 0), max(left - 1, 0)
+    sites = side * block
+    for y in range(top, bottom):
+        for axis in range(2):
+            start, count, step = (y + 1) * (side + 2) + left + 1, right - left, 1
+            forth, back_ = there[axis, start : start + count], back[axis, start : start + count]
+            forth[:] = 0
+            back_[:] = 0
+            lines = block
+            if axis == 1:
+                step, lines = side + 2, 1 if y + 1 < side else 0
+            for plane in range(site.shape[1]):
+                for k in range(lines):
+                    if axis == 0:
+                        _face(site, row, plane, (y * block + k) * sites, 1, sites - 1, least)
+                        for x in range(min(count, side - 1 - left)):
+                            forth[x] += row[0, (x + left) * block + block - 1]
+                            back_[x] += row[1, (x + left) * block + block - 1]
+                    else:
+                        _face(site, row, plane, ((y + 1) * block - 1) * sites, sites, sites, least)
+                        for x in range(count):
+                            for s in range((x + left) * block, (x + left + 1) * block):
+                                forth[x] += row[0, s]
+                                back_[x] += row[1, s]
+            one, other = kept[start : start + count], kept[start + step : start + step + count]
+            for x in range(count):
+                if one[x] + other[x] <= FREE:
+                    forth[x] = back_[x] = 0
+
+
+@part
+def _face(site, row, plane, first, across, count, least):
+    """Set ``Scratch.row``: what ``count`` sites from the first and those across them cost."""
+    # A view for each row, so that the loop becomes a few wide instructions.
+    second = first + across
+    differ, differ_across = site[0, plane, first : first + count], site[0, plane, second:]
+    label, label_across = site[1, plane, first : first + count], site[1, plane, second:]
+    alpha, alpha_across = site[2, plane, first : first + count], site[2, plane, second:]
+    there, back = row[0], row[1]
+    for s in range(count):
+        both = differ[s] + differ_across[s]
+        there[s] = max(both + max(alpha[s], label_across[s]), least)
+        back[s] = max(both + max(label[s], alpha_across[s]), least)
 
 
 @inner
@@ -226,7 +263,7 @@ def _seams(words, root, through, least, kept, labels, alpha, there, back, excess
                 a, b = labels[i], labels[i + step]
                 if (a == b and a != alpha) or kept[i] + kept[i + step] <= FREE:
                     continue
-                there[i, axis] = back[i, axis] = 0
+                there[axis, i] = back[axis, i] = 0
                 if a == b:
                     continue
                 first = _first(y, x, axis, side, block)
@@ -235,10 +272,10 @@ def _seams(words, root, through, least, kept, labels, alpha, there, back, excess
                 to_i, to_j = keep, keep
                 if a != alpha and b != alpha:
                     either = i_moves + j_moves - keep
-                    there[i, axis] = min(max(i_moves - (keep >> 1), 0), either)
-                    back[i, axis] = either - there[i, axis]
-                    to_i += there[i, axis] - i_moves
-                    to_j += back[i, axis] - j_moves
+                    there[axis, i] = min(max(i_moves - (keep >> 1), 0), either)
+                    back[axis, i] = either - there[axis, i]
+                    to_i += there[axis, i] - i_moves
+                    to_j += back[axis, i] - j_moves
                 if y >= top and x >= left:
                     excess[i] += to_i
                 if (y >= top and x + 1 < right) if axis == 0 else (x >= left and y + 1 < bottom):
@@ -264,10 +301,10 @@ def _carry(capacity, whole, there, back, excess, side, box):
                 if not (inside or beyond):
                     continue
                 flow = whole[i, axis] - capacity[i, 2 * axis]
-                flow = min(max(flow, -back[i, axis]), there[i, axis])
-                whole[i, axis] = there[i, axis]
-                capacity[i, 2 * axis] = there[i, axis] - flow
-                capacity[j, 2 * axis + 1] = back[i, axis] + flow
+                flow = min(max(flow, -back[axis, i]), there[axis, i])
+                whole[i, axis] = there[axis, i]
+                capacity[i, 2 * axis] = there[axis, i] - flow
+                capacity[j, 2 * axis + 1] = back[axis, i] + flow
                 if inside:
                     excess[i] -= flow
                 if beyond:

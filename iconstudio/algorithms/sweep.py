@@ -40,10 +40,10 @@ from iconstudio.algorithms.networks import (
     Box,
     Grid,
     Network,
-    Scratch,
     Smoothness,
     move,
     new_network,
+    new_scratch,
     update,
 )
 from iconstudio.algorithms.symmetry import mirrored
@@ -91,10 +91,7 @@ class Level:
         self.grid = Grid(words, data, kept, offset, side, block)
         self._networks: list[Network | None] = [None] * len(data)
         self._trees = new_trees(width * width)
-        self._scratch = Scratch(
-            np.zeros((len(words), problem.side**2), np.int32),
-            *np.zeros((2, width * width, 2), np.int32),
-        )
+        self._scratch = new_scratch(len(words), problem.side, width * width)
         self.begin(1.0)
 
     def cheapest(self) -> Labels:
