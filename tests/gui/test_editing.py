@@ -198,7 +198,7 @@ def test_a_freehand_line_becomes_an_area_of_few_corners(editing):
     assert (area.kind, area.closed) == (Kind.REMOVE, True)
     near(area.vertices, RED)
     assert editing.document.undo_stack.count() == 2, "the icon, and one step"
-    assert "Remix" in editing.view.tool.hint
+    assert "Now add" in editing.view.tool.hint
 
 
 def test_what_should_come_is_drawn_over_what_goes(editing):

@@ -464,6 +464,22 @@ def test_only_what_the_user_picks_or_asks_for_is_kept(drawn, qtbot, session, win
     qtbot.waitUntil(lambda: len(window.recent.pictures) == 2)
 
 
+def test_of_a_preview_that_is_picked_the_finished_result_is_kept(drawn, qtbot, session, window):
+    add_point(drawn)
+    qtbot.waitUntil(begun(session, 2))
+    cell = drawn.board.results.cell(*picked(drawn))
+    session.gate.release()
+    qtbot.waitUntil(lambda: cell.state is CellState.PREVIEW)
+    pick(drawn, *picked(drawn))
+    assert not window.recent.pictures
+    session.gate.release()
+    qtbot.waitUntil(lambda: cell.state is CellState.READY)
+    assert list(window.recent.pictures) == [cell.picture]
+    session.gate.release(100)
+    rest(drawn, qtbot, session)
+    assert len(window.recent.pictures) == 1
+
+
 def test_remix_takes_over_what_runs_already(drawn, qtbot, session, window):
     add_point(drawn)
     qtbot.waitUntil(begun(session, 2))

@@ -44,6 +44,7 @@ class Board(QSplitter):
         self.menu: QMenu | None = None
         self._destinations: Sequence[Destination] = ()
         self._settled = False
+        self._owed = False  # the finished result of a preview that the user picked
         self._best: Picture | None = None
         self.addWidget(self.results)
         self.addWidget(self.detail)
@@ -105,6 +106,8 @@ class Board(QSplitter):
         self.counted.emit(self.results.finished)
         if self.detail.picture is None:
             self._pick(picture)
+        if self._owed and picture is self.detail.picture:
+            self._keep(picture)
 
     def _recommend(self, event: Recommended) -> None:
         self.results.recommend(event.style, event.lambda_s)
@@ -125,7 +128,12 @@ class Board(QSplitter):
 
     def _choose(self, picture: Picture) -> None:
         self._settled = True
-        self.made.emit(picture)
+        self._keep(picture)
+
+    def _keep(self, picture: Picture) -> None:
+        self._owed = picture.result.preview
+        if not self._owed:
+            self.made.emit(picture)
 
     def _open_menu(self, picture: Picture, spot: QPoint) -> None:
         if not self._destinations:
