@@ -44,14 +44,18 @@ def run(example: str | None = None, session: Session | None = None) -> int:
         If there is no such example.
     """
     app = application()
-    sys.setswitchinterval(_TURN)
     window = MainWindow(session or Session())
     if example is not None:
         start(window, example)
     window.show()
-    # What is loaded now stays: looking through all of it for garbage would stop the window.
-    gc.freeze()
+    keep_going()
     return app.exec()
+
+
+def keep_going() -> None:
+    """Keep busy threads and the garbage collector from stopping a window that is made."""
+    sys.setswitchinterval(_TURN)
+    gc.freeze()  # What is there now stays: it need not be looked through for garbage.
 
 
 def start(window: MainWindow, example: str) -> None:
