@@ -51,7 +51,7 @@ def write_collection(folder: Path, count: int) -> None:
     contents = Contents(
         sets=tuple(_icon_set(one) for one in columns["sets"]),
         set_of=column("set_of") * copies,
-        names=[f"{name}-{n}" if n else name for n in range(copies) for name in column("names")],
+        names=[f"{name}~{n}" if n else name for n in range(copies) for name in column("names")],
         view_boxes=column("view_boxes") * copies,
         bodies=[bodies[number] for number in chosen] * copies,
         cells=b"".join(_turned(cells, turn).tobytes() for turn in _TURNS[:copies]),
