@@ -36,7 +36,7 @@ class Target:
         """Equal for equal masks and equal fields, as far as the mask is above 0."""
         seen = self._field[self._down > 0][:, self._across > 0]
         parts = self._down, self._across, seen
-        return hashlib.blake2b(b"".join(part.tobytes() for part in parts)).digest()
+        return hashlib.sha256(b"".join(part.tobytes() for part in parts)).digest()
 
     @cached_property
     def _window(self) -> SlidingWindow:
