@@ -149,5 +149,5 @@ def _with_part(image: QImage, part: NDArray[np.bool_]) -> QImage:
     result = QImage(image)
     with QPainter(result) as painter:
         painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_DestinationIn)
-        painter.drawImage(0, 0, stencil(veil, QColor("black")))
+        painter.drawImage(result.rect(), stencil(veil, QColor("black")))
     return result
