@@ -205,7 +205,7 @@ def _sources(page: Page, row: Row, colours: Palette, top: float) -> None:
     for number, one in enumerate(used[: 2 * _ACROSS]):
         x = _EDGE + number % _ACROSS * (_THUMB + _GAP)
         y = top + number // _ACROSS * (_THUMB + 62)
-        ink, _ = placed_ink(one.source.exemplar, one.source.placement)
+        ink, _ = placed_ink(one.source.exemplar, one.source.placement, len(one.own))
         page.stencil(x, y, _THUMB, grey(ink), PALE)
         page.stencil(x, y, _THUMB, grey(ink & one.own), colours[key_of(one.source)])
         collection, name = one.source.exemplar.id.split(":", 1)
