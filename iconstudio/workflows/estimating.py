@@ -12,9 +12,9 @@ from contextlib import closing
 from dataclasses import replace
 from time import perf_counter
 
-from iconstudio.workflows.events import Event, Progress, Result, StyleMatched
+from iconstudio.workflows.events import Event, Progress, Recommended, Result, StyleMatched
 
-_LATER = 0.25
+_LATER = 0.15
 _GUESSES = 2
 """At first, a later result of a row is taken to cost this part of the first one; that counts as so
 many results seen."""
@@ -68,12 +68,14 @@ class Estimate:
         self._ends: float | None = None
         self._done = 0.0
         self._rows: Counter[str] = Counter()
-        """Finished results of each row that was begun."""
+        """Finished results of each row; a row is worked on by one process."""
         self._first: list[float] = []
         self._later: list[float] = []
         """Seconds of work for the first results of rows, and for the others."""
-        self._ended: deque[float] = deque(maxlen=processes)
-        """When each process last ended a result, as far as that can be told."""
+        self._last: dict[str, float] = {}
+        """When each row that is under way had its last result."""
+        self._free: deque[float] = deque(maxlen=processes)
+        """When the processes last had done with a row, and could begin another."""
 
     def note(self, event: Event, now: float) -> None:
         """Learn from an event."""
@@ -86,11 +88,14 @@ class Estimate:
                 kind = self._later if self._rows[row] else self._first
                 kind.append(event.remix_seconds + event.vectorize_seconds)
                 self._rows[row] += 1
+                self._last[row] = now
+            case Recommended():
+                self._last.pop(event.style, None)
+                self._free.append(now)
             case Progress(stage="remix"):
                 self._begin(now)
                 if event.done > self._done:
                     self._done = event.done
-                    self._ended.append(now)
                     self._look(now)
 
     def remaining(self, now: float) -> float | None:
@@ -104,21 +109,31 @@ class Estimate:
     def _begin(self, now: float) -> None:
         if self._began is None:
             self._began = now
+            self._free.extend([now] * self._processes)
 
     def _look(self, now: float) -> None:
         """Tell the end from the work that is done, under way, and left."""
         finished = sum(self._rows.values())
         if not finished or self._began is None:
             return
+        total = finished / self._done
         first = sum(self._first) / len(self._first)
         guessed = _GUESSES * _LATER * first
         later = (sum(self._later) + guessed) / (len(self._later) + _GUESSES)
-        rows = len(self._rows) - len(self._first)
-        work = first * rows + later * max(0.0, finished / self._done - finished - rows)
-        done = sum(self._first) + sum(self._later)
-        speed = done / max(sum(self._ended) - self._began * len(self._ended), 1e-9)
-        idle = self._processes - len(self._ended)
-        since = now * self._processes - sum(self._ended) - self._began * idle
-        left = max(0.0, work - speed * since) / max(speed * self._processes, 1e-9)
+        unbegun = len(self._rows) - len(self._first)
+        work = first * unbegun + later * max(0.0, total - finished - unbegun)
+        # All processes have been busy, with what is finished and with what is under way.
+        under_way = self._under_way(now)
+        spent = self._processes * (now - self._began) - under_way
+        speed = (sum(self._first) + sum(self._later)) / max(spent, 1e-9)
+        left = max(0.0, work / max(speed, 1e-9) - under_way) / self._processes
         ends = now + left
         self._ends = ends if self._ends is None else self._ends + _TRUST * (ends - self._ends)
+
+    def _under_way(self, now: float) -> float:
+        """Return the seconds that the processes have spent on what is not finished."""
+        busy = sorted(self._last.values())[-self._processes :]
+        begun = sum(1 for count in self._rows.values() if not count)
+        exploring = min(begun, self._processes - len(busy))
+        since = [*busy, *list(self._free)[self._processes - exploring :]]
+        return sum(now - time for time in since)

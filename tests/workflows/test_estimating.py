@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from iconstudio.workflows.estimating import estimated, spoken
-from iconstudio.workflows.events import Progress, Result, StyleMatched, StyleSkipped
+from iconstudio.workflows.events import Progress, Recommended, Result, StyleMatched, StyleSkipped
 
 RECORDINGS = Path(__file__).parent / "recordings"
 
@@ -44,27 +44,27 @@ def told(timed, processes=2):
 
 
 def grid(rows=4, columns=8, first=4.0, later=0.5, processes=2, tick=0.1):
-    """A run whose results are worked on one after the other within a row, rows side by side.
+    """A run whose processes each work on a row at a time, from its first result to its last.
 
     A tick of progress falls between the results, as of whoever waits for them.
     """
     timed = [(0.01 * row, StyleMatched(str(row), (), ())) for row in range(rows)]
     free = [0.0] * processes
-    waiting = [(0.0, 0, row) for row in range(rows)]
     finished = []
-    while waiting:
-        ready, column, row = heapq.heappop(waiting)
-        end = max(ready, heapq.heappop(free)) + (later if column else first)
+    for row in range(rows):
+        end = heapq.heappop(free)
+        for column in range(columns):
+            cost = later if column else first
+            end += cost
+            finished.append((end, str(row), cost, column + 1 == columns))
         heapq.heappush(free, end)
-        finished.append((end, str(row), later if column else first))
-        if column + 1 < columns:
-            heapq.heappush(waiting, (end, column + 1, row))
     total, last = rows * columns, 0.0
-    for done, (at, row, cost) in enumerate(sorted(finished), start=1):
+    for done, (at, row, cost, whole) in enumerate(sorted(finished), start=1):
         while last + tick < at:
             last += tick
             timed.append((last, Progress("remix", (done - 1) / total, "Joining parts")))
-        timed += [(at, result(row, cost)), (at, Progress("remix", done / total, "Joining parts"))]
+        timed += [(at, result(row, cost))] + [(at, Recommended(row, 0.1))] * whole
+        timed.append((at, Progress("remix", done / total, "Joining parts")))
         last = at
     return sorted(timed, key=lambda pair: pair[0])
 
@@ -79,6 +79,8 @@ def recorded(name):
                 timed.append((at, StyleMatched(rest[0], (), ())))
             case "progress":
                 timed.append((at, Progress("remix", rest[0], "")))
+            case "recommended":
+                timed.append((at, Recommended(rest[0], 0.1)))
             case "result":
                 timed.append((at, result(*rest)))
     return timed, end
@@ -91,7 +93,7 @@ def at(track, when):
 
 @settings(max_examples=60, deadline=None)
 @given(
-    rows=st.integers(2, 6),
+    rows=st.sampled_from([2, 4, 6]),
     columns=st.integers(6, 8),
     times=st.floats(2, 8),
     later=st.floats(0.2, 1),
