@@ -281,6 +281,27 @@ def test_on_a_shape_is_a_point_that_stays_and_else_the_nearest():
     assert abs(y - (128 - 60)) <= 1
 
 
+def test_keys_move_a_mark_and_pin_what_lies_there(chosen):
+    card = chosen.column.cards.cards[3]
+    card.setFocus()
+    plain = card.grab().toImage()
+    QTest.keyClick(card, Qt.Key.Key_Down, Qt.KeyboardModifier.ShiftModifier)
+    assert card.grab().toImage() != plain, "the mark shows"
+    for _ in range(3):
+        QTest.keyClick(card, Qt.Key.Key_Left)
+    assert chosen.document.page.mix.pins == ()
+    QTest.keyClick(card, Qt.Key.Key_Space)
+    (pin,) = chosen.document.page.ingredients[3].pins
+    spot = card.at(pin) - QPointF(card.rect().center())
+    assert abs(spot.x() + 9) < 2 and abs(spot.y() - 12) < 2
+    QTest.keyClick(card, Qt.Key.Key_Space)
+    assert chosen.document.page.mix.pins == ()
+    for _ in range(40):
+        QTest.keyClick(card, Qt.Key.Key_Right)
+    QTest.keyClick(card, Qt.Key.Key_Space)
+    assert len(chosen.document.page.ingredients[3].pins) == 1, "the mark stays on the card"
+
+
 def test_under_symmetry_the_mirror_image_of_a_pin_shows_and_frees_it(chosen):
     chosen.column.symmetry.chosen.emit(Axis.HORIZONTAL)
     card = chosen.column.cards.cards[0]

@@ -11,6 +11,7 @@ from PySide6.QtGui import (
     QMouseEvent,
     QPainter,
     QPaintEvent,
+    QPixmap,
     QPointingDevice,
     QTabletEvent,
 )
@@ -50,6 +51,8 @@ class CanvasView(CameraView):
         self._welcomes = welcomes
         self._pan = PanTool(self.pan)
         self._panning = False
+        self._backdrop_pixmap = QPixmap()
+        self._backdrop_seen: object = None
         self.setMouseTracking(True)
         self.setTabletTracking(True)
         self.setAcceptDrops(True)
@@ -92,7 +95,7 @@ class CanvasView(CameraView):
         look, area = theme.current(), QRectF(self.rect())
         with QPainter(self) as painter:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-            painters.paint_backdrop(painter, area, self._camera, look)
+            painter.drawPixmap(0, 0, self._backdrop(look))
             self._scene.paint(painter, self._camera, self.devicePixelRatioF(), look)
             if self._scene.empty:
                 painters.paint_welcome(painter, area, *self._scene.welcome, look)
@@ -173,6 +176,19 @@ class CanvasView(CameraView):
         self.dropped.emit(event.mimeData(), self._camera.to_page(event.position()))
 
     # -- helpers -------------------------------------------------------------------------------
+
+    def _backdrop(self, look: theme.Theme) -> QPixmap:
+        """Return the empty canvas, painted anew only if it is seen in another way."""
+        ratio = self.devicePixelRatioF()
+        seen = self.size(), self._camera, ratio, look
+        if self._backdrop_seen != seen:
+            pixmap = QPixmap((self.size().toSizeF() * ratio).toSize())
+            pixmap.setDevicePixelRatio(ratio)
+            with QPainter(pixmap) as painter:
+                painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+                painters.paint_backdrop(painter, QRectF(self.rect()), self._camera, look)
+            self._backdrop_pixmap, self._backdrop_seen = pixmap, seen
+        return self._backdrop_pixmap
 
     def _press(self, pointer: Pointer) -> None:
         if pointer.button == Qt.MouseButton.MiddleButton:

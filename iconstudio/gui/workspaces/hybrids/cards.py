@@ -33,6 +33,13 @@ SIDE = 9 * UNIT
 COLUMNS = 5
 NEAR = 7
 """A click within so many device-independent pixels of a pin means that pin."""
+_STEPS = {
+    Qt.Key.Key_Left: QPointF(-1, 0),
+    Qt.Key.Key_Right: QPointF(1, 0),
+    Qt.Key.Key_Up: QPointF(0, -1),
+    Qt.Key.Key_Down: QPointF(0, 1),
+}
+"""The ways of the mark that keys move over an icon."""
 
 
 class IconCard(QWidget):
@@ -54,7 +61,8 @@ class IconCard(QWidget):
         self._ingredient: Ingredient | None = None
         self._axis: Axis | None = None
         self._image: Mipmap | None = None
-        self._colour = ""
+        self._mark: QPointF | None = None
+        """Where the keys would set a pin, once they have been used."""
         self.setFixedSize(SIDE, SIDE)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setCursor(Qt.CursorShape.CrossCursor)
@@ -76,7 +84,8 @@ class IconCard(QWidget):
         credit = ingredient.exemplar.pictogram.credit
         self.setToolTip(
             f"{ingredient.id}\n{credit.author} · {credit.license}\n"
-            "Click a part that every hybrid should keep; click its pin to free it"
+            "Click a part that every hybrid should keep; click its pin to free it.\n"
+            "Or move a mark there with the arrow keys, and press Space"
         )
         self.setAccessibleName(f"{ingredient.id}, {len(ingredient.pins)} pins")
         self.button.setToolTip(f"Do not mix {ingredient.id} (Delete)")
@@ -99,22 +108,24 @@ class IconCard(QWidget):
         if event.button() is not Qt.MouseButton.LeftButton or self._ingredient is None:
             super().mousePressEvent(event)
             return
-        pins, spot = self._ingredient.pins, event.position()
-        hit = next((pin for pin in pins if self._is_near(pin, spot)), None)
-        if hit is not None:
-            left = tuple(pin for pin in pins if pin != hit)
-            self.pinned.emit(self._ingredient.id, left)
-        else:
-            box = self._box()
-            place = (spot - box.topLeft()) * CANVAS / box.width()
-            pin = on_shape(self._ingredient.exemplar, (place.x(), place.y()))
-            if pin not in pins:
-                self.pinned.emit(self._ingredient.id, (*pins, pin))
+        self._pin_at(event.position())
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Remove the icon with Delete."""
-        if event.key() in (Qt.Key.Key_Delete, Qt.Key.Key_Backspace):
+        """Remove the icon with Delete; arrows move a mark, and Space pins what lies there."""
+        key = event.key()
+        if key in (Qt.Key.Key_Delete, Qt.Key.Key_Backspace):
             self._remove()
+        elif key in _STEPS or (key == Qt.Key.Key_Space and self._mark is None):
+            far = 12 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 3
+            spot = (self._mark or self._box().center()) + far * _STEPS.get(key, QPointF())
+            box = self._box()
+            self._mark = QPointF(
+                min(max(spot.x(), box.left()), box.right()),
+                min(max(spot.y(), box.top()), box.bottom()),
+            )
+            self.update()
+        elif key == Qt.Key.Key_Space and self._ingredient is not None:
+            self._pin_at(self._mark)
         else:
             super().keyPressEvent(event)
 
@@ -142,6 +153,7 @@ class IconCard(QWidget):
     def focusOutEvent(self, event: QFocusEvent) -> None:
         """Show no more that keys work here."""
         super().focusOutEvent(event)
+        self._mark = None
         self._show_button()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
@@ -173,6 +185,11 @@ class IconCard(QWidget):
                 if self._axis is not None:
                     _paint_pin(painter, self.at(mirror_image(pin, self._axis)), look, faint=True)
                 _paint_pin(painter, self.at(pin), look)
+            if self._mark is not None:
+                painter.setBrush(Qt.BrushStyle.NoBrush)
+                for colour, width in (("surface", 4), ("accent", 1.5)):
+                    painter.setPen(QPen(look.color(colour), width))
+                    painter.drawEllipse(self._mark, 6.5, 6.5)
 
     def _box(self) -> QRectF:
         return QRectF(self.rect()).adjusted(4, 4, -4, -4)
@@ -181,6 +198,19 @@ class IconCard(QWidget):
         images = [pin] if self._axis is None else [pin, mirror_image(pin, self._axis)]
         gaps = [self.at(image) - spot for image in images]
         return any(math.hypot(gap.x(), gap.y()) <= NEAR for gap in gaps)
+
+    def _pin_at(self, spot: QPointF) -> None:
+        pins = self._ingredient.pins
+        hit = next((pin for pin in pins if self._is_near(pin, spot)), None)
+        if hit is not None:
+            left = tuple(pin for pin in pins if pin != hit)
+            self.pinned.emit(self._ingredient.id, left)
+        else:
+            box = self._box()
+            place = (spot - box.topLeft()) * CANVAS / box.width()
+            pin = on_shape(self._ingredient.exemplar, (place.x(), place.y()))
+            if pin not in pins:
+                self.pinned.emit(self._ingredient.id, (*pins, pin))
 
     def _show_button(self) -> None:
         """Show the button only where the user is: it covers some of the icon."""
