@@ -14,11 +14,10 @@ from time import perf_counter
 
 from iconstudio.workflows.events import Event, Progress, Recommended, Result, StyleMatched
 
-_LATER = 0.15
-_GUESSES = 2
-"""At first, a later result of a row is taken to cost this part of the first one; that counts as so
-many results seen."""
-_TRUST = 0.5
+_GUESS = 0.15
+"""At first, a later result of a row is taken to cost this part of the first one; that counts as one
+result seen."""
+_TRUST = 0.7
 """How far each look at the work moves the end towards what it alone would say."""
 _OVERDUE = 0.05
 """A run that should be over is said to need this part of its time again: nobody knows better."""
@@ -118,8 +117,7 @@ class Estimate:
             return
         total = finished / self._done
         first = sum(self._first) / len(self._first)
-        guessed = _GUESSES * _LATER * first
-        later = (sum(self._later) + guessed) / (len(self._later) + _GUESSES)
+        later = (sum(self._later) + _GUESS * first) / (len(self._later) + 1)
         unbegun = len(self._rows) - len(self._first)
         work = first * unbegun + later * max(0.0, total - finished - unbegun)
         # All processes have been busy, with what is finished and with what is under way.
