@@ -24,7 +24,8 @@ from tests.benchmarks.readme import README, put
 ROOT = README.parent
 KEPT = ROOT / ".benchmarks" / "table"
 FILES = (
-    "keyword", "matching", "solver", "live", "hybrids", "montage", "stages", "window", "whole_run",
+    "keyword", "matching", "solver", "live", "hybrids", "montage", "stages", "tracing", "window",
+    "whole_run",
 )  # fmt: skip
 
 
@@ -37,7 +38,7 @@ class Measured:
     def __getitem__(self, name: str) -> float:
         """Return the median time of a ``file.test``, or what it noted as ``file.test: note``.
 
-        Of a test with parameters, the median of all.
+        Of a test with parameters, the median of all; or name one: ``file.test[parameter]``.
 
         Raises
         ------
@@ -48,6 +49,10 @@ class Measured:
         if note:
             return median(one["extra_info"][note] for one in self._found[test])
         return median(one["stats"]["median"] for one in self._found[test])
+
+    def notes(self, test: str) -> Mapping[str, Any]:
+        """Return all that a test noted."""
+        return self._found[test][0]["extra_info"]
 
     def pairs(self, first: str, second: str, note: str) -> list[tuple[Any, Any]]:
         """Return what two tests noted with the same parameters."""
@@ -113,6 +118,22 @@ def scores(found: Measured) -> str:
     tests = ("hybrids.test_cuts", "hybrids.test_cuts_by_plain_expansion")
     ours, plain = (found[f"{test}: mean rank score"] for test in tests)
     return f"{ours:.3f}; plainly {plain:.3f}"
+
+
+def overlap(found: Measured) -> str:
+    """Say how like the traced outlines are to what was drawn."""
+    note = "tracing.test_draw[at 1024 px]: least overlap with the redrawn sources"
+    return f"{found[note]:.3f} at least"
+
+
+def standstill(found: Measured) -> str:
+    """Say when the window stands still longest."""
+    longest = {
+        stage: float(said.split(" / ")[0])
+        for stage, said in found.notes("window.test_gaps").items()
+    }
+    stage = max(longest, key=longest.__getitem__)
+    return f"{longest[stage]:.0f} ms ({stage})"
 
 
 def memory(found: Measured) -> str:
@@ -185,6 +206,10 @@ ROWS = (
         times("montage.test_session", "montage.test_window"),
     ),
     Row("Drawing a result as SVG at 1024 px", "0.15 s", times("stages.test_draw")),
+    Row("- IoU with the redrawn sources", "0.99", overlap),
+    Row("From starting the program to a painted window, and its end", "1.5 s",
+        times("window.test_opening")),
+    Row("The longest that the window stands still", "50 ms", standstill),
     Row("Memory of all processes at the peak of a run", "1.5 GiB", memory),
 )  # fmt: skip
 
@@ -212,7 +237,8 @@ def read(folder: Path = KEPT) -> Measured:
         text = path.read_text("utf-8")
         for one in json.loads(text)["benchmarks"] if text else ():
             test = one["name"].partition("[")[0]
-            found.setdefault(f"{path.stem}.{test}", []).append(one)
+            for name in {test, one["name"]}:
+                found.setdefault(f"{path.stem}.{name}", []).append(one)
     return Measured(found)
 
 
