@@ -26,6 +26,7 @@ to the root and their age keep trees flat, as in the authors' program.
 Every node needs four neighbours: grids have a border of nodes without excess and capacities.
 """
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -43,6 +44,8 @@ _FAR = 1 << 30
 _MOST = 1 << 29
 """The largest capacity or excess of a block; what is more is left to the nodes."""
 
+SLICE = 1 << 14
+"""Nodes that trees grow from before ``ask`` is called: a few milliseconds."""
 SMALLEST = 64
 """Smaller grids are not cut coarsely first."""
 
@@ -68,7 +71,13 @@ def new_trees(size: int) -> Trees:
 
 
 def minimum_cut(
-    offset: Integers, capacity: Integers, excess: Integers, trees: Trees, anew: bool, far: bool
+    offset: Integers,
+    capacity: Integers,
+    excess: Integers,
+    trees: Trees,
+    anew: bool,
+    far: bool,
+    ask: Callable[[], None] = lambda: None,
 ) -> None:
     """Send all the flow there is; the source's side is then what ``excess`` can still reach.
 
@@ -83,15 +92,21 @@ def minimum_cut(
         from both sides, else only from the source's.
     far
         Whether it is to be expected to go far: then blocks come before all.
+    ask
+        Called every few milliseconds. What it raises leaves a flow that is feasible, if not all.
     """
     if far:
-        _send_in_blocks(offset, capacity, excess)
+        _send_in_blocks(offset, capacity, excess, ask)
     if anew:
         _send_in_chains(offset, capacity, excess, trees.distance)
-    _send_in_trees(offset, capacity, excess, trees, anew)
+    place = np.array([0, _plant(excess, trees, anew), 0, -1])
+    while _send_in_trees(offset, capacity, excess, trees, anew, place, SLICE):
+        ask()
 
 
-def _send_in_blocks(offset: Integers, capacity: Integers, excess: Integers) -> None:
+def _send_in_blocks(
+    offset: Integers, capacity: Integers, excess: Integers, ask: Callable[[], None]
+) -> None:
     """Send what flow the sums over 2 x 2 nodes suggest."""
     width = int(offset[2])
     rows, columns = len(excess) // width - 2, width - 2
@@ -102,7 +117,7 @@ def _send_in_blocks(offset: Integers, capacity: Integers, excess: Integers) -> N
     coarse, sums = np.zeros((size, 4), np.int32), np.zeros(size, np.int32)
     _add_up(width, capacity, excess, wide, coarse, sums)
     steps = np.array([1, -1, wide, -wide], np.int32)
-    minimum_cut(steps, coarse, sums, new_trees(size), True, True)
+    minimum_cut(steps, coarse, sums, new_trees(size), True, True, ask)
     _spread(width, capacity, excess, wide, coarse)
 
 
@@ -170,12 +185,16 @@ def _push(capacity, excess, i, j, d, amount):
 
 
 @entry
-def _send_in_trees(offset, capacity, excess, trees, anew):
-    """Send all the rest of the flow."""
+def _send_in_trees(offset, capacity, excess, trees, anew, place, most):
+    """Send the rest of the flow, from at most so many nodes; return whether there is more to do.
+
+    ``place`` is where the work is, to go on from: head and count of the queue, the time, and the
+    node that trees grow from, or -1.
+    """
     size = excess.size
-    head, count = 0, _plant(excess, trees, anew)
-    time, here = 0, -1
-    while here >= 0 or count > 0:
+    head, count, time, here = place
+    while (here >= 0 or count > 0) and most > 0:
+        most -= 1
         if here < 0:
             here = trees.queue[head]
             head = head + 1 if head + 1 < size else 0
@@ -191,6 +210,8 @@ def _send_in_trees(offset, capacity, excess, trees, anew):
         time += 1
         orphans = _send(offset, capacity, excess, trees, here, met)
         count = _adopt(offset, capacity, trees, time, orphans, head, count, anew)
+    place[0], place[1], place[2], place[3] = head, count, time, here
+    return here >= 0 or count > 0
 
 
 @entry
@@ -218,7 +239,7 @@ def _send_in_chains(offset, capacity, excess, reach):
                 excess[i + step] += amount
 
 
-@inner
+@entry
 def _plant(excess, trees, anew):
     """Make every node with excess a tree of its own, and active; return how many."""
     tree, parent, age, distance, queue, queued, _ = trees

@@ -55,9 +55,11 @@ class Lattice:
     def data(self) -> NDArray[np.float64]:
         """(K, nodes): data cost of each node."""
         b, n = self.block, self.side
-        blocks = (
-            self.problem.data.reshape(-1, n, b, n, b).sum(axis=(2, 4), dtype=np.float64)
-        ).reshape(-1, n * n)
+        blocks = np.zeros((len(self.problem.data), n * n))
+        for one, out in zip(self.problem.data, blocks, strict=True):
+            rows = one.reshape(n, b, n * b).sum(axis=1, dtype=np.float64)
+            for k in range(b):
+                out += rows[:, k::b].ravel()
         if self.problem.symmetry is None:
             return blocks
         return np.stack([np.bincount(self.node, row) for row in blocks])

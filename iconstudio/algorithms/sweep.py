@@ -13,8 +13,8 @@ What is heuristic, in the order of the work:
 
 1. ``preview``: expansions on blocks of 2 x 2 sites. The energy is the true one, restricted to
    labellings that are constant on blocks: a quarter of the nodes, a tenth of the time. It begins
-   with the better of two labellings on blocks of 4 x 4: one from the cheapest labels, one from
-   where the data cost rules, at the lowest lambda_S.
+   with the best on blocks of 4 x 4: from where the data cost rules, at the lowest lambda_S, up to
+   the one that is wanted; and from what is known, such as the result before an edit.
 2. ``explore`` looks for good regions to begin in: for each lambda_S on blocks of 4 x 4 from the
    cheapest labels; on blocks of 2 x 2 from the lowest lambda_S up, each from the last, and again
    from the highest down; last, those on 4 x 4 blocks that are nearly as good as the best known are
@@ -30,7 +30,7 @@ from collections.abc import Callable, Iterable
 import numpy as np
 from scipy import ndimage
 
-from iconstudio.algorithms.cuts import minimum_cut, new_trees
+from iconstudio.algorithms.cuts import SOURCE, minimum_cut, new_trees
 from iconstudio.algorithms.energy import EPSILON, F_INT, PATCH, Labels, RemixProblem
 from iconstudio.algorithms.expansion import LAMBDAS, Lattice
 from iconstudio.algorithms.networks import (
@@ -59,7 +59,9 @@ FAR = 0.5
 """From this lambda_S on, seams outweigh the data cost, so that flow goes far."""
 LARGEST = 16.0
 """Above this lambda_S, expansions are made as if it were this, as whole numbers have an end."""
-_DEAREST = 1 << 27
+ROUNDING = 1e-4
+"""The energy that whole numbers stand for may be so much off, in parts of it."""
+_DEAREST = 1 << 29
 """The largest data cost of a node, in units: more than all seams around it."""
 
 
@@ -73,8 +75,11 @@ class Level:
     Labels here are arrays (N,) uint8 with the grid's border.
     """
 
-    def __init__(self, problem: RemixProblem, block: int, words: np.ndarray) -> None:
+    def __init__(
+        self, problem: RemixProblem, block: int, words: np.ndarray, check: bool = False
+    ) -> None:
         self.lattice = Lattice(problem, block)
+        self._check = check
         side = problem.side // block
         width = side + 2
         self._inside = (np.arange(1, side + 1)[:, None] * width + np.arange(1, side + 1)).ravel()
@@ -85,8 +90,8 @@ class Level:
         kept[self._inside] = np.where(self._image == np.arange(side * side), FREE, 0)
         self._nodes = kept > 0
         data = np.zeros((len(problem.data), width * width), np.int32)
-        cost = np.minimum(np.rint(self.lattice.data * UNIT), _DEAREST)
-        data[:, self._inside] = cost[:, self.lattice.node]
+        for costs, row in zip(self.lattice.data, data, strict=True):
+            row[self._inside] = np.minimum(np.rint(costs * UNIT), _DEAREST)[self.lattice.node]
         offset = np.array([1, -1, width, -width], np.int32)
         self.grid = Grid(words, data, kept, offset, side, block)
         self._networks: list[Network | None] = [None] * len(data)
@@ -128,15 +133,19 @@ class Level:
         Raises
         ------
         Stopped
-            When ``stop()`` says so; asked before each expansion.
+            When ``stop()`` says so; asked every few milliseconds.
         """
         self.begin(lambda_s)
+
+        def ask() -> None:
+            if stop():
+                raise Stopped
+
         count = len(self._networks)
         idle, alpha = 0, 0
         while idle < count:
-            if stop():
-                raise Stopped
-            idle = 0 if self.expand(labels, alpha) else idle + 1
+            ask()
+            idle = 0 if self.expand(labels, alpha, ask) else idle + 1
             alpha = (alpha + 1) % count
 
     def begin(self, lambda_s: float) -> None:
@@ -151,10 +160,11 @@ class Level:
         """Say that labels within a box have changed, one node or more from its border."""
         self._changed = [_joined(one, box) for one in self._changed]
 
-    def expand(self, labels: Labels, alpha: int) -> int:
+    def expand(self, labels: Labels, alpha: int, ask: Callable[[], None] = lambda: None) -> int:
         """Make the best expansion of a label, in place; return what it gains, in units.
 
-        ``labels`` are those of the last expansion, except where ``touch`` has been told.
+        ``labels`` are those of the last expansion, except where ``touch`` has been told. If ``ask``
+        raises, called every few milliseconds, they are as before; then ``begin`` must come next.
         """
         box = self._changed[alpha]
         if box[0] >= box[1]:
@@ -168,7 +178,11 @@ class Level:
         if not update(grid, self.smoothness, network, self._scratch, labels, alpha, box):
             return 0
         full = box == (0, grid.side, 0, grid.side)
-        minimum_cut(grid.offset, network.capacity, network.excess, trees, full, cold and self._far)
+        far = cold and self._far
+        total = network.excess.sum() if self._check else 0
+        minimum_cut(grid.offset, network.capacity, network.excess, trees, full, far, ask)
+        if self._check:
+            check_cut(grid, network, trees.tree, int(total))
         gain, box = move(grid.side, network.excess, trees.tree, labels, alpha)
         if gain:
             self.touch(box)
@@ -178,11 +192,18 @@ class Level:
 class Sweep:
     """The labellings of a problem found so far, and the means to find better ones.
 
-    ``stop`` is asked between expansions; when it says so, ``Stopped`` is raised, and the sweep can
-    still be used.
+    ``stop`` is asked every few milliseconds; when it says so, ``Stopped`` is raised, and the sweep
+    can still be used. With ``check``, for debug runs, the invariants are asserted: every flow is
+    feasible, every cut is worth its flow (``check_cut``), and no search ends above its beginning.
     """
 
-    def __init__(self, problem: RemixProblem, stop: Callable[[], bool] = lambda: False) -> None:
+    def __init__(
+        self,
+        problem: RemixProblem,
+        stop: Callable[[], bool] = lambda: False,
+        check: bool = False,
+    ) -> None:
+        self._check = check
         self._problem = problem
         self._stop = stop
         self._words = plane_words(problem)
@@ -203,13 +224,13 @@ class Sweep:
         return min(data + lambda_s * smoothness for data, smoothness, _ in self._known)
 
     def preview(self, lambda_s: float) -> Labels:
-        """Return a good labelling soon, (m, m)."""
-        if not self._known:
-            labels = None
-            lowest = LAMBDAS[0] * self._problem.side / CANVAS
-            for value in np.geomspace(min(lowest, lambda_s), lambda_s, 3):
-                labels = self._descend(COARSE, value, labels)
-            self._descend(COARSE, lambda_s, None)
+        """Return a good labelling soon, (m, m); what is known already is improved, too."""
+        if self._known:
+            self._descend(COARSE, lambda_s, self.best(lambda_s))
+        labels = None
+        lowest = LAMBDAS[0] * self._problem.side / CANVAS
+        for value in np.geomspace(min(lowest, lambda_s), lambda_s, 3):
+            labels = self._descend(COARSE, value, labels)
         self._descend(BLOCK, lambda_s, self.best(lambda_s))
         return self.best(lambda_s)
 
@@ -236,15 +257,23 @@ class Sweep:
     def _descend(self, block: int, lambda_s: float, start: Labels | None) -> Labels:
         """Expand from ``start``, the cheapest labels if None, and remember what is found."""
         if block not in self._levels:
-            self._levels[block] = Level(self._problem, block, self._words)
+            self._levels[block] = Level(self._problem, block, self._words, self._check)
         level = self._levels[block]
         labels = level.cheapest() if start is None else level.reduced(start)
         if block == 1:
             level.hold(labels)
+        before = level.full(labels) if self._check else None
         level.descend(labels, lambda_s, self._stop)
         found = level.full(labels)
         self.add(found)
+        if before is not None:
+            fallen = self._energy(before, lambda_s) - self._energy(found, lambda_s)
+            assert fallen >= -ROUNDING * self._energy(before, lambda_s)
         return found
+
+    def _energy(self, labels: Labels, lambda_s: float) -> float:
+        data, smoothness = self._problem.costs(labels)
+        return data + min(lambda_s, LARGEST) * smoothness
 
 
 def plane_words(problem: RemixProblem) -> np.ndarray:
@@ -254,6 +283,20 @@ def plane_words(problem: RemixProblem) -> np.ndarray:
     if problem.symmetry is None:
         return words[None]
     return np.stack([words, words[:, mirrored(problem.side, problem.symmetry)]])
+
+
+def check_cut(grid: Grid, network: Network, tree: np.ndarray, total: int) -> None:
+    """Assert that a cut is minimum: its flow is feasible, and no more can be sent.
+
+    ``total`` is the sum of the excess before: flow moves it, but nothing is lost.
+    """
+    taken = tree == SOURCE
+    assert (network.capacity >= 0).all()
+    assert network.excess.sum() == total
+    assert (network.excess[taken] >= 0).all()
+    assert (network.excess[~taken] <= 0).all()
+    for d, step in enumerate(grid.offset.tolist()):
+        assert not network.capacity[taken & ~np.roll(taken, -step), d].any()
 
 
 def _joined(one: Box, other: Box) -> Box:

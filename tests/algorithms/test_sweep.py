@@ -1,7 +1,11 @@
+import itertools
+
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
-from iconstudio.algorithms import expansion
+from iconstudio.algorithms import cuts, expansion
 from iconstudio.algorithms.energy import F_INT, Labels, RemixProblem
 from iconstudio.algorithms.expansion import Lattice, minimise
 from iconstudio.algorithms.networks import UNIT
@@ -91,7 +95,7 @@ def test_a_search_ends_where_no_expansion_gains():
 def test_a_sweep_is_about_as_good_as_plain_expansion(symmetry):
     one = busy_problem(1, symmetry=symmetry)
     lambdas = (0.03, 0.1, 0.4)
-    sweep = Sweep(one)
+    sweep = Sweep(one, check=True)
     sweep.explore(lambdas)
     plain = Lattice(one, 2)
     for lambda_s in lambdas:
@@ -136,20 +140,71 @@ def test_what_is_known_counts_for_every_lambda():
     assert np.array_equal(sweep.best(1e6), flat)
 
 
-def test_stopping_leaves_the_sweep_usable():
+@pytest.mark.parametrize("patience", [1, 5, 23])
+def test_stopping_leaves_the_sweep_usable(monkeypatch, patience):
+    monkeypatch.setattr(cuts, "SLICE", 200)  # stops within cuts, too
     asked = 0
 
     def stop() -> bool:
         nonlocal asked
         asked += 1
-        return asked == 5
+        return asked == patience
 
     one = busy_problem(8)
-    sweep = Sweep(one, stop)
+    sweep = Sweep(one, stop, check=True)
     with pytest.raises(Stopped):
         sweep.solve(0.1)
-    assert asked == 5
+    assert asked == patience
     assert np.array_equal(sweep.solve(0.1), Sweep(one).solve(0.1))
+
+
+def random_problem(seed: int) -> RemixProblem:
+    """A small one of any kind: 8 or 16 sites in a row, up to five sources, some symmetric."""
+    rng = np.random.default_rng(seed)
+    side, count = int(rng.choice([8, 16])), int(rng.integers(2, 6))
+    ink = rng.random((count, side, side)) < rng.random((count, 1, 1))
+    data = rng.random((count, side, side)) ** 3 * rng.choice([0.1, 1, 10, 100])
+    axis = [None, None, *Axis][rng.integers(6)]
+    plain = problem(ink, data)
+    return RemixProblem(plain.data, plain.ink, plain.solid, axis)
+
+
+@settings(max_examples=300, deadline=None)
+@given(st.integers(0, 2**32 - 1), st.sampled_from([1, 2, 4]))
+def test_thousands_of_small_expansions_are_those_of_pymaxflow(seed, block):
+    one = random_problem(seed)
+    level, lattice = Level(one, block, plane_words(one), check=True), Lattice(one, block)
+    rng = np.random.default_rng(seed)
+    labels = level.reduced(lattice.full(rng.integers(0, len(one.data), lattice.data.shape[1])))
+    for lambda_s in rng.choice([0.01, 0.1, 0.5, 3.0], 3).tolist():
+        level.begin(lambda_s)
+        for alpha in rng.integers(0, len(one.data), 4).tolist():
+            before = lattice.reduced(level.full(labels))
+            gain = expansion.expand(lattice, before, alpha, lambda_s)[1]
+            gained = level.expand(labels, alpha) / UNIT
+            assert gained == pytest.approx(gain, rel=2e-5, abs=0.02)
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_an_expansion_is_the_best_of_all_labellings(seed):
+    one = random_problem(seed)
+    block = one.side // 4
+    level = Level(one, block, plane_words(one), check=True)
+    rng = np.random.default_rng(seed)
+    lattice = Lattice(one, block)
+    start = lattice.full(rng.integers(0, len(one.data), lattice.data.shape[1]).astype(np.uint8))
+    alpha = int(rng.integers(len(one.data)))
+    nodes = np.arange(lattice.data.shape[1])
+    best = np.inf
+    for choice in itertools.product((False, True), repeat=min(len(nodes), 9)):
+        moved = lattice.reduced(start)
+        moved[: len(choice)][list(choice)] = alpha
+        best = min(best, energy(one, lattice.full(moved), 0.2))
+    labels = level.reduced(start)
+    level.begin(0.2)
+    level.expand(labels, alpha)
+    found = energy(one, level.full(labels), 0.2)
+    assert found <= best * (1 + 1e-5) + 0.02
 
 
 @pytest.mark.parametrize("lambda_s", [0.0, 3.0, 1000.0])
@@ -182,7 +237,7 @@ def test_interior_structure_costs_what_the_paper_says():
     assert level.smoothness.through == F_INT * UNIT
 
 
-@pytest.mark.parametrize("side", [4, 12, 36])
+@pytest.mark.parametrize("side", [8, 24, 40])
 def test_a_canvas_may_have_any_side(side):
     rng = np.random.default_rng(side)
     one = problem(rng.random((3, side, side)) < 0.4, rng.random((3, side, side)))
