@@ -21,7 +21,7 @@ import numpy as np
 
 from iconstudio.algorithms.energy import distance_field, remix_problem
 from iconstudio.algorithms.expansion import LAMBDAS
-from iconstudio.algorithms.matching import Matcher, PreparedExemplar, prepare, sources_of
+from iconstudio.algorithms.matching import Matcher, prepare, sources_of
 from iconstudio.algorithms.raster import fill_polygon
 from iconstudio.algorithms.saliency import Region
 from iconstudio.algorithms.style import STYLES
@@ -133,12 +133,12 @@ def peak() -> float:
 # The retrieved set
 
 
-def retrieved_costs(exemplars: Sequence[PreparedExemplar]) -> Iterator[Costs]:
+def retrieved_costs(exemplars: Sequence[Exemplar]) -> Iterator[Costs]:
     """Draw, measure and match so many icons, whatever word has them."""
     field, regions = wanted()
     for count in RETRIEVED:
         say(f"{count} retrieved icons")
-        some = [one.exemplar for one in exemplars[:count]]
+        some = exemplars[:count]
         drawing, _ = cpu(list, (rasterise(one.pictogram.svg) for one in some))
         measuring, ready = cpu(list, map(prepare, some))
         joining, matcher = cpu(Matcher, ready)
@@ -212,8 +212,8 @@ def value_of(steps: Any) -> Any:
             return end.value
 
 
-def retrieved(count: int) -> list[PreparedExemplar]:
-    """Return icons of several words, prepared."""
+def retrieved(count: int) -> list[Exemplar]:
+    """Return icons of several words."""
     found: dict[str, Exemplar] = {}
     with Session() as session:
         for word in WORDS:
@@ -221,7 +221,7 @@ def retrieved(count: int) -> list[PreparedExemplar]:
             for one in value_of(session.rasterise(pictograms)):
                 found.setdefault(one.id, one)
             if len(found) >= count:
-                return [prepare(one) for one in [*found.values()][:count]]
+                return [*found.values()][:count]
     raise SystemExit(f"The words have {len(found)} icons only.")
 
 
