@@ -87,12 +87,17 @@ class Remixing:
         self._running.clear()
 
     def _feed(self) -> None:
-        """Give each process enough to do, the idlest first."""
+        """Give each process enough to do, the idlest first.
+
+        Until a preview is there, the other processes begin nothing that would slow it down.
+        """
+        previewing = any(task.step.preview for task in self._running.values())
         for lane in sorted(range(self._workers.count), key=self._workers.load):
             under_way = sum(task.lane == lane for task in self._running.values())
             for _ in range(PIPELINED - under_way):
-                if not self._lanes[lane] and self._jobs:
+                if not self._lanes[lane] and self._jobs and not previewing:
                     self._lanes[lane].extend(_tasks(*self._jobs.popleft(), lane))
+                    previewing = self._lanes[lane][0].step.preview
                 if self._lanes[lane]:
                     self._submit(self._lanes[lane].popleft())
 
