@@ -6,8 +6,10 @@ Alpha-expansion ends in one of many local minima, and in which depends on where 
 ``Sweep`` keeps all labellings found so far. What a labelling costs is D + lambda_S S, so each
 counts for every lambda_S, and each search begins with the best one known.
 
-What is exact: every expansion is the best one (``networks``, ``cuts``), so no search ends above its
-beginning, and ``solve`` never answers worse than a labelling it knows.
+What is exact: every expansion is the best one (``networks``, ``cuts``) on its lattice, of blocks or
+of sites near seams; so no search ends above its beginning, and ``solve`` never answers worse than a
+labelling it knows. Energies are whole numbers of ``networks.UNIT`` parts, some 1e-5 off. Debug runs
+(``check``) assert that flows are feasible, cuts worth their flow, and energies never rise.
 
 What is heuristic, in the order of the work:
 
@@ -78,7 +80,7 @@ class Level:
     def __init__(
         self, problem: RemixProblem, block: int, words: np.ndarray, check: bool = False
     ) -> None:
-        self.lattice = Lattice(problem, block)
+        lattice = Lattice(problem, block)
         self._check = check
         side = problem.side // block
         width = side + 2
@@ -90,8 +92,8 @@ class Level:
         kept[self._inside] = np.where(self._image == np.arange(side * side), FREE, 0)
         self._nodes = kept > 0
         data = np.zeros((len(problem.data), width * width), np.int32)
-        for costs, row in zip(self.lattice.data, data, strict=True):
-            row[self._inside] = np.minimum(np.rint(costs * UNIT), _DEAREST)[self.lattice.node]
+        for costs, row in zip(lattice.data, data, strict=True):
+            row[self._inside] = np.minimum(np.rint(costs * UNIT), _DEAREST)[lattice.node]
         offset = np.array([1, -1, width, -width], np.int32)
         self.grid = Grid(words, data, kept, offset, side, block)
         self._networks: list[Network | None] = [None] * len(data)
@@ -126,6 +128,10 @@ class Level:
         kept = np.zeros((side + 2, side + 2), np.int8)
         kept[inside] = np.where(free, FREE, np.where(ndimage.maximum_filter(free, 3), HELD, 0))
         self.grid = self.grid._replace(kept=np.where(self._nodes, kept.ravel(), 0).astype(np.int8))
+
+    def let_go(self) -> None:
+        """Forget the networks, most of the memory; the next expansions begin anew."""
+        self._networks = [None] * len(self._networks)
 
     def descend(self, labels: Labels, lambda_s: float, stop: Callable[[], bool]) -> None:
         """Expand all labels in turn, in place, until none gains.
@@ -264,6 +270,8 @@ class Sweep:
             level.hold(labels)
         before = level.full(labels) if self._check else None
         level.descend(labels, lambda_s, self._stop)
+        if block == 1:
+            level.let_go()
         found = level.full(labels)
         self.add(found)
         if before is not None:
