@@ -246,10 +246,10 @@ class Session:
         events = mix_icons(mix, exemplars, self._workers, render_placed, side)
         yield from estimated(events, self._workers.count)
 
-    def montage(self, montage: Montage) -> Iterator[Event]:
+    def montage(self, montage: Montage, side: int = CANVAS) -> Iterator[Event]:
         """Make a montage (section 4.4): see ``workflows.montage.montage_icons``."""
         exemplars = (self.exemplar(layer.icon) for layer in montage.layers)
-        yield from montage_icons(montage, exemplars, self._workers, render_placed)
+        yield from montage_icons(montage, exemplars, self._workers, render_placed, side)
 
     def _remixed(
         self, name: str, events: Iterator[Event], settings: ModelSettings

@@ -36,6 +36,7 @@ class Asked:
     lambdas: tuple[float, ...]
     scales: tuple[float, ...]
     dump: bool
+    fine: bool
     profile: bool
 
     def of(self, wish: _Wish) -> _Wish:
@@ -48,7 +49,8 @@ class Asked:
 
     def settings(self, styles: tuple[str, ...]) -> ModelSettings:
         """Return which results to make; ``styles`` are those made if none is named."""
-        return ModelSettings(self.styles or styles, self.lambdas, self.scales)
+        side = running.side_of(self.fine)
+        return ModelSettings(self.styles or styles, self.lambdas, self.scales, side=side)
 
 
 def grid_command(
@@ -97,6 +99,7 @@ def grid_command(
         click.option(
             "--dump", is_flag=True, help="Write STYLE.npz too: all that a result can be checked by."
         ),
+        running.fine_option,
         profile_option,
     )
     goes_on = {"--styles": _STYLES.__contains__, "--lambdas": is_number, "--scales": is_number}

@@ -31,8 +31,11 @@ from iconstudio.workflows.hybrids import MOST_DRAWS
     metavar="N",
     help="The same seed gives the same hybrids; instead of the file's.",
 )
+@running.fine_option
 @profile_option
-def command(file: Path, folder: Path, draws: int | None, seed: int | None, profile: bool) -> None:
+def command(
+    file: Path, folder: Path, draws: int | None, seed: int | None, fine: bool, profile: bool
+) -> None:
     """Mix the icons in HYBRIDS.json at random, and rank what comes of it."""
     hybrids = read_hybrids(file)
     hybrids = replace(
@@ -41,7 +44,7 @@ def command(file: Path, folder: Path, draws: int | None, seed: int | None, profi
         seed=hybrids.seed if seed is None else seed,
     )
     with profiled(profile) as stopwatch, Session() as session:
-        events = _mixing(session, hybrids)
+        events = _mixing(session, hybrids, running.side_of(fine))
         report = HybridsReport(
             folder, hybrids.keyword, hybrids.draws, hybrids.seed, hybrids.symmetry
         )
@@ -53,12 +56,12 @@ def command(file: Path, folder: Path, draws: int | None, seed: int | None, profi
     click.echo(f"{results} hybrids; see {folder / 'sheet.png'}")
 
 
-def _mixing(session: Session, hybrids: HybridsFile) -> Iterator[Event]:
+def _mixing(session: Session, hybrids: HybridsFile, side: int) -> Iterator[Event]:
     """Find or pick the icons, then mix them."""
     if not hybrids.keyword:
-        yield from session.mix(hybrids.resolved(session.icon))
+        yield from session.mix(hybrids.resolved(session.icon), side)
         return
     icons = yield from session.choose(
         hybrids.keyword, hybrids.count, hybrids.symmetry, hybrids.seed
     )
-    yield from session.mix(hybrids.mix(icons))
+    yield from session.mix(hybrids.mix(icons), side)

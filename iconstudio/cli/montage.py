@@ -14,12 +14,14 @@ from iconstudio.session import Session
 @click.command("montage")
 @running.input_file("MONTAGE.json")
 @running.output_folder("sheet.png")
+@running.fine_option
 @profile_option
-def command(file: Path, folder: Path, profile: bool) -> None:
+def command(file: Path, folder: Path, fine: bool, profile: bool) -> None:
     """Join the parts of icons that are scribbled over in MONTAGE.json."""
     read = read_montage(file)
     with profiled(profile) as stopwatch, Session() as session:
         montage = read.resolved(session.icon)
         report = MontageReport(folder, montage)
-        running.run(session, session.montage(montage), report, stopwatch)
+        events = session.montage(montage, running.side_of(fine))
+        running.run(session, events, report, stopwatch)
     click.echo(f"1 icon; see {folder / 'sheet.png'}")

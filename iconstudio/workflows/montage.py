@@ -23,14 +23,18 @@ SMALLEST, LARGEST = 0.02, 20.0
 
 
 def montage_icons(
-    montage: Montage, exemplars: Iterable[Exemplar], workers: Workers, render: Render
+    montage: Montage,
+    exemplars: Iterable[Exemplar],
+    workers: Workers,
+    render: Render,
+    side: int = CANVAS,
 ) -> Iterator[Event]:
     """Join ``exemplars``, one for each layer, by what is scribbled over them.
 
     They are asked for once the montage is checked.
-    Yields ``Progress``, then one ``Result``.
+    Yields ``Progress``, then one ``Result``. ``side`` is m, the sites in a row of the graph cut.
     """
-    scribbles = check(montage)
+    scribbles = check(montage, side)
     sources = tuple(
         Source(exemplar, layer.placement)
         for exemplar, layer in zip(exemplars, montage.layers, strict=True)
@@ -45,13 +49,15 @@ def montage_icons(
 
 
 def _pose(sources: Sequence[Source], scribbles: NDArray[np.bool_]) -> Posed:
-    ink, filled = placed_sources(sources)
-    data = np.stack([truncated_distance(one, MONTAGE_REACH) for one in scribbles])
+    side = scribbles.shape[-1]
+    ink, filled = placed_sources(sources, side)
+    reach = MONTAGE_REACH * side / CANVAS
+    data = np.stack([truncated_distance(one, reach) for one in scribbles])
     return Posed(RemixProblem(data + held(scribbles), ink, filled))
 
 
-def check(montage: Montage) -> NDArray[np.bool_]:
-    """Return what is scribbled over each layer, (layers, CANVAS, CANVAS) bool.
+def check(montage: Montage, side: int = CANVAS) -> NDArray[np.bool_]:
+    """Return what is scribbled over each layer, (layers, side, side) bool.
 
     Raises
     ------
@@ -70,7 +76,7 @@ def check(montage: Montage) -> NDArray[np.bool_]:
                 f"“{layer.icon.id}” is scaled to {layer.placement.scale:g} of its size. "
                 f"Give a scale between {SMALLEST:g} and {LARGEST:g}."
             )
-    scribbles = np.stack([scribble(layer.strokes) for layer in layers])
+    scribbles = np.stack([scribble(layer.strokes, side) for layer in layers])
     for layer, own in zip(layers, scribbles, strict=True):
         if layer.strokes and not own.any():
             raise IconstudioError(
