@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from functools import partial
 
-from iconstudio.algorithms.energy import remix_problem
+from iconstudio.algorithms.energy import distance_field, remix_problem
 from iconstudio.algorithms.matching import Matcher
 from iconstudio.algorithms.raster import Bitmap, fill_polygon
 from iconstudio.algorithms.saliency import saliency, salient_regions
@@ -53,7 +53,7 @@ def model(
 
 
 def _pose(target: Bitmap, symmetry: Axis | None, sources: tuple[Source, ...]) -> Posed:
-    return Posed(remix_problem(tsdf(target), sources, symmetry), target)
+    return Posed(remix_problem(distance_field(target), sources, symmetry), target)
 
 
 def refusal(style: Style, count: int, rows: Matches | None) -> str:
