@@ -1,5 +1,6 @@
 """The program's beginning: joins the command line and the window, which do not know each other."""
 
+import gc
 import sys
 
 
@@ -12,6 +13,7 @@ class _Window:
         return obstacle()
 
     def open(self, example: str | None) -> int:
+        gc.disable()  # Nearly all that is made until the window is there stays.
         from iconstudio.gui.app import run
 
         return run(example)

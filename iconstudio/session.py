@@ -8,6 +8,7 @@ import threading
 from collections import OrderedDict
 from collections.abc import Generator, Iterator
 from contextlib import closing
+from importlib import import_module
 from pathlib import Path
 
 from iconstudio.algorithms.matching import SCALES, Matcher, PreparedExemplar
@@ -50,6 +51,16 @@ _PLENTY = 8
 _KEPT = 3
 """How many keywords stay prepared: at most 70 MiB each."""
 
+_SLOW_TO_LOAD = (
+    "scipy.ndimage",
+    "scipy.spatial",
+    "scipy.special",
+    "skimage.draw.draw",
+    "PIL.ImageDraw",
+)
+"""Libraries that are not loaded before their first use, so that the window opens soon; SciPy loads
+its parts when they are first named."""
+
 _Key = tuple[str, frozenset[str], tuple[float, ...]]
 
 
@@ -84,15 +95,18 @@ class Session:
                     self._collection = end.value
 
     def get_ready(self) -> Iterator[Progress]:
-        """Open the collection and start the worker processes ahead of their first use.
+        """Open the collection, start the worker processes and load libraries ahead of their use.
 
-        The very first time they compile what cuts, which takes some seconds; later it is at hand.
+        The very first time the workers compile what cuts, which takes some seconds; later it is at
+        hand.
         """
         yield from self.open()
         cold, self._cold = self._cold, False
         if cold:
             for lane in range(self._workers.count):
                 self._workers.submit(warm_up, lane=lane)
+            for name in _SLOW_TO_LOAD:
+                import_module(name)
 
     @property
     def collection(self) -> Collection:

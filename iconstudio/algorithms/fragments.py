@@ -5,8 +5,8 @@ piece is a fragment; an eye or a spoke, which its source also draws apart, is no
 """
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import ndimage
 
 from iconstudio.algorithms.energy import Labels, joined_ink
 
@@ -30,7 +30,7 @@ def fragments(labels: Labels, ink: NDArray[np.bool_], small: float = SMALL) -> N
         The part of the ink that a fragment holds at most.
     """
     joined = joined_ink(ink, labels)
-    pieces, count = ndimage.label(joined, _EIGHT)
+    pieces, count = scipy.ndimage.label(joined, _EIGHT)
     sizes = np.bincount(pieces.ravel(), minlength=count + 1)
     found = np.zeros_like(joined)
     for piece in range(1, count + 1):
@@ -46,7 +46,7 @@ def _shown(labels: Labels, ink: NDArray[np.bool_], here: NDArray[np.bool_]) -> f
     part = 0.0
     for owner in np.unique(labels[here]):
         own = here & (labels == owner)
-        shapes, _ = ndimage.label(ink[owner], _EIGHT)
+        shapes, _ = scipy.ndimage.label(ink[owner], _EIGHT)
         shown = np.unique(shapes[own])
         part += float(own.sum() / np.isin(shapes, shown[shown > 0]).sum())
     return part

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import ndimage
 
 from iconstudio.model import CANVAS, Axis, Point, Stroke
 
@@ -31,7 +31,7 @@ def truncated_distance(marked: NDArray[np.bool_], reach: float) -> NDArray[np.fl
     """
     if not marked.any():
         return np.ones(marked.shape, dtype=np.float32)
-    distance = ndimage.distance_transform_edt(~marked)
+    distance = scipy.ndimage.distance_transform_edt(~marked)
     return np.minimum(distance / reach, 1).astype(np.float32)
 
 

@@ -7,8 +7,8 @@ what the eye objects to; each lies between 0 and 1, and 1 is best.
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import ndimage
 
 from iconstudio.algorithms.energy import Labels, RemixProblem, joined_ink, lattice_edges
 from iconstudio.algorithms.fragments import fragments
@@ -89,7 +89,7 @@ class Gallery:
     def add(self, ink: NDArray[np.bool_]) -> bool:
         """Note a picture (m, m) bool; return whether it is new."""
         around = 2 * (SAME * len(ink) // CANVAS) + 1
-        wide = ndimage.maximum_filter(ink.view(np.uint8), around).view(bool)
+        wide = scipy.ndimage.maximum_filter(ink.view(np.uint8), around).view(bool)
         new = not any(_repeats(ink, wide, *other) for other in self._seen)
         if new:
             self._seen.append((ink, wide))

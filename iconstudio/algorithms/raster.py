@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import ndimage
 
 from iconstudio.model import CANVAS, Exemplar, Placement, Point, Polygon
 
@@ -16,7 +16,7 @@ def solid(ink: Bitmap) -> Bitmap:
 
     The outside is what is 4-connected to the border without crossing ink.
     """
-    background, _ = ndimage.label(np.pad(~ink, 1, constant_values=True))
+    background, _ = scipy.ndimage.label(np.pad(~ink, 1, constant_values=True))
     return background[1:-1, 1:-1] != background[0, 0]
 
 

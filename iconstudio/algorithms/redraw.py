@@ -14,9 +14,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import ndimage
-from scipy.spatial import KDTree
 
 from iconstudio.algorithms.energy import Labels
 from iconstudio.algorithms.sharing import (
@@ -183,7 +182,7 @@ class SignedDistance:
         top, left = np.maximum(corners.min(axis=0) - margin, 0)
         bottom, right = corners.max(axis=0) + within + margin
         contour = _contour(coverage[top:bottom, left:right]) + np.array([top, left])
-        self._contour = KDTree(contour, balanced_tree=False, compact_nodes=False)
+        self._contour = scipy.spatial.KDTree(contour, balanced_tree=False, compact_nodes=False)
 
     def at(self, points: NDArray[np.intp]) -> NDArray[np.float64]:
         """Return the distances at ``points`` (p, 2), rows of (y, x)."""
@@ -223,5 +222,6 @@ def erase(coverage: NDArray[np.uint8], fragments: NDArray[np.bool_]) -> None:
     """
     if fragments.any():
         s = len(coverage) // len(fragments)
-        near = ndimage.binary_dilation(fragments, iterations=2 * len(fragments) // CANVAS or 1)
+        reach = 2 * len(fragments) // CANVAS or 1
+        near = scipy.ndimage.binary_dilation(fragments, iterations=reach)
         coverage[near.repeat(s, axis=0).repeat(s, axis=1)] = 0

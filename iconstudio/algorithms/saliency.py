@@ -5,8 +5,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import special
 
 from iconstudio.model import CANVAS, Point, Polygon
 
@@ -46,7 +46,8 @@ def profile(offsets: NDArray[np.float64]) -> NDArray[np.float64]:
     It ends three standard deviations outside the square.
     """
     half, root = SQUARE / 2, SIGMA * math.sqrt(2)
-    value = (special.erf((offsets + half) / root) - special.erf((offsets - half) / root)) / 2
+    upper, lower = (scipy.special.erf((offsets + end) / root) for end in (half, -half))
+    value = (upper - lower) / 2
     return np.where(np.abs(offsets) <= _REACH, value, 0.0)
 
 

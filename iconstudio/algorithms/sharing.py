@@ -8,8 +8,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import ndimage
 
 from iconstudio.algorithms.energy import Labels
 from iconstudio.model import CANVAS
@@ -49,7 +49,7 @@ class Share:
 
 def regions(labels: Labels) -> dict[int, Window]:
     """Return the window of the label map that each owner's region fills."""
-    found = ndimage.find_objects(labels.astype(np.int32) + 1)
+    found = scipy.ndimage.find_objects(labels.astype(np.int32) + 1)
     return {label: window for label, window in enumerate(found) if window is not None}
 
 
@@ -73,7 +73,7 @@ def shares(labels: Labels, fade: float, reach: int) -> Iterator[Share]:
             for side in region
         )
         own = (labels[ys, xs] == label).astype(np.float32)
-        soft = ndimage.gaussian_filter(own, fade * m / CANVAS, radius=radius)
+        soft = scipy.ndimage.gaussian_filter(own, fade * m / CANVAS, radius=radius)
         yield Share(label, (ys, xs), np.pad(soft, 1, mode="edge"))
 
 

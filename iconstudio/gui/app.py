@@ -56,6 +56,7 @@ def keep_going() -> None:
     """Keep busy threads and the garbage collector from stopping a window that is made."""
     sys.setswitchinterval(_TURN)
     gc.freeze()  # What is there now stays: it need not be looked through for garbage.
+    gc.enable()
 
 
 def start(window: MainWindow, example: str) -> None:

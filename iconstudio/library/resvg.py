@@ -11,7 +11,6 @@ import xml.etree.ElementTree as ET
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image
 from resvg_py import __version__, svg_to_bytes
 
 from iconstudio.model import Frame, IconstudioError, Placement
@@ -105,6 +104,8 @@ def render_coverage(
         if type(error).__name__ != "PanicException":  # it cannot be imported
             raise
         raise IconstudioError("The SVG cannot be drawn: the renderer fails on it.") from None
+    from PIL import Image
+
     with Image.open(io.BytesIO(png)) as image:
         coverage = 255 - np.asarray(image.convert("L"))
     # A layer of half opacity comes out as 127 or 128; it is not *more* than half dark.

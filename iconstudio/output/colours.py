@@ -5,9 +5,8 @@ from collections.abc import Sequence
 from colorsys import hls_to_rgb
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from PIL import Image
-from scipy import ndimage
 
 from iconstudio.algorithms.raster import solid
 from iconstudio.algorithms.sharing import at, in_blocks, shares
@@ -105,11 +104,11 @@ def colour_code(
     """
     m = len(composite.labels)
     scale = -(-size // m)
-    coverage = np.asarray(_resized(Image.fromarray(drawing.coverage), m * scale))
+    coverage = _resized(drawing.coverage, m * scale)
     alpha = np.maximum(coverage, np.where(solid(coverage > 127), round(255 * TINT), 0))
     colours = source_colours(composite, colours)
     picture = np.dstack([_painted(composite.labels, colours, alpha > 0), alpha.astype(np.uint8)])
-    return np.asarray(_resized(Image.fromarray(picture), size))
+    return _resized(picture, size)
 
 
 def key_of(source: Source) -> Key:
@@ -129,7 +128,8 @@ def _painted(
     s = n // m
     picture = colours[labels].repeat(s, axis=0).repeat(s, axis=1)
     around = 2 * (_NEAR * m // CANVAS) + 1
-    border = ndimage.maximum_filter(labels, around) != ndimage.minimum_filter(labels, around)
+    highest = scipy.ndimage.maximum_filter(labels, around)
+    border = highest != scipy.ndimage.minimum_filter(labels, around)
     blocks = np.argwhere(border & in_blocks(seen, s).any(axis=(1, 3)))
     total, paint = (np.zeros((len(blocks), s, s, depth), np.float32) for depth in (1, 3))
     for share in shares(labels, _BLUR, _REACH):
@@ -150,7 +150,10 @@ def _colour(hue: int, placement: int) -> RGB:
     return round(255 * red), round(255 * green), round(255 * blue)
 
 
-def _resized(picture: Image.Image, size: int) -> Image.Image:
-    if picture.width == size:
+def _resized(picture: NDArray[np.uint8], size: int) -> NDArray[np.uint8]:
+    from PIL import Image
+
+    if len(picture) == size:
         return picture
-    return picture.resize((size, size), Image.Resampling.LANCZOS)
+    smooth = Image.Resampling.LANCZOS
+    return np.asarray(Image.fromarray(picture).resize((size, size), smooth))

@@ -10,9 +10,8 @@ from functools import lru_cache
 from typing import Protocol
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from PIL import Image
-from scipy import ndimage
 
 from iconstudio.algorithms.energy import Labels
 from iconstudio.algorithms.fragments import fragments
@@ -95,7 +94,7 @@ def _drawn(
     owned[labels, tile[:, None], tile] = True
     coverages = {}
     for label in np.flatnonzero(owned.any(axis=(1, 2))):
-        near = ndimage.maximum_filter(owned[label], 2 * _AROUND + 1)
+        near = scipy.ndimage.maximum_filter(owned[label], 2 * _AROUND + 1)
         coverages[int(label)] = _sheet(_Wanted.of(sources[label], render, side)).shown(near)
     return coverages
 
@@ -156,6 +155,8 @@ def _sheet(wanted: _Wanted) -> _Sheet:
 
 
 def _reduced(coverage: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    from PIL import Image
+
     factor = len(coverage) // _COVERAGE
     if factor == 1:
         return coverage

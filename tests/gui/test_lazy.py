@@ -14,8 +14,22 @@ import iconstudio.gui.app
 print(*sys.modules)
 """
 
-LATER = {"numba", "skimage", "pebble"}
+LATER = {"numba", "skimage", "pebble", "scipy.ndimage", "scipy.spatial", "scipy.special"}
 """Slow to load, and needed only once something is drawn or cut."""
+
+_FILLING = """
+import sys
+from iconstudio.session import Session
+from iconstudio.algorithms.raster import fill_polygon
+from iconstudio.model import Polygon
+if __name__ == "__main__":
+    with Session() as session:
+        for _ in session.get_ready():
+            pass
+    before = set(sys.modules)
+    fill_polygon(Polygon.of([(10, 10), (200, 10), (10, 200), (200, 200)]))
+    print(*set(sys.modules) - before)
+"""
 
 
 def test_slow_libraries_are_loaded_later():
@@ -23,6 +37,14 @@ def test_slow_libraries_are_loaded_later():
     loaded = subprocess.run(command, check=True, capture_output=True, text=True).stdout.split()
     assert "PySide6.QtWidgets" in loaded
     assert not LATER & set(loaded)
+
+
+def test_what_fills_an_outline_is_loaded_while_the_window_idles(tmp_path):
+    script = tmp_path / "fill.py"
+    script.write_text(_FILLING)
+    command = [sys.executable, str(script)]
+    loaded = subprocess.run(command, check=True, capture_output=True, text=True).stdout
+    assert len(loaded.split()) < 5  # of hundreds
 
 
 def test_a_workspace_is_made_when_it_is_first_used(window):
