@@ -193,7 +193,7 @@ class Session:
         if kept is not None:
             yield Retrieved(keyword, tuple(one.exemplar for one in kept.exemplars))
             return kept
-        yield from self.open()
+        yield from self.get_ready()
         yield Progress("search", 0.0, f"Looking for “{keyword}”")
         pictograms = self.search(keyword, exclude)
         exemplars = yield from self.rasterise(pictograms)

@@ -246,7 +246,7 @@ def memory_limit(size: int) -> Iterator[None]:
 def _start(stops: Any) -> Any:
     from pebble import ProcessPool
 
-    # spawn: forking a process that runs Qt and FFTW threads is not safe.
+    # spawn: forking a process that runs Qt and threads is not safe.
     context = multiprocessing.get_context("spawn")
     with _interrupts_blocked():
         pool = ProcessPool(

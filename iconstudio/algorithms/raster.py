@@ -142,15 +142,15 @@ def placed_ink(
     return ink, filled
 
 
-def inked_tiles(exemplar: Exemplar, placement: Placement, count: int) -> Bitmap:
+def inked_tiles(exemplar: Exemplar, placement: Placement, count: int, pad: int = 0) -> Bitmap:
     """Return which of ``count`` x ``count`` tiles of the canvas a placed exemplar may have ink in.
 
     No tile is left out that has any, however faint. What lies beyond the exemplar's own canvas is
-    no part of it.
+    no part of it. ``pad`` is by how many units the canvas is enlarged on each side.
     """
     before = np.zeros((CANVAS + 1, CANVAS + 1), dtype=np.int32)  # how many pixels, to each corner
     before[1:, 1:] = (exemplar.coverage > 0).cumsum(axis=0).cumsum(axis=1)
-    edges = np.linspace(0, CANVAS, count + 1) - CANVAS / 2
+    edges = np.linspace(-pad, CANVAS + pad, count + 1) - CANVAS / 2
     soft = 1 + 1 / placement.scale  # the soft edge of a pixel before, and of one after placing it
     ranges = []
     for shift, mirror in ((placement.dy, 1), (placement.dx, -1 if placement.flip else 1)):

@@ -53,6 +53,8 @@ from iconstudio.model import CANVAS
 
 BLOCK = 2
 COARSE = 4
+RISES = 5
+"""In how many steps a preview goes from the lowest lambda_S to the one that is wanted."""
 REACH = 5
 """Sites farther than this from a seam keep their labels in the end."""
 PROMISING = 1.03
@@ -235,7 +237,7 @@ class Sweep:
             self._descend(COARSE, lambda_s, self.best(lambda_s))
         labels = None
         lowest = LAMBDAS[0] * self._problem.side / CANVAS
-        for value in np.geomspace(min(lowest, lambda_s), lambda_s, 3):
+        for value in np.geomspace(min(lowest, lambda_s), lambda_s, RISES):
             labels = self._descend(COARSE, value, labels)
         self._descend(BLOCK, lambda_s, self.best(lambda_s))
         return self.best(lambda_s)

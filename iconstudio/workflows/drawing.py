@@ -3,6 +3,7 @@
 A source is drawn only where it is needed: a renderer takes longer the more pixels there are.
 """
 
+import math
 from collections.abc import Mapping, Sequence
 from concurrent.futures import Future
 from dataclasses import dataclass, field
@@ -15,7 +16,7 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.energy import Labels
 from iconstudio.algorithms.fragments import fragments
-from iconstudio.algorithms.raster import Bitmap, inked_tiles
+from iconstudio.algorithms.raster import Bitmap, inked_tiles, shifted
 from iconstudio.algorithms.redraw import FAR, REACH, SCALE, erase, redraw, two_tone
 from iconstudio.model import CANVAS, Drawing, Exemplar, Frame, Placement, Source
 from iconstudio.workers import Workers
@@ -24,9 +25,11 @@ PREVIEW = 2
 """Drawn pixels to a canvas pixel, in previews."""
 _TILES = 64
 """What is needed of a source is told by tiles, so many to a side of the canvas."""
-_BLOCKS = 8
-"""Sources are drawn by blocks, so many to a side: larger ones have more than is needed, and of
+_BLOCK = 32
+"""Sources are drawn by blocks of so many units: larger ones have more than is needed, and of
 smaller ones each costs half a millisecond."""
+_LARGE = 1.5
+"""Up to this scale an exemplar is drawn once for all its placements."""
 _AROUND = -(-(REACH + FAR) * _TILES // CANVAS)
 """Tiles around a region in which its owner's drawing counts."""
 _COVERAGE = 2 * CANVAS
@@ -95,8 +98,25 @@ def _drawn(
     coverages = {}
     for label in np.flatnonzero(owned.any(axis=(1, 2))):
         near = scipy.ndimage.maximum_filter(owned[label], 2 * _AROUND + 1)
-        coverages[int(label)] = _sheet(_Wanted.of(sources[label], render, side)).shown(near)
+        coverages[int(label)] = _placed(sources[label], near, render, side)
     return coverages
+
+
+def _placed(source: Source, near: Bitmap, render: Render, side: int) -> NDArray[np.uint8]:
+    """Draw a source, (side, side) uint8, complete in the tiles that are ``near`` at least."""
+    exemplar, placement = source.exemplar, source.placement
+    scale, flip, dx, dy = placement.scale, placement.flip, placement.dx, placement.dy
+    picture = render, exemplar.pictogram.svg, exemplar.frame
+    unit = CANVAS // _TILES
+    needed = near.repeat(unit, axis=0).repeat(unit, axis=1)
+    if scale > _LARGE:  # too large to be drawn whole
+        return _sheet(_Wanted(*picture, placement, side, 0, exemplar)).shown(needed)
+    pad = _BLOCK * max(0, math.ceil(CANVAS / 2 * (scale - 1) / _BLOCK))
+    sheet = _sheet(_Wanted(*picture, Placement(scale), side, pad, exemplar))
+    before = shifted(needed, -dx, -dy, CANVAS + 2 * pad, False)
+    coverage = sheet.shown(before[:, ::-1] if flip else before)
+    finer = side // CANVAS
+    return shifted(coverage[:, ::-1] if flip else coverage, dx * finer, dy * finer, side)
 
 
 @dataclass(frozen=True)
@@ -108,16 +128,13 @@ class _Wanted:
     frame: Frame
     placement: Placement
     side: int
+    pad: int
+    """By how many units the canvas is enlarged on each side."""
     exemplar: Exemplar = field(compare=False)
-
-    @classmethod
-    def of(cls, source: Source, render: Render, side: int) -> "_Wanted":
-        one = source.exemplar
-        return cls(render, one.pictogram.svg, one.frame, source.placement, side, one)
 
 
 class _Sheet:
-    """A source at its placement, drawn block by block as they are needed, in two tones.
+    """An exemplar, drawn block by block as they are needed, in two tones.
 
     A renderer draws a curve a little differently where a window ends. So the blocks are always the
     same: a drawing does not depend on what was drawn before.
@@ -125,32 +142,40 @@ class _Sheet:
 
     def __init__(self, wanted: _Wanted) -> None:
         self._wanted = wanted
-        self._coverage = np.zeros((wanted.side, wanted.side), dtype=np.uint8)
-        self._missing = inked_tiles(wanted.exemplar, wanted.placement, _TILES)
+        self._units = CANVAS + 2 * wanted.pad
+        pixels = self._units * wanted.side // CANVAS
+        self._coverage = np.zeros((pixels, pixels), dtype=np.uint8)
+        tiles = self._units * _TILES // CANVAS
+        self._missing = inked_tiles(wanted.exemplar, wanted.placement, tiles, wanted.pad)
 
     def shown(self, needed: Bitmap) -> NDArray[np.uint8]:
-        """Return the drawing, (side, side) uint8, complete in the ``needed`` tiles at least."""
-        step = _TILES // _BLOCKS
-        missing = (needed & self._missing).reshape(_BLOCKS, step, _BLOCKS, step)
-        for row, column in np.argwhere(missing.any(axis=(1, 3))):
-            self._draw(row, column)
-            self._missing[row * step : (row + 1) * step, column * step : (column + 1) * step] = 0
+        """Return the drawing, complete where it is ``needed``, a bitmap of canvas units."""
+        tiles, blocks = len(self._missing), self._units // _BLOCK
+        inked = self._missing.reshape(blocks, tiles // blocks, blocks, tiles // blocks)
+        wide = needed.reshape(tiles, self._units // tiles, tiles, -1).any(axis=(1, 3))
+        for row, column in np.argwhere((inked & wide.reshape(inked.shape)).any(axis=(1, 3))):
+            self._draw(int(row), int(column))
+            inked[row, :, column] = False
         return self._coverage
 
     def _draw(self, row: int, column: int) -> None:
         wanted = self._wanted
-        step = wanted.side // _BLOCKS
-        top, left = int(row) * step, int(column) * step
-        bottom, right = top + step, left + step
+        finer = wanted.side // CANVAS
+        step = _BLOCK * finer
+        top, left = row * step, column * step
         # One more pixel around, for the edges between ink and paper.
-        window = left - 1, top - 1, right + 1, bottom + 1
+        x, y = left - wanted.pad * finer - 1, top - wanted.pad * finer - 1
+        window = x, y, x + step + 2, y + step + 2
         drawn = wanted.render(wanted.svg, wanted.frame, wanted.placement, wanted.side, window)
-        self._coverage[top:bottom, left:right] = two_tone(drawn)[1:-1, 1:-1]
+        self._coverage[top : top + step, left : left + step] = two_tone(drawn)[1:-1, 1:-1]
 
 
-@lru_cache(maxsize=64)
+@lru_cache(maxsize=48)
 def _sheet(wanted: _Wanted) -> _Sheet:
-    """Remember sheets, 1 MiB each at most: the results of a style share most of their sources."""
+    """Remember sheets, 1 to 4 MiB each.
+
+    The results of a style share most of their exemplars, and one often lies at several places.
+    """
     return _Sheet(wanted)
 
 

@@ -24,6 +24,9 @@ from iconstudio.workflows.drawing import PREVIEW, Render, draw
 if TYPE_CHECKING:
     from iconstudio.algorithms.sweep import Sweep
 
+NEAR = 1.6
+"""What is found for lambda_S this many times larger or smaller helps almost as much as all."""
+
 
 @dataclass(frozen=True, eq=False)
 class Posed:
@@ -64,8 +67,12 @@ class Job:
     @property
     def steps(self) -> tuple["Step", ...]:
         """What there is to do."""
-        finished = (Step(value, last=value == self.lambdas[-1]) for value in self.lambdas)
-        return (*(Step(self.lambdas[0], preview=True),) * self.preview, *finished)
+        *most, last = (Step(value) for value in self.lambdas)
+        finished = (*most, replace(last, last=True))
+        if not self.preview:
+            return finished
+        first = finished[0]
+        return replace(first, preview=True, last=False), replace(first, soon=True), *finished[1:]
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,6 +81,8 @@ class Step:
 
     lambda_s: float
     preview: bool = False
+    soon: bool = False
+    """Whether to look for labellings for this lambda_S alone: somebody is waiting."""
     last: bool = False
     """Whether the job is done after it."""
 
@@ -175,7 +184,10 @@ def _begin(job: Job) -> _Bench:
 def _cut(bench: _Bench, step: Step) -> Labels:
     if step.preview:
         return bench.sweep.preview(bench.posed.weight(step.lambda_s))
-    if bench.unexplored:
+    if step.soon:
+        near = (step.lambda_s / NEAR, step.lambda_s, step.lambda_s * NEAR)
+        bench.sweep.explore(map(bench.posed.weight, near))
+    elif bench.unexplored:
         bench.sweep.explore(map(bench.posed.weight, bench.unexplored))
         bench.unexplored = ()
     return bench.sweep.solve(bench.posed.weight(step.lambda_s))

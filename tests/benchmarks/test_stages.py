@@ -71,4 +71,6 @@ def test_tsdf_by_full_distance_transforms(benchmark, case):
 def test_draw(benchmark, medium):
     sources, problem = medium
     labels = Sweep(problem).solve(0.19)
-    benchmark.pedantic(draw, (labels, problem.ink, sources, render_placed), rounds=5, warmup_rounds=1)
+    benchmark.pedantic(
+        draw, (labels, problem.ink, sources, render_placed), rounds=5, warmup_rounds=1
+    )

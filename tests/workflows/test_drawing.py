@@ -148,4 +148,4 @@ def test_a_window_shows_its_part_of_the_picture(number, placement, corner):
     at = np.s_[top + 3 : top + 53, left + 3 : left + 43]
     off = abs(picture[at].astype(int) - part)[inside[at]]
     assert off.max(initial=0) <= 80  # the renderer draws curves a little differently if cut
-    assert off.sum() <= off.size
+    assert off.sum() <= 2 * off.size  # of 255 grey levels

@@ -6,6 +6,7 @@ import time
 import pytest
 
 from iconstudio.algorithms.matching import Matcher, prepare
+from iconstudio.algorithms.raster import overlap
 from iconstudio.library.resvg import render_placed
 from iconstudio.model import CANVAS, Polygon, Sketch
 from iconstudio.workers import Workers
@@ -82,8 +83,8 @@ def test_a_fine_result_is_of_the_same_shape(prepared, workers):
     assert fine.composite.labels.shape == (FINE, FINE)
     assert fine.drawing.coverage.shape == plain.drawing.coverage.shape
     assert fine.composite.iou == pytest.approx(plain.composite.iou, abs=0.05)
-    same = (fine.drawing.coverage > 127) == (plain.drawing.coverage > 127)
-    assert same.mean() > 0.95
+    drawn = [one.drawing.coverage > 127 for one in (plain, fine)]
+    assert overlap(*drawn) > 0.85  # other joins, but the same parts in the same places
 
 
 def pid():
