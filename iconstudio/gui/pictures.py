@@ -3,6 +3,7 @@
 from collections.abc import Generator
 from contextlib import closing
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -22,17 +23,27 @@ COLOUR_CODE_SIZE = 512
 """Side of a colour-coded picture in pixels: enough for the large view at two pixels a point."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class Picture:
     """A result, ready to be drawn: as the icon (a vector) and coded by source (pixels)."""
 
     result: Result
     outline: QPainterPath
-    coded: Mipmap
     title: str = "icon"
     """What it shows: the title of the saved icon, and the start of its file's name."""
     colours: "Palette | None" = None
     """The colours of its sources; None: those that its composite gives them."""
+    coded_side: int = COLOUR_CODE_SIZE
+    """Side of the colour-coded picture in pixels."""
+
+    @cached_property
+    def coded(self) -> Mipmap:
+        """The picture coded by source, made when it is first asked for: this takes some 15 ms."""
+        from iconstudio.output.colours import colour_code
+
+        result = self.result
+        pixels = colour_code(result.composite, result.drawing, self.coded_side, self.colours)
+        return Mipmap.of(rgba_image(pixels), 64)
 
     @property
     def name(self) -> str:
@@ -68,18 +79,25 @@ def pictured(events: Generator[Event], title: str) -> Generator["Event | Picture
     """
     with closing(events):
         for event in events:
-            yield picture_of(event, title) if isinstance(event, Result) else event
+            if isinstance(event, Result):
+                picture = Picture(event, painter_path(event.drawing.path), title)
+                yield picture
+                _ = picture.coded  # made for later, now that it is shown
+            else:
+                yield event
 
 
 def picture_of(
     result: Result, title: str, size: int | None = None, colours: "Palette | None" = None
 ) -> Picture:
-    """Return the picture of a result; ``size`` is the side of the colour-coded one in pixels."""
-    from iconstudio.output.colours import colour_code
+    """Return the picture of a result; ``size`` is the side of the colour-coded one in pixels.
 
-    pixels = colour_code(result.composite, result.drawing, size or COLOUR_CODE_SIZE, colours)
-    coded = Mipmap.of(rgba_image(pixels), 64)
-    return Picture(result, painter_path(result.drawing.path), coded, title, colours)
+    That one is made at once, for a thread that has nothing to do later.
+    """
+    outline = painter_path(result.drawing.path)
+    picture = Picture(result, outline, title, colours, size or COLOUR_CODE_SIZE)
+    _ = picture.coded
+    return picture
 
 
 def rgba_image(pixels: NDArray[np.uint8]) -> QImage:
@@ -92,10 +110,14 @@ def rgba_image(pixels: NDArray[np.uint8]) -> QImage:
 
 def stencil(coverage: NDArray[np.uint8], color: QColor) -> QImage:
     """Return (h, w) uint8 ``coverage`` as an image in one colour."""
-    pixels = np.empty((*coverage.shape, 4), np.uint8)
-    pixels[..., :3] = color.red(), color.green(), color.blue()
-    pixels[..., 3] = coverage
-    return rgba_image(pixels)
+    coverage = np.ascontiguousarray(coverage)
+    height, width = coverage.shape
+    image = QImage(coverage.data, width, height, width, QImage.Format.Format_Alpha8)
+    image = image.convertToFormat(QImage.Format.Format_ARGB32_Premultiplied)
+    with QPainter(image) as painter:
+        painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_SourceIn)
+        painter.fillRect(image.rect(), color)
+    return image
 
 
 def placed(image: QImage, placement: Placement) -> QImage:

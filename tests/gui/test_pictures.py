@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from fake_session import drawing
+from fake_session import FakeSession, drawing
 from hands import SQUARE, trace
 from images import assert_alike, blank, difference, pixels
 from PySide6.QtCore import QPointF, QRectF, Qt
@@ -11,7 +11,7 @@ from PySide6.QtGui import QColor, QPainter
 from iconstudio.gui import icons, theme
 from iconstudio.gui.canvas.tools.polygon import PolygonTool
 from iconstudio.gui.mipmap import Mipmap
-from iconstudio.gui.pictures import Picture, placed, stencil
+from iconstudio.gui.pictures import Picture, pictured, placed, stencil
 from iconstudio.gui.vector import painter_path
 from iconstudio.model import CANVAS, Placement, Polygon, Sketch
 
@@ -93,7 +93,7 @@ def test_a_placement_moves_a_dot_as_its_definition_says(placement, expected):
 def test_an_icon_is_drawn_as_its_path_at_any_size():
     sketch = Sketch(Polygon(tuple(SQUARE)))
     icon = drawing(sketch, 1, 1)
-    picture = Picture(None, painter_path(icon.path), Mipmap.of(blank(8, 8), 8))
+    picture = Picture(None, painter_path(icon.path))
     small, large = blank(64, 64), blank(512, 512)
     for image in (small, large):
         with QPainter(image) as painter:
@@ -103,6 +103,17 @@ def test_an_icon_is_drawn_as_its_path_at_any_size():
     assert_alike(small, large.scaled(64, 64, ratio, smooth))
     assert pixels(large)[256, 256, 0] == 1, "the hole"
     assert pixels(large)[256, 100, 0] == 0, "the ink"
+
+
+def test_a_result_is_shown_before_its_colour_code_is_made():
+    events = FakeSession().model(Sketch(Polygon(tuple(SQUARE)), "bicycle"))
+    shown = []
+    for event in pictured(events, "bicycle"):
+        if isinstance(event, Picture):
+            assert "coded" not in vars(event)
+            shown.append(event)
+    assert shown
+    assert all("coded" in vars(picture) for picture in shown)
 
 
 @pytest.mark.parametrize("name", sorted(icons._SHAPES))
