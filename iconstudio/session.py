@@ -3,6 +3,7 @@
 The command line and the window both talk to a ``Session``; neither composes algorithms itself.
 """
 
+import gc
 import os
 import threading
 from collections import OrderedDict
@@ -107,6 +108,7 @@ class Session:
                 self._workers.submit(warm_up, lane=lane)
             for name in _SLOW_TO_LOAD:
                 import_module(name)
+            gc.freeze()  # They stay: they need not be looked through for garbage.
 
     @property
     def collection(self) -> Collection:

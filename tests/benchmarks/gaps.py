@@ -20,6 +20,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, QPoint, QPointF, Qt, QTimer
 from PySide6.QtGui import QColor, QImage, QPainter
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
 
 from iconstudio.gui import theme
 from iconstudio.gui.app import application, keep_going
@@ -253,7 +254,7 @@ def looking(window: MainWindow) -> Stages:
         window.resize(1280, 720)
         yield 60
     yield "changing the theme"
-    app = application()
+    app = QApplication.instance()
     for look in (theme.DARK, theme.LIGHT):
         theme.apply(app, look)
         yield 400
