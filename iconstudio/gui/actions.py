@@ -41,6 +41,7 @@ ENTRIES = {
         Entry("clear", "C&lear", "Remove everything", "Ctrl+Backspace", "clear"),
         Entry("run", "&Remix", "Make new icons", "Ctrl+Return"),
         Entry("live", "Li&ve", "Live: results follow while you draw", "Ctrl+L", "live", True),
+        Entry("fine", "F&ine quality", "Fine: smoother joins, five times as slow", checkable=True),
         Entry("cancel", "&Cancel", "Stop; finished results stay", "Ctrl+."),
         Entry("pan", "&Move the page", "Move the page (or hold Space)", "H", "pan", True),
         Entry("zoom_in", "Zoom &in", "", Key.ZoomIn),
@@ -70,7 +71,10 @@ MENUS: dict[str, tuple[str, ...]] = {
         *("new", OWN, "examples", "", "open", "save", ""),
         *("svg", "png", "copy", "", "quit"),
     ),
-    "&Edit": ("undo", "redo", "", "paste", "delete", "clear", OWN, "", "run", "live", "cancel"),
+    "&Edit": (
+        *("undo", "redo", "", "paste", "delete", "clear", OWN, ""),
+        *("run", "live", "fine", "cancel"),
+    ),
     "&View": (MODES, "", OWN, "pan", "", "zoom_in", "zoom_out", "fit", "", "coded"),
     "&Help": ("about",),
 }

@@ -12,7 +12,7 @@ from iconstudio.gui import pictures
 from iconstudio.gui.app import application
 from iconstudio.gui.main_window import MainWindow
 from iconstudio.gui.preferences import prefer
-from iconstudio.gui.workspaces.live import PREFERENCE
+from iconstudio.gui.workspaces.live import LIVE
 
 _HARMLESS = tuple(
     f"This plugin does not support {what}"
@@ -35,7 +35,7 @@ def own_preferences(tmp_path_factory):
     """Nobody's preferences are read or changed; live mode is off unless a test is about it."""
     folder = str(tmp_path_factory.mktemp("preferences"))
     QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, folder)
-    prefer(PREFERENCE, False)
+    prefer(LIVE, False)
 
 
 @pytest.fixture(autouse=True)

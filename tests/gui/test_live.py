@@ -11,13 +11,16 @@ from PySide6.QtTest import QTest
 
 from iconstudio.gui.main_window import MainWindow
 from iconstudio.gui.panels.cell import CellState
-from iconstudio.gui.panels.progress import time_left
-from iconstudio.model import Axis
+from iconstudio.gui.preferences import preferred
+from iconstudio.model import CANVAS, Axis
 from iconstudio.session import ModelSettings
 from iconstudio.workflows.events import StyleSkipped
+from iconstudio.workflows.grid import FINE
 
 STYLES = ModelSettings().styles
 LAMBDAS = ModelSettings().lambdas
+MIDDLE = "medium", LAMBDAS[4]
+"""What comes first where nothing is picked yet."""
 FOR_EVER = 10**6
 CONTROL = Qt.KeyboardModifier.ControlModifier
 
@@ -151,6 +154,29 @@ def test_when_off_nothing_runs_but_what_is_asked_for(drawn, qtbot, session):
     assert drawn.board.results.note.text() == ""
 
 
+def test_fine_quality_begins_anew_and_is_remembered(drawn, qtbot, session):
+    session.gate = None
+    drawn.actions_by_name["fine"].trigger()
+    qtbot.waitUntil(begun(session, 2))
+    rest(drawn, qtbot, session)
+    assert runs(session)[-1][1].side == FINE
+    assert preferred("fine", False)
+    drawn.actions_by_name["fine"].trigger()
+    qtbot.waitUntil(begun(session, 3))
+    rest(drawn, qtbot, session)
+    assert runs(session)[-1][1].side == CANVAS
+
+
+def test_fine_quality_alone_waits_to_be_asked_for(sketching, qtbot, session):
+    trace(sketching)
+    type_keyword(sketching, "motorcycle")
+    sketching.run()
+    rest(sketching, qtbot, session)
+    sketching.actions_by_name["fine"].trigger()
+    assert len(runs(session)) == 1
+    assert "press Remix to renew" in sketching.board.results.note.text()
+
+
 # -- when it runs ------------------------------------------------------------------------------
 
 
@@ -164,7 +190,7 @@ def test_it_begins_as_soon_as_the_page_is_complete(live, qtbot, session):
     rest(live, qtbot, session)
     ((sketch, settings),) = runs(session)
     assert sketch == live.document.page.sketch
-    assert settings == ModelSettings(focus=None, previews=True)
+    assert settings == ModelSettings(focus=MIDDLE, previews=True)
     assert [call[0] for call in session.calls] == ["prepare", "model"], (
         "the icons are made ready once"
     )
@@ -387,7 +413,7 @@ def test_a_preview_comes_first_and_the_finished_result_takes_its_place(drawn, qt
 
 def test_only_the_first_run_of_a_sketch_picks_the_best(drawn, qtbot, session):
     first = picked(drawn)
-    assert first == ("lightest", LAMBDAS[RECOMMENDED])
+    assert first == ("medium", LAMBDAS[RECOMMENDED])
     session.gate = None
     session.fits = {"medium": 0.99}
     move(drawn)
@@ -416,8 +442,8 @@ def test_another_sketch_begins_afresh(drawn, qtbot, session):
     type_keyword(drawn, "dog")
     trace(drawn, [(50, 60), (300, 70), (200, 300)])
     rest(drawn, qtbot, session)
-    assert runs(session)[-1][1].focus is None
-    assert picked(drawn) == ("lightest", LAMBDAS[RECOMMENDED])
+    assert runs(session)[-1][1].focus == MIDDLE
+    assert picked(drawn) == ("medium", LAMBDAS[RECOMMENDED])
 
 
 def test_a_skipped_style_says_why_and_comes_back(drawn, qtbot, session):
@@ -557,22 +583,6 @@ def test_closing_the_window_leaves_nothing_behind(drawn, qtbot, session, stuck):
     assert not drawn.window().threads_alive()
 
 
-@pytest.mark.parametrize(
-    ("seconds", "words"),
-    [
-        (0.2, "almost done"),
-        (1.0, "about 1 s left"),
-        (4.6, "about 5 s left"),
-        (12.4, "about 10 s left"),
-        (33.0, "about 35 s left"),
-        (61.0, "about 1 min left"),
-        (200.0, "about 3 min left"),
-    ],
-)
-def test_the_time_left_is_told_no_more_exactly_than_it_is_known(seconds, words):
-    assert time_left(seconds) == words
-
-
 # -- editing -----------------------------------------------------------------------------------
 
 
@@ -598,7 +608,7 @@ def test_an_edit_follows_its_areas_and_the_styles(editing, qtbot, session):
     rest(editing, qtbot, session)
     ((edit, settings),) = runs(session)
     assert edit == editing.document.page.edit()
-    assert settings == ModelSettings(("medium", "dark"), focus=None, previews=True)
+    assert settings == ModelSettings(("medium", "dark"), focus=("dark", LAMBDAS[4]), previews=True)
     assert not editing.window().desk.notice.isVisible()
     drag(editing, points[2], (100, 100))
     rest(editing, qtbot, session)

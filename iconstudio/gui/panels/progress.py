@@ -4,6 +4,7 @@ from PySide6.QtCore import QTimer, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QPushButton, QWidget
 
 from iconstudio.gui.theme import UNIT
+from iconstudio.workflows.estimating import spoken
 from iconstudio.workflows.events import Progress
 
 REMARK = 6000
@@ -47,7 +48,7 @@ class ProgressStrip(QWidget):
 
     def show_progress(self, progress: Progress) -> None:
         """Show a stage, and how far it is."""
-        left = "" if progress.remaining is None else time_left(progress.remaining)
+        left = "" if progress.remaining is None else spoken(progress.remaining)
         self._message = " · ".join(text for text in (progress.message, left) if text)
         self._write()
         self.bar.setValue(round(1000 * min(1.0, max(0.0, progress.done))))
@@ -81,14 +82,3 @@ class ProgressStrip(QWidget):
         finished = f"{self._finished} finished" if self._finished else ""
         state = " · ".join(text for text in (self._message, finished) if text)
         self.label.setText(self._remark or state)
-
-
-def time_left(seconds: float) -> str:
-    """Return in words how long something will still take: no more exact than can be known."""
-    if seconds < 1:
-        return "almost done"
-    if seconds < 10:
-        return f"about {round(seconds)} s left"
-    if seconds < 55:
-        return f"about {5 * round(seconds / 5)} s left"
-    return f"about {max(1, round(seconds / 60))} min left"

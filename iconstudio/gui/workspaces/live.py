@@ -13,10 +13,11 @@ from iconstudio.gui.runner import Runner
 from iconstudio.gui.worker import Worker
 from iconstudio.gui.workspaces.wishes import WishingDocument, WishingPage
 from iconstudio.session import ModelSettings
+from iconstudio.workflows import grid
 from iconstudio.workflows.events import Event, Progress, Result, StyleSkipped
 
-PREFERENCE = "live"
-"""Under which it is remembered whether live mode is on."""
+LIVE, FINE = "live", "fine"
+"""Under which it is remembered whether live mode is on, and fine quality."""
 
 PATIENCE = 700
 """Milliseconds that a run which is out of date may take until it shows something."""
@@ -88,11 +89,14 @@ class Runs(QObject):
         self._preparation = preparation
         self.runner = Runner(worker, self)
         self.newest = Newest(self.runner, self._follow, PATIENCE)
-        self.live = preferred(PREFERENCE, True)
+        self.live = preferred(LIVE, True)
         """Whether results follow by themselves."""
+        self.fine = preferred(FINE, False)
+        """Whether results are joined on a finer canvas."""
         self.ran: object = None
         """What the results are of."""
         self._ran_page: WishingPage | None = None
+        self._ran_fine = self.fine
         self._focus: tuple[str, float] | None = None
         self._by_hand = False
         self._calm = QTimer(self, singleShot=True, interval=CALM)
@@ -110,13 +114,20 @@ class Runs(QObject):
     @property
     def stale(self) -> bool:
         """Whether the results are of something else than what is wanted."""
-        return self.ran is not None and self.ran != self._page.wanted()
+        same = self.ran == self._page.wanted() and self._ran_fine == self.fine
+        return self.ran is not None and not same
 
     def set_live(self, on: bool) -> None:
         """Let results follow by themselves, or not; remember which."""
         self.live = on
-        prefer(PREFERENCE, on)
+        prefer(LIVE, on)
         self.newest.forget()
+        self.renew()
+
+    def set_fine(self, on: bool) -> None:
+        """Join results on a finer canvas, or not; remember which."""
+        self.fine = on
+        prefer(FINE, on)
         self.renew()
 
     def adopt(self) -> bool:
@@ -136,7 +147,7 @@ class Runs(QObject):
         """In live mode, remix what the page says now, unless that is done or cannot be done yet."""
         if not self.live:
             return
-        if self._page.wanted() == self.ran:
+        if self.ran is not None and not self.stale:
             self.newest.forget()
         elif self._preparation.ready and not self._page.problem():
             self.newest.want()
@@ -158,9 +169,12 @@ class Runs(QObject):
         afresh = not self.live or before is None or sheet.elsewhere(before)
         focus = page.focus() if self.live and not afresh else None
         self._focus = focus if focus and focus[0] in settings.styles else None
+        if self.fine:
+            settings = replace(settings, side=grid.FINE)
         if self.live:
-            settings = replace(settings, focus=self._focus, previews=True)
+            settings = replace(settings, focus=self._focus or _middle(settings), previews=True)
         self.ran, self._ran_page, self._by_hand = wanted, sheet, by_hand
+        self._ran_fine = self.fine
         self.runner.start(lambda: pictured(page.events(wanted, settings), title))
         self.began.emit(settings, afresh)
 
@@ -191,6 +205,12 @@ class Runs(QObject):
         if not self.running:
             self._calm.stop()
             self.ended.emit(whole, self._by_hand)
+
+
+def _middle(settings: ModelSettings) -> tuple[str, float]:
+    """Return style and lambda_S in the middle of the grid."""
+    styles, lambdas = settings.styles, settings.lambdas
+    return styles[len(styles) // 2], lambdas[len(lambdas) // 2]
 
 
 def _place(result: Result) -> tuple[str, float]:

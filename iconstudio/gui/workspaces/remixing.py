@@ -25,7 +25,7 @@ from iconstudio.gui.theme import UNIT
 from iconstudio.gui.worker import Worker
 from iconstudio.gui.workspaces import wishes
 from iconstudio.gui.workspaces.base import Workspace
-from iconstudio.gui.workspaces.live import PREFERENCE, Runs, Wanting
+from iconstudio.gui.workspaces.live import FINE, LIVE, Runs, Wanting
 from iconstudio.gui.workspaces.proposal import SymmetryProposal
 from iconstudio.gui.workspaces.wishes import WishingPage
 from iconstudio.session import ModelSettings, Session
@@ -65,8 +65,8 @@ class RemixWorkspace(Workspace, Wanting):
         return self.board.results.coded
 
     def enter(self) -> None:
-        """Begin on the canvas, and in the mode that was switched to elsewhere."""
-        self.actions_by_name["live"].setChecked(preferred(PREFERENCE, True))
+        """Begin on the canvas, and in the modes that were switched to elsewhere."""
+        self._show_modes()
         self.view.setFocus()
 
     def run(self) -> None:
@@ -120,6 +120,7 @@ class RemixWorkspace(Workspace, Wanting):
         return {
             "run": self.run,
             "live": self._set_live,
+            "fine": self._set_fine,
             "coded": self.board.results.set_coded,
             **self.view_slots(self.view),
         }
@@ -182,7 +183,7 @@ class RemixWorkspace(Workspace, Wanting):
         runs.failed.connect(self.failed)
         runs.ended.connect(self._end_run)
         self.connect_board(board)
-        self.actions_by_name["live"].setChecked(preferred(PREFERENCE, True))
+        self._show_modes()
         self._rest()
         self._opening.start(self.session.get_ready)
 
@@ -212,6 +213,14 @@ class RemixWorkspace(Workspace, Wanting):
         self.runs.set_live(on)
         self.show_page()
         self._rest()
+
+    def _set_fine(self, on: bool) -> None:
+        self.runs.set_fine(on)
+        self.show_page()
+
+    def _show_modes(self) -> None:
+        self.actions_by_name["live"].setChecked(preferred(LIVE, True))
+        self.actions_by_name["fine"].setChecked(preferred(FINE, False))
 
     def _begin_run(self, settings: ModelSettings, afresh: bool) -> None:
         self.board.begin(settings, afresh)
