@@ -109,14 +109,14 @@ def rgba_image(pixels: NDArray[np.uint8]) -> QImage:
 
 
 def stencil(coverage: NDArray[np.uint8], color: QColor) -> QImage:
-    """Return (h, w) uint8 ``coverage`` as an image in one colour."""
+    """Return (h, w) uint8 ``coverage`` as an image in one colour, whose alpha does not count."""
     coverage = np.ascontiguousarray(coverage)
     height, width = coverage.shape
     image = QImage(coverage.data, width, height, width, QImage.Format.Format_Alpha8)
     image = image.convertToFormat(QImage.Format.Format_ARGB32_Premultiplied)
     with QPainter(image) as painter:
         painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_SourceIn)
-        painter.fillRect(image.rect(), color)
+        painter.fillRect(image.rect(), QColor(color.rgb()))
     return image
 
 

@@ -63,7 +63,7 @@ def test_level_and_upright_lines_keep_the_other_coordinate():
 
 def test_a_stencil_has_the_colour_and_the_coverage():
     coverage = np.arange(256, dtype=np.uint8).reshape(16, 16)
-    image = stencil(coverage, QColor(255, 128, 0))
+    image = stencil(coverage, QColor(255, 128, 0, 10))
     assert image.size().toTuple() == (16, 16)
     shown = pixels(image)
     assert shown[..., 3] == pytest.approx(coverage / 255, abs=1e-6)
