@@ -163,7 +163,7 @@ class RemixWorkspace(Workspace, Wanting):
         document, panel, board = self.document, self.keyword_panel, self.board
         panel.edited.connect(lambda text: wishes.set_keyword(document, text))
         panel.run.connect(self.run)
-        panel.toggled.connect(self._toggle_icon)
+        panel.toggled.connect(lambda icon: wishes.toggle_icon(document, icon))
         panel.restored.connect(lambda: wishes.exclude_icons(document, frozenset()))
         self.symmetry.chosen.connect(self.hold_to)
         preparation = self.preparation
@@ -205,9 +205,6 @@ class RemixWorkspace(Workspace, Wanting):
         """Hold the results to a symmetry, or to none."""
         if axis != self.document.page.wish.symmetry:
             wishes.set_symmetry(self.document, axis)
-
-    def _toggle_icon(self, icon: str) -> None:
-        wishes.exclude_icons(self.document, self.document.page.wish.exclude ^ {icon})
 
     def _set_live(self, on: bool) -> None:
         self.runs.set_live(on)

@@ -46,6 +46,11 @@ def set_keyword(document: WishingDocument, keyword: str) -> None:
     document.change("name the object", document.page.wishing(keyword=keyword), "keyword")
 
 
+def toggle_icon(document: WishingDocument, icon: str) -> None:
+    """Leave an icon of the collection out, or take it in again."""
+    exclude_icons(document, document.page.wish.exclude ^ {icon})
+
+
 def exclude_icons(document: WishingDocument, exclude: frozenset[str]) -> None:
     """Say which icons must not be used."""
     fewer = exclude < document.page.wish.exclude
