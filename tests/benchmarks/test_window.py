@@ -14,7 +14,9 @@ import pytest
 pytest.importorskip("PySide6.QtWidgets")
 
 OPENING = """
+import gc
 import sys
+gc.disable()  # as the program does, before it imports the window
 from iconstudio.gui import app
 from iconstudio.gui.canvas.view import CanvasView
 from PySide6.QtCore import QTimer
