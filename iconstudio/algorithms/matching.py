@@ -84,7 +84,7 @@ def padding(scales: Iterable[float]) -> int:
 def prepare(exemplar: Exemplar, scales: Sequence[float] = SCALES) -> PreparedExemplar:
     """Compute an exemplar's blackness, and its distance field and spectra at all scales."""
     pad = padding(scales)
-    inks = [scaled_ink(exemplar, scale, pad) for scale in scales]
+    inks = [scaled_ink(exemplar.coverage, scale, pad) for scale in scales]
     squared = squared_distances(np.stack([solid(ink) for ink in inks]))
     spectra = spectra_of(Waves(squared.shape[-1]), distances(squared) - FAR)
     return PreparedExemplar(exemplar, blackness(exemplar.ink), tuple(scales), squared, spectra)

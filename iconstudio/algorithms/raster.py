@@ -1,6 +1,7 @@
 """Bitmaps on the canvas: outlines filled, exemplars placed (sections 3.2 and 3.4)."""
 
 from collections.abc import Sequence
+from functools import lru_cache
 
 import numpy as np
 import scipy
@@ -9,6 +10,9 @@ from numpy.typing import NDArray
 from iconstudio.model import CANVAS, Exemplar, Placement, Point, Polygon
 
 Bitmap = NDArray[np.bool_]
+
+_USUAL = 1.5
+"""Exemplars at larger scales take too much memory to be remembered."""
 
 
 def solid(ink: Bitmap) -> Bitmap:
@@ -76,11 +80,15 @@ def simplified(line: Sequence[Point], tolerance: float) -> tuple[Point, ...]:
     return tuple((float(x), float(y)) for x, y in corners)
 
 
-def scaled_ink(exemplar: Exemplar, scale: float, pad: int = 0, side: int = CANVAS) -> Bitmap:
+def scaled_ink(
+    coverage: NDArray[np.uint8], scale: float, pad: int = 0, side: int = CANVAS
+) -> Bitmap:
     """Return an exemplar's ink scaled about the centre of the canvas.
 
     Parameters
     ----------
+    coverage
+        The exemplar's, (CANVAS, CANVAS).
     scale
         Uniform scale factor (section 3.3).
     pad
@@ -93,14 +101,14 @@ def scaled_ink(exemplar: Exemplar, scale: float, pad: int = 0, side: int = CANVA
     (side + 2 pad, side + 2 pad) bool
     """
     if scale == 1.0 and side == CANVAS:
-        return np.pad(exemplar.ink, pad)
+        return np.pad(coverage > 127, pad)
     from PIL import Image
 
     scale *= side / CANVAS
     n = side + 2 * pad
     step, start = 1 / scale, CANVAS / 2 - (n / 2) / scale
     # PIL samples output pixel centres: x_in = step * x_out + start, with centres at + 0.5.
-    picture = Image.fromarray(exemplar.coverage).transform(
+    picture = Image.fromarray(coverage).transform(
         (n, n),
         Image.Transform.AFFINE,
         (step, 0, start, 0, step, start),
@@ -132,14 +140,26 @@ def placed_ink(
 
     The holes are filled before the canvas cuts the drawing off: what it encloses stays enclosed.
     """
-    pad = max(0, int(np.ceil(side / 2 * (placement.scale - 1))))
-    ink = scaled_ink(exemplar, placement.scale, pad, side)
+    scaled = _remembered if placement.scale <= _USUAL else _scaled
+    both = scaled(exemplar.coverage.tobytes(), placement.scale, side)
     if placement.flip:
-        ink = ink[:, ::-1]
-    both = np.stack([ink, solid(ink)])
+        both = both[:, :, ::-1]
     dx, dy = (round(shift * side / CANVAS) for shift in (placement.dx, placement.dy))
     ink, filled = shifted(both, dx, dy, side, False)
     return ink, filled
+
+
+def _scaled(coverage: bytes, scale: float, side: int) -> Bitmap:
+    """Return ink and solid of an exemplar at a scale, (2, n, n), whole."""
+    picture = np.frombuffer(coverage, np.uint8).reshape(CANVAS, CANVAS)
+    ink = scaled_ink(picture, scale, max(0, int(np.ceil(side / 2 * (scale - 1)))), side)
+    both = np.stack([ink, solid(ink)])
+    both.flags.writeable = False
+    return both
+
+
+_remembered = lru_cache(maxsize=64)(_scaled)
+"""The same exemplar often lies at several places, and both before an edit and after it."""
 
 
 def inked_tiles(exemplar: Exemplar, placement: Placement, count: int, pad: int = 0) -> Bitmap:

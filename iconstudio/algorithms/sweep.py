@@ -53,7 +53,7 @@ from iconstudio.model import CANVAS
 
 BLOCK = 2
 COARSE = 4
-RISES = 5
+RISES = 4
 """In how many steps a preview goes from the lowest lambda_S to the one that is wanted."""
 REACH = 5
 """Sites farther than this from a seam keep their labels in the end."""

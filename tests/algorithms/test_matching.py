@@ -49,7 +49,7 @@ def regions_of_a_square():
 
 def direct(field, region, one, placement):
     """Equation 4 as it is written: exemplar ``one`` goes on beyond the canvas."""
-    theirs = tsdf(solid(scaled_ink(one, placement.scale, 64)))
+    theirs = tsdf(solid(scaled_ink(one.coverage, placement.scale, 64)))
     if placement.flip:
         theirs = theirs[:, ::-1]
     moved = shifted(theirs, placement.dx, placement.dy, CANVAS, FAR)

@@ -80,7 +80,7 @@ def test_what_is_enclosed_stays_enclosed_when_the_canvas_cuts_it():
 
 
 def test_scaling_about_the_centre_keeps_the_centre():
-    ink = scaled_ink(exemplar(blob(1)), 1.25, pad=40)
+    ink = scaled_ink(exemplar(blob(1)).coverage, 1.25, pad=40)
     assert ink.shape == (CANVAS + 80, CANVAS + 80)
     assert abs(ink.sum() / blob(1).sum() - 1.25**2) < 0.02
 

@@ -104,6 +104,6 @@ def test_plainly(benchmark, cache):
             except IconstudioError:
                 continue
             for scale in SCALES:
-                distances(solid(scaled_ink(exemplar, scale, pad)))
+                distances(solid(scaled_ink(exemplar.coverage, scale, pad)))
 
     benchmark.pedantic(plain, rounds=1)
