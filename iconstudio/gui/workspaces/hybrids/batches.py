@@ -6,7 +6,6 @@ from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image
 
 from iconstudio.algorithms.energy import joined_ink
 from iconstudio.algorithms.ranking import Gallery
@@ -68,5 +67,7 @@ def _ink(composite: Composite) -> NDArray[np.bool_]:
 def _reduced(drawing: Drawing) -> Drawing:
     if len(drawing.coverage) <= SIDE:
         return drawing
+    from PIL import Image
+
     picture = Image.fromarray(drawing.coverage).resize((SIDE, SIDE), Image.Resampling.BOX)
     return replace(drawing, coverage=np.asarray(picture))
