@@ -105,7 +105,7 @@ class Session:
         cold, self._cold = self._cold, False
         if cold:
             for lane in range(self._workers.count):
-                self._workers.submit(warm_up, lane=lane)
+                self._workers.submit(warm_up, render_placed, lane=lane)
             for name in _SLOW_TO_LOAD:
                 import_module(name)
             gc.freeze()  # They stay: they need not be looked through for garbage.

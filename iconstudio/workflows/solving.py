@@ -17,7 +17,7 @@ from iconstudio.algorithms.ranking import Score
 from iconstudio.algorithms.raster import Bitmap, overlap, solid
 from iconstudio.algorithms.redraw import SCALE
 from iconstudio.algorithms.transfer import transferred
-from iconstudio.model import CANVAS, Composite, Drawing, Source
+from iconstudio.model import CANVAS, Composite, Drawing, Frame, Placement, Source
 from iconstudio.workers import forget, remembered, stopped
 from iconstudio.workflows.drawing import PREVIEW, Render, draw
 
@@ -159,14 +159,17 @@ def finished(posed: Posed, job: Job, step: Step, labels: Labels, render: Render)
     )
 
 
-def warm_up() -> None:
-    """Load what cuts, and compile it if it never was, on a problem of nothing."""
+def warm_up(render: Render) -> None:
+    """Load what cuts and draws, and compile it if it never was, on a problem of nothing."""
     from iconstudio.algorithms.sweep import Sweep
+    from iconstudio.algorithms.vectorize import trace
 
     ink = np.zeros((2, CANVAS, CANVAS), dtype=bool)
     sweep = Sweep(RemixProblem(ink.astype(np.float32), ink, ink))
     sweep.explore([1.0])
     sweep.solve(1.0)
+    dot = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 8 8"><path d="M2 2h4v4H2z"/></svg>'
+    trace(render(dot, Frame(0, 0, 8), Placement(), CANVAS))
 
 
 def _begin(job: Job) -> _Bench:
