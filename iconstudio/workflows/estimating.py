@@ -71,6 +71,10 @@ class Estimate:
         self._first: list[float] = []
         self._later: list[float] = []
         """Seconds of work for the first results of rows, and for the others."""
+        self._previewed = ""
+        self._hurried: list[float] = []
+        """The row with a preview has a result before its others are searched for; what that took
+        tells nothing of them."""
         self._last: dict[str, float] = {}
         """When each row that is under way had its last result."""
         self._free: deque[float] = deque(maxlen=processes)
@@ -82,9 +86,12 @@ class Estimate:
             case StyleMatched():
                 self._begin(now)
                 self._rows[event.style] += 0
-            case Result(preview=False):
+            case Result(preview=True):
+                self._previewed = event.composite.style
+            case Result():
                 row = event.composite.style
-                kind = self._later if self._rows[row] else self._first
+                nth = self._rows[row] - (row == self._previewed)
+                kind = self._hurried if nth < 0 else self._later if nth else self._first
                 kind.append(event.remix_seconds + event.vectorize_seconds)
                 self._rows[row] += 1
                 self._last[row] = now
@@ -113,7 +120,7 @@ class Estimate:
     def _look(self, now: float) -> None:
         """Tell the end from the work that is done, under way, and left."""
         finished = sum(self._rows.values())
-        if not finished or self._began is None:
+        if not self._first or self._began is None:
             return
         total = finished / self._done
         first = sum(self._first) / len(self._first)
@@ -123,7 +130,7 @@ class Estimate:
         # All processes have been busy, with what is finished and with what is under way.
         under_way = self._under_way(now)
         spent = self._processes * (now - self._began) - under_way
-        speed = (sum(self._first) + sum(self._later)) / max(spent, 1e-9)
+        speed = sum(map(sum, (self._first, self._later, self._hurried))) / max(spent, 1e-9)
         left = max(0.0, work / max(speed, 1e-9) - under_way) / self._processes
         ends = now + left
         self._ends = ends if self._ends is None else self._ends + _TRUST * (ends - self._ends)

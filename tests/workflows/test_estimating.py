@@ -2,6 +2,7 @@
 
 import heapq
 import json
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -9,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from iconstudio.workflows.estimating import estimated, spoken
+from iconstudio.workflows.estimating import Estimate, estimated, spoken
 from iconstudio.workflows.events import Progress, Recommended, Result, StyleMatched, StyleSkipped
 
 RECORDINGS = Path(__file__).parent / "recordings"
@@ -118,6 +119,23 @@ def test_a_real_run_is_told_within_a_factor_of_two(name, part):
     assert (1 - part) * end / 2 <= said <= (1 - part) * end * 2
 
 
+def test_the_result_in_focus_tells_nothing_of_the_others():
+    """It comes early, as the others of its row have not been searched for yet."""
+    estimate = Estimate(2)
+    estimate.note(StyleMatched("a", (), ()), 0.0)
+    for event, at in (
+        (replace(result("a", 0.5), preview=True), 0.5),
+        (result("a", 1.0), 1.5),
+        (Progress("remix", 1 / 16, ""), 1.5),
+    ):
+        estimate.note(event, at)
+    assert estimate.remaining(1.5) is None
+    estimate.note(StyleMatched("b", (), ()), 1.5)
+    for event, at in ((result("b", 2.5), 3.0), (Progress("remix", 2 / 16, ""), 3.0)):
+        estimate.note(event, at)
+    assert estimate.remaining(3.0) > 3
+
+
 def test_nothing_is_said_before_the_first_result():
     timed = grid()
     first = next(when for when, event in timed if isinstance(event, Result))
@@ -158,12 +176,13 @@ def test_skipped_styles_shorten_what_is_left():
     assert told([*half, *skipped])[-1][1] < 0.9 * before
 
 
-def test_previews_count_for_nothing():
+def test_a_preview_tells_nothing():
     plain = grid()
     first = next(n for n, (_, event) in enumerate(plain) if isinstance(event, Result))
-    at_first = plain[first][0]
-    coarse = [(at_first - 0.5, result(str(row), 0.3, preview=True)) for row in range(4)]
-    assert told([*plain[:first], *coarse, *plain[first:]]) == told(plain)
+    at_first, finished = plain[first]
+    coarse = (at_first - 0.5, replace(finished, preview=True))
+    track = told([*plain[:first], coarse, *plain[first:]])
+    assert {remaining for when, remaining in track if when < at_first} == {None}
 
 
 def test_a_single_result():
