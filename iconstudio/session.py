@@ -15,10 +15,10 @@ from pathlib import Path
 from iconstudio.algorithms.matching import SCALES, Matcher, PreparedExemplar
 from iconstudio.algorithms.style import two_toned
 from iconstudio.library.collection import Collection, cache_folder
-from iconstudio.library.ownsvg import read_own_svg
+from iconstudio.svg.reading import read_own_svg
 from iconstudio.library.preparing import PreparingCache
 from iconstudio.library.rasters import RasterCache
-from iconstudio.library.resvg import render_placed
+from iconstudio.svg.resvg import render_placed
 from iconstudio.model import (
     CANVAS,
     Axis,

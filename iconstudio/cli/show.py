@@ -5,7 +5,7 @@ from pathlib import Path
 import click
 from PIL import Image
 
-from iconstudio.library.resvg import render_coverage
+from iconstudio.svg.resvg import render_coverage
 from iconstudio.output import png
 from iconstudio.session import Session
 

@@ -11,8 +11,8 @@ from typing import Any
 from iconstudio.library.fingerprint import Fingerprint, fingerprint
 from iconstudio.library.iconify import RawIcon, document
 from iconstudio.library.progress import Progress
-from iconstudio.library.resvg import render_coverage
-from iconstudio.library.svgcheck import check
+from iconstudio.svg.resvg import render_coverage
+from iconstudio.svg.check import check
 from iconstudio.model import Frame, IconstudioError
 from iconstudio.workers import Workers, died
 

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from iconstudio.files import write_atomically
-from iconstudio.library.resvg import render_coverage
+from iconstudio.svg.resvg import render_coverage
 from iconstudio.model import CANVAS, Drawing, Frame, IconstudioError
 
 SIZE = 1024

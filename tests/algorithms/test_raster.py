@@ -14,7 +14,7 @@ from iconstudio.algorithms.raster import (
     simplified,
     solid,
 )
-from iconstudio.library.resvg import render_placed
+from iconstudio.svg.resvg import render_placed
 from iconstudio.model import CANVAS, Placement, Polygon
 from tests.shapes import blob, exemplar
 

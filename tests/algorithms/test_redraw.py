@@ -18,7 +18,7 @@ from iconstudio.algorithms.redraw import (
     two_tone,
 )
 from iconstudio.algorithms.vectorize import trace
-from iconstudio.library.resvg import render_coverage
+from iconstudio.svg.resvg import render_coverage
 from iconstudio.model import CANVAS, Frame
 from tests.shapes import blob
 

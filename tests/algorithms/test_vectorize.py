@@ -12,7 +12,7 @@ from scipy import ndimage
 from iconstudio.algorithms.bezier import direction, fit
 from iconstudio.algorithms.redraw import SCALE, redraw
 from iconstudio.algorithms.vectorize import SPECK, TOLERANCE, trace
-from iconstudio.library.resvg import render_coverage
+from iconstudio.svg.resvg import render_coverage
 from iconstudio.model import CANVAS, Frame
 from tests.shapes import blob
 

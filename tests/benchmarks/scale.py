@@ -28,7 +28,7 @@ from iconstudio.algorithms.sweep import Sweep
 from iconstudio.algorithms.tsdf import tsdf
 from iconstudio.inputs.sketch import example
 from iconstudio.library.collection import Collection
-from iconstudio.library.rasterise import rasterise
+from iconstudio.svg.rasterise import rasterise
 from iconstudio.model import CANVAS, Exemplar, IconstudioError, Polygon, Source
 from iconstudio.session import Session
 from iconstudio.workflows.grid import distinct

@@ -12,7 +12,7 @@ from scipy import ndimage
 from iconstudio.algorithms.matching import SCALES, padding
 from iconstudio.algorithms.raster import scaled_ink, solid
 from iconstudio.algorithms.tsdf import D_MAX
-from iconstudio.library.rasterise import rasterise
+from iconstudio.svg.rasterise import rasterise
 from iconstudio.model import CANVAS, Exemplar, IconstudioError
 from iconstudio.session import Session
 

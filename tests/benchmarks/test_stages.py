@@ -14,7 +14,7 @@ from iconstudio.algorithms.style import STYLES
 from iconstudio.algorithms.sweep import Sweep
 from iconstudio.algorithms.tsdf import D_MAX, tsdf
 from iconstudio.inputs.sketch import example
-from iconstudio.library.resvg import render_placed
+from iconstudio.svg.resvg import render_placed
 from iconstudio.model import CANVAS
 from iconstudio.session import Session
 from iconstudio.workflows.drawing import draw

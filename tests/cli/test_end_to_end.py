@@ -9,7 +9,7 @@ import pytest
 from PIL import Image
 
 from iconstudio.cli.app import run
-from iconstudio.library.resvg import render_coverage
+from iconstudio.svg.resvg import render_coverage
 from iconstudio.model import CANVAS, Frame
 from iconstudio.resources import resource
 from tests.cli.energies import prove_energies

@@ -8,8 +8,8 @@ from PIL import Image
 from scipy import ndimage
 
 from iconstudio.cli.app import run
-from iconstudio.library.resvg import render_coverage
-from iconstudio.library.svgcheck import check
+from iconstudio.svg.resvg import render_coverage
+from iconstudio.svg.check import check
 from iconstudio.model import CANVAS, Frame
 from iconstudio.session import Session
 from tests.cli.energies import prove_energies

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from iconstudio.algorithms.ranking import Score
-from iconstudio.library.ownsvg import read_own_svg
+from iconstudio.svg.reading import read_own_svg
 from iconstudio.model import (
     CANVAS,
     Composite,

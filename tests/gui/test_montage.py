@@ -29,7 +29,7 @@ from iconstudio.gui.workspaces.montage.pictures import LayerPainter
 from iconstudio.gui.workspaces.montage.scene import MontageScene
 from iconstudio.gui.workspaces.montage.workspace import MontageWorkspace
 from iconstudio.inputs.montage import read_montage
-from iconstudio.library.ownsvg import read_own_svg
+from iconstudio.svg.reading import read_own_svg
 from iconstudio.model import Placement
 from iconstudio.output.colours import source_colours
 from iconstudio.session import Session

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from iconstudio.library import rasters, store
-from iconstudio.library.rasterise import rasterise
+from iconstudio.svg.rasterise import rasterise
 from iconstudio.library.rasters import RasterCache, draw_entries
 from iconstudio.model import Credit, IconstudioError, Pictogram
 from iconstudio.workers import Workers

@@ -8,9 +8,9 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from iconstudio.library.rasterise import rasterise
-from iconstudio.library.resvg import render_coverage
-from iconstudio.library.svgcheck import check
+from iconstudio.svg.rasterise import rasterise
+from iconstudio.svg.resvg import render_coverage
+from iconstudio.svg.check import check
 from iconstudio.model import CANVAS, Credit, Drawing, Frame, Pictogram
 from iconstudio.output.svg import contributors, credits_text, pictogram_of, svg_document
 from tests.output.made import RING, SOURCES, credited, with_shares

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from iconstudio.algorithms.symmetry import reflected
-from iconstudio.library.resvg import render_placed
+from iconstudio.svg.resvg import render_placed
 from iconstudio.model import CANVAS, Axis, IconstudioError, Mix
 from iconstudio.workers import Workers
 from iconstudio.workflows.choosing import choose_icons, stroke_width

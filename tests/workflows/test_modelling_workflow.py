@@ -3,7 +3,7 @@ import pytest
 
 from iconstudio.algorithms.energy import joined_ink, placed_sources
 from iconstudio.algorithms.matching import Matcher, prepare
-from iconstudio.library.resvg import render_coverage, render_placed
+from iconstudio.svg.resvg import render_coverage, render_placed
 from iconstudio.model import CANVAS, Frame, IconstudioError, Placement, Polygon, Sketch
 from iconstudio.workers import Workers
 from iconstudio.workflows.events import (

@@ -3,7 +3,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from iconstudio.library.resvg import render_placed
+from iconstudio.svg.resvg import render_placed
 from iconstudio.model import CANVAS, IconstudioError, Layer, Montage, Placement, Stroke
 from iconstudio.workers import Workers
 from iconstudio.workflows.events import Progress, Result

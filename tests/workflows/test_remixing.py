@@ -7,7 +7,7 @@ import pytest
 
 from iconstudio.algorithms.matching import Matcher, prepare
 from iconstudio.algorithms.raster import overlap
-from iconstudio.library.resvg import render_placed
+from iconstudio.svg.resvg import render_placed
 from iconstudio.model import CANVAS, Polygon, Sketch
 from iconstudio.workers import Workers
 from iconstudio.workflows.events import Progress, Recommended, Result

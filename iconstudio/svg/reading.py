@@ -5,7 +5,7 @@ import re
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
-from iconstudio.library.svgcheck import MAX_BYTES, check
+from iconstudio.svg.check import MAX_BYTES, check
 from iconstudio.model import Credit, IconstudioError, Pictogram
 
 UNNAMED = "an unnamed author"

@@ -8,6 +8,8 @@ import io
 import math
 import re
 import xml.etree.ElementTree as ET
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +17,11 @@ from resvg_py import __version__, svg_to_bytes
 
 from iconstudio.model import Frame, IconstudioError, Placement
 
-__all__ = ["VERSION", "Box", "Window", "render_coverage", "render_placed", "view_box"]
+if TYPE_CHECKING:
+    from PIL.Image import Image
+
+__all__ = ["VERSION", "Box", "Window", "render_colours", "render_coverage",
+           "render_placed", "view_box"]
 
 VERSION = __version__
 """Of resvg-py: another version may draw differently."""
@@ -33,6 +39,9 @@ _PIXELS = {
     "em": 16, "rem": 16, "ex": 8,
 }  # fmt: skip
 _LARGEST = 1e6
+_FAMILIES = ("font_family", "serif_family", "sans_serif_family", "monospace_family")
+_FAMILY = "Inter"
+"""Of the fonts that come with the program."""
 
 
 def view_box(svg: str) -> Box:
@@ -75,6 +84,46 @@ def render_coverage(
     IconstudioError
         If resvg cannot read the document.
     """
+    # Over white, 255 - grey is alpha times darkness.
+    image, box, corner, unit = _drawn(svg, frame, size, window, background="#ffffff")
+    coverage = 255 - np.asarray(image.convert("L"))
+    # A layer of half opacity comes out as 127 or 128; it is not *more* than half dark.
+    coverage[coverage == 128] = 127
+    _clip(coverage, box, corner, unit)
+    return coverage
+
+
+def render_colours(
+    svg: str, frame: Frame, size: int, fonts: Sequence[str] = ()
+) -> NDArray[np.uint8]:
+    """Draw ``frame`` of a document in its colours, over nothing.
+
+    ``fonts`` are files, of which the first is for all text whose font is not there.
+
+    Returns
+    -------
+    (size, size, 4) uint8: red, green, blue, and alpha that is not multiplied into them.
+
+    Raises
+    ------
+    IconstudioError
+        If resvg cannot read the document.
+    """
+    image, box, corner, unit = _drawn(svg, frame, size, None, fonts=fonts)
+    colours = np.array(image.convert("RGBA"))
+    _clip(colours[:, :, 3], box, corner, unit)
+    return colours
+
+
+def _drawn(
+    svg: str,
+    frame: Frame,
+    size: int,
+    window: Window | None,
+    background: str | None = None,
+    fonts: Sequence[str] = (),
+) -> "tuple[Image, Box, tuple[float, float], float]":
+    """Return a picture, the document's canvas, and the picture's corner and unit in user space."""
     root = _root(svg)
     box = _view_box(root)
     for name, value in zip(("x", "y", "width", "height"), box, strict=True):
@@ -89,14 +138,16 @@ def render_coverage(
     shown = _numbers((*corner, width * unit, height * unit))
     outer = ET.Element(f"{{{_SVG}}}svg", viewBox=shown, width=str(width), height=str(height))
     outer.append(root)
+    families = dict.fromkeys(_FAMILIES, _FAMILY) if fonts else {}
     try:
         png = svg_to_bytes(
             svg_string=ET.tostring(outer, encoding="unicode"),
-            # Over white, 255 - grey is alpha times darkness.
-            background="#ffffff",
+            background=background,
             # Without it, sizes in pt or mm raise.
             dpi=96,
             skip_system_fonts=True,
+            font_files=list(fonts) or None,
+            **families,
         )
     except ValueError as error:
         raise IconstudioError(f"The SVG cannot be drawn: {error}.") from None
@@ -107,11 +158,8 @@ def render_coverage(
     from PIL import Image
 
     with Image.open(io.BytesIO(png)) as image:
-        coverage = 255 - np.asarray(image.convert("L"))
-    # A layer of half opacity comes out as 127 or 128; it is not *more* than half dark.
-    coverage[coverage == 128] = 127
-    _clip(coverage, box, corner, unit)
-    return coverage
+        image.load()
+        return image, box, corner, unit
 
 
 def render_placed(

@@ -4,8 +4,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from iconstudio.library import svgcheck
-from iconstudio.library.svgcheck import MAX_BYTES, MAX_DEPTH, MAX_ELEMENTS, check
+from iconstudio.svg import check as svgcheck
+from iconstudio.svg.check import MAX_BYTES, MAX_DEPTH, MAX_ELEMENTS, check
 from iconstudio.model import IconstudioError
 
 

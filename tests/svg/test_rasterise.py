@@ -4,8 +4,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from iconstudio.library import rasterise as module
-from iconstudio.library.rasterise import ink_bounds, rasterise
-from iconstudio.library.resvg import render_coverage
+from iconstudio.svg.rasterise import ink_bounds, rasterise
+from iconstudio.svg.resvg import render_coverage
 from iconstudio.model import CANVAS, MARGIN, IconstudioError
 
 

@@ -5,13 +5,13 @@ from dataclasses import replace
 
 import pytest
 
-from iconstudio.library.ownsvg import UNLICENSED, UNNAMED, read_own_svg
-from iconstudio.library.rasterise import rasterise
-from iconstudio.library.svgcheck import MAX_BYTES
+from iconstudio.svg.reading import UNLICENSED, UNNAMED, read_own_svg
+from iconstudio.svg.rasterise import rasterise
+from iconstudio.svg.check import MAX_BYTES
 from iconstudio.model import Credit, IconstudioError, Pictogram
 from iconstudio.output.svg import contributors, credits_text, svg_document
 from iconstudio.session import Session
-from tests.library.test_svgcheck import HARMLESS, HOSTILE, svg
+from tests.svg.test_check import HARMLESS, HOSTILE, svg
 from tests.output.made import BLOCK, RING, SOURCES, credited, made, quarters, with_shares
 
 SQUARE = '<path d="M4 4h16v16H4z"/>'

@@ -5,8 +5,8 @@ from itertools import count
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.library.resvg import render_coverage, view_box
-from iconstudio.library.svgcheck import check
+from iconstudio.svg.resvg import render_coverage, view_box
+from iconstudio.svg.check import check
 from iconstudio.model import CANVAS, MARGIN, Frame, IconstudioError
 
 _COARSE = 128

@@ -3,7 +3,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from iconstudio.library.resvg import render_coverage, render_placed, view_box
+from iconstudio.svg.resvg import render_coverage, render_placed, view_box
 from iconstudio.model import CANVAS, Frame, IconstudioError, Placement
 
 WHOLE = Frame(0, 0, 16)

@@ -1,0 +1,205 @@
+"""Where the shapes of a document lie: the adapter of fontTools, whose pens read path data.
+
+Everything is computed in double precision; the renderer has but 24 bits.
+"""
+
+import math
+import xml.etree.ElementTree as ET
+from collections.abc import Callable, Mapping
+
+from fontTools.pens.boundsPen import ControlBoundsPen
+from fontTools.pens.recordingPen import RecordingPen
+from fontTools.pens.svgPathPen import SVGPathPen
+from fontTools.pens.transformPen import TransformPen
+from fontTools.svgLib.path.parser import parse_path
+
+from iconstudio.svg.lengths import (
+    IDENTITY,
+    Box,
+    Matrix,
+    length,
+    mapped,
+    multiplied,
+    numbers,
+    scale_of,
+    transform,
+)
+
+SHAPES = ("path", "rect", "circle", "ellipse", "line", "polyline", "polygon")
+_KAPPA = 0.5522847498
+
+
+def path_data(shape: ET.Element, page: Box) -> str:
+    """Return the outline of a shape as path data; percentages are of ``page``."""
+    width, height = page[2], page[3]
+    diagonal = math.hypot(width, height) / math.sqrt(2)
+
+    def across(name: str, default: float = 0.0) -> float:
+        return length(shape.get(name), width, default)
+
+    def down(name: str, default: float = 0.0) -> float:
+        return length(shape.get(name), height, default)
+
+    match shape.tag:
+        case "path":
+            return shape.get("d", "")
+        case "rect":
+            rx, ry = across("rx", math.nan), down("ry", math.nan)
+            rx, ry = ry if math.isnan(rx) else rx, rx if math.isnan(ry) else ry
+            corner = (0.0, 0.0) if math.isnan(rx) or math.isnan(ry) else (rx, ry)
+            return _rectangle(across("x"), down("y"), across("width"), down("height"), *corner)
+        case "circle":
+            r = length(shape.get("r"), diagonal)
+            return _ellipse(across("cx"), down("cy"), r, r)
+        case "ellipse":
+            rx, ry = across("rx", math.nan), down("ry", math.nan)
+            rx, ry = ry if math.isnan(rx) else rx, rx if math.isnan(ry) else ry
+            return "" if math.isnan(rx) else _ellipse(across("cx"), down("cy"), rx, ry)
+        case "line":
+            return f"M{across('x1')} {down('y1')}L{across('x2')} {down('y2')}"
+        case "polyline" | "polygon":
+            points = numbers(shape.get("points", ""))
+            pairs = zip(points[::2], points[1::2], strict=False)
+            joined = "L".join(f"{x} {y}" for x, y in pairs)
+            closed = "Z" if shape.tag == "polygon" else ""
+            return f"M{joined}{closed}" if joined else ""
+    return ""
+
+
+def _rectangle(x: float, y: float, width: float, height: float, rx: float, ry: float) -> str:
+    if width <= 0 or height <= 0:
+        return ""
+    rx, ry = min(max(rx, 0), width / 2), min(max(ry, 0), height / 2)
+    if not rx or not ry:
+        return f"M{x} {y}h{width}v{height}h{-width}Z"
+    arc = f"a{rx} {ry} 0 0 1 "
+    return (
+        f"M{x + rx} {y}h{width - 2 * rx}{arc}{rx} {ry}v{height - 2 * ry}{arc}{-rx} {ry}"
+        f"h{2 * rx - width}{arc}{-rx} {-ry}v{2 * ry - height}{arc}{rx} {-ry}Z"
+    )
+
+
+def _ellipse(cx: float, cy: float, rx: float, ry: float) -> str:
+    if rx <= 0 or ry <= 0:
+        return ""
+    return f"M{cx - rx} {cy}a{rx} {ry} 0 1 0 {2 * rx} 0a{rx} {ry} 0 1 0 {-2 * rx} 0Z"
+
+
+def moved(data: str, matrix: Matrix) -> str:
+    """Return path data mapped by a matrix."""
+    pen = SVGPathPen(None, ntos=lambda value: f"{value:.9g}")
+    _recorded(data).replay(TransformPen(pen, matrix))
+    return pen.getCommands()
+
+
+def data_bounds(data: str) -> Box | None:
+    """Return the bounding box of the control points; None if there are none."""
+    pen = ControlBoundsPen(None, ignoreSinglePoints=False)
+    _recorded(data).replay(pen)
+    if pen.bounds is None or not all(map(math.isfinite, pen.bounds)):
+        return None
+    left, top, right, bottom = pen.bounds
+    return left, top, right - left, bottom - top
+
+
+def _recorded(data: str) -> RecordingPen:
+    """Read path data up to its first mistake, as renderers do."""
+    pen = RecordingPen()
+    try:
+        parse_path(data, pen)
+    except Exception:  # of many kinds, by whatever the mistake is
+        ended = ("endPath", "closePath")
+        if pen.value and pen.value[-1][0] not in ended:
+            pen.value.append(("endPath", ()))
+    return pen
+
+
+def bounds(element: ET.Element, page: Box, ids: Mapping[str, ET.Element]) -> Box | None:
+    """Return a box that holds all that an element draws, in the space around it; None if nothing.
+
+    It is that of the control points, with strokes; clips and masks are not counted.
+    """
+    found: list[Box] = []
+    _collect(element, IDENTITY, 1.0, False, page, ids, found.append, 0)
+    return union(found)
+
+
+def union(boxes: list[Box]) -> Box | None:
+    """Return the box around several; None if there are none."""
+    if not boxes:
+        return None
+    left, top = min(box[0] for box in boxes), min(box[1] for box in boxes)
+    right, bottom = max(box[0] + box[2] for box in boxes), max(box[1] + box[3] for box in boxes)
+    return left, top, right - left, bottom - top
+
+
+_UNDRAWN = (
+    "defs", "symbol", "clipPath", "mask", "pattern", "marker", "linearGradient", "radialGradient",
+    "filter",
+)  # fmt: skip
+_DEEPEST = 60
+
+
+def _collect(
+    element: ET.Element, outer: Matrix, stroke: float, stroked: bool, page: Box,
+    ids: Mapping[str, ET.Element], add: Callable[[Box], None], depth: int,
+) -> None:  # fmt: skip
+    if depth > _DEEPEST or element.get("display") == "none":
+        return
+    matrix = multiplied(outer, transform(element.get("transform")) or IDENTITY)
+    stroke = length(element.get("stroke-width"), page[2], stroke)
+    if "stroke" in element.attrib:
+        stroked = element.get("stroke") != "none"
+    if element.tag in SHAPES:
+        box = data_bounds(path_data(element, page))
+        if box is not None:
+            box = mapped(matrix, box)
+            reach = stroke * scale_of(matrix) / 2 if stroked else 0.0
+            add((box[0] - reach, box[1] - reach, box[2] + 2 * reach, box[3] + 2 * reach))
+        return
+    if element.tag in ("text", "image", "foreignObject"):
+        x, y = (numbers(element.get(name, "0"))[:1] or [0.0] for name in "xy")
+        size = length(element.get("font-size"), page[2], page[2] / 4)
+        add(mapped(matrix, (x[0] - 4 * size, y[0] - size, 8 * size, 2 * size)))
+        return
+    if element.tag == "use":
+        target = ids.get(element.get("href", "").removeprefix("#"))
+        if target is None:
+            return
+        shift = 1, 0, 0, 1, length(element.get("x"), page[2]), length(element.get("y"), page[3])
+        matrix = multiplied(matrix, shift)
+        if target.tag in ("symbol", "svg"):
+            size = element.get("width", target.get("width")), element.get(
+                "height", target.get("height")
+            )
+            matrix = multiplied(matrix, viewport(target, page, size))
+            for child in target:
+                _collect(child, matrix, stroke, stroked, page, ids, add, depth + 1)
+        else:
+            _collect(target, matrix, stroke, stroked, page, ids, add, depth + 1)
+        return
+    if element.tag in _UNDRAWN:
+        return
+    if element.tag == "svg" and depth:
+        corner = length(element.get("x"), page[2]), length(element.get("y"), page[3])
+        matrix = multiplied(matrix, (1, 0, 0, 1, *corner))
+        size = element.get("width"), element.get("height")
+        matrix = multiplied(matrix, viewport(element, page, size))
+    for child in element:
+        _collect(child, matrix, stroke, stroked, page, ids, add, depth + 1)
+
+
+def viewport(
+    element: ET.Element, page: Box, size: tuple[str | None, str | None]
+) -> Matrix:
+    """Return how the ``viewBox`` of an element is mapped to its ``size``; default: all of the page."""
+    box = numbers(element.get("viewBox", ""))
+    if len(box) != 4 or box[2] <= 0 or box[3] <= 0:
+        return IDENTITY
+    width, height = length(size[0], page[2], page[2]), length(size[1], page[3], page[3])
+    x, y = width / box[2], height / box[3]
+    if element.get("preserveAspectRatio", "").strip() != "none":
+        x = y = max(x, y) if "slice" in element.get("preserveAspectRatio", "") else min(x, y)
+    # In the middle, whatever the alignment: near enough for what bounds are for.
+    left, top = (width - box[2] * x) / 2, (height - box[3] * y) / 2
+    return x, 0, 0, y, left - box[0] * x, top - box[1] * y

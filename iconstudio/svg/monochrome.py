@@ -1,0 +1,191 @@
+"""A plain drawing in black: by its own curves where these are enough, and else traced.
+
+How a coloured drawing becomes black is decided on its picture (``algorithms.tone``). If the
+drawing's own shapes, painted black and white, give the same picture, they are kept: a line icon
+stays one. Whatever else there is (filters, text, gradients, colours side by side) is traced, so that
+what comes out is always simple to draw.
+"""
+
+import copy
+import re
+import xml.etree.ElementTree as ET
+from collections.abc import Callable, Iterator
+from time import perf_counter
+
+import numpy as np
+from numpy.typing import NDArray
+
+from iconstudio.algorithms.tone import pictogram
+from iconstudio.algorithms.vectorize import trace
+from iconstudio.model import CANVAS, Frame, IconstudioError
+from iconstudio.resources import resource
+from iconstudio.svg.check import check
+from iconstudio.svg.fitting import fitted
+from iconstudio.svg.lengths import Box
+from iconstudio.svg.plain import Plain, document
+from iconstudio.svg.resvg import render_colours, render_coverage
+from iconstudio.svg.strokes import thickened
+
+_SIZES = (1024, 512, 256)
+_TRIAL = 128
+_SECONDS = 1.5
+"""How long the drawing that decides may take to be drawn."""
+_COMPARED = 512
+_ALIKE = 0.004
+"""Part of the ink by which the shapes painted black may differ from the picture."""
+_THIN = 0.5
+"""Part of the ink that must show on the canvas."""
+_PALE = 208
+"""Grey level from which a colour is paper beside a darker one."""
+_COLOUR = re.compile(r"#([0-9a-f]{6})|rgba\((\d+),(\d+),(\d+),([\d.e-]+)\)|currentColor")
+_PAINTS = ("fill", "stroke", "color", "stop-color")
+_OPACITIES = ("opacity", "fill-opacity", "stroke-opacity", "stop-opacity")
+
+OFF_PAGE = "It lies outside of its page; all of it was taken."
+THIN = "Its lines are too thin to be seen at the size of an icon; they were drawn thicker."
+FONTS = "Its text was drawn in Inter, whatever its font. To keep its look, turn text into shapes."
+
+
+def in_black(drawing: Plain) -> tuple[str, tuple[str, ...]]:
+    """Return a document that shows a drawing in black, and what to say of it, in sentences.
+
+    Raises
+    ------
+    IconstudioError
+        If there is nothing to be seen, or the renderer is not safe with it.
+    """
+    remarks = list(drawing.remarks)
+    if drawing.texts:
+        remarks.append(FONTS)
+    fonts = [str(resource(f"fonts/Inter-{one}.otf")) for one in ("Regular", "SemiBold")]
+    fonts = fonts if drawing.texts else []
+    content = drawing.content
+    box = drawing.page or drawing.bounds
+    if drawing.bounds is None or box is None:
+        raise _nothing(remarks)
+    check(document(content, box))
+    frame = fitted(document(content, box), _common(box, drawing.bounds), fonts)
+    if frame is None and drawing.page is not None:
+        box = drawing.bounds
+        frame = fitted(document(content, box), box, fonts)
+        remarks.append(OFF_PAGE)
+    if frame is None:
+        raise _nothing(drawing.remarks)
+    coverage = _picture(document(content, box), frame, fonts)
+    if _lost(coverage):
+        content = thickened(content, frame.size, box)
+        coverage = _picture(document(content, box), frame, fonts)
+        remarks.append(THIN)
+        if _lost(coverage):
+            raise IconstudioError(
+                "Its lines are too thin to be seen at the size of an icon. Make them thicker."
+            )
+    svg = None if fonts or drawing.heavy else _own_shapes(content, box, frame, coverage)
+    return svg or _traced(coverage), tuple(dict.fromkeys(remarks))
+
+
+def _nothing(remarks: "list[str] | tuple[str, ...]") -> IconstudioError:
+    said = " ".join(dict.fromkeys(remarks))
+    return IconstudioError(
+        f"There is nothing to be seen in it. {said}".strip()
+        if said
+        else "There is nothing to be seen in it: it is empty, or all of it is transparent."
+    )
+
+
+def _common(page: Box, drawn: Box) -> Box:
+    """Return what two boxes have in common; the first if that is nothing."""
+    left, top = max(page[0], drawn[0]), max(page[1], drawn[1])
+    right = min(page[0] + page[2], drawn[0] + drawn[2])
+    bottom = min(page[1] + page[3], drawn[1] + drawn[3])
+    if right <= left and bottom <= top:
+        return page
+    return left, top, max(right - left, 0.0), max(bottom - top, 0.0)
+
+
+def _picture(svg: str, frame: Frame, fonts: list[str]) -> NDArray[np.uint8]:
+    """Return the pictogram of a document, as large as there is time for."""
+    start = perf_counter()
+    render_colours(svg, frame, _TRIAL, fonts)
+    pace = (perf_counter() - start) / _TRIAL**2
+    sizes = [size for size in _SIZES if pace * size**2 * (size / _TRIAL) < _SECONDS * 4]
+    size = sizes[0] if sizes else _SIZES[-1]
+    return pictogram(render_colours(svg, frame, size, fonts))
+
+
+def _lost(coverage: NDArray[np.uint8]) -> bool:
+    """Whether most of the ink would not show on the canvas."""
+    factor = len(coverage) // CANVAS
+    ink = (coverage > 127).mean() if (coverage > 127).any() else coverage.mean() / 255
+    small = coverage.reshape(CANVAS, factor, CANVAS, factor).mean(axis=(1, 3))
+    return (small > 127).mean() < _THIN * ink or not (small > 127).any()
+
+
+def _own_shapes(
+    content: ET.Element, box: Box, frame: Frame, coverage: NDArray[np.uint8]
+) -> str | None:
+    """Return the drawing's own shapes in black and white; None if they give another picture."""
+    factor = max(1, len(coverage) // _COMPARED)
+    side = len(coverage) // factor
+    wanted = coverage.reshape(side, factor, side, factor).mean(axis=(1, 3))
+    ink = (wanted > 127).sum()
+    for painted in _painted(content):
+        svg = document(painted, box)
+        drawn = render_coverage(svg, frame, side).astype(float)
+        # An edge may come out a shade lighter; ink and paper may not change places.
+        differs = (abs(drawn - wanted) > 100).sum()
+        if differs <= _ALIKE * ink:
+            return svg
+    return None
+
+
+def _painted(content: ET.Element) -> Iterator[ET.Element]:
+    """Yield a drawing in black and white, in the ways that may be right."""
+    black: Callable[[int], str] = lambda _: "#000000"  # noqa: E731
+    holes: Callable[[int], str] = lambda grey: "#ffffff" if grey >= _PALE else "#000000"  # noqa: E731
+    tile: Callable[[int], str] = lambda grey: "#000000" if grey >= _PALE else "#ffffff"  # noqa: E731
+    for opaque in (False, True):
+        for colour_of in (black, holes, tile):
+            yield _recoloured(copy.deepcopy(content), colour_of, opaque)
+
+
+def _recoloured(
+    element: ET.Element, colour_of: Callable[[int], str], opaque: bool
+) -> ET.Element:
+    """Paint an element by the grey levels of its colours, in place, and return it."""
+    if element.tag == "mask":
+        return element  # whose colours say how much shows
+    for name in _PAINTS:
+        if name in element.attrib:
+            element.set(name, _COLOUR.sub(lambda m: _paint(m, colour_of, opaque), element.attrib[name]))
+    if opaque:
+        for name in _OPACITIES:
+            if float(element.get(name, "0").replace("inherit", "0")) > 0:
+                element.set(name, "1")
+    for child in element:
+        _recoloured(child, colour_of, opaque)
+    return element
+
+
+def _paint(match: re.Match[str], colour_of: Callable[[int], str], opaque: bool) -> str:
+    if match[0] == "currentColor":
+        return match[0]
+    parts = (
+        [int(match[1][at : at + 2], 16) for at in (0, 2, 4)]
+        if match[1]
+        else [int(match[at]) for at in (2, 3, 4)]
+    )
+    painted = colour_of(round(0.299 * parts[0] + 0.587 * parts[1] + 0.114 * parts[2]))
+    if match[5] is None or (opaque and float(match[5]) > 0):
+        return painted
+    level = 0 if painted == "#000000" else 255
+    return f"rgba({level},{level},{level},{match[5]})"
+
+
+def _traced(coverage: NDArray[np.uint8]) -> str:
+    path = trace(coverage)
+    if not path:
+        raise _nothing(())
+    content = ET.Element("g")
+    ET.SubElement(content, "path", d=path)
+    return document(content, (0.0, 0.0, float(CANVAS), float(CANVAS)))

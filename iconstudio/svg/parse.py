@@ -1,0 +1,215 @@
+"""The elements of an SVG document: parsed as leniently as browsers and Inkscape do, within bounds.
+
+Only SVG's own elements and attributes are kept, by their local names. What other programs keep for
+themselves in a file (private data, editor's settings, comments) never gets further.
+"""
+
+import re
+import xml.etree.ElementTree as ET
+from html.entities import html5
+from xml.parsers import expat
+
+from iconstudio.model import IconstudioError
+
+MAX_CHARACTERS = 2_000_000
+"""Of attributes and text that are kept."""
+MAX_ELEMENTS = 20_000
+MAX_DEPTH = 250
+
+SVG = "http://www.w3.org/2000/svg"
+_XLINK = "http://www.w3.org/1999/xlink"
+_RDF = "http://www.w3.org/1999/02/22-rdf-syntax-ns#"
+_MAX_ENTITIES, _LONGEST_ENTITY = 200, 5_000
+_ENTITY = re.compile(r"&([A-Za-z][A-Za-z0-9]*);")
+_DECLARED_ENTITY = re.compile(r"<!ENTITY\s+([A-Za-z_][\w.-]*)")
+_OF_XML = ("amp", "lt", "gt", "quot", "apos")
+_CONTROL = re.compile("[\0-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff\ud800-\udfff]")
+
+
+def parse(text: str) -> ET.Element:
+    """Return the root ``svg`` of a document; tags and attributes are SVG's, by local name.
+
+    ``href`` is also what XLink calls so. The metadata's ``RDF`` is kept as a child with its
+    namespaces, as ElementTree writes them; all other foreign elements are gone.
+
+    Raises
+    ------
+    IconstudioError
+        If the document is not well-formed, has external or nested entities, is no SVG, or is
+        too large.
+    """
+    if _CONTROL.search(text):
+        raise IconstudioError("It holds characters that are no text: the file is damaged.")
+    builder = _Builder()
+    parser = expat.ParserCreate("utf-8")
+    parser.buffer_text = True
+    parser.StartElementHandler = builder.start
+    parser.EndElementHandler = builder.end
+    parser.CharacterDataHandler = builder.characters
+    parser.EntityDeclHandler = builder.entity
+    parser.SkippedEntityHandler = builder.skipped
+    try:
+        parser.Parse(_without_html_entities(text).encode(), True)
+    except expat.ExpatError as error:
+        raise IconstudioError(
+            f"It is not well-formed XML: {_reason(error)}. Save it again, or mend it in an editor."
+        ) from None
+    if builder.root is None:
+        raise IconstudioError("The file is empty. Save the drawing again.")
+    return builder.root
+
+
+def _reason(error: expat.ExpatError) -> str:
+    return f"{expat.errors.messages.get(error.code, error)} in line {error.lineno}"
+
+
+def _without_html_entities(text: str) -> str:
+    """Replace the names that HTML has for characters, which pages' drawings use, by these."""
+    if "&" not in text:
+        return text
+    declared = {*_OF_XML, *_DECLARED_ENTITY.findall(text)}
+
+    def replaced(match: re.Match[str]) -> str:
+        name = match[1]
+        return match[0] if name in declared else html5.get(f"{name};", match[0])
+
+    return _ENTITY.sub(replaced, text)
+
+
+class _Builder:
+    """Builds the tree while expat reads."""
+
+    def __init__(self) -> None:
+        self.root: ET.Element | None = None
+        self._open: list[ET.Element] = []
+        self._namespaces: list[dict[str, str]] = [{}]
+        self._skipping = 0
+        """Elements that are open and not kept."""
+        self._foreign = False
+        """Whether the elements that are open are those of metadata."""
+        self._elements = self._characters = self._entities = 0
+        self._svg = SVG
+
+    def entity(
+        self, name: str, parameter: int, value: str | None, _base: object, system: str | None,
+        public: str | None, _notation: object,
+    ) -> None:  # fmt: skip
+        """Refuse what is not a short text within the document."""
+        self._entities += 1
+        if parameter or value is None or system or public:
+            raise IconstudioError(
+                f"It takes the entity {name!r} from outside itself. Save it as plain SVG."
+            )
+        if "&" in value or self._entities > _MAX_ENTITIES or len(value) > _LONGEST_ENTITY:
+            raise IconstudioError("Its entities are nested or too large. Save it as plain SVG.")
+
+    def skipped(self, name: str, _parameter: int) -> None:
+        """Refuse what has no known meaning."""
+        raise IconstudioError(f"The entity &{name}; is not defined. Remove it.")
+
+    def start(self, name: str, attributes: dict[str, str]) -> None:
+        """Open an element."""
+        spaces = self._spaces(attributes)
+        self._namespaces.append(spaces)
+        space, local = self._resolved(name, spaces)
+        if len(self._namespaces) > MAX_DEPTH + 1:
+            raise IconstudioError(
+                f"It nests its elements more than {MAX_DEPTH} deep. Ungroup some of them."
+            )
+        if self.root is None:
+            if local.lower() != "svg":
+                raise IconstudioError(f"It is not an SVG drawing: its root element is <{local}>.")
+            self._svg, local = space, "svg"
+        metadata = self._foreign or (space, local) == (_RDF, "RDF")
+        if self._skipping or (space != self._svg and not metadata):
+            self._skipping += 1
+            return
+        self._foreign = metadata
+        self._count(attributes)
+        kept = (
+            {_qualified(key, spaces): value for key, value in attributes.items()}
+            if metadata
+            else self._own(attributes, spaces)
+        )
+        tag = f"{{{space}}}{local}" if metadata else local
+        element = ET.Element(tag, kept)
+        if self._open:
+            self._open[-1].append(element)
+        else:
+            self.root = element
+        self._open.append(element)
+
+    def end(self, _name: str) -> None:
+        """Close an element."""
+        self._namespaces.pop()
+        if self._skipping:
+            self._skipping -= 1
+            return
+        element = self._open.pop()
+        if element.tag == f"{{{_RDF}}}RDF":
+            self._foreign = False
+
+    def characters(self, text: str) -> None:
+        """Add text to the element that is open."""
+        if self._skipping or not self._open:
+            return
+        element = self._open[-1]
+        if not self._foreign and element.tag not in _WITH_TEXT:
+            return
+        self._characters += len(text)
+        self._check_characters()
+        if len(element):
+            element[-1].tail = (element[-1].tail or "") + text
+        else:
+            element.text = (element.text or "") + text
+
+    def _spaces(self, attributes: dict[str, str]) -> dict[str, str]:
+        """Return the namespaces that hold from here on, by prefix."""
+        declared = {
+            name[6:]: value
+            for name, value in attributes.items()
+            if name == "xmlns" or name.startswith("xmlns:")
+        }
+        return self._namespaces[-1] | declared if declared else self._namespaces[-1]
+
+    def _resolved(self, name: str, spaces: dict[str, str]) -> tuple[str, str]:
+        """Return namespace and local name; a prefix that is not declared is its own namespace."""
+        prefix, colon, local = name.rpartition(":")
+        if not colon:
+            return spaces.get("", self._svg), local
+        return spaces.get(prefix, SVG if prefix == "svg" else prefix), local
+
+    def _own(self, attributes: dict[str, str], spaces: dict[str, str]) -> dict[str, str]:
+        """Return SVG's own attributes, and the one of XLink."""
+        kept = {}
+        for name, value in attributes.items():
+            prefix, colon, local = name.rpartition(":")
+            if not colon:
+                if name != "xmlns":
+                    kept[name] = value
+            elif local == "href" and spaces.get(prefix, prefix) in (_XLINK, "xlink"):
+                kept.setdefault("href", value)
+            elif name == "xml:space":
+                kept[name] = value
+        return kept
+
+    def _count(self, attributes: dict[str, str]) -> None:
+        self._elements += 1
+        if self._elements > MAX_ELEMENTS:
+            raise IconstudioError(f"It has more than {MAX_ELEMENTS:,} elements. Simplify it.")
+        self._characters += sum(map(len, attributes.values()))
+        self._check_characters()
+
+    def _check_characters(self) -> None:
+        if self._characters > MAX_CHARACTERS:
+            raise IconstudioError(
+                f"Its shapes take more than {MAX_CHARACTERS:,} characters. Simplify the drawing."
+            )
+
+
+_WITH_TEXT = ("style", "text", "tspan", "textPath", "tref", "a", "title", "desc", "foreignObject")
+
+
+def _qualified(name: str, spaces: dict[str, str]) -> str:
+    prefix, colon, local = name.rpartition(":")
+    return f"{{{spaces.get(prefix, prefix)}}}{local}" if colon else local

@@ -1,0 +1,125 @@
+"""Transforms of CSS, and strokes that keep their width (SVG 2, sections 8.5 and 8.10), in SVG 1.1."""
+
+import re
+import xml.etree.ElementTree as ET
+from collections.abc import Mapping
+
+from iconstudio.svg.geometry import SHAPES, bounds, moved, path_data, viewport
+from iconstudio.svg.lengths import (
+    IDENTITY,
+    Box,
+    Matrix,
+    around,
+    inverse,
+    length,
+    multiplied,
+    pixels,
+    transform,
+    written,
+)
+
+_ORIGINS = {"left": "0%", "top": "0%", "center": "50%", "right": "100%", "bottom": "100%"}
+_OF_CSS = ("transform-origin", "transform-box", "translate", "rotate", "scale")
+
+
+def place(root: ET.Element, page: Box | None, ids: Mapping[str, ET.Element]) -> list[str]:
+    """Write every transform as SVG 1.1 does, and give strokes that do not scale their width.
+
+    Returns
+    -------
+    Sentences about what was not understood.
+    """
+    remarks: list[str] = []
+    shown = page or (0.0, 0.0, 100.0, 100.0)
+    for element in root.iter():
+        _place(element, shown, ids, remarks)
+    if any(one.get("vector-effect") == "non-scaling-stroke" for one in root.iter()):
+        width, height = pixels(root.get("width")), pixels(root.get("height"))
+        outer = IDENTITY
+        if width and height and page:
+            outer = viewport(root, (0, 0, width, height), (str(width), str(height)))
+        for child in root:
+            _keep_strokes(child, outer, shown)
+    return remarks
+
+
+def _place(
+    element: ET.Element, page: Box, ids: Mapping[str, ET.Element], remarks: list[str]
+) -> None:
+    rotate = element.get("rotate") if element.tag not in ("text", "tspan", "textPath") else None
+    said = [
+        _call("translate", element.get("translate")),
+        _call("rotate", rotate),
+        _call("scale", element.get("scale") if not element.tag.startswith("fe") else None),
+        element.get("transform", ""),
+    ]
+    name = next((key for key in ("gradientTransform", "patternTransform") if key in element.attrib), None)
+    if name is not None:
+        matrix = transform(element.get(name))
+        if matrix is not None:
+            element.set(name, f"matrix({written(matrix)})")
+    if any(said):
+        matrix = transform(" ".join(filter(None, said)))
+        if matrix is None:
+            remarks.append(
+                f"“transform: {' '.join(filter(None, said))[:40]}” was not understood and left out."
+            )
+            matrix = IDENTITY
+        element.attrib.pop("transform", None)
+        origin = _origin(element, page, ids)
+        if origin is not None:
+            matrix = around(origin, matrix)
+        if matrix != IDENTITY:
+            element.set("transform", f"matrix({written(matrix)})")
+    for one in _OF_CSS:
+        if one != "rotate" or rotate is not None:
+            element.attrib.pop(one, None)
+
+
+def _call(function: str, value: str | None) -> str:
+    if value is None or value == "none":
+        return ""
+    return f"{function}({', '.join(value.split())})"
+
+
+def _origin(
+    element: ET.Element, page: Box, ids: Mapping[str, ET.Element]
+) -> tuple[float, float] | None:
+    """Return the point that a transform leaves where it is; None for the origin."""
+    text = element.get("transform-origin")
+    kind = element.get("transform-box", "view-box")
+    if text is None and kind == "view-box":
+        return None
+    parts = [_ORIGINS.get(part, part) for part in (text or "50% 50%").lower().split()]
+    if text and text.lower().split()[0] in ("top", "bottom"):
+        parts = parts[1:2] + parts[:1] if len(parts) > 1 else ["50%", parts[0]]
+    parts = (parts + ["50%"])[:2]
+    box = (0.0, 0.0, page[2], page[3])
+    if kind in ("fill-box", "stroke-box", "content-box", "border-box"):
+        box = bounds(element, page, ids) or box
+    return box[0] + length(parts[0], box[2]), box[1] + length(parts[1], box[3])
+
+
+def _keep_strokes(element: ET.Element, outer: Matrix, page: Box) -> None:
+    """Draw shapes whose strokes do not scale in the space of the screen, and map it back."""
+    matrix = multiplied(outer, transform(element.get("transform")) or IDENTITY)
+    if element.tag in SHAPES:
+        back = inverse(outer)
+        if element.get("vector-effect") == "non-scaling-stroke" and back is not None:
+            data = moved(path_data(element, page), matrix)
+            if data:
+                _as_path(element, data, back)
+        return
+    for child in element:
+        _keep_strokes(child, matrix, page)
+
+
+_OF_SHAPES = re.compile(r"d|x|y|x1|y1|x2|y2|cx|cy|r|rx|ry|width|height|points|vector-effect")
+
+
+def _as_path(element: ET.Element, data: str, matrix: Matrix) -> None:
+    for name in [name for name in element.attrib if _OF_SHAPES.fullmatch(name)]:
+        del element.attrib[name]
+    element.tag = "path"
+    element.set("d", data)
+    element.set("transform", f"matrix({written(matrix)})")

@@ -1,0 +1,216 @@
+"""A drawing in plain SVG 1.1: what it says of itself is applied, what is not drawn is gone.
+
+Styles, variables, animations, switches, references and sizes are resolved; what comes out is a
+tree of shapes, groups, gradients, clips, masks and filters that every renderer reads alike.
+"""
+
+import math
+import xml.etree.ElementTree as ET
+from dataclasses import dataclass
+
+from iconstudio.model import IconstudioError
+from iconstudio.svg import references
+from iconstudio.svg.animation import finish
+from iconstudio.svg.geometry import SHAPES, bounds
+from iconstudio.svg.lengths import IDENTITY, Box, Matrix, numbers, pixels, written
+from iconstudio.svg.placing import place
+from iconstudio.svg.styles import ONLY_IN_STYLE, apply_styles
+
+_GROUPS = ("svg", "g", "a", "switch", "symbol", "defs", "use")
+_SERVERS = ("clipPath", "mask", "pattern", "marker", "stop", *references.GRADIENTS)
+_TEXTS = ("text", "tspan", "textPath")
+_SILENT = (
+    "title", "desc", "metadata", "style", "view", "cursor", "font", "font-face", "glyph",
+    "missing-glyph", "hkern", "vkern", "color-profile", "script",
+)  # fmt: skip
+"""Elements that draw nothing."""
+_UNKNOWN = {
+    "meshgradient": "A mesh gradient",
+    "meshGradient": "A mesh gradient",
+    "hatch": "A hatching",
+    "image": "A bitmap",
+    "feImage": "A bitmap in a filter",
+    "foreignObject": "A part that only web pages show (foreignObject)",
+    "flowRoot": "Flowed text",
+    "tref": "A text",
+    "video": "A film",
+    "iframe": "A web page",
+    "canvas": "A bitmap",
+    "audio": "A sound",
+}
+_CURE = {
+    "A bitmap": "Trace it, or open it as a picture",
+    "Flowed text": "Turn it into shapes",
+    "A text": "Turn it into shapes",
+}
+_OF_ROOTS = (
+    "viewBox", "width", "height", "x", "y", "preserveAspectRatio", "version", "baseProfile",
+    "overflow", "id", "zoomAndPan", "contentScriptType", "contentStyleType",
+)  # fmt: skip
+_MOST_SYMBOLS = 6
+
+
+@dataclass(frozen=True, slots=True)
+class Plain:
+    """A drawing in plain SVG."""
+
+    content: ET.Element
+    """A ``g`` with all of it."""
+    page: Box | None
+    """What of user space is seen; None if the document does not say."""
+    bounds: Box | None
+    """Where something may be drawn; None if there is nothing."""
+    texts: tuple[str, ...]
+    """What is written in it, by fonts."""
+    heavy: bool
+    """Whether filters, masks or patterns are at work, which are slow to draw."""
+    remarks: tuple[str, ...]
+    """What could not be read, in sentences."""
+
+
+def plain(root: ET.Element) -> Plain:
+    """Make a parsed document plain; ``root`` is changed.
+
+    Raises
+    ------
+    IconstudioError
+        If it draws nothing, and says why.
+    """
+    remarks = finish(root)
+    if any(True for _ in root.iter("script")):
+        remarks.append("A script was not run.")
+    symbols = [one.get("id", "?") for one in root.iter("symbol")]
+    remarks += apply_styles(root)
+    root.attrib.pop("display", None)  # of a sprite within a page
+    ids, outside = references.resolve(root)
+    kept = references.drawn(root, ids)
+    page, stretch = _page(root)
+    if not any(element.tag in SHAPES or element.tag in _TEXTS for element in kept):
+        only = _only_symbol(root, kept, symbols)
+        if only is not None:
+            root, (page, stretch) = only, _page(only)
+            kept = references.drawn(root, ids)
+    remarks += outside if kept else []
+    remarks += _without_unknown(root, kept)
+    texts = tuple(_texts(kept))
+    remarks += place(root, page, ids)
+    references.prune(root, kept)
+    _without_contexts(root, False)
+    content = _content(root, stretch)
+    return Plain(
+        content,
+        page,
+        bounds(content, page or (0, 0, 100, 100), ids),
+        texts,
+        any(one.tag in ("filter", "mask", "pattern") for one in kept),
+        tuple(dict.fromkeys(remarks)),
+    )
+
+
+def _page(root: ET.Element) -> tuple[Box | None, Matrix]:
+    """Return what of user space the viewport shows, and by what all is stretched before that."""
+    width, height = pixels(root.get("width")), pixels(root.get("height"))
+    sized = bool(width and height and width > 0 and height > 0)
+    box = numbers(root.get("viewBox", ""))
+    if len(box) != 4 or not (box[2] > 0 and box[3] > 0 and all(map(math.isfinite, box))):
+        return ((0.0, 0.0, width, height) if sized else None), IDENTITY  # type: ignore[return-value]
+    x, y, across, down = box
+    if not sized:
+        return (x, y, across, down), IDENTITY
+    align = root.get("preserveAspectRatio", "xMidYMid").strip()
+    scales = width / across, height / down  # type: ignore[operator]
+    if align.startswith("none"):
+        stretch = scales[1] / scales[0]
+        return (x, y, across, down * stretch), (1, 0, 0, stretch, 0, y - y * stretch)
+    scale = max(scales) if "slice" in align else min(scales)
+    seen = width / scale, height / scale  # type: ignore[operator]
+    left = 0 if "xMin" in align else 1 if "xMax" in align else 0.5
+    top = 0 if "YMin" in align else 1 if "YMax" in align else 0.5
+    return (x + (across - seen[0]) * left, y + (down - seen[1]) * top, *seen), IDENTITY
+
+
+def _only_symbol(
+    root: ET.Element, kept: set[ET.Element], names: list[str]
+) -> ET.Element | None:
+    """Return the symbol of a document that defines but one.
+
+    Raises
+    ------
+    IconstudioError
+        If it defines several.
+    """
+    symbols = list(root.iter("symbol"))
+    if not symbols:
+        return None
+    if len(symbols) > 1:
+        named = ", ".join(names[:_MOST_SYMBOLS]) + (", …" if len(names) > _MOST_SYMBOLS else "")
+        raise IconstudioError(
+            f"It is a sprite sheet of {len(symbols)} symbols ({named}) and shows none by itself. "
+            "Save the one that you want as a file of its own."
+        )
+    (symbol,) = symbols
+    symbol.tag = "svg"
+    return symbol
+
+
+def _without_unknown(root: ET.Element, kept: set[ET.Element]) -> list[str]:
+    """Remove elements that no renderer of shapes draws; return what to say of those in sight."""
+    remarks = []
+    for parent in list(root.iter()):
+        for child in list(parent):
+            known = child.tag in (*_GROUPS, *SHAPES, *_SERVERS, *_TEXTS) or (
+                child.tag == "filter" or child.tag.startswith("fe") and child.tag != "feImage"
+            )
+            if known:
+                continue
+            parent.remove(child)
+            if child in kept and child.tag not in _SILENT and not child.tag.startswith("{"):
+                what = _UNKNOWN.get(child.tag, f"An element <{child.tag[:30]}>")
+                cure = _CURE.get(what, "Turn what it shows into shapes")
+                remarks.append(f"{what} was left out. {cure}.")
+            for one in child.iter():
+                kept.discard(one)
+    return remarks
+
+
+def _texts(kept: set[ET.Element]) -> list[str]:
+    found = ("".join(one.itertext()).strip() for one in kept if one.tag == "text")
+    return [text for text in found if text]
+
+
+def _without_contexts(element: ET.Element, marker: bool) -> None:
+    """Let paints that stand for those of a page or a program be inherited, but in markers."""
+    marker = marker or element.tag == "marker"
+    for name in ("fill", "stroke"):
+        if not marker and element.get(name, "").startswith("context-"):
+            del element.attrib[name]
+    for child in element:
+        _without_contexts(child, marker)
+
+
+def _content(root: ET.Element, stretch: Matrix) -> ET.Element:
+    """Return the document's content as a group with the root's own attributes."""
+    content = ET.Element(
+        "g", {name: value for name, value in root.attrib.items() if name not in _OF_ROOTS}
+    )
+    content.extend(list(root))
+    if stretch != IDENTITY:
+        outer = ET.Element("g", transform=f"matrix({written(stretch)})")
+        outer.append(content)
+        content = outer
+    for element in content.iter():
+        if element.tag == "a":
+            element.tag = "g"
+        alone = [
+            f"{name}:{element.attrib.pop(name)}" for name in ONLY_IN_STYLE if name in element.attrib
+        ]
+        if alone:
+            element.set("style", ";".join(alone))
+    return content
+
+
+def document(content: ET.Element, box: Box) -> str:
+    """Return a complete document that shows ``box`` of a content."""
+    root = ET.Element("svg", xmlns="http://www.w3.org/2000/svg", viewBox=written(box))
+    root.append(content)
+    return ET.tostring(root, encoding="unicode")

@@ -1,0 +1,154 @@
+"""What the elements of a document refer to, and which of them are drawn at all.
+
+Browsers take the first element of an id, renderers the last; an id may name a shape and a gradient.
+Here every reference goes to the first element of a kind that it can mean, by an id of its own.
+"""
+
+import re
+import xml.etree.ElementTree as ET
+from collections.abc import Iterator, Mapping
+
+from iconstudio.svg.geometry import SHAPES
+
+GRADIENTS = ("linearGradient", "radialGradient")
+_KINDS: Mapping[str, tuple[str, ...]] = {
+    "fill": (*GRADIENTS, "pattern"),
+    "stroke": (*GRADIENTS, "pattern"),
+    "clip-path": ("clipPath",),
+    "mask": ("mask",),
+    "filter": ("filter",),
+    "marker-start": ("marker",),
+    "marker-mid": ("marker",),
+    "marker-end": ("marker",),
+}
+"""Which elements each attribute may name."""
+_TARGETS: Mapping[str, tuple[str, ...]] = {
+    "use": (*SHAPES, "g", "a", "svg", "symbol", "use", "text", "switch", "image"),
+    "linearGradient": GRADIENTS,
+    "radialGradient": GRADIENTS,
+    "pattern": ("pattern",),
+    "filter": ("filter",),
+    "textPath": ("path",),
+}
+"""Which elements the ``href`` of each may name."""
+_URL = re.compile(r"url\(\s*[\"']?([^)\"']*)[\"']?\s*\)\s*(.*)", re.DOTALL)
+
+Ids = Mapping[str, list[ET.Element]]
+
+
+def resolve(root: ET.Element) -> tuple[dict[str, ET.Element], list[str]]:
+    """Give every element that is referred to an id of its own, and take out other references.
+
+    Returns
+    -------
+    The elements by their new ids, and sentences about what lies outside the document.
+    """
+    ids: dict[str, list[ET.Element]] = {}
+    for element in root.iter():
+        if "id" in element.attrib:
+            ids.setdefault(element.attrib.pop("id"), []).append(element)
+    named: dict[ET.Element, str] = {}
+    remarks: list[str] = []
+
+    def name_of(address: str, kinds: tuple[str, ...]) -> str | None:
+        if not address.startswith("#"):
+            if address:
+                remarks.append(
+                    f"It refers to “{address[:60]}” outside of itself, which was left out."
+                )
+            return None
+        found = next((one for one in ids.get(address[1:], ()) if one.tag in kinds), None)
+        return None if found is None else named.setdefault(found, f"r{len(named)}")
+
+    for element in root.iter():
+        _resolve(element, name_of)
+    for element, name in named.items():
+        element.set("id", name)
+    return {name: element for element, name in named.items()}, remarks
+
+
+def _resolve(element: ET.Element, name_of) -> None:
+    if "href" in element.attrib:
+        kinds = _TARGETS.get(element.tag)
+        name = name_of(element.attrib["href"].strip(), kinds) if kinds else None
+        if name is not None:
+            element.set("href", f"#{name}")
+        elif element.tag != "image":
+            del element.attrib["href"]
+    for attribute, kinds in _KINDS.items():
+        match = _URL.match(element.get(attribute, ""))
+        if match is None:
+            continue
+        name = name_of(match[1].strip(), kinds)
+        fallback = match[2].strip() if attribute in ("fill", "stroke") else ""
+        if name is not None:
+            element.set(attribute, f"url(#{name}) {fallback}".strip())
+        elif attribute in ("fill", "stroke"):
+            element.set(attribute, fallback or "none")
+        else:
+            del element.attrib[attribute]
+
+
+def referred(element: ET.Element) -> Iterator[str]:
+    """Yield the new ids to which an element refers where it shows."""
+    if element.get("href", "").startswith("#"):
+        yield element.attrib["href"][1:]
+    for attribute in _KINDS:
+        value = element.get(attribute, "")
+        if value.startswith("url(#") and element.get(f"{attribute}-opacity") != "0":
+            yield value[5 : value.index(")")]
+
+
+def drawn(root: ET.Element, ids: Mapping[str, ET.Element]) -> set[ET.Element]:
+    """Return the elements that take part in what is seen."""
+    found: set[ET.Element] = set()
+    waiting = [(root, True)]
+    while waiting:
+        element, visible = waiting.pop()
+        if element.get("display") == "none" or element.get("opacity") == "0":
+            continue
+        visible = element.get("visibility", "visible" if visible else "hidden") == "visible"
+        if element in found:
+            continue
+        if visible or element.tag not in ("text", "image", "foreignObject"):
+            found.add(element)
+        for name in referred(element):
+            target = ids.get(name)
+            if target is not None:
+                waiting.append((target, visible))
+        children = _children(element)
+        waiting += [(child, visible) for child in reversed(children)]
+    return found
+
+
+_DEFINITIONS = (
+    "defs", "symbol", "clipPath", "mask", "pattern", "marker", *GRADIENTS, "filter",
+)  # fmt: skip
+
+
+def _children(element: ET.Element) -> list[ET.Element]:
+    """Return the children that are drawn, or used, with an element."""
+    if element.tag == "defs":
+        return []
+    if element.tag == "switch":
+        return [child for child in element if _eligible(child)][:1]
+    return [child for child in element if child.tag not in _DEFINITIONS]
+
+
+def _eligible(child: ET.Element) -> bool:
+    """Whether a ``switch`` may take this child."""
+    languages = child.get("systemLanguage")
+    english = languages is None or any(
+        one.strip().lower().startswith("en") for one in languages.split(",")
+    )
+    return english and not child.get("requiredExtensions") and child.tag != "foreignObject"
+
+
+def prune(root: ET.Element, kept: set[ET.Element]) -> None:
+    """Remove what is not ``kept`` and holds nothing that is."""
+    for element in list(root):
+        prune(element, kept)
+        if element not in kept and not len(element):
+            root.remove(element)
+        elif element not in kept and element.tag not in _DEFINITIONS:
+            element.set("display", "none")  # it only holds what others show

@@ -1,0 +1,282 @@
+"""What the style of each element comes to (CSS Cascading, Custom Properties; SVG 2, section 6).
+
+Rules, ``style`` attributes and variables become presentation attributes as SVG 1.1 writes them,
+which every renderer reads alike.
+"""
+
+import re
+import xml.etree.ElementTree as ET
+from collections.abc import Iterator
+
+from iconstudio.svg.colours import colour
+from iconstudio.svg.stylesheet import Declared, StyleSheet
+
+_COLOURS = ("color", "stop-color", "flood-color", "lighting-color")
+_PAINTS = ("fill", "stroke")
+_OPACITIES = ("opacity", "fill-opacity", "stroke-opacity", "stop-opacity", "flood-opacity")
+_LENGTHS = (
+    "stroke-width", "stroke-dashoffset", "x", "y", "cx", "cy", "r", "rx", "ry", "width", "height",
+    "font-size", "letter-spacing", "word-spacing", "baseline-shift", "stroke-miterlimit",
+)  # fmt: skip
+_REFERENCES = ("clip-path", "mask", "filter", "marker-start", "marker-mid", "marker-end")
+_KEYWORDS = (
+    "display", "visibility", "overflow", "fill-rule", "clip-rule", "stroke-linecap",
+    "stroke-linejoin", "paint-order", "vector-effect", "mask-type", "text-anchor", "font-style",
+    "font-variant", "font-weight", "font-stretch", "dominant-baseline", "alignment-baseline",
+    "writing-mode", "direction", "text-decoration", "shape-rendering", "color-interpolation",
+    "color-interpolation-filters", "mix-blend-mode", "isolation", "transform-box", "enable-background",
+)  # fmt: skip
+_OTHER = ("stroke-dasharray", "font-family", "transform", "transform-origin", "translate", "rotate",
+          "scale", "d")  # fmt: skip
+PROPERTIES = frozenset(
+    (*_COLOURS, *_PAINTS, *_OPACITIES, *_LENGTHS, *_REFERENCES, *_KEYWORDS, *_OTHER)
+)
+_INHERITED = frozenset(
+    (
+        "color", "fill", "stroke", "fill-opacity", "stroke-opacity", "stroke-width",
+        "stroke-dashoffset", "stroke-dasharray", "stroke-linecap", "stroke-linejoin",
+        "stroke-miterlimit", "fill-rule", "clip-rule", "visibility", "marker-start", "marker-mid",
+        "marker-end", "paint-order", "text-anchor", "font-size", "font-family", "font-style",
+        "font-variant", "font-weight", "font-stretch", "letter-spacing", "word-spacing",
+        "shape-rendering", "color-interpolation", "color-interpolation-filters", "writing-mode",
+        "direction",
+    )
+)  # fmt: skip
+_INITIAL = {
+    "color": "#000000", "fill": "#000000", "stroke": "none", "fill-opacity": "1",
+    "stroke-opacity": "1", "stroke-width": "1", "stroke-dasharray": "none",
+    "stroke-dashoffset": "0", "stroke-linecap": "butt", "stroke-linejoin": "miter",
+    "stroke-miterlimit": "4", "fill-rule": "nonzero", "clip-rule": "nonzero",
+    "visibility": "visible",
+}  # fmt: skip
+_SHORTHANDS = {
+    "marker": ("marker-start", "marker-mid", "marker-end"),
+    "mask-image": ("mask",),
+    "-webkit-mask": ("mask",),
+    "-webkit-mask-image": ("mask",),
+}
+ONLY_IN_STYLE = ("mix-blend-mode", "isolation")
+"""Properties that are no attributes."""
+_DROPPED = ("style", "class")
+
+_NUMBER = r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:e[+-]?\d+)?"
+_LENGTH = re.compile(rf"({_NUMBER})\s*([a-z]*|%)", re.IGNORECASE)
+_UNITS = {
+    "": "", "%": "%", "px": "", "pt": "pt", "pc": "pc", "mm": "mm", "cm": "cm", "in": "in",
+    "em": "em", "ex": "ex",
+}  # fmt: skip
+_IN_PIXELS = {"rem": 16.0, "ch": 8.0, "q": 96 / 101.6}
+_URL = re.compile(r"url\(\s*(?:\"([^\"]*)\"|'([^']*)'|([^)]*?))\s*\)(.*)", re.DOTALL | re.IGNORECASE)
+_VAR = re.compile(r"\bvar\(", re.IGNORECASE)
+_PATH = re.compile(r"path\(\s*(?:evenodd\s*,|nonzero\s*,)?\s*([\"'])(.*)\1\s*\)", re.DOTALL)
+_LONGEST = 10_000
+"""Characters of a value once its variables are replaced."""
+_DEEPEST = 20
+
+
+class _Unset(Exception):
+    """A variable has no value."""
+
+
+def apply_styles(root: ET.Element) -> list[str]:
+    """Turn all styles of a document into presentation attributes, in place.
+
+    Returns
+    -------
+    Sentences about what was not understood.
+    """
+    sheet = StyleSheet.of(root)
+    remarks = list(sheet.remarks)
+    parents = {child: element for element in root.iter() for child in element}
+    variables: dict[ET.Element, dict[str, str]] = {}
+    matched = list(sheet.matches(root))  # before any attribute changes
+    for element, declared in matched:
+        declared += _ends(declared, sheet, remarks)
+        own = {name: value for name, value, _ in declared if name.startswith("--")}
+        inherited = variables.get(parents.get(element), {})  # type: ignore[arg-type]
+        known = variables[element] = inherited | own if own else inherited
+        _apply(element, _by_property(declared), known, remarks)
+    return remarks
+
+
+def _ends(declared: list[Declared], sheet: StyleSheet, remarks: list[str]) -> list[Declared]:
+    """Return what the animations of style sheets leave at their end."""
+    said = " ".join(value for name, value, _ in declared if name.startswith("animation")).split()
+    names = [name.strip("\"',") for name in said if name.strip("\"',") in sheet.keyframes]
+    if not names:
+        return []
+    if "forwards" in said or "both" in said:
+        return [one for name in names for one in sheet.keyframes[name]]
+    remarks.append("The drawing moves; it is taken as it stands before it does.")
+    return []
+
+
+def _by_property(declared: list[Declared]) -> dict[str, list[str]]:
+    """Return the values of each property, the strongest last."""
+    found: dict[str, list[str]] = {}
+    for name, value, _ in declared:
+        for one in _SHORTHANDS.get(name, (name,)):
+            if one in PROPERTIES:
+                found.setdefault(one, []).append(value)
+    return found
+
+
+def _apply(
+    element: ET.Element,
+    values: dict[str, list[str]],
+    variables: dict[str, str],
+    remarks: list[str],
+) -> None:
+    for name in _DROPPED:
+        if name in element.attrib:
+            del element.attrib[name]
+    for name, candidates in values.items():
+        if name == "d" and element.tag != "path":
+            continue
+        found = _first(name, candidates, variables)
+        if found is None:
+            remarks.append(f"“{name}: {candidates[-1][:40]}” was not understood and left out.")
+        if found:
+            element.set(name, found)
+        elif name in element.attrib:
+            del element.attrib[name]
+
+
+def _first(name: str, candidates: list[str], variables: dict[str, str]) -> str | None:
+    """Return the strongest value that is understood; "" if none is to be set, None if none is."""
+    for candidate in reversed(candidates):
+        try:
+            value = _substituted(candidate, variables)
+        except _Unset:
+            return ""
+        found = _understood(name, value.strip())
+        if found is not None:
+            return found
+    return None
+
+
+def _substituted(value: str, variables: dict[str, str], depth: int = 0) -> str:
+    """Replace ``var(--name, fallback)`` by what it stands for."""
+    match = _VAR.search(value)
+    while match is not None:
+        end = _closing(value, match.end())
+        name, _, fallback = value[match.end() : end].partition(",")
+        name = name.strip()
+        if depth > _DEEPEST:
+            raise _Unset
+        if name in variables:
+            others = {key: one for key, one in variables.items() if key != name}
+            try:
+                found = _substituted(variables[name], others, depth + 1)
+            except _Unset:
+                if not fallback.strip():
+                    raise
+                found = _substituted(fallback, variables, depth + 1)
+        elif fallback.strip():
+            found = _substituted(fallback, variables, depth + 1)
+        else:
+            raise _Unset
+        value = value[: match.start()] + found + value[end + 1 :]
+        if len(value) > _LONGEST:
+            raise _Unset
+        match = _VAR.search(value, match.start() + len(found))
+    return value
+
+
+def _closing(value: str, start: int) -> int:
+    """Return where the parenthesis that is open at ``start`` closes."""
+    depth = 1
+    for place in range(start, len(value)):
+        depth += {"(": 1, ")": -1}.get(value[place], 0)
+        if not depth:
+            return place
+    return len(value)
+
+
+def _understood(name: str, value: str) -> str | None:
+    """Return a value as SVG 1.1 writes it; "" if it need not be set, None if it means nothing."""
+    word = value.lower()
+    if word in ("inherit", "unset", "initial", "revert", "revert-layer"):
+        if name not in _INHERITED:
+            return "inherit" if word == "inherit" else ""
+        return _INITIAL.get(name, "") if word == "initial" else ""
+    if name in _PAINTS:
+        return _paint(value)
+    if name in _COLOURS:
+        return colour(value)
+    if name in _OPACITIES:
+        return _opacity(word)
+    if name in _LENGTHS:
+        return _length(word)
+    if name in _REFERENCES:
+        return _reference(name, value)
+    if name == "stroke-dasharray":
+        return _dashes(word)
+    if name == "d":
+        match = _PATH.fullmatch(value)
+        return match[2] if match else "" if word == "none" else value
+    if name in _KEYWORDS:
+        return word
+    return value
+
+
+def _paint(value: str) -> str | None:
+    word = value.lower()
+    if word == "none":
+        return "none"
+    if word.startswith(("context-fill", "context-stroke", "context-value")):
+        return word.split()[0]
+    match = _URL.fullmatch(value)
+    if match is None:
+        return colour(value)
+    rest = match[4].strip()
+    fallback = (_paint(rest) if rest else None) or ""
+    return f"url({_target(match)}) {fallback}".strip()
+
+
+def _target(match: re.Match[str]) -> str:
+    return (match[1] or match[2] or match[3] or "").strip().replace(" ", "%20")
+
+
+def _opacity(word: str) -> str | None:
+    if word.startswith("context-"):
+        return ""
+    match = _LENGTH.fullmatch(word)
+    if match is None or match[2] not in ("", "%"):
+        return None
+    number = float(match[1]) / (100 if match[2] else 1)
+    return f"{min(max(number, 0.0), 1.0):.6g}"
+
+
+def _length(word: str) -> str | None:
+    if word in ("auto", "none", "normal") or word.isalpha() or "-" in word.lstrip("-+"):
+        if not _LENGTH.fullmatch(word):
+            return word  # of a font, or of a size: a keyword
+    if " " in word or "," in word:
+        return word  # of text: a list
+    match = _LENGTH.fullmatch(word)
+    if match is None:
+        return None
+    if match[2] in _IN_PIXELS:
+        return f"{float(match[1]) * _IN_PIXELS[match[2]]:.6g}"
+    if match[2] not in _UNITS:
+        return None
+    return match[1] + _UNITS[match[2]]
+
+
+def _dashes(word: str) -> str | None:
+    if word == "none":
+        return word
+    parts = [_length(part) for part in re.split(r"[\s,]+", word) if part]
+    return None if None in parts else " ".join(map(str, parts))
+
+
+def _reference(name: str, value: str) -> str | None:
+    if value.lower() == "none":
+        return "none"
+    match = _URL.match(value)
+    if match is not None and (name != "filter" or not match[4].strip()):
+        return f"url({_target(match)})"
+    if name == "filter" and "(" in value:
+        return value  # a list of filter functions
+    return None

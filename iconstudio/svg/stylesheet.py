@@ -1,0 +1,147 @@
+"""Style sheets and ``style`` attributes (CSS): the adapter of tinycss2 and cssselect2.
+
+Says which declarations apply to each element, and in which order; ``styles`` says what they mean.
+"""
+
+import re
+import xml.etree.ElementTree as ET
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import cssselect2
+import tinycss2
+
+Declared = tuple[str, str, bool]
+"""Property, value and whether it is important."""
+MAX_RULES = 5_000
+_ELSEWHERE = ("print", "speech")
+_DARK = re.compile(r"prefers-color-scheme\s*:\s*dark|forced-colors\s*:\s*active", re.IGNORECASE)
+_NEGATED = re.compile(r"\s*not\s", re.IGNORECASE)
+_FONTS = re.compile(r"font", re.IGNORECASE)
+
+
+@dataclass
+class StyleSheet:
+    """The rules of a document.
+
+    Attributes
+    ----------
+    keyframes:
+        For the name of each animation, the declarations of its end.
+    remarks:
+        What was not understood, in sentences.
+    """
+
+    keyframes: dict[str, list[Declared]] = field(default_factory=dict)
+    remarks: list[str] = field(default_factory=list)
+    _matcher: Any = field(default_factory=cssselect2.Matcher)
+    _rules: int = 0
+
+    @classmethod
+    def of(cls, root: ET.Element) -> "StyleSheet":
+        """Read the ``style`` elements of a document."""
+        sheet = cls()
+        for element in root.iter("style"):
+            kind = element.get("type", "text/css").strip().lower()
+            if kind in ("", "text/css") and sheet._applies(element.get("media", "")):
+                sheet._read("".join(element.itertext()))
+        return sheet
+
+    def matches(self, root: ET.Element) -> Iterator[tuple[ET.Element, list[Declared]]]:
+        """Yield each element with the declarations for it, the strongest last.
+
+        Presentation attributes count as the weakest.
+        """
+        for wrapped in cssselect2.ElementWrapper.from_xml_root(root).iter_subtree():
+            element = wrapped.etree_element
+            declared = [(name, value, False) for name, value in element.items() if name != "style"]
+            if self._rules:
+                for *_, pseudo, declarations in self._matcher.match(wrapped):
+                    if pseudo is None:
+                        declared += declarations
+            declared += declarations_of(element.get("style", ""))
+            declared.sort(key=lambda one: one[2])
+            yield element, declared
+
+    def _read(self, text: str) -> None:
+        text = text.strip().removeprefix("<!--").removesuffix("-->")
+        self._take(tinycss2.parse_stylesheet(text, skip_comments=True, skip_whitespace=True))
+
+    def _take(self, rules: Sequence[Any]) -> None:
+        for rule in rules:
+            match rule.type:
+                case "qualified-rule":
+                    self._add(rule)
+                case "at-rule":
+                    self._at(rule)
+                case "error":
+                    self.remarks.append("A part of the style sheet was not understood.")
+
+    def _at(self, rule: Any) -> None:
+        keyword, prelude = rule.lower_at_keyword, tinycss2.serialize(rule.prelude).strip()
+        if keyword in ("media", "supports", "layer", "container", "scope") and rule.content:
+            if keyword != "media" or self._applies(prelude):
+                self._take(
+                    tinycss2.parse_rule_list(
+                        rule.content, skip_comments=True, skip_whitespace=True
+                    )
+                )
+        elif keyword.endswith("keyframes") and rule.content:
+            self.keyframes[prelude.strip("\"'")] = _end_of(rule.content)
+        elif keyword == "import" and not _FONTS.search(prelude):
+            self.remarks.append(
+                "A style sheet outside of the file was not read. If colours are wrong, save the "
+                "drawing with its styles embedded."
+            )
+
+    def _add(self, rule: Any) -> None:
+        self._rules += 1
+        if self._rules > MAX_RULES:
+            return
+        selector = tinycss2.serialize(rule.prelude).strip()
+        declarations = list(_declarations(rule.content))
+        if not declarations:
+            return
+        try:
+            compiled = cssselect2.compile_selector_list(rule.prelude)
+        except cssselect2.SelectorError:
+            self.remarks.append(
+                f"The style rule for “{selector[:40]}” was not understood and left out."
+            )
+            return
+        for one in compiled:
+            self._matcher.add_selector(one, declarations)
+
+    @staticmethod
+    def _applies(media: str) -> bool:
+        """Whether rules for these media hold for a light screen."""
+        queries = [one.strip().lower() for one in media.split(",")]
+        return not media.strip() or any(
+            bool(_NEGATED.match(one)) == (one.split()[-1] in _ELSEWHERE or bool(_DARK.search(one)))
+            for one in queries
+            if one
+        )
+
+
+def declarations_of(style: str) -> list[Declared]:
+    """Return the declarations of a ``style`` attribute."""
+    return list(_declarations(style)) if style.strip() else []
+
+
+def _declarations(content: Any) -> Iterator[Declared]:
+    for one in tinycss2.parse_blocks_contents(content, skip_comments=True, skip_whitespace=True):
+        if one.type == "declaration":
+            name = one.name if one.name.startswith("--") else one.lower_name
+            yield name, tinycss2.serialize(one.value).strip(), one.important
+
+
+def _end_of(content: Any) -> list[Declared]:
+    """Return the declarations of an animation's last key frame."""
+    found: list[Declared] = []
+    for rule in tinycss2.parse_rule_list(content, skip_comments=True, skip_whitespace=True):
+        if rule.type == "qualified-rule":
+            when = tinycss2.serialize(rule.prelude).lower().split(",")
+            if any(one.strip() in ("to", "100%") for one in when):
+                found += _declarations(rule.content)
+    return found
