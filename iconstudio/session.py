@@ -14,11 +14,10 @@ from pathlib import Path
 
 from iconstudio.algorithms.matching import SCALES, Matcher, PreparedExemplar
 from iconstudio.algorithms.style import two_toned
+from iconstudio.files import read_bytes
 from iconstudio.library.collection import Collection, cache_folder
-from iconstudio.svg.reading import read_own_svg
 from iconstudio.library.preparing import PreparingCache
 from iconstudio.library.rasters import RasterCache
-from iconstudio.svg.resvg import render_placed
 from iconstudio.model import (
     CANVAS,
     Axis,
@@ -34,6 +33,9 @@ from iconstudio.model import (
     Sketch,
     Source,
 )
+from iconstudio.svg.decode import MAX_BYTES
+from iconstudio.svg.reading import own_svg
+from iconstudio.svg.resvg import render_placed
 from iconstudio.workers import Workers
 from iconstudio.workflows.choosing import choose_icons
 from iconstudio.workflows.drawing import draw_whole
@@ -142,8 +144,25 @@ class Session:
             If there is no such icon, or the file is no good.
         """
         if reference.lower().endswith(".svg") or os.path.isfile(reference):
-            return read_own_svg(Path(reference))
+            return self._own(Path(reference))
         return self.collection.get(reference)
+
+    def icon_from(self, data: bytes, name: str) -> Pictogram:
+        """Return an icon of SVG markup that is in no file, but pasted, say; ``name`` it.
+
+        Raises
+        ------
+        IconstudioError
+            If it is no good.
+        """
+        return self._workers.submit(own_svg, data, name, timeout=20).result()
+
+    def _own(self, path: Path) -> Pictogram:
+        try:
+            data = read_bytes(path, MAX_BYTES)
+        except IconstudioError as error:
+            raise IconstudioError(f"“{path}” cannot be used. {error}") from None
+        return self.icon_from(data, str(path))
 
     def exemplar(self, pictogram: Pictogram) -> Exemplar:
         """Return a pictogram on the canvas.

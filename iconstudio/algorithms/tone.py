@@ -221,8 +221,9 @@ def _line_drawing(found: Regions, line: Mask) -> _Tones:
     neighbours = found.lengths > 0
     neighbours[0] = neighbours[:, 0] = False
     _, piece = scipy.sparse.csgraph.connected_components(neighbours)
-    ink |= ~np.isin(piece, piece[line]) & ~((lightness > 75) & (
-        np.hypot(*found.colours[:, 1:].T) < 3 * _GREY))
+    ink |= ~np.isin(piece, piece[line]) & ~(
+        (lightness > 75) & (np.hypot(*found.colours[:, 1:].T) < 3 * _GREY)
+    )
     ink[0] = False
     striking = (found.contrasts > STRIKING) & ~ink & ~ink[:, None]
     striking[0] = striking[:, 0] = False

@@ -5,9 +5,9 @@ from pathlib import Path
 import click
 from PIL import Image
 
-from iconstudio.svg.resvg import render_coverage
 from iconstudio.output import png
 from iconstudio.session import Session
+from iconstudio.svg.resvg import render_coverage
 
 
 @click.command("show")

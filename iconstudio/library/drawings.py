@@ -11,9 +11,9 @@ from typing import Any
 from iconstudio.library.fingerprint import Fingerprint, fingerprint
 from iconstudio.library.iconify import RawIcon, document
 from iconstudio.library.progress import Progress
-from iconstudio.svg.resvg import render_coverage
-from iconstudio.svg.check import check
 from iconstudio.model import Frame, IconstudioError
+from iconstudio.svg.check import check
+from iconstudio.svg.resvg import render_coverage
 from iconstudio.workers import Workers, died
 
 _SIZE = 96

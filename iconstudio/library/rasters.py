@@ -10,10 +10,10 @@ from typing import Any
 
 import numpy as np
 
-from iconstudio.svg.rasterise import rasterise
-from iconstudio.svg.resvg import VERSION
 from iconstudio.library.store import Store, key_of
 from iconstudio.model import CANVAS, Exemplar, Frame, IconstudioError, Pictogram
+from iconstudio.svg.rasterise import rasterise
+from iconstudio.svg.resvg import VERSION
 from iconstudio.workers import Workers, died, memory_limit
 
 FORMAT = 1

@@ -21,7 +21,7 @@ class Pictogram:
     """An icon as it stands in a collection, in a file of the user's, or as a result was drawn.
 
     ``svg`` is a complete SVG document with a ``viewBox``. It comes from outside,
-    so it is hostile until ``svg.check`` has passed it.
+    so it is hostile until ``library.svgcheck`` has passed it.
     """
 
     id: str
@@ -31,6 +31,9 @@ class Pictogram:
     made_of: tuple["Pictogram", ...] = ()
     """If it is itself a result: the icons that own its parts. Of those that were read back from a
     file's credits, ``svg`` is empty."""
+    remarks: tuple[str, ...] = ()
+    """What could not be read of its drawing, and what to do about it; a sentence for the user each.
+    """
 
     @property
     def origins(self) -> tuple["Pictogram", ...]:

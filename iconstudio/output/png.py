@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from iconstudio.files import write_atomically
-from iconstudio.svg.resvg import render_coverage
 from iconstudio.model import CANVAS, Drawing, Frame, IconstudioError
+from iconstudio.svg.resvg import render_coverage
 
 SIZE = 1024
 """Side in pixels of a result's picture."""

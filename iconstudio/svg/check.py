@@ -24,6 +24,8 @@ _CLASS = re.compile(r"\.([\w-]+)")
 _COMMENT = re.compile(r"/\*.*?(?:\*/|\Z)", re.DOTALL)
 _UNFOLLOWED = ("a", "animate", "animateMotion", "animateTransform", "mpath", "set")
 """Elements whose reference a renderer of still pictures does not follow."""
+_INHERITING = ("linearGradient", "radialGradient", "pattern", "filter")
+"""Elements that take over the content of the one they refer to."""
 
 
 def check(svg: str) -> None:
@@ -46,17 +48,20 @@ def check(svg: str) -> None:
 @dataclass(slots=True)
 class _Node:
     tag: str
-    classes: list[str]
+    classes: list[str] = field(default_factory=list)
     below: list[int] = field(default_factory=list)
     """Children."""
     names: list[str] = field(default_factory=list)
-    """Identifiers of the elements that it refers to."""
+    """Identifiers of the elements that it shows."""
+    inherited: list[str] = field(default_factory=list)
+    """Identifiers of the elements whose content it takes over as its own."""
 
 
 @dataclass(slots=True)
 class _Document:
     nodes: list[_Node] = field(default_factory=list)
-    ids: dict[str, int] = field(default_factory=dict)
+    ids: dict[str, list[int]] = field(default_factory=dict)
+    """All elements of each identifier: of several, renderers differ in which they take."""
     style_sheet: list[str] = field(default_factory=list)
 
     def apply_style_sheet(self) -> None:
@@ -100,7 +105,7 @@ def _read(svg: str) -> _Document:
     document, stack = _Document(), []
 
     def start(name: str, attributes: dict[str, str]) -> None:
-        node = _node(name.rpartition(":")[2], attributes)
+        node = _node(_local_name(name), attributes)
         number = len(document.nodes)
         if number >= MAX_ELEMENTS:
             raise IconstudioError(f"The SVG has more than {MAX_ELEMENTS:,} elements. Simplify it.")
@@ -108,8 +113,9 @@ def _read(svg: str) -> _Document:
             raise _too_deep()
         if stack:
             document.nodes[stack[-1]].below.append(number)
-        if "id" in attributes:
-            document.ids.setdefault(attributes["id"], number)
+        for key, value in attributes.items():
+            if _local_name(key) == "id":  # in whatever namespace: so the renderer reads it
+                document.ids.setdefault(value, []).append(number)
         document.nodes.append(node)
         stack.append(number)
 
@@ -142,14 +148,22 @@ def _node(tag: str, attributes: dict[str, str]) -> _Node:
         raise IconstudioError(f"The SVG shows a bitmap (<{tag}>); only shapes can be remixed.")
     if tag == "script":
         raise IconstudioError("The SVG holds a script; remove it.")
-    node = _Node(tag, attributes.get("class", "").split())
+    node = _Node(tag)
     for name, value in attributes.items():
-        if name.rpartition(":")[2] == "href":
-            if tag not in _UNFOLLOWED:
+        if _local_name(name) == "class":
+            node.classes += value.split()
+        elif _local_name(name) == "href":
+            if tag in _INHERITING:
+                node.inherited.append(_local(value))
+            elif tag not in _UNFOLLOWED:
                 node.names.append(_local(value))
         elif "url(" in value:
             node.names += [_local(target) for target in _URL.findall(value)]
     return node
+
+
+def _local_name(name: str) -> str:
+    return name.rpartition(":")[2]
 
 
 def _local(target: str) -> str:
@@ -185,13 +199,19 @@ class _Expansion:
             raise _too_deep()
         return known
 
+    def _named(self, names: list[str]) -> list[int]:
+        return [number for name in names for number in self._document.ids.get(name, ())]
+
     def _sum(self, number: int, depth: int) -> tuple[int, int, int]:
-        node, ids = self._document.nodes[number], self._document.ids
+        node = self._document.nodes[number]
         drawn, levels, patterns = 1, 0, 0
-        for next_node in [*node.below, *(ids[name] for name in node.names if name in ids)]:
+        for next_node in [*node.below, *self._named(node.names)]:
             more, deeper, inner = self.measure(next_node, depth + 1)
             drawn, levels, patterns = drawn + more, max(levels, deeper), max(patterns, inner)
         patterns += node.tag == "pattern"
+        for next_node in self._named(node.inherited):
+            more, deeper, inner = self.measure(next_node, depth + 1)
+            drawn, levels, patterns = drawn + more, max(levels, deeper), max(patterns, inner)
         if drawn > MAX_EXPANSION:
             raise _too_often()
         if patterns > 1:

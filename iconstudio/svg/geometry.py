@@ -169,8 +169,9 @@ def _collect(
         shift = 1, 0, 0, 1, length(element.get("x"), page[2]), length(element.get("y"), page[3])
         matrix = multiplied(matrix, shift)
         if target.tag in ("symbol", "svg"):
-            size = element.get("width", target.get("width")), element.get(
-                "height", target.get("height")
+            size = (
+                element.get("width", target.get("width")),
+                element.get("height", target.get("height")),
             )
             matrix = multiplied(matrix, viewport(target, page, size))
             for child in target:
@@ -189,10 +190,8 @@ def _collect(
         _collect(child, matrix, stroke, stroked, page, ids, add, depth + 1)
 
 
-def viewport(
-    element: ET.Element, page: Box, size: tuple[str | None, str | None]
-) -> Matrix:
-    """Return how the ``viewBox`` of an element is mapped to its ``size``; default: all of the page."""
+def viewport(element: ET.Element, page: Box, size: tuple[str | None, str | None]) -> Matrix:
+    """Return how an element's ``viewBox`` is mapped to its ``size``, by default that of the page."""
     box = numbers(element.get("viewBox", ""))
     if len(box) != 4 or box[2] <= 0 or box[3] <= 0:
         return IDENTITY

@@ -143,7 +143,7 @@ def _one(name: str, arguments: list[str]) -> Matrix | None:
             return v[0], 0, 0, 1, 0, 0
         case "scaley", 1:
             return 1, 0, 0, v[0], 0, 0
-        case ("rotate" | "rotatez"), (1 | 3):
+        case (("rotate" | "rotatez"), (1 | 3)):
             turned = math.radians(v[0])
             cos, sin = math.cos(turned), math.sin(turned)
             turn = cos, sin, -sin, cos, 0.0, 0.0

@@ -21,7 +21,8 @@ from iconstudio.model import CANVAS, Frame, IconstudioError
 from iconstudio.resources import resource
 from iconstudio.svg.check import check
 from iconstudio.svg.fitting import fitted
-from iconstudio.svg.lengths import Box
+from iconstudio.svg.lengths import Box, mapped
+from iconstudio.svg.near import brought_near
 from iconstudio.svg.plain import Plain, document
 from iconstudio.svg.resvg import render_colours, render_coverage
 from iconstudio.svg.strokes import thickened
@@ -46,8 +47,10 @@ THIN = "Its lines are too thin to be seen at the size of an icon; they were draw
 FONTS = "Its text was drawn in Inter, whatever its font. To keep its look, turn text into shapes."
 
 
-def in_black(drawing: Plain) -> tuple[str, tuple[str, ...]]:
+def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ...]]:
     """Return a document that shows a drawing in black, and what to say of it, in sentences.
+
+    ``rdf`` are the metadata that go along.
 
     Raises
     ------
@@ -59,18 +62,20 @@ def in_black(drawing: Plain) -> tuple[str, tuple[str, ...]]:
         remarks.append(FONTS)
     fonts = [str(resource(f"fonts/Inter-{one}.otf")) for one in ("Regular", "SemiBold")]
     fonts = fonts if drawing.texts else []
-    content = drawing.content
-    box = drawing.page or drawing.bounds
-    if drawing.bounds is None or box is None:
-        raise _nothing(remarks)
+    if drawing.bounds is None:
+        raise _nothing(drawing.remarks)
+    content, matrix = brought_near(drawing.content, drawing.page, drawing.bounds)
+    drawn = mapped(matrix, drawing.bounds)
+    box = drawn if drawing.page is None else mapped(matrix, drawing.page)
     check(document(content, box))
-    frame = fitted(document(content, box), _common(box, drawing.bounds), fonts)
+    frame = fitted(document(content, box), _common(box, drawn), fonts)
     if frame is None and drawing.page is not None:
-        box = drawing.bounds
+        box = drawn
         frame = fitted(document(content, box), box, fonts)
         remarks.append(OFF_PAGE)
     if frame is None:
         raise _nothing(drawing.remarks)
+    box = _common(box, (frame.x, frame.y, frame.size, frame.size))
     coverage = _picture(document(content, box), frame, fonts)
     if _lost(coverage):
         content = thickened(content, frame.size, box)
@@ -80,8 +85,10 @@ def in_black(drawing: Plain) -> tuple[str, tuple[str, ...]]:
             raise IconstudioError(
                 "Its lines are too thin to be seen at the size of an icon. Make them thicker."
             )
-    svg = None if fonts or drawing.heavy else _own_shapes(content, box, frame, coverage)
-    return svg or _traced(coverage), tuple(dict.fromkeys(remarks))
+    own = None if fonts or drawing.heavy else _own_shapes(content, box, frame, coverage)
+    if own is None:
+        own, box = _traced(coverage), (0.0, 0.0, float(CANVAS), float(CANVAS))
+    return document(own, box, rdf), tuple(dict.fromkeys(remarks))
 
 
 def _nothing(remarks: "list[str] | tuple[str, ...]") -> IconstudioError:
@@ -123,19 +130,18 @@ def _lost(coverage: NDArray[np.uint8]) -> bool:
 
 def _own_shapes(
     content: ET.Element, box: Box, frame: Frame, coverage: NDArray[np.uint8]
-) -> str | None:
+) -> ET.Element | None:
     """Return the drawing's own shapes in black and white; None if they give another picture."""
     factor = max(1, len(coverage) // _COMPARED)
     side = len(coverage) // factor
     wanted = coverage.reshape(side, factor, side, factor).mean(axis=(1, 3))
     ink = (wanted > 127).sum()
     for painted in _painted(content):
-        svg = document(painted, box)
-        drawn = render_coverage(svg, frame, side).astype(float)
+        drawn = render_coverage(document(painted, box), frame, side).astype(float)
         # An edge may come out a shade lighter; ink and paper may not change places.
         differs = (abs(drawn - wanted) > 100).sum()
         if differs <= _ALIKE * ink:
-            return svg
+            return painted
     return None
 
 
@@ -149,15 +155,15 @@ def _painted(content: ET.Element) -> Iterator[ET.Element]:
             yield _recoloured(copy.deepcopy(content), colour_of, opaque)
 
 
-def _recoloured(
-    element: ET.Element, colour_of: Callable[[int], str], opaque: bool
-) -> ET.Element:
+def _recoloured(element: ET.Element, colour_of: Callable[[int], str], opaque: bool) -> ET.Element:
     """Paint an element by the grey levels of its colours, in place, and return it."""
     if element.tag == "mask":
         return element  # whose colours say how much shows
     for name in _PAINTS:
         if name in element.attrib:
-            element.set(name, _COLOUR.sub(lambda m: _paint(m, colour_of, opaque), element.attrib[name]))
+            element.set(
+                name, _COLOUR.sub(lambda m: _paint(m, colour_of, opaque), element.attrib[name])
+            )
     if opaque:
         for name in _OPACITIES:
             if float(element.get(name, "0").replace("inherit", "0")) > 0:
@@ -182,10 +188,10 @@ def _paint(match: re.Match[str], colour_of: Callable[[int], str], opaque: bool) 
     return f"rgba({level},{level},{level},{match[5]})"
 
 
-def _traced(coverage: NDArray[np.uint8]) -> str:
+def _traced(coverage: NDArray[np.uint8]) -> ET.Element:
     path = trace(coverage)
     if not path:
         raise _nothing(())
     content = ET.Element("g")
     ET.SubElement(content, "path", d=path)
-    return document(content, (0.0, 0.0, float(CANVAS), float(CANVAS)))
+    return content

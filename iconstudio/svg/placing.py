@@ -53,7 +53,9 @@ def _place(
         _call("scale", element.get("scale") if not element.tag.startswith("fe") else None),
         element.get("transform", ""),
     ]
-    name = next((key for key in ("gradientTransform", "patternTransform") if key in element.attrib), None)
+    name = next(
+        (key for key in ("gradientTransform", "patternTransform") if key in element.attrib), None
+    )
     if name is not None:
         matrix = transform(element.get(name))
         if matrix is not None:

@@ -129,9 +129,7 @@ def _page(root: ET.Element) -> tuple[Box | None, Matrix]:
     return (x + (across - seen[0]) * left, y + (down - seen[1]) * top, *seen), IDENTITY
 
 
-def _only_symbol(
-    root: ET.Element, kept: set[ET.Element], names: list[str]
-) -> ET.Element | None:
+def _only_symbol(root: ET.Element, kept: set[ET.Element], names: list[str]) -> ET.Element | None:
     """Return the symbol of a document that defines but one.
 
     Raises
@@ -159,7 +157,7 @@ def _without_unknown(root: ET.Element, kept: set[ET.Element]) -> list[str]:
     for parent in list(root.iter()):
         for child in list(parent):
             known = child.tag in (*_GROUPS, *SHAPES, *_SERVERS, *_TEXTS) or (
-                child.tag == "filter" or child.tag.startswith("fe") and child.tag != "feImage"
+                child.tag == "filter" or (child.tag.startswith("fe") and child.tag != "feImage")
             )
             if known:
                 continue
@@ -209,8 +207,10 @@ def _content(root: ET.Element, stretch: Matrix) -> ET.Element:
     return content
 
 
-def document(content: ET.Element, box: Box) -> str:
-    """Return a complete document that shows ``box`` of a content."""
+def document(content: ET.Element, box: Box, rdf: ET.Element | None = None) -> str:
+    """Return a complete document that shows ``box`` of a content; ``rdf`` are its metadata."""
     root = ET.Element("svg", xmlns="http://www.w3.org/2000/svg", viewBox=written(box))
+    if rdf is not None:
+        ET.SubElement(root, "metadata").append(rdf)
     root.append(content)
     return ET.tostring(root, encoding="unicode")

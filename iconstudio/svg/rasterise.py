@@ -5,9 +5,9 @@ from itertools import count
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.svg.resvg import render_coverage, view_box
-from iconstudio.svg.check import check
 from iconstudio.model import CANVAS, MARGIN, Frame, IconstudioError
+from iconstudio.svg.check import check
+from iconstudio.svg.resvg import render_coverage, view_box
 
 _COARSE = 128
 _TOLERANCE = 1 / 5

@@ -20,8 +20,15 @@ from iconstudio.model import Frame, IconstudioError, Placement
 if TYPE_CHECKING:
     from PIL.Image import Image
 
-__all__ = ["VERSION", "Box", "Window", "render_colours", "render_coverage",
-           "render_placed", "view_box"]
+__all__ = [
+    "VERSION",
+    "Box",
+    "Window",
+    "render_colours",
+    "render_coverage",
+    "render_placed",
+    "view_box",
+]
 
 VERSION = __version__
 """Of resvg-py: another version may draw differently."""

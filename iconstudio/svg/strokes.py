@@ -15,23 +15,21 @@ from iconstudio.svg.lengths import (
     transform,
 )
 
-_WIDTH = 3.0
+_WIDTH = 3.7
 """Canvas units of the thinnest stroke."""
 
 
 def thickened(content: ET.Element, size: float, page: Box) -> ET.Element:
-    """Return a drawing whose strokes measure at least 3 of ``CANVAS`` units, to which ``size`` goes.
+    """Return a drawing whose strokes measure at least 3.7 canvas units.
 
-    ``page`` is what percentages refer to.
+    ``size`` is the side of the canvas in user space; ``page`` is what percentages refer to.
     """
     content = copy.deepcopy(content)
     _thicken(content, IDENTITY, 1.0, _WIDTH * size / CANVAS, page)
     return content
 
 
-def _thicken(
-    element: ET.Element, outer: Matrix, width: float, least: float, page: Box
-) -> None:
+def _thicken(element: ET.Element, outer: Matrix, width: float, least: float, page: Box) -> None:
     matrix = multiplied(outer, transform(element.get("transform")) or IDENTITY)
     width = length(element.get("stroke-width"), max(page[2:]), width)
     if element.tag in SHAPES:

@@ -6,7 +6,6 @@ which every renderer reads alike.
 
 import re
 import xml.etree.ElementTree as ET
-from collections.abc import Iterator
 
 from iconstudio.svg.colours import colour
 from iconstudio.svg.stylesheet import Declared, StyleSheet
@@ -66,7 +65,9 @@ _UNITS = {
     "em": "em", "ex": "ex",
 }  # fmt: skip
 _IN_PIXELS = {"rem": 16.0, "ch": 8.0, "q": 96 / 101.6}
-_URL = re.compile(r"url\(\s*(?:\"([^\"]*)\"|'([^']*)'|([^)]*?))\s*\)(.*)", re.DOTALL | re.IGNORECASE)
+_URL = re.compile(
+    r"url\(\s*(?:\"([^\"]*)\"|'([^']*)'|([^)]*?))\s*\)(.*)", re.DOTALL | re.IGNORECASE
+)
 _VAR = re.compile(r"\bvar\(", re.IGNORECASE)
 _PATH = re.compile(r"path\(\s*(?:evenodd\s*,|nonzero\s*,)?\s*([\"'])(.*)\1\s*\)", re.DOTALL)
 _LONGEST = 10_000
@@ -74,7 +75,7 @@ _LONGEST = 10_000
 _DEEPEST = 20
 
 
-class _Unset(Exception):
+class _UnsetError(Exception):
     """A variable has no value."""
 
 
@@ -147,7 +148,7 @@ def _first(name: str, candidates: list[str], variables: dict[str, str]) -> str |
     for candidate in reversed(candidates):
         try:
             value = _substituted(candidate, variables)
-        except _Unset:
+        except _UnsetError:
             return ""
         found = _understood(name, value.strip())
         if found is not None:
@@ -163,22 +164,22 @@ def _substituted(value: str, variables: dict[str, str], depth: int = 0) -> str:
         name, _, fallback = value[match.end() : end].partition(",")
         name = name.strip()
         if depth > _DEEPEST:
-            raise _Unset
+            raise _UnsetError
         if name in variables:
             others = {key: one for key, one in variables.items() if key != name}
             try:
                 found = _substituted(variables[name], others, depth + 1)
-            except _Unset:
+            except _UnsetError:
                 if not fallback.strip():
                     raise
                 found = _substituted(fallback, variables, depth + 1)
         elif fallback.strip():
             found = _substituted(fallback, variables, depth + 1)
         else:
-            raise _Unset
+            raise _UnsetError
         value = value[: match.start()] + found + value[end + 1 :]
         if len(value) > _LONGEST:
-            raise _Unset
+            raise _UnsetError
         match = _VAR.search(value, match.start() + len(found))
     return value
 
@@ -249,9 +250,8 @@ def _opacity(word: str) -> str | None:
 
 
 def _length(word: str) -> str | None:
-    if word in ("auto", "none", "normal") or word.isalpha() or "-" in word.lstrip("-+"):
-        if not _LENGTH.fullmatch(word):
-            return word  # of a font, or of a size: a keyword
+    if re.fullmatch(r"[a-z]+(-[a-z]+)*", word):
+        return word  # of a font, or of a size: a keyword
     if " " in word or "," in word:
         return word  # of text: a list
     match = _LENGTH.fullmatch(word)

@@ -83,9 +83,7 @@ class StyleSheet:
         if keyword in ("media", "supports", "layer", "container", "scope") and rule.content:
             if keyword != "media" or self._applies(prelude):
                 self._take(
-                    tinycss2.parse_rule_list(
-                        rule.content, skip_comments=True, skip_whitespace=True
-                    )
+                    tinycss2.parse_rule_list(rule.content, skip_comments=True, skip_whitespace=True)
                 )
         elif keyword.endswith("keyframes") and rule.content:
             self.keyframes[prelude.strip("\"'")] = _end_of(rule.content)

@@ -14,8 +14,8 @@ from iconstudio.algorithms.raster import (
     simplified,
     solid,
 )
-from iconstudio.svg.resvg import render_placed
 from iconstudio.model import CANVAS, Placement, Polygon
+from iconstudio.svg.resvg import render_placed
 from tests.shapes import blob, exemplar
 
 bitmaps = arrays(bool, st.tuples(st.integers(1, 12), st.integers(1, 12)))

@@ -18,8 +18,8 @@ from iconstudio.algorithms.redraw import (
     two_tone,
 )
 from iconstudio.algorithms.vectorize import trace
-from iconstudio.svg.resvg import render_coverage
 from iconstudio.model import CANVAS, Frame
+from iconstudio.svg.resvg import render_coverage
 from tests.shapes import blob
 
 N = SCALE * CANVAS

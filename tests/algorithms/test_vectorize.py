@@ -12,8 +12,8 @@ from scipy import ndimage
 from iconstudio.algorithms.bezier import direction, fit
 from iconstudio.algorithms.redraw import SCALE, redraw
 from iconstudio.algorithms.vectorize import SPECK, TOLERANCE, trace
-from iconstudio.svg.resvg import render_coverage
 from iconstudio.model import CANVAS, Frame
+from iconstudio.svg.resvg import render_coverage
 from tests.shapes import blob
 
 N = SCALE * CANVAS

@@ -28,9 +28,9 @@ from iconstudio.algorithms.sweep import Sweep
 from iconstudio.algorithms.tsdf import tsdf
 from iconstudio.inputs.sketch import example
 from iconstudio.library.collection import Collection
-from iconstudio.svg.rasterise import rasterise
 from iconstudio.model import CANVAS, Exemplar, IconstudioError, Polygon, Source
 from iconstudio.session import Session
+from iconstudio.svg.rasterise import rasterise
 from iconstudio.workflows.grid import distinct
 from tests.benchmarks.grown import write_collection
 from tests.benchmarks.readme import put

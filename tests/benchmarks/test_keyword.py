@@ -12,9 +12,9 @@ from scipy import ndimage
 from iconstudio.algorithms.matching import SCALES, padding
 from iconstudio.algorithms.raster import scaled_ink, solid
 from iconstudio.algorithms.tsdf import D_MAX
-from iconstudio.svg.rasterise import rasterise
 from iconstudio.model import CANVAS, Exemplar, IconstudioError
 from iconstudio.session import Session
+from iconstudio.svg.rasterise import rasterise
 
 WORD = "house"
 """It retrieves as many icons as the paper's 200."""

@@ -14,9 +14,9 @@ from iconstudio.algorithms.style import STYLES
 from iconstudio.algorithms.sweep import Sweep
 from iconstudio.algorithms.tsdf import D_MAX, tsdf
 from iconstudio.inputs.sketch import example
-from iconstudio.svg.resvg import render_placed
 from iconstudio.model import CANVAS
 from iconstudio.session import Session
+from iconstudio.svg.resvg import render_placed
 from iconstudio.workflows.drawing import draw
 from iconstudio.workflows.grid import distinct
 from tests.shapes import regions_of

@@ -12,9 +12,9 @@ from scipy import ndimage
 
 from iconstudio.algorithms.redraw import SCALE, redraw, two_tone
 from iconstudio.algorithms.vectorize import trace
-from iconstudio.svg.resvg import render_coverage, render_placed
 from iconstudio.model import CANVAS, Frame, Placement
 from iconstudio.session import Session
+from iconstudio.svg.resvg import render_coverage, render_placed
 from iconstudio.workflows.drawing import PREVIEW
 
 WORDS = ("house", "cat", "car", "tree", "camera", "chess", "bicycle", "flower", "gear", "music")

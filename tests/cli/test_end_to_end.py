@@ -9,9 +9,9 @@ import pytest
 from PIL import Image
 
 from iconstudio.cli.app import run
-from iconstudio.svg.resvg import render_coverage
 from iconstudio.model import CANVAS, Frame
 from iconstudio.resources import resource
+from iconstudio.svg.resvg import render_coverage
 from tests.cli.energies import prove_energies
 
 LAMBDAS = (0.05, 0.3)

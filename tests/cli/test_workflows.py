@@ -8,10 +8,10 @@ from PIL import Image
 from scipy import ndimage
 
 from iconstudio.cli.app import run
-from iconstudio.svg.resvg import render_coverage
-from iconstudio.svg.check import check
 from iconstudio.model import CANVAS, Frame
 from iconstudio.session import Session
+from iconstudio.svg.check import check
+from iconstudio.svg.resvg import render_coverage
 from tests.cli.energies import prove_energies
 
 LIGHTHOUSE = "mdi:lighthouse"

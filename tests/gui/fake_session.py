@@ -8,7 +8,6 @@ from pathlib import Path
 import numpy as np
 
 from iconstudio.algorithms.ranking import Score
-from iconstudio.svg.reading import read_own_svg
 from iconstudio.model import (
     CANVAS,
     Composite,
@@ -27,6 +26,7 @@ from iconstudio.model import (
     Source,
 )
 from iconstudio.session import ModelSettings
+from iconstudio.svg.reading import own_svg
 from iconstudio.workflows.events import (
     Event,
     Progress,
@@ -125,7 +125,7 @@ class FakeSession:
     def icon(self, reference: str) -> Pictogram:
         self.calls.append(("icon", reference))
         if reference.endswith(".svg"):
-            return read_own_svg(Path(reference))
+            return own_svg(Path(reference).read_bytes(), reference)
         for one in self._exemplars(frozenset()):
             if one.id == reference:
                 return one.pictogram

@@ -29,10 +29,10 @@ from iconstudio.gui.workspaces.montage.pictures import LayerPainter
 from iconstudio.gui.workspaces.montage.scene import MontageScene
 from iconstudio.gui.workspaces.montage.workspace import MontageWorkspace
 from iconstudio.inputs.montage import read_montage
-from iconstudio.svg.reading import read_own_svg
 from iconstudio.model import Placement
 from iconstudio.output.colours import source_colours
 from iconstudio.session import Session
+from iconstudio.svg.reading import own_svg
 
 LEFT, RIGHT = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton
 ALT, CTRL, SHIFT = (
@@ -819,7 +819,7 @@ def test_from_an_empty_start_to_a_saved_icon_with_the_real_session(qtbot, tmp_pa
     save_to(place, monkeypatch, path)
     place.actions_by_name["svg"].trigger()
     qtbot.waitUntil(path.exists)
-    contributors = [one.id for one in read_own_svg(path).origins]
+    contributors = [one.id for one in own_svg(path.read_bytes(), str(path)).origins]
     assert contributors
     assert set(contributors) <= {one.icon.pictogram.id for one in icons}
     window.close()

@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from iconstudio.library import rasters, store
-from iconstudio.svg.rasterise import rasterise
 from iconstudio.library.rasters import RasterCache, draw_entries
 from iconstudio.model import Credit, IconstudioError, Pictogram
+from iconstudio.svg.rasterise import rasterise
 from iconstudio.workers import Workers
 
 CREDIT = Credit("shape", "A. Artist", "MIT", "https://example.org/mit", "https://example.org")

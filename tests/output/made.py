@@ -7,8 +7,8 @@ import numpy as np
 from iconstudio.algorithms.energy import remix_problem
 from iconstudio.algorithms.raster import fill_polygon
 from iconstudio.algorithms.tsdf import tsdf
-from iconstudio.svg.resvg import render_placed
 from iconstudio.model import CANVAS, Composite, Credit, Exemplar, Placement, Polygon, Sketch, Source
+from iconstudio.svg.resvg import render_placed
 from iconstudio.workflows.events import Result
 from iconstudio.workflows.remixing import result_of
 from iconstudio.workflows.solving import Job, Posed, Step, finished

@@ -8,11 +8,11 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from iconstudio.svg.rasterise import rasterise
-from iconstudio.svg.resvg import render_coverage
-from iconstudio.svg.check import check
 from iconstudio.model import CANVAS, Credit, Drawing, Frame, Pictogram
 from iconstudio.output.svg import contributors, credits_text, pictogram_of, svg_document
+from iconstudio.svg.check import check
+from iconstudio.svg.rasterise import rasterise
+from iconstudio.svg.resvg import render_coverage
 from tests.output.made import RING, SOURCES, credited, with_shares
 
 SVG = "{http://www.w3.org/2000/svg}"

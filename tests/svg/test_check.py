@@ -4,9 +4,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from iconstudio.model import IconstudioError
 from iconstudio.svg import check as svgcheck
 from iconstudio.svg.check import MAX_BYTES, MAX_DEPTH, MAX_ELEMENTS, check
-from iconstudio.model import IconstudioError
 
 
 def svg(body, attributes=""):

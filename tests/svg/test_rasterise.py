@@ -4,9 +4,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from iconstudio.library import rasterise as module
+from iconstudio.model import CANVAS, MARGIN, IconstudioError
 from iconstudio.svg.rasterise import ink_bounds, rasterise
 from iconstudio.svg.resvg import render_coverage
-from iconstudio.model import CANVAS, MARGIN, IconstudioError
 
 
 def svg(body, attributes='viewBox="0 0 24 24"'):

@@ -5,14 +5,14 @@ from dataclasses import replace
 
 import pytest
 
-from iconstudio.svg.reading import UNLICENSED, UNNAMED, read_own_svg
-from iconstudio.svg.rasterise import rasterise
-from iconstudio.svg.check import MAX_BYTES
 from iconstudio.model import Credit, IconstudioError, Pictogram
 from iconstudio.output.svg import contributors, credits_text, svg_document
 from iconstudio.session import Session
-from tests.svg.test_check import HARMLESS, HOSTILE, svg
+from iconstudio.svg.check import MAX_BYTES
+from iconstudio.svg.rasterise import rasterise
+from iconstudio.svg.reading import UNLICENSED, UNNAMED, read_own_svg
 from tests.output.made import BLOCK, RING, SOURCES, credited, made, quarters, with_shares
+from tests.svg.test_check import HARMLESS, HOSTILE, svg
 
 SQUARE = '<path d="M4 4h16v16H4z"/>'
 

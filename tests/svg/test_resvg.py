@@ -3,8 +3,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from iconstudio.svg.resvg import render_coverage, render_placed, view_box
 from iconstudio.model import CANVAS, Frame, IconstudioError, Placement
+from iconstudio.svg.resvg import render_coverage, render_placed, view_box
 
 WHOLE = Frame(0, 0, 16)
 F = "M3 2h9v3H7v3h4v3H7v5H3z"

@@ -14,9 +14,9 @@ from iconstudio.algorithms.energy import placed_sources
 from iconstudio.algorithms.fragments import fragments
 from iconstudio.algorithms.raster import inked_tiles
 from iconstudio.algorithms.redraw import SCALE, erase, redraw, two_tone
+from iconstudio.model import CANVAS, Exemplar, Frame, Placement, Source
 from iconstudio.svg.rasterise import rasterise
 from iconstudio.svg.resvg import render_coverage, render_placed
-from iconstudio.model import CANVAS, Exemplar, Frame, Placement, Source
 from iconstudio.workflows.drawing import PREVIEW, draw
 from tests.shapes import pictogram
 

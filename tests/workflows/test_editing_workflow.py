@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from iconstudio.algorithms.matching import Matcher, prepare
-from iconstudio.svg.resvg import render_placed
 from iconstudio.model import CANVAS, Edit, IconstudioError, Polygon
+from iconstudio.svg.resvg import render_placed
 from iconstudio.workers import Workers
 from iconstudio.workflows.editing import edit_icon, own_styles, prepare_change
 from iconstudio.workflows.events import Recommended, Result, StyleMatched

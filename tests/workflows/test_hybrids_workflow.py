@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from iconstudio.algorithms.symmetry import reflected
-from iconstudio.svg.resvg import render_placed
 from iconstudio.model import CANVAS, Axis, IconstudioError, Mix
+from iconstudio.svg.resvg import render_placed
 from iconstudio.workers import Workers
 from iconstudio.workflows.choosing import choose_icons, stroke_width
 from iconstudio.workflows.events import Progress, Result

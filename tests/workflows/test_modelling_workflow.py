@@ -3,8 +3,8 @@ import pytest
 
 from iconstudio.algorithms.energy import joined_ink, placed_sources
 from iconstudio.algorithms.matching import Matcher, prepare
-from iconstudio.svg.resvg import render_coverage, render_placed
 from iconstudio.model import CANVAS, Frame, IconstudioError, Placement, Polygon, Sketch
+from iconstudio.svg.resvg import render_coverage, render_placed
 from iconstudio.workers import Workers
 from iconstudio.workflows.events import (
     Progress,

@@ -3,8 +3,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from iconstudio.svg.resvg import render_placed
 from iconstudio.model import CANVAS, IconstudioError, Layer, Montage, Placement, Stroke
+from iconstudio.svg.resvg import render_placed
 from iconstudio.workers import Workers
 from iconstudio.workflows.events import Progress, Result
 from iconstudio.workflows.montage import montage_icons
