@@ -191,7 +191,7 @@ def _collect(
 
 
 def viewport(element: ET.Element, page: Box, size: tuple[str | None, str | None]) -> Matrix:
-    """Return how an element's ``viewBox`` is mapped to its ``size``, by default that of the page."""
+    """Return how an element's ``viewBox`` is mapped to its ``size``, by default the page's."""
     box = numbers(element.get("viewBox", ""))
     if len(box) != 4 or box[2] <= 0 or box[3] <= 0:
         return IDENTITY

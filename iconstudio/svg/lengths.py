@@ -16,6 +16,7 @@ _PIXELS = {
     "em": 16, "rem": 16, "ex": 8, "q": 96 / 101.6,
 }  # fmt: skip
 _ANGLES = {"": 1.0, "deg": 1.0, "rad": 180 / math.pi, "grad": 0.9, "turn": 360.0}
+_ARGUMENT = re.compile(rf"{NUMBER.pattern}(?:[a-zA-Z]+|%)?")
 _FUNCTION = re.compile(r"([a-zA-Z0-9]+)\s*\(([^()]*)\)")
 
 
@@ -107,10 +108,12 @@ def transform(text: str | None) -> Matrix | None:
     text = (text or "").strip()
     if text.lower() in ("", "none"):
         return matrix
-    if _FUNCTION.sub("", text).replace(",", "").strip():
+    inner = (_ARGUMENT.sub("", arguments) for _, arguments in _FUNCTION.findall(text))
+    rest = "".join([_FUNCTION.sub("", text), *inner])
+    if rest.replace(",", "").strip():
         return None
     for name, arguments in _FUNCTION.findall(text):
-        one = _one(name, [part for part in re.split(r"[\s,]+", arguments.strip()) if part])
+        one = _one(name, _ARGUMENT.findall(arguments))
         if one is None or not all(map(math.isfinite, one)):
             return None
         matrix = multiplied(matrix, one)

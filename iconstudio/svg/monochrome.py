@@ -2,8 +2,8 @@
 
 How a coloured drawing becomes black is decided on its picture (``algorithms.tone``). If the
 drawing's own shapes, painted black and white, give the same picture, they are kept: a line icon
-stays one. Whatever else there is (filters, text, gradients, colours side by side) is traced, so that
-what comes out is always simple to draw.
+stays one. Whatever else there is (filters, text, colours side by side) is traced, so that what
+comes out is always simple to draw.
 """
 
 import copy
@@ -161,9 +161,8 @@ def _recoloured(element: ET.Element, colour_of: Callable[[int], str], opaque: bo
         return element  # whose colours say how much shows
     for name in _PAINTS:
         if name in element.attrib:
-            element.set(
-                name, _COLOUR.sub(lambda m: _paint(m, colour_of, opaque), element.attrib[name])
-            )
+            painted = _COLOUR.sub(lambda m: _paint(m, colour_of, opaque), element.attrib[name])
+            element.set(name, painted)
     if opaque:
         for name in _OPACITIES:
             if float(element.get(name, "0").replace("inherit", "0")) > 0:

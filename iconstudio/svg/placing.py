@@ -1,4 +1,4 @@
-"""Transforms of CSS, and strokes that keep their width (SVG 2, sections 8.5 and 8.10), in SVG 1.1."""
+"""Transforms of CSS, and strokes that do not scale (SVG 2, sections 8.5 and 8.10), in SVG 1.1."""
 
 import re
 import xml.etree.ElementTree as ET
@@ -19,6 +19,7 @@ from iconstudio.svg.lengths import (
 )
 
 _ORIGINS = {"left": "0%", "top": "0%", "center": "50%", "right": "100%", "bottom": "100%"}
+_OF_SERVERS = ("gradientTransform", "patternTransform")
 _OF_CSS = ("transform-origin", "transform-box", "translate", "rotate", "scale")
 
 
@@ -53,12 +54,9 @@ def _place(
         _call("scale", element.get("scale") if not element.tag.startswith("fe") else None),
         element.get("transform", ""),
     ]
-    name = next(
-        (key for key in ("gradientTransform", "patternTransform") if key in element.attrib), None
-    )
-    if name is not None:
+    for name in _OF_SERVERS:
         matrix = transform(element.get(name))
-        if matrix is not None:
+        if name in element.attrib and matrix is not None:
             element.set(name, f"matrix({written(matrix)})")
     if any(said):
         matrix = transform(" ".join(filter(None, said)))
@@ -95,7 +93,7 @@ def _origin(
     parts = [_ORIGINS.get(part, part) for part in (text or "50% 50%").lower().split()]
     if text and text.lower().split()[0] in ("top", "bottom"):
         parts = parts[1:2] + parts[:1] if len(parts) > 1 else ["50%", parts[0]]
-    parts = (parts + ["50%"])[:2]
+    parts = [*parts, "50%"][:2]
     box = (0.0, 0.0, page[2], page[3])
     if kind in ("fill-box", "stroke-box", "content-box", "border-box"):
         box = bounds(element, page, ids) or box

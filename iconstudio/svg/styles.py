@@ -23,7 +23,7 @@ _KEYWORDS = (
     "stroke-linejoin", "paint-order", "vector-effect", "mask-type", "text-anchor", "font-style",
     "font-variant", "font-weight", "font-stretch", "dominant-baseline", "alignment-baseline",
     "writing-mode", "direction", "text-decoration", "shape-rendering", "color-interpolation",
-    "color-interpolation-filters", "mix-blend-mode", "isolation", "transform-box", "enable-background",
+    "color-interpolation-filters", "mix-blend-mode", "isolation", "transform-box",
 )  # fmt: skip
 _OTHER = ("stroke-dasharray", "font-family", "transform", "transform-origin", "translate", "rotate",
           "scale", "d")  # fmt: skip
