@@ -12,7 +12,11 @@ PACKAGE = ROOT / "iconstudio"
 ADAPTERS = {
     "maxflow": "algorithms/maxflow.py",
     "numba": "algorithms/compiled.py",
-    "resvg_py": "library/resvg.py",
+    "resvg_py": "svg/resvg.py",
+    "fontTools": "svg/geometry.py",
+    "tinycss2": "svg/stylesheet.py",
+    "cssselect2": "svg/stylesheet.py",
+    "coloraide": "svg/colours.py",
     "pebble": "workers.py",
     "tqdm": "cli/progress.py",
 }

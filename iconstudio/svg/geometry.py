@@ -6,6 +6,7 @@ Everything is computed in double precision; the renderer has but 24 bits.
 import math
 import xml.etree.ElementTree as ET
 from collections.abc import Callable, Mapping
+from functools import lru_cache
 
 from fontTools.pens.boundsPen import ControlBoundsPen
 from fontTools.pens.recordingPen import RecordingPen
@@ -92,6 +93,7 @@ def moved(data: str, matrix: Matrix) -> str:
     return pen.getCommands()
 
 
+@lru_cache(maxsize=512)
 def data_bounds(data: str) -> Box | None:
     """Return the bounding box of the control points; None if there are none."""
     pen = ControlBoundsPen(None, ignoreSinglePoints=False)

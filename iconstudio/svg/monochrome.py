@@ -19,7 +19,6 @@ from iconstudio.algorithms.tone import pictogram
 from iconstudio.algorithms.vectorize import trace
 from iconstudio.model import CANVAS, Frame, IconstudioError
 from iconstudio.resources import resource
-from iconstudio.svg.check import check
 from iconstudio.svg.fitting import fitted
 from iconstudio.svg.lengths import Box, mapped
 from iconstudio.svg.near import brought_near
@@ -55,7 +54,7 @@ def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ..
     Raises
     ------
     IconstudioError
-        If there is nothing to be seen, or the renderer is not safe with it.
+        If there is nothing to be seen.
     """
     remarks = list(drawing.remarks)
     if drawing.texts:
@@ -67,7 +66,6 @@ def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ..
     content, matrix = brought_near(drawing.content, drawing.page, drawing.bounds)
     drawn = mapped(matrix, drawing.bounds)
     box = drawn if drawing.page is None else mapped(matrix, drawing.page)
-    check(document(content, box))
     frame = fitted(document(content, box), _common(box, drawn), fonts)
     if frame is None and drawing.page is not None:
         box = drawn

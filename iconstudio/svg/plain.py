@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from iconstudio.model import IconstudioError
 from iconstudio.svg import references
 from iconstudio.svg.animation import finish
+from iconstudio.svg.check import check
 from iconstudio.svg.geometry import SHAPES, bounds
 from iconstudio.svg.lengths import IDENTITY, Box, Matrix, numbers, pixels, written
 from iconstudio.svg.placing import place
@@ -74,7 +75,7 @@ def plain(root: ET.Element) -> Plain:
     Raises
     ------
     IconstudioError
-        If it draws nothing, and says why.
+        If it only defines what others may draw, or is not safe to draw.
     """
     remarks = finish(root)
     if any(True for _ in root.iter("script")):
@@ -93,8 +94,9 @@ def plain(root: ET.Element) -> Plain:
     remarks += outside if kept else []
     remarks += _without_unknown(root, kept)
     texts = tuple(_texts(kept))
-    remarks += place(root, page, ids)
     references.prune(root, kept)
+    check(ET.tostring(root, encoding="unicode"))  # before anything follows its references
+    remarks += place(root, page, ids)
     _without_contexts(root, False)
     content = _content(root, stretch)
     return Plain(

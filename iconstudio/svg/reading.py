@@ -1,12 +1,15 @@
 """Reads an icon of the user's own from an SVG document, with the credits that it carries."""
 
 import hashlib
+import logging
 from pathlib import Path
 
 from iconstudio.model import IconstudioError, Pictogram
 from iconstudio.svg import credits
 from iconstudio.svg.decode import decode
 from iconstudio.svg.parse import parse
+
+_log = logging.getLogger(__name__)
 
 
 def own_svg(data: bytes, name: str) -> Pictogram:
@@ -39,5 +42,11 @@ def own_svg(data: bytes, name: str) -> Pictogram:
         svg, remarks = in_black(plain(root), rdf)
     except IconstudioError as error:
         raise IconstudioError(f"“{name}” cannot be used. {error}") from None
+    except (ArithmeticError, LookupError, RecursionError, TypeError, ValueError) as error:
+        # What libraries make of input that nobody thought of.
+        _log.warning("Reading %r failed", name, exc_info=error)
+        raise IconstudioError(
+            f"“{name}” cannot be used. A part of it is not understood. Save it as plain SVG."
+        ) from None
     digest = hashlib.sha256(data).hexdigest()[:8]
     return Pictogram(f"own:{Path(name).stem}-{digest}", svg, credit, made_of, remarks)

@@ -12,9 +12,14 @@ from typing import Any
 import cssselect2
 import tinycss2
 
+from iconstudio.model import IconstudioError
+
 Declared = tuple[str, str, bool]
 """Property, value and whether it is important."""
 MAX_RULES = 5_000
+MAX_MATCHES = 300_000
+"""How often rules may apply to elements."""
+_LONGEST_SELECTOR = 2_000
 _ELSEWHERE = ("print", "speech")
 _DARK = re.compile(r"prefers-color-scheme\s*:\s*dark|forced-colors\s*:\s*active", re.IGNORECASE)
 _NEGATED = re.compile(r"\s*not\s", re.IGNORECASE)
@@ -52,12 +57,22 @@ class StyleSheet:
         """Yield each element with the declarations for it, the strongest last.
 
         Presentation attributes count as the weakest.
+
+        Raises
+        ------
+        IconstudioError
+            If rules apply too often.
         """
+        count = 0
         for wrapped in cssselect2.ElementWrapper.from_xml_root(root).iter_subtree():
             element = wrapped.etree_element
             declared = [(name, value, False) for name, value in element.items() if name != "style"]
             if self._rules:
-                for *_, pseudo, declarations in self._matcher.match(wrapped):
+                found = self._matcher.match(wrapped)
+                count += len(found)
+                if count > MAX_MATCHES:
+                    raise IconstudioError("Its style rules apply too often. Simplify it.")
+                for *_, pseudo, declarations in found:
                     if pseudo is None:
                         declared += declarations
             declared += declarations_of(element.get("style", ""))
@@ -96,10 +111,13 @@ class StyleSheet:
     def _add(self, rule: Any) -> None:
         self._rules += 1
         if self._rules > MAX_RULES:
-            return
+            raise IconstudioError(f"It has more than {MAX_RULES:,} style rules. Simplify it.")
         selector = tinycss2.serialize(rule.prelude).strip()
         declarations = list(_declarations(rule.content))
         if not declarations:
+            return
+        if len(selector) > _LONGEST_SELECTOR:
+            self.remarks.append("A style rule with too many selectors was left out.")
             return
         try:
             compiled = cssselect2.compile_selector_list(rule.prelude)

@@ -3,8 +3,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from iconstudio.library import rasterise as module
 from iconstudio.model import CANVAS, MARGIN, IconstudioError
+from iconstudio.svg import rasterise as module
 from iconstudio.svg.rasterise import ink_bounds, rasterise
 from iconstudio.svg.resvg import render_coverage
 
