@@ -12,6 +12,9 @@ from contextlib import closing
 from importlib import import_module
 from pathlib import Path
 
+import numpy as np
+from numpy.typing import NDArray
+
 from iconstudio.algorithms.matching import SCALES, Matcher, PreparedExemplar
 from iconstudio.algorithms.style import two_toned
 from iconstudio.library.collection import Collection, cache_folder
@@ -34,9 +37,9 @@ from iconstudio.model import (
     Sketch,
     Source,
 )
-from iconstudio.workers import Workers
+from iconstudio.workers import Workers, answer
 from iconstudio.workflows.choosing import choose_icons
-from iconstudio.workflows.drawing import draw_whole
+from iconstudio.workflows.drawing import MEMORY, SECONDS, draw_whole
 from iconstudio.workflows.editing import edit_icon, own_styles, prepare_change
 from iconstudio.workflows.estimating import estimated
 from iconstudio.workflows.events import Event, Progress, Result, Retrieved
@@ -44,7 +47,6 @@ from iconstudio.workflows.grid import ModelSettings
 from iconstudio.workflows.hybrids import mix_icons
 from iconstudio.workflows.modelling import model
 from iconstudio.workflows.montage import montage_icons
-from iconstudio.workflows.remixing import answer
 from iconstudio.workflows.solving import warm_up
 
 _PLENTY = 8
@@ -161,7 +163,22 @@ class Session:
     def drawing(self, exemplar: Exemplar) -> Drawing:
         """Return an icon drawn and traced as results are: crisp at any size."""
         whole = Source(exemplar, Placement())
-        return answer(draw_whole(whole, exemplar.ink, self._workers, render_placed))
+        drawing = draw_whole(whole, exemplar.ink, self._workers, render_placed)
+        return answer(drawing, f"Drawing “{exemplar.id}”")
+
+    def picture(self, exemplar: Exemplar, size: int) -> NDArray[np.uint8]:
+        """Draw an icon on its canvas as it is: (size, size) uint8, 255 = ink.
+
+        Raises
+        ------
+        IconstudioError
+            If that takes too long or too much memory.
+        """
+        svg, frame = exemplar.pictogram.svg, exemplar.frame
+        drawing = self._workers.submit(
+            render_placed, svg, frame, Placement(), size, timeout=SECONDS, memory=MEMORY
+        )
+        return answer(drawing, f"Drawing “{exemplar.id}”")
 
     def keyword(self, pictogram: Pictogram) -> str:
         """Return what icons like this one are looked for by; empty if its name does not say."""

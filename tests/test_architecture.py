@@ -13,7 +13,6 @@ ADAPTERS = {
     "maxflow": "algorithms/maxflow.py",
     "numba": "algorithms/compiled.py",
     "resvg_py": "library/resvg.py",
-    "pebble": "workers.py",
     "tqdm": "cli/progress.py",
 }
 

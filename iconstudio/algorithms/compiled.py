@@ -5,8 +5,14 @@ once: the result is kept beside the source, or in the user's cache folder if tha
 (``NUMBA_CACHE_DIR`` names another). So only processes that cut import this.
 """
 
-from numba import njit, types
-from numba.extending import intrinsic
+import os
+from contextlib import chdir
+
+with chdir(os.path.dirname(__file__)):  # numba looks for settings in the current folder,
+    from numba import njit, types
+    from numba.core import config
+    from numba.extending import intrinsic
+config._config_fname = os.devnull  # and does so again each time that it compiles
 
 part = njit(nogil=True)
 """A function that only compiled functions call. One that has no cache of its own."""

@@ -43,14 +43,6 @@ def perilous_entries(documents):
     return draw_entries(documents)
 
 
-def draw_in_little_memory(documents):
-    before, rasters._MEMORY = rasters._MEMORY, 400 << 20
-    try:
-        return draw_entries(documents)
-    finally:
-        rasters._MEMORY = before
-
-
 class NoWorkers:
     count = 1
 
@@ -192,7 +184,7 @@ def test_a_mistake_of_the_program_is_not_hidden(cache, monkeypatch):
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="no other limits address space")
 def test_a_document_that_eats_all_memory_loses_only_itself(cache, monkeypatch):
-    monkeypatch.setattr(rasters, "draw_entries", draw_in_little_memory)
+    monkeypatch.setattr(rasters, "_MEMORY", 100 << 20)
     shape = "<g>" + '<path d="M0 0h1v1z"/>' * 5000 + "</g>"
     dots = f'<path d="M0 0{"h1" * 100_000}" marker-mid="url(#m)"/>'
     eater = pictogram("eater", f'<marker id="m">{shape}</marker>{dots}')
