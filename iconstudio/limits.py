@@ -12,6 +12,33 @@ from time import monotonic
 
 
 @contextmanager
+def limited(seconds: float | None, memory: int | None) -> Iterator[None]:
+    """Limit both; where memory is limited, what a library says of its end is not shown."""
+    with time_limit(seconds), memory_limit(memory), silence(memory is not None):
+        yield
+
+
+@contextmanager
+def silence(wanted: bool = True) -> Iterator[None]:
+    """Let nothing that the block, or a library in it, writes to standard error be seen."""
+    try:
+        shown = os.dup(2) if wanted else None
+    except OSError:  # there is none
+        shown = None
+    if shown is None:
+        yield
+        return
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(nowhere, 2)
+    os.close(nowhere)
+    try:
+        yield
+    finally:
+        os.dup2(shown, 2)
+        os.close(shown)
+
+
+@contextmanager
 def time_limit(seconds: float | None) -> Iterator[None]:
     """End this process by ``SIGALRM`` if the block takes more than so many seconds.
 

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.matching import SCALES, Matcher, PreparedExemplar
 from iconstudio.algorithms.style import two_toned
+from iconstudio.files import remove_abandoned
 from iconstudio.library.collection import Collection, cache_folder
 from iconstudio.library.ownsvg import read_own_svg
 from iconstudio.library.preparing import PreparingCache
@@ -108,6 +109,8 @@ class Session:
         if cold:
             for lane in range(self._workers.count):
                 self._workers.submit(warm_up, render_placed, lane=lane)
+            for cache in ("rasters", "prepared"):
+                self._workers.submit(remove_abandoned, self._cache / cache)
             for name in _SLOW_TO_LOAD:
                 import_module(name)
             gc.freeze()  # They stay: they need not be looked through for garbage.

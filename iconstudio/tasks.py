@@ -14,7 +14,7 @@ from concurrent.futures import CancelledError
 from contextlib import suppress
 from typing import Any, TypeVar
 
-from iconstudio.limits import memory_limit, time_limit
+from iconstudio.limits import limited
 
 T = TypeVar("T")
 
@@ -115,5 +115,5 @@ def _run(
     _ticket = ticket
     if stopped():
         raise CancelledError
-    with time_limit(timeout and timeout + 1), memory_limit(memory):
+    with limited(timeout and timeout + 1, memory):
         return function(*args)

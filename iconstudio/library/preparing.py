@@ -51,7 +51,8 @@ class PreparingCache:
             key = _key(exemplar, scales)
             try:
                 found = _decoded(self._store.read(key), exemplar, scales)
-            except (OSError, ValueError, zlib.error, struct.error):
+            except (OSError, ValueError, zlib.error, struct.error) as error:
+                self._store.note_damage(key, error)
                 missing.append((index, key))
             else:
                 yield index, found

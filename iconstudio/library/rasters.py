@@ -101,7 +101,8 @@ class RasterCache:
             return _refusal(pictogram, self._refusals[key])
         try:
             return _decoded(self._store.read(key), pictogram)
-        except (OSError, ValueError, zlib.error, struct.error):
+        except (OSError, ValueError, zlib.error, struct.error) as error:
+            self._store.note_damage(key, error)
             return None
 
     def _keep(

@@ -17,7 +17,7 @@ from iconstudio.algorithms.ranking import Score
 from iconstudio.algorithms.raster import Bitmap, overlap, solid
 from iconstudio.algorithms.redraw import SCALE
 from iconstudio.algorithms.transfer import transferred
-from iconstudio.limits import memory_limit, time_limit
+from iconstudio.limits import limited
 from iconstudio.model import CANVAS, Composite, Drawing, Frame, Placement, Source
 from iconstudio.tasks import forget, remembered, stopped
 from iconstudio.workflows.drawing import MEMORY, PREVIEW, SECONDS, Render, draw
@@ -137,7 +137,7 @@ def solve(key: object, job: Job, step: Step, render: Render) -> Solved:
     if step.last:
         forget(key)
     cut = perf_counter()
-    with time_limit(SECONDS), memory_limit(MEMORY):
+    with limited(SECONDS, MEMORY):
         solved = finished(bench.posed, job, step, labels, render)
     return replace(solved, seconds=(cut - began, perf_counter() - cut))
 
