@@ -3,6 +3,8 @@
 import gc
 import sys
 
+from iconstudio.safepath import leave_current_folder
+
 
 class _Window:
     """The window as the command line sees it; Qt is imported when it is asked for."""
@@ -21,6 +23,7 @@ class _Window:
 
 def main() -> None:
     """Run the command line; without a command, open the window."""
+    leave_current_folder()
     from iconstudio.cli.app import run
 
     sys.exit(run(sys.argv[1:], _Window()))

@@ -4,6 +4,8 @@ import errno
 import os
 import secrets
 import stat
+import time
+from contextlib import suppress
 from pathlib import Path
 
 from iconstudio.model import IconstudioError
@@ -11,6 +13,8 @@ from iconstudio.model import IconstudioError
 _AT_ONCE = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOCTTY", 0)
 """Opening and reading never wait: not for the other end of a pipe, nor for a device."""
 _NO_FILE = "a device, a pipe or a socket"
+_ABANDONED = 60.0
+"""Seconds that no file takes to be written."""
 
 
 def read_bytes(path: Path, most: int) -> bytes:
@@ -53,7 +57,7 @@ def write_atomically(path: Path, data: bytes) -> None:
     """
     target = Path(os.path.realpath(path))
     before = _replaceable(target if path.is_symlink() else path)
-    temporary = target.with_name(f".{secrets.token_hex(8)}.part")
+    temporary = target.with_name(f".{os.getpid()}-{secrets.token_hex(8)}.part")
     try:
         with temporary.open("xb") as file:
             if before is not None:
@@ -87,3 +91,25 @@ def _replaceable(path: Path) -> os.stat_result | None:
     if not os.access(path, os.W_OK):
         raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
     return found
+
+
+def remove_abandoned(folder: Path) -> None:
+    """Remove what killed programs left half written in ``folder`` and the folders in it."""
+    for file in (*folder.glob(".*.part"), *folder.glob("*/.*.part")):
+        owner = file.name[1:].partition("-")[0]
+        with suppress(OSError):
+            if not (owner.isdecimal() and _lives(int(owner), file)):
+                file.unlink()
+
+
+def _lives(process: int, file: Path) -> bool:
+    """Whether a process still writes a file, as far as that can be told."""
+    if os.name == "nt":  # there, to ask would end it
+        return time.time() - file.stat().st_mtime < _ABANDONED
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return False
+    except OSError:
+        pass
+    return True

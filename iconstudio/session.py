@@ -12,9 +12,12 @@ from contextlib import closing
 from importlib import import_module
 from pathlib import Path
 
+import numpy as np
+from numpy.typing import NDArray
+
 from iconstudio.algorithms.matching import SCALES, Matcher, PreparedExemplar
 from iconstudio.algorithms.style import two_toned
-from iconstudio.files import read_bytes
+from iconstudio.files import read_bytes, remove_abandoned
 from iconstudio.library.collection import Collection, cache_folder
 from iconstudio.library.preparing import PreparingCache
 from iconstudio.library.rasters import RasterCache
@@ -36,9 +39,9 @@ from iconstudio.model import (
 from iconstudio.svg.decode import MAX_BYTES
 from iconstudio.svg.reading import own_svg
 from iconstudio.svg.resvg import render_placed
-from iconstudio.workers import Workers
+from iconstudio.workers import Workers, answer
 from iconstudio.workflows.choosing import choose_icons
-from iconstudio.workflows.drawing import draw_whole
+from iconstudio.workflows.drawing import MEMORY, SECONDS, draw_whole
 from iconstudio.workflows.editing import edit_icon, own_styles, prepare_change
 from iconstudio.workflows.estimating import estimated
 from iconstudio.workflows.events import Event, Progress, Result, Retrieved
@@ -46,11 +49,12 @@ from iconstudio.workflows.grid import ModelSettings
 from iconstudio.workflows.hybrids import mix_icons
 from iconstudio.workflows.modelling import model
 from iconstudio.workflows.montage import montage_icons
-from iconstudio.workflows.remixing import answer
 from iconstudio.workflows.solving import warm_up
 
 _PLENTY = 8
 """With so many others, icons of two tones are left out: only their dark part could be used."""
+_SECONDS, _MEMORY = 20.0, 1 << 30
+"""How long reading a file from outside may take, and how many bytes."""
 _KEPT = 3
 """How many keywords stay prepared: at most 70 MiB each."""
 
@@ -108,6 +112,8 @@ class Session:
         if cold:
             for lane in range(self._workers.count):
                 self._workers.submit(warm_up, render_placed, lane=lane)
+            for cache in ("rasters", "prepared"):
+                self._workers.submit(remove_abandoned, self._cache / cache)
             for name in _SLOW_TO_LOAD:
                 import_module(name)
             gc.freeze()  # They stay: they need not be looked through for garbage.
@@ -155,7 +161,8 @@ class Session:
         IconstudioError
             If it is no good.
         """
-        return self._workers.submit(own_svg, data, name, timeout=20).result()
+        reading = self._workers.submit(own_svg, data, name, timeout=_SECONDS, memory=_MEMORY)
+        return answer(reading, f"Reading “{name}”")
 
     def _own(self, path: Path) -> Pictogram:
         try:
@@ -180,7 +187,22 @@ class Session:
     def drawing(self, exemplar: Exemplar) -> Drawing:
         """Return an icon drawn and traced as results are: crisp at any size."""
         whole = Source(exemplar, Placement())
-        return answer(draw_whole(whole, exemplar.ink, self._workers, render_placed))
+        drawing = draw_whole(whole, exemplar.ink, self._workers, render_placed)
+        return answer(drawing, f"Drawing “{exemplar.id}”")
+
+    def picture(self, exemplar: Exemplar, size: int) -> NDArray[np.uint8]:
+        """Draw an icon on its canvas as it is: (size, size) uint8, 255 = ink.
+
+        Raises
+        ------
+        IconstudioError
+            If that takes too long or too much memory.
+        """
+        svg, frame = exemplar.pictogram.svg, exemplar.frame
+        drawing = self._workers.submit(
+            render_placed, svg, frame, Placement(), size, timeout=SECONDS, memory=MEMORY
+        )
+        return answer(drawing, f"Drawing “{exemplar.id}”")
 
     def keyword(self, pictogram: Pictogram) -> str:
         """Return what icons like this one are looked for by; empty if its name does not say."""

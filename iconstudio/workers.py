@@ -1,39 +1,49 @@
-"""Worker processes that can be stopped or killed: the adapter of pebble.
+"""Worker processes that can be stopped or killed, and whose work outlives them.
 
 A renderer may crash or hang on a hostile SVG, and a cut keeps a core busy for
 seconds; neither may stop the window. So both run in worker processes, and
 whoever waits for them holds a future. What is no longer wanted is stopped by
-its ticket, and the process lives on: to start another takes half a second.
+its ticket, and the process lives on: to start another takes half a second. The
+work of a process that dies is given to another one, once.
+
+Each process has a pipe of its own: one that is killed in the middle of a message, or while it holds
+a lock, can do no harm to the next.
 """
 
+import atexit
 import itertools
-import math
 import multiprocessing
 import os
+import pickle
 import signal
 import threading
-from collections.abc import Callable, Iterator
-from concurrent.futures import CancelledError, Future
-from concurrent.futures.process import BrokenProcessPool
-from contextlib import contextmanager, suppress
+from collections import deque
+from collections.abc import Callable
+from concurrent.futures import BrokenExecutor, CancelledError, Future, InvalidStateError
+from contextlib import suppress
 from time import monotonic
-from typing import Any, TypeVar
+from typing import Any
 
-T = TypeVar("T")
+from iconstudio.model import IconstudioError
+from iconstudio.safepath import protect_children
+from iconstudio.tasks import BEGUN, SLOTS, work
 
-REMEMBERED = 2
-"""How many things a process remembers."""
-_memory: dict[object, Any] = {}
-_NICENESS = 5
-"""By how much workers give way to the window."""
-_SLOTS = 1024
-"""How many tickets there can be at once."""
 _GRACE = 10.0
 """Seconds after which a task that was stopped, but works on, is killed if it is in the way."""
-_stops: Any = None
-"""In a worker process: for each slot, the last ticket that was stopped."""
-_ticket: int | None = None
-"""In a worker process: the ticket of the task that runs."""
+_TRIES = 2
+"""How many processes a task may lose while it runs."""
+_STARTS = 6
+"""How many processes may be lost in all before a task is given up: some before they began it."""
+_ALARM = getattr(signal, "SIGALRM", 0)
+_KILL = getattr(signal, "SIGKILL", 0)
+
+
+class ProcessDied(BrokenExecutor):
+    """The process that ran a task died, and so did the one that tried again."""
+
+    def __init__(self, exitcode: int | None) -> None:
+        super().__init__(f"the worker process ended with exit code {exitcode}")
+        self.exitcode = exitcode
 
 
 class Ticket:
@@ -46,7 +56,7 @@ class Ticket:
 
     def stop(self) -> None:
         """Tell the tasks to stop: those that ask ``stopped``, and those that have not begun."""
-        self._stops[self.number % _SLOTS] = self.number
+        self._stops[self.number % SLOTS] = self.number
         self._stopped = monotonic()
 
     @property
@@ -66,9 +76,11 @@ class Workers:
     def __init__(self, count: int | None = None) -> None:
         self.count = count or max(1, os.cpu_count() or 1)
         # Plain memory without a lock: one side writes, whole words.
-        self._stops = multiprocessing.get_context("spawn").RawArray("q", [-1] * _SLOTS)
+        self._stops = multiprocessing.get_context("spawn").RawArray("q", [-1] * SLOTS)
         self._tickets = itertools.count()
         self._lanes = [_Lane(self._stops) for _ in range(self.count)]
+        protect_children()
+        atexit.register(self.close)
 
     def ticket(self) -> Ticket:
         """Return a new ticket, for the tasks of one run."""
@@ -79,17 +91,22 @@ class Workers:
         function: Callable[..., Any],
         *args: Any,
         timeout: float | None = None,
+        memory: int | None = None,
         lane: int | None = None,
         ticket: Ticket | None = None,
     ) -> "Future[Any]":
-        """Run ``function(*args)`` in a worker.
+        """Run ``function(*args)`` in a worker; if its process dies, once more in another.
 
-        ``future.cancel()`` kills it, also while it runs. The future raises ``TimeoutError`` after
-        ``timeout`` seconds of running, ``CancelledError`` once it is cancelled or the pool closed,
-        and an error of which ``died`` is true if the process died.
+        ``future.cancel()`` kills it, also while it runs. The future raises ``CancelledError`` once
+        it is cancelled or the pool closed, and ``ProcessDied`` if the second process died, too;
+        ``answer`` turns this and what a limit ends into sentences.
 
         Parameters
         ----------
+        timeout
+            Seconds of running after which it is killed, and the future raises ``TimeoutError``.
+        memory
+            Bytes that it may take; then it raises ``MemoryError``, or its process dies.
         lane
             Number of the process, for tasks that build on what an earlier one left there; by
             default the one that has least to do.
@@ -103,7 +120,9 @@ class Workers:
             If the pool has been closed.
         """
         number = self.idlest() if lane is None else lane
-        return self._lanes[number].submit(function, args, timeout, ticket)
+        task = _Task((function, args, timeout, memory, ticket and ticket.number), timeout, ticket)
+        self._lanes[number].add(task)
+        return task
 
     def idlest(self) -> int:
         """Return the number of the process that has least to do."""
@@ -115,6 +134,7 @@ class Workers:
 
     def close(self) -> None:
         """Cancel all futures, kill the processes and wait until they have ended; for good."""
+        atexit.unregister(self.close)
         for lane in self._lanes:
             lane.close()
 
@@ -125,194 +145,210 @@ class Workers:
         self.close()
 
 
+class _Task(Future[Any]):
+    """What a worker has to do. It stays "pending" until it is done, so it can be cancelled."""
+
+    def __init__(self, work: tuple[Any, ...], timeout: float | None, ticket: Ticket | None) -> None:
+        super().__init__()
+        self.work = work
+        self.timeout = timeout
+        self.ticket = ticket
+
+    def cancel(self) -> bool:
+        """Cancel it, also while it runs."""
+        if not self.cancelled() and super().cancel():
+            with suppress(RuntimeError, InvalidStateError):
+                self.set_running_or_notify_cancel()  # wakes whoever waits for it
+        return self.cancelled()
+
+    def settle(self, value: Any, error: BaseException | None) -> None:
+        """Set its result or its error, unless it was cancelled meanwhile."""
+        with suppress(InvalidStateError):
+            if error is None:
+                self.set_result(value)
+            else:
+                self.set_exception(error)
+
+
 class _Lane:
-    """One process, and what it has to do."""
+    """A thread that gives one process after another what there is to do, task by task."""
 
     def __init__(self, stops: Any) -> None:
         self._stops = stops
-        self._pool: Any = None
         self._closed = False
-        self._lock = threading.Lock()
-        self._unsettled: dict[Future[Any], Ticket | None] = {}
+        self._changed = threading.Condition()
+        self._waiting: deque[_Task] = deque()
+        self._unsettled: dict[_Task, None] = {}
+        self._current: _Task | None = None
+        self._process: Any = None
+        self._connection: Any = None
+        self._thread: threading.Thread | None = None
 
     @property
     def load(self) -> int:
         """How many tasks run or wait."""
         return len(self._unsettled)
 
-    def submit(
-        self,
-        function: Callable[..., Any],
-        args: tuple[Any, ...],
-        timeout: float | None,
-        ticket: Ticket | None,
-    ) -> "Future[Any]":
-        """See ``Workers.submit``."""
-        for future, other in tuple(self._unsettled.items()):
-            if other is not None and other.overdue:
-                future.cancel()
-        number = None if ticket is None else ticket.number
-        with self._lock:
+    def add(self, task: _Task) -> None:
+        """Add a task; what is overdue is cancelled."""
+        for other in tuple(self._unsettled):
+            if other.ticket is not None and other.ticket.overdue:
+                other.cancel()
+        with self._changed:
             if self._closed:
                 raise CancelledError("The worker processes have been closed.")
-            if self._pool is not None and not self._pool.active:  # for lack of memory, perhaps
-                self._stop()
-            if self._pool is None:
-                self._pool = _start(self._stops)
-            task = function, args, timeout, number
-            future = self._pool.schedule(_run, args=task, timeout=timeout)
-            self._unsettled[future] = ticket
-        future.add_done_callback(self._settle)
-        return future
+            self._unsettled[task] = None
+            self._waiting.append(task)
+            self._changed.notify()
+            if self._thread is None:
+                self._thread = threading.Thread(target=self._serve, daemon=True)
+                self._thread.start()
+        task.add_done_callback(self._settled)
 
     def close(self) -> None:
         """See ``Workers.close``."""
-        with self._lock:
+        with self._changed:
             self._closed = True
-            self._stop()
+            self._changed.notify()
+            thread, unsettled = self._thread, tuple(self._unsettled)
+        for task in unsettled:
+            task.cancel()
+        if thread is not None:
+            thread.join()
 
-    def _stop(self) -> None:
-        pool, self._pool = self._pool, None
-        if pool is not None:
-            pool.stop()
-            self._cancel_all()
-            pool.join()
+    def _settled(self, task: Future[Any]) -> None:
+        with self._changed:
+            self._unsettled.pop(task, None)  # type: ignore[call-overload]
+            if task is self._current and task.cancelled() and self._process is not None:
+                self._process.kill()
 
-    def _settle(self, future: "Future[Any]") -> None:
-        self._unsettled.pop(future, None)
-        if future.cancelled():
-            # Wake whoever waits for it; pebble does so later, or never once it is stopped.
-            with suppress(RuntimeError):
-                future.set_running_or_notify_cancel()
-        elif isinstance(future.exception(), BrokenProcessPool):
-            self._cancel_all()  # pebble forgets those that it has not sent yet
+    def _serve(self) -> None:
+        while (task := self._next()) is not None:
+            value, error = self._outcome(task)
+            with self._changed:
+                self._current = None
+            task.settle(value, error)
+            del task, value, error  # Nothing is held while there is nothing to do.
+        self._end_process()
 
-    def _cancel_all(self) -> None:
-        for future in tuple(self._unsettled):
-            future.cancel()
+    def _next(self) -> _Task | None:
+        with self._changed:
+            while True:
+                self._changed.wait_for(lambda: self._closed or self._waiting)
+                if self._closed:
+                    return None
+                task = self._waiting.popleft()
+                if not task.done():
+                    self._current = task
+                    return task
+
+    def _outcome(self, task: _Task) -> tuple[Any, BaseException | None]:
+        """Return what a task comes to: its value or its error."""
+        try:
+            message = pickle.dumps(task.work, pickle.HIGHEST_PROTOCOL)
+        except Exception as error:
+            return None, error
+        lost, exitcode = 0, None
+        for _ in range(_STARTS):
+            begun = False
+            try:
+                self._need_process()
+                if task.done():
+                    break
+                self._connection.send_bytes(message)
+                begun = self._connection.recv_bytes() == BEGUN
+                if not self._connection.poll(task.timeout):
+                    self._end_process()
+                    return None, TimeoutError(f"more than {task.timeout:g} seconds")
+                return pickle.loads(self._connection.recv_bytes())
+            except (EOFError, OSError):  # it died
+                exitcode = self._end_process()
+                lost += begun
+                if task.done():
+                    break
+                if exitcode == -_ALARM:
+                    return None, TimeoutError("a limit of its own")
+                if lost == _TRIES:
+                    break
+            except Exception as error:  # what it sent cannot be unpickled
+                return None, error
+        return None, CancelledError() if task.done() else ProcessDied(exitcode)
+
+    def _need_process(self) -> None:
+        if self._process is not None and self._process.is_alive():
+            return
+        self._end_process()
+        # spawn: forking a process that runs Qt and threads is not safe.
+        context = multiprocessing.get_context("spawn")
+        ours, theirs = context.Pipe()
+        _block_interrupts()
+        process = context.Process(target=work, args=(theirs, self._stops), daemon=True)
+        try:
+            process.start()
+        except BaseException:
+            ours.close()
+            raise
+        finally:
+            theirs.close()
+        with self._changed:
+            self._process, self._connection = process, ours
+
+    def _end_process(self) -> int | None:
+        """Kill the process, if it lives, and return its exit code."""
+        with self._changed:
+            process, connection = self._process, self._connection
+            self._process = self._connection = None
+        if process is None:
+            return None
+        process.kill()
+        process.join()
+        connection.close()
+        return process.exitcode
 
 
-def remembered(key: object, make: Callable[[], T]) -> T:
-    """Return what a task has made under ``key`` in this process before, else ``make()``.
+def answer(future: "Future[Any]", doing: str = "The work") -> Any:
+    """Return what a worker process answers.
 
-    A process remembers ``REMEMBERED`` things. Tasks that build on each other name their lane.
-    """
-    found = _memory.pop(key, None)
-    _memory[key] = make() if found is None else found
-    while len(_memory) > REMEMBERED:
-        del _memory[next(iter(_memory))]
-    return _memory[key]
-
-
-def forget(key: object) -> None:
-    """Let go of what ``remembered`` keeps under ``key``."""
-    _memory.pop(key, None)
-
-
-def stopped() -> bool:
-    """Whether the task that runs in this process is no longer wanted."""
-    return _ticket is not None and _stops[_ticket % _SLOTS] >= _ticket
-
-
-def died(error: BaseException) -> bool:
-    """Whether a future's error says that the worker process died, as of a crash."""
-    from pebble import ProcessExpired
-
-    return isinstance(error, ProcessExpired)
-
-
-@contextmanager
-def memory_limit(size: int) -> Iterator[None]:
-    """Let this process have ``size`` bytes of address space at most, where the system can.
-
-    What needs more raises ``MemoryError`` in Python, and ends the process in a library.
+    Raises
+    ------
+    IconstudioError
+        If a limit was reached, its processes died, or it was stopped; a sentence that begins with
+        what it was ``doing``.
     """
     try:
-        import resource
-    except ImportError:  # Windows
-        yield
-        return
-    before = soft, hard = resource.getrlimit(resource.RLIMIT_AS)
-    if soft != resource.RLIM_INFINITY:
-        size = min(size, soft)
-    with suppress(ValueError, OSError):  # some versions of macOS
-        resource.setrlimit(resource.RLIMIT_AS, (size, hard))
-    try:
-        yield
-    finally:
-        resource.setrlimit(resource.RLIMIT_AS, before)
+        return future.result()
+    except CancelledError:
+        raise IconstudioError(f"{doing} was stopped.") from None
+    except Exception as error:
+        reason = loss(error, doing)
+        if reason is None:
+            raise
+        raise IconstudioError(reason) from error
 
 
-def _start(stops: Any) -> Any:
-    from pebble import ProcessPool
+def loss(error: BaseException | None, doing: str) -> str | None:
+    """Return why a future's task was lost, in a sentence; None if it is an error of its own."""
+    if isinstance(error, TimeoutError):
+        return f"{doing} takes too long."
+    if isinstance(error, MemoryError):
+        return f"{doing} takes too much memory."
+    if isinstance(error, ProcessDied):
+        if error.exitcode == -_KILL:
+            return (
+                f"{doing} was ended twice by the system, perhaps for lack of memory. "
+                "Close other programs and try again."
+            )
+        return f"{doing} crashes the process that does it, or takes too much memory."
+    return None
 
-    # spawn: forking a process that runs Qt and threads is not safe.
-    context = multiprocessing.get_context("spawn")
-    with _interrupts_blocked():
-        pool = ProcessPool(
-            max_workers=1, initializer=_initialise, initargs=[stops], context=context
-        )
-        _ = pool.active  # starts it
-    return pool
 
-
-@contextmanager
-def _interrupts_blocked() -> Iterator[None]:
-    """Block Ctrl-C in this thread, and so for good in the threads and processes that it starts.
+def _block_interrupts() -> None:
+    """Block Ctrl-C in this thread, and so for good in the processes that it starts.
 
     Otherwise a worker interrupted while it starts would print a traceback.
     """
-    if not hasattr(signal, "pthread_sigmask"):
-        yield
-        return
-    from multiprocessing import resource_tracker
+    if hasattr(signal, "pthread_sigmask"):
+        from multiprocessing import resource_tracker
 
-    resource_tracker.ensure_running()  # its start would end the blocking
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-    try:
-        yield
-    finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, before)
-
-
-def _initialise(stops: Any) -> None:
-    """Prepare a worker process."""
-    global _stops
-    _stops = stops
-    # pebble's handler runs only between two steps of Python, so not in a cut or a hung renderer.
-    signal.signal(signal.SIGTERM, signal.SIG_DFL)
-    for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
-        os.environ.setdefault(name, "1")
-    if hasattr(os, "nice"):
-        os.nice(_NICENESS)
-    threading.Thread(target=_end_with_parent, daemon=True).start()
-
-
-def _end_with_parent() -> None:
-    parent = multiprocessing.parent_process()
-    if parent is not None:
-        parent.join()
-        os._exit(1)
-
-
-def _run(
-    function: Callable[..., Any],
-    args: tuple[Any, ...],
-    timeout: float | None,
-    ticket: int | None,
-) -> Any:
-    """Run a task in a worker process, which outlives its time by two seconds at most.
-
-    This is for a task that hangs in a library when nobody is left to kill it.
-    """
-    global _ticket
-    _ticket = ticket
-    if stopped():
-        raise CancelledError
-    if timeout is None or not hasattr(signal, "alarm"):
-        return function(*args)
-    signal.alarm(math.ceil(timeout) + 1)
-    try:
-        return function(*args)
-    finally:
-        signal.alarm(0)
+        resource_tracker.ensure_running()  # its start would end the blocking
+        signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})

@@ -17,7 +17,6 @@ ADAPTERS = {
     "tinycss2": "svg/stylesheet.py",
     "cssselect2": "svg/stylesheet.py",
     "coloraide": "svg/colours.py",
-    "pebble": "workers.py",
     "tqdm": "cli/progress.py",
 }
 

@@ -1,12 +1,14 @@
 import os
 import socket
 import stat
+import subprocess
+import sys
 from contextlib import closing
 from pathlib import Path
 
 import pytest
 
-from iconstudio.files import read_bytes, write_atomically
+from iconstudio.files import read_bytes, remove_abandoned, write_atomically
 from iconstudio.model import IconstudioError
 
 posix = pytest.mark.skipif(os.name != "posix", reason="needs POSIX files")
@@ -133,3 +135,21 @@ def test_the_users_mask_is_respected(tmp_path):
     finally:
         os.umask(before)
     assert stat.S_IMODE((tmp_path / "file").stat().st_mode) == 0o640
+
+
+def test_what_a_killed_program_left_is_removed_however_young(tmp_path):
+    dead = subprocess.Popen([sys.executable, "-c", ""])
+    dead.wait()
+    other = subprocess.Popen([sys.executable, "-c", "input()"], stdin=subprocess.PIPE)
+    (tmp_path / "ab").mkdir()
+    left = [tmp_path / "ab" / f".{dead.pid}-01.part", tmp_path / f".{dead.pid}-02.part"]
+    left.append(tmp_path / ".0123456789abcdef.part")
+    kept = [tmp_path / "ab" / f".{other.pid}-03.part", tmp_path / "ab" / "cdef", tmp_path / ".part"]
+    for file in (*left, *kept):
+        file.touch()
+    try:
+        remove_abandoned(tmp_path)
+    finally:
+        other.communicate(b"\n")
+    assert not any(file.exists() for file in left)
+    assert all(file.exists() for file in kept)

@@ -9,15 +9,10 @@ from pathlib import Path
 
 import pytest
 
-from iconstudio.workers import (
-    REMEMBERED,
-    Workers,
-    died,
-    forget,
-    memory_limit,
-    remembered,
-    stopped,
-)
+from iconstudio.limits import time_limit
+from iconstudio.model import IconstudioError
+from iconstudio.tasks import REMEMBERED, forget, remembered, stopped
+from iconstudio.workers import ProcessDied, Workers, answer
 
 posix = pytest.mark.skipif(os.name != "posix", reason="needs POSIX signals")
 linux = pytest.mark.skipif(not Path("/proc/self").exists(), reason="looks processes up in /proc")
@@ -65,8 +60,7 @@ def surroundings():
 
 
 def allocate(size):
-    with memory_limit(2**30):
-        return len(bytearray(size))
+    return len(bytearray(size))
 
 
 def told(path):
@@ -118,9 +112,9 @@ def test_a_task_that_cannot_be_pickled_is_an_error_of_its_own(workers):
 
 def test_a_crash_loses_the_task_and_no_other(workers):
     futures = [workers.submit(vanish, 3), workers.submit(add, 1, 2)]
-    assert died(futures[0].exception())
+    assert isinstance(futures[0].exception(), ProcessDied)
+    assert futures[0].exception().exitcode == 3
     assert futures[1].result() == 3
-    assert not died(ValueError())
 
 
 @linux
@@ -153,8 +147,9 @@ def test_workers_give_way_and_ignore_interrupts(workers):
 @linux
 def test_memory_can_be_limited(workers):
     with pytest.raises(MemoryError):
-        workers.submit(allocate, 2**30).result()
-    assert workers.submit(allocate, 2**20).result() == 2**20
+        workers.submit(allocate, 2**30, memory=2**29).result()
+    assert workers.submit(allocate, 2**20, memory=2**29).result() == 2**20
+    assert workers.submit(allocate, 2**30).result() == 2**30
     assert workers.submit(swallow, b"x").result() == 1
 
 
@@ -375,3 +370,119 @@ def test_a_task_that_does_not_stop_is_killed_when_it_is_in_the_way(tmp_path, mon
         number = told(tmp_path / "a")
         ticket.stop()
         assert workers.submit(pid).result(timeout=60) != number
+
+
+def tell_and_sleep(folder, seconds):
+    """Leave a file named after the process's number, sleep, and return the number."""
+    (folder / str(os.getpid())).touch()
+    time.sleep(seconds)
+    return os.getpid()
+
+
+def numbers_in(folder):
+    return {int(path.name) for path in folder.iterdir()}
+
+
+def kill_next(folder, killed):
+    """Kill the next process that leaves its number."""
+    deadline = time.monotonic() + 30
+    while not (new := numbers_in(folder) - killed):
+        assert time.monotonic() < deadline
+        time.sleep(0.02)
+    (number,) = new
+    os.kill(number, signal.SIGKILL)
+    killed.add(number)
+
+
+@posix
+def test_the_work_of_a_killed_process_is_given_to_another_once(tmp_path):
+    with Workers(1) as workers:
+        future = workers.submit(tell_and_sleep, tmp_path, 2)
+        after = [workers.submit(add, 1, number) for number in range(3)]
+        killed = set()
+        kill_next(tmp_path, killed)
+        assert future.result(timeout=60) in numbers_in(tmp_path) - killed
+        assert [one.result(timeout=60) for one in after] == [1, 2, 3]
+
+
+@posix
+def test_a_task_that_loses_two_processes_ends_in_a_sentence(tmp_path):
+    with Workers(1) as workers:
+        future = workers.submit(tell_and_sleep, tmp_path, 600)
+        after = workers.submit(add, 1, 2)
+        killed = set()
+        kill_next(tmp_path, killed)
+        kill_next(tmp_path, killed)
+        with pytest.raises(IconstudioError, match=r"^Drawing it was ended twice by the system"):
+            answer(future, "Drawing it")
+        assert after.result(timeout=60) == 3
+        assert len(numbers_in(tmp_path)) == 2
+
+
+def make_much(path):
+    """Make a result that fills the pipe many times over, so that it is killed while it sends."""
+    path.write_text(str(os.getpid()))
+    return bytes(300_000_000)
+
+
+@posix
+def test_a_process_that_is_killed_while_it_answers_harms_no_other(tmp_path):
+    with Workers(1) as workers:
+        for number in range(6):
+            path = tmp_path / str(number)
+            future = workers.submit(make_much, path)
+            first = told(path)
+            time.sleep(0.03 * number)
+            os.kill(first, signal.SIGKILL)
+            assert len(future.result(timeout=60)) == 300_000_000
+            assert workers.submit(add, 1, 2).result(timeout=60) == 3
+
+
+@linux
+def test_what_was_cancelled_is_not_tried_again(tmp_path):
+    with Workers(1) as workers:
+        future = workers.submit(tell_and_sleep, tmp_path, 600)
+        while not (numbers := numbers_in(tmp_path)):
+            time.sleep(0.02)
+        assert future.cancel()
+        assert workers.submit(add, 1, 1).result(timeout=60) == 2
+        assert numbers_in(tmp_path) == numbers
+        assert not any(map(alive, numbers))
+
+
+def set_a_limit(seconds, work):
+    with time_limit(seconds):
+        time.sleep(work)
+    time.sleep(seconds)
+    return "in time"
+
+
+@posix
+def test_a_limit_within_a_task(workers):
+    assert workers.submit(set_a_limit, 0.3, 0.1).result(timeout=60) == "in time"
+    with pytest.raises(TimeoutError):
+        workers.submit(set_a_limit, 0.3, 600).result(timeout=60)
+    with pytest.raises(TimeoutError):
+        workers.submit(set_a_limit, 600, 600, timeout=0.3).result(timeout=60)
+
+
+@pytest.mark.parametrize(
+    ("task", "limits", "words"),
+    [
+        ((time.sleep, 600), {"timeout": 0.2}, "Drawing it takes too long."),
+        ((allocate, 2**30), {"memory": 2**28}, "Drawing it takes too much memory."),
+        ((vanish, 1), {}, "Drawing it crashes the process that does it, or takes too much memory."),
+    ],
+)
+def test_what_a_limit_ends_is_told_in_a_sentence(workers, task, limits, words):
+    if "memory" in limits and not sys.platform.startswith("linux"):
+        pytest.skip("no other limits address space")
+    with pytest.raises(IconstudioError) as caught:
+        answer(workers.submit(*task, **limits), "Drawing it")
+    assert str(caught.value) == words
+
+
+def test_an_error_of_the_task_is_no_sentence(workers):
+    with pytest.raises(ValueError, match="no good") as caught:
+        answer(workers.submit(fail, "no good"), "Drawing it")
+    assert "in fail" in caught.value.__notes__[0]

@@ -7,7 +7,6 @@ from PIL import Image
 
 from iconstudio.output import png
 from iconstudio.session import Session
-from iconstudio.svg.resvg import render_coverage
 
 
 @click.command("show")
@@ -24,8 +23,8 @@ def command(icon: str, picture: Path | None) -> None:
     with Session() as session:
         pictogram = session.icon(icon)
         exemplar = session.exemplar(pictogram)
+        ink = None if picture is None else session.picture(exemplar, png.SIZE)
     if picture is not None:
-        ink = render_coverage(pictogram.svg, exemplar.frame, png.SIZE)
         png.write(picture, png.encoded(Image.fromarray(255 - ink)))
     for one in dict.fromkeys((pictogram, *pictogram.origins)):
         click.echo(f"{one.id}\t{one.credit.author}\t{one.credit.license}")

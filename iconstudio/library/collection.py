@@ -1,11 +1,13 @@
 """The bundled collection, opened: icons by keyword and by identifier."""
 
+import logging
 import os
 import sqlite3
 import threading
-from collections.abc import Generator, Iterable
+from collections.abc import Callable, Generator, Iterable
+from functools import wraps
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,9 +23,13 @@ from iconstudio.library.relations import BROADER, KIND
 from iconstudio.model import Credit, IconstudioError, Pictogram
 from iconstudio.resources import resource
 
+log = logging.getLogger(__name__)
+T = TypeVar("T")
+
 LIMIT = 200
 """Most pictograms for a keyword (section 3.1)."""
 
+_DAMAGED = "The unpacked icon collection is damaged, and unpacked anew: %s"
 _FEW = 20
 """With fewer drawings, a keyword lends no parts to choose from."""
 
@@ -49,22 +55,48 @@ def cache_folder() -> Path:
     return user_cache_path("iconstudio", appauthor=False)
 
 
+def _mended(method: Callable[..., T]) -> Callable[..., T]:
+    """Ask again if it fails because the unpacked file is damaged: it is unpacked anew."""
+
+    @wraps(method)
+    def ask(self: "Collection", *args: Any, **options: Any) -> T:
+        before = self._database
+        try:
+            return method(self, *args, **options)
+        except IconstudioError:
+            raise
+        except Exception:
+            if not self._mend(before):
+                raise
+            return method(self, *args, **options)
+
+    return ask
+
+
 class Collection:
     """Icons with their credits. May be used by several threads at once.
 
     Made by ``open`` or ``opening``; ``close`` it, or use it in a ``with`` block.
     """
 
-    def __init__(self, path: Path) -> None:
-        self._lock = threading.Lock()
+    def __init__(self, archive: Archive, path: Path) -> None:
+        self._lock = threading.RLock()
+        self._archive = archive
+        self._path = path
+        self._closed = False
+        self._open()
+
+    def _open(self) -> None:
         self._database = sqlite3.connect(
-            f"{path.absolute().as_uri()}?mode=ro&immutable=1", uri=True, check_same_thread=False
+            f"{self._path.absolute().as_uri()}?mode=ro&immutable=1",
+            uri=True,
+            check_same_thread=False,
         )
         try:
             ((cells, blackness),) = self._rows("SELECT cells, blackness FROM shapes")
             self._sets = {row[0]: row[1:] for row in self._rows("SELECT * FROM icon_set")}
         except BaseException:
-            self.close()
+            self._database.close()
             raise
         self._cells: NDArray[np.uint64] = stack([cells])
         self._blackness = np.frombuffer(blackness, dtype=np.uint8)
@@ -89,14 +121,17 @@ class Collection:
         """
         archive = Archive.at(folder or resource("collection"))
         path = (cache or cache_folder()) / f"collection-{archive.digest}.sqlite"
-        if not database.is_complete(path):
+        database.remove_abandoned(path.parent)
+        if not database.is_sound(path):
+            if os.path.lexists(path):
+                log.warning(_DAMAGED, path)
             yield from database.unpack(archive, path)
         try:
-            return cls(path)
-        except (sqlite3.Error, ValueError) as error:
-            raise IconstudioError(
-                f"The unpacked icon collection is damaged ({error}). Delete {path}."
-            ) from None
+            return cls(archive, path)
+        except (sqlite3.Error, ValueError):
+            log.warning(_DAMAGED, path)
+            yield from database.unpack(archive, path)
+            return cls(archive, path)
 
     @classmethod
     def open(cls, folder: Path | None = None, cache: Path | None = None) -> "Collection":
@@ -111,7 +146,24 @@ class Collection:
     def close(self) -> None:
         """Close the file."""
         with self._lock:
+            self._closed = True
             self._database.close()
+
+    def _mend(self, before: sqlite3.Connection) -> bool:
+        """Unpack the collection anew if it is damaged; whether it was ``before``."""
+        with self._lock:
+            if self._closed:
+                return False
+            if self._database is not before:  # another thread has mended it
+                return True
+            if database.is_sound(self._path, thorough=True):
+                return False
+            log.warning(_DAMAGED, self._path)
+            self._database.close()
+            for _ in database.unpack(self._archive, self._path):
+                pass
+            self._open()
+            return True
 
     def __enter__(self) -> "Collection":
         return self
@@ -122,6 +174,7 @@ class Collection:
     def __len__(self) -> int:
         return len(self._blackness)
 
+    @_mended
     def search(
         self, keyword: str, limit: int = LIMIT, exclude: frozenset[str] = frozenset()
     ) -> tuple[Pictogram, ...]:
@@ -143,6 +196,7 @@ class Collection:
             raise IconstudioError(self._nothing(keyword, forms[0], bool(exclude)))
         return self._pictograms(found)
 
+    @_mended
     def get(self, identifier: str) -> Pictogram:
         """Return the pictogram ``set:name``.
 
@@ -159,6 +213,7 @@ class Collection:
             raise IconstudioError(f"The collection has no icon '{identifier}'.{_hint(near)}")
         return self._pictograms(numbers)[0]
 
+    @_mended
     def suggest(self, keyword: str) -> tuple[str, ...]:
         """Return keywords near to ``keyword`` in spelling that do have results."""
         forms = search.spellings(keyword)
@@ -167,6 +222,7 @@ class Collection:
         words = [row[0] for row in self._rows("SELECT DISTINCT word FROM relation WHERE rank < 2")]
         return search.nearest(forms[0], words)
 
+    @_mended
     def keyword(self, title: str) -> str:
         """Return what icons like the one of that title are looked for by; empty if nothing is.
 

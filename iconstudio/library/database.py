@@ -3,17 +3,22 @@
 It is written beside its final place and moved there when it is complete, so an
 interrupted first opening leaves nothing that could be taken for a collection, and two programs
 that open at the same time do no harm: the last one's file replaces an equal one.
+
+A checksum tells if a byte of it has changed. To read it all takes a twentieth of a second, so it is
+done only where the file's time of change is not the one that the last check has given it.
 """
 
 import errno
 import json
 import os
+import shutil
 import sqlite3
 import tempfile
 import time
+import zlib
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import closing, suppress
+from contextlib import closing, contextmanager, suppress
 from itertools import repeat
 from pathlib import Path
 from typing import Any
@@ -23,7 +28,9 @@ from iconstudio.library.progress import Progress
 from iconstudio.model import IconstudioError
 
 _ABANDONED = 3600.0
-"""Seconds after which a file that no opening completed or touched may be removed."""
+"""Seconds after which the collection of another version may be removed."""
+_CHECKSUM = slice(60, 64)
+"""Where a database keeps its "user version", in which no bit of its own counts."""
 
 _SCHEMA = """
 CREATE TABLE icon (
@@ -47,28 +54,69 @@ def unpack(archive: Archive, path: Path) -> Iterator[Progress]:
     IconstudioError
         If the collection is damaged, or the folder of ``path`` is full or cannot be written.
     """
-    temporary = None
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        handle, name = tempfile.mkstemp(prefix=".unpacking-", suffix=".sqlite", dir=path.parent)
-        os.close(handle)
-        temporary = Path(name)
-        yield from _fill(archive, temporary)
-        os.replace(temporary, path)
+        with _temporary(path.parent) as temporary:
+            yield from _fill(archive, temporary)
+            _seal(temporary)
+            if path.is_dir() and not path.is_symlink():
+                shutil.rmtree(path)
+            os.replace(temporary, path)
         _remove_others(path)
     except (OSError, sqlite3.OperationalError) as error:
-        if is_complete(path):  # another program, which may hold the file open, was first
+        if is_sound(path):  # another program, which may hold the file open, was first
             return
         raise IconstudioError(_no_room(path.parent, error)) from None
+
+
+@contextmanager
+def _temporary(folder: Path) -> Iterator[Path]:
+    """Give a new file to unpack into, which nobody removes before this ends."""
+    while True:
+        handle, name = tempfile.mkstemp(prefix=".unpacking-", suffix=".sqlite", dir=folder)
+        if _locked(handle) and os.path.exists(name):
+            break
+        os.close(handle)  # somebody took it for abandoned before it was locked
+    try:
+        yield Path(name)
     finally:
-        if temporary is not None:
-            temporary.unlink(missing_ok=True)
+        os.close(handle)
+        Path(name).unlink(missing_ok=True)
+
+
+def _locked(handle: int) -> bool:
+    """Lock an open file, unless another program has: a lock ends with its process."""
+    try:
+        import fcntl
+    except ImportError:  # Windows, where no open file can be removed
+        return True
+    try:
+        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        return False
+    except OSError:  # a file system without locks
+        return time.time() - os.fstat(handle).st_mtime > _ABANDONED
+    return True
+
+
+def remove_abandoned(folder: Path) -> None:
+    """Remove what programs that were killed left half unpacked, however young it is."""
+    for file in folder.glob(".unpacking-*"):
+        with suppress(OSError):
+            handle = os.open(file, os.O_RDWR)
+            try:
+                if _locked(handle) and os.name != "nt":
+                    file.unlink()
+            finally:
+                os.close(handle)
+            if os.name == "nt":
+                file.unlink()
 
 
 def _remove_others(path: Path) -> None:
-    """Remove the collections of other versions, and what killed programs left half unpacked."""
+    """Remove the collections of other versions."""
     old = time.time() - _ABANDONED
-    for other in (*path.parent.glob("collection-*.sqlite"), *path.parent.glob(".unpacking-*")):
+    for other in path.parent.glob("collection-*.sqlite"):
         with suppress(OSError):
             if other != path and other.stat().st_mtime < old:
                 other.unlink()
@@ -154,14 +202,62 @@ def _insert_icons(database: sqlite3.Connection, columns: dict[str, Any], bodies:
     database.execute("CREATE UNIQUE INDEX icon_by_id ON icon (id)")
 
 
-def is_complete(path: Path) -> bool:
-    """Whether ``path`` is a database as long as its header says."""
+def is_sound(path: Path, thorough: bool = False) -> bool:
+    """Whether ``path`` is the database that was once unpacked there, to the last byte.
+
+    It is read only if its time of change is not that of the last check, or to be ``thorough``.
+    """
     try:
         with path.open("rb") as file:
             header = file.read(100)
-        page = int.from_bytes(header[16:18], "big")
-        page = 65536 if page == 1 else page
-        pages = int.from_bytes(header[28:32], "big")
-        return header.startswith(b"SQLite format 3\0") and path.stat().st_size == page * pages
+        if not _is_complete(header, path.stat().st_size):
+            return False
+        stored = int.from_bytes(header[_CHECKSUM], "big")
+        if not thorough and path.stat().st_mtime_ns % 10**9 == _fraction(stored):
+            return True
+        if _checksum(path) != stored:
+            return False
+        with suppress(OSError):  # of another user, perhaps
+            _mark(path, stored)
+        return True
     except OSError:
         return False
+
+
+def _is_complete(header: bytes, size: int) -> bool:
+    """Whether a database is as long as its header says."""
+    page = int.from_bytes(header[16:18], "big")
+    page = 65536 if page == 1 else page
+    pages = int.from_bytes(header[28:32], "big")
+    return header.startswith(b"SQLite format 3\0") and size == page * pages
+
+
+def _seal(path: Path) -> None:
+    """Write a database's checksum into it."""
+    checksum = _checksum(path)
+    with path.open("r+b") as file:
+        file.seek(_CHECKSUM.start)
+        file.write(checksum.to_bytes(4, "big"))
+    _mark(path, checksum)
+
+
+def _mark(path: Path, checksum: int) -> None:
+    """Remember in a file's time of change that it was checked: any change ends that."""
+    now = int(time.time()) * 10**9 + _fraction(checksum)
+    os.utime(path, ns=(now, now))
+
+
+def _fraction(checksum: int) -> int:
+    """Return the nanoseconds of a second that stand for a checksum; NTFS counts in hundreds."""
+    return checksum % 10**7 * 100
+
+
+def _checksum(path: Path) -> int:
+    """Return the CRC-32 of a file but for the place where it is kept."""
+    with path.open("rb") as file:
+        head = bytearray(file.read(100))
+        head[_CHECKSUM] = bytes(4)
+        checksum = zlib.crc32(head)
+        while block := file.read(1 << 20):
+            checksum = zlib.crc32(block, checksum)
+    return checksum

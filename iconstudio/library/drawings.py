@@ -14,11 +14,12 @@ from iconstudio.library.progress import Progress
 from iconstudio.model import Frame, IconstudioError
 from iconstudio.svg.check import check
 from iconstudio.svg.resvg import render_coverage
-from iconstudio.workers import Workers, died
+from iconstudio.workers import Workers, loss
 
 _SIZE = 96
 _BATCH = 512
 _SECONDS = 60.0
+_MEMORY = 1 << 30
 
 
 def fingerprints(
@@ -26,7 +27,9 @@ def fingerprints(
 ) -> Iterator[Progress | list[Fingerprint | None]]:
     """Yield progress, and at last the fingerprint of every icon, None where there is none."""
     batches = [icons[i : i + _BATCH] for i in range(0, len(icons), _BATCH)]
-    futures = [workers.submit(_draw_all, batch, timeout=_SECONDS) for batch in batches]
+    futures = [
+        workers.submit(_draw_all, batch, timeout=_SECONDS, memory=_MEMORY) for batch in batches
+    ]
     found: list[Fingerprint | None] = []
     for batch, future in zip(batches, futures, strict=True):
         drawn = _result(future)
@@ -37,16 +40,18 @@ def fingerprints(
 
 def _one_by_one(batch: Sequence[RawIcon], workers: Workers) -> list[Fingerprint | None]:
     """Draw a batch that took its worker down: only the culprits are lost."""
-    drawn = (_result(workers.submit(_draw_all, [icon], timeout=5.0)) for icon in batch)
+    drawn = (
+        _result(workers.submit(_draw_all, [icon], timeout=5.0, memory=_MEMORY)) for icon in batch
+    )
     return [one[0] if one else None for one in drawn]
 
 
 def _result(future: "Future[Any]") -> list[Fingerprint | None] | None:
-    """Return what a worker has drawn; None if it died or took too long."""
+    """Return what a worker has drawn; None if it died, or took too much."""
     try:
         return future.result()
     except Exception as error:
-        if isinstance(error, TimeoutError) or died(error):
+        if loss(error, "Drawing"):
             return None
         raise
 

@@ -14,7 +14,7 @@ from iconstudio.algorithms import sliding
 from iconstudio.algorithms.matching import PreparedExemplar, prepare
 from iconstudio.library.store import Store, key_of
 from iconstudio.model import CANVAS, Exemplar
-from iconstudio.workers import Workers, died
+from iconstudio.workers import ProcessDied, Workers
 
 FORMAT = 1
 """To be raised when ``prepare`` or the files change; older files are then left alone."""
@@ -51,7 +51,8 @@ class PreparingCache:
             key = _key(exemplar, scales)
             try:
                 found = _decoded(self._store.read(key), exemplar, scales)
-            except (OSError, ValueError, zlib.error, struct.error):
+            except (OSError, ValueError, zlib.error, struct.error) as error:
+                self._store.note_damage(key, error)
                 missing.append((index, key))
             else:
                 yield index, found
@@ -94,9 +95,8 @@ def prepared_entries(exemplars: Sequence[Exemplar], scales: tuple[float, ...]) -
 def _entries(
     future: "Future[Any]", exemplars: Sequence[Exemplar], scales: tuple[float, ...]
 ) -> list[bytes]:
-    """Return what a worker has prepared; if its process was lost, prepare it here."""
-    error = future.exception()
-    if error is not None and died(error):
+    """Return what a worker has prepared; if its processes were lost, prepare it here."""
+    if isinstance(future.exception(), ProcessDied):
         return prepared_entries(exemplars, scales)
     return future.result()
 

@@ -14,7 +14,7 @@ from iconstudio.library.store import Store, key_of
 from iconstudio.model import CANVAS, Exemplar, Frame, IconstudioError, Pictogram
 from iconstudio.svg.rasterise import rasterise
 from iconstudio.svg.resvg import VERSION
-from iconstudio.workers import Workers, died, memory_limit
+from iconstudio.workers import Workers, loss
 
 FORMAT = 1
 """To be raised when the drawing or the files change; older files are then left alone."""
@@ -22,8 +22,8 @@ FORMAT = 1
 _CHUNK = 8
 _CHUNK_SECONDS = 10.0
 _ONE_SECONDS = 5.0
-_MEMORY = 3 << 29
-"""Bytes of address space for a process that draws."""
+_MEMORY = 1 << 30
+"""Bytes that drawing may take."""
 
 _FRAME = struct.Struct("<3d")
 _DRAWN, _REFUSED = b"D", b"R"
@@ -78,10 +78,16 @@ class RasterCache:
             while chunks and len(waiting) < 2 * self._workers.count:
                 chunk, seconds = chunks.popleft()
                 documents = [pictograms[index].svg for index, _ in chunk]
-                waiting[self._workers.submit(draw_entries, documents, timeout=seconds)] = chunk
+                future = self._workers.submit(
+                    draw_entries, documents, timeout=seconds, memory=_MEMORY
+                )
+                waiting[future] = chunk
             for future in wait(waiting, return_when=FIRST_COMPLETED).done:
                 chunk = waiting.pop(future)
-                failure = _failure(future)
+                error = future.exception()
+                failure = loss(error, "Drawing it")
+                if error is not None and failure is None:
+                    raise error
                 if failure is None:
                     for (index, key), entry in zip(chunk, future.result(), strict=True):
                         yield index, key, entry
@@ -95,7 +101,8 @@ class RasterCache:
             return _refusal(pictogram, self._refusals[key])
         try:
             return _decoded(self._store.read(key), pictogram)
-        except (OSError, ValueError, zlib.error, struct.error):
+        except (OSError, ValueError, zlib.error, struct.error) as error:
+            self._store.note_damage(key, error)
             return None
 
     def _keep(
@@ -111,8 +118,7 @@ class RasterCache:
 
 def draw_entries(documents: Sequence[str]) -> list[bytes]:
     """Rasterise documents into cache entries; runs in a worker process."""
-    with memory_limit(_MEMORY):
-        return [_entry(svg) for svg in documents]
+    return [_entry(svg) for svg in documents]
 
 
 def _entry(svg: str) -> bytes:
@@ -137,20 +143,6 @@ def _decoded(entry: bytes, pictogram: Pictogram) -> Exemplar | IconstudioError:
 
 def _refusal(pictogram: Pictogram, reason: str) -> IconstudioError:
     return IconstudioError(f"{pictogram.id} cannot be used. {reason}")
-
-
-def _failure(future: "Future[Any]") -> str | None:
-    """Return why a chunk was lost; None if it was not."""
-    error = future.exception()
-    if error is None:
-        return None
-    if isinstance(error, TimeoutError):
-        return "Drawing it takes too long."
-    if isinstance(error, MemoryError):
-        return "Drawing it takes too much memory."
-    if died(error):
-        return "The renderer crashes on it."
-    raise error
 
 
 def _key(svg: str) -> str:

@@ -21,7 +21,7 @@ class Pictogram:
     """An icon as it stands in a collection, in a file of the user's, or as a result was drawn.
 
     ``svg`` is a complete SVG document with a ``viewBox``. It comes from outside,
-    so it is hostile until ``library.svgcheck`` has passed it.
+    so it is hostile until ``svg.check`` has passed it.
     """
 
     id: str

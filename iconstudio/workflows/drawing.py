@@ -21,6 +21,9 @@ from iconstudio.algorithms.redraw import FAR, REACH, SCALE, erase, redraw, two_t
 from iconstudio.model import CANVAS, Drawing, Exemplar, Frame, Placement, Source
 from iconstudio.workers import Workers
 
+SECONDS = 30.0
+MEMORY = 1 << 30
+"""What drawing may take: in bytes, more than the process has when it begins."""
 PREVIEW = 2
 """Drawn pixels to a canvas pixel, in previews."""
 _TILES = 64
@@ -84,7 +87,7 @@ def draw_whole(
 ) -> "Future[Drawing]":
     """Begin to draw one source as results are drawn; ``ink`` is its, (CANVAS, CANVAS)."""
     nobody = np.zeros((CANVAS, CANVAS), dtype=np.uint8)
-    return workers.submit(draw, nobody, ink[None], [source], render)
+    return workers.submit(draw, nobody, ink[None], [source], render, timeout=SECONDS, memory=MEMORY)
 
 
 def _drawn(

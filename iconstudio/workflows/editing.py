@@ -27,11 +27,10 @@ from iconstudio.model import (
     Polygon,
     Source,
 )
-from iconstudio.workers import Workers
+from iconstudio.workers import Workers, answer
 from iconstudio.workflows.drawing import Render, draw_whole
 from iconstudio.workflows.events import Event, Result
 from iconstudio.workflows.grid import Matches, ModelSettings, remix_styles
-from iconstudio.workflows.remixing import answer
 from iconstudio.workflows.solving import Posed
 
 
@@ -128,7 +127,10 @@ def edit_icon(
     own = draw_whole(change.base, change.ink, workers, render)  # what results are compared with
 
     def finish(result: Result) -> Result:
-        return replace(result, unchanged=change.unchanged(result.drawing, answer(own)))
+        return replace(
+            result,
+            unchanged=change.unchanged(result.drawing, answer(own, f"Drawing “{edit.icon.id}”")),
+        )
 
     try:
         yield from remix_styles(

@@ -3,12 +3,12 @@
 import itertools
 from collections import deque
 from collections.abc import Callable, Iterator
-from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, wait
+from concurrent.futures import FIRST_COMPLETED, Future, wait
 from dataclasses import dataclass
 from typing import Any
 
-from iconstudio.model import Composite, IconstudioError
-from iconstudio.workers import Workers, died
+from iconstudio.model import Composite
+from iconstudio.workers import Workers, answer
 from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import Progress, Result
 from iconstudio.workflows.solving import Job, Solved, Step, solve
@@ -74,7 +74,7 @@ class Remixing:
         done = wait(self._running, timeout, return_when=FIRST_COMPLETED).done
         for future in [one for one in self._running if one in done]:
             task = self._running.pop(future)
-            solved = answer(future)
+            solved = answer(future, "Joining the parts, or drawing the result,")
             self._feed()
             self._done += not task.step.preview
             yield task.finish(result_of(task.job, task.step, solved))
@@ -148,24 +148,3 @@ def result_of(job: Job, step: Step, solved: Solved) -> Result:
         iou=solved.iou,
     )
     return Result(composite, solved.drawing, solved.score, *solved.seconds, preview=step.preview)
-
-
-def answer(future: "Future[Any]") -> Any:
-    """Return what a worker process answers.
-
-    Raises
-    ------
-    IconstudioError
-        If it was stopped, or died.
-    """
-    try:
-        return future.result()
-    except CancelledError:
-        raise IconstudioError("The work was stopped.") from None
-    except Exception as error:
-        if isinstance(error, MemoryError) or died(error):
-            raise IconstudioError(
-                "A worker process ended before its work was done, perhaps for lack of memory. "
-                "Close other programs and run again."
-            ) from error
-        raise

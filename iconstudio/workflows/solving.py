@@ -17,9 +17,10 @@ from iconstudio.algorithms.ranking import Score
 from iconstudio.algorithms.raster import Bitmap, overlap, solid
 from iconstudio.algorithms.redraw import SCALE
 from iconstudio.algorithms.transfer import transferred
+from iconstudio.limits import limited
 from iconstudio.model import CANVAS, Composite, Drawing, Frame, Placement, Source
-from iconstudio.workers import forget, remembered, stopped
-from iconstudio.workflows.drawing import PREVIEW, Render, draw
+from iconstudio.tasks import forget, remembered, stopped
+from iconstudio.workflows.drawing import MEMORY, PREVIEW, SECONDS, Render, draw
 
 if TYPE_CHECKING:
     from iconstudio.algorithms.sweep import Sweep
@@ -136,7 +137,8 @@ def solve(key: object, job: Job, step: Step, render: Render) -> Solved:
     if step.last:
         forget(key)
     cut = perf_counter()
-    solved = finished(bench.posed, job, step, labels, render)
+    with limited(SECONDS, MEMORY):
+        solved = finished(bench.posed, job, step, labels, render)
     return replace(solved, seconds=(cut - began, perf_counter() - cut))
 
 

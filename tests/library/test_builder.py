@@ -4,7 +4,6 @@ import json
 from concurrent.futures import Future
 
 import pytest
-from pebble import ProcessExpired
 from small_world import icon_set, shape, write_sets
 
 from iconstudio.library import drawings
@@ -12,6 +11,7 @@ from iconstudio.library.archive import Archive
 from iconstudio.library.builder import Inputs, build
 from iconstudio.library.iconify import RawIcon
 from iconstudio.model import IconstudioError
+from iconstudio.workers import ProcessDied
 
 
 def names(folder):
@@ -148,10 +148,10 @@ def test_credits_name_every_set_and_hold_every_licence(make):
 class MortalWorkers:
     """Works in this process, and dies of what it is given a body named *poison* to draw."""
 
-    def submit(self, function, icons, timeout):
+    def submit(self, function, icons, timeout, memory):
         future = Future()
         if any(icon.name == "poison" for icon in icons):
-            future.set_exception(ProcessExpired("died"))
+            future.set_exception(ProcessDied(-11))
         else:
             future.set_result(function(icons))
         return future

@@ -2,10 +2,13 @@
 
 import json
 import os
+import sqlite3
 import subprocess
 import sys
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import closing
+from functools import partial
 
 import pytest
 from small_world import icon_set, shape
@@ -156,3 +159,130 @@ def test_the_bundled_collection_is_large_small_and_free():
         assert entry in credits
     pairs = set(zip(index["set_of"], index["names"], strict=True))
     assert len(pairs) == archive.icons
+
+
+def flip(path, at):
+    with path.open("r+b") as file:
+        file.seek(at, os.SEEK_END if at < 0 else os.SEEK_SET)
+        byte = file.read(1)[0]
+        file.seek(-1, os.SEEK_CUR)
+        file.write(bytes([byte ^ 0x55]))
+
+
+def unpacked(folder, cache):
+    Collection.open(folder, cache).close()
+    (path,) = cache.iterdir()
+    return path
+
+
+def make_empty(path):
+    path.write_bytes(b"")
+
+
+def fill_with_zeros(path):
+    path.write_bytes(bytes(path.stat().st_size))
+
+
+def put_a_folder(path):
+    path.unlink()
+    path.mkdir()
+    (path / "something").touch()
+
+
+def put_a_broken_link(path):
+    path.unlink()
+    path.symlink_to("nowhere")
+
+
+def put_another_database(path):
+    path.unlink()
+    with closing(sqlite3.connect(path)) as other:
+        other.execute("CREATE TABLE icon (number)")
+
+
+FLIPS = [partial(flip, at=at) for at in (0, 20, 45, 61, 110, 3000, 5000, 9000, 20000, -700, -1)]
+
+
+@pytest.mark.parametrize(
+    "damage",
+    [make_empty, fill_with_zeros, put_a_folder, put_a_broken_link, put_another_database, *FLIPS],
+)
+def test_a_damaged_file_is_unpacked_again_once(folder, tmp_path, caplog, damage):
+    cache = tmp_path / "cache"
+    path = unpacked(folder, cache)
+    whole = path.read_bytes()
+    damage(path)
+    for _ in range(2):
+        with Collection.open(folder, cache) as collection:
+            assert [found.id for found in collection.search("dog")] == ["a:dog"]
+    assert path.read_bytes() == whole
+    assert len(list(cache.iterdir())) == 1
+    assert [record.getMessage() for record in caplog.records] == [
+        f"The unpacked icon collection is damaged, and unpacked anew: {path}"
+    ]
+
+
+@pytest.mark.parametrize("method", ["search", "get", "keyword", "suggest"])
+def test_damage_that_shows_only_in_use_is_mended(folder, tmp_path, caplog, method):
+    path = unpacked(folder, tmp_path / "cache")
+    asked = {"search": "dog", "get": "a:dog", "keyword": "dog", "suggest": "dogg"}[method]
+    with Collection.open(folder, tmp_path / "cache") as collection:
+        right = getattr(collection, method)(asked)
+    before = path.stat()
+    for page in range(3, before.st_size // 4096):
+        with path.open("r+b") as file:
+            file.seek(page * 4096)
+            file.write(b"\xff" * 200)
+    os.utime(path, ns=(before.st_atime_ns, before.st_mtime_ns))
+    with Collection.open(folder, tmp_path / "cache") as collection:
+        assert getattr(collection, method)(asked) == right
+        assert getattr(collection, method)(asked) == right
+    assert len(caplog.records) == 1
+
+
+def test_an_error_that_is_no_damage_is_not_hidden(folder, tmp_path, monkeypatch):
+    with Collection.open(folder, tmp_path / "cache") as collection:
+        with pytest.raises(AttributeError):
+            collection.search(None)
+        assert collection.search("dog")
+
+
+def test_a_copy_is_checked_and_not_unpacked_again(folder, tmp_path, monkeypatch):
+    path = unpacked(folder, tmp_path / "cache")
+    os.utime(path, (1e9, 1e9))
+    monkeypatch.setattr(database, "unpack", None)
+    Collection.open(folder, tmp_path / "cache").close()
+    monkeypatch.setattr(database, "_checksum", None)  # not read a second time
+    Collection.open(folder, tmp_path / "cache").close()
+
+
+@pytest.mark.skipif(os.name != "posix", reason="kills")
+def test_what_a_killed_opening_leaves_is_removed_at_the_next(folder, tmp_path):
+    program = (
+        "import sys, pathlib, os, signal\n"
+        "from iconstudio.library.collection import Collection\n"
+        "steps = Collection.opening(*map(pathlib.Path, sys.argv[1:]))\n"
+        "next(steps); next(steps); print('begun', flush=True); sys.stdin.readline()\n"
+        "for _ in steps: pass\n"
+    )
+    command = [sys.executable, "-c", program, str(folder), str(tmp_path / "cache")]
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
+    first, second = (
+        subprocess.Popen(
+            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=environment
+        )
+        for _ in range(2)
+    )
+    for process in (first, second):
+        assert process.stdout.readline() == "begun\n"
+    left = set((tmp_path / "cache").iterdir())
+    assert len(left) == 2
+    first.kill()
+    first.communicate()
+    database.remove_abandoned(tmp_path / "cache")
+    (of_the_second,) = (tmp_path / "cache").iterdir()  # it goes on, undisturbed
+    assert of_the_second in left
+    second.communicate("go\n", timeout=60)
+    assert second.returncode == 0
+    (path,) = (tmp_path / "cache").iterdir()
+    assert path.suffix == ".sqlite" and database.is_sound(path, thorough=True)
