@@ -1,0 +1,190 @@
+"""Regions of even colour: where the colours of a drawing meet, and how much they differ there.
+
+Within a region colours may flow, as those of a gradient do; two regions meet at an edge, where
+colours leap. The pixels of an edge, which blend both, go to the nearer region. Colours are CIELAB,
+differences CIEDE2000.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+import scipy
+from numpy.typing import NDArray
+
+Mask = NDArray[np.bool_]
+
+LEAP = 7.0
+"""How much a channel of CIELAB differs within three pixels at an edge; in a gradient, less."""
+BLEND = 25.0
+"""How far a pixel's colour is from that of the region beside it, if it is a line of its own."""
+MOST = 256
+"""Regions that are told apart; where there are more, small ones join their neighbours."""
+_SMALLEST = 6
+"""Fewest pixels of even colour that a region is recognised by."""
+_NEAR = 3
+"""Pixels on either side of an edge that may be blends."""
+
+
+@dataclass(frozen=True, eq=False)
+class Regions:
+    """The k regions of a drawing, numbered from 1; 0 is what surrounds it."""
+
+    labels: NDArray[np.intp]
+    """(n, n): the region of each pixel, 0 outside."""
+    extended: NDArray[np.intp]
+    """(n, n): the region of each pixel, outside that of the nearest."""
+    colours: NDArray[np.float64]
+    """(k + 1, 3): the mean colours, in CIELAB; the first is white."""
+    areas: NDArray[np.float64]
+    """(k + 1,): the numbers of pixels."""
+    lengths: NDArray[np.float64]
+    """(k + 1, k + 1): the number of pixel sides along which two regions meet."""
+    contrasts: NDArray[np.float64]
+    """(k + 1, k + 1): the mean difference of their colours there; 0 where they do not meet."""
+
+
+def regions(lab: NDArray[np.float32], inside: Mask, contrast: float, smallest: float) -> Regions:
+    """Divide what is ``inside`` (n, n) of a drawing (n, n, 3), in CIELAB, into regions.
+
+    Neighbours whose colours differ by less than ``contrast`` are one region; a region of fewer
+    than ``smallest`` pixels joins the neighbour that is most like it. Something must be inside.
+    """
+    cores = _cores(lab, inside)
+    at = _nearest(cores)
+    hairlines = _hairlines(lab, inside, cores, at)
+    if hairlines.any():
+        cores = np.where(hairlines > 0, hairlines + cores.max(), cores)
+        at = _nearest(cores)
+    extended, flat = cores[at], lab[at]
+    labels = np.where(inside, extended, 0)
+    lengths, differences = _meetings(labels, flat)
+    areas = np.bincount(labels.ravel(), minlength=len(lengths)).astype(float)
+    sums = np.stack(
+        [np.bincount(labels.ravel(), flat[..., c].ravel(), len(areas)) for c in range(3)], axis=1
+    )
+    root = _joined(lengths, differences, areas.copy(), contrast, smallest)
+    kept, number = np.unique(root, return_inverse=True)
+    areas = np.bincount(number, areas)
+    colours = np.stack([np.bincount(number, sums[:, c]) for c in range(3)], axis=1)
+    colours /= np.maximum(areas, 1)[:, None]
+    colours[0] = 100, 0, 0
+    pairs = np.ix_(kept, kept)
+    contrasts = differences[pairs] / np.maximum(lengths[pairs], 1)
+    return Regions(number[labels], number[extended], colours, areas, lengths[pairs], contrasts)
+
+
+def cielab(rgb: NDArray[np.uint8]) -> NDArray[np.float32]:
+    """Return sRGB colours (..., 3) in CIELAB; a drawing has few, so each is converted once."""
+    from skimage.color import rgb2lab
+
+    packed = rgb.astype(np.uint32) @ np.array([1 << 16, 1 << 8, 1], np.uint32)
+    found, number = np.unique(packed, return_inverse=True)
+    colours = np.stack([found >> 16, found >> 8 & 255, found & 255], axis=1).astype(np.uint8)
+    return rgb2lab(colours).astype(np.float32)[number].reshape(rgb.shape)
+
+
+def _cores(lab: NDArray[np.float32], inside: Mask) -> NDArray[np.intp]:
+    """Number the pieces of even colour; 0 at edges and outside."""
+    even = inside.copy()
+    for channel in np.moveaxis(lab, 2, 0):
+        high = scipy.ndimage.maximum_filter(np.where(inside, channel, -np.inf), 3)
+        low = scipy.ndimage.minimum_filter(np.where(inside, channel, np.inf), 3)
+        even &= high - low < LEAP
+    cores = _largest(scipy.ndimage.label(even)[0], _SMALLEST)
+    # A piece without any even colour, as of thin strokes, is one region.
+    pieces, count = scipy.ndimage.label(inside)
+    bare = np.ones(count + 1, bool)
+    bare[pieces[cores > 0]] = bare[0] = False
+    strokes = _largest(np.where(bare[pieces], pieces, 0), 1)
+    return np.where(strokes > 0, strokes + cores.max(), cores)
+
+
+def _hairlines(
+    lab: NDArray[np.float32], inside: Mask, cores: NDArray[np.intp], at: tuple[NDArray, NDArray]
+) -> NDArray[np.intp]:
+    """Number the lines that are too thin for even colour; 0 elsewhere."""
+    labels = np.where(inside, cores[at], 0)
+    size = 2 * _NEAR + 1
+    alone = scipy.ndimage.maximum_filter(labels, size) == scipy.ndimage.minimum_filter(labels, size)
+    thin = alone & inside & (cores == 0)
+    thin[thin] = np.linalg.norm(lab[thin] - lab[at][thin], axis=1) > BLEND
+    return _largest(scipy.ndimage.label(thin, np.ones((3, 3)))[0], 4 * _SMALLEST)
+
+
+def _largest(pieces: NDArray[np.intp], smallest: int) -> NDArray[np.intp]:
+    """Number the largest pieces anew."""
+    sizes = np.bincount(pieces.ravel())
+    sizes[0] = 0
+    kept = np.argsort(-sizes, kind="stable")[:MOST]
+    kept = kept[sizes[kept] >= smallest]
+    number = np.zeros(len(sizes), np.intp)
+    number[kept] = np.arange(1, len(kept) + 1)
+    return number[pieces]
+
+
+def _nearest(cores: NDArray[np.intp]) -> tuple[NDArray, NDArray]:
+    """Return rows and columns of the pixel of a core that is nearest to each pixel."""
+    rows, columns = scipy.ndimage.distance_transform_edt(
+        cores == 0, return_distances=False, return_indices=True
+    )
+    return rows, columns
+
+
+def _meetings(
+    labels: NDArray[np.intp], lab: NDArray[np.float32]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return at how many pixel sides each two labels meet, and the sum of the differences there."""
+    from skimage.color import deltaE_ciede2000
+
+    count = labels.max() + 1
+    lengths, sums = np.zeros((2, count * count))
+    framed = np.pad(labels, 1)
+    colours = np.pad(lab, ((1, 1), (1, 1), (0, 0)))
+    for one, other in (
+        (np.s_[1:], np.s_[:-1]),
+        (np.s_[:, 1:], np.s_[:, :-1]),
+    ):
+        meet = framed[one] != framed[other]
+        pairs = framed[one][meet] * count + framed[other][meet]
+        differences = deltaE_ciede2000(colours[one][meet], colours[other][meet])
+        lengths += np.bincount(pairs, minlength=count * count)
+        sums += np.bincount(pairs, differences, count * count)
+    lengths, sums = lengths.reshape(count, count), sums.reshape(count, count)
+    return lengths + lengths.T, sums + sums.T
+
+
+def _joined(
+    lengths: NDArray[np.float64],
+    sums: NDArray[np.float64],
+    areas: NDArray[np.float64],
+    contrast: float,
+    smallest: float,
+) -> NDArray[np.intp]:
+    """Join regions, in all three arrays, the most alike first; return which each belongs to."""
+    root = np.arange(len(areas))
+    mean = np.full(lengths.shape, np.inf)
+    np.divide(sums, lengths, out=mean, where=lengths > 0)
+    mean[0] = mean[:, 0] = np.inf
+
+    def join(one: int, other: int) -> None:
+        for array in (lengths, sums):
+            array[one] += array[other]
+            array[:, one] += array[:, other]
+            array[other] = array[:, other] = array[one, one] = 0
+        areas[one] += areas[other]
+        areas[other] = 0
+        root[root == other] = one
+        mean[other] = mean[:, other] = np.inf
+        row = np.full(len(areas), np.inf)
+        np.divide(sums[one], lengths[one], out=row, where=lengths[one] > 0)
+        row[0] = np.inf
+        mean[one] = mean[:, one] = row
+
+    while mean.min() < contrast:
+        join(*sorted(map(int, np.unravel_index(mean.argmin(), mean.shape))))
+    while True:
+        small = np.flatnonzero((areas > 0) & (areas < smallest) & np.isfinite(mean).any(axis=1))
+        if not len(small):
+            return root
+        one = small[areas[small].argmin()]
+        join(int(mean[one].argmin()), int(one))
