@@ -1,19 +1,20 @@
 """From a coloured drawing to a pictogram: what of it is ink, and what is paper.
 
-The rule. Everything that is at least half as opaque as the drawing's body is its silhouette,
-divided into regions of even colour (``regions``). Then, in this order:
+The rule. All that is more than half as opaque as the drawing's body is its silhouette, divided
+into regions of even colour (``regions``). Of these,
 
-1. *One tone* is ink, whatever its colour and opacity.
-2. *A line drawing*, with a dark line around most of it, is its lines: what is about as dark is
-   ink, the fills are paper. A detail that stands out within a fill is ink; between fills that
-   differ strongly runs a line.
-3. *A tile* behind a drawing is paper: a rectangle or a rounded square (a circle is a badge or
-   a face, and only a white one is a tile) in whose middle the drawing stands free, neither many small pieces (as a die's)
-   nor filling it (as a screen does).
-4. *Near white* on other colours is paper, unless it makes part of the silhouette (a cloud).
-5. Of the other regions, those that mainly border on the outside are ink; one that mainly borders
-   on ink is paper (eyes in a face, the door of a house), one that mainly borders on paper is ink.
-6. Between two regions of ink runs a line of paper.
+1. *one tone*, all over, is ink, whatever its colour and opacity;
+2. in a *line drawing*, with a dark line around most of it, the lines and what is about as dark
+   are ink, and the fills are paper; a detail that stands out within a fill is ink;
+3. a *tile* behind the drawing is paper: a rectangle or a rounded square in which the drawing
+   stands free, neither in small pieces (as a die's dots) nor filling it (as a screen). A disc is
+   a badge or a face, and a tile only if it is near white;
+4. *near white* on other colours is paper, unless it stands by itself or makes a large part of
+   the silhouette (a cloud before the sun);
+5. of the others, what mainly borders on the outside is ink; what mainly borders on ink is paper
+   (eyes in a face, the door of a house), and what mainly borders on paper is ink;
+6. between two regions of ink runs a line of paper; in a line drawing, between fills that differ
+   strongly, one of ink.
 """
 
 from enum import Enum
@@ -41,6 +42,8 @@ _GREY = 8.0
 _AS_DARK, _DARK, _PALE = 18.0, 30.0, 75.0
 """Lightness: how much lighter than its lines the dark parts of a line drawing are at most, or how
 dark; and that of shadows."""
+_FREE = 0.9
+"""How much of its contour a shape that stands by itself shares with the outside."""
 _THICK = SIDE / 10
 """Mean width of the thickest lines of a line drawing."""
 
@@ -194,8 +197,13 @@ def _white_on_colour(found: Regions) -> Mask:
         return np.zeros_like(white)
     if _rectangle(found) > _SHARP:
         return white
-    outer = found.lengths[0] > 0.5 * found.lengths.sum(axis=1)
-    return white & ~(outer & (found.areas > 0.05 * total))
+    outer = found.lengths[0] / np.maximum(found.lengths.sum(axis=1), 1)
+    for number in np.flatnonzero(white & (outer > 0.5)):
+        large = found.areas[number] > 0.05 * total
+        # A narrow band around or along other colours is no part, but sets them off.
+        if outer[number] > _FREE or (large and _width(found.labels == number) > _THICK):
+            white[number] = False
+    return white
 
 
 _SHARP, _ROUNDED, _ROUND = 0.985, 0.9, 0.76
@@ -229,9 +237,9 @@ def _tile(found: Regions) -> int | None:
     dark = found.colours[tile, 0] < _DARK
     height, width = _box(found.labels > 0)
     square = max(height, width) < 1.1 * min(height, width)
-    if not (square and fill > (_ROUND if white[tile] else _ROUNDED)):
-        if not (sharp and dark and two_tones):
-            return None
+    banner = sharp and dark and two_tones
+    if not banner and not (square and fill > (_ROUND if white[tile] else _ROUNDED)):
+        return None
     content = (found.labels > 0) & (found.labels != tile)
     pieces = scipy.ndimage.find_objects(scipy.ndimage.label(content)[0])
     span = max(side.stop - side.start for piece in pieces for side in piece)

@@ -83,6 +83,23 @@ def test_separate_pieces_may_have_colours_of_their_own():
     assert_alike(pictogram(rgba(drawing)), PLAIN)
 
 
+def test_a_white_band_around_a_drawing_is_paper():
+    band = path(HOUSE, "#fff", 'stroke="#fff" stroke-width="3" stroke-linejoin="round"')
+    drawing = rgba(band + path(HOUSE, "#1976d2"))
+    coverage = pictogram(drawing)
+    assert_alike(coverage, PLAIN)
+    assert paints(drawing, coverage) is Paints.DARK
+
+
+def test_white_beside_a_colour_is_ink():
+    """As the lettering of a logo for dark backgrounds."""
+    letters = path("M17 2h4v3h-4z", "#fff")
+    drawing = rgba(path("M3 21V10L12 2l9 8v11zM9 12h6v5H9z", "#1976d2") + letters)
+    coverage = pictogram(drawing)
+    assert_alike(coverage, PLAIN)
+    assert paints(drawing, coverage) is Paints.ALL
+
+
 @pytest.mark.parametrize("opacity", [0.2, 0.35, 0.49])
 def test_the_pale_layer_of_a_duotone_is_paper(opacity):
     pale = path("M1 1h22v22H1z", "#05f", f'opacity="{opacity}"')
@@ -182,9 +199,9 @@ def test_shades_of_one_colour_are_not_told_apart():
 
 @pytest.mark.parametrize("line", ["#000", "#2859c5", "#5d4037"])
 def test_a_line_drawing_is_its_lines(line):
-    shape = '<path d="M12 3l9 8v10H3V11zM3 11h18" fill="{}" stroke="%s" stroke-width="1.5"/>' % line
-    drawn = pictogram(rgba(shape.format("#ffe082")))
-    assert_alike(drawn, ink(shape.format("none")), 0.02)
+    shape = '<path d="M12 3l9 8v10H3V11zM3 11h18" fill="{}" stroke="{}" stroke-width="1.5"/>'
+    drawn = pictogram(rgba(shape.format("#ffe082", line)))
+    assert_alike(drawn, ink(shape.format("none", line)), 0.02)
 
 
 def test_what_stands_out_in_the_fill_of_a_line_drawing_is_ink():
@@ -196,8 +213,9 @@ def test_what_stands_out_in_the_fill_of_a_line_drawing_is_ink():
 
 
 FACE = (
-    '<circle cx="12" cy="12" r="10" fill="#ffc83d"/><path d="M2 12a10 10 0 0 1 20 0z" fill="#9b5d2e"/>'
-    '<circle cx="9" cy="15" r="1.5" fill="#212121"/><circle cx="15" cy="15" r="1.5" fill="#212121"/>'
+    '<circle cx="12" cy="12" r="10" fill="#ffc83d"/>'
+    + path("M2 12a10 10 0 0 1 20 0z", "#9b5d2e")
+    + '<g fill="#212121"><circle cx="9" cy="15" r="1.5"/><circle cx="15" cy="15" r="1.5"/></g>'
 )
 
 
@@ -228,8 +246,8 @@ def test_colours_of_transparent_pixels_do_not_matter():
 
 def test_outlines_are_smooth():
     """Of a disc that is half one colour, half another, four or so curves and two lines remain."""
-    half = '<path d="M12 2a10 10 0 0 1 0 20z" fill="#e53935"/><path d="M12 2a10 10 0 0 0 0 20z" fill="#1e88e5"/>'
-    curves = re.findall("[CLHV]", trace(pictogram(rgba(half))))
+    halves = path("M12 2a10 10 0 0 1 0 20z", "#e53935") + path("M12 2a10 10 0 0 0 0 20z", "#1e88e5")
+    curves = re.findall("[CLHV]", trace(pictogram(rgba(halves))))
     assert len(curves) <= 16
 
 
