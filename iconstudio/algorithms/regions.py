@@ -37,6 +37,8 @@ class Regions:
     """(k + 1, 3): the mean colours, in CIELAB; the first is white."""
     areas: NDArray[np.float64]
     """(k + 1,): the numbers of pixels."""
+    widths: NDArray[np.float64]
+    """(k + 1,): the mean widths, in pixels."""
     lengths: NDArray[np.float64]
     """(k + 1, k + 1): the number of pixel sides along which two regions meet."""
     contrasts: NDArray[np.float64]
@@ -70,7 +72,9 @@ def regions(lab: NDArray[np.float32], inside: Mask, contrast: float, smallest: f
     colours[0] = 100, 0, 0
     pairs = np.ix_(kept, kept)
     contrasts = differences[pairs] / np.maximum(lengths[pairs], 1)
-    return Regions(number[labels], number[extended], colours, areas, lengths[pairs], contrasts)
+    labels = number[labels]
+    widths = _widths(labels, areas)
+    return Regions(labels, number[extended], colours, areas, widths, lengths[pairs], contrasts)
 
 
 def cielab(rgb: NDArray[np.uint8]) -> NDArray[np.float32]:
@@ -151,6 +155,15 @@ def _meetings(
         sums += np.bincount(pairs, differences, count * count)
     lengths, sums = lengths.reshape(count, count), sums.reshape(count, count)
     return lengths + lengths.T, sums + sums.T
+
+
+def _widths(labels: NDArray[np.intp], areas: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the mean width of each region."""
+    contour = scipy.ndimage.maximum_filter(labels, 2) != scipy.ndimage.minimum_filter(labels, 2)
+    contour[[0, -1]] = contour[:, [0, -1]] = True
+    depth = scipy.ndimage.distance_transform_edt(~contour)
+    # Across a line of width w, the mean distance from its sides is w / 4.
+    return 4 * np.bincount(labels.ravel(), depth.ravel()) / np.maximum(areas, 1)
 
 
 def _joined(

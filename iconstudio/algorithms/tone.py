@@ -31,7 +31,7 @@ SIDE = 512
 CONTRAST = 14.0
 """Neighbouring colours that differ by less (CIEDE2000) are shades of one."""
 STRIKING = 35.0
-"""Fills of a line drawing that differ by more are told apart."""
+"""Fills of a line drawing, and narrow regions, that differ by more are told apart."""
 SMALLEST = 60
 """Pixels of the smallest detail that reads."""
 LINE = 7.0
@@ -44,8 +44,10 @@ _AS_DARK, _DARK, _PALE = 18.0, 30.0, 75.0
 dark; and that of shadows."""
 _FREE = 0.9
 """How much of its contour a shape that stands by itself shares with the outside."""
+_NARROW = 12.0
+"""Width of regions that no line sets off, unless their colour is striking."""
 _THICK = SIDE / 10
-"""Mean width of the thickest lines of a line drawing."""
+"""Width of the thickest lines of a line drawing, and bands of white."""
 
 
 class Paints(Enum):
@@ -144,7 +146,10 @@ def _tones(found: Regions) -> _Tones:
     if line is not None:
         return _line_drawing(found, line)
     ink = _alternating(found, _tile(found))
-    return _Tones(ink, ink[:, None] & ink & (found.lengths > 0))
+    # A line would leave little of a narrow region.
+    narrow = found.widths < _NARROW
+    narrow = (narrow | narrow[:, None]) & (found.contrasts < STRIKING)
+    return _Tones(ink, ink & ink[:, None] & (found.lengths > 0) & ~narrow)
 
 
 def _alternating(found: Regions, tile: int | None) -> Mask:
@@ -159,20 +164,29 @@ def _alternating(found: Regions, tile: int | None) -> Mask:
     tone = np.where(paper, -1, 0)
     if tile is None:
         tone[_white_on_colour(found)] = -1
-    _decide(tone, found, weights)
+    # The shade along a contour is no outline of what it is the shade of.
+    inner = found.contrasts[:, 1:].max(axis=1)
+    shade = (tone == 0) & (found.widths < _NARROW) & (inner > 0) & (inner < STRIKING)
+    weights[shade] = found.lengths[shade]
+    _decide(tone, found, weights, shade)
     return tone > 0
 
 
-def _decide(tone: NDArray[np.intp], found: Regions, weights: NDArray[np.float64]) -> None:
+def _decide(
+    tone: NDArray[np.intp], found: Regions, weights: NDArray[np.float64], last: Mask
+) -> None:
     """Give each region of ``tone`` 0 the tone, 1 ink or -1 paper, that differs from its neighbours.
 
-    ``weights`` (k + 1, k + 1) say how much it matters that two neighbours differ.
+    ``weights`` (k + 1, k + 1) say how much it matters that two neighbours differ; ``last`` are
+    the regions that the others do not heed.
     """
-    around = np.maximum(found.lengths.sum(axis=1), 1)
+    around = np.maximum(found.lengths[:, ~last].sum(axis=1), 1)
     while not tone.all():
         # Next is the region whose neighbours are known best; of several, the largest.
-        known = (found.lengths[:, tone != 0].sum(axis=1) / around).round(2)
-        number = max(np.flatnonzero(tone == 0), key=lambda r: (known[r], found.areas[r]))
+        known = (found.lengths[:, (tone != 0) & ~last].sum(axis=1) / around).round(2)
+        number = max(
+            np.flatnonzero(tone == 0), key=lambda r: (not last[r], known[r], found.areas[r])
+        )
         tone[number] = -1 if weights[number] @ tone > 0 else 1
 
 
@@ -195,15 +209,15 @@ def _white_on_colour(found: Regions) -> Mask:
     total = found.areas[1:].sum()
     if found.areas[1:][~white[1:]].sum() < 0.05 * total:
         return np.zeros_like(white)
-    if _rectangle(found) > _SHARP:
+    page = white & (found.lengths[0] > 0.75 * found.lengths[0].sum())
+    if page.any() and _rectangle(found) > _SHARP:
         return white
-    outer = found.lengths[0] / np.maximum(found.lengths.sum(axis=1), 1)
-    for number in np.flatnonzero(white & (outer > 0.5)):
-        large = found.areas[number] > 0.05 * total
-        # A narrow band around or along other colours is no part, but sets them off.
-        if outer[number] > _FREE or (large and _width(found.labels == number) > _THICK):
-            white[number] = False
-    return white
+    at_outside = found.lengths[0] > 0
+    at_outside[0] = True  # what is drawn on the white does not count
+    outer = found.lengths[0] / np.maximum(found.lengths[:, at_outside].sum(axis=1), 1)
+    # A narrow band around or along other colours is no part, but sets them off.
+    part = (outer > 0.5) & (found.areas > 0.05 * total) & (found.widths > _THICK)
+    return white & ~part & (outer < _FREE)
 
 
 _SHARP, _ROUNDED, _ROUND = 0.985, 0.9, 0.76
@@ -265,17 +279,10 @@ def _line(found: Regions) -> Mask | None:
             and np.average(found.colours[fills, 0], weights=found.areas[fills])
             > found.colours[number, 0] + 20
             and found.colours[number, 0] < 55
-            and _width(line[found.labels]) < _THICK
+            and np.average(found.widths[line], weights=found.areas[line]) < _THICK
         ):
             return line
     return None
-
-
-def _width(mask: Mask) -> float:
-    """Return the mean width of the lines that make up a mask."""
-    # Across a line of width w, the mean distance from its sides is w / 4.
-    depth = scipy.ndimage.distance_transform_edt(np.pad(mask, 1))
-    return 4 * float(depth[depth > 0].mean())
 
 
 def _line_drawing(found: Regions, line: Mask) -> _Tones:
@@ -291,7 +298,7 @@ def _line_drawing(found: Regions, line: Mask) -> _Tones:
     tone[0] = -1
     striking = found.contrasts > STRIKING
     # What differs little is as its neighbours are.
-    _decide(tone, found, np.where(striking, 1, -0.2) * found.lengths)
+    _decide(tone, found, np.where(striking, 1, -0.2) * found.lengths, tone > 1)
     fills = tone < 0
     fills[0] = False
     return _Tones(tone > 0, fills & fills[:, None] & striking)
