@@ -44,7 +44,7 @@ _AS_DARK, _DARK, _PALE = 18.0, 30.0, 75.0
 dark; and that of shadows."""
 _FREE = 0.9
 """How much of its contour a shape that stands by itself shares with the outside."""
-_NARROW = 12.0
+_NARROW = 2 * LINE
 """Width of regions that no line sets off, unless their colour is striking."""
 _THICK = SIDE / 10
 """Width of the thickest lines of a line drawing, and bands of white."""
@@ -212,12 +212,14 @@ def _white_on_colour(found: Regions) -> Mask:
     page = white & (found.lengths[0] > 0.75 * found.lengths[0].sum())
     if page.any() and _rectangle(found) > _SHARP:
         return white
-    at_outside = found.lengths[0] > 0
-    at_outside[0] = True  # what is drawn on the white does not count
-    outer = found.lengths[0] / np.maximum(found.lengths[:, at_outside].sum(axis=1), 1)
-    # A narrow band around or along other colours is no part, but sets them off.
-    part = (outer > 0.5) & (found.areas > 0.05 * total) & (found.widths > _THICK)
-    return white & ~part & (outer < _FREE)
+    outer = found.lengths[0]
+    free = outer > _FREE * found.lengths.sum(axis=1)
+    at_outside = outer > 0
+    at_outside[0] = True
+    # What is drawn on the white does not count. A narrow band sets other colours off.
+    large = (found.areas > 0.05 * total) & (found.widths > _THICK)
+    part = large & (outer > 0.5 * found.lengths[:, at_outside].sum(axis=1))
+    return white & ~free & ~part
 
 
 _SHARP, _ROUNDED, _ROUND = 0.985, 0.9, 0.76
