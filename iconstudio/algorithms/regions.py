@@ -33,6 +33,8 @@ class Regions:
     """(n, n): the region of each pixel, 0 outside."""
     extended: NDArray[np.intp]
     """(n, n): the region of each pixel, outside that of the nearest."""
+    pure: Mask
+    """(n, n): the pixels that blend no colours."""
     colours: NDArray[np.float64]
     """(k + 1, 3): the mean colours, in CIELAB; the first is white."""
     areas: NDArray[np.float64]
@@ -52,11 +54,11 @@ def regions(lab: NDArray[np.float32], inside: Mask, contrast: float, smallest: f
     than ``smallest`` pixels joins the neighbour that is most like it. Something must be inside.
     """
     cores = _cores(lab, inside)
-    at = _nearest(cores)
+    at = nearest(cores > 0)
     hairlines = _hairlines(lab, inside, cores, at)
     if hairlines.any():
         cores = np.where(hairlines > 0, hairlines + cores.max(), cores)
-        at = _nearest(cores)
+        at = nearest(cores > 0)
     extended, flat = cores[at], lab[at]
     labels = np.where(inside, extended, 0)
     lengths, differences = _meetings(labels, flat)
@@ -74,7 +76,9 @@ def regions(lab: NDArray[np.float32], inside: Mask, contrast: float, smallest: f
     contrasts = differences[pairs] / np.maximum(lengths[pairs], 1)
     labels = number[labels]
     widths = _widths(labels, areas)
-    return Regions(labels, number[extended], colours, areas, widths, lengths[pairs], contrasts)
+    return Regions(
+        labels, number[extended], cores > 0, colours, areas, widths, lengths[pairs], contrasts
+    )
 
 
 def cielab(rgb: NDArray[np.uint8]) -> NDArray[np.float32]:
@@ -126,10 +130,10 @@ def _largest(pieces: NDArray[np.intp], smallest: int) -> NDArray[np.intp]:
     return number[pieces]
 
 
-def _nearest(cores: NDArray[np.intp]) -> tuple[NDArray, NDArray]:
-    """Return rows and columns of the pixel of a core that is nearest to each pixel."""
+def nearest(marked: Mask) -> tuple[NDArray, NDArray]:
+    """Return rows and columns of the marked pixel that is nearest to each pixel."""
     rows, columns = scipy.ndimage.distance_transform_edt(
-        cores == 0, return_distances=False, return_indices=True
+        ~marked, return_distances=False, return_indices=True
     )
     return rows, columns
 

@@ -24,7 +24,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.regions import Mask, Regions, cielab, regions
+from iconstudio.algorithms.regions import Mask, Regions, cielab, nearest, regions
 
 SIDE = 512
 """Pixels to a side at which regions are found."""
@@ -42,6 +42,8 @@ _GREY = 8.0
 _AS_DARK, _DARK, _PALE = 18.0, 30.0, 75.0
 """Lightness: how much lighter than its lines the dark parts of a line drawing are at most, or how
 dark; and that of shadows."""
+_BLENDS = 4.0
+"""Pixels on either side of an edge that may blend its colours."""
 _FREE = 0.9
 """How much of its contour a shape that stands by itself shares with the outside."""
 _NARROW = 2 * LINE
@@ -79,7 +81,7 @@ def pictogram(rgba: NDArray[np.uint8]) -> NDArray[np.uint8]:
         found = regions(cielab(rgb), inside, CONTRAST, SMALLEST)
         tones = _tones(found)
         if tones.lines.any() or not tones.ink[1:].all():
-            silhouette *= _enlarged(_soft(found, tones), len(rgba))
+            silhouette *= _enlarged(_soft(rgb, found, tones), len(rgba))
     return (silhouette + 0.5).astype(np.uint8)
 
 
@@ -306,23 +308,58 @@ def _line_drawing(found: Regions, line: Mask) -> _Tones:
     return _Tones(tone > 0, fills & fills[:, None] & striking)
 
 
-def _soft(found: Regions, tones: _Tones) -> NDArray[np.float32]:
+def _soft(rgb: NDArray[np.uint8], found: Regions, tones: _Tones) -> NDArray[np.float32]:
     """Return how much of each pixel is ink, (SIDE, SIDE) from 0 to 1, were all inside."""
+    soft = _blended(rgb, found, tones.ink)
     labels = found.extended
-    soft = _smooth(tones.ink[labels])
     edge = np.zeros(labels.shape, bool)
     for one, other in ((np.s_[1:], np.s_[:-1]), (np.s_[:, 1:], np.s_[:, :-1])):
         edge[one] |= tones.lines[labels[one], labels[other]]
     if edge.any():
-        away = _smooth(scipy.ndimage.distance_transform_edt(~edge))
+        # Smoothing takes the staircase off the lines.
+        away = _smooth(scipy.ndimage.distance_transform_edt(~edge), LINE / 4)
         drawn = np.clip(LINE / 2 + 0.5 - away, 0, 1)
         at_ink = tones.ink[labels]
         soft = np.where(at_ink, np.minimum(soft, 1 - drawn), np.maximum(soft, drawn))
+    return _without_crumbs(soft, found.labels > 0)
+
+
+def _blended(rgb: NDArray[np.uint8], found: Regions, ink: Mask) -> NDArray[np.float32]:
+    """Return how much of each pixel is ink, as its blend of the colours of ink and paper tells."""
+    toned = ink[found.extended]
+    pure = found.pure & (found.labels > 0)
+    if not (pure & toned).any() or not (pure & ~toned).any():
+        return toned.astype(np.float32)
+    at_ink, at_paper = nearest(pure & toned), nearest(pure & ~toned)
+    here = np.indices(toned.shape)
+    near = [np.hypot(*(np.array(at) - here)) <= _BLENDS for at in (at_ink, at_paper)]
+    mixed = near[0] & near[1] & ~pure & (found.labels > 0)
+    full, none = (rgb[at][mixed].astype(np.float32) for at in (at_ink, at_paper))
+    way = full - none
+    share = ((rgb[mixed] - none) * way).sum(axis=1) / np.maximum((way**2).sum(axis=1), 1)
+    soft = toned.astype(np.float32)
+    soft[mixed] = np.clip(share, 0, 1)
+    return _smooth(soft, 0.6)
+
+
+def _without_crumbs(soft: NDArray[np.float32], inside: Mask) -> NDArray[np.float32]:
+    """Take away what lines leave of ink or paper that is smaller than any detail."""
+    soft = soft.copy()
+    for tone in (1, 0):
+        of_tone = (soft > 0.5) == tone
+        pieces, _ = scipy.ndimage.label(of_tone & inside)
+        small = (np.bincount(pieces.ravel()) < SMALLEST)[pieces] & (pieces > 0)
+        around = scipy.ndimage.binary_dilation(small, np.ones((3, 3)))
+        # A dot of the drawing's own has nothing else around it.
+        reached = scipy.ndimage.maximum_filter(np.where(small, pieces, 0), 3)
+        crumbs = np.unique(reached[around & inside & ~of_tone])
+        at = scipy.ndimage.binary_dilation(np.isin(pieces, crumbs[crumbs > 0]), np.ones((3, 3)))
+        soft[at] = 1 - tone
     return soft
 
 
-def _smooth(values: NDArray) -> NDArray[np.float32]:
-    return scipy.ndimage.gaussian_filter(values.astype(np.float32), 1.0)
+def _smooth(values: NDArray, sigma: float) -> NDArray[np.float32]:
+    return scipy.ndimage.gaussian_filter(values.astype(np.float32), sigma)
 
 
 def _enlarged(soft: NDArray[np.float32], n: int) -> NDArray[np.float32]:
