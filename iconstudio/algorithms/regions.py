@@ -33,29 +33,32 @@ class Regions:
     """(n, n): the region of each pixel, 0 outside."""
     extended: NDArray[np.intp]
     """(n, n): the region of each pixel, outside that of the nearest."""
+    pure: Mask
+    """(n, n): the pixels that blend no colours."""
     colours: NDArray[np.float64]
     """(k + 1, 3): the mean colours, in CIELAB; the first is white."""
     areas: NDArray[np.float64]
     """(k + 1,): the numbers of pixels."""
+    widths: NDArray[np.float64]
+    """(k + 1,): the mean widths, in pixels."""
     lengths: NDArray[np.float64]
     """(k + 1, k + 1): the number of pixel sides along which two regions meet."""
     contrasts: NDArray[np.float64]
     """(k + 1, k + 1): the mean difference of their colours there; 0 where they do not meet."""
 
 
-def regions(rgb: NDArray[np.uint8], inside: Mask, contrast: float, smallest: float) -> Regions:
-    """Divide what is ``inside`` (n, n) of a drawing (n, n, 3), sRGB, into regions.
+def regions(lab: NDArray[np.float32], inside: Mask, contrast: float, smallest: float) -> Regions:
+    """Divide what is ``inside`` (n, n) of a drawing (n, n, 3), in CIELAB, into regions.
 
     Neighbours whose colours differ by less than ``contrast`` are one region; a region of fewer
     than ``smallest`` pixels joins the neighbour that is most like it. Something must be inside.
     """
-    lab = _lab(rgb)
     cores = _cores(lab, inside)
-    at = _nearest(cores)
+    at = nearest(cores > 0)
     hairlines = _hairlines(lab, inside, cores, at)
     if hairlines.any():
         cores = np.where(hairlines > 0, hairlines + cores.max(), cores)
-        at = _nearest(cores)
+        at = nearest(cores > 0)
     extended, flat = cores[at], lab[at]
     labels = np.where(inside, extended, 0)
     lengths, differences = _meetings(labels, flat)
@@ -71,11 +74,15 @@ def regions(rgb: NDArray[np.uint8], inside: Mask, contrast: float, smallest: flo
     colours[0] = 100, 0, 0
     pairs = np.ix_(kept, kept)
     contrasts = differences[pairs] / np.maximum(lengths[pairs], 1)
-    return Regions(number[labels], number[extended], colours, areas, lengths[pairs], contrasts)
+    labels = number[labels]
+    widths = _widths(labels, areas)
+    return Regions(
+        labels, number[extended], cores > 0, colours, areas, widths, lengths[pairs], contrasts
+    )
 
 
-def _lab(rgb: NDArray[np.uint8]) -> NDArray[np.float32]:
-    """Return the colours in CIELAB; a drawing has few, so each is converted once."""
+def cielab(rgb: NDArray[np.uint8]) -> NDArray[np.float32]:
+    """Return sRGB colours (..., 3) in CIELAB; a drawing has few, so each is converted once."""
     from skimage.color import rgb2lab
 
     packed = rgb.astype(np.uint32) @ np.array([1 << 16, 1 << 8, 1], np.uint32)
@@ -103,14 +110,13 @@ def _cores(lab: NDArray[np.float32], inside: Mask) -> NDArray[np.intp]:
 def _hairlines(
     lab: NDArray[np.float32], inside: Mask, cores: NDArray[np.intp], at: tuple[NDArray, NDArray]
 ) -> NDArray[np.intp]:
-    """Number the lines too thin for even colour, a pixel wider than they are; 0 elsewhere."""
+    """Number the lines that are too thin for even colour; 0 elsewhere."""
     labels = np.where(inside, cores[at], 0)
     size = 2 * _NEAR + 1
     alone = scipy.ndimage.maximum_filter(labels, size) == scipy.ndimage.minimum_filter(labels, size)
     thin = alone & inside & (cores == 0)
     thin[thin] = np.linalg.norm(lab[thin] - lab[at][thin], axis=1) > BLEND
-    wider = scipy.ndimage.binary_dilation(thin, np.ones((3, 3))) & inside if thin.any() else thin
-    return _largest(scipy.ndimage.label(wider, np.ones((3, 3)))[0], 4 * _SMALLEST)
+    return _largest(scipy.ndimage.label(thin, np.ones((3, 3)))[0], 4 * _SMALLEST)
 
 
 def _largest(pieces: NDArray[np.intp], smallest: int) -> NDArray[np.intp]:
@@ -124,10 +130,10 @@ def _largest(pieces: NDArray[np.intp], smallest: int) -> NDArray[np.intp]:
     return number[pieces]
 
 
-def _nearest(cores: NDArray[np.intp]) -> tuple[NDArray, NDArray]:
-    """Return rows and columns of the pixel of a core that is nearest to each pixel."""
+def nearest(marked: Mask) -> tuple[NDArray, NDArray]:
+    """Return rows and columns of the marked pixel that is nearest to each pixel."""
     rows, columns = scipy.ndimage.distance_transform_edt(
-        cores == 0, return_distances=False, return_indices=True
+        ~marked, return_distances=False, return_indices=True
     )
     return rows, columns
 
@@ -153,6 +159,15 @@ def _meetings(
         sums += np.bincount(pairs, differences, count * count)
     lengths, sums = lengths.reshape(count, count), sums.reshape(count, count)
     return lengths + lengths.T, sums + sums.T
+
+
+def _widths(labels: NDArray[np.intp], areas: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the mean width of each region."""
+    contour = scipy.ndimage.maximum_filter(labels, 2) != scipy.ndimage.minimum_filter(labels, 2)
+    contour[[0, -1]] = contour[:, [0, -1]] = True
+    depth = scipy.ndimage.distance_transform_edt(~contour)
+    # Across a line of width w, the mean distance from its sides is w / 4.
+    return 4 * np.bincount(labels.ravel(), depth.ravel()) / np.maximum(areas, 1)
 
 
 def _joined(

@@ -1,0 +1,270 @@
+"""Pictograms of coloured drawings against the same drawings in black, as one would draw them."""
+
+import io
+import re
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from PIL import Image
+from resvg_py import svg_to_bytes
+from skimage.transform import resize
+
+from iconstudio.algorithms.tone import LINE, SIDE, Paints, near_white, paints, pictogram
+from iconstudio.algorithms.vectorize import trace
+
+N = 2 * SIDE
+HOUSE = "M3 21V10L12 2l9 8v11zM9 12h6v5H9zM17 2h4v3h-4z"
+ROOF_AND_CHIMNEY = "M3 21V10L12 2l9 8v11zM17 2h4v3h-4z"
+DOOR = "M9 12h6v5H9z"
+
+
+def rgba(body: str, n: int = N, box: str = "0 0 24 24") -> np.ndarray:
+    svg = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{box}">{body}</svg>'
+    png = svg_to_bytes(svg_string=svg, width=n, height=n, skip_system_fonts=True)
+    return np.array(Image.open(io.BytesIO(png)).convert("RGBA"))
+
+
+def path(d: str, fill: str = "#000", more: str = "") -> str:
+    return f'<path d="{d}" fill="{fill}" fill-rule="evenodd" {more}/>'
+
+
+def ink(body: str, n: int = N) -> np.ndarray:
+    """The alpha of a drawing: all that is painted is ink."""
+    return rgba(body, n)[..., 3]
+
+
+def amiss(coverage: np.ndarray, right: np.ndarray) -> float:
+    """The area, relative to the right ink, between the contours of two coverages."""
+    return ((coverage > 127) != (right > 127)).sum() / (right > 127).sum()
+
+
+def assert_alike(coverage: np.ndarray, right: np.ndarray, tolerance: float = 0.015) -> None:
+    assert amiss(coverage, right) < tolerance
+
+
+PLAIN = ink(path(HOUSE))
+colours = st.tuples(*[st.integers(0, 255)] * 3).map(lambda c: "#{:02x}{:02x}{:02x}".format(*c))
+
+
+@settings(max_examples=12, deadline=None)
+@given(colours, st.floats(0.1, 1))
+def test_one_tone_is_ink_whatever_its_colour_and_opacity(colour, opacity):
+    drawing = rgba(f'<g opacity="{opacity}">{path(HOUSE, colour)}</g>')
+    coverage = pictogram(drawing)
+    assert_alike(coverage, PLAIN)
+    assert ((coverage > 127) == (PLAIN > 127)).mean() > 0.9999
+    assert paints(drawing, coverage) is Paints.ALL
+
+
+def test_a_gradient_is_one_tone():
+    stops = '<stop stop-color="#ffd54f"/><stop offset="1" stop-color="#bf360c"/>'
+    for kind in ("linearGradient", "radialGradient"):
+        fill = f'<defs><{kind} id="g">{stops}</{kind}></defs>' + path(HOUSE, "url(#g)")
+        drawing = rgba(fill)
+        coverage = pictogram(drawing)
+        assert_alike(coverage, PLAIN)
+        assert paints(drawing, coverage) is Paints.ALL
+
+
+@pytest.mark.parametrize("colour", ["#000", "#f4b400", "#0f4c81", "#9e9e9e"])
+@pytest.mark.parametrize("white", ["#fff", "#fafafa"])
+def test_near_white_on_a_colour_is_paper(colour, white):
+    drawing = rgba(path(ROOF_AND_CHIMNEY, colour) + path(DOOR, white))
+    coverage = pictogram(drawing)
+    assert_alike(coverage, PLAIN)
+    assert paints(drawing, coverage) is Paints.DARK
+
+
+def test_separate_pieces_may_have_colours_of_their_own():
+    roof, chimney = "M3 21V10L12 2l9 8v11z", "M17 2h4v3h-4z"
+    drawing = path(roof, "#f4b400") + path(chimney, "#0f4c81") + path(DOOR, "#fff")
+    assert_alike(pictogram(rgba(drawing)), PLAIN)
+
+
+def test_a_white_band_around_a_drawing_is_paper():
+    band = path(HOUSE, "#fff", 'stroke="#fff" stroke-width="3" stroke-linejoin="round"')
+    drawing = rgba(band + path(HOUSE, "#1976d2"))
+    coverage = pictogram(drawing)
+    assert_alike(coverage, PLAIN)
+    assert paints(drawing, coverage) is Paints.DARK
+
+
+def test_white_beside_a_colour_is_ink():
+    """As the lettering of a logo for dark backgrounds."""
+    letters = path("M17 2h4v3h-4z", "#fff")
+    drawing = rgba(path("M3 21V10L12 2l9 8v11zM9 12h6v5H9z", "#1976d2") + letters)
+    coverage = pictogram(drawing)
+    assert_alike(coverage, PLAIN)
+    assert paints(drawing, coverage) is Paints.ALL
+
+
+@pytest.mark.parametrize("opacity", [0.2, 0.35, 0.49])
+def test_the_pale_layer_of_a_duotone_is_paper(opacity):
+    pale = path("M1 1h22v22H1z", "#05f", f'opacity="{opacity}"')
+    assert_alike(np.where(pictogram(rgba(pale + path(HOUSE, "#05f"))) > 127, 255, 0), PLAIN)
+
+
+TILES = {
+    "square": '<rect width="24" height="24" fill="{}"/>',
+    "rounded": '<rect width="24" height="24" rx="4" fill="{}"/>',
+    "very rounded": '<rect width="24" height="24" rx="6" fill="{}"/>',
+}
+GLYPH = "transform='translate(4.8 4.8) scale(.6)'"
+SMALL = ink(path(HOUSE, "#000", GLYPH))
+
+
+@pytest.mark.parametrize("tile", TILES)
+@pytest.mark.parametrize(
+    ("behind", "drawn", "choice"),
+    [
+        ("#000", "#fff", Paints.LIGHT),
+        ("#1976d2", "#fff", Paints.LIGHT),
+        ("#fff", "#c00", Paints.DARK),
+        ("#222", "#fc0", None),
+        ("#fc0", "#222", None),
+    ],
+)
+def test_the_drawing_on_a_tile_is_the_drawing(tile, behind, drawn, choice):
+    drawing = rgba(TILES[tile].format(behind) + path(HOUSE, drawn, GLYPH))
+    coverage = pictogram(drawing)
+    assert_alike(coverage, SMALL, 0.03)
+    assert paints(drawing, coverage) is choice
+
+
+def test_white_on_a_black_banner_is_the_drawing():
+    banner = '<rect y="4" width="24" height="16" fill="#000"/>'
+    assert_alike(pictogram(rgba(banner + path(HOUSE, "#fff", GLYPH))), SMALL, 0.03)
+
+
+def test_a_page_is_paper_however_little_is_on_it():
+    drawing = '<path d="M5 5L19 19" stroke="{}" stroke-width=".08"/>'
+    page = '<path d="M0 0h24v24H0z" fill="#fff"/>'
+    coverage = pictogram(rgba(page + drawing.format("#000")))
+    right = ink(drawing.format("#000"))
+    assert coverage[right > 200].mean() > 100
+    assert coverage[np.abs(np.subtract.outer(np.arange(N), np.arange(N))) > 12].max() < 8
+
+
+def test_a_white_sign_on_a_coloured_disc_is_a_hole():
+    disc = '<circle cx="12" cy="12" r="12" fill="#d32f2f"/>'
+    cross = '<path d="M7 7L17 17M17 7L7 17" stroke="#fff" stroke-width="3"/>'
+    drawing = rgba(disc + cross)
+    coverage = pictogram(drawing)
+    right = ink(disc) * (ink(cross) < 128)
+    assert_alike(coverage, right)
+    assert paints(drawing, coverage) is Paints.DARK
+
+
+def test_a_die_keeps_its_body():
+    dots = "".join(
+        f'<circle cx="{x}" cy="{y}" r="2" fill="#fff"/>' for x in (6, 18) for y in (6, 18)
+    )
+    body = '<rect width="24" height="24" rx="4" fill="#111"/>'
+    assert_alike(pictogram(rgba(body + dots)), ink(body) * (ink(dots) < 128))
+
+
+def test_a_screen_is_a_hole_in_its_frame():
+    body = '<rect width="24" height="24" rx="3" fill="#333"/>'
+    screen = '<rect x="2" y="2" width="20" height="20" fill="#9cf"/>'
+    assert_alike(pictogram(rgba(body + screen)), ink(body) * (ink(screen) < 128))
+
+
+def test_a_face_keeps_eyes_and_mouth():
+    face = '<circle cx="12" cy="12" r="11" fill="#ffc83d"/>'
+    features = (
+        '<g fill="#6a3b18"><circle cx="8" cy="9" r="2"/><circle cx="16" cy="9" r="2"/>'
+        '<path d="M6 14h12a6 6 0 0 1-12 0z"/></g>'
+    )
+    tongue = '<circle cx="12" cy="17.5" r="1.5" fill="#f8312f"/>'
+    right = np.maximum(ink(face) * (ink(features) < 128), ink(tongue))
+    assert_alike(pictogram(rgba(face + features + tongue)), right)
+
+
+def test_neighbours_of_different_colour_are_told_apart_by_a_line():
+    drawing = path("M2 4h10v16H2z", "#e53935") + path("M12 4h10v16H12z", "#1e88e5")
+    coverage = pictogram(rgba(drawing)).astype(float) / 255
+    widths = coverage[N // 4 : 3 * N // 4, N // 4 : 3 * N // 4]
+    line = (1 - widths).sum(axis=1) * 256 / N
+    assert np.allclose(line, LINE * 256 / SIDE, atol=0.6)
+    outline = ink(drawing) > 127
+    assert (coverage[~outline] < 0.5).all()
+
+
+def test_shades_of_one_colour_are_not_told_apart():
+    drawing = rgba(path("M2 4h10v16H2z", "#e53935") + path("M12 4h10v16H12z", "#d32f2f"))
+    assert paints(drawing, pictogram(drawing)) is Paints.ALL
+
+
+@pytest.mark.parametrize("line", ["#000", "#2859c5", "#5d4037"])
+def test_a_line_drawing_is_its_lines(line):
+    shape = '<path d="M12 3l9 8v10H3V11zM3 11h18" fill="{}" stroke="{}" stroke-width="1.5"/>'
+    drawn = pictogram(rgba(shape.format("#ffe082", line)))
+    assert_alike(drawn, ink(shape.format("none", line)), 0.02)
+
+
+def test_what_stands_out_in_the_fill_of_a_line_drawing_is_ink():
+    page = '<rect x="3" y="2" width="18" height="20" fill="{}" stroke="#000" stroke-width="2"/>'
+    letter = '<path d="M8 8h8M12 8v9" stroke="#fff" stroke-width="2"/>'
+    assert_alike(
+        pictogram(rgba(page.format("#2f88ff") + letter)), ink(page.format("none") + letter), 0.02
+    )
+
+
+FACE = (
+    '<circle cx="12" cy="12" r="10" fill="#ffc83d"/>'
+    + path("M2 12a10 10 0 0 1 20 0z", "#9b5d2e")
+    + '<g fill="#212121"><circle cx="9" cy="15" r="1.5"/><circle cx="15" cy="15" r="1.5"/></g>'
+)
+
+
+@pytest.mark.parametrize("n", [700, 2 * N])
+def test_the_size_of_the_raster_changes_little(n):
+    usual = pictogram(rgba(FACE)) / 255
+    other = resize(pictogram(rgba(FACE, n)) / 255, (N, N), anti_aliasing=True)
+    assert amiss(255 * other, 255 * usual) < 0.02
+
+
+@pytest.mark.parametrize(
+    "drawing", [FACE, path(HOUSE), TILES["rounded"].format("#000") + path(HOUSE, "#fff", GLYPH)]
+)
+def test_a_margin_changes_little(drawing):
+    usual = pictogram(rgba(drawing)) / 255
+    wide = pictogram(rgba(drawing, box="-2 -2 28 28")) / 255
+    cut = round(2 / 28 * N)
+    inner = resize(wide[cut:-cut, cut:-cut], (N, N), order=1)
+    assert amiss(255 * inner, 255 * usual) < 0.04
+
+
+def test_colours_of_transparent_pixels_do_not_matter():
+    drawing = rgba(FACE)
+    other = drawing.copy()
+    other[other[..., 3] == 0, :3] = 0, 255, 0
+    assert np.array_equal(pictogram(drawing), pictogram(other))
+
+
+def test_outlines_are_smooth():
+    """Of a disc that is half one colour, half another, four or so curves and two lines remain."""
+    halves = path("M12 2a10 10 0 0 1 0 20z", "#e53935") + path("M12 2a10 10 0 0 0 0 20z", "#1e88e5")
+    curves = re.findall("[CLHV]", trace(pictogram(rgba(halves))))
+    assert len(curves) <= 16
+
+
+def test_nothing_gives_no_ink():
+    nothing = np.zeros((SIDE, SIDE, 4), np.uint8)
+    assert pictogram(nothing).max() == 0
+    assert paints(nothing, pictogram(nothing)) is Paints.ALL
+
+
+def test_noise_does_not_take_long(benchmark):
+    noise = np.random.default_rng(0).integers(0, 256, (SIDE, SIDE, 4)).astype(np.uint8)
+    benchmark.pedantic(pictogram, (noise,), rounds=1)
+    assert benchmark.stats.stats.max < 20
+
+
+def test_near_white():
+    shades = np.array(
+        [[255, 255, 255], [240, 240, 240], [200, 200, 200], [255, 255, 180]], np.uint8
+    )
+    assert near_white(shades).tolist() == [True, True, False, False]
