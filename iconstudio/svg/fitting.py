@@ -19,9 +19,7 @@ def fitted(svg: str, box: Box, fonts: list[str]) -> Frame | None:
 
     The longer side of the drawing measures ``CANVAS - 2 * MARGIN`` of ``CANVAS``.
     """
-    x, y, width, height = box
-    size = max(width, height) * 1.1 or 1.0
-    frame = Frame(x + (width - size) / 2, y + (height - size) / 2, size)
+    frame = square(box)
     for _ in range(_ROUNDS):
         alpha = render_colours(svg, frame, _SIDE, fonts)[:, :, 3]
         seen = alpha >= _FAINT
@@ -42,3 +40,10 @@ def fitted(svg: str, box: Box, fonts: list[str]) -> Frame | None:
         if extent > _LARGE * _SIDE:
             break
     return frame
+
+
+def square(box: Box) -> Frame:
+    """Return a square around a box, a little larger."""
+    x, y, width, height = box
+    size = max(width, height) * 1.1 or 1.0
+    return Frame(x + (width - size) / 2, y + (height - size) / 2, size)

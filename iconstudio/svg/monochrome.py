@@ -13,28 +13,30 @@ from collections.abc import Callable, Iterator
 from time import perf_counter
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.tone import pictogram
 from iconstudio.algorithms.vectorize import trace
 from iconstudio.model import CANVAS, Frame, IconstudioError
 from iconstudio.resources import resource
-from iconstudio.svg.fitting import fitted
+from iconstudio.svg.fitting import fitted, square
 from iconstudio.svg.lengths import Box, mapped
 from iconstudio.svg.near import brought_near
 from iconstudio.svg.plain import Plain, document
 from iconstudio.svg.resvg import render_colours, render_coverage
 from iconstudio.svg.strokes import thickened
 
-_SIZES = (1024, 512, 256)
-_TRIAL = 128
-_SECONDS = 1.5
-"""How long the drawing that decides may take to be drawn."""
+_SIDE = 4 * CANVAS
+"""Side of the picture that decides, unless the drawing has filters, masks or patterns."""
+_SLOW = 0.7
+"""Seconds from which such a drawing is drawn no larger than the canvas: its time grows with the cube
+of its side. All but the oddest are far from it on any machine."""
 _COMPARED = 512
 _ALIKE = 0.004
 """Part of the ink by which the shapes painted black may differ from the picture."""
-_THIN = 0.5
-"""Part of the ink that must show on the canvas."""
+_THIN = 1.2
+"""Canvas units that the thickest lines must measure."""
 _PALE = 208
 """Grey level from which a colour is paper beside a darker one."""
 _COLOUR = re.compile(r"#([0-9a-f]{6})|rgba\((\d+),(\d+),(\d+),([\d.e-]+)\)|currentColor")
@@ -68,21 +70,24 @@ def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ..
     box = drawn if drawing.page is None else mapped(matrix, drawing.page)
     frame = fitted(document(content, box), _common(box, drawn), fonts)
     if frame is None and drawing.page is not None:
-        box = drawn
-        frame = fitted(document(content, box), box, fonts)
-        remarks.append(OFF_PAGE)
-    if frame is None:
-        raise _nothing(drawing.remarks)
-    box = _common(box, (frame.x, frame.y, frame.size, frame.size))
-    coverage = _picture(document(content, box), frame, fonts)
-    if _lost(coverage):
-        content = thickened(content, frame.size, box)
-        coverage = _picture(document(content, box), frame, fonts)
-        remarks.append(THIN)
-        if _lost(coverage):
+        frame = fitted(document(content, drawn), drawn, fonts)
+        if frame is not None:
+            box = drawn
+            remarks.append(OFF_PAGE)
+    around = frame or square(drawn)
+    coverage = frame and _picture(document(content, box), frame, fonts, drawing.heavy)
+    if coverage is None or _is_thin(coverage):
+        content = thickened(content, around.size, box)
+        frame = fitted(document(content, box), _common(box, drawn), fonts)
+        if frame is None:
+            raise _nothing(drawing.remarks)
+        coverage = _picture(document(content, box), frame, fonts, drawing.heavy)
+        if _is_thin(coverage):
             raise IconstudioError(
                 "Its lines are too thin to be seen at the size of an icon. Make them thicker."
             )
+        remarks.append(THIN)
+    box = _common(box, (frame.x, frame.y, frame.size, frame.size))
     own = None if fonts or drawing.heavy else _own_shapes(content, box, frame, coverage)
     if own is None:
         own, box = _traced(coverage), (0.0, 0.0, float(CANVAS), float(CANVAS))
@@ -108,22 +113,24 @@ def _common(page: Box, drawn: Box) -> Box:
     return left, top, max(right - left, 0.0), max(bottom - top, 0.0)
 
 
-def _picture(svg: str, frame: Frame, fonts: list[str]) -> NDArray[np.uint8]:
-    """Return the pictogram of a document, as large as there is time for."""
-    start = perf_counter()
-    render_colours(svg, frame, _TRIAL, fonts)
-    pace = (perf_counter() - start) / _TRIAL**2
-    sizes = [size for size in _SIZES if pace * size**2 * (size / _TRIAL) < _SECONDS * 4]
-    size = sizes[0] if sizes else _SIZES[-1]
+def _picture(svg: str, frame: Frame, fonts: list[str], heavy: bool) -> NDArray[np.uint8]:
+    """Return the pictogram of a document; ``heavy`` ones are drawn smaller, by how slow they are."""
+    size = _SIDE
+    if heavy:
+        start = perf_counter()
+        render_colours(svg, frame, CANVAS, fonts)
+        slow = perf_counter() - start > _SLOW
+        size = CANVAS if slow else 2 * CANVAS
     return pictogram(render_colours(svg, frame, size, fonts))
 
 
-def _lost(coverage: NDArray[np.uint8]) -> bool:
-    """Whether most of the ink would not show on the canvas."""
-    factor = len(coverage) // CANVAS
-    ink = (coverage > 127).mean() if (coverage > 127).any() else coverage.mean() / 255
-    small = coverage.reshape(CANVAS, factor, CANVAS, factor).mean(axis=(1, 3))
-    return (small > 127).mean() < _THIN * ink or not (small > 127).any()
+def _is_thin(coverage: NDArray[np.uint8]) -> bool:
+    """Whether nearly all lines are so thin that they would hardly show on the canvas."""
+    ink = coverage > 127
+    if not ink.any():
+        return True
+    depths = scipy.ndimage.distance_transform_edt(ink)[ink]
+    return 2 * np.quantile(depths, 0.95) * CANVAS / len(coverage) < _THIN
 
 
 def _own_shapes(
