@@ -9,14 +9,14 @@ comes out is always simple to draw.
 import copy
 import re
 import xml.etree.ElementTree as ET
-from collections.abc import Callable, Iterator
 from time import perf_counter
+from typing import NamedTuple
 
 import numpy as np
 import scipy
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.tone import pictogram
+from iconstudio.algorithms.tone import Paints, near_white, paints, pictogram
 from iconstudio.algorithms.vectorize import trace
 from iconstudio.model import CANVAS, Frame, IconstudioError
 from iconstudio.resources import resource
@@ -30,22 +30,28 @@ from iconstudio.svg.strokes import thickened
 _SIDE = 4 * CANVAS
 """Side of the picture that decides, unless the drawing has filters, masks or patterns."""
 _SLOW = 0.7
-"""Seconds from which such a drawing is drawn no larger than the canvas: its time grows with the cube
-of its side. All but the oddest are far from it on any machine."""
-_COMPARED = 512
+"""Seconds from which such a drawing is drawn no larger than the canvas: all but the oddest are far
+from it, so that what comes out does not depend on what else the machine does."""
+_APART = 100
+"""Grey levels by which ink and paper differ."""
 _ALIKE = 0.004
 """Part of the ink by which the shapes painted black may differ from the picture."""
 _THIN = 1.2
 """Canvas units that the thickest lines must measure."""
-_PALE = 208
-"""Grey level from which a colour is paper beside a darker one."""
-_COLOUR = re.compile(r"#([0-9a-f]{6})|rgba\((\d+),(\d+),(\d+),([\d.e-]+)\)|currentColor")
+_COLOUR = re.compile(r"#([0-9a-f]{6})|rgba\((\d+),(\d+),(\d+),([\d.e-]+)\)")
 _PAINTS = ("fill", "stroke", "color", "stop-color")
 _OPACITIES = ("opacity", "fill-opacity", "stroke-opacity", "stop-opacity")
 
 OFF_PAGE = "It lies outside of its page; all of it was taken."
 THIN = "Its lines are too thin to be seen at the size of an icon; they were drawn thicker."
 FONTS = "Its text was drawn in Inter, whatever its font. To keep its look, turn text into shapes."
+
+
+class _Picture(NamedTuple):
+    colours: NDArray[np.uint8]
+    """(n, n, 4)"""
+    coverage: NDArray[np.uint8]
+    """(n, n), 255 = ink: the pictogram of it."""
 
 
 def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ...]]:
@@ -75,22 +81,22 @@ def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ..
             box = drawn
             remarks.append(OFF_PAGE)
     around = frame or square(drawn)
-    coverage = frame and _picture(document(content, box), frame, fonts, drawing.heavy)
-    if coverage is None or _is_thin(coverage):
+    picture = frame and _picture(document(content, box), frame, fonts, drawing.heavy)
+    if picture is None or _is_thin(picture.coverage):
         content = thickened(content, around.size, box)
         frame = fitted(document(content, box), _common(box, drawn), fonts)
         if frame is None:
             raise _nothing(drawing.remarks)
-        coverage = _picture(document(content, box), frame, fonts, drawing.heavy)
-        if _is_thin(coverage):
+        picture = _picture(document(content, box), frame, fonts, drawing.heavy)
+        if _is_thin(picture.coverage):
             raise IconstudioError(
                 "Its lines are too thin to be seen at the size of an icon. Make them thicker."
             )
         remarks.append(THIN)
     box = _common(box, (frame.x, frame.y, frame.size, frame.size))
-    own = None if fonts or drawing.heavy else _own_shapes(content, box, frame, coverage)
+    own = None if fonts or drawing.heavy else _own_shapes(content, box, frame, picture)
     if own is None:
-        own, box = _traced(coverage), (0.0, 0.0, float(CANVAS), float(CANVAS))
+        own, box = _traced(picture.coverage), (0.0, 0.0, float(CANVAS), float(CANVAS))
     return document(own, box, rdf), tuple(dict.fromkeys(remarks))
 
 
@@ -113,15 +119,18 @@ def _common(page: Box, drawn: Box) -> Box:
     return left, top, max(right - left, 0.0), max(bottom - top, 0.0)
 
 
-def _picture(svg: str, frame: Frame, fonts: list[str], heavy: bool) -> NDArray[np.uint8]:
-    """Return the pictogram of a document; ``heavy`` ones are drawn smaller, by how slow they are."""
+def _picture(svg: str, frame: Frame, fonts: list[str], heavy: bool) -> _Picture:
+    """Return the colours of a document and its pictogram.
+
+    ``heavy`` documents are drawn smaller, by how slow they are.
+    """
     size = _SIDE
     if heavy:
         start = perf_counter()
         render_colours(svg, frame, CANVAS, fonts)
-        slow = perf_counter() - start > _SLOW
-        size = CANVAS if slow else 2 * CANVAS
-    return pictogram(render_colours(svg, frame, size, fonts))
+        size = CANVAS if perf_counter() - start > _SLOW else 2 * CANVAS
+    colours = render_colours(svg, frame, size, fonts)
+    return _Picture(colours, pictogram(colours))
 
 
 def _is_thin(coverage: NDArray[np.uint8]) -> bool:
@@ -134,62 +143,51 @@ def _is_thin(coverage: NDArray[np.uint8]) -> bool:
 
 
 def _own_shapes(
-    content: ET.Element, box: Box, frame: Frame, coverage: NDArray[np.uint8]
+    content: ET.Element, box: Box, frame: Frame, picture: _Picture
 ) -> ET.Element | None:
     """Return the drawing's own shapes in black and white; None if they give another picture."""
-    factor = max(1, len(coverage) // _COMPARED)
-    side = len(coverage) // factor
-    wanted = coverage.reshape(side, factor, side, factor).mean(axis=(1, 3))
-    ink = (wanted > 127).sum()
-    for painted in _painted(content):
+    choice = paints(picture.colours, picture.coverage)
+    if choice is None:
+        return None
+    side = 2 * CANVAS
+    factor = len(picture.coverage) // side
+    wanted = picture.coverage.reshape(side, factor, side, factor).mean(axis=(1, 3))
+    for opaque in (False, True):
+        painted = _painted(copy.deepcopy(content), choice, opaque)
         drawn = render_coverage(document(painted, box), frame, side).astype(float)
         # An edge may come out a shade lighter; ink and paper may not change places.
-        differs = (abs(drawn - wanted) > 100).sum()
-        if differs <= _ALIKE * ink:
+        if (abs(drawn - wanted) > _APART).sum() <= _ALIKE * (wanted > 127).sum():
             return painted
     return None
 
 
-def _painted(content: ET.Element) -> Iterator[ET.Element]:
-    """Yield a drawing in black and white, in the ways that may be right."""
-    black: Callable[[int], str] = lambda _: "#000000"  # noqa: E731
-    holes: Callable[[int], str] = lambda grey: "#ffffff" if grey >= _PALE else "#000000"  # noqa: E731
-    tile: Callable[[int], str] = lambda grey: "#000000" if grey >= _PALE else "#ffffff"  # noqa: E731
-    for opaque in (False, True):
-        for colour_of in (black, holes, tile):
-            yield _recoloured(copy.deepcopy(content), colour_of, opaque)
-
-
-def _recoloured(element: ET.Element, colour_of: Callable[[int], str], opaque: bool) -> ET.Element:
-    """Paint an element by the grey levels of its colours, in place, and return it."""
+def _painted(element: ET.Element, choice: Paints, opaque: bool) -> ET.Element:
+    """Paint an element black and white, in place, and return it."""
     if element.tag == "mask":
         return element  # whose colours say how much shows
     for name in _PAINTS:
         if name in element.attrib:
-            painted = _COLOUR.sub(lambda m: _paint(m, colour_of, opaque), element.attrib[name])
-            element.set(name, painted)
-    if opaque:
-        for name in _OPACITIES:
-            if float(element.get(name, "0").replace("inherit", "0")) > 0:
-                element.set(name, "1")
+            paint = _COLOUR.sub(lambda match: _tone(match, choice, opaque), element.attrib[name])
+            element.set(name, paint)
+    for name in _OPACITIES if opaque else ():
+        if element.get(name, "0") not in ("0", "inherit"):
+            element.set(name, "1")
     for child in element:
-        _recoloured(child, colour_of, opaque)
+        _painted(child, choice, opaque)
     return element
 
 
-def _paint(match: re.Match[str], colour_of: Callable[[int], str], opaque: bool) -> str:
-    if match[0] == "currentColor":
-        return match[0]
-    parts = (
-        [int(match[1][at : at + 2], 16) for at in (0, 2, 4)]
-        if match[1]
-        else [int(match[at]) for at in (2, 3, 4)]
-    )
-    painted = colour_of(round(0.299 * parts[0] + 0.587 * parts[1] + 0.114 * parts[2]))
-    if match[5] is None or (opaque and float(match[5]) > 0):
-        return painted
-    level = 0 if painted == "#000000" else 255
-    return f"rgba({level},{level},{level},{match[5]})"
+def _tone(match: re.Match[str], choice: Paints, opaque: bool) -> str:
+    """Return the black or white that takes the place of a colour."""
+    if match[1]:
+        rgb = [int(match[1][at : at + 2], 16) for at in (0, 2, 4)]
+    else:
+        rgb = [int(match[at]) for at in (2, 3, 4)]
+    white = bool(near_white(np.array(rgb, dtype=np.uint8)))
+    ink = choice is Paints.ALL or white == (choice is Paints.LIGHT)
+    level = 0 if ink else 255
+    alpha = match[5] or "1"
+    return f"rgba({level},{level},{level},{'1' if opaque and float(alpha) > 0 else alpha})"
 
 
 def _traced(coverage: NDArray[np.uint8]) -> ET.Element:

@@ -48,6 +48,8 @@ _OF_ROOTS = (
     "viewBox", "width", "height", "x", "y", "preserveAspectRatio", "version", "baseProfile",
     "overflow", "id", "zoomAndPan", "contentScriptType", "contentStyleType",
 )  # fmt: skip
+_MANY = 8
+"""Masks and clips, from which on they are slow to draw."""
 _MOST_SYMBOLS = 6
 
 
@@ -64,7 +66,7 @@ class Plain:
     texts: tuple[str, ...]
     """What is written in it, by fonts."""
     heavy: bool
-    """Whether filters, masks or patterns are at work, which are slow to draw."""
+    """Whether filters, patterns or many masks are at work, which are slow to draw."""
     remarks: tuple[str, ...]
     """What could not be read, in sentences."""
 
@@ -104,7 +106,8 @@ def plain(root: ET.Element) -> Plain:
         page,
         bounds(content, page or (0, 0, 100, 100), ids),
         texts,
-        any(one.tag in ("filter", "mask", "pattern") for one in kept),
+        any(one.tag in ("filter", "pattern") for one in kept)
+        or sum(one.tag in ("mask", "clipPath") for one in kept) > _MANY,
         tuple(dict.fromkeys(remarks)),
     )
 
@@ -194,6 +197,10 @@ def _content(root: ET.Element, stretch: Matrix) -> ET.Element:
         "g", {name: value for name, value in root.attrib.items() if name not in _OF_ROOTS}
     )
     content.extend(list(root))
+    for name in ("fill", "color"):
+        content.attrib.setdefault(name, "#000000")
+    for stop in content.iter("stop"):
+        stop.attrib.setdefault("stop-color", "#000000")
     if stretch != IDENTITY:
         outer = ET.Element("g", transform=f"matrix({written(stretch)})")
         outer.append(content)
