@@ -1,5 +1,6 @@
 """The program's commands, and how they end."""
 
+import errno
 import sys
 from collections.abc import Sequence
 from typing import ClassVar, Protocol
@@ -96,3 +97,9 @@ def run(arguments: Sequence[str], window: Window) -> int:
         # Whoever read our output has seen enough; keep Python from complaining at exit.
         sys.stdout = None
         return 0
+    except OSError as error:
+        if error.errno != errno.ENOSPC:
+            raise
+        sys.stdout = None  # It cannot be flushed.
+        click.echo("iconstudio: The disk is full. Make room, and run again.", err=True)
+        return MISTAKE

@@ -120,7 +120,7 @@ class Collection:
             If the collection is damaged, or the cache is full or cannot be written.
         """
         archive = Archive.at(folder or resource("collection"))
-        path = (cache or cache_folder()) / f"collection-{archive.digest}.sqlite"
+        path = (cache or cache_folder()) / f"collection-{archive.digest}-{database.FORMAT}.sqlite"
         database.remove_abandoned(path.parent)
         if not database.is_sound(path):
             if os.path.lexists(path):

@@ -27,6 +27,8 @@ from iconstudio.library.archive import MANIFEST, Archive, damaged
 from iconstudio.library.progress import Progress
 from iconstudio.model import IconstudioError
 
+FORMAT = 2
+"""To be raised when the database changes; those of other versions are then left alone."""
 _ABANDONED = 3600.0
 """Seconds after which the collection of another version may be removed."""
 _CHECKSUM = slice(60, 64)

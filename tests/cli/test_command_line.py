@@ -170,3 +170,18 @@ def test_a_bar_is_shown_on_a_terminal_only(tmp_path):
         env={**os.environ, "PYTHONWARNINGS": "error"},
     )
     assert done.stderr == ""
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="needs /dev/full")
+def test_output_that_has_no_room_is_told_in_a_sentence():
+    with open("/dev/full", "w") as full:
+        done = subprocess.run(
+            [sys.executable, "-P", "-m", "iconstudio", "show", "lucide:house"],
+            stdout=full,
+            stderr=subprocess.PIPE,
+            text=True,
+            check=False,
+            env={**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))},
+        )
+    assert done.returncode == 2
+    assert done.stderr == "iconstudio: The disk is full. Make room, and run again.\n"
