@@ -56,7 +56,7 @@ _SLOW_TO_LOAD = (
     "scipy.ndimage",
     "scipy.spatial",
     "scipy.special",
-    "skimage.draw.draw",
+    "shapely",
     "PIL.ImageDraw",
 )
 """Libraries that are not loaded before their first use, so that the window opens soon; SciPy loads

@@ -14,6 +14,7 @@ ADAPTERS = {
     "numba": "algorithms/compiled.py",
     "resvg_py": "library/resvg.py",
     "pebble": "workers.py",
+    "shapely": "algorithms/geometry.py",
     "tqdm": "cli/progress.py",
 }
 

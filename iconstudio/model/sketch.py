@@ -55,18 +55,6 @@ class Polygon:
         xs, ys = zip(*self.vertices, strict=True)
         return min(xs), min(ys), max(xs), max(ys)
 
-    @property
-    def crosses_itself(self) -> bool:
-        """Whether two edges that are not neighbours meet."""
-        v = self.vertices
-        n = len(v)
-        return any(
-            _segments_meet(v[i], v[(i + 1) % n], v[j], v[(j + 1) % n])
-            for i in range(n)
-            for j in range(i + 2, n)
-            if not (i == 0 and j == n - 1)
-        )
-
     def fitted(self) -> "Polygon":
         """Return the polygon scaled by its bounding box to the canvas, and centred.
 
@@ -112,10 +100,3 @@ class Sketch:
     exclude: frozenset[str] = field(default_factory=frozenset)
     """Identifiers of pictograms that must not be used."""
     symmetry: Axis | None = None
-
-
-def _segments_meet(a: Point, b: Point, c: Point, d: Point) -> bool:
-    def side(p: Point, q: Point, r: Point) -> float:
-        return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
-
-    return side(a, b, c) * side(a, b, d) < 0 and side(c, d, a) * side(c, d, b) < 0
