@@ -80,19 +80,20 @@ def scribble(strokes: Sequence[Stroke], side: int = CANVAS) -> NDArray[np.bool_]
     line runs through, however thin it is.
     """
     covered = np.zeros((side, side), dtype=bool)
+    steps = np.zeros((side, side + 1), dtype=int)  # along each row, into what is near and out of it
     unit = side / CANVAS
     for stroke in strokes:
         corners, radius = np.array(stroke.points, dtype=np.float64) * unit, stroke.width / 2 * unit
         for first in range(0, max(1, len(corners) - 1), _AT_ONCE):
             some = corners[first : first + _AT_ONCE + 1]
-            covered |= _near_line(some, radius, side)
+            _add_near_line(steps, some, radius)
             if radius < _FAR_CORNER:
                 line = _points_along(some)
                 x, y = line[((line >= 0) & (line < side)).all(axis=1)].astype(int).T
                 covered[y, x] = True
-            if covered.all():
-                return covered
-    return covered
+            if first and (steps.cumsum(axis=1)[:, :-1] > 0).all():  # scribbled all over
+                break
+    return covered | (steps.cumsum(axis=1)[:, :-1] > 0)
 
 
 def points_on(stroke: Stroke) -> NDArray[np.float64]:
@@ -109,11 +110,12 @@ def _points_along(corners: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.concatenate([corners[:1], points])
 
 
-def _near_line(corners: NDArray[np.float64], radius: float, side: int) -> NDArray[np.bool_]:
-    """Return the pixels whose centres lie within ``radius`` of a polyline (n, 2).
+def _add_near_line(steps: NDArray[np.int_], corners: NDArray[np.float64], radius: float) -> None:
+    """Add the pixels whose centres lie within ``radius`` of a polyline (n, 2) to ``steps``.
 
     What is near a segment is convex: in a row of pixels, all between a first and a last one.
     """
+    side = len(steps)
     starts, ends = (corners[:-1], corners[1:]) if len(corners) > 1 else (corners, corners)
     top, bottom = np.sort([starts[:, 1], ends[:, 1]], axis=0)
     first = np.clip(np.ceil(top - radius - 0.5), 0, side).astype(int)
@@ -123,9 +125,8 @@ def _near_line(corners: NDArray[np.float64], radius: float, side: int) -> NDArra
     left, right = _within(radius, starts[part].T, ends[part].T, row + 0.5)
     begin = np.clip(np.ceil(left - 0.5), 0, side).astype(int)
     end = np.clip(np.floor(right + 0.5), begin, side).astype(int)
-    at, size = row * (side + 1), side * (side + 1)
-    change = np.bincount(at + begin, minlength=size) - np.bincount(at + end, minlength=size)
-    return np.cumsum(change.reshape(side, side + 1), axis=1)[:, :side] > 0
+    np.add.at(steps, (row, begin), 1)
+    np.add.at(steps, (row, end), -1)
 
 
 def _within(
