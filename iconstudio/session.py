@@ -141,7 +141,7 @@ class Session:
         IconstudioError
             If there is no such icon, or the file is no good.
         """
-        if reference.lower().endswith(".svg") or os.path.isfile(reference):
+        if any(mark in reference for mark in "/\\.") or os.path.isfile(reference):
             return read_own_svg(Path(reference))
         return self.collection.get(reference)
 

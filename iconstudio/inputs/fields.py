@@ -158,6 +158,10 @@ class Fields:
         for number, value in enumerate(values, start=1):
             yield Fields(value, self._path, f"{self._place}, {name} {number}")
 
+    def object(self, key: str) -> "Fields":
+        """Return an object; an empty one if there is none."""
+        return Fields(self._given(key, {}), self._path, f"{self._place}, {key}")
+
     def _given(self, key: str, default: Any) -> Any:
         return self._data[key] if self.has(key) else default
 

@@ -70,11 +70,11 @@ class Polygon:
         self.check_area()
         left, top, right, bottom = self.bounds
         size = max(right - left, bottom - top)
-        width, length = self._spread()
+        width, _ = self._spread()
         if min(width, right - left, bottom - top) <= SLIMMEST * size:
             raise IconstudioError(
-                f"The polygon is too slim: its width is {width / length:.1%} of its length, and "
-                f"parts of icons need more than {SLIMMEST:.0%}. Draw it wider."
+                f"The polygon is too slim: it is not even {SLIMMEST:.0%} as wide as it is long, "
+                "and parts of icons would not fit in. Draw it wider."
             )
         k = (CANVAS - 2 * MARGIN) / size
         cx, cy = (left + right) / 2, (top + bottom) / 2
