@@ -55,17 +55,20 @@ def simplified_line(line: Points | Sequence[Point], stray: float) -> tuple[Point
     """Return a line with as few of its points as keep it within ``stray``, its ends among them."""
     import shapely
 
-    few = _joined(shapely.simplify(_pieces(np.array(line)), stray, preserve_topology=False))
-    return tuple(map(tuple, few.tolist()))
+    points = np.array(line, dtype=np.float64)
+    points = points[np.append(True, (points[1:] != points[:-1]).any(axis=1))]  # no point twice
+    if len(points) > 2:
+        points = _joined(shapely.simplify(_pieces(points), stray, preserve_topology=False))
+    return tuple(map(tuple, points.tolist()))
 
 
-def distances(points: Points, line: Sequence[Point]) -> NDArray[np.float64]:
-    """Return how far each of ``points`` is from a line of one point or more, (n,)."""
+def near(points: Points, line: Sequence[Point], reach: float) -> NDArray[np.bool_]:
+    """Return which of ``points`` are within ``reach`` of a line of one point or more, (n,)."""
     import shapely
 
     whole = shapely.linestrings(np.array(line if len(line) > 1 else [*line, *line]))
     shapely.prepare(whole)
-    return shapely.distance(whole, shapely.points(points))
+    return shapely.dwithin(whole, shapely.points(points), reach)
 
 
 def _simplified(polygon: Polygon, stray: float, careful: bool) -> Polygon:

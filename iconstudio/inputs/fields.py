@@ -24,7 +24,7 @@ MOST_IN_LIST = 10_000
 """Entries of any other list."""
 LONGEST_TEXT = 4096
 """Characters of a text, as of a path."""
-STRAY = 0.1
+STRAY = 0.2
 """How far, in canvas units, lines of more than ``MANY`` points may stray to have fewer."""
 MANY = 500
 """Points that nobody draws by hand."""

