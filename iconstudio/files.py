@@ -45,6 +45,27 @@ def read_bytes(path: Path, most: int) -> bytes:
     return data
 
 
+def replaceable(path: Path) -> os.stat_result | None:
+    """Return what is known of a file that is there and may be written; None if there is none.
+
+    Raises
+    ------
+    OSError
+        If it may not, or is no file on a disk.
+    """
+    try:
+        found = path.stat()
+    except FileNotFoundError:
+        return None
+    if stat.S_ISDIR(found.st_mode):
+        raise IsADirectoryError(errno.EISDIR, "it is a folder")
+    if not stat.S_ISREG(found.st_mode):
+        raise OSError(errno.EINVAL, f"it is {_NO_FILE}")
+    if not os.access(path, os.W_OK):
+        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+    return found
+
+
 def write_atomically(path: Path, data: bytes) -> None:
     """Write ``data`` to ``path``, replacing what is there in one step.
 
@@ -56,7 +77,7 @@ def write_atomically(path: Path, data: bytes) -> None:
         If it cannot be written; then ``path`` is as it was before.
     """
     target = Path(os.path.realpath(path))
-    before = _replaceable(target if path.is_symlink() else path)
+    before = replaceable(path)
     temporary = target.with_name(f".{os.getpid()}-{secrets.token_hex(8)}.part")
     try:
         with temporary.open("xb") as file:
@@ -76,21 +97,6 @@ def _why(path: Path, error: OSError) -> str:
     if error.errno in (errno.ENXIO, errno.EOPNOTSUPP):  # what opening a socket gives
         return f"It is {_NO_FILE}. Choose a file on a disk."
     return f"It cannot be read: {error.strerror or error}."
-
-
-def _replaceable(path: Path) -> os.stat_result | None:
-    """Return what is known of a file that may be replaced; None if there is none yet."""
-    try:
-        found = path.stat()
-    except FileNotFoundError:
-        return None
-    if stat.S_ISDIR(found.st_mode):
-        raise IsADirectoryError(errno.EISDIR, "it is a folder")
-    if not stat.S_ISREG(found.st_mode):
-        raise OSError(errno.EINVAL, f"it is {_NO_FILE}")
-    if not os.access(path, os.W_OK):
-        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
-    return found
 
 
 def remove_abandoned(folder: Path) -> None:

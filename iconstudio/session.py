@@ -62,7 +62,7 @@ _SLOW_TO_LOAD = (
     "scipy.ndimage",
     "scipy.spatial",
     "scipy.special",
-    "skimage.draw.draw",
+    "shapely",
     "PIL.ImageDraw",
 )
 """Libraries that are not loaded before their first use, so that the window opens soon; SciPy loads
@@ -149,7 +149,7 @@ class Session:
         IconstudioError
             If there is no such icon, or the file is no good.
         """
-        if reference.lower().endswith(".svg") or os.path.isfile(reference):
+        if _is_path(reference):
             return self._own(Path(reference))
         return self.collection.get(reference)
 
@@ -332,3 +332,9 @@ class Session:
 
     def __exit__(self, *exc: object) -> None:
         self.close()
+
+
+def _is_path(reference: str) -> bool:
+    """Whether a reference names a file, which need not be there."""
+    named = reference.startswith(("/", ".", "~")) or "\\" in reference or Path(reference).suffix
+    return bool(named) or os.path.isfile(reference)

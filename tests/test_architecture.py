@@ -17,6 +17,7 @@ ADAPTERS = {
     "tinycss2": "svg/stylesheet.py",
     "cssselect2": "svg/stylesheet.py",
     "coloraide": "svg/colours.py",
+    "shapely": "algorithms/geometry.py",
     "tqdm": "cli/progress.py",
 }
 

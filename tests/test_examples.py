@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 from PIL import Image
 
+from iconstudio.algorithms.geometry import crosses_itself
 from iconstudio.model import CANVAS, Polygon
 from iconstudio.resources import resource
 
@@ -34,7 +35,7 @@ def test_a_sketch_is_a_simple_polygon_with_a_name_and_a_keyword(path):
     assert set(example) - {"best"} == {"title", "keyword", "polygon", "photo", "credit"}
     assert all(example[key].strip() for key in ("title", "keyword", "credit"))
     polygon = Polygon.of(example["polygon"])
-    assert not polygon.crosses_itself
+    assert not crosses_itself(polygon)
     assert len(set(polygon.vertices)) == len(example["polygon"]) >= 15
     left, top, right, bottom = polygon.fitted().bounds
     assert 0 < left < right < CANVAS

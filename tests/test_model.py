@@ -58,11 +58,6 @@ def test_repeated_and_closing_points_are_dropped():
     assert polygon.vertices == ((0, 0), (4, 0), (4, 4), (0, 4))
 
 
-def test_crossing_edges_are_seen():
-    assert Polygon.of([(0, 0), (4, 4), (4, 0), (0, 4)]).crosses_itself
-    assert not Polygon.of([(0, 0), (4, 0), (2, 1), (4, 4)]).crosses_itself
-
-
 @given(
     st.sampled_from([0.8, 0.9, 1.0, 1.1, 1.25]),
     st.booleans(),

@@ -4,7 +4,6 @@ All three are the same truncated distance field: 0 on what is marked, rising to 
 """
 
 from collections.abc import Sequence
-from itertools import pairwise
 
 import numpy as np
 import scipy
@@ -22,6 +21,10 @@ HELD = 1e4
 """Data cost of giving up what the user marked: more than any seam around a pixel could save."""
 EDIT_WEIGHT = 0.1
 """w_E of equation 11."""
+_FAR_CORNER = 0.75
+"""The centre of a pixel is nearer to all that runs through it."""
+_AT_ONCE = 1000
+"""Segments of a stroke that are drawn at a time: this bounds the memory."""
 
 
 def truncated_distance(marked: NDArray[np.bool_], reach: float) -> NDArray[np.float32]:
@@ -77,45 +80,73 @@ def scribble(strokes: Sequence[Stroke], side: int = CANVAS) -> NDArray[np.bool_]
     line runs through, however thin it is.
     """
     covered = np.zeros((side, side), dtype=bool)
+    steps = np.zeros((side, side + 1), dtype=int)  # along each row, into what is near and out of it
     unit = side / CANVAS
     for stroke in strokes:
-        stroke = Stroke(stroke.width * unit, tuple((x * unit, y * unit) for x, y in stroke.points))
-        line = points_on(stroke)
-        inside = line[((line >= 0) & (line < side)).all(axis=1)].astype(int)
-        covered[inside[:, 1], inside[:, 0]] = True
-        radius = stroke.width / 2
-        left, top = np.maximum(np.floor(line.min(axis=0) - radius).astype(int), 0)
-        right, bottom = np.minimum(np.ceil(line.max(axis=0) + radius).astype(int), side)
-        if left < right and top < bottom:
-            covered[top:bottom, left:right] |= (
-                _distance_to_line(stroke.points, left, top, right, bottom) <= radius
-            )
-    return covered
+        corners, radius = np.array(stroke.points, dtype=np.float64) * unit, stroke.width / 2 * unit
+        for first in range(0, max(1, len(corners) - 1), _AT_ONCE):
+            some = corners[first : first + _AT_ONCE + 1]
+            _add_near_line(steps, some, radius)
+            if radius < _FAR_CORNER:
+                line = _points_along(some)
+                x, y = line[((line >= 0) & (line < side)).all(axis=1)].astype(int).T
+                covered[y, x] = True
+            if first and (steps.cumsum(axis=1)[:, :-1] > 0).all():  # scribbled all over
+                break
+    return covered | (steps.cumsum(axis=1)[:, :-1] > 0)
 
 
 def points_on(stroke: Stroke) -> NDArray[np.float64]:
     """Return points (n, 2), rows of (x, y), along a stroke, at most half a pixel apart."""
-    corners = np.array(stroke.points, dtype=np.float64)
-    parts = [corners[:1]]
-    for start, end in pairwise(corners):
-        steps = max(1, int(np.ceil(2 * np.abs(end - start).max())))
-        parts.append(start + (end - start) * np.arange(1, steps + 1)[:, None] / steps)
-    return np.concatenate(parts)
+    return _points_along(np.array(stroke.points, dtype=np.float64))
 
 
-def _distance_to_line(
-    points: Sequence[Point], left: int, top: int, right: int, bottom: int
-) -> NDArray[np.float64]:
-    """Return the distance of the pixel centres of a window from a polyline."""
-    xs, ys = np.meshgrid(np.arange(left, right) + 0.5, np.arange(top, bottom) + 0.5)
-    nearest = np.hypot(xs - points[0][0], ys - points[0][1])
-    for (x0, y0), (x1, y1) in pairwise(points):
-        length = (x1 - x0) ** 2 + (y1 - y0) ** 2
-        if length > 0:
-            t = np.clip(((xs - x0) * (x1 - x0) + (ys - y0) * (y1 - y0)) / length, 0, 1)
-            foot = np.hypot(xs - x0 - t * (x1 - x0), ys - y0 - t * (y1 - y0))
-            np.minimum(nearest, foot, out=nearest)
-    return nearest
+def _points_along(corners: NDArray[np.float64]) -> NDArray[np.float64]:
+    along = np.diff(corners, axis=0)
+    steps = np.maximum(1, np.ceil(2 * np.abs(along).max(axis=1, initial=0))).astype(int)
+    part = np.repeat(np.arange(len(steps)), steps)
+    step = np.arange(1, len(part) + 1) - np.repeat(np.cumsum(steps) - steps, steps)
+    points = corners[part] + along[part] * (step / steps[part])[:, None]
+    return np.concatenate([corners[:1], points])
+
+
+def _add_near_line(steps: NDArray[np.int_], corners: NDArray[np.float64], radius: float) -> None:
+    """Add the pixels whose centres lie within ``radius`` of a polyline (n, 2) to ``steps``.
+
+    What is near a segment is convex: in a row of pixels, all between a first and a last one.
+    """
+    side = len(steps)
+    starts, ends = (corners[:-1], corners[1:]) if len(corners) > 1 else (corners, corners)
+    top, bottom = np.sort([starts[:, 1], ends[:, 1]], axis=0)
+    first = np.clip(np.ceil(top - radius - 0.5), 0, side).astype(int)
+    met = np.clip(np.floor(bottom + radius + 0.5), first, side).astype(int) - first
+    part = np.repeat(np.arange(len(starts)), met)
+    row = np.arange(len(part)) + np.repeat(first - np.cumsum(met) + met, met)
+    left, right = _within(radius, starts[part].T, ends[part].T, row + 0.5)
+    begin = np.clip(np.ceil(left - 0.5), 0, side).astype(int)
+    end = np.clip(np.floor(right + 0.5), begin, side).astype(int)
+    np.add.at(steps, (row, begin), 1)
+    np.add.at(steps, (row, end), -1)
+
+
+def _within(
+    radius: float, start: NDArray[np.float64], end: NDArray[np.float64], y: NDArray[np.float64]
+) -> list[NDArray[np.float64]]:
+    """Return the first and the last x at which a level line is within ``radius`` of a segment.
+
+    ``start`` and ``end`` are (2, n), x and y. Every line at ``y`` (n,) comes so near.
+    """
+    (x0, y0), (dx, dy) = start, end - start
+    length = np.maximum(np.hypot(dx, dy), 1e-300)
+    bounds = []
+    for way in (-1, 1):
+        # Of all discs along the segment one reaches farthest that way: where the outline leaves it.
+        below = -way * radius * dx * np.sign(dy) / length
+        at = np.where(dy == 0, way * dx > 0, (y - y0 - below) / np.where(dy == 0, 1, dy))
+        at = np.clip(at, 0, 1)
+        half = np.sqrt(np.maximum(radius**2 - (y - y0 - at * dy) ** 2, 0))
+        bounds.append(x0 + at * dx + way * half)
+    return bounds
 
 
 def with_mirror_images(points: Sequence[Point], axis: Axis | None) -> tuple[Point, ...]:

@@ -1,13 +1,13 @@
 """Bitmaps on the canvas: outlines filled, exemplars placed (sections 3.2 and 3.4)."""
 
-from collections.abc import Sequence
 from functools import lru_cache
 
 import numpy as np
 import scipy
 from numpy.typing import NDArray
 
-from iconstudio.model import CANVAS, Exemplar, Placement, Point, Polygon
+from iconstudio.algorithms.geometry import crosses_itself, simplified_line
+from iconstudio.model import CANVAS, Exemplar, Placement, Polygon
 
 Bitmap = NDArray[np.bool_]
 
@@ -42,15 +42,34 @@ def fill_polygon(polygon: Polygon, side: int = CANVAS) -> Bitmap:
     counts as inside.
     """
     from PIL import Image, ImageDraw
-    from skimage.draw import polygon2mask
 
     corners = np.array(polygon.vertices) * (side / CANVAS)
-    inside = polygon2mask((side, side), corners[:, ::-1] - 0.5)
-    if polygon.crosses_itself:  # the even-odd rule leaves out what is enclosed twice
+    inside = _enclosed_oddly(corners, side)
+    if crosses_itself(polygon):  # the even-odd rule leaves out what is enclosed twice
         outline = Image.fromarray(inside)
         ImageDraw.Draw(outline).line([tuple(corner) for corner in (*corners, corners[0])], fill=1)
         inside = np.asarray(outline)
     return solid(inside)
+
+
+def _enclosed_oddly(corners: NDArray[np.float64], side: int) -> Bitmap:
+    """Return the pixels whose centres a polygon (n, 2) encloses an odd number of times.
+
+    Along a row of pixels, every edge that the row meets turns outside to inside or back.
+    """
+    ends = np.roll(corners, -1, axis=0)
+    (x, y), (x_end, y_end) = corners.T, ends.T
+    above = np.minimum(y, y_end), np.maximum(y, y_end)
+    first, last = np.clip(np.ceil(np.array(above) - 0.5), 0, side).astype(int)
+    met = last - first
+    edge = np.repeat(np.arange(len(corners)), met)
+    row = np.arange(met.sum()) + np.repeat(first - np.cumsum(met) + met, met)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        slope = (x_end - x) / (y_end - y)  # of level edges, which meet no row, it is no number
+    crossing = x[edge] + (row + 0.5 - y[edge]) * slope[edge]
+    column = np.clip(np.ceil(crossing - 0.5), 0, side).astype(int)
+    turns = np.bincount(row * (side + 1) + column, minlength=side * (side + 1))
+    return np.cumsum(turns.reshape(side, side + 1), axis=1)[:, :side] % 2 == 1
 
 
 def outlines(filled: Bitmap, tolerance: float = 1.5) -> tuple[Polygon, ...]:
@@ -59,25 +78,11 @@ def outlines(filled: Bitmap, tolerance: float = 1.5) -> tuple[Polygon, ...]:
     They stray at most ``tolerance`` pixels from the contour of the bitmap, whose staircase would
     else be all corners.
     """
-    from skimage.measure import approximate_polygon, find_contours
+    from skimage.measure import find_contours
 
-    found = []
-    for contour in find_contours(np.pad(filled, 1).astype(np.float32), 0.5):
-        corners = approximate_polygon(contour, tolerance)[:-1] - 0.5
-        if len(corners) >= 3:
-            found.append(Polygon(tuple((float(x), float(y)) for y, x in corners)))
-    return tuple(found)
-
-
-def simplified(line: Sequence[Point], tolerance: float) -> tuple[Point, ...]:
-    """Return the corners of a freehand outline: few of its points.
-
-    Joined, and the last to the first, they stray at most ``tolerance`` from the line.
-    """
-    from skimage.measure import approximate_polygon
-
-    corners = approximate_polygon(np.array([*line, line[0]], dtype=float), tolerance)[:-1]
-    return tuple((float(x), float(y)) for x, y in corners)
+    contours = find_contours(np.pad(filled, 1).astype(np.float32), 0.5)
+    corners = (simplified_line(contour[:, ::-1] - 0.5, tolerance)[:-1] for contour in contours)
+    return tuple(Polygon(some) for some in corners if len(some) >= 3)
 
 
 def scaled_ink(

@@ -93,6 +93,11 @@ def run(arguments: Sequence[str], window: Window) -> int:
     except IconstudioError as error:
         click.echo(f"iconstudio: {error}", err=True)
         return MISTAKE
+    except UnicodeEncodeError as error:  # half of a surrogate pair, where no file name is meant
+        click.echo(
+            f"iconstudio: {error.object!a:.60} is no text in UTF-8. Type it again.", err=True
+        )
+        return MISTAKE
     except BrokenPipeError:
         # Whoever read our output has seen enough; keep Python from complaining at exit.
         sys.stdout = None

@@ -1,6 +1,5 @@
 """``iconstudio gallery``: one picture of many subjects, in the manner of the paper's figure 17."""
 
-import json
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -9,6 +8,7 @@ import click
 from iconstudio.algorithms.expansion import LAMBDAS
 from iconstudio.cli.progress import ProgressBar
 from iconstudio.cli.timing import profile_option, profiled
+from iconstudio.inputs.fields import read
 from iconstudio.inputs.sketch import SketchFile, read_sketch
 from iconstudio.model import Composite, Drawing, IconstudioError
 from iconstudio.output import png
@@ -35,15 +35,13 @@ class Choice:
     @classmethod
     def read(cls, path: Path) -> "Choice":
         """Return the choice in a sketch's file, or the middle of the grid if there is none."""
-        best = json.loads(path.read_text("utf-8")).get("best", {})
-        try:
-            column = int(best.get("lambda", cls().column))
-            style = str(best.get("style", cls().style))
-        except (AttributeError, TypeError, ValueError):
-            raise IconstudioError(f"“{path.name}”: “best” is no choice of a result.") from None
-        if not 1 <= column <= len(LAMBDAS):
-            raise IconstudioError(f"“{path.name}”: there is no column {column}.")
-        return cls(style, column, str(best.get("remark", "")), bool(best.get("failed", False)))
+        best, usual = read(path).object("best"), cls()
+        return cls(
+            best.text("style", usual.style),
+            best.whole("lambda", usual.column, 1, len(LAMBDAS)),
+            best.text("remark"),
+            best.flag("failed"),
+        )
 
 
 @click.command("gallery")
@@ -62,6 +60,7 @@ class Choice:
 @profile_option
 def command(sketches: Path | None, out: Path, profile: bool) -> None:
     """Draw each sketch with its chosen result and its colour code."""
+    png.check_name(out)
     files = sorted((sketches or resource("examples/gallery")).glob("*.json"))
     if not files:
         raise IconstudioError(f"There are no sketches (*.json) in “{sketches}”.")
@@ -80,7 +79,7 @@ def command(sketches: Path | None, out: Path, profile: bool) -> None:
             subjects.append(_subject(sketch, choice, picture))
         png.write(out, png.encoded(gallery_sheet(subjects)))
         stopwatch.wrote()
-    click.echo(str(out))
+    click.echo(click.format_filename(out))
 
 
 def _settings(choice: Choice) -> ModelSettings:

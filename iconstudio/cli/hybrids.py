@@ -53,7 +53,7 @@ def command(
         raise IconstudioError(
             "All hybrids repeat the icons. Choose icons that differ more, or ask for more draws."
         )
-    click.echo(f"{results} hybrids; see {folder / 'sheet.png'}")
+    click.echo(f"{results} hybrids; see {click.format_filename(folder / 'sheet.png')}")
 
 
 def _mixing(session: Session, hybrids: HybridsFile, side: int) -> Iterator[Event]:

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import click
 
+from iconstudio.algorithms.geometry import crosses_itself
 from iconstudio.cli import grid
 from iconstudio.cli.timing import Stopwatch, profiled
 from iconstudio.inputs.sketch import read_sketch
@@ -35,7 +36,7 @@ def run(
     settings.chosen_styles()
     wish = sketched(sketch)
     grid.need_keyword(sketch.keyword)
-    if sketch.polygon.crosses_itself:
+    if crosses_itself(sketch.polygon):
         click.echo("The outline crosses itself: all that it encloses counts as inside.", err=True)
     events = session.model(sketch, settings)
     grid.run(session, events, wish, settings, folder, stopwatch, dump=dump)

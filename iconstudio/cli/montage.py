@@ -24,4 +24,4 @@ def command(file: Path, folder: Path, fine: bool, profile: bool) -> None:
         report = MontageReport(folder, montage)
         events = session.montage(montage, running.side_of(fine))
         running.run(session, events, report, stopwatch)
-    click.echo(f"1 icon; see {folder / 'sheet.png'}")
+    click.echo(f"1 icon; see {click.format_filename(folder / 'sheet.png')}")

@@ -5,6 +5,7 @@ from pathlib import Path
 import click
 
 from iconstudio.cli.progress import ProgressBar
+from iconstudio.cli.rows import row
 from iconstudio.cli.timing import Stopwatch, profile_option, profiled
 from iconstudio.model import Exemplar, Pictogram
 from iconstudio.session import Session
@@ -25,6 +26,10 @@ from iconstudio.workflows.events import Progress
 @profile_option
 def command(word: str, exclude: tuple[str, ...], sheet: Path | None, profile: bool) -> None:
     """List the icons that WORD retrieves, best first: identifier, author, licence."""
+    if sheet is not None:
+        from iconstudio.output import png
+
+        png.check_name(sheet)
     with profiled(profile) as stopwatch, Session() as session:
         with ProgressBar() as bar:
             for step in session.open():
@@ -35,7 +40,7 @@ def command(word: str, exclude: tuple[str, ...], sheet: Path | None, profile: bo
             _draw(session, pictograms, word, sheet, stopwatch)
         for pictogram in pictograms:
             credit = pictogram.credit
-            click.echo(f"{pictogram.id}\t{credit.author}\t{credit.license}")
+            click.echo(row(pictogram.id, credit.author, credit.license))
 
 
 def _draw(

@@ -5,6 +5,7 @@ from pathlib import Path
 import click
 from PIL import Image
 
+from iconstudio.cli.rows import row
 from iconstudio.output import png
 from iconstudio.session import Session
 
@@ -15,11 +16,13 @@ from iconstudio.session import Session
     "--png",
     "picture",
     type=click.Path(dir_okay=False, path_type=Path),
-    metavar="FILE",
+    metavar="FILE.png",
     help=f"Draw it, {png.SIZE} pixels wide: 4 for each unit of an edit's canvas of 256.",
 )
 def command(icon: str, picture: Path | None) -> None:
     """Say whose ICON (set:name, or the path of an SVG) is, and draw it on its canvas."""
+    if picture is not None:
+        png.check_name(picture)
     with Session() as session:
         pictogram = session.icon(icon)
         exemplar = session.exemplar(pictogram)
@@ -27,4 +30,4 @@ def command(icon: str, picture: Path | None) -> None:
     if picture is not None:
         png.write(picture, png.encoded(Image.fromarray(255 - ink)))
     for one in dict.fromkeys((pictogram, *pictogram.origins)):
-        click.echo(f"{one.id}\t{one.credit.author}\t{one.credit.license}")
+        click.echo(row(one.id, one.credit.author, one.credit.license))

@@ -5,7 +5,6 @@ from collections.abc import Generator
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QPainterPath
 
-from iconstudio.algorithms.raster import simplified
 from iconstudio.gui.vector import painter_path
 from iconstudio.gui.worker import Worker
 from iconstudio.model import Exemplar, IconstudioError
@@ -40,7 +39,6 @@ class CrispIcons(QObject):
             self._worker.submit(lambda: self._trace(icon)).event.connect(self._keep)
 
     def _trace(self, icon: Exemplar) -> Generator[tuple[str, QPainterPath]]:
-        simplified(((0, 0),), 1)  # loads what it needs before the first line is drawn
         try:
             yield icon.pictogram.svg, painter_path(self._session.drawing(icon).path)
         except IconstudioError:

@@ -2,16 +2,32 @@
 
 import json
 import math
+import os
 import re
+from collections import Counter
 from collections.abc import Iterator
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
-from iconstudio.files import write_atomically
-from iconstudio.model import Axis, IconstudioError, Point, Polygon
+from iconstudio.algorithms.geometry import simplified, simplified_line
+from iconstudio.files import read_bytes, write_atomically
+from iconstudio.model import CANVAS, MARGIN, Axis, IconstudioError, Point, Polygon
 
 LARGEST = 1e9
 """Coordinates beyond it are a mistake."""
+MOST_BYTES = 32_000_000
+"""Size of a file."""
+MOST_POINTS = 200_000
+"""Points of a line or an outline."""
+MOST_IN_LIST = 10_000
+"""Entries of any other list."""
+LONGEST_TEXT = 4096
+"""Characters of a text, as of a path."""
+STRAY = 0.2
+"""How far, in canvas units, lines of more than ``MANY`` points may stray to have fewer."""
+MANY = 500
+"""Points that nobody draws by hand."""
 _OF_COLLECTION = re.compile(r"[^:/\\]+:[^:/\\]+(?<!\.svg)", re.IGNORECASE)
 """``set:name``; anything else is the path of an SVG."""
 
@@ -104,13 +120,28 @@ class Fields:
 
     def points(self, key: str, largest: float = LARGEST) -> tuple[Point, ...]:
         """Return a list of points; no coordinate may exceed ``largest``."""
-        return self._points(self._list(key, "[x, y] points"), f'of "{key}"', largest)
+        return self._points(self._list(key, "[x, y] points", MOST_POINTS), f'of "{key}"', largest)
+
+    def outline(self, key: str) -> Polygon:
+        """Return a polygon in any unit, simplified as for the canvas if it has many points."""
+        polygon = Polygon.of(self.points(key))
+        if len(polygon.vertices) <= MANY:
+            return polygon
+        left, top, right, bottom = polygon.bounds
+        return simplified(polygon, STRAY * max(right - left, bottom - top) / (CANVAS - 2 * MARGIN))
+
+    def line(self, key: str, largest: float) -> tuple[Point, ...]:
+        """Return a line in canvas units, simplified if it has many points."""
+        points = self.points(key, largest)
+        return simplified_line(points, STRAY) if len(points) > MANY else points
 
     def point_lists(self, key: str, largest: float = LARGEST) -> tuple[tuple[Point, ...], ...]:
         """Return a list of lists of points; empty if there is none."""
         values = self._list(key, "lists of points") if self.has(key) else []
         if not all(isinstance(value, list) for value in values):
             raise self.mistake(f'"{key}" must be a list of lists of [x, y] points.')
+        if sum(map(len, values)) > MOST_IN_LIST:
+            raise self.mistake(f'"{key}" holds too many points; at most {MOST_IN_LIST:,} are read.')
         return tuple(self._points(value, f'of "{key}"', largest) for value in values)
 
     def polygons(self, key: str) -> tuple[Polygon, ...]:
@@ -127,17 +158,27 @@ class Fields:
         for number, value in enumerate(values, start=1):
             yield Fields(value, self._path, f"{self._place}, {name} {number}")
 
+    def object(self, key: str) -> "Fields":
+        """Return an object; an empty one if there is none."""
+        return Fields(self._given(key, {}), self._path, f"{self._place}, {key}")
+
     def _given(self, key: str, default: Any) -> Any:
         return self._data[key] if self.has(key) else default
 
-    def _list(self, key: str, of: str) -> list[Any]:
+    def _list(self, key: str, of: str, most: int = MOST_IN_LIST) -> list[Any]:
         value = self._data.get(key)
         if not isinstance(value, list):
             raise self.mistake(f'"{key}" must be a list of {of}.')
+        if len(value) > most:
+            raise self.mistake(f'"{key}" has {len(value):,} entries; at most {most:,} are read.')
         return value
 
     def _checked(self, text: str, key: str) -> str:
         """Refuse what neither a file name nor UTF-8 can hold."""
+        if len(text) > LONGEST_TEXT:
+            raise self.mistake(
+                f'"{key}" has {len(text):,} characters; at most {LONGEST_TEXT:,} are read.'
+            )
         if _ODD.search(text):
             raise self.mistake(f'"{key}" holds characters that are none.')
         return text
@@ -145,22 +186,28 @@ class Fields:
     def _polygon(self, value: object, name: str) -> Polygon:
         if not isinstance(value, list):
             raise self.mistake(f"The {name} must be a list of [x, y] points.")
+        if len(value) > MOST_POINTS:
+            raise self.mistake(
+                f"The {name} has {len(value):,} points; at most {MOST_POINTS:,} are read."
+            )
         polygon = Polygon.of(self._points(value, f"of {name}"))
         try:
-            polygon.fitted()
+            polygon.check_area()
         except IconstudioError as error:
             raise self.mistake(f"The {name} is no good. {error}") from None
-        return polygon
+        return simplified(polygon, STRAY) if len(polygon.vertices) > MANY else polygon
 
     def _points(self, values: list[Any], of: str, largest: float = LARGEST) -> tuple[Point, ...]:
-        return tuple(
+        if _are_points(values, largest):
+            return tuple((float(x), float(y)) for x, y in values)
+        return tuple(  # finds the mistake
             self._point(value, f"Point {number} {of}", largest)
             for number, value in enumerate(values, start=1)
         )
 
     def _point(self, value: object, name: str, largest: float) -> Point:
         if not isinstance(value, list) or len(value) != 2 or not all(map(_is_number, value)):
-            raise self.mistake(f"{name} is not a pair of numbers: {json.dumps(value)[:60]}.")
+            raise self.mistake(f"{name} is not a pair of numbers such as [12, 34.5].")
         x, y = map(_finite, value)
         if x is None or y is None:
             raise self.mistake(f"{name} is not finite. Remove it.")
@@ -174,7 +221,7 @@ class Fields:
             raise self.mistake(f'"{key}" is empty: "set:name", or the path of an SVG, is needed.')
         if _OF_COLLECTION.fullmatch(text):
             return text
-        return str((self._path.parent / text).resolve())
+        return os.path.realpath(self._path.parent / text)
 
 
 def read(path: Path) -> Fields:
@@ -186,14 +233,22 @@ def read(path: Path) -> Fields:
         If it cannot be read, or holds no JSON object.
     """
     try:
-        data = json.loads(path.read_text("utf-8"))
-    except OSError as error:
-        raise IconstudioError(f"“{path}” cannot be read: {error.strerror}.") from None
-    except (ValueError, RecursionError) as error:
-        raise IconstudioError(
-            f"“{path.name}” is not valid JSON: {error}. Save it again, or mend it in an editor."
-        ) from None
-    return Fields(data, path)
+        text = read_bytes(path, MOST_BYTES)
+    except IconstudioError as error:
+        raise IconstudioError(f"“{path}” cannot be read. {error}") from None
+    try:
+        data = json.loads(text, parse_int=_whole, object_pairs_hook=_object)
+    except UnicodeDecodeError:
+        reason = "it is no text in UTF-8, UTF-16 or UTF-32"
+    except (RecursionError, MemoryError):
+        reason = "it is nested too deeply, or too large"
+    except ValueError as error:
+        reason = str(error)
+    else:
+        return Fields(data, path)
+    raise IconstudioError(
+        f"“{path.name}” is not valid JSON: {reason}. Save it again, or mend it in an editor."
+    )
 
 
 def write(path: Path, data: dict[str, Any]) -> None:
@@ -222,6 +277,29 @@ def relative(reference: str, path: Path) -> str:
 def written(points: tuple[Point, ...]) -> list[list[float]]:
     """Return points as they are written: to a hundredth of a pixel."""
     return [[round(x, 2), round(y, 2)] for x, y in points]
+
+
+def _whole(digits: str) -> int | float:
+    """Read a whole number; Python refuses those of thousands of digits."""
+    return int(digits) if len(digits) < 400 else float(digits)
+
+
+def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    """Make an object of its fields, each of which may be there once."""
+    found = dict(pairs)
+    if len(found) < len(pairs):
+        ((twice, _),) = Counter(key for key, _ in pairs).most_common(1)
+        raise ValueError(f"{json.dumps(twice[:60])} is there twice")
+    return found
+
+
+def _are_points(values: list[Any], largest: float) -> bool:
+    """Whether all are pairs of numbers up to ``largest``: said at once for very many."""
+    if not set(map(type, values)) <= {list} or not set(map(len, values)) <= {2}:
+        return False
+    numbers = list(chain.from_iterable(values))
+    kinds = set(map(type, numbers)) <= {int, float}
+    return kinds and all(-largest <= number <= largest for number in numbers)
 
 
 def _is_number(value: object) -> bool:

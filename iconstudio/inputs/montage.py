@@ -101,7 +101,7 @@ def _layer(fields: Fields) -> LayerFile:
 
 def _stroke(fields: Fields) -> Stroke:
     width = fields.number("width", None, 0, 2 * CANVAS, above=True)
-    points = fields.points("points", FAR)
+    points = fields.line("points", FAR)
     if len(set(points)) < 2:
         count = "no point" if not points else "one point"
         raise fields.mistake(f"The stroke has {count}; it needs at least 2 different ones.")

@@ -6,11 +6,12 @@ All but ``polygon`` are optional, and so are ``title`` and ``photo``, the file t
 traced over.
 """
 
+import os
 from dataclasses import dataclass
 from pathlib import Path
 
 from iconstudio.inputs.fields import read, write, written
-from iconstudio.model import IconstudioError, Polygon, Sketch
+from iconstudio.model import IconstudioError, Sketch
 from iconstudio.resources import resource
 
 
@@ -49,12 +50,14 @@ def read_sketch(path: Path) -> SketchFile:
     """
     fields = read(path)
     sketch = Sketch(
-        Polygon.of(fields.points("polygon")),
+        fields.outline("polygon"),
         fields.text("keyword"),
         frozenset(fields.texts("exclude")),
         fields.axis(),
     )
-    photo = (path.parent / fields.text("photo")).resolve() if fields.has("photo") else None
+    photo = (
+        Path(os.path.realpath(path.parent / fields.text("photo"))) if fields.has("photo") else None
+    )
     return SketchFile(fields.text("title") or path.stem, sketch, photo)
 
 

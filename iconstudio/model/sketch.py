@@ -11,6 +11,10 @@ from iconstudio.model.symmetry import Axis
 Point = tuple[float, float]
 
 
+SLIMMEST = 0.02
+"""Least width of a polygon that is remixed, as a part of its length: some 4 of 224 pixels."""
+
+
 @dataclass(frozen=True, slots=True)
 class Polygon:
     """A closed polygon, y down, in any unit; the last vertex joins the first."""
@@ -55,36 +59,22 @@ class Polygon:
         xs, ys = zip(*self.vertices, strict=True)
         return min(xs), min(ys), max(xs), max(ys)
 
-    @property
-    def crosses_itself(self) -> bool:
-        """Whether two edges that are not neighbours meet."""
-        v = self.vertices
-        n = len(v)
-        return any(
-            _segments_meet(v[i], v[(i + 1) % n], v[j], v[(j + 1) % n])
-            for i in range(n)
-            for j in range(i + 2, n)
-            if not (i == 0 and j == n - 1)
-        )
-
     def fitted(self) -> "Polygon":
         """Return the polygon scaled by its bounding box to the canvas, and centred.
 
         Raises
         ------
         IconstudioError
-            If there are fewer than three vertices, or they enclose no area.
+            If there are fewer than three vertices, they enclose no area, or it is too slim.
         """
-        if len(self.vertices) < 3:
-            raise IconstudioError(
-                f"The polygon has {len(self.vertices)} different points; draw at least 3."
-            )
+        self.check_area()
         left, top, right, bottom = self.bounds
-        width, height = right - left, bottom - top
-        size = max(width, height)
-        if min(width, height) <= 0.02 * size or self._is_flat(size):
+        size = max(right - left, bottom - top)
+        width, _ = self._spread()
+        if min(width, right - left, bottom - top) <= SLIMMEST * size:
             raise IconstudioError(
-                "The polygon encloses no area: its points lie on a line. Draw around the object."
+                f"The polygon is too slim: it is not even {SLIMMEST:.0%} as wide as it is long, "
+                "and parts of icons would not fit in. Draw it wider."
             )
         k = (CANVAS - 2 * MARGIN) / size
         cx, cy = (left + right) / 2, (top + bottom) / 2
@@ -92,15 +82,34 @@ class Polygon:
             tuple(((x - cx) * k + CANVAS / 2, (y - cy) * k + CANVAS / 2) for x, y in self.vertices)
         )
 
-    def _is_flat(self, size: float) -> bool:
-        """Whether all vertices lie within a hundredth of ``size`` of one line."""
-        (x0, y0) = self.vertices[0]
-        (x1, y1) = max(self.vertices, key=lambda p: math.dist(p, (x0, y0)))
-        length = math.dist((x0, y0), (x1, y1))
-        return all(
-            abs((x1 - x0) * (y - y0) - (y1 - y0) * (x - x0)) <= 0.01 * size * length
-            for x, y in self.vertices
-        )
+    def check_area(self) -> None:
+        """Refuse what encloses nothing.
+
+        Raises
+        ------
+        IconstudioError
+            If there are fewer than three vertices, or all lie on a line.
+        """
+        if len(self.vertices) < 3:
+            raise IconstudioError(
+                f"The polygon has {len(self.vertices)} different points; draw at least 3."
+            )
+        width, length = self._spread()
+        if width <= 1e-6 * length:
+            raise IconstudioError(
+                "The polygon encloses no area: its points lie on a line. Draw around the object."
+            )
+
+    def _spread(self) -> tuple[float, float]:
+        """Return how wide the polygon is across the line along which it is longest, and how long.
+
+        That line goes through the first vertex.
+        """
+        x0, y0 = self.vertices[0]
+        x1, y1 = max(self.vertices, key=lambda p: math.dist(p, (x0, y0)))
+        length = math.dist((x0, y0), (x1, y1)) or 1.0
+        sides = [((x1 - x0) * (y - y0) - (y1 - y0) * (x - x0)) / length for x, y in self.vertices]
+        return max(sides) - min(sides), length
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,10 +121,3 @@ class Sketch:
     exclude: frozenset[str] = field(default_factory=frozenset)
     """Identifiers of pictograms that must not be used."""
     symmetry: Axis | None = None
-
-
-def _segments_meet(a: Point, b: Point, c: Point, d: Point) -> bool:
-    def side(p: Point, q: Point, r: Point) -> float:
-        return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
-
-    return side(a, b, c) * side(a, b, d) < 0 and side(c, d, a) * side(c, d, b) < 0

@@ -2,16 +2,23 @@
 
 import json
 import tempfile
+from collections.abc import Iterable
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 from PIL import Image
 
+from iconstudio.files import read_bytes, replaceable
 from iconstudio.model import IconstudioError
 from iconstudio.output import png
 from iconstudio.output.colours import Palette, colour_code
 from iconstudio.output.svg import svg_document
 from iconstudio.workflows.events import Result
+
+_REPORT = "results.json"
+_KINDS = (".svg", ".png", ".npz")
+_MOST_BYTES = 100_000_000
 
 
 class Folder:
@@ -33,23 +40,34 @@ class Folder:
             raise IconstudioError(
                 f"The folder “{path}” cannot be written: {error.strerror}. Choose another one."
             ) from None
-        if (path / "results.json").is_dir():
+        try:
+            replaceable(path / _REPORT)
+        except OSError as error:
             raise IconstudioError(
-                f"“{path / 'results.json'}” is a folder. Choose another output folder."
-            )
+                f"“{path / _REPORT}” cannot be written: {error.strerror}. Choose another folder."
+            ) from None
+        self._written: set[str] = set()
 
     def write(self, name: str, content: bytes) -> None:
         """Write a file."""
         png.write(self._path / name, content)
+        self._written.add(name)
 
     def write_picture(self, name: str, picture: Image.Image) -> None:
         """Write a picture as PNG."""
         self.write(name, png.encoded(picture))
 
     def write_report(self, report: dict[str, Any]) -> None:
-        """Write ``results.json``."""
+        """Write ``results.json``; what the one before lists, and this one does not, is removed."""
+        self._remove(_listed(self._path / _REPORT) - self._written)
+        report = report | {"files": sorted(self._written)}
         text = json.dumps(report, indent=1, ensure_ascii=False, allow_nan=False)
-        self.write("results.json", text.encode())
+        self.write(_REPORT, text.encode())
+
+    def _remove(self, names: Iterable[str]) -> None:
+        for name in names:
+            with suppress(OSError):  # it is in nobody's way
+                (self._path / name).unlink()
 
     def write_icon(
         self, name: str, result: Result, title: str, colours: Palette | None = None
@@ -60,3 +78,18 @@ class Folder:
         self.write(f"{name}.png", png.encoded(png.drawing_pixels(drawing, png.SIZE)))
         code = colour_code(composite, drawing, png.SIZE // 2, colours)
         self.write(f"{name}-sources.png", png.encoded(code))
+
+
+def _listed(report: Path) -> set[str]:
+    """Return the files beside a report that it lists as written by its run.
+
+    Reports of version 0.3 and before list them result by result.
+    """
+    try:
+        said = json.loads(read_bytes(report, _MOST_BYTES))
+        names = said.get("files") or [
+            result[kind] for result in said["results"] for kind in ("svg", "png", "sources_png")
+        ]
+        return {name for name in names if Path(name).name == name and name.endswith(_KINDS)}
+    except (IconstudioError, ValueError, RecursionError, TypeError, KeyError, AttributeError):
+        return set()  # it is no report of ours

@@ -1,13 +1,14 @@
 """Pictures as PNG files."""
 
 import io
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from iconstudio.files import write_atomically
+from iconstudio.files import replaceable, write_atomically
 from iconstudio.model import CANVAS, Drawing, Frame, IconstudioError
 from iconstudio.svg.resvg import render_coverage
 
@@ -39,6 +40,23 @@ def encoded(pixels: NDArray[np.uint8] | Image.Image) -> bytes:
     return file.getvalue()
 
 
+def check_name(path: Path) -> Path:
+    """Return the path of a picture that is to be written.
+
+    Raises
+    ------
+    IconstudioError
+        If its name does not end in .png, or it cannot be written.
+    """
+    if path.suffix.lower() != ".png":
+        raise IconstudioError(
+            f"Pictures are written as PNG, and “{path.name}” does not say so. "
+            f"Call it “{path.stem or 'picture'}.png”."
+        )
+    _writing(path, lambda: replaceable(path))
+    return path
+
+
 def write(path: Path, content: bytes) -> None:
     """Write a file in one step.
 
@@ -47,8 +65,12 @@ def write(path: Path, content: bytes) -> None:
     IconstudioError
         If it cannot be written.
     """
+    _writing(path, lambda: write_atomically(path, content))
+
+
+def _writing(path: Path, write: Callable[[], object]) -> None:
     try:
-        write_atomically(path, content)
+        write()
     except OSError as error:
         raise IconstudioError(
             f"“{path}” cannot be written: {error.strerror or error}. Choose another place."

@@ -81,7 +81,7 @@ def prepare_change(edit: Edit, icon: Exemplar, side: int = CANVAS) -> Change:
             "or sketch what should come (add), or both."
         )
     for polygon in (*edit.remove, *edit.add):
-        polygon.fitted()  # refuses what encloses no area
+        polygon.check_area()
     placement = _room(edit, icon)
     ink, filled = placed_ink(icon, placement, side)
     removed, added = (_union(polygons, placement, side) for polygons in (edit.remove, edit.add))

@@ -18,7 +18,7 @@ pytest.importorskip("PySide6.QtGui")
 
 
 from iconstudio.gui.workspaces.montage.page import Icon, MontagePage
-from iconstudio.gui.workspaces.montage.strokes import carried, cut, simplified, strokes_of
+from iconstudio.gui.workspaces.montage.strokes import carried, cut, strokes_of
 
 coordinate = st.floats(-60, CANVAS + 60)
 point = st.tuples(coordinate, coordinate)
@@ -88,19 +88,6 @@ def _foot(p, line):
         t = min(1, max(0, t))
         gaps.append(math.hypot(p[0] - x0 - t * (x1 - x0), p[1] - y0 - t * (y1 - y0)))
     return min(gaps)
-
-
-@settings(deadline=None)
-@given(st.lists(point, min_size=1, max_size=40))
-def test_a_simplified_line_stays_within_its_tolerance(points):
-    few = simplified(points, 2.0)
-    assert few[0] == points[0] and few[-1] == points[-1]
-    line = Stroke(1.0, few)
-    assert all(_gap(p, line) <= 2.0 + 1e-6 for p in points)
-
-
-def test_a_straight_line_needs_two_points():
-    assert simplified([(x, 2 * x) for x in range(50)]) == ((0, 0), (49, 98))
 
 
 def test_even_pressure_makes_one_stroke_and_growing_pressure_several():

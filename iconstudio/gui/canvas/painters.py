@@ -8,12 +8,16 @@ from collections.abc import Sequence
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QPainter, QPainterPath, QPen, QPolygonF
 
+from iconstudio.algorithms.geometry import simplified_line
 from iconstudio.gui.canvas.camera import Camera
 from iconstudio.gui.photo import Photo
 from iconstudio.gui.theme import UNIT, Theme, strong
 from iconstudio.model import CANVAS, MARGIN, Axis, Point
 
 _SOLID = Qt.PenStyle.SolidLine
+
+MANY = 500
+"""An outline of more points is drawn with less care: nobody clicked them."""
 
 REGION = 100.0
 """Side of a salient region in canvas pixels (section 3.2)."""
@@ -61,16 +65,32 @@ def paint_outline(
     """Draw the outline, filled once it is closed; a pale rim keeps it visible on any photo."""
     if len(vertices) < 2:
         return
-    points = QPolygonF([camera.to_view(vertex) for vertex in vertices])
-    path = QPainterPath()
-    path.setFillRule(Qt.FillRule.WindingFill)
-    path.addPolygon(points)
+    path = outline_path(vertices, closed, camera)
     if closed:
-        path.closeSubpath()
         painter.fillPath(path, theme.color("accent", 0.18))
-    join = Qt.PenJoinStyle.RoundJoin
+    join = outline_join(path)
     for color, width in ((theme.color("surface", 0.8), 5.0), (theme.color("accent"), 2.0)):
         painter.strokePath(path, QPen(color, width, _SOLID, Qt.PenCapStyle.RoundCap, join))
+
+
+def outline_path(vertices: Sequence[Point], closed: bool, camera: Camera) -> QPainterPath:
+    """Return an outline in view coordinates; one of very many points within half a pixel."""
+    points = [camera.to_view(vertex) for vertex in vertices]
+    if len(points) > MANY:
+        line = [point.toTuple() for point in (points + points[:1] if closed else points)]
+        points = [QPointF(*point) for point in simplified_line(line, 0.5)]
+    path = QPainterPath()
+    path.setFillRule(Qt.FillRule.WindingFill)
+    path.addPolygon(QPolygonF(points))
+    if closed:
+        path.closeSubpath()
+    return path
+
+
+def outline_join(path: QPainterPath) -> Qt.PenJoinStyle:
+    """Return how the corners of an outline are drawn: round ones take long if they are many."""
+    few = path.elementCount() <= MANY
+    return Qt.PenJoinStyle.RoundJoin if few else Qt.PenJoinStyle.BevelJoin
 
 
 def paint_axis(painter: QPainter, axis: Axis, box: QRectF, camera: Camera, theme: Theme) -> None:

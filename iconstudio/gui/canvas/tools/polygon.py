@@ -1,12 +1,15 @@
 """Trace a polygon: click to add, drag to move, click an edge to insert, close on the first."""
 
-import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
+import numpy as np
+from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QKeyEvent, QPainter, QPen
 
+from iconstudio.gui.canvas import painters
 from iconstudio.gui.canvas.camera import Camera
 from iconstudio.gui.canvas.outline import Outline
 from iconstudio.gui.canvas.tools.base import Pointer, Tool
@@ -84,17 +87,27 @@ class PolygonTool(Tool):
         """Draw the next edge, the handles, and what a click would do."""
         outline = self.outline
         accent = theme.color(self.token)
-        points = [camera.to_view(vertex) for vertex in outline.vertices]
-        if points and not outline.closed and self._pointer is not None and self._hover is None:
+        points = _in_view(outline.vertices, camera)
+        if len(points) and not outline.closed and self._pointer and self._hover is None:
             painter.setPen(QPen(accent, 1.5, Qt.PenStyle.DashLine))
-            painter.drawLine(points[-1], self._pointer.view)
-        crowded = _length(points) < 3 * GRIP * len(points)
-        for index, point in enumerate(points):
-            self._paint_handle(painter, theme, index, point, 2.8 if crowded else 4.0)
+            painter.drawLine(QPointF(*points[-1].tolist()), self._pointer.view)
+        length = np.hypot(*np.diff(points, axis=0).T).sum()
+        radius = 2.8 if length < 3 * GRIP * len(points) else 4.0
+        for index in self._handles(points):
+            self._paint_handle(painter, theme, index, QPointF(*points[index].tolist()), radius)
         if self._hover is not None and self._hover.kind == "edge":
             painter.setPen(QPen(accent, 1.5))
             painter.setBrush(theme.color("surface", 0.8))
             painter.drawEllipse(camera.to_view(self._hover.point), 4.5, 4.5)
+
+    def _handles(self, points: NDArray[np.float64]) -> list[int]:
+        """Return the vertices that have a handle; of very many, one where they lie together."""
+        if len(points) <= painters.MANY:
+            return list(range(len(points)))
+        _, first = np.unique(np.floor(points / GRIP), axis=0, return_index=True)
+        hovered = self._hover.index if self._hover and self._hover.kind == "vertex" else None
+        held = {hovered, self.selected, self._dragged} - {None}
+        return sorted({0, *first.tolist(), *held})
 
     def _paint_handle(
         self, painter: QPainter, theme: Theme, index: int, point: QPointF, radius: float
@@ -162,20 +175,21 @@ class PolygonTool(Tool):
     def hit(self, pointer: Pointer) -> Hit | None:
         """Return the vertex or edge under the pointer; vertices come first."""
         outline, camera = self.outline, pointer.camera
-        points = [camera.to_view(vertex) for vertex in outline.vertices]
-        if not points:
+        points, spot = _in_view(outline.vertices, camera), np.array(pointer.view.toTuple())
+        if not len(points):
             return None
-        gaps = [_distance(point, pointer.view) for point in points]
-        nearest = min(range(len(points)), key=gaps.__getitem__)
+        gaps = np.hypot(*(points - spot).T)
+        nearest = int(gaps.argmin())
         if gaps[nearest] <= GRIP:
             return Hit("vertex", nearest, outline.vertices[nearest])
-        # The edge that would close an open outline is not there yet.
-        edges = range(len(points) if outline.closed else len(points) - 1)
-        feet = [_foot(points[i], points[(i + 1) % len(points)], pointer.view) for i in edges]
-        index = min(edges, key=lambda i: _distance(feet[i], pointer.view), default=None)
-        if index is None or _distance(feet[index], pointer.view) > EDGE_GRIP:
+        feet = _feet(points, np.roll(points, -1, axis=0), spot)
+        gaps = np.hypot(*(feet - spot).T)
+        if not outline.closed:
+            gaps[-1] = np.inf  # the edge that would close it is not there yet
+        nearest = int(gaps.argmin())
+        if gaps[nearest] > EDGE_GRIP:
             return None
-        return Hit("edge", index, camera.to_page(feet[index]))
+        return Hit("edge", nearest, camera.to_page(QPointF(*feet[nearest].tolist())))
 
     # -- keys ----------------------------------------------------------------------------------
 
@@ -267,17 +281,17 @@ class PolygonTool(Tool):
             self._dragged = None
 
 
-def _length(points: list[QPointF]) -> float:
-    return sum(map(_distance, points, points[1:]))
+def _in_view(vertices: Sequence[Point], camera: Camera) -> NDArray[np.float64]:
+    """Return where vertices are seen, (n, 2)."""
+    points = np.array(vertices, dtype=np.float64).reshape(-1, 2)
+    return camera.zoom * points + (camera.x, camera.y)
 
 
-def _distance(a: QPointF, b: QPointF) -> float:
-    return math.hypot(a.x() - b.x(), a.y() - b.y())
-
-
-def _foot(a: QPointF, b: QPointF, p: QPointF) -> QPointF:
-    """Return the point of segment ab that is nearest to p."""
-    along = b - a
-    length = QPointF.dotProduct(along, along)
-    t = QPointF.dotProduct(p - a, along) / length if length else 0.0
-    return a + along * min(1.0, max(0.0, t))
+def _feet(
+    starts: NDArray[np.float64], ends: NDArray[np.float64], spot: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Return the point of each segment that is nearest to ``spot``, (n, 2)."""
+    along = ends - starts
+    length = (along**2).sum(axis=1)
+    part = ((spot - starts) * along).sum(axis=1) / np.where(length > 0, length, 1)
+    return starts + along * part.clip(0, 1)[:, None]

@@ -3,7 +3,6 @@
 from collections.abc import Callable, Generator
 from pathlib import Path
 
-from iconstudio.algorithms.raster import simplified
 from iconstudio.gui.workspaces.editing import page
 from iconstudio.gui.workspaces.opening import Opener
 from iconstudio.inputs.edit import read_edit
@@ -44,7 +43,6 @@ class EditOpener(Opener):
     def _begin(self, find: Callable[[], Exemplar]) -> Generator[tuple[Exemplar, str]]:
         icon = find()
         yield icon, self.session.keyword(icon.pictogram)
-        simplified(((0, 0),), 1)  # loads what it needs before the first line is drawn
 
     def _read(self, path: Path) -> Generator[tuple[Exemplar, Edit]]:
         edit = read_edit(path).resolved(self.session.icon)

@@ -1,7 +1,7 @@
 """The canvas of an edit: what of the icon stays, what goes (red), and what comes (green)."""
 
 from PySide6.QtCore import QRectF, Qt
-from PySide6.QtGui import QPainter, QPainterPath, QPen, QPolygonF
+from PySide6.QtGui import QPainter, QPainterPath, QPen
 
 from iconstudio.gui.canvas import painters
 from iconstudio.gui.canvas.camera import Camera
@@ -78,17 +78,8 @@ def _union(areas: list[Area], camera: Camera) -> QPainterPath:
     union = QPainterPath()
     for area in areas:
         if area.closed:
-            union = union.united(_path(area, camera))
+            union = union.united(painters.outline_path(area.vertices, True, camera))
     return union
-
-
-def _path(area: Area, camera: Camera) -> QPainterPath:
-    path = QPainterPath()
-    path.setFillRule(Qt.FillRule.WindingFill)
-    path.addPolygon(QPolygonF([camera.to_view(vertex) for vertex in area.vertices]))
-    if area.closed:
-        path.closeSubpath()
-    return path
 
 
 def _paint_area(
@@ -99,10 +90,10 @@ def _paint_area(
     style: Qt.PenStyle,
     density: float,
 ) -> None:
-    path = _path(area, camera)
+    path = painters.outline_path(area.vertices, area.closed, camera)
     if area.closed:
         painter.fillPath(path, theme.color(area.kind.token, density))
-    cap, join = Qt.PenCapStyle.FlatCap, Qt.PenJoinStyle.RoundJoin
+    cap, join = Qt.PenCapStyle.FlatCap, painters.outline_join(path)
     rim = QPen(theme.color("surface", 0.8), 4.0, Qt.PenStyle.SolidLine, cap, join)
     painter.strokePath(path, rim)
     painter.strokePath(path, QPen(theme.color(area.kind.token), 1.8, style, cap, join))

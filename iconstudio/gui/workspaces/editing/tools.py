@@ -3,9 +3,10 @@
 import math
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QKeyEvent, QPainter, QPen, QPolygonF
+from PySide6.QtGui import QKeyEvent, QPainter, QPen
 
-from iconstudio.algorithms.raster import simplified
+from iconstudio.algorithms.geometry import simplified
+from iconstudio.gui.canvas import painters
 from iconstudio.gui.canvas.camera import Camera
 from iconstudio.gui.canvas.tools.base import Pointer
 from iconstudio.gui.canvas.tools.polygon import NUDGES, PolygonTool
@@ -98,8 +99,10 @@ class DrawTool(AreaTool):
             return
         self._pointer = pointer
         gap = pointer.view - self._began.view
-        if self._stroke or math.hypot(gap.x(), gap.y()) >= FREEHAND:
-            self._stroke = [*(self._stroke or [self._began.page]), pointer.page]
+        if self._stroke:
+            self._stroke.append(pointer.page)
+        elif math.hypot(gap.x(), gap.y()) >= FREEHAND:
+            self._stroke = [self._began.page, pointer.page]
 
     def release(self, pointer: Pointer) -> None:
         """Finish what was drawn freehand; after a click, go on corner by corner."""
@@ -125,7 +128,7 @@ class DrawTool(AreaTool):
         if self._stroke:
             painter.setPen(QPen(theme.color(self.kind.token), 2))
             painter.setBrush(theme.color(self.kind.token, 0.15))
-            painter.drawPolygon(QPolygonF([camera.to_view(point) for point in self._stroke]))
+            painter.drawPath(painters.outline_path(self._stroke, True, camera))
 
     def _press_nowhere(self, pointer: Pointer) -> None:
         if not self.outline.closed:
@@ -137,13 +140,13 @@ class DrawTool(AreaTool):
         self._missed = False
 
     def _draw(self, stroke: list[Point], camera: Camera) -> None:
-        vertices = simplified(stroke, STRAY / camera.zoom)
+        polygon = simplified(Polygon.of(stroke), STRAY / camera.zoom)
         try:
-            Polygon(vertices).fitted()
+            polygon.fitted()
         except IconstudioError:  # a stroke to and fro
             self._missed = True
         else:
-            self.outline.draw(self.kind, vertices)
+            self.outline.draw(self.kind, polygon.vertices)
 
 
 class SelectTool(AreaTool):

@@ -5,13 +5,13 @@ A pixel can be kept from one icon only, so strokes of two icons must not cover t
 of all other icons where the two would come near enough to share a pixel.
 """
 
-import math
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.geometry import near, simplified_line
 from iconstudio.algorithms.guidance import points_on, scribble
 from iconstudio.model import CANVAS, Placement, Point, Stroke
 
@@ -48,28 +48,10 @@ def strokes_of(points: Sequence[Point], widths: Sequence[float]) -> tuple[Stroke
                 continue
             least = most = widths[end]
         width = sum(widths[start:end]) / (end - start)
-        line = simplified(points[start : end + 1])
+        line = simplified_line(points[start : end + 1], STRAY)
         strokes.append(Stroke(min(max(width, THINNEST), WIDEST), line))
         start = end
     return tuple(strokes)
-
-
-def simplified(points: Sequence[Point], stray: float = STRAY) -> tuple[Point, ...]:
-    """Return the line with as few of its points as keep it within ``stray`` (Douglas, Peucker)."""
-    points = [tuple(point) for n, point in enumerate(points) if n == 0 or point != points[n - 1]]
-    kept, spans = {0, len(points) - 1}, [(0, len(points) - 1)]
-    while spans:
-        first, last = spans.pop()
-        if last - first < 2:
-            continue
-        inner = np.array(points[first + 1 : last])
-        gaps = _distances(inner, (points[first], points[last]))
-        farthest = int(gaps.argmax())
-        if gaps[farthest] > stray:
-            middle = first + 1 + farthest
-            kept.add(middle)
-            spans += [(first, middle), (middle, last)]
-    return tuple(points[n] for n in sorted(kept))
 
 
 def cut(strokes: Iterable[Stroke], knives: Sequence[Stroke]) -> tuple[Stroke, ...]:
@@ -77,10 +59,7 @@ def cut(strokes: Iterable[Stroke], knives: Sequence[Stroke]) -> tuple[Stroke, ..
 
     No pixel is covered both by what is left and by a knife.
     """
-    left = tuple(strokes)
-    for knife in knives:
-        left = tuple(part for stroke in left for part in _cut(stroke, knife))
-    return left
+    return tuple(part for stroke in strokes for part in _cut(stroke, knives))
 
 
 def carried(stroke: Stroke, before: Placement, after: Placement) -> Stroke:
@@ -113,15 +92,17 @@ def visible(stroke: Stroke) -> bool:
     return inside or bool(scribble((stroke,)).any())
 
 
-def _cut(stroke: Stroke, knife: Stroke) -> tuple[Stroke, ...]:
-    clear = _reach(stroke) + _reach(knife) + _CLEARANCE
-    if not _boxes_meet(stroke.points, knife.points, clear):
-        return (stroke,)
+def _cut(stroke: Stroke, knives: Sequence[Stroke]) -> tuple[Stroke, ...]:
     line = points_on(stroke)
-    free = _distances(line, knife.points) > clear
-    if free.all():
-        return (stroke,)
-    return _parts(stroke, line, free)
+    free = np.ones(len(line), dtype=bool)
+    for knife in knives:
+        clear = _reach(stroke) + _reach(knife) + _CLEARANCE
+        corners = np.array(knife.points)
+        low, high = corners.min(axis=0) - clear, corners.max(axis=0) + clear
+        close = np.flatnonzero(free & ((line >= low) & (line <= high)).all(axis=1))
+        if len(close):
+            free[close] = ~near(line[close], knife.points, clear)
+    return (stroke,) if free.all() else _parts(stroke, line, free)
 
 
 def _parts(
@@ -130,31 +111,10 @@ def _parts(
     """Return the parts of a stroke where ``kept`` says so of the points along it, ``line``."""
     edges = np.flatnonzero(np.diff(np.concatenate(([False], kept, [False]))))
     return tuple(
-        Stroke(stroke.width, simplified(line[start:end].tolist(), _EXACT))
+        Stroke(stroke.width, simplified_line(line[start:end], _EXACT))
         for start, end in edges.reshape(-1, 2)
     )
 
 
 def _reach(stroke: Stroke) -> float:
     return max(stroke.width / 2, _LEAST_REACH)
-
-
-def _boxes_meet(one: Sequence[Point], other: Sequence[Point], clear: float) -> bool:
-    return all(
-        min(a) - clear <= max(b) and min(b) - clear <= max(a)
-        for a, b in zip(zip(*one, strict=True), zip(*other, strict=True), strict=True)
-    )
-
-
-def _distances(points: NDArray[np.float64], line: Sequence[Point]) -> NDArray[np.float64]:
-    """Return the distance of each of ``points`` (n, 2) from a polyline."""
-    corners = np.array(line, dtype=np.float64)
-    nearest = np.full(len(points), math.inf)
-    starts, ends = (corners[:-1], corners[1:]) if len(corners) > 1 else (corners, corners)
-    for start, end in zip(starts, ends, strict=True):
-        along = end - start
-        length = along @ along
-        t = np.clip((points - start) @ along / length, 0, 1) if length else np.zeros(len(points))
-        foot = points - start - t[:, None] * along
-        np.minimum(nearest, np.hypot(foot[:, 0], foot[:, 1]), out=nearest)
-    return nearest

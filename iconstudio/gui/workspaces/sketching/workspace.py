@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QMimeData, Qt
 
+from iconstudio.algorithms.geometry import crosses_itself
 from iconstudio.gui import theme
 from iconstudio.gui.actions import Entry, Key, work_entries
 from iconstudio.gui.canvas.outline import Outline
@@ -147,7 +148,7 @@ class SketchWorkspace(RemixWorkspace):
     def run(self) -> None:
         """Remix for the sketch; an outline that is still open is closed first."""
         super().run()
-        if self.runs.running and self.document.page.sketch.polygon.crosses_itself:
+        if self.runs.running and crosses_itself(self.document.page.sketch.polygon):
             self.failed.emit(
                 "The outline crosses itself; everything that it encloses counts as inside."
             )

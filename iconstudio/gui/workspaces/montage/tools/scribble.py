@@ -23,6 +23,9 @@ _APART = 0.8
 _FARTHEST = 2.0 * CANVAS
 """No point of a stroke is farther from the canvas's corner."""
 
+_PIECE = 500
+"""Points after which what is drawn so far is not looked at again, however long the line gets."""
+
 _LIGHT = 0.35
 """Part of the brush's width that a pen draws with that hardly presses."""
 
@@ -70,6 +73,7 @@ class ScribbleTool(Tool):
         self._everywhere = False
         self._points: list[Point] = []
         self._widths: list[float] = []
+        self._so_far: MontagePage | None = None
         self._pointer: Pointer | None = None
         brush.changed.connect(scene.changed)
         document.page_changed.connect(self._page_changed)
@@ -123,7 +127,7 @@ class ScribbleTool(Tool):
             return
         self._rubs = self._always_rubs or pointer.eraser
         self._everywhere = bool(pointer.modifiers & Qt.KeyboardModifier.AltModifier)
-        self._points, self._widths = [], []
+        self._points, self._widths, self._so_far = [], [], None
         self._add(pointer)
 
     def move(self, pointer: Pointer) -> None:
@@ -156,7 +160,7 @@ class ScribbleTool(Tool):
     def cancel(self) -> bool:
         """Give up the line."""
         drawing = bool(self._points)
-        self._points, self._widths = [], []
+        self._points, self._widths, self._so_far = [], [], None
         self._scene.preview(None)
         return drawing
 
@@ -165,7 +169,11 @@ class ScribbleTool(Tool):
         self._points.append((x, y))
         pressed = _LIGHT + (1 - _LIGHT) * pointer.pressure
         self._widths.append(self._brush.width * (1.0 if self._rubs else pressed))
-        self._scene.preview(self._outcome())
+        outcome = self._outcome()
+        self._scene.preview(outcome)
+        if len(self._points) > _PIECE:
+            self._so_far = outcome
+            del self._points[:-1], self._widths[:-1]
 
     def _page_changed(self) -> None:
         """Give up the line: its icon may be gone, by an undo in the middle of it."""
@@ -174,7 +182,7 @@ class ScribbleTool(Tool):
 
     def _outcome(self) -> MontagePage:
         """Return what the line makes of the page."""
-        page = self._document.page
+        page = self._so_far or self._document.page
         number = page.current.number
         strokes = strokes_of(self._points, self._widths)
         if self._rubs:
