@@ -7,9 +7,9 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 from iconstudio.library import query
-from iconstudio.library.readings import BADGED, COMPOUND, MENTION
-from iconstudio.library.relations import BESIDE, BROADER, KIND
-from iconstudio.library.vocabulary import STYLES
+from iconstudio.library.readings import COMPOUND, EXACT, MENTION
+from iconstudio.library.relations import BESIDE, KIND
+from iconstudio.library.vocabulary import ATTRIBUTES, STYLES
 
 Rows = Callable[[str, Sequence[Any]], list[tuple[Any, ...]]]
 """Runs a query with values, and returns its rows."""
@@ -29,12 +29,11 @@ SELECT icon, MIN(relation.rank + reading.tier)
 FROM relation JOIN reading USING (term) JOIN naming USING (phrase)
 WHERE relation.word = ?
     AND (relation.rank < {KIND} AND reading.tier < {MENTION}
-        OR relation.rank < {BROADER} AND reading.tier < {BADGED}
         OR relation.rank < {BESIDE} AND reading.tier < {COMPOUND})
 GROUP BY icon
 """
 """Icons of other words. The less a word has to do with the keyword, the more plainly must the
-drawing be one of it: of what is broader, only the thing itself is wanted."""
+drawing be one of it: of a kind, and of what is broader, only the thing itself is wanted."""
 
 Scores = dict[int, int]
 """The number of an icon to its score."""
@@ -57,16 +56,15 @@ class Lookup:
 
     def plainly(self, words: str) -> Scores:
         """Return the icons that answer plain words taken together, in the plural or not."""
-        mentions: Scores = {}
+        called: Scores = {}
         for form in query.forms(words):
+            called |= dict(self._rows(_CALLED, (query.joined(form),)))
             found = dict(self._rows(_RELATED, (form,)))
-            for sql, key in ((_READ, form), (_CALLED, query.joined(form))):
-                for icon, score in self._rows(sql, (key,)):
-                    found[icon] = min(score, found.get(icon, score))
-            if found and min(found.values()) < MENTION:
-                return found
-            mentions = mentions or found
-        return mentions
+            for icon, tier in self._rows(_READ, (form,)):
+                found[icon] = min(tier, found.get(icon, tier))
+            if found:
+                return found | called
+        return called
 
     def beside(self, keyword: str) -> tuple[str, ...]:
         """Return words for things of the same kind as one that nothing answers."""
@@ -106,15 +104,22 @@ class Lookup:
     def _head(self, words: tuple[str, ...]) -> Scores:
         """Return the things of the last words: nothing is an old red house, so show houses.
 
-        Not where the words together mean something of their own: a sea lion is no lion.
+        Not where the words together mean something of their own, nor where another word is a thing
+        as well: a sea lion is no lion, and a swing set no set.
         """
         if self._is_known(" ".join(words)):
             return {}
         for start in range(1, len(words)):
+            if words[start - 1] not in ATTRIBUTES and self._is_thing(words[start - 1]):
+                return {}
             found = self.plainly(" ".join(words[start:]))
             if found and min(found.values()) < COMPOUND:
                 return found
         return {}
+
+    def _is_thing(self, word: str) -> bool:
+        sql = f"SELECT 1 FROM reading WHERE term = ? AND tier = {EXACT} LIMIT 1"
+        return any(self._rows(sql, (form,)) for form in query.forms(word))
 
     def _is_known(self, words: str) -> bool:
         sql = "SELECT 1 FROM relation WHERE word = ? LIMIT 1"

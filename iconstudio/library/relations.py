@@ -8,25 +8,23 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 
 from iconstudio.library.decency import Decency
-from iconstudio.library.vocabulary import TECHNICAL
+from iconstudio.library.vocabulary import PARTS, TECHNICAL
 from iconstudio.library.wordnet import PERSON, WordNet
 
 SAME, NAMED, KIND, BROADER, BESIDE = 1, 2, 3, 7, 9
 """``NAMED`` are kinds that bear the word: a fingernail is nearer to a nail than a thumbtack is.
 ``BESIDE`` it are other kinds of the same: they do not answer, but may be proposed."""
-_DEEP = 3
-"""Kinds of kinds of kinds have a higher rank than kinds, by at most this."""
 _FARTHER = 2
 """What is led to by another than the first meaning of a word has a rank higher by this."""
 
 _MANY = 400
 """At most so many kinds of one thing, the commonest in the collection."""
-_GENERAL = 150
+_GENERAL = 64
 """A word with more kinds than this is too general to stand in for one of them."""
 _SENSES = 3
 """At most so many meanings of a word count."""
-_RARE = 8
-"""A meaning is rare if another one is so many times as common."""
+_RARE = 2
+"""A person is meant only if nothing else is so many times as common."""
 _DECISIVE = 3
 """One meaning comes before another in any case if it is so many times as common."""
 _PROPOSED = 4
@@ -58,7 +56,7 @@ _SYNONYMS = (
     "cactus cacti", "helicopter chopper", "ax axe", "donut doughnut", "airplane airliner",
     "sneaker trainer", "trashcan bin", "bin trash", "sailboat boat", "eggplant aubergine",
     "subway metro", "shop store", "mailbox postbox", "suitcase luggage", "gear cog cogwheel",
-    "pitcher jug", "t_rex tyrannosaurus dinosaur",
+    "pitcher jug", "tap faucet", "t_rex tyrannosaurus dinosaur",
 )  # fmt: skip
 """Words that collections of icons use for the same drawing."""
 
@@ -73,7 +71,7 @@ class Relations:
         self._wordnet = wordnet
         self._decency = Decency(wordnet)
         self._terms = terms
-        self._kinds_of: dict[int, dict[str, int]] = {}
+        self._kinds_of: dict[int, list[str]] = {}
         self._meanings: dict[str, tuple[int, ...]] = {}
         self._pairs: dict[str, set[str]] = {}
         for group in _SYNONYMS:
@@ -103,13 +101,10 @@ class Relations:
                 if self._stands_for(term, key):
                     add(term, min(SAME + number, NAMED))
             far = _FARTHER if number else 0
-            for term, depth in self._kinds(key).items():
-                named = term.endswith(word)
-                deep = KIND + min(depth - 1, _DEEP) + far
-                add(term, NAMED if named else min(deep, BROADER - 1))
-        if len(meanings) == 1:
-            for term in self._broader(meanings[0]):
-                add(term, BROADER)
+            for term in self._kinds(key):
+                add(term, NAMED if term.endswith(word) else KIND + far)
+        for term in self._broader(word):
+            add(term, BROADER)
         if not ranks and word not in self._terms:
             for term in self._beside(word):
                 add(term, BESIDE)
@@ -118,8 +113,8 @@ class Relations:
     def _meant(self, word: str) -> tuple[int, ...]:
         """Keys of what ``word`` commonly means and can be drawn, what icons mean first.
 
-        A meaning counts that is not rare, or whose first word this is: *mug* is the first word for
-        the vessel, and the last one for a fool.
+        The commonest meaning counts, and those whose first word this is: *mug* is the first word
+        for the vessel, and the last one for a fool.
         """
         known = self._meanings.get(word)
         if known is None:
@@ -128,19 +123,22 @@ class Relations:
 
     def _common(self, word: str) -> tuple[int, ...]:
         wordnet = self._wordnet
-        things = wordnet.things(word)
-        counts = {key: wordnet.count(word, key) for key in wordnet.senses.get(word, ())}
+        senses = wordnet.senses.get(word, ())
+        counts = {key: wordnet.count(word, key) for key in senses}
         most = max(counts.values(), default=0)
+
+        def is_first_word(key: int) -> bool:
+            return wordnet.synsets[key].words[:1] == (word,)
+
         common = [
             key
-            for key in things
-            if len(counts) == 1
-            or (counts[key] and counts[key] * _RARE >= most)
-            or (wordnet.synsets[key].words[:1] == (word,) and wordnet.synsets[key].kind != PERSON)
+            for key in wordnet.things(word)
+            if len(senses) == 1
+            or (counts[key] and counts[key] == most)
+            or (wordnet.synsets[key].kind == PERSON and counts[key] * _RARE > most)
+            or (wordnet.synsets[key].kind != PERSON and is_first_word(key))
             or self._is_usage(word, key)
         ]
-        if not most:
-            common = common or [key for key in things if wordnet.synsets[key].kind != PERSON][:1]
         order = {key: place for place, key in enumerate(common)}
         common.sort(
             key=lambda key: (
@@ -170,65 +168,78 @@ class Relations:
         """Whether ``word`` means ``key`` before anything else, or is the first word for it."""
         if self._decency.is_private(key):
             return False
-        if self._wordnet.senses.get(word, ())[:1] == (key,):
+        if word not in _USAGE and self._wordnet.senses.get(word, ())[:1] == (key,):
             return True
         first = self._wordnet.synsets[key].words[:1] == (word,)
         return self._meant(word)[:1] == (key,) or (first and key in self._meant(word))
 
-    def _surely(self, words: Iterable[str], key: int) -> list[str]:
-        """Those of ``words`` that mean ``key``, and hardly ever anything else.
+    def _surely(self, key: int) -> list[str]:
+        """Words of the collection that mean ``key``, and hardly ever anything else.
 
         A *charger* may be a horse, and a *cairn* a terrier; no collection of icons means that.
         """
         senses = self._wordnet.senses
         return [
             word
-            for word in words
-            if senses.get(word, ())[:1] == (key,)
+            for word in self._wordnet.synsets[key].words
+            if word in self._terms
+            and senses.get(word, ())[:1] == (key,)
             and (len(senses[word]) == 1 or self._wordnet.is_counted(word))
             and word not in TECHNICAL
+            and not (" " in word and word.split()[-1] in PARTS)  # a horse head is no fish
         ]
 
-    def _kinds(self, key: int) -> dict[str, int]:
-        """Words of the collection for kinds of ``key``, each with its depth below it from 1.
-
-        If there are many, the commonest.
-        """
+    def _kinds(self, key: int) -> list[str]:
+        """Words of the collection for kinds of ``key``, the commonest first."""
         if key in self._kinds_of:
             return self._kinds_of[key]
-        found: dict[str, int] = {}
-        level, depth, seen = [key], 0, {key}
-        while level:
-            depth += 1
-            level = [
-                child
-                for parent in level
-                for child in self._wordnet.children.get(parent, ())
-                if child not in seen and not self._decency.is_private(child)
-            ]
-            seen.update(level)
-            for child in level:
-                words = (w for w in self._wordnet.synsets[child].words if w in self._terms)
-                for word in self._surely(words, child):
-                    found.setdefault(word, depth)
-        commonest = sorted(found, key=lambda word: (-self._terms[word], word))[:_MANY]
-        kinds = self._kinds_of[key] = {word: found[word] for word in commonest}
+        found: set[str] = set()
+        stack, seen = list(self._wordnet.children.get(key, ())), {key}
+        while stack:
+            child = stack.pop()
+            if child in seen or self._decency.is_private(child):
+                continue
+            seen.add(child)
+            stack += self._wordnet.children.get(child, ())
+            found.update(self._surely(child))
+        kinds = sorted(found, key=lambda word: (-self._terms[word], word))[:_MANY]
+        self._kinds_of[key] = kinds
         return kinds
 
-    def _broader(self, key: int) -> list[str]:
-        return [
-            word
-            for parent in self._wordnet.synsets[key].parents
-            if len(self._kinds(parent)) <= _GENERAL
-            for word in self._wordnet.synsets[parent].words
-            if self._wordnet.senses.get(word, ())[:1] == (parent,)
-        ]
+    def _broader(self, word: str) -> list[str]:
+        """Words for what ``word`` is a kind of: those that mean it first, if ``word`` is clear."""
+        wordnet = self._wordnet
+        found: list[str] = []
+        head = word.rpartition(" ")[2]
+        if head != word and wordnet.is_kind_of(word, head):
+            found.append(head)
+        meanings = self._meant(word)
+        often = [wordnet.count(word, key) for key in meanings]
+        if len(often) == 1 or (often and often[0] > often[1]):
+            for parent in wordnet.synsets[meanings[0]].parents:
+                if len(self._kinds(parent)) <= _GENERAL and not self._decency.is_private(parent):
+                    words = wordnet.synsets[parent].words
+                    found += (
+                        term
+                        for term in words
+                        if wordnet.senses.get(term, ())[:1] == (parent,) and term not in TECHNICAL
+                    )
+        return found
 
     def _beside(self, word: str) -> list[str]:
-        """The commonest words for other kinds of what ``word`` is a kind of."""
-        for key in self._meant(word)[:1]:
+        """Words for what ``word`` is a kind of, and the commonest for other kinds of it."""
+        if self._decency.is_unspoken(word):
+            return []
+        for key in self._meant(word):
             for parent in self._wordnet.synsets[key].parents:
-                kinds = self._kinds(parent)
-                if 0 < len(kinds) <= _GENERAL and not self._decency.is_unspoken(word):
-                    return list(kinds)[:_PROPOSED]
+                if len(self._kinds(parent)) > _GENERAL:
+                    continue
+                words = self._wordnet.synsets[parent].words
+                whole = [term for term in words if self._stands_for(term, parent)]
+                siblings = self._wordnet.children[parent]
+                near = {term for sibling in siblings for term in self._surely(sibling)}
+                by_number = sorted(near, key=lambda term: (-self._terms[term], term))
+                found = [term for term in (*whole, *by_number) if term in self._terms]
+                if found:
+                    return list(dict.fromkeys(found))[:_PROPOSED]
         return []

@@ -108,7 +108,8 @@ TECHNICAL = words(
     carrier stock post beam block board chart deck diamond drum feed frame hub mill pad
     platform port rack ring screen seal shell spool stack tablet tap terminal track trunk
     adapter converter connector cell agent host mole pilot token swift kite ram buffer
-    scoter myna lounge boxer springer clipper packer dingo thumbnail
+    scoter myna lounge boxer springer clipper packer dingo
+    thumbnail stream field draw set receiver result tool drone
     """
 )
 """Words that collections of icons use for machines and marks, though WordNet also knows a horse,

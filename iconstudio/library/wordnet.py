@@ -76,7 +76,7 @@ _NOUN = "1:"
 
 def _plain(word: str) -> str:
     """Return a word as the names of icons have it: *merry-go-round* in three words."""
-    return word.replace("_", " ").replace("-", " ").replace("'", "").strip()
+    return word.replace("_", " ").replace("-", " ")
 
 
 class WordNet:
