@@ -193,9 +193,7 @@ def _contents(
 ) -> archive.Contents:
     """Return the collection of the chosen candidates, with the words that find them."""
     used = sorted({candidate.icon.prefix for candidate in chosen})
-    namings = [
-        [candidate.name, *map(take_apart, candidate.icon.aliases)] for candidate in chosen
-    ]
+    namings = [[candidate.name, *map(take_apart, candidate.icon.aliases)] for candidate in chosen]
     return archive.Contents(
         sets=tuple(sets[prefix] for prefix in used),
         set_of=[used.index(candidate.icon.prefix) for candidate in chosen],

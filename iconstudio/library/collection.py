@@ -151,7 +151,7 @@ class Collection:
         return self._pictograms(numbers[:1])[0]
 
     def _near(self, identifier: str) -> tuple[str, ...]:
-        """Return identifiers near to ``identifier``: of that name in other sets, and spelt alike."""
+        """Return identifiers near to ``identifier``: spelt alike, or of that name in other sets."""
         prefix, _, name = identifier.rpartition(":")
         named = self._choose(self._lookup.plainly(query.plain(name)), 3)
         same = [one.id for one in self._pictograms(named)]

@@ -128,10 +128,8 @@ def _insert_words(database: sqlite3.Connection, columns: dict[str, Any]) -> None
             for term, rank in zip(pairs[::2], pairs[1::2], strict=True)
         ),
     )
-    database.executemany(
-        "INSERT INTO wording VALUES (?, ?)",
-        sorted((words.replace("-", ""), number) for number, words in enumerate(columns["wordings"])),
-    )
+    joined = sorted((name.replace("-", ""), n) for n, name in enumerate(columns["wordings"]))
+    database.executemany("INSERT INTO wording VALUES (?, ?)", joined)
     database.executemany(
         "INSERT INTO proposal VALUES (?)", ((word,) for word in columns["proposals"])
     )

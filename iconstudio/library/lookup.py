@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 from iconstudio.library import query
+from iconstudio.library.naming import take_apart
 from iconstudio.library.readings import COMPOUND, EXACT, MENTION
 from iconstudio.library.relations import BESIDE, KIND
 from iconstudio.library.vocabulary import ATTRIBUTES, STYLES
@@ -58,6 +59,7 @@ class Lookup:
         """Return the icons that answer plain words taken together, in the plural or not."""
         called: Scores = {}
         for form in query.forms(words):
+            called = dict.fromkeys(called, -1)  # called just so, in the plural: before all others
             called |= dict(self._rows(_CALLED, (query.joined(form),)))
             found = dict(self._rows(_RELATED, (form,)))
             for icon, tier in self._rows(_READ, (form,)):
@@ -126,19 +128,27 @@ class Lookup:
         return any(self._rows(sql, (form,)) for form in query.forms(words))
 
     def _parted(self, word: str) -> Scores:
-        """Return the icons whose names have both words that ``word`` is joined from."""
+        """Return the icons whose names have both words that ``word`` is joined from.
+
+        Or those of the one, if the other only says how they are drawn.
+        """
         pairs = list(query.halves(word))
         spaced = self._listed(f"{first} {second}" for first, second in pairs)
         if spaced:
             return self.plainly(spaced[0])
+        for first, second in pairs:
+            name = f"{first}-{second}"
+            if {first, second} & STYLES and self._is_name(name):
+                return self.plainly(" ".join(take_apart(name).words))
         known = set(self._listed(part for pair in pairs for part in pair if len(part) > 2))
         for first, second in pairs:
-            styled = second in STYLES and len(second) > 2 and first in known
-            if styled or {first, second} <= known:
-                found = self.plainly(first) if styled else self._all_of((first, second))
-                if found:
-                    return found
+            if {first, second} <= known and (found := self._all_of((first, second))):
+                return found
         return {}
+
+    def _is_name(self, name: str) -> bool:
+        """Whether an icon is called so: *heart-line* is one, *head-line* is none."""
+        return bool(self._rows("SELECT 1 FROM icon WHERE id GLOB ? LIMIT 1", (f"*:{name}",)))
 
     def _listed(self, terms: Iterable[str]) -> list[str]:
         wanted = list(terms)

@@ -74,7 +74,7 @@ def halves(word: str) -> Iterator[tuple[str, str]]:
 
 
 def without_style(words: tuple[str, ...]) -> tuple[str, ...]:
-    """Return words without those that say how the thing is drawn, nor numbers: as names are read."""
+    """Return words without those that say how the thing is drawn, and without numbers."""
     core = take_apart("-".join(words)).words
     while len(core) > 1 and core[0] in STYLES:
         core = core[1:]

@@ -5,7 +5,7 @@ plain miss is better than a far-fetched hit, so a word leads only through what i
 """
 
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 
 from iconstudio.library.decency import Decency
 from iconstudio.library.vocabulary import PARTS, TECHNICAL
