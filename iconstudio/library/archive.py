@@ -16,9 +16,10 @@ from pathlib import Path
 from typing import Any
 
 from iconstudio.library.iconify import IconSet
+from iconstudio.library.indexing import Index
 from iconstudio.model import IconstudioError
 
-FORMAT = 1
+FORMAT = 2
 MANIFEST = "manifest.json"
 _FILTERS = [
     {
@@ -46,12 +47,7 @@ class Contents:
     """Fingerprints, joined (see ``fingerprint``)."""
     blackness: bytes
     """Per cent, a byte an icon."""
-    phrases: list[list[int]]
-    """Numbers of the phrases that name each icon."""
-    readings: dict[str, list[int]] = field(default_factory=dict)
-    """Term to phrase, tier, phrase, tier, ... (see ``readings``)."""
-    relations: dict[str, list[Any]] = field(default_factory=dict)
-    """Keyword to term, rank, term, rank, ... (see ``relations``)."""
+    index: Index = field(default_factory=Index)
 
 
 def write(contents: Contents, folder: Path) -> None:
@@ -64,9 +60,7 @@ def write(contents: Contents, folder: Path) -> None:
         "set_of": contents.set_of,
         "names": contents.names,
         "view_boxes": contents.view_boxes,
-        "phrases": contents.phrases,
-        "readings": contents.readings,
-        "relations": contents.relations,
+        **asdict(contents.index),
     }
     streams = {
         "index.json.xz": json.dumps(index, separators=(",", ":"), ensure_ascii=False).encode(),

@@ -2,7 +2,7 @@
 
 The steps: select the icons (``selection``), draw each once (``drawings``), drop what looks the
 same under the same name, keep the ``ICONS`` most useful, work out under which words each is found
-(``readings``, ``relations``), and write it all (``archive``, ``licences``).
+(``indexing``), and write it all (``archive``, ``licences``).
 """
 
 import json
@@ -15,11 +15,11 @@ from iconstudio.library import archive
 from iconstudio.library.drawings import fingerprints
 from iconstudio.library.fingerprint import Fingerprint, stack, unlikeness
 from iconstudio.library.iconify import IconSet, RawIcon
+from iconstudio.library.indexing import index
 from iconstudio.library.licences import credits_text
 from iconstudio.library.naming import Name, take_apart
 from iconstudio.library.progress import Progress
 from iconstudio.library.readings import BADGED, MENTION, is_thing, readings
-from iconstudio.library.relations import Relations
 from iconstudio.library.selection import Brands, brands, normal_body, select, wanted_sets
 from iconstudio.library.wordnet import WordNet
 from iconstudio.model import IconstudioError
@@ -193,24 +193,7 @@ def _contents(
 ) -> archive.Contents:
     """Return the collection of the chosen candidates, with the words that find them."""
     used = sorted({candidate.icon.prefix for candidate in chosen})
-    numbers: dict[tuple[str, ...], int] = {}
-    phrases: list[list[int]] = []
-    drawings: Counter[int] = Counter()
-    for candidate in chosen:
-        names = [candidate.name, *map(take_apart, candidate.icon.aliases)]
-        own = sorted({numbers.setdefault(name.words, len(numbers)) for name in names})
-        phrases.append(own)
-        drawings.update(own)
-    terms: Counter[str] = Counter()
-    found: defaultdict[str, list[int]] = defaultdict(list)
-    for words, number in numbers.items():
-        for term, tier in readings(words, wordnet).items():
-            found[term] += (number, tier)
-            if tier < MENTION:
-                terms[term] += drawings[number]
-    relations: defaultdict[str, list[object]] = defaultdict(list)
-    for word, term, rank in Relations(wordnet, terms).all():
-        relations[word] += (term, rank)
+    namings = [[candidate.name, *map(take_apart, candidate.icon.aliases)] for candidate in chosen]
     return archive.Contents(
         sets=tuple(sets[prefix] for prefix in used),
         set_of=[used.index(candidate.icon.prefix) for candidate in chosen],
@@ -219,7 +202,5 @@ def _contents(
         bodies=[" ".join(candidate.icon.body.split()) for candidate in chosen],
         cells=b"".join(candidate.shape.cells for candidate in chosen),
         blackness=bytes(candidate.shape.blackness for candidate in chosen),
-        phrases=phrases,
-        readings=dict(sorted(found.items())),
-        relations=dict(relations),
+        index=index(namings, wordnet),
     )

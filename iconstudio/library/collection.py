@@ -12,14 +12,13 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.library import database, search
+from iconstudio.library import database, query, search
 from iconstudio.library.archive import Archive
 from iconstudio.library.fingerprint import stack
 from iconstudio.library.iconify import document
+from iconstudio.library.lookup import Lookup
 from iconstudio.library.naming import take_apart
 from iconstudio.library.progress import Progress
-from iconstudio.library.readings import BADGED, COMPOUND
-from iconstudio.library.relations import BROADER, KIND
 from iconstudio.model import Credit, IconstudioError, Pictogram
 from iconstudio.resources import resource
 
@@ -32,18 +31,8 @@ LIMIT = 200
 _DAMAGED = "The unpacked icon collection is damaged, and unpacked anew: %s"
 _FEW = 20
 """With fewer drawings, a keyword lends no parts to choose from."""
-
-_MATCHES = f"""
-SELECT icon, MIN(relation.rank + reading.tier)
-FROM relation JOIN reading USING (term) JOIN naming USING (phrase)
-WHERE relation.word = ?
-    AND (relation.rank < {KIND}
-        OR relation.rank < {BROADER} AND reading.tier < {BADGED}
-        OR reading.tier < {COMPOUND})
-GROUP BY icon
-"""
-"""Icons of a keyword with their scores. The less a word has to do with the keyword, the more
-plainly must the drawing be one of it: of what is broader, only the thing itself is wanted."""
+_WORDLESS = "There is no word in {}. Name the thing to draw, such as 'dog'."
+_ENGLISH = "Icons have English names: try another English word for the thing."
 
 
 def cache_folder() -> Path:
@@ -98,6 +87,8 @@ class Collection:
         except BaseException:
             self._database.close()
             raise
+        self._prefixes = frozenset(credits[0] for credits in self._sets.values())
+        self._lookup = Lookup(self._rows)
         self._cells: NDArray[np.uint64] = stack([cells])
         self._blackness = np.frombuffer(blackness, dtype=np.uint8)
 
@@ -185,42 +176,47 @@ class Collection:
         IconstudioError
             If the keyword is empty, or nothing answers it; the message names what is near.
         """
-        forms = search.spellings(keyword)
-        if not forms:
-            raise IconstudioError("The keyword is empty. Name the thing to draw, such as 'dog'.")
-        scores = self._scores(forms)
+        if not query.plain(keyword):
+            raise IconstudioError(_WORDLESS.format(_said(keyword)))
+        scores = self._scores(keyword)
         for number in self._numbers(exclude):
             scores.pop(number, None)
         found = self._choose(scores, limit)
         if not found:
-            raise IconstudioError(self._nothing(keyword, forms[0], bool(exclude)))
+            raise IconstudioError(self._nothing(keyword, bool(exclude)))
         return self._pictograms(found)
 
     @_mended
     def get(self, identifier: str) -> Pictogram:
-        """Return the pictogram ``set:name``.
+        """Return the pictogram ``set:name``; other spellings, such as ``set-name``, are read.
 
         Raises
         ------
         IconstudioError
             If there is none; the message names what is near.
         """
-        numbers = self._numbers([identifier])
+        spelt = list(query.identifiers(identifier, self._prefixes))
+        numbers = self._numbers([identifier]) or self._numbers(spelt)
         if not numbers:
-            prefix = identifier.partition(":")[0]
-            rows = self._rows("SELECT id FROM icon WHERE id GLOB ?", (_glob(prefix) + ":*",))
-            near = search.nearest(identifier, [row[0] for row in rows])
-            raise IconstudioError(f"The collection has no icon '{identifier}'.{_hint(near)}")
-        return self._pictograms(numbers)[0]
+            meant = spelt[0] if spelt else identifier
+            raise IconstudioError(
+                f"The collection has no icon '{meant}'.{_hint(self._near(meant))}"
+            )
+        return self._pictograms(numbers[:1])[0]
+
+    def _near(self, identifier: str) -> tuple[str, ...]:
+        """Return identifiers near to ``identifier``: spelt alike, or of that name in other sets."""
+        prefix, _, name = identifier.rpartition(":")
+        named = self._choose(self._lookup.plainly(query.plain(name)), 3)
+        same = [one.id for one in self._pictograms(named)]
+        rows = self._rows("SELECT id FROM icon WHERE id GLOB ?", (_glob(prefix) + ":*",))
+        alike = search.nearest(identifier, [row[0] for row in rows])
+        return tuple(dict.fromkeys((*alike[:2], *same)))[:4]
 
     @_mended
     def suggest(self, keyword: str) -> tuple[str, ...]:
         """Return keywords near to ``keyword`` in spelling that do have results."""
-        forms = search.spellings(keyword)
-        if not forms:
-            return ()
-        words = [row[0] for row in self._rows("SELECT DISTINCT word FROM relation WHERE rank < 2")]
-        return search.nearest(forms[0], words)
+        return search.nearest(query.plain(keyword), self._lookup.proposals())
 
     @_mended
     def keyword(self, title: str) -> str:
@@ -234,23 +230,18 @@ class Collection:
         return next((name for name in (*leading, *words[1:]) if self._answered(name)), "")
 
     def _answered(self, name: str) -> bool:
-        return any(len(self._rows(_MATCHES, (form,))) >= _FEW for form in search.spellings(name))
+        return len(self._lookup.plainly(query.plain(name))) >= _FEW
 
-    def _scores(self, forms: list[str]) -> dict[int, int]:
-        """Return the icons that answer a keyword, each with its score: the lower the better."""
-        scores: dict[int, int] = {}
-        for form in forms:
-            scores = dict(self._rows(_MATCHES, (form,)))
-            if scores:
-                break
-        words = forms[0].split()
-        if len(words) > 1:
-            parts = [self._scores(search.spellings(word)) for word in words]
-            for icon in set(parts[0]).intersection(*parts[1:]):
-                score = parts[-1][icon]
-                scores[icon] = min(score, scores.get(icon, score))
-            scores = scores or parts[-1]  # nothing is an old red house: show houses
-        return scores
+    def _scores(self, keyword: str) -> dict[int, int]:
+        """Return the icons that answer a keyword, each with its score: the lower the better.
+
+        If the keyword is an identifier, its icon comes first, then what has the same name.
+        """
+        spelt = list(query.identifiers(keyword, self._prefixes))
+        if spelt and ":" in keyword:
+            scores = self._lookup.scores(spelt[0].partition(":")[2])
+            return scores | dict.fromkeys(self._numbers(spelt)[:1], -1)
+        return self._lookup.scores(keyword) or dict.fromkeys(self._numbers(spelt)[:1], 0)
 
     def _choose(self, scores: dict[int, int], limit: int) -> list[int]:
         icons = np.fromiter(scores.keys(), dtype=np.int64, count=len(scores))
@@ -267,10 +258,14 @@ class Collection:
             chosen = search.different(self._cells[found], most, search.NEARLY_EQUAL)
         return [int(found[i]) for i in chosen]
 
-    def _nothing(self, keyword: str, form: str, excluded: bool) -> str:
-        if excluded and self._scores(search.spellings(keyword)):
-            return f"Every icon for '{keyword}' is excluded. Exclude fewer."
-        return f"No icon is called '{keyword}'.{_hint(self.suggest(form))}"
+    def _nothing(self, keyword: str, excluded: bool) -> str:
+        if excluded and self._scores(keyword):
+            return f"Every icon for {_said(keyword)} is excluded. Exclude fewer."
+        none = f"No icon is called {_said(keyword)}."
+        if beside := self._lookup.beside(keyword):
+            return f"{none} Of its kind there are: {', '.join(beside)}."
+        near = self.suggest(keyword) if query.is_latin(keyword) else ()
+        return f"{none}{_hint(near)} {_ENGLISH}"
 
     def _numbers(self, identifiers: Iterable[str]) -> list[int]:
         query = "SELECT number FROM icon WHERE id = ?"
@@ -286,7 +281,7 @@ class Collection:
         return tuple(found[number] for number in numbers)
 
     def _pictogram(self, identifier: str, set_number: int, view_box: str, body: str) -> Pictogram:
-        author, licence, licence_url, url = self._sets[set_number]
+        _, author, licence, licence_url, url = self._sets[set_number]
         title = identifier.partition(":")[2].replace("-", " ")
         credit = Credit(title, author, licence, licence_url, url)
         return Pictogram(identifier, document(body, view_box), credit)
@@ -294,6 +289,12 @@ class Collection:
     def _rows(self, query: str, values: Iterable[Any] = ()) -> list[tuple[Any, ...]]:
         with self._lock:
             return self._database.execute(query, tuple(values)).fetchall()
+
+
+def _said(keyword: str) -> str:
+    """Return a keyword as a message has it: quoted, a symbol with its name."""
+    name = query.plain(keyword) if query.has_symbols(keyword) else ""
+    return f"'{keyword.strip()}'" + (f" ({name})" if name else "")
 
 
 def _hint(near: tuple[str, ...]) -> str:

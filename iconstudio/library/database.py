@@ -42,8 +42,10 @@ CREATE TABLE reading (
     term TEXT, phrase INTEGER, tier INTEGER, PRIMARY KEY (term, phrase)) WITHOUT ROWID;
 CREATE TABLE relation (
     word TEXT, term TEXT, rank INTEGER, PRIMARY KEY (word, term)) WITHOUT ROWID;
+CREATE TABLE wording (joined TEXT, phrase INTEGER, PRIMARY KEY (joined, phrase)) WITHOUT ROWID;
+CREATE TABLE proposal (word TEXT);
 CREATE TABLE icon_set (
-    number INTEGER PRIMARY KEY, author TEXT, license TEXT, license_url TEXT, url TEXT);
+    number INTEGER PRIMARY KEY, prefix TEXT, author TEXT, license TEXT, license_url TEXT, url TEXT);
 CREATE TABLE shapes (cells BLOB, blackness BLOB);
 """
 
@@ -176,6 +178,11 @@ def _insert_words(database: sqlite3.Connection, columns: dict[str, Any]) -> None
             for term, rank in zip(pairs[::2], pairs[1::2], strict=True)
         ),
     )
+    joined = sorted((name.replace("-", ""), n) for n, name in enumerate(columns["wordings"]))
+    database.executemany("INSERT INTO wording VALUES (?, ?)", joined)
+    database.executemany(
+        "INSERT INTO proposal VALUES (?)", ((word,) for word in columns["proposals"])
+    )
     named = sorted(
         pair
         for icon, phrases in enumerate(columns["phrases"])
@@ -187,9 +194,9 @@ def _insert_words(database: sqlite3.Connection, columns: dict[str, Any]) -> None
 def _insert_icons(database: sqlite3.Connection, columns: dict[str, Any], bodies: list[str]) -> None:
     sets = columns["sets"]
     database.executemany(
-        "INSERT INTO icon_set VALUES (?, ?, ?, ?, ?)",
+        "INSERT INTO icon_set VALUES (?, ?, ?, ?, ?, ?)",
         (
-            (number, one["author"], one["license"], one["license_url"], one["url"])
+            (number, *(one[key] for key in ("prefix", "author", "license", "license_url", "url")))
             for number, one in enumerate(sets)
         ),
     )

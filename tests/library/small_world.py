@@ -3,7 +3,7 @@
 import json
 from pathlib import Path
 
-ANIMAL, ARTIFACT, FOOD, ACT = 5, 6, 13, 4
+ANIMAL, ARTIFACT, FOOD, ACT, BODY, PERSON = 5, 6, 13, 4, 8, 18
 
 SYNSETS = (
     # key, lexicographer file, words, keys of the parents
@@ -27,7 +27,29 @@ SYNSETS = (
     (18, ACT, ("walking",), ()),
     (19, ARTIFACT, ("house",), ()),
     (20, ACT, ("police",), ()),
+    (21, PERSON, ("chump", "gull", "mug"), ()),
+    (22, ANIMAL, ("gull",), ()),
+    (23, ARTIFACT, ("mug",), (31,)),
+    (24, BODY, ("nail",), ()),
+    (25, ARTIFACT, ("nail",), ()),
+    (26, BODY, ("fingernail",), (24,)),
+    (27, ARTIFACT, ("thumbtack",), (25,)),
+    (28, ANIMAL, ("lion",), ()),
+    (29, ANIMAL, ("eared_seal",), ()),
+    (30, ANIMAL, ("sea_lion",), (29,)),
+    (31, ARTIFACT, ("vessel",), ()),
+    (32, ARTIFACT, ("jug",), (31,)),
+    (33, ARTIFACT, ("ewer",), (31,)),
+    (34, BODY, ("organ",), ()),
+    (35, BODY, ("eye",), (34,)),
+    (36, BODY, ("anus",), (34,)),
+    (37, ANIMAL, ("ass",), ()),
+    (38, ARTIFACT, ("bar_code",), ()),
+    (39, ARTIFACT, ("carousel", "merry-go-round"), ()),
+    (40, ANIMAL, ("fur_seal",), (29,)),
 )
+UNCOUNTED = ("chump", "gull", "mug")
+"""Words that do not occur in the texts that were counted."""
 
 
 def write_wordnet(folder: Path) -> Path:
@@ -49,6 +71,13 @@ def write_wordnet(folder: Path) -> Path:
         "".join(
             f"{word} n {len(keys)} 1 @ {len(keys)} 1 {' '.join(f'{key:08d}' for key in keys)}  \n"
             for word, keys in sorted(senses.items())
+        )
+    )
+    (folder / "index.sense").write_text(
+        "".join(
+            f"{word}%1:{kind:02d}:00:: {key:08d} 1 {int(word not in UNCOUNTED)}\n"
+            for key, kind, words, _ in SYNSETS
+            for word in words
         )
     )
     return folder

@@ -1,5 +1,7 @@
 """Search: the thing before what mentions it, in words that the user has; and no drawing twice."""
 
+import re
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -10,6 +12,7 @@ from small_world import icon_set, shape
 from iconstudio.library import search
 from iconstudio.library.collection import Collection
 from iconstudio.library.fingerprint import SIDE, WORDS, fingerprint, stack, unlikeness
+from iconstudio.library.naming import take_apart
 from iconstudio.model import IconstudioError
 
 bitmaps = hnp.arrays(np.bool_, (5, SIDE, SIDE))
@@ -66,9 +69,9 @@ def test_two_words_must_both_be_there(opened):
     assert ids(collection, "horse bowl") == ["horse-bowl"]
 
 
-@pytest.mark.parametrize("keyword", ["", "  ", "-"])
-def test_an_empty_keyword(opened, keyword):
-    with pytest.raises(IconstudioError, match="keyword is empty"):
+@pytest.mark.parametrize("keyword", ["", "  ", "-", "?!", "\U0001f1e9\U0001f1ea"])
+def test_a_keyword_without_a_word(opened, keyword):
+    with pytest.raises(IconstudioError, match="There is no word in"):
         opened(small("dog")).search(keyword)
 
 
@@ -76,9 +79,83 @@ def test_an_unknown_keyword_names_what_is_near(opened):
     collection = opened(small("motorcycle", "horse"))
     with pytest.raises(IconstudioError, match=r"'motorbyke'\. Did you mean motorbike"):
         collection.search("motorbyke")
-    with pytest.raises(IconstudioError, match=r"No icon is called 'zzzz'\.$"):
+    with pytest.raises(IconstudioError, match=r"No icon is called 'zzzz'\. Icons have English"):
         collection.search("zzzz")
     assert collection.suggest("hrse") == ("horse",)
+
+
+@pytest.mark.parametrize(
+    ("keyword", "names"),
+    [
+        ("barcode", ["barcode"]),
+        ("bar code", ["barcode"]),
+        ("merry-go-round", ["carousel"]),
+        ("Merry go round", ["carousel"]),
+        ("mug", ["mug"]),
+        ("gull", ["gull"]),
+        ("nail", ["nail", "fingernail", "thumbtack"]),
+        ("organ", ["eye"]),
+        ("anus", ["anus"]),
+        ("ass", ["ass"]),
+        ("lion", ["lion"]),
+        ("cafe lion", ["lion-cafe"]),
+        ("lioncafe", ["lion-cafe"]),
+        ("caf\u00e9", ["lion-cafe"]),
+        ("lion filled", ["lion"]),
+        ("outline of a lion", ["lion"]),
+        ("\U0001f981", ["lion"]),
+    ],
+)
+def test_a_word_leads_to_what_it_commonly_means(opened, keyword, names):
+    collection = opened(
+        small(
+            "barcode", "carousel", "mug", "gull", "nail", "fingernail", "thumbtack", "eye", "anus",
+            "ass", "save-as", "lion", "lion-cafe",
+        )
+    )  # fmt: skip
+    assert ids(collection, keyword)[: len(names)] == names
+    if keyword not in ("lion", "lion filled", "outline of a lion", "\U0001f981"):
+        assert ids(collection, keyword) == names
+
+
+def test_a_compound_that_has_a_meaning_of_its_own_is_not_its_last_word(opened):
+    with pytest.raises(IconstudioError, match=r"'sea lion'\. Of its kind there are: fur seal\."):
+        opened(small("lion", "fur-seal")).search("sea lion")
+
+
+def test_a_miss_proposes_other_things_of_the_kind(opened):
+    with pytest.raises(IconstudioError, match=r"'ewer'\. Of its kind there are: jug\."):
+        opened(small("jug", "horse")).search("ewer")
+
+
+@pytest.mark.parametrize("keyword", ["anos", "anuss", "organn"])
+def test_no_hint_that_one_would_not_say_aloud(opened, keyword):
+    collection = opened(small("anus", "horse"))
+    assert "anus" not in collection.suggest(keyword)
+
+
+@pytest.mark.parametrize("keyword", ["\u0434\u043e\u043c", "\u5bb6", "Zug"])
+def test_another_language_is_told_that_names_are_english(opened, keyword):
+    with pytest.raises(IconstudioError, match=f"'{keyword}'.*English"):
+        opened(small("dog")).search(keyword)
+
+
+def test_an_emoji_that_nothing_answers_is_named(opened):
+    with pytest.raises(IconstudioError, match=r"\(bagel\)"):
+        opened(small("dog")).search("\U0001f96f")
+
+
+@pytest.mark.parametrize("spelt", ["a-dog", "a/dog", "i-a-dog", "A:Dog", "icon-[a--dog]"])
+def test_identifiers_in_other_spellings(opened, spelt):
+    collection = opened(small("dog", "dog-side", "horse"))
+    assert collection.get(spelt).id == "a:dog"
+    assert ids(collection, spelt)[0] == "dog"
+
+
+def test_an_unknown_identifier_names_icons_of_that_name(opened):
+    collection = opened(small("dog"), icon_set("b", {"horse": shape(9)}))
+    with pytest.raises(IconstudioError, match=r"no icon 'b:dog'\. Did you mean a:dog\?"):
+        collection.get("b-dog")
 
 
 def test_excluded_icons_do_not_come_back(opened):
@@ -189,6 +266,38 @@ def test_the_bundled_collection_shows_things_first(bundled, keyword, mentions):
 )
 def test_the_bundled_collection_knows_other_words(bundled, keyword, word):
     assert any(word in name for name in ids(bundled, keyword))
+
+
+@pytest.fixture(scope="module")
+def names(bundled):
+    rows = bundled._rows("SELECT id FROM icon")
+    return sorted({row[0].partition(":")[2] for row in rows})
+
+
+def found_by_its_name(bundled, name, typed):
+    """Whether what is typed finds an icon whose name has the words of ``name``."""
+    wanted = {"".join(take_apart(name).words), name.replace("-", "")}
+    try:
+        found = bundled.search(typed)
+    except IconstudioError:
+        return False
+    return any("".join(take_apart(one.id.partition(":")[2]).words) in wanted for one in found)
+
+
+def test_every_icon_is_found_by_its_name_of_one_word(bundled, names):
+    single = [name for name in names if name.isalpha()]
+    assert len(single) > 3_000
+    assert [name for name in single if not found_by_its_name(bundled, name, name)] == []
+
+
+@pytest.mark.parametrize("between", ["-", " ", "", "_"])
+def test_icons_are_found_by_their_names_of_two_words(bundled, names, between):
+    double = [name for name in names if re.fullmatch("[a-z]{2,}-[a-z]{2,}", name)][::40]
+    assert len(double) > 500
+    missed = [
+        name for name in double if not found_by_its_name(bundled, name, name.replace("-", between))
+    ]
+    assert missed == []
 
 
 def test_results_of_the_bundled_collection_differ_and_suit_every_style(bundled):

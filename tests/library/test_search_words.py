@@ -7,7 +7,6 @@ from small_world import write_wordnet
 
 from iconstudio.library.naming import is_negated, take_apart
 from iconstudio.library.readings import BADGED, COMPOUND, EXACT, MENTION, POSED, SCENE, readings
-from iconstudio.library.search import spellings
 from iconstudio.library.wordnet import WordNet, singulars
 
 
@@ -97,17 +96,9 @@ def test_singulars(plural, singular):
     assert singular in singulars(plural)
 
 
-@pytest.mark.parametrize(
-    ("keyword", "form"),
-    [
-        (" Tea_Pots ", "teapot"),
-        ("scissor", "scissors"),
-        ("fleur-de-lis", "fleur-de-lis"),
-        ("Coffee-Cup", "coffee cup"),
-    ],
-)
-def test_spellings(keyword, form):
-    assert form in spellings(keyword)
+@pytest.mark.parametrize("word", ["as", "new", "ga"])
+def test_a_word_is_no_half_of_a_plural(wordnet, word):
+    assert wordnet.lemma(word) == word
 
 
 def test_kinds(wordnet):

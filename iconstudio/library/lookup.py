@@ -1,0 +1,157 @@
+"""Which icons answer a keyword: looked up in the index of the unpacked collection.
+
+Scores are a relation's rank and a reading's tier added up: the lower the better.
+"""
+
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any
+
+from iconstudio.library import query
+from iconstudio.library.naming import take_apart
+from iconstudio.library.readings import COMPOUND, EXACT, MENTION
+from iconstudio.library.relations import BESIDE, KIND
+from iconstudio.library.vocabulary import ATTRIBUTES, STYLES
+
+Rows = Callable[[str, Sequence[Any]], list[tuple[Any, ...]]]
+"""Runs a query with values, and returns its rows."""
+
+_CALLED = """
+SELECT icon, 0 FROM wording JOIN naming USING (phrase) WHERE wording.joined = ?
+"""
+"""Icons whose name consists of the words."""
+
+_READ = """
+SELECT icon, MIN(tier) FROM reading JOIN naming USING (phrase) WHERE term = ? GROUP BY icon
+"""
+"""Icons that are one of a thing, or mention it."""
+
+_RELATED = f"""
+SELECT icon, MIN(relation.rank + reading.tier)
+FROM relation JOIN reading USING (term) JOIN naming USING (phrase)
+WHERE relation.word = ?
+    AND (relation.rank < {KIND} AND reading.tier < {MENTION}
+        OR relation.rank < {BESIDE} AND reading.tier < {COMPOUND})
+GROUP BY icon
+"""
+"""Icons of other words. The less a word has to do with the keyword, the more plainly must the
+drawing be one of it: of a kind, and of what is broader, only the thing itself is wanted."""
+
+Scores = dict[int, int]
+"""The number of an icon to its score."""
+
+
+class Lookup:
+    """Looks keywords up. ``rows`` asks the database."""
+
+    def __init__(self, rows: Rows) -> None:
+        self._rows = rows
+
+    def scores(self, keyword: str) -> Scores:
+        """Return the icons that answer a keyword."""
+        words = tuple(query.plain(keyword).split())
+        if not words:
+            return {}
+        if query.has_symbols(keyword):
+            return self.plainly(" ".join(words)) or self._answers(query.without_framing(words))
+        return self._answers(words)
+
+    def plainly(self, words: str) -> Scores:
+        """Return the icons that answer plain words taken together, in the plural or not."""
+        called: Scores = {}
+        for form in query.forms(words):
+            called = dict.fromkeys(called, -1)  # called just so, in the plural: before all others
+            called |= dict(self._rows(_CALLED, (query.joined(form),)))
+            found = dict(self._rows(_RELATED, (form,)))
+            for icon, tier in self._rows(_READ, (form,)):
+                found[icon] = min(tier, found.get(icon, tier))
+            if found:
+                return found | called
+        return called
+
+    def beside(self, keyword: str) -> tuple[str, ...]:
+        """Return words for things of the same kind as one that nothing answers."""
+        sql = f"SELECT term FROM relation WHERE word = ? AND rank = {BESIDE}"
+        for form in query.forms(query.plain(keyword)):
+            if found := self._rows(sql, (form,)):
+                return tuple(row[0] for row in found)
+        return ()
+
+    def proposals(self) -> list[str]:
+        """Return the words that may be proposed to somebody who has misspelt one."""
+        return [row[0] for row in self._rows("SELECT word FROM proposal", ())]
+
+    def _answers(self, words: tuple[str, ...]) -> Scores:
+        found = self.plainly(" ".join(words))
+        bare = query.without_style(words)
+        if not found and bare != words:
+            return self._answers(bare)
+        if len(words) == 1:
+            return found or self._parted(words[0])
+        told = query.telling(words)
+        for icon, score in self._all_of(told).items():
+            found[icon] = min(score, found.get(icon, score))
+        if not found and told != words:
+            return self._answers(told)
+        return found or self._head(words)
+
+    def _all_of(self, words: Sequence[str]) -> Scores:
+        """Return the icons that answer the last word, and have all others in their names."""
+        named = [self._named(word) for word in words[:-1]]
+        last = self.plainly(words[-1]) if all(named) else {}
+        return {icon: last[icon] for icon in set(last).intersection(*named)}
+
+    def _named(self, word: str) -> set[int]:
+        return {icon for form in query.forms(word) for icon, _ in self._rows(_READ, (form,))}
+
+    def _head(self, words: tuple[str, ...]) -> Scores:
+        """Return the things of the last words: nothing is an old red house, so show houses.
+
+        Not where the words together mean something of their own, nor where another word is a thing
+        as well: a sea lion is no lion, and a swing set no set.
+        """
+        if self._is_known(" ".join(words)):
+            return {}
+        for start in range(1, len(words)):
+            if words[start - 1] not in ATTRIBUTES and self._is_thing(words[start - 1]):
+                return {}
+            found = self.plainly(" ".join(words[start:]))
+            if found and min(found.values()) < COMPOUND:
+                return found
+        return {}
+
+    def _is_thing(self, word: str) -> bool:
+        sql = f"SELECT 1 FROM reading WHERE term = ? AND tier = {EXACT} LIMIT 1"
+        return any(self._rows(sql, (form,)) for form in query.forms(word))
+
+    def _is_known(self, words: str) -> bool:
+        sql = "SELECT 1 FROM relation WHERE word = ? LIMIT 1"
+        return any(self._rows(sql, (form,)) for form in query.forms(words))
+
+    def _parted(self, word: str) -> Scores:
+        """Return the icons whose names have both words that ``word`` is joined from.
+
+        Or those of the one, if the other only says how they are drawn.
+        """
+        pairs = list(query.halves(word))
+        spaced = self._listed(f"{first} {second}" for first, second in pairs)
+        if spaced:
+            return self.plainly(spaced[0])
+        for first, second in pairs:
+            name = f"{first}-{second}"
+            if {first, second} & STYLES and self._is_name(name):
+                return self.plainly(" ".join(take_apart(name).words))
+        known = set(self._listed(part for pair in pairs for part in pair if len(part) > 2))
+        for first, second in pairs:
+            if {first, second} <= known and (found := self._all_of((first, second))):
+                return found
+        return {}
+
+    def _is_name(self, name: str) -> bool:
+        """Whether an icon is called so: *heart-line* is one, *head-line* is none."""
+        return bool(self._rows("SELECT 1 FROM icon WHERE id GLOB ? LIMIT 1", (f"*:{name}",)))
+
+    def _listed(self, terms: Iterable[str]) -> list[str]:
+        wanted = list(terms)
+        marks = ",".join("?" * len(wanted))
+        sql = f"SELECT DISTINCT term FROM reading WHERE term IN ({marks})"
+        return [row[0] for row in self._rows(sql, wanted)]

@@ -1,0 +1,85 @@
+"""What somebody types, made plain; and the spellings of identifiers."""
+
+import unicodedata
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from iconstudio.library import query
+
+
+@pytest.mark.parametrize(
+    ("typed", "words"),
+    [
+        (" Tea_Pots ", "tea pots"),
+        ("Coffee-Cup", "coffee cup"),
+        ("caf\u00e9", "cafe"),
+        ("cafe\u0301", "cafe"),
+        ("PI\u00d1ATA", "pinata"),
+        ("pin\u0303ata", "pinata"),
+        ("Stra\u00dfe", "strasse"),
+        ("sm\u00f8rrebr\u00f8d", "smorrebrod"),
+        ("bird\u2019s nest", "birds nest"),
+        ("salt & pepper", "salt and pepper"),
+        ("\uff24\uff2f\uff27", "dog"),
+        ("\U0001f415", "dog"),
+        ("\u2764\ufe0f", "heavy black heart"),
+        ("\U0001f468\u200d\U0001f692", "man fire engine"),
+        ("\U0001f44d\U0001f3fd", "thumbs up sign"),
+        ("my \U0001f415!", "my dog"),
+        ("\U0001f1e9\U0001f1ea", ""),
+        ("!?", ""),
+    ],
+)
+def test_plain(typed, words):
+    assert query.plain(typed) == words
+
+
+@given(st.text(max_size=30))
+def test_plain_words_stay_plain_however_their_accents_are_composed(text):
+    plain = query.plain(text)
+    assert query.plain(plain) == plain == " ".join(plain.split())
+    assert query.plain(unicodedata.normalize("NFD", text)) == plain
+
+
+@pytest.mark.parametrize(
+    ("typed", "bare"),
+    [
+        ("dog filled", "dog"),
+        ("house outline", "house"),
+        ("solid heart", "heart"),
+        ("bold line dog", "dog"),
+        ("dog 24 filled", "dog"),
+        ("traffic light", "traffic light"),
+        ("outline", "outline"),
+    ],
+)
+def test_words_for_a_style_are_told_from_the_thing(typed, bare):
+    assert " ".join(query.without_style(tuple(typed.split()))) == bare
+
+
+@pytest.mark.parametrize(
+    "typed",
+    [
+        "mdi:home-roof", "mdi-home-roof", "mdi/home-roof", "i-mdi-home-roof", "MDI:Home-Roof",
+        "icon-[mdi--home-roof]", "i-mdi:home-roof", "mdi:home_roof", "mdiHomeRoof",
+        " mdi home roof",
+    ],
+)  # fmt: skip
+def test_spellings_of_an_identifier(typed):
+    assert list(query.identifiers(typed, frozenset({"mdi", "ph"}))) == ["mdi:home-roof"]
+
+
+def test_an_identifier_of_a_set_whose_name_begins_like_another():
+    sets = frozenset({"fluent", "fluent-emoji"})
+    assert list(query.identifiers("fluent-emoji-dog", sets)) == [
+        "fluent-emoji:dog",
+        "fluent:emoji-dog",
+    ]
+    assert list(query.identifiers("solar-panel", sets)) == []
+
+
+def test_which_letters_are_latin():
+    assert query.is_latin("caf\u00e9 3!") and query.is_latin("")
+    assert not query.is_latin("\u0434\u043e\u043c") and not query.is_latin("\u5bb6")
