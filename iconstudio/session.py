@@ -15,7 +15,7 @@ from pathlib import Path
 from iconstudio.algorithms.matching import SCALES, Matcher, PreparedExemplar
 from iconstudio.algorithms.style import two_toned
 from iconstudio.library.collection import Collection, cache_folder
-from iconstudio.library.ownsvg import read_own_svg
+from iconstudio.library.ownsvg import own_svg, read_own_svg
 from iconstudio.library.preparing import PreparingCache
 from iconstudio.library.rasters import RasterCache
 from iconstudio.library.resvg import render_placed
@@ -144,6 +144,16 @@ class Session:
         if reference.lower().endswith(".svg") or os.path.isfile(reference):
             return read_own_svg(Path(reference))
         return self.collection.get(reference)
+
+    def icon_from(self, data: bytes, name: str) -> Pictogram:
+        """Return an icon of SVG markup that is in no file, but pasted, say; ``name`` it.
+
+        Raises
+        ------
+        IconstudioError
+            If it is no good.
+        """
+        return own_svg(data, name)
 
     def exemplar(self, pictogram: Pictogram) -> Exemplar:
         """Return a pictogram on the canvas.

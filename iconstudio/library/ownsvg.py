@@ -28,10 +28,6 @@ _LONGEST = 500
 def read_own_svg(path: Path) -> Pictogram:
     """Read an SVG file as a pictogram, ``own:`` with the file's name and a digest of its contents.
 
-    If the file's Dublin Core metadata name its author and licence, they are credited. If they list
-    the sources that it was made of, as those of a saved result do (``output.svg``), the
-    pictogram is ``made_of`` them. Whether there is anything to see shows only once it is drawn.
-
     Raises
     ------
     IconstudioError
@@ -39,6 +35,24 @@ def read_own_svg(path: Path) -> Pictogram:
     """
     try:
         data = _contents(path)
+    except IconstudioError as error:
+        raise IconstudioError(f"“{path}” cannot be used. {error}") from None
+    return own_svg(data, str(path))
+
+
+def own_svg(data: bytes, name: str) -> Pictogram:
+    """Return an SVG document as a pictogram; ``name`` is the path of its file, or what to call it.
+
+    If its Dublin Core metadata name its author and licence, they are credited. If they list
+    the sources that it was made of, as those of a saved result do (``output.svg``), the
+    pictogram is ``made_of`` them. Whether there is anything to see shows only once it is drawn.
+
+    Raises
+    ------
+    IconstudioError
+        If it is no SVG, or is refused by ``svgcheck.check``.
+    """
+    try:
         svg = _text(data)
         check(svg)
         root = ET.fromstring(svg)  # without entities and within bounds, says the check
@@ -47,8 +61,9 @@ def read_own_svg(path: Path) -> Pictogram:
                 'Its root lacks the SVG namespace. Add xmlns="http://www.w3.org/2000/svg" to it.'
             )
     except IconstudioError as error:
-        raise IconstudioError(f"“{path}” cannot be used. {error}") from None
+        raise IconstudioError(f"“{name}” cannot be used. {error}") from None
     work = root.find(_WORK)
+    path = Path(name)
     return Pictogram(
         id=f"own:{path.stem}-{hashlib.sha256(data).hexdigest()[:8]}",
         svg=svg,

@@ -31,6 +31,9 @@ class Pictogram:
     made_of: tuple["Pictogram", ...] = ()
     """If it is itself a result: the icons that own its parts. Of those that were read back from a
     file's credits, ``svg`` is empty."""
+    remarks: tuple[str, ...] = ()
+    """What could not be read of its drawing, and what to do about it; a sentence for the user each.
+    """
 
     @property
     def origins(self) -> tuple["Pictogram", ...]:

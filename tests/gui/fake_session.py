@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from iconstudio.algorithms.ranking import Score
-from iconstudio.library.ownsvg import read_own_svg
+from iconstudio.library.ownsvg import own_svg, read_own_svg
 from iconstudio.model import (
     CANVAS,
     Composite,
@@ -130,6 +130,10 @@ class FakeSession:
             if one.id == reference:
                 return one.pictogram
         raise IconstudioError(f"The collection has no icon '{reference}'.")
+
+    def icon_from(self, data: bytes, name: str) -> Pictogram:
+        self.calls.append(("icon_from", data, name))
+        return own_svg(data, name)
 
     def exemplar(self, pictogram: Pictogram) -> Exemplar:
         self.thread_ids.add(threading.get_ident())

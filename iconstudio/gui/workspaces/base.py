@@ -81,11 +81,6 @@ class Workspace(QWidget):
         """The picked result, which Save SVG, Save PNG and Copy take."""
         return None
 
-    @property
-    def coded(self) -> bool:
-        """Whether the results are shown coded by source, and so saved as PNG."""
-        return False
-
     def enter(self) -> None:
         """The user has come here: put the focus where work goes on."""
 
@@ -121,7 +116,8 @@ class Workspace(QWidget):
         """Make ``actions_by_name``: ``slots`` (see ``Actions``), and what all workspaces have."""
         common = {
             "svg": lambda: self._keep(self.saver.save_svg),
-            "png": lambda: self._keep(lambda one: self.saver.save_png(one, self.coded)),
+            "png": lambda: self._keep(self.saver.save_png),
+            "code_png": lambda: self._keep(self.saver.save_code),
             "copy": lambda: self._keep(self.saver.copy_svg),
             "cancel": self.cancel,
         }
@@ -190,7 +186,7 @@ class Workspace(QWidget):
             save(self.picture)
 
     def _show_picked(self, picture: Picture | None) -> None:
-        for name in ("svg", "png", "copy"):
+        for name in ("svg", "png", "code_png", "copy"):
             self.actions_by_name[name].setEnabled(picture is not None)
 
     def _allow_cancel(self, allowed: bool) -> None:

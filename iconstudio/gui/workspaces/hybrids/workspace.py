@@ -156,11 +156,6 @@ class HybridsWorkspace(Workspace):
         """The picked hybrid."""
         return self.detail.picture
 
-    @property
-    def coded(self) -> bool:
-        """Whether the hybrids are coded by source."""
-        return self.actions_by_name["coded"].isChecked()
-
     def enter(self) -> None:
         """Begin with looking icons up, or go on at the sheet."""
         (self.sheet if self.sheet.hybrids.sections else self.column.chooser).setFocus()

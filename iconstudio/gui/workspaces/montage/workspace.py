@@ -81,7 +81,6 @@ class MontageWorkspace(Workspace):
         self.crisp = CrispIcons(session, self.finder, self)
         self.live = LiveResult(session, self.worker, self)
         self._kept: Picture | None = None
-        self._coded = False
 
         self.scene = MontageScene(self.document, self.crisp)
         self.scene.setParent(self)
@@ -188,11 +187,6 @@ class MontageWorkspace(Workspace):
         """The result."""
         return self.detail.picture
 
-    @property
-    def coded(self) -> bool:
-        """Whether the result is coded by source."""
-        return self._coded
-
     def enter(self) -> None:
         """Begin with looking for icons, then on the canvas."""
         (self.view if self.document.page.layers else self.chooser).setFocus()
@@ -233,7 +227,6 @@ class MontageWorkspace(Workspace):
         self._kept = picture
 
     def _set_coded(self, coded: bool) -> None:
-        self._coded = coded
         self.switch.set_coded(coded)
         self.detail.large.set_coded(coded)
 
