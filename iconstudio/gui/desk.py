@@ -1,8 +1,11 @@
 """A workspace with its messages above and its progress below."""
 
+from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from iconstudio.gui import theme
+from iconstudio.gui.dragging import take_copy, unpacked
+from iconstudio.gui.mime import holds_something
 from iconstudio.gui.panels.notice import Notice
 from iconstudio.gui.panels.progress import ProgressStrip
 from iconstudio.gui.theme import UNIT
@@ -10,13 +13,17 @@ from iconstudio.gui.workspaces.base import Workspace
 
 
 class Desk(QWidget):
-    """Shows what a workspace tells, also what it told while another one was in sight."""
+    """Shows what a workspace tells, also what it told while another one was in sight.
+
+    What is dropped from other programs beside the workspace's canvas is for it, too.
+    """
 
     def __init__(self, workspace: Workspace) -> None:
         super().__init__()
         self.workspace = workspace
         self.notice = Notice()
         self.strip = ProgressStrip()
+        self.setAcceptDrops(True)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(UNIT, 0, UNIT, 0)
         layout.setSpacing(UNIT)
@@ -28,15 +35,30 @@ class Desk(QWidget):
         workspace.progressed.connect(self.strip.show_progress)
         workspace.counted.connect(self.strip.set_finished)
         workspace.rested.connect(self.strip.rest)
-        workspace.document.page_changed.connect(self.notice.hide)
+        workspace.document.page_changed.connect(self._show_remarks)
         self.strip.cancelled.connect(workspace.cancel)
 
     def say(self, remark: str) -> None:
         """Show a remark for a while; messages are dealt with."""
-        self.notice.hide()
+        self.notice.clear()
         self.strip.say(remark)
 
     def refresh_icons(self, look: theme.Theme) -> None:
         """Draw all icons in the colours of ``look``."""
         self.notice.refresh_icons(look)
         self.workspace.refresh_icons(look)
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        """Let anything of other programs be dropped; what cannot be used is told."""
+        if holds_something(event.mimeData()) and unpacked(event.mimeData()) is None:
+            take_copy(event)
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        """Open what was dropped."""
+        take_copy(event)
+        self.workspace.open_mime(event.mimeData())
+
+    def _show_remarks(self) -> None:
+        """Show the remarks on the icons of the page as it is now; messages are dealt with."""
+        self.notice.clear()
+        self.notice.remark(icon.remark for icon in self.workspace.icons if icon.remarks)

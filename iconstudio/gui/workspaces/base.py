@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping, Sequence
 from typing import ClassVar
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QMimeData, Signal
 from PySide6.QtWidgets import QMenu, QWidget
 
 from iconstudio.gui import theme
@@ -73,6 +73,7 @@ class Workspace(QWidget):
         self.document = document
         document.setParent(self)
         self.worker = Worker(self)
+        self._opener: Opener | None = None
         self.progressed.connect(lambda _: self._allow_cancel(True))
         self.rested.connect(lambda _: self._allow_cancel(False))
 
@@ -81,11 +82,21 @@ class Workspace(QWidget):
         """The picked result, which Save SVG, Save PNG and Copy take."""
         return None
 
+    @property
+    def icons(self) -> tuple[Pictogram, ...]:
+        """The icons on the page."""
+        return ()
+
     def enter(self) -> None:
         """The user has come here: put the focus where work goes on."""
 
     def take(self, pictogram: Pictogram) -> None:
         """Begin with an icon that was sent here, or add it."""
+
+    def open_mime(self, data: QMimeData) -> None:
+        """Open what was dropped where nothing else is made of it."""
+        if self._opener is not None:
+            self._opener.open_mime(data)
 
     def set_destinations(self, destinations: tuple[Destination, ...]) -> None:
         """Say where icons can be sent to; called once."""
@@ -145,7 +156,8 @@ class Workspace(QWidget):
         return {"open": opener.choose_work, "paste": opener.paste}
 
     def connect_opener(self, opener: Opener) -> None:
-        """Pass on what an opener tells."""
+        """Let an opener open what is dropped, and pass on what it tells."""
+        self._opener = opener
         opener.failed.connect(self.failed)
         opener.opened.connect(self.said)
 

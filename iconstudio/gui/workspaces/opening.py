@@ -1,24 +1,42 @@
 """What all workspaces have in common when something is opened."""
 
-from collections.abc import Callable, Generator
+from collections.abc import Callable, Generator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
 from typing import Any, ClassVar
 
 from PySide6.QtCore import QMimeData, QObject, Signal
+from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
+from iconstudio.gui import mime
 from iconstudio.gui.document import Document
-from iconstudio.gui.dragging import dropped_file, unpacked
 from iconstudio.gui.runner import Runner
 from iconstudio.gui.worker import Worker
 from iconstudio.model import IconstudioError, Pictogram
 from iconstudio.session import Session
+
+_NAMED = 3
+"""So many things are called by their names; of the others, there are so and so many."""
+_TOLD = 8
+"""So many things are told one by one why they cannot be opened."""
+
+
+@dataclass(frozen=True, slots=True)
+class Gathered:
+    """What was read of several things that are opened together: names, and what is put there."""
+
+    names: tuple[str, ...]
+    found: tuple[Any, ...]
+    complaints: tuple[str, ...] = ()
 
 
 class Opener(QObject):
     """Opens things in the background and then puts them on the page, by one command each.
 
     A subclass says how each thing is opened, by generators that ``replace`` or ``add`` runs, and
-    in ``put`` what becomes of what they yield.
+    in ``put`` what becomes of what they yield. Of several things that are dropped or pasted
+    together, ``read`` reads each, and ``put_all`` puts them on the page by one command.
 
     Signals
     -------
@@ -37,6 +55,14 @@ class Opener(QObject):
     """What such files are called there, “Sketches”."""
     other: ClassVar[str] = "SVG file"
     """What else can be opened here."""
+    advice: ClassVar[str] = "Copy a file, or the drawing or its markup, first."
+    """What to do if there is nothing to paste."""
+    images_first: ClassVar[bool] = False
+    """Whether an image of pixels is wanted rather than a drawing of the same."""
+    most: ClassVar[int] = 1
+    """How many things the page has room for."""
+    limit: ClassVar[str] = ""
+    """Why there is no room for more, “an edit has one icon”."""
 
     def __init__(
         self, session: Session, document: Document, worker: Worker, owner: QWidget
@@ -46,10 +72,13 @@ class Opener(QObject):
         self.document = document
         self._worker = worker
         self._owner = owner
+        self._adding = 0
+        self._complaints: list[str] = []
         self.runner = Runner(worker, self)
         """Does what ``replace`` starts; its ``progress`` and ``ended`` may be listened to."""
         self.runner.event.connect(self.receive)
-        self.runner.failed.connect(self.failed)
+        self.runner.failed.connect(self.complain)
+        self.runner.ended.connect(self._rest)
 
     # -- what a subclass does ------------------------------------------------------------------
 
@@ -58,9 +87,25 @@ class Opener(QObject):
 
     def open_file(self, path: str) -> None:
         """Open any other file."""
+        self.open_items((mime.File(path),))
+
+    def open_image(self, image: QImage) -> None:
+        """Open an image of pixels."""
+        self.open_items((mime.Image(image),))
 
     def take(self, pictogram: Pictogram) -> None:
         """Open an icon that is sent, or dropped here."""
+        self.open_items((mime.Icon(pictogram),))
+
+    def read(self, item: mime.Item) -> Any:
+        """Return what ``put_all`` puts on the page; in the worker's thread.
+
+        Raises
+        ------
+        IconstudioError
+            If it cannot be opened here.
+        """
+        raise NotImplementedError
 
     def put(self, found: Any) -> str:
         """Put what was found on the page; return what to tell the user.
@@ -71,6 +116,10 @@ class Opener(QObject):
             If there is no room for it.
         """
         raise NotImplementedError
+
+    def put_all(self, gathered: Gathered) -> str:
+        """Put all that was read on the page; see ``put``."""
+        return self.put(gathered.found[0])
 
     # -- ways to open --------------------------------------------------------------------------
 
@@ -86,21 +135,83 @@ class Opener(QObject):
 
     def paste(self) -> None:
         """Open what is on the clipboard."""
-        self.open_mime(QApplication.clipboard().mimeData())
+        self.open_mime(QApplication.clipboard().mimeData(), "to paste")
 
-    def open_mime(self, data: QMimeData) -> None:
+    def open_mime(self, data: QMimeData, where: str = "in what was dropped") -> None:
         """Open what was dropped or pasted."""
-        pictogram, path = unpacked(data), dropped_file(data)
-        if pictogram is not None:
-            self.take(pictogram)
-        elif path is not None:
-            (self.open_work if path.lower().endswith(".json") else self.open_file)(path)
-        elif data.hasUrls():
-            self.failed.emit(
-                f"Only files on this computer can be opened. Save the {self.other} first."
-            )
+        items = mime.items(data, self.images_first)
+        if not items:
+            self.complain(f"There is no {self.other} {where}. {self.advice}")
+        elif len(items) == 1:
+            self.open_item(items[0])
         else:
-            self.failed.emit(f"There is no {self.other} to paste. Copy one first.")
+            self.open_items(items)
+
+    def open_item(self, item: mime.Item) -> None:
+        """Open a single thing."""
+        match item:
+            case mime.Icon(pictogram):
+                self.take(pictogram)
+            case mime.File(path):
+                (self.open_work if item.is_work else self.open_file)(path)
+            case mime.Image(image):
+                self.open_image(image)
+            case mime.Elsewhere():
+                self.complain(self._elsewhere())
+            case _:
+                self.open_items((item,))
+
+    def open_items(self, items: Sequence[mime.Item]) -> None:
+        """Open several things together; what is left over is told."""
+        works = [one for one in items if isinstance(one, mime.File) and one.is_work]
+        others = [one for one in items if one not in works]
+        start = self.replace if self.most == 1 else self.add
+        if others:
+            start(lambda: self._gather(others))
+        else:
+            self.open_work(works.pop(0).path)
+        if works:
+            self.complain(
+                f"{named(works)} {_was(works)} not opened. What such a file holds takes the place "
+                "of all that is here: open it by itself."
+            )
+
+    def _gather(self, items: Sequence[mime.Item]) -> Generator[Gathered | None]:
+        """Read all things that there is room for, and yield them; None in between."""
+        names, found, complaints = [], [], []
+        left: Sequence[mime.Item] = ()
+        for number, item in enumerate(items):
+            if len(found) == self.most:
+                left = items[number:]
+                break
+            try:
+                found.append(self._read(item))
+                names.append(item.name)
+            except IconstudioError as error:
+                complaints.append(str(error))
+            yield None  # a place to stop
+        if len(complaints) > _TOLD:
+            more = f"{len(complaints) - _TOLD} more could not be opened."
+            complaints[_TOLD:] = [more]
+        if left:
+            complaints.append(self.no_room(names, left))
+        yield Gathered(tuple(names), tuple(found), tuple(complaints))
+
+    def no_room(self, taken: Sequence[str], left: Sequence[mime.Item | str]) -> str:
+        """Return the sentence that says for what there was no room."""
+        if self.most == 1:
+            return f"Only “{taken[0]}” was opened, not {named(left)}: {self.limit}."
+        return f"{named(left)} {_was(left)} not added: {self.limit}."
+
+    def _read(self, item: mime.Item) -> Any:
+        if isinstance(item, mime.File) and Path(item.path).is_dir():
+            raise IconstudioError(f"“{item.path}” is a folder. Open the files in it instead.")
+        if isinstance(item, mime.Elsewhere):
+            raise IconstudioError(f"“{item.name}” was not opened. {self._elsewhere()}")
+        return self.read(item)
+
+    def _elsewhere(self) -> str:
+        return f"Only files on this computer can be opened. Save the {self.other} first."
 
     # -- in the background ---------------------------------------------------------------------
 
@@ -110,13 +221,78 @@ class Opener(QObject):
 
     def add(self, make: Callable[[], Generator[Any]]) -> None:
         """Put what ``make()`` yields on the page, whatever else is opened meanwhile."""
+        self._adding += 1
         job = self._worker.submit(make)
         job.event.connect(self.receive)
-        job.failed.connect(self.failed)
+        job.failed.connect(self.complain)
+        job.finished.connect(self._added)
 
     def receive(self, found: object) -> None:
         """Put something on the page, and tell."""
+        if found is None:
+            return
+        if isinstance(found, Gathered):
+            for complaint in found.complaints:
+                self.complain(complaint)
+            if not found.found:
+                return
         try:
-            self.opened.emit(self.put(found))
+            done = self.put_all(found) if isinstance(found, Gathered) else self.put(found)
         except IconstudioError as error:
-            self.failed.emit(str(error))
+            self.complain(str(error))
+            return
+        self.opened.emit(done)
+        for complaint in self._complaints:  # what was told before has gone from sight with that
+            self.failed.emit(complaint)
+
+    def complain(self, message: str) -> None:
+        """Tell the user of something that was not opened, until all is opened that is to be."""
+        if self._adding or self.runner.running:
+            self._complaints.append(message)
+        self.failed.emit(message)
+
+    def _added(self) -> None:
+        self._adding -= 1
+        self._rest()
+
+    def _rest(self) -> None:
+        if not (self._adding or self.runner.running):
+            self._complaints.clear()
+
+
+class IconOpener(Opener):
+    """Opens icons: those of the window or the collection, files, and markup."""
+
+    def read(self, item: mime.Item) -> Any:
+        """Return an icon, drawn."""
+        return self.drawn(self._pictogram(item))
+
+    def drawn(self, pictogram: Pictogram) -> Any:
+        """Return what is put on the page for an icon; in the worker's thread."""
+        return self.session.exemplar(pictogram)
+
+    def _pictogram(self, item: mime.Item) -> Pictogram:
+        match item:
+            case mime.Icon(pictogram):
+                return pictogram
+            case mime.File(path):
+                return self.session.icon(path)
+            case mime.Reference(name):
+                return self.session.icon(name)
+            case mime.Drawing(data, name):
+                return self.session.icon_from(data, name)
+        raise IconstudioError(
+            "It is an image of pixels. Only drawings can be used here: save it as SVG first."
+        )
+
+
+def named(things: Sequence[mime.Item | str]) -> str:
+    """Return the names of some things, the first ones of many, as words in a sentence."""
+    names = [f"“{one if isinstance(one, str) else one.name}”" for one in things]
+    if len(names) > _NAMED + 1:
+        names[_NAMED:] = [f"{len(names) - _NAMED} more"]
+    return " and ".join(filter(None, (", ".join(names[:-1]), names[-1])))
+
+
+def _was(things: Sequence[object]) -> str:
+    return "was" if len(things) == 1 else "were"

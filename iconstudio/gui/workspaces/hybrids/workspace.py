@@ -33,7 +33,7 @@ OWN = {
         Entry("save_all", "Save all &favourites…", "Save every favourite as SVG", "Ctrl+Alt+S"),
     ),
     "&Edit": (
-        Entry("paste", "&Paste icon", "Mix the SVG file on the clipboard", Key.Paste),
+        Entry("paste", "&Paste icon", "Mix the SVG drawing on the clipboard", Key.Paste),
         Entry("clear", "&Remove all icons", "Remove all icons", "Ctrl+Backspace", "clear"),
         Entry("favourite", "&Favourite", "Keep the picked hybrid, or no longer", "F"),
         Entry("like", "More &like this", "Draw hybrids like the picked one", "L"),
@@ -155,6 +155,11 @@ class HybridsWorkspace(Workspace):
     def picture(self) -> Picture | None:
         """The picked hybrid."""
         return self.detail.picture
+
+    @property
+    def icons(self) -> tuple[Pictogram, ...]:
+        """The icons to be mixed."""
+        return self.document.page.mix.icons
 
     def enter(self) -> None:
         """Begin with looking icons up, or go on at the sheet."""
