@@ -5,6 +5,7 @@ from pathlib import Path
 import click
 from PIL import Image
 
+from iconstudio.cli import running
 from iconstudio.library.resvg import render_coverage
 from iconstudio.output import png
 from iconstudio.session import Session
@@ -23,6 +24,7 @@ def command(icon: str, picture: Path | None) -> None:
     """Say whose ICON (set:name, or the path of an SVG) is, and draw it on its canvas."""
     with Session() as session:
         pictogram = session.icon(icon)
+        running.tell_remarks([pictogram])
         exemplar = session.exemplar(pictogram)
     if picture is not None:
         ink = render_coverage(pictogram.svg, exemplar.frame, png.SIZE)

@@ -10,6 +10,7 @@ from iconstudio.gui.panels.notice import Notice
 from iconstudio.gui.panels.progress import ProgressStrip
 from iconstudio.gui.theme import UNIT
 from iconstudio.gui.workspaces.base import Workspace
+from iconstudio.gui.workspaces.opening import named
 
 
 class Desk(QWidget):
@@ -60,5 +61,9 @@ class Desk(QWidget):
 
     def _show_remarks(self) -> None:
         """Show the remarks on the icons of the page as it is now; messages are dealt with."""
+        about: dict[tuple[str, ...], list[str]] = {}
+        for icon in dict.fromkeys(self.workspace.icons):
+            about.setdefault(icon.remarks, []).append(icon.credit.title or icon.id)
+        about.pop((), None)
         self.notice.clear()
-        self.notice.remark(icon.remark for icon in self.workspace.icons if icon.remarks)
+        self.notice.remark(f"{named(one)}: {' '.join(remarks)}" for remarks, one in about.items())

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from PySide6.QtCore import QMimeData, QUrl
-from PySide6.QtGui import QImage
+from PySide6.QtGui import QImage, QPixmap
 
 from iconstudio.gui.dragging import unpacked
 from iconstudio.gui.markup import data_images, drawings_in
@@ -137,7 +137,9 @@ def _drawings(data: QMimeData) -> tuple[Item, ...]:
 
 
 def _images(data: QMimeData) -> tuple[Item, ...]:
-    if data.hasImage() and not (image := QImage(data.imageData())).isNull():
+    image = data.imageData() if data.hasImage() else None
+    image = image.toImage() if isinstance(image, QPixmap) else image
+    if isinstance(image, QImage) and not image.isNull():
         return (Image(image),)
     return tuple(one for one in _in_addresses(data.text(), data.html()) if isinstance(one, Image))
 

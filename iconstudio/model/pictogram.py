@@ -36,12 +36,6 @@ class Pictogram:
     """
 
     @property
-    def remark(self) -> str:
-        """All remarks on one line, with what they are about; empty if there are none."""
-        name = self.credit.title or self.id
-        return " ".join(f"“{name}”: {' '.join(self.remarks)}".split()) if self.remarks else ""
-
-    @property
     def origins(self) -> tuple["Pictogram", ...]:
         """The icons to thank: those that it was made of, or itself."""
         return self.made_of or (self,)

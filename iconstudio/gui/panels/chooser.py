@@ -5,11 +5,12 @@ from contextlib import closing
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QDragEnterEvent, QDropEvent, QKeyEvent
-from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QLineEdit, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QPushButton, QVBoxLayout, QWidget
 
 from iconstudio.gui.dragging import take_copy, unpacked
 from iconstudio.gui.panels.caption import Caption
 from iconstudio.gui.panels.choices import Choices
+from iconstudio.gui.panels.wordfield import WordField
 from iconstudio.gui.preparation import DEBOUNCE
 from iconstudio.gui.runner import Runner
 from iconstudio.gui.theme import UNIT
@@ -171,7 +172,7 @@ class IconChooser(QWidget):
             self.choices.setCurrentIndex(self.choices.sheet().index(0))
 
 
-class SearchField(QLineEdit):
+class SearchField(WordField):
     """A text field that the Down key leaves.
 
     Signals
@@ -187,8 +188,6 @@ class SearchField(QLineEdit):
         self.setPlaceholderText("Find an icon: lamp, dog, …")
         self.setAccessibleName("Find an icon")
         self.setClearButtonEnabled(True)
-        self.setMaxLength(100)
-        self.setAcceptDrops(False)  # a file is for the chooser to open, its address is no word
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Leave with Down."""

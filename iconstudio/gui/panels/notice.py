@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QScrollArea, QToolBut
 from iconstudio.gui import icons, theme
 from iconstudio.gui.theme import UNIT
 
-_HIGHEST = 12 * UNIT
+_HIGHEST = 9 * UNIT
 """Where there is more to say than fits into so many pixels, it scrolls."""
 
 
