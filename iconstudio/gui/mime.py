@@ -67,7 +67,7 @@ class Drawing:
     """SVG markup that is in no file."""
 
     data: bytes
-    name: str = "the drawing"
+    name: str = "drawing"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -75,7 +75,7 @@ class Image:
     """An image of pixels that is in no file."""
 
     image: QImage
-    name: str = "the image"
+    name: str = "image"
 
 
 @dataclass(frozen=True, slots=True)

@@ -186,7 +186,7 @@ def test_markup_is_dropped(place, qtbot, way):
 
 def test_markup_with_a_mistake_is_told(place, qtbot):
     paste(place, words("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 9 9'><path></svg>"))
-    qtbot.waitUntil(lambda: "the drawing" in told(place))
+    qtbot.waitUntil(lambda: "“drawing” cannot be used" in told(place))
     assert place.icons == ()
 
 
@@ -270,6 +270,13 @@ def test_other_words_are_told(place, qtbot, text, part):
 def test_an_empty_clipboard_is_told(place):
     paste(place, QMimeData())
     assert "no SVG file to paste" in told(place)
+
+
+def test_what_is_tried_next_is_another_story(place):
+    drop(place, words("https://example.org/dog.svg"))
+    drop(place, words("dog"))
+    lines = ["There is no SVG file in what was dropped. Drop a file, a drawing or its markup."]
+    assert told(place).splitlines() == lines
 
 
 # -- several files ---------------------------------------------------------------------------------
@@ -372,6 +379,20 @@ def test_if_nothing_of_several_can_be_read_all_are_told_and_nothing_is_lost(
     quiet(place, qtbot)
     assert "12 more could not be opened" in told(place)
     assert place.icons == before
+
+
+def test_a_reader_that_fails_on_one_file_reads_the_others(place, qtbot, own, session, monkeypatch):
+    read, paths = session.icon, own(2)
+
+    def fail(reference):
+        if reference == str(paths[0]):
+            raise MemoryError("no room")
+        return read(reference)
+
+    monkeypatch.setattr(session, "icon", fail)
+    drop(place, urls(*paths))
+    there(place, qtbot, 1)
+    assert told(place) == "“icon-0.svg” stopped the reader (MemoryError)."
 
 
 def test_of_two_files_of_work_one_is_opened_and_the_other_told(edit, qtbot, tmp_path):
@@ -518,7 +539,7 @@ def test_of_a_mixture_a_sketch_takes_the_photo(sketching, qtbot, photo, tmp_path
 def test_a_reference_and_an_icon_are_no_photos(sketching, qtbot):
     for data in (words("shapes:ring-4"), packed(exemplar(3).pictogram)):
         drop(sketching.view, data)
-        qtbot.waitUntil(lambda: "is a drawing" in told(sketching))
+        qtbot.waitUntil(lambda: "not over a drawing" in told(sketching))
         sketching.window().desk.notice._button.click()
 
 

@@ -158,6 +158,7 @@ class Workspace(QWidget):
     def connect_opener(self, opener: Opener) -> None:
         """Let an opener open what is dropped, and pass on what it tells."""
         self._opener = opener
+        opener.began.connect(lambda: self.said.emit(""))
         opener.failed.connect(self.failed)
         opener.opened.connect(self.said)
 

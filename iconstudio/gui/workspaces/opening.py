@@ -1,5 +1,6 @@
 """What all workspaces have in common when something is opened."""
 
+import logging
 from collections.abc import Callable, Generator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,6 +16,8 @@ from iconstudio.gui.runner import Runner
 from iconstudio.gui.worker import Worker
 from iconstudio.model import IconstudioError, Pictogram
 from iconstudio.session import Session
+
+log = logging.getLogger(__name__)
 
 _NAMED = 3
 """So many things are called by their names; of the others, there are so and so many."""
@@ -40,12 +43,15 @@ class Opener(QObject):
 
     Signals
     -------
+    began()
+        The user opens something, and nothing else is being opened.
     failed(str)
         Something could not be opened, or not all of it; a sentence for the user.
     opened(str)
         What is there now, for the status line.
     """
 
+    began = Signal()
     failed = Signal(str)
     opened = Signal(str)
 
@@ -55,8 +61,8 @@ class Opener(QObject):
     """What such files are called there, “Sketches”."""
     other: ClassVar[str] = "SVG file"
     """What else can be opened here."""
-    advice: ClassVar[str] = "Copy a file, or the drawing or its markup, first."
-    """What to do if there is nothing to paste."""
+    forms: ClassVar[str] = "a file, a drawing or its markup"
+    """In what forms it can be dropped or pasted."""
     images_first: ClassVar[bool] = False
     """Whether an image of pixels is wanted rather than a drawing of the same."""
     most: ClassVar[int] = 1
@@ -135,13 +141,16 @@ class Opener(QObject):
 
     def paste(self) -> None:
         """Open what is on the clipboard."""
-        self.open_mime(QApplication.clipboard().mimeData(), "to paste")
+        self.open_mime(QApplication.clipboard().mimeData(), pasted=True)
 
-    def open_mime(self, data: QMimeData, where: str = "in what was dropped") -> None:
+    def open_mime(self, data: QMimeData, pasted: bool = False) -> None:
         """Open what was dropped or pasted."""
+        self._begin_anew()
         items = mime.items(data, self.images_first)
-        if not items:
-            self.complain(f"There is no {self.other} {where}. {self.advice}")
+        if not items and pasted:
+            self.complain(f"There is no {self.other} to paste. Copy {self.forms} first.")
+        elif not items:
+            self.complain(f"There is no {self.other} in what was dropped. Drop {self.forms}.")
         elif len(items) == 1:
             self.open_item(items[0])
         else:
@@ -189,6 +198,9 @@ class Opener(QObject):
                 names.append(item.name)
             except IconstudioError as error:
                 complaints.append(str(error))
+            except Exception as error:  # the others are opened all the same
+                log.exception("something could not be opened")
+                complaints.append(f"“{item.name}” stopped the reader ({type(error).__name__}).")
             yield None  # a place to stop
         if len(complaints) > _TOLD:
             more = f"{len(complaints) - _TOLD} more could not be opened."
@@ -217,10 +229,12 @@ class Opener(QObject):
 
     def replace(self, make: Callable[[], Generator[Any]]) -> None:
         """Put what ``make()`` yields on the page, unless something else replaces it before."""
+        self._begin_anew()
         self.runner.start(make)
 
     def add(self, make: Callable[[], Generator[Any]]) -> None:
         """Put what ``make()`` yields on the page, whatever else is opened meanwhile."""
+        self._begin_anew()
         self._adding += 1
         job = self._worker.submit(make)
         job.event.connect(self.receive)
@@ -247,16 +261,24 @@ class Opener(QObject):
 
     def complain(self, message: str) -> None:
         """Tell the user of something that was not opened, until all is opened that is to be."""
-        if self._adding or self.runner.running:
+        if self._busy:
             self._complaints.append(message)
         self.failed.emit(message)
+
+    @property
+    def _busy(self) -> bool:
+        return self._adding > 0 or self.runner.running
+
+    def _begin_anew(self) -> None:
+        if not self._busy:
+            self.began.emit()
 
     def _added(self) -> None:
         self._adding -= 1
         self._rest()
 
     def _rest(self) -> None:
-        if not (self._adding or self.runner.running):
+        if not self._busy:
             self._complaints.clear()
 
 

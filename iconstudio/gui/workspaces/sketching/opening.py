@@ -19,7 +19,7 @@ class SketchOpener(Opener):
     question = "Open a sketch"
     kinds = "Sketches"
     other = "photo"
-    advice = "Copy one first."
+    forms = "a file or an image"
     images_first = True
     limit = "a sketch has one photo"
 
@@ -43,8 +43,8 @@ class SketchOpener(Opener):
             case Image(image):
                 return photo_from_image(image)
         raise IconstudioError(
-            f"A sketch is traced over a photo, and {_quoted(item)} is a drawing. "
-            "Open it in Edit, Hybrids or Montage."
+            "A sketch is traced over a photo, not over a drawing. "
+            f"Open {_quoted(item)} in Edit, Hybrids or Montage."
         )
 
     def put(self, found: Photo | tuple[SketchFile, Photo | None]) -> str:
@@ -72,7 +72,7 @@ def _sketch_and_photo(
 
 
 def _quoted(item: Item) -> str:
-    return item.name if isinstance(item, Drawing) else f"“{item.name}”"
+    return "the drawing" if isinstance(item, Drawing) else f"“{item.name}”"
 
 
 def _about(photo: Photo) -> str:
