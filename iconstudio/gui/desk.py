@@ -10,7 +10,7 @@ from iconstudio.gui.panels.notice import Notice
 from iconstudio.gui.panels.progress import ProgressStrip
 from iconstudio.gui.theme import UNIT
 from iconstudio.gui.workspaces.base import Workspace
-from iconstudio.gui.workspaces.opening import named
+from iconstudio.gui.workspaces.together import named
 
 
 class Desk(QWidget):

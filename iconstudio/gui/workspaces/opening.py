@@ -1,9 +1,6 @@
 """What all workspaces have in common when something is opened."""
 
-import logging
 from collections.abc import Callable, Generator, Sequence
-from dataclasses import dataclass
-from pathlib import Path
 from typing import Any, ClassVar
 
 from PySide6.QtCore import QMimeData, QObject, Signal
@@ -14,24 +11,9 @@ from iconstudio.gui import mime
 from iconstudio.gui.document import Document
 from iconstudio.gui.runner import Runner
 from iconstudio.gui.worker import Worker
+from iconstudio.gui.workspaces.together import Gathered, gathering, named, was
 from iconstudio.model import IconstudioError, Pictogram
 from iconstudio.session import Session
-
-log = logging.getLogger(__name__)
-
-_NAMED = 3
-"""So many things are called by their names; of the others, there are so and so many."""
-_TOLD = 8
-"""So many things are told one by one why they cannot be opened."""
-
-
-@dataclass(frozen=True, slots=True)
-class Gathered:
-    """What was read of several things that are opened together: names, and what is put there."""
-
-    names: tuple[str, ...]
-    found: tuple[Any, ...]
-    complaints: tuple[str, ...] = ()
 
 
 class Opener(QObject):
@@ -166,7 +148,9 @@ class Opener(QObject):
             case mime.Image(image):
                 self.open_image(image)
             case mime.Elsewhere():
-                self.complain(self._elsewhere())
+                self.complain(
+                    f"Only files on this computer can be opened. Save the {self.other} first."
+                )
             case _:
                 self.open_items((item,))
 
@@ -181,49 +165,18 @@ class Opener(QObject):
             self.open_work(works.pop(0).path)
         if works:
             self.complain(
-                f"{named(works)} {_was(works)} not opened. What such a file holds takes the place "
+                f"{named(works)} {was(works)} not opened. What such a file holds takes the place "
                 "of all that is here: open it by itself."
             )
 
     def _gather(self, items: Sequence[mime.Item]) -> Generator[Gathered | None]:
-        """Read all things that there is room for, and yield them; None in between."""
-        names, found, complaints = [], [], []
-        left: Sequence[mime.Item] = ()
-        for number, item in enumerate(items):
-            if len(found) == self.most:
-                left = items[number:]
-                break
-            try:
-                found.append(self._read(item))
-                names.append(item.name)
-            except IconstudioError as error:
-                complaints.append(str(error))
-            except Exception as error:  # the others are opened all the same
-                log.exception("something could not be opened")
-                complaints.append(f"“{item.name}” stopped the reader ({type(error).__name__}).")
-            yield None  # a place to stop
-        if len(complaints) > _TOLD:
-            more = f"{len(complaints) - _TOLD} more could not be opened."
-            complaints[_TOLD:] = [more]
-        if left:
-            complaints.append(self.no_room(names, left))
-        yield Gathered(tuple(names), tuple(found), tuple(complaints))
+        return gathering(items, self.read, self.most, self.no_room)
 
     def no_room(self, taken: Sequence[str], left: Sequence[mime.Item | str]) -> str:
         """Return the sentence that says for what there was no room."""
         if self.most == 1:
             return f"Only “{taken[0]}” was opened, not {named(left)}: {self.limit}."
-        return f"{named(left)} {_was(left)} not added: {self.limit}."
-
-    def _read(self, item: mime.Item) -> Any:
-        if isinstance(item, mime.File) and Path(item.path).is_dir():
-            raise IconstudioError(f"“{item.path}” is a folder. Open the files in it instead.")
-        if isinstance(item, mime.Elsewhere):
-            raise IconstudioError(f"“{item.name}” was not opened. {self._elsewhere()}")
-        return self.read(item)
-
-    def _elsewhere(self) -> str:
-        return f"Only files on this computer can be opened. Save the {self.other} first."
+        return f"{named(left)} {was(left)} not added: {self.limit}."
 
     # -- in the background ---------------------------------------------------------------------
 
@@ -306,15 +259,3 @@ class IconOpener(Opener):
         raise IconstudioError(
             "It is an image of pixels. Only drawings can be used here: save it as SVG first."
         )
-
-
-def named(things: Sequence[mime.Item | str]) -> str:
-    """Return the names of some things, the first ones of many, as words in a sentence."""
-    names = [f"“{one if isinstance(one, str) else one.name}”" for one in things]
-    if len(names) > _NAMED + 1:
-        names[_NAMED:] = [f"{len(names) - _NAMED} more"]
-    return " and ".join(filter(None, (", ".join(names[:-1]), names[-1])))
-
-
-def _was(things: Sequence[object]) -> str:
-    return "was" if len(things) == 1 else "were"

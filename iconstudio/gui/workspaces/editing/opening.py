@@ -6,7 +6,8 @@ from pathlib import Path
 from iconstudio.algorithms.raster import simplified
 from iconstudio.gui.mime import Item
 from iconstudio.gui.workspaces.editing import page
-from iconstudio.gui.workspaces.opening import Gathered, IconOpener
+from iconstudio.gui.workspaces.opening import IconOpener
+from iconstudio.gui.workspaces.together import Gathered
 from iconstudio.inputs.edit import read_edit
 from iconstudio.model import Edit, Exemplar, Pictogram
 

@@ -5,7 +5,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from iconstudio.gui.workspaces.montage.page import Icon, MontagePage
-from iconstudio.gui.workspaces.opening import Gathered, IconOpener, named
+from iconstudio.gui.workspaces.opening import IconOpener
+from iconstudio.gui.workspaces.together import Gathered, named
 from iconstudio.inputs.icons import reference_to
 from iconstudio.inputs.montage import LayerFile, MontageFile, read_montage, write_montage
 from iconstudio.model import IconstudioError, Layer, Pictogram
