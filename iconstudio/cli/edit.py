@@ -1,6 +1,6 @@
 """``iconstudio edit``: sketch-based editing without a window."""
 
-from iconstudio.cli import grid
+from iconstudio.cli import grid, running
 from iconstudio.cli.timing import profiled
 from iconstudio.inputs.edit import read_edit
 from iconstudio.output.wish import changed
@@ -14,6 +14,7 @@ def command(asked: grid.Asked) -> None:
     read = read_edit(asked.file)
     with profiled(asked.profile) as stopwatch, Session() as session:
         edit = asked.of(read.resolved(session.icon))
+        running.tell_remarks([edit.icon])
         icon = session.exemplar(edit.icon)
         wish = changed(edit, prepare_change(edit, icon))
         settings = asked.settings(own_styles(icon))

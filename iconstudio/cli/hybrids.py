@@ -59,7 +59,9 @@ def command(
 def _mixing(session: Session, hybrids: HybridsFile, side: int) -> Iterator[Event]:
     """Find or pick the icons, then mix them."""
     if not hybrids.keyword:
-        yield from session.mix(hybrids.resolved(session.icon), side)
+        mix = hybrids.resolved(session.icon)
+        running.tell_remarks(mix.icons)
+        yield from session.mix(mix, side)
         return
     icons = yield from session.choose(
         hybrids.keyword, hybrids.count, hybrids.symmetry, hybrids.seed

@@ -21,6 +21,7 @@ def command(file: Path, folder: Path, fine: bool, profile: bool) -> None:
     read = read_montage(file)
     with profiled(profile) as stopwatch, Session() as session:
         montage = read.resolved(session.icon)
+        running.tell_remarks(layer.icon for layer in montage.layers)
         report = MontageReport(folder, montage)
         events = session.montage(montage, running.side_of(fine))
         running.run(session, events, report, stopwatch)

@@ -1,6 +1,6 @@
 """Running a workflow without a window: progress on the terminal, everything into a report."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import closing
 from pathlib import Path
 from typing import Any, Protocol
@@ -9,7 +9,7 @@ import click
 
 from iconstudio.cli.progress import ProgressBar
 from iconstudio.cli.timing import Stopwatch
-from iconstudio.model import CANVAS
+from iconstudio.model import CANVAS, Pictogram
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event, Progress, Result, Retrieved, StyleSkipped
 from iconstudio.workflows.grid import FINE
@@ -48,6 +48,14 @@ def run(session: Session, events: Iterator[Event], report: Report, stopwatch: St
     if session.trouble:
         click.echo(session.trouble, err=True)
     return results
+
+
+def tell_remarks(icons: Iterable[Pictogram]) -> None:
+    """Say what could not be read of the drawings of icons: a line each, if there is anything."""
+    for icon in dict.fromkeys(icons):
+        if icon.remarks:
+            line = f"“{icon.credit.title or icon.id}”: {' '.join(icon.remarks)}"
+            click.echo(" ".join(line.split()), err=True)
 
 
 def input_file(metavar: str) -> Callable[..., Any]:

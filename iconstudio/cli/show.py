@@ -5,6 +5,7 @@ from pathlib import Path
 import click
 from PIL import Image
 
+from iconstudio.cli import running
 from iconstudio.cli.rows import row
 from iconstudio.output import png
 from iconstudio.session import Session
@@ -25,6 +26,7 @@ def command(icon: str, picture: Path | None) -> None:
         png.check_name(picture)
     with Session() as session:
         pictogram = session.icon(icon)
+        running.tell_remarks([pictogram])
         exemplar = session.exemplar(pictogram)
         ink = None if picture is None else session.picture(exemplar, png.SIZE)
     if picture is not None:

@@ -33,6 +33,7 @@ ENTRIES = {
         Entry("save", "&Save…", "Save the work as JSON", Key.Save),
         Entry("svg", "Save icon as S&VG…", "Save the picked icon as SVG", "Ctrl+E"),
         Entry("png", "Save icon as PN&G…", "Save the picked icon as PNG", "Ctrl+Shift+E"),
+        Entry("code_png", "Save colour co&de as PNG…", "Save what comes from where as PNG"),
         Entry("copy", "&Copy icon as SVG", "Copy the picked icon as SVG", "Ctrl+Shift+C"),
         Entry("quit", "&Quit", "", Key.Quit),
         Entry("undo", "&Undo", "Undo", Key.Undo, "undo"),
@@ -69,7 +70,7 @@ MODES, OWN = "modes", "own"
 MENUS: dict[str, tuple[str, ...]] = {
     "&File": (
         *("new", OWN, "examples", "", "open", "save", ""),
-        *("svg", "png", "copy", "", "quit"),
+        *("svg", "png", "code_png", "copy", "", "quit"),
     ),
     "&Edit": (
         *("undo", "redo", "", "paste", "delete", "clear", OWN, ""),

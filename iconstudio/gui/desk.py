@@ -1,22 +1,30 @@
 """A workspace with its messages above and its progress below."""
 
+from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from iconstudio.gui import theme
+from iconstudio.gui.dragging import take_copy, unpacked
+from iconstudio.gui.mime import holds_something
 from iconstudio.gui.panels.notice import Notice
 from iconstudio.gui.panels.progress import ProgressStrip
 from iconstudio.gui.theme import UNIT
 from iconstudio.gui.workspaces.base import Workspace
+from iconstudio.gui.workspaces.together import named
 
 
 class Desk(QWidget):
-    """Shows what a workspace tells, also what it told while another one was in sight."""
+    """Shows what a workspace tells, also what it told while another one was in sight.
+
+    What is dropped from other programs beside the workspace's canvas is for it, too.
+    """
 
     def __init__(self, workspace: Workspace) -> None:
         super().__init__()
         self.workspace = workspace
         self.notice = Notice()
         self.strip = ProgressStrip()
+        self.setAcceptDrops(True)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(UNIT, 0, UNIT, 0)
         layout.setSpacing(UNIT)
@@ -28,15 +36,34 @@ class Desk(QWidget):
         workspace.progressed.connect(self.strip.show_progress)
         workspace.counted.connect(self.strip.set_finished)
         workspace.rested.connect(self.strip.rest)
-        workspace.document.page_changed.connect(self.notice.hide)
+        workspace.document.page_changed.connect(self._show_remarks)
         self.strip.cancelled.connect(workspace.cancel)
 
     def say(self, remark: str) -> None:
         """Show a remark for a while; messages are dealt with."""
-        self.notice.hide()
+        self.notice.clear()
         self.strip.say(remark)
 
     def refresh_icons(self, look: theme.Theme) -> None:
         """Draw all icons in the colours of ``look``."""
         self.notice.refresh_icons(look)
         self.workspace.refresh_icons(look)
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        """Let anything of other programs be dropped; what cannot be used is told."""
+        if holds_something(event.mimeData()) and unpacked(event.mimeData()) is None:
+            take_copy(event)
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        """Open what was dropped."""
+        take_copy(event)
+        self.workspace.open_mime(event.mimeData())
+
+    def _show_remarks(self) -> None:
+        """Show the remarks on the icons of the page as it is now; messages are dealt with."""
+        about: dict[tuple[str, ...], list[str]] = {}
+        for icon in dict.fromkeys(self.workspace.icons):
+            about.setdefault(icon.remarks, []).append(icon.credit.title or icon.id)
+        about.pop((), None)
+        self.notice.clear()
+        self.notice.remark(f"{named(one)}: {' '.join(remarks)}" for remarks, one in about.items())

@@ -1,7 +1,7 @@
 """Icons and files that are dragged onto a part of the window."""
 
 from PySide6.QtCore import QMimeData, QPoint, QRect, Qt
-from PySide6.QtGui import QDrag, QPixmap
+from PySide6.QtGui import QDrag, QDropEvent, QPixmap
 from PySide6.QtWidgets import QWidget
 
 from iconstudio.model import Pictogram
@@ -28,14 +28,10 @@ def unpacked(data: QMimeData) -> Pictogram | None:
     return _carried.get(data.data(ICON).data().decode(errors="replace"))
 
 
-def dropped_file(data: QMimeData) -> str | None:
-    """Return the path of the first file on this computer among what is dragged."""
-    return next((url.toLocalFile() for url in data.urls() if url.isLocalFile()), None)
-
-
-def droppable(data: QMimeData) -> bool:
-    """Whether an icon of this window or a file is dragged."""
-    return unpacked(data) is not None or dropped_file(data) is not None
+def take_copy(event: QDropEvent) -> None:
+    """Accept a drop, and leave what was dragged where it came from."""
+    event.setDropAction(Qt.DropAction.CopyAction)
+    event.accept()
 
 
 def drag(pictogram: Pictogram, picture: QPixmap, source: QWidget) -> None:

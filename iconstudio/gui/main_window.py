@@ -76,6 +76,7 @@ class MainWindow(QMainWindow):
         self.recent.sent.connect(self._send_picture)
         self.recent.save_svg.connect(self.saver.save_svg)
         self.recent.save_png.connect(self.saver.save_png)
+        self.recent.save_code.connect(self.saver.save_code)
         self.recent.copy_svg.connect(self.saver.copy_svg)
 
     # -- workspaces ----------------------------------------------------------------------------

@@ -56,6 +56,14 @@ class Picture:
 
         return pictogram_of(self.result.composite, self.result.drawing, self.title)
 
+    def image(self, side: int) -> QImage:
+        """Return the icon in black on nothing, ``side`` pixels wide."""
+        image = QImage(side, side, QImage.Format.Format_ARGB32_Premultiplied)
+        image.fill(Qt.GlobalColor.transparent)
+        with QPainter(image) as painter:
+            self.paint(painter, QRectF(image.rect()), QColor("black"), coded=False)
+        return image
+
     def paint(self, painter: QPainter, target: QRectF, ink: QColor, coded: bool) -> None:
         """Draw into the square ``target``."""
         painter.save()

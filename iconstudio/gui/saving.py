@@ -1,10 +1,12 @@
 """Take icons and work out of the window: to files and to the clipboard."""
 
 import itertools
+import os
 from collections.abc import Callable, Generator, Sequence
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QMimeData, QObject, Signal
+from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
 from iconstudio.gui.pictures import Picture
@@ -13,6 +15,9 @@ from iconstudio.model import IconstudioError
 
 PNG_SIZE = 1024
 """Side of a saved PNG in pixels."""
+
+_NAME = 150
+"""Most bytes of a file's name that come from a title; what is added needs room, too."""
 
 
 class Saver(QObject):
@@ -38,18 +43,25 @@ class Saver(QObject):
         """Save a result as SVG."""
         self._save_icon(picture, "svg", lambda: _svg(picture))
 
-    def save_png(self, picture: Picture, coded: bool = False) -> None:
-        """Save a result as PNG, coded by source or not."""
-        self._save_icon(picture, "png", lambda: _png(picture, coded))
+    def save_png(self, picture: Picture) -> None:
+        """Save a result as PNG."""
+        self._save_icon(picture, "png", lambda: _png(picture))
+
+    def save_code(self, picture: Picture) -> None:
+        """Save the colour code of a result as PNG."""
+        name = f"{_named(picture)}-colour-code"
+        self._save("colour code", name, "png", lambda path: _write(path, _code(picture)))
 
     def copy_svg(self, picture: Picture) -> None:
-        """Put a result on the clipboard as SVG."""
-        try:
-            QApplication.clipboard().setText(_svg(picture).decode())
-        except IconstudioError as error:
-            self.failed.emit(str(error))
-        else:
-            self.saved.emit("The icon is on the clipboard as SVG, with its credits.")
+        """Put a result on the clipboard: as SVG, as its markup in words, and as a picture."""
+        svg, image = _svg(picture), picture.image(PNG_SIZE)
+        data = QMimeData()
+        data.setData("image/svg+xml", svg)
+        data.setText(svg.decode())
+        data.setData("image/png", _as_png(image))
+        data.setImageData(image)
+        QApplication.clipboard().setMimeData(data)
+        self.saved.emit("The icon is on the clipboard, as SVG with its credits and as a picture.")
 
     def save_work(self, what: str, title: str, write: Callable[[Path], None]) -> None:
         """Save what lies on a canvas as JSON: ``what`` it is; ``write`` writes it to a path."""
@@ -84,6 +96,11 @@ class Saver(QObject):
         path = self.ask_path(what, _file_name(name), kind)
         if path is None:
             return
+        if path.suffix.lower() != f".{kind}":  # no SVG is called “dog.png”, or “dog 1.2”
+            path = path.with_name(f"{path.name}.{kind}")
+            if os.path.lexists(path):  # the dialog asked about the other name
+                self.failed.emit(f"“{path}” is there already. Save under another name.")
+                return
         job = self._worker.submit(lambda: _writing(path, write))
         job.event.connect(self._tell)
         job.failed.connect(self.failed)
@@ -101,16 +118,22 @@ def _writing(path: Path, write: Callable[[Path], None]) -> Generator[str]:
 
 
 def _writing_all(folder: Path, pictures: Sequence[Picture]) -> Generator[str]:
-    for picture in pictures:
-        _write(_free(folder, _file_name(_named(picture))), _svg(picture))
-    icons = "1 icon" if len(pictures) == 1 else f"{len(pictures)} icons"
-    yield f"{icons} in “{folder}”"
+    for done, picture in enumerate(pictures):
+        try:
+            _write(_free(folder, _file_name(_named(picture))), _svg(picture))
+        except IconstudioError as error:
+            raise IconstudioError(f"{_icons(done)} of {len(pictures)} saved. {error}") from None
+    yield f"{_icons(len(pictures))} in “{folder}”"
+
+
+def _icons(count: int) -> str:
+    return "1 icon" if count == 1 else f"{count} icons"
 
 
 def _free(folder: Path, name: str) -> Path:
     """Return a path in ``folder`` at which there is nothing yet."""
     names = itertools.chain([name], (f"{name}-{number}" for number in itertools.count(2)))
-    return next(path for one in names if not (path := folder / f"{one}.svg").exists())
+    return next(path for one in names if not os.path.lexists(path := folder / f"{one}.svg"))
 
 
 def _write(path: Path, content: bytes) -> None:
@@ -126,15 +149,26 @@ def _svg(picture: Picture) -> bytes:
     return svg_document(result.drawing, result.composite, picture.title).encode()
 
 
-def _png(picture: Picture, coded: bool) -> bytes:
+def _png(picture: Picture) -> bytes:
+    from iconstudio.output import png
+
+    return png.encoded(png.drawing_pixels(picture.result.drawing, PNG_SIZE))
+
+
+def _code(picture: Picture) -> bytes:
     from iconstudio.output import png
     from iconstudio.output.colours import colour_code
 
     result = picture.result
-    if coded:
-        pixels = colour_code(result.composite, result.drawing, PNG_SIZE, picture.colours)
-        return png.encoded(pixels)
-    return png.encoded(png.drawing_pixels(result.drawing, PNG_SIZE))
+    pixels = colour_code(result.composite, result.drawing, PNG_SIZE, picture.colours)
+    return png.encoded(pixels)
+
+
+def _as_png(image: QImage) -> QByteArray:
+    buffer = QBuffer()
+    buffer.open(QIODevice.OpenModeFlag.WriteOnly)
+    image.save(buffer, "PNG")
+    return buffer.data()
 
 
 def _named(picture: Picture) -> str:
@@ -144,4 +178,5 @@ def _named(picture: Picture) -> str:
 def _file_name(title: str) -> str:
     """Return a title as the beginning of a file name."""
     words = "".join(c if c.isalnum() else "-" for c in title.strip().lower()).strip("-")
-    return words or "icon"
+    short = words.encode()[:_NAME].decode(errors="ignore").strip("-")
+    return short or "icon"

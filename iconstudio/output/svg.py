@@ -18,13 +18,16 @@ _SLUG = 40
 def svg_document(drawing: Drawing, composite: Composite, title: str) -> str:
     """Return a drawing as an SVG document: one path in ``currentColor``, with a title.
 
+    It is as large as the canvas, a unit a pixel, where nothing else is said.
+
     The metadata credit every contributing source, in Dublin Core for machines and in words for
     people. Characters that XML cannot hold are replaced by U+FFFD.
     """
     works = "".join(_work(pictogram) for pictogram in contributors(composite))
     return (
         '<svg xmlns="http://www.w3.org/2000/svg"'
-        f' viewBox="0 0 {CANVAS} {CANVAS}" fill="currentColor">\n'
+        f' width="{CANVAS}" height="{CANVAS}" viewBox="0 0 {CANVAS} {CANVAS}"'
+        ' fill="currentColor">\n'
         f"<title>{_text(title)}</title>\n"
         "<metadata>\n"
         '<rdf:RDF xmlns:rdf="http://www.w3.org/1999/02/22-rdf-syntax-ns#"'

@@ -131,6 +131,10 @@ class FakeSession:
                 return one.pictogram
         raise IconstudioError(f"The collection has no icon '{reference}'.")
 
+    def icon_from(self, data: bytes, name: str) -> Pictogram:
+        self.calls.append(("icon_from", data, name))
+        return own_svg(data, name)
+
     def exemplar(self, pictogram: Pictogram) -> Exemplar:
         self.thread_ids.add(threading.get_ident())
         for one in self._exemplars(frozenset()):

@@ -434,7 +434,7 @@ def test_a_picked_hybrid_shows_large_and_is_kept_in_sight(mixed):
 def test_colour_coding(mixed):
     before = mixed.sheet.viewport().grab().toImage()
     mixed.actions_by_name["coded"].trigger()
-    assert mixed.coded
+    assert mixed.actions_by_name["coded"].isChecked()
     assert mixed.sheet.viewport().grab().toImage() != before
 
 

@@ -1,13 +1,39 @@
 """Sketches and icons taken out of the sketching."""
 
 import xml.etree.ElementTree as ET
+from dataclasses import replace
 
+import numpy as np
 import pytest
 from hands import save_to, trace, type_keyword
+from iconstudio.library.rasterise import rasterise
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
 
+from iconstudio.gui import saving
 from iconstudio.inputs.sketch import example, read_sketch
+from iconstudio.model import IconstudioError
+from iconstudio.output.png import coverage
+from iconstudio.output.svg import svg_document
+from iconstudio.svg.reading import own_svg
+
+
+def rgba(image):
+    image = image.convertToFormat(QImage.Format.Format_RGBA8888)
+    flat = np.array(image.constBits(), np.uint8)
+    return flat.reshape(image.height(), image.width(), 4)
+
+
+def colours(image):
+    """The colours of all that is opaque."""
+    pixels = rgba(image)
+    return {tuple(map(int, one)) for one in np.unique(pixels[pixels[..., 3] == 255], axis=0)[:, :3]}
+
+
+def opened_menu(strip):
+    strip.chosen.emit(strip.pictures[0])
+    strip.menu.hide()
+    return strip.menu
 
 
 @pytest.fixture
@@ -53,24 +79,115 @@ def test_an_icon_is_saved_as_svg_with_its_credits(done, qtbot, tmp_path, monkeyp
     assert "Ada Example" in path.read_text("utf-8")
 
 
-def test_an_icon_is_saved_as_png_as_it_is_shown(done, qtbot, tmp_path, monkeypatch):
-    for coded in (False, True):
-        path = tmp_path / f"{coded}.png"
+@pytest.mark.parametrize("coded", [False, True])
+def test_png_is_of_the_icon_and_the_colour_code_has_its_own(
+    done, qtbot, tmp_path, monkeypatch, coded
+):
+    """Whatever is shown."""
+    done.board.results.set_coded(coded)
+    images = []
+    for name in ("png", "code_png"):
+        path = tmp_path / f"{name}.png"
         save_to(done, monkeypatch, path)
-        done.board.results.set_coded(coded)
-        done.board.detail.save_png.emit()
+        done.actions_by_name[name].trigger()
         qtbot.waitUntil(path.exists)
-        image = QImage(str(path))
-        assert image.size().toTuple() == (1024, 1024)
-        assert image.pixelColor(2, 2).alpha() == 0
-    plain, colours = (QImage(str(tmp_path / f"{coded}.png")) for coded in (False, True))
-    assert plain != colours
+        images.append(QImage(str(path)))
+        assert images[-1].size().toTuple() == (1024, 1024)
+        assert images[-1].pixelColor(2, 2).alpha() == 0
+    icon, code = map(colours, images)
+    assert icon == {(0, 0, 0)}
+    assert len(code) > 1
 
 
-def test_an_icon_is_copied_as_svg(done):
+def test_the_colour_code_is_offered_where_png_is(done):
+    for menu in (done.window()._menus["&File"], opened_menu(done.window().recent)):
+        words = [action.text().replace("&", "") for action in menu.actions()]
+        png = next(n for n, text in enumerate(words) if text in ("Save PNG…", "Save icon as PNG…"))
+        assert words[png + 1] == "Save colour code as PNG…"
+
+
+def test_the_colour_code_of_a_recent_result_is_saved(done, qtbot, tmp_path, monkeypatch):
+    path = tmp_path / "code.png"
+    save_to(done, monkeypatch, path)
+    menu = opened_menu(done.window().recent)
+    next(one for one in menu.actions() if "colour code" in one.text()).trigger()
+    qtbot.waitUntil(path.exists)
+    assert len(colours(QImage(str(path)))) > 1
+
+
+def test_an_icon_is_copied_as_svg_as_words_and_as_a_picture(done):
+    done.board.results.set_coded(True)
     done.actions_by_name["copy"].trigger()
-    assert QApplication.clipboard().text().lstrip().startswith("<")
-    assert done.board.detail.picture.result.drawing.path in QApplication.clipboard().text()
+    data, result = QApplication.clipboard().mimeData(), done.board.detail.picture.result
+    svg = svg_document(result.drawing, result.composite, "Motor cycle")
+    assert data.text() == svg
+    assert data.data("image/svg+xml").data().decode() == svg
+    shown = QImage.fromData(data.data("image/png"), "PNG")
+    for image in (shown, QImage(data.imageData())):
+        alpha = rgba(image)[..., 3]
+        assert colours(image) == {(0, 0, 0)}
+        drawn = coverage(result.drawing, image.width())
+        assert np.abs(alpha.astype(int) - drawn).mean() < 0.5
+    assert "clipboard" in done.window().desk.strip.label.text()
+
+
+def test_what_is_saved_is_read_back_the_same(done, qtbot, tmp_path, monkeypatch):
+    path = tmp_path / "icon.svg"
+    save_to(done, monkeypatch, path)
+    done.actions_by_name["svg"].trigger()
+    qtbot.waitUntil(path.exists)
+    own, made = own_svg(path.read_bytes(), str(path)), done.board.detail.picture.pictogram()
+    plain = (
+        '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 256 256">'
+        f'<path d="{done.board.detail.picture.result.drawing.path}"/></svg>'
+    )
+    frames, pictures = zip(*map(rasterise, (own.svg, plain)), strict=True)
+    assert frames[0] == frames[1]
+    assert np.array_equal(*pictures)
+    assert [one.credit for one in own.origins] == [one.credit for one in made.origins]
+
+
+def test_no_file_gets_the_name_of_another_kind(done, qtbot, tmp_path, monkeypatch):
+    save_to(done, monkeypatch, tmp_path / "icon 1.2")
+    done.actions_by_name["svg"].trigger()
+    saved = tmp_path / "icon 1.2.svg"
+    qtbot.waitUntil(saved.exists)
+    saved.write_text("mine")
+    done.actions_by_name["svg"].trigger()
+    assert "is there already" in done.window().desk.notice.label.text()
+    assert saved.read_text() == "mine"
+
+
+def test_several_results_never_share_a_name(done, qtbot, tmp_path, monkeypatch):
+    """Nor the name of what is there, be it only a link to nothing."""
+    (tmp_path / "motor-cycle-lightest.svg").write_text("mine")
+    (tmp_path / "motor-cycle-lightest-3.svg").symlink_to("nowhere")
+    monkeypatch.setattr(done.saver, "ask_folder", lambda: tmp_path)
+    pictures = [replace(done.board.detail.picture, title=one) for one in 3 * ("Motor cycle",)]
+    done.saver.save_svgs([*pictures, replace(pictures[0], title="很" * 300)])
+    qtbot.waitUntil(lambda: len(list(tmp_path.iterdir())) == 6)
+    numbers = ("", "-2", "-3", "-4", "-5")
+    names = [f"motor-cycle-lightest{number}.svg" for number in numbers]
+    names.append("很" * 50 + ".svg")
+    assert {one.name for one in tmp_path.iterdir()} == set(names)
+    assert (tmp_path / names[0]).read_text() == "mine"
+    assert (tmp_path / names[2]).is_symlink()
+    qtbot.waitUntil(lambda: "4 icons" in done.window().desk.strip.label.text())
+
+
+def test_a_disk_that_fills_up_is_told_with_what_is_saved(done, qtbot, tmp_path, monkeypatch):
+    write = saving._write
+
+    def full(path, content):
+        if path.stem.endswith("2"):
+            raise IconstudioError("The disk is full.")
+        write(path, content)
+
+    monkeypatch.setattr(saving, "_write", full)
+    monkeypatch.setattr(done.saver, "ask_folder", lambda: tmp_path)
+    done.saver.save_svgs([done.board.detail.picture] * 3)
+    qtbot.waitUntil(done.window().desk.notice.isVisible)
+    assert done.window().desk.notice.label.text() == "1 icon of 3 saved. The disk is full."
 
 
 def test_a_folder_that_cannot_be_written_is_told(done, qtbot, tmp_path, monkeypatch):
@@ -81,7 +198,7 @@ def test_a_folder_that_cannot_be_written_is_told(done, qtbot, tmp_path, monkeypa
 
 
 def test_nothing_can_be_saved_before_there_is_something(sketching):
-    names = ("svg", "png", "copy", "save", "clear", "cancel")
+    names = ("svg", "png", "code_png", "copy", "save", "clear", "cancel")
     assert not any(sketching.actions_by_name[name].isEnabled() for name in names)
     trace(sketching)
     assert sketching.actions_by_name["save"].isEnabled()

@@ -33,6 +33,7 @@ def test_one_path_in_the_current_colour(result):
     root = parsed(result)
     assert root.tag == f"{SVG}svg"
     assert root.get("viewBox") == "0 0 256 256"
+    assert (root.get("width"), root.get("height")) == ("256", "256")
     assert root.get("fill") == "currentColor"
     (path,) = root.iter(f"{SVG}path")
     assert path.attrib == {"d": result.drawing.path}

@@ -23,6 +23,7 @@ from iconstudio.gui.canvas.navigation import CameraView
 from iconstudio.gui.canvas.scene import Scene
 from iconstudio.gui.canvas.tools.base import Pointer, Tool
 from iconstudio.gui.canvas.tools.pan import PanTool
+from iconstudio.gui.dragging import take_copy
 from iconstudio.gui.theme import UNIT
 
 
@@ -168,11 +169,11 @@ class CanvasView(CameraView):
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         """Welcome what can be used here."""
         if self._welcomes(event.mimeData()):
-            event.acceptProposedAction()
+            take_copy(event)
 
     def dropEvent(self, event: QDropEvent) -> None:
         """Pass on what was dropped."""
-        event.acceptProposedAction()
+        take_copy(event)
         self.dropped.emit(event.mimeData(), self._camera.to_page(event.position()))
 
     # -- helpers -------------------------------------------------------------------------------

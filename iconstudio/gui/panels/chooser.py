@@ -5,11 +5,12 @@ from contextlib import closing
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QDragEnterEvent, QDropEvent, QKeyEvent
-from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QLineEdit, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QPushButton, QVBoxLayout, QWidget
 
-from iconstudio.gui.dragging import dropped_file
+from iconstudio.gui.dragging import take_copy, unpacked
 from iconstudio.gui.panels.caption import Caption
 from iconstudio.gui.panels.choices import Choices
+from iconstudio.gui.panels.wordfield import WordField
 from iconstudio.gui.preparation import DEBOUNCE
 from iconstudio.gui.runner import Runner
 from iconstudio.gui.theme import UNIT
@@ -112,15 +113,15 @@ class IconChooser(QWidget):
         self._file.start(lambda: _drawn(self._session, path))
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        """Let files be dropped."""
-        if dropped_file(event.mimeData()) is not None:
-            event.acceptProposedAction()
+        """Let a drawing be dropped; anything else is for the workspace around."""
+        if _dropped_drawing(event) is not None:
+            take_copy(event)
 
     def dropEvent(self, event: QDropEvent) -> None:
         """Open a file that was dropped."""
-        path = dropped_file(event.mimeData())
+        path = _dropped_drawing(event)
         if path is not None:
-            event.acceptProposedAction()
+            take_copy(event)
             self.open_file(path)
 
     def _look_up(self) -> None:
@@ -171,7 +172,7 @@ class IconChooser(QWidget):
             self.choices.setCurrentIndex(self.choices.sheet().index(0))
 
 
-class SearchField(QLineEdit):
+class SearchField(WordField):
     """A text field that the Down key leaves.
 
     Signals
@@ -187,8 +188,6 @@ class SearchField(QLineEdit):
         self.setPlaceholderText("Find an icon: lamp, dog, …")
         self.setAccessibleName("Find an icon")
         self.setClearButtonEnabled(True)
-        self.setMaxLength(100)
-        self.setAcceptDrops(False)  # a file is for the chooser to open, its address is no word
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Leave with Down."""
@@ -205,6 +204,16 @@ def _retrieved(session: Session, keyword: str) -> Generator[Event]:
             yield event
             if isinstance(event, Retrieved):
                 return
+
+
+def _dropped_drawing(event: QDropEvent) -> str | None:
+    """Return the path of a single SVG file that is dragged."""
+    data = event.mimeData()
+    urls = data.urls()
+    if len(urls) != 1 or not urls[0].isLocalFile() or unpacked(data) is not None:
+        return None
+    path = urls[0].toLocalFile()
+    return path if path.lower().endswith((".svg", ".svgz")) else None
 
 
 def _drawn(session: Session, path: str) -> Generator[Exemplar]:

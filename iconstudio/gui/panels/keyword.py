@@ -2,12 +2,10 @@
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QKeySequence
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
-    QLineEdit,
     QPushButton,
     QVBoxLayout,
     QWidget,
@@ -15,32 +13,15 @@ from PySide6.QtWidgets import (
 
 from iconstudio.gui.panels.caption import Caption
 from iconstudio.gui.panels.thumbnails import Thumbnails
+from iconstudio.gui.panels.wordfield import Key, WordField
 from iconstudio.gui.theme import UNIT
 from iconstudio.model import Exemplar
 
 
-class KeywordField(QLineEdit):
+class KeywordField(WordField):
     """A text field that leaves undo and redo to the document."""
 
-    def event(self, event: QEvent) -> bool:
-        """Do not claim the shortcuts of undo and redo."""
-        if event.type() == QEvent.Type.ShortcutOverride and self._is_undo(event):
-            event.ignore()
-            return False
-        return super().event(event)
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Let undo and redo pass."""
-        if self._is_undo(event):
-            event.ignore()
-        else:
-            super().keyPressEvent(event)
-
-    @staticmethod
-    def _is_undo(event: QKeyEvent) -> bool:
-        return event.matches(QKeySequence.StandardKey.Undo) or event.matches(
-            QKeySequence.StandardKey.Redo
-        )
+    others = (Key.Undo, Key.Redo)
 
 
 class KeywordPanel(QFrame):
@@ -69,7 +50,6 @@ class KeywordPanel(QFrame):
         self.field = KeywordField(placeholderText="What is it? For example: motorcycle")
         self.field.setAccessibleName("What the object is")
         self.field.setClearButtonEnabled(True)
-        self.field.setMaxLength(100)
         self.button = QPushButton("Remix")
         self.button.setProperty("primary", True)
         self.button.setToolTip("Make new icons in four styles (Ctrl+Return)")

@@ -25,13 +25,14 @@ class RecentStrip(PictureStrip):
     -------
     sent(Picture, str)
         A result is to go to the workspace of that title.
-    save_svg(Picture), save_png(Picture), copy_svg(Picture)
+    save_svg(Picture), save_png(Picture), save_code(Picture), copy_svg(Picture)
         A result is to be taken out of the window.
     """
 
     sent = Signal(object, str)
     save_svg = Signal(object)
     save_png = Signal(object)
+    save_code = Signal(object)
     copy_svg = Signal(object)
 
     def __init__(self, destinations: Sequence[Destination], parent: QWidget | None = None) -> None:
@@ -57,6 +58,7 @@ class RecentStrip(PictureStrip):
             menu.addSeparator()
         menu.addAction("Save SVG…", lambda: self.save_svg.emit(picture))
         menu.addAction("Save PNG…", lambda: self.save_png.emit(picture))
+        menu.addAction("Save colour code as PNG…", lambda: self.save_code.emit(picture))
         menu.addAction("Copy SVG", lambda: self.copy_svg.emit(picture))
         menu.addSeparator()
         menu.addAction("Remove", lambda: self.remove(picture))

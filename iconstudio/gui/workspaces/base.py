@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping, Sequence
 from typing import ClassVar
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QMimeData, Signal
 from PySide6.QtWidgets import QMenu, QWidget
 
 from iconstudio.gui import theme
@@ -73,6 +73,7 @@ class Workspace(QWidget):
         self.document = document
         document.setParent(self)
         self.worker = Worker(self)
+        self._opener: Opener | None = None
         self.progressed.connect(lambda _: self._allow_cancel(True))
         self.rested.connect(lambda _: self._allow_cancel(False))
 
@@ -82,15 +83,20 @@ class Workspace(QWidget):
         return None
 
     @property
-    def coded(self) -> bool:
-        """Whether the results are shown coded by source, and so saved as PNG."""
-        return False
+    def icons(self) -> tuple[Pictogram, ...]:
+        """The icons on the page."""
+        return ()
 
     def enter(self) -> None:
         """The user has come here: put the focus where work goes on."""
 
     def take(self, pictogram: Pictogram) -> None:
         """Begin with an icon that was sent here, or add it."""
+
+    def open_mime(self, data: QMimeData) -> None:
+        """Open what was dropped where nothing else is made of it."""
+        if self._opener is not None:
+            self._opener.open_mime(data)
 
     def set_destinations(self, destinations: tuple[Destination, ...]) -> None:
         """Say where icons can be sent to; called once."""
@@ -121,7 +127,8 @@ class Workspace(QWidget):
         """Make ``actions_by_name``: ``slots`` (see ``Actions``), and what all workspaces have."""
         common = {
             "svg": lambda: self._keep(self.saver.save_svg),
-            "png": lambda: self._keep(lambda one: self.saver.save_png(one, self.coded)),
+            "png": lambda: self._keep(self.saver.save_png),
+            "code_png": lambda: self._keep(self.saver.save_code),
             "copy": lambda: self._keep(self.saver.copy_svg),
             "cancel": self.cancel,
         }
@@ -149,7 +156,9 @@ class Workspace(QWidget):
         return {"open": opener.choose_work, "paste": opener.paste}
 
     def connect_opener(self, opener: Opener) -> None:
-        """Pass on what an opener tells."""
+        """Let an opener open what is dropped, and pass on what it tells."""
+        self._opener = opener
+        opener.began.connect(lambda: self.said.emit(""))
         opener.failed.connect(self.failed)
         opener.opened.connect(self.said)
 
@@ -190,7 +199,7 @@ class Workspace(QWidget):
             save(self.picture)
 
     def _show_picked(self, picture: Picture | None) -> None:
-        for name in ("svg", "png", "copy"):
+        for name in ("svg", "png", "code_png", "copy"):
             self.actions_by_name[name].setEnabled(picture is not None)
 
     def _allow_cancel(self, allowed: bool) -> None:

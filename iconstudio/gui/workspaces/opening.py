@@ -1,15 +1,17 @@
 """What all workspaces have in common when something is opened."""
 
-from collections.abc import Callable, Generator
+from collections.abc import Callable, Generator, Sequence
 from typing import Any, ClassVar
 
 from PySide6.QtCore import QMimeData, QObject, Signal
+from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
+from iconstudio.gui import mime
 from iconstudio.gui.document import Document
-from iconstudio.gui.dragging import dropped_file, unpacked
 from iconstudio.gui.runner import Runner
 from iconstudio.gui.worker import Worker
+from iconstudio.gui.workspaces.together import Gathered, gathering, named, was
 from iconstudio.model import IconstudioError, Pictogram
 from iconstudio.session import Session
 
@@ -18,16 +20,20 @@ class Opener(QObject):
     """Opens things in the background and then puts them on the page, by one command each.
 
     A subclass says how each thing is opened, by generators that ``replace`` or ``add`` runs, and
-    in ``put`` what becomes of what they yield.
+    in ``put`` what becomes of what they yield. Of several things that are dropped or pasted
+    together, ``read`` reads each, and ``put_all`` puts them on the page by one command.
 
     Signals
     -------
+    began()
+        The user opens something, and nothing else is being opened.
     failed(str)
         Something could not be opened, or not all of it; a sentence for the user.
     opened(str)
         What is there now, for the status line.
     """
 
+    began = Signal()
     failed = Signal(str)
     opened = Signal(str)
 
@@ -37,6 +43,14 @@ class Opener(QObject):
     """What such files are called there, “Sketches”."""
     other: ClassVar[str] = "SVG file"
     """What else can be opened here."""
+    forms: ClassVar[str] = "a file, a drawing or its markup"
+    """In what forms it can be dropped or pasted."""
+    images_first: ClassVar[bool] = False
+    """Whether an image of pixels is wanted rather than a drawing of the same."""
+    most: ClassVar[int] = 1
+    """How many things the page has room for."""
+    limit: ClassVar[str] = ""
+    """Why there is no room for more, “an edit has one icon”."""
 
     def __init__(
         self, session: Session, document: Document, worker: Worker, owner: QWidget
@@ -46,10 +60,13 @@ class Opener(QObject):
         self.document = document
         self._worker = worker
         self._owner = owner
+        self._adding = 0
+        self._complaints: list[str] = []
         self.runner = Runner(worker, self)
         """Does what ``replace`` starts; its ``progress`` and ``ended`` may be listened to."""
         self.runner.event.connect(self.receive)
-        self.runner.failed.connect(self.failed)
+        self.runner.failed.connect(self.complain)
+        self.runner.ended.connect(self._rest)
 
     # -- what a subclass does ------------------------------------------------------------------
 
@@ -58,9 +75,25 @@ class Opener(QObject):
 
     def open_file(self, path: str) -> None:
         """Open any other file."""
+        self.open_items((mime.File(path),))
+
+    def open_image(self, image: QImage) -> None:
+        """Open an image of pixels."""
+        self.open_items((mime.Image(image),))
 
     def take(self, pictogram: Pictogram) -> None:
         """Open an icon that is sent, or dropped here."""
+        self.open_items((mime.Icon(pictogram),))
+
+    def read(self, item: mime.Item) -> Any:
+        """Return what ``put_all`` puts on the page; in the worker's thread.
+
+        Raises
+        ------
+        IconstudioError
+            If it cannot be opened here.
+        """
+        raise NotImplementedError
 
     def put(self, found: Any) -> str:
         """Put what was found on the page; return what to tell the user.
@@ -71,6 +104,10 @@ class Opener(QObject):
             If there is no room for it.
         """
         raise NotImplementedError
+
+    def put_all(self, gathered: Gathered) -> str:
+        """Put all that was read on the page; see ``put``."""
+        return self.put(gathered.found[0])
 
     # -- ways to open --------------------------------------------------------------------------
 
@@ -86,37 +123,139 @@ class Opener(QObject):
 
     def paste(self) -> None:
         """Open what is on the clipboard."""
-        self.open_mime(QApplication.clipboard().mimeData())
+        self.open_mime(QApplication.clipboard().mimeData(), pasted=True)
 
-    def open_mime(self, data: QMimeData) -> None:
+    def open_mime(self, data: QMimeData, pasted: bool = False) -> None:
         """Open what was dropped or pasted."""
-        pictogram, path = unpacked(data), dropped_file(data)
-        if pictogram is not None:
-            self.take(pictogram)
-        elif path is not None:
-            (self.open_work if path.lower().endswith(".json") else self.open_file)(path)
-        elif data.hasUrls():
-            self.failed.emit(
-                f"Only files on this computer can be opened. Save the {self.other} first."
-            )
+        self._begin_anew()
+        items = mime.items(data, self.images_first)
+        if not items and pasted:
+            self.complain(f"There is no {self.other} to paste. Copy {self.forms} first.")
+        elif not items:
+            self.complain(f"There is no {self.other} in what was dropped. Drop {self.forms}.")
+        elif len(items) == 1:
+            self.open_item(items[0])
         else:
-            self.failed.emit(f"There is no {self.other} to paste. Copy one first.")
+            self.open_items(items)
+
+    def open_item(self, item: mime.Item) -> None:
+        """Open a single thing."""
+        match item:
+            case mime.Icon(pictogram):
+                self.take(pictogram)
+            case mime.File(path):
+                (self.open_work if item.is_work else self.open_file)(path)
+            case mime.Image(image):
+                self.open_image(image)
+            case mime.Elsewhere():
+                self.complain(
+                    f"Only files on this computer can be opened. Save the {self.other} first."
+                )
+            case _:
+                self.open_items((item,))
+
+    def open_items(self, items: Sequence[mime.Item]) -> None:
+        """Open several things together; what is left over is told."""
+        works = [one for one in items if isinstance(one, mime.File) and one.is_work]
+        others = [one for one in items if one not in works]
+        start = self.replace if self.most == 1 else self.add
+        if others:
+            start(lambda: self._gather(others))
+        else:
+            self.open_work(works.pop(0).path)
+        if works:
+            self.complain(
+                f"{named(works)} {was(works)} not opened. What such a file holds takes the place "
+                "of all that is here: open it by itself."
+            )
+
+    def _gather(self, items: Sequence[mime.Item]) -> Generator[Gathered | None]:
+        return gathering(items, self.read, self.most, self.no_room)
+
+    def no_room(self, taken: Sequence[str], left: Sequence[mime.Item | str]) -> str:
+        """Return the sentence that says for what there was no room."""
+        if self.most == 1:
+            return f"Only “{taken[0]}” was opened, not {named(left)}: {self.limit}."
+        return f"{named(left)} {was(left)} not added: {self.limit}."
 
     # -- in the background ---------------------------------------------------------------------
 
     def replace(self, make: Callable[[], Generator[Any]]) -> None:
         """Put what ``make()`` yields on the page, unless something else replaces it before."""
+        self._begin_anew()
         self.runner.start(make)
 
     def add(self, make: Callable[[], Generator[Any]]) -> None:
         """Put what ``make()`` yields on the page, whatever else is opened meanwhile."""
+        self._begin_anew()
+        self._adding += 1
         job = self._worker.submit(make)
         job.event.connect(self.receive)
-        job.failed.connect(self.failed)
+        job.failed.connect(self.complain)
+        job.finished.connect(self._added)
 
     def receive(self, found: object) -> None:
         """Put something on the page, and tell."""
+        if found is None:
+            return
+        if isinstance(found, Gathered):
+            for complaint in found.complaints:
+                self.complain(complaint)
+            if not found.found:
+                return
         try:
-            self.opened.emit(self.put(found))
+            done = self.put_all(found) if isinstance(found, Gathered) else self.put(found)
         except IconstudioError as error:
-            self.failed.emit(str(error))
+            self.complain(str(error))
+            return
+        self.opened.emit(done)
+        for complaint in self._complaints:  # what was told before has gone from sight with that
+            self.failed.emit(complaint)
+
+    def complain(self, message: str) -> None:
+        """Tell the user of something that was not opened, until all is opened that is to be."""
+        if self._busy:
+            self._complaints.append(message)
+        self.failed.emit(message)
+
+    @property
+    def _busy(self) -> bool:
+        return self._adding > 0 or self.runner.running
+
+    def _begin_anew(self) -> None:
+        if not self._busy:
+            self.began.emit()
+
+    def _added(self) -> None:
+        self._adding -= 1
+        self._rest()
+
+    def _rest(self) -> None:
+        if not self._busy:
+            self._complaints.clear()
+
+
+class IconOpener(Opener):
+    """Opens icons: those of the window or the collection, files, and markup."""
+
+    def read(self, item: mime.Item) -> Any:
+        """Return an icon, drawn."""
+        return self.drawn(self._pictogram(item))
+
+    def drawn(self, pictogram: Pictogram) -> Any:
+        """Return what is put on the page for an icon; in the worker's thread."""
+        return self.session.exemplar(pictogram)
+
+    def _pictogram(self, item: mime.Item) -> Pictogram:
+        match item:
+            case mime.Icon(pictogram):
+                return pictogram
+            case mime.File(path):
+                return self.session.icon(path)
+            case mime.Reference(name):
+                return self.session.icon(name)
+            case mime.Drawing(data, name):
+                return self.session.icon_from(data, name)
+        raise IconstudioError(
+            "It is an image of pixels. Only drawings can be used here: save it as SVG first."
+        )

@@ -59,11 +59,6 @@ class RemixWorkspace(Workspace, Wanting):
         """The picked result."""
         return self.board.detail.picture
 
-    @property
-    def coded(self) -> bool:
-        """Whether the results are coded by source."""
-        return self.board.results.coded
-
     def enter(self) -> None:
         """Begin on the canvas, and in the modes that were switched to elsewhere."""
         self._show_modes()

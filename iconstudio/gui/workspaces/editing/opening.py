@@ -1,35 +1,32 @@
 """Bring icons and edits into the document."""
 
-from collections.abc import Callable, Generator
+from collections.abc import Generator
 from pathlib import Path
 
 from iconstudio.gui.workspaces.editing import page
-from iconstudio.gui.workspaces.opening import Opener
+from iconstudio.gui.workspaces.opening import IconOpener
 from iconstudio.inputs.edit import read_edit
 from iconstudio.model import Edit, Exemplar, Pictogram
 
 
-class EditOpener(Opener):
+class EditOpener(IconOpener):
     """Puts an icon on the page, perhaps with areas, in place of the one that is there."""
 
     question = "Open an edit"
     kinds = "Edits"
+    limit = "an edit has one icon"
 
     def open_work(self, path: str) -> None:
         """Open an edit file."""
-        self.replace(lambda: self._read(Path(path)))
-
-    def open_file(self, path: str) -> None:
-        """Begin with an SVG file."""
-        self.replace(lambda: self._begin(lambda: self.session.exemplar(self.session.icon(path))))
-
-    def take(self, pictogram: Pictogram) -> None:
-        """Begin with an icon."""
-        self.replace(lambda: self._begin(lambda: self.session.exemplar(pictogram)))
+        self.replace(lambda: self._read_edit(Path(path)))
 
     def take_exemplar(self, icon: Exemplar) -> None:
         """Begin with an icon that is drawn already."""
-        self.replace(lambda: self._begin(lambda: icon))
+        self.replace(lambda: self._begin(icon))
+
+    def drawn(self, pictogram: Pictogram) -> tuple[Exemplar, str]:
+        """Return an icon, and what icons like it are looked for by."""
+        return self._with_keyword(super().drawn(pictogram))
 
     def put(self, found: tuple[Exemplar, str | Edit]) -> str:
         """Start from an icon that was found with its keyword, or from an edit."""
@@ -40,10 +37,12 @@ class EditOpener(Opener):
                 page.begin(self.document, icon, keyword)
         return f"“{icon.pictogram.credit.title}” is on the canvas."
 
-    def _begin(self, find: Callable[[], Exemplar]) -> Generator[tuple[Exemplar, str]]:
-        icon = find()
-        yield icon, self.session.keyword(icon.pictogram)
+    def _with_keyword(self, icon: Exemplar) -> tuple[Exemplar, str]:
+        return icon, self.session.keyword(icon.pictogram)
 
-    def _read(self, path: Path) -> Generator[tuple[Exemplar, Edit]]:
+    def _begin(self, icon: Exemplar) -> Generator[tuple[Exemplar, str]]:
+        yield self._with_keyword(icon)
+
+    def _read_edit(self, path: Path) -> Generator[tuple[Exemplar, Edit]]:
         edit = read_edit(path).resolved(self.session.icon)
         yield self.session.exemplar(edit.icon), edit

@@ -9,7 +9,7 @@ from iconstudio.gui.actions import Entry, Key, work_entries
 from iconstudio.gui.canvas.view import CanvasView
 from iconstudio.gui.crisp import CrispIcons
 from iconstudio.gui.document import Document
-from iconstudio.gui.dragging import droppable
+from iconstudio.gui.mime import holds_something
 from iconstudio.gui.saving import Saver
 from iconstudio.gui.worker import Worker
 from iconstudio.gui.workspaces.editing import page as edits
@@ -33,7 +33,7 @@ OWN = {
         Entry("icon", "Choose &icon…", "Choose another icon", Key.Open, "search"),
     ),
     "&Edit": (
-        Entry("paste", "&Paste icon", "Use the SVG file on the clipboard", Key.Paste),
+        Entry("paste", "&Paste icon", "Use the SVG drawing on the clipboard", Key.Paste),
         Entry("delete", "&Delete", "Remove the selected area or point", "Backspace"),
         Entry("clear", "C&lear all areas", "Remove all areas", "Ctrl+Backspace", "clear"),
         Entry("run", "&Remix", "Make the icon anew where it is marked", "Ctrl+Return"),
@@ -81,7 +81,7 @@ class EditWorkspace(RemixWorkspace):
             "select": SelectTool(self.outline),
         }
         self.tool = self.tools["remove"]
-        self.view = CanvasView(self.scene, self.tool, droppable)
+        self.view = CanvasView(self.scene, self.tool, holds_something)
         self.view.setAccessibleDescription("Mark what should go and what should come here")
         self.board.results.set_words(WELCOME, "Closer to the drawing")
         self.keyword_panel.set_words(
@@ -140,6 +140,12 @@ class EditWorkspace(RemixWorkspace):
         self.opener.opened.connect(self._begin)
 
     # -- what the window asks for --------------------------------------------------------------
+
+    @property
+    def icons(self) -> tuple[Pictogram, ...]:
+        """The icon to be changed."""
+        icon = self.document.page.icon
+        return () if icon is None else (icon.pictogram,)
 
     def enter(self) -> None:
         """Begin on the canvas, or choose an icon."""

@@ -21,7 +21,8 @@ from PySide6.QtWidgets import QGridLayout, QScrollArea, QToolButton, QWidget
 from iconstudio.algorithms.guidance import mirror_image
 from iconstudio.algorithms.raster import solid
 from iconstudio.gui import icons, theme
-from iconstudio.gui.dragging import droppable
+from iconstudio.gui.dragging import take_copy
+from iconstudio.gui.mime import holds_something
 from iconstudio.gui.mipmap import Mipmap
 from iconstudio.gui.pictures import stencil
 from iconstudio.gui.theme import UNIT
@@ -230,7 +231,7 @@ class Cards(QScrollArea):
     pinned(str, tuple), removed(str)
         See ``IconCard``.
     dropped(QMimeData)
-        An icon of this window or a file was dropped.
+        Something was dropped.
     """
 
     pinned = Signal(str, tuple)
@@ -279,13 +280,13 @@ class Cards(QScrollArea):
             card.refresh_icons(look)
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        """Let icons and files be dropped."""
-        if droppable(event.mimeData()):
-            event.acceptProposedAction()
+        """Let anything be dropped; what cannot be used is told."""
+        if holds_something(event.mimeData()):
+            take_copy(event)
 
     def dropEvent(self, event: QDropEvent) -> None:
         """Take what was dropped."""
-        event.acceptProposedAction()
+        take_copy(event)
         self.dropped.emit(event.mimeData())
 
 

@@ -1,6 +1,6 @@
 """Gathers the icons to mix: sent, dropped, picked by the program, or named in a file."""
 
-from collections.abc import Callable, Generator
+from collections.abc import Generator, Sequence
 from contextlib import closing
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -10,10 +10,12 @@ from PySide6.QtCore import Signal
 from iconstudio.gui.workspaces.hybrids import files
 from iconstudio.gui.workspaces.hybrids import page as edits
 from iconstudio.gui.workspaces.hybrids.page import Ask, HybridsPage
-from iconstudio.gui.workspaces.opening import Opener
-from iconstudio.model import Exemplar, Pictogram
+from iconstudio.gui.workspaces.opening import IconOpener
+from iconstudio.gui.workspaces.together import Gathered, named
+from iconstudio.model import Exemplar
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
+from iconstudio.workflows.hybrids import MOST
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,7 +34,7 @@ class Opened:
     example: bool
 
 
-class Gathering(Opener):
+class Gathering(IconOpener):
     """Adds icons, or puts others in place of all that are there; favourites stay.
 
     Signals
@@ -43,16 +45,10 @@ class Gathering(Opener):
 
     question = "Open a mix"
     kinds = "Mixes"
+    most = MOST
+    limit = f"at most {MOST} icons can be mixed"
 
     shown = Signal()
-
-    def take(self, pictogram: Pictogram) -> None:
-        """Mix an icon that was sent or dropped."""
-        self.add(lambda: _drawn(self.session, lambda: pictogram))
-
-    def open_file(self, path: str) -> None:
-        """Mix the icon of an SVG file."""
-        self.add(lambda: _drawn(self.session, lambda: self.session.icon(path)))
 
     def open_work(self, path: str) -> None:
         """Mix the icons that a file names."""
@@ -74,8 +70,7 @@ class Gathering(Opener):
         """Add an icon, or put those that were picked or named on the page."""
         match found:
             case Exemplar():
-                edits.add_icon(self.document, found)
-                return f"Added “{found.id}”."
+                return self._add([found])
             case Picked():
                 edits.set_icons(self.document, found.exemplars, found.ask)
                 return f"Picked {len(found.exemplars)} icons for “{found.ask.keyword}”."
@@ -86,9 +81,25 @@ class Gathering(Opener):
                     self.shown.emit()
                 return f"Opened “{page.title}”."
 
+    def put_all(self, gathered: Gathered) -> str:
+        """Add icons, as many as there is room for."""
+        return self._add(gathered.found)
 
-def _drawn(session: Session, find: Callable[[], Pictogram]) -> Generator[Exemplar]:
-    yield session.exemplar(find())
+    def _add(self, icons: Sequence[Exemplar]) -> str:
+        before, names = self.document.page.ids, [one.id for one in icons]
+        left = [one.id for one in edits.add_icons(self.document, icons)]
+        if left:
+            self.complain(self.no_room((), left))
+        there = [name for name in names if name in before]
+        added = [name for name in dict.fromkeys(names) if name not in (*left, *there)]
+        said = f"Added {named(added)}." if added else "", _there(there)
+        return " ".join(filter(None, said))
+
+
+def _there(names: Sequence[str]) -> str:
+    if not names:
+        return ""
+    return f"{named(names)} {'is' if len(names) == 1 else 'are'} among the icons already."
 
 
 def _opened(session: Session, path: Path, example: bool) -> Generator[Event | Opened]:

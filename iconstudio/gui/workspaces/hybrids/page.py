@@ -1,5 +1,6 @@
 """What is mixed, and what was kept of it; and the edits of both."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
@@ -72,21 +73,26 @@ class HybridsPage:
 HybridsDocument = Document[HybridsPage]
 
 
-def add_icon(document: HybridsDocument, exemplar: Exemplar) -> None:
-    """Mix one more icon; nothing happens if it is among them already.
+def add_icons(document: HybridsDocument, icons: Sequence[Exemplar]) -> tuple[Exemplar, ...]:
+    """Mix more icons, as many as there is room for, and return the others.
+
+    Nothing happens to those that are among them already.
 
     Raises
     ------
     IconstudioError
-        If there are too many already.
+        If there is no room at all.
     """
     page = document.page
-    if exemplar.id in page.ids:
-        return
-    if len(page.ingredients) >= MOST:
+    new = tuple({one.id: one for one in icons if one.id not in page.ids}.values())
+    room = MOST - len(page.ingredients)
+    if new and room <= 0:
         raise IconstudioError(f"At most {MOST} icons can be mixed. Remove one first.")
-    more = (*page.ingredients, Ingredient(exemplar))
-    document.change("add icon", replace(page, ingredients=more))
+    if new:
+        more = (*page.ingredients, *map(Ingredient, new[:room]))
+        text = "add icon" if len(new[:room]) == 1 else "add icons"
+        document.change(text, replace(page, ingredients=more))
+    return new[room:]
 
 
 def remove_icon(document: HybridsDocument, identifier: str) -> None:

@@ -33,7 +33,7 @@ OWN = {
         Entry("save_all", "Save all &favourites…", "Save every favourite as SVG", "Ctrl+Alt+S"),
     ),
     "&Edit": (
-        Entry("paste", "&Paste icon", "Mix the SVG file on the clipboard", Key.Paste),
+        Entry("paste", "&Paste icon", "Mix the SVG drawing on the clipboard", Key.Paste),
         Entry("clear", "&Remove all icons", "Remove all icons", "Ctrl+Backspace", "clear"),
         Entry("favourite", "&Favourite", "Keep the picked hybrid, or no longer", "F"),
         Entry("like", "More &like this", "Draw hybrids like the picked one", "L"),
@@ -157,9 +157,9 @@ class HybridsWorkspace(Workspace):
         return self.detail.picture
 
     @property
-    def coded(self) -> bool:
-        """Whether the hybrids are coded by source."""
-        return self.actions_by_name["coded"].isChecked()
+    def icons(self) -> tuple[Pictogram, ...]:
+        """The icons to be mixed."""
+        return self.document.page.mix.icons
 
     def enter(self) -> None:
         """Begin with looking icons up, or go on at the sheet."""

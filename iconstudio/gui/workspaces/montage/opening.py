@@ -1,14 +1,16 @@
 """Bring icons and montages onto the canvas, and save montages."""
 
-from collections.abc import Callable, Generator, Sequence
+from collections.abc import Generator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from iconstudio.gui.workspaces.montage.page import Icon, MontagePage
-from iconstudio.gui.workspaces.opening import Opener
+from iconstudio.gui.workspaces.opening import IconOpener
+from iconstudio.gui.workspaces.together import Gathered, named
 from iconstudio.inputs.icons import reference_to
 from iconstudio.inputs.montage import LayerFile, MontageFile, read_montage, write_montage
 from iconstudio.model import IconstudioError, Layer, Pictogram
+from iconstudio.workflows.montage import MOST
 
 _OVERLAP = (
     "Where scribbles over two icons overlapped, those of the upper icon were kept: "
@@ -24,36 +26,38 @@ class Opened:
     page: MontagePage
 
 
-class MontageOpener(Opener):
+class MontageOpener(IconOpener):
     """Adds icons on top, or puts a montage in place of what is there."""
 
     question = "Open a montage"
     kinds = "Montages"
-
-    def take(self, pictogram: Pictogram) -> None:
-        """Add an icon on top."""
-        self.add(lambda: self._drawn(lambda: pictogram))
-
-    def open_file(self, path: str) -> None:
-        """Add the icon of an SVG file on top."""
-        self.add(lambda: self._drawn(lambda: self.session.icon(path)))
+    most = MOST
+    limit = f"a montage takes at most {MOST} icons"
 
     def open_work(self, path: str) -> None:
         """Put the montage of a file in place of what is there."""
-        self.replace(lambda: self._read(Path(path)))
+        self.replace(lambda: self._read_montage(Path(path)))
 
-    def put(self, found: Icon | Opened) -> str:
-        """Add an icon, or show a montage."""
-        if isinstance(found, Opened):
-            self.document.change("open montage", found.page)
-            return f"Opened “{found.title}”."
-        self.document.change("add icon", self.document.page.with_icons([found]))
-        return f"Added “{self.document.page.current.title}”."
+    def drawn(self, pictogram: Pictogram) -> Icon:
+        """Return an icon to be added."""
+        return Icon(super().drawn(pictogram))
 
-    def _drawn(self, find: Callable[[], Pictogram]) -> Generator[Icon]:
-        yield Icon(self.session.exemplar(find()))
+    def put(self, found: Opened) -> str:
+        """Show a montage."""
+        self.document.change("open montage", found.page)
+        return f"Opened “{found.title}”."
 
-    def _read(self, path: Path) -> Generator[Opened]:
+    def put_all(self, gathered: Gathered) -> str:
+        """Add icons on top, as many as there is room for."""
+        page, icons = self.document.page, gathered.found
+        room = max(1, MOST - len(page.layers))  # with no room at all, the page itself says so
+        after = page.with_icons(icons[:room])
+        self.document.change("add icon" if len(icons[:room]) == 1 else "add icons", after)
+        if left := gathered.names[room:]:
+            self.complain(self.no_room(gathered.names[:room], left))
+        return f"Added {named([one.title for one in after.layers[len(page.layers) :]])}."
+
+    def _read_montage(self, path: Path) -> Generator[Opened]:
         file = read_montage(path)
         layers = file.resolved(self.session.icon).layers
         page = page_of(layers, [Icon(self.session.exemplar(one.icon)) for one in layers])

@@ -20,7 +20,7 @@ from iconstudio.gui.canvas.start import StartButtons
 from iconstudio.gui.canvas.view import CanvasView
 from iconstudio.gui.crisp import CrispIcons
 from iconstudio.gui.document import Document
-from iconstudio.gui.dragging import droppable
+from iconstudio.gui.mime import holds_something
 from iconstudio.gui.panels.canvas import CanvasPanel
 from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.panels.coding import CodeSwitch
@@ -48,7 +48,7 @@ OWN = {
         Entry("svg_in", "Op&en SVG…", "Add a drawing of your own", Key.Open, "open"),
     ),
     "&Edit": (
-        Entry("paste", "P&aste drawing", "Add the SVG file on the clipboard", Key.Paste),
+        Entry("paste", "P&aste drawing", "Add the SVG drawing on the clipboard", Key.Paste),
         Entry("delete", "&Delete icon", "Take the chosen icon out", "Backspace"),
         Entry("clear", "Clear &scribbles", "Remove all scribbles", "Ctrl+Backspace", "clear"),
         Entry("mirror", "&Mirror icon", "Mirror the chosen icon", "M", "mirror"),
@@ -81,7 +81,6 @@ class MontageWorkspace(Workspace):
         self.crisp = CrispIcons(session, self.finder, self)
         self.live = LiveResult(session, self.worker, self)
         self._kept: Picture | None = None
-        self._coded = False
 
         self.scene = MontageScene(self.document, self.crisp)
         self.scene.setParent(self)
@@ -91,7 +90,7 @@ class MontageWorkspace(Workspace):
             "brush": ScribbleTool(self.document, self.scene, self.brush, rubs=False),
             "eraser": ScribbleTool(self.document, self.scene, self.brush, rubs=True),
         }
-        self.view = CanvasView(self.scene, self.tools["brush"], droppable)
+        self.view = CanvasView(self.scene, self.tools["brush"], holds_something)
         self.view.setAccessibleDescription("Arrange icons, and scribble over their parts, here")
         self.chooser = IconChooser(session, self.finder)
         self.layers = LayerList()
@@ -189,9 +188,9 @@ class MontageWorkspace(Workspace):
         return self.detail.picture
 
     @property
-    def coded(self) -> bool:
-        """Whether the result is coded by source."""
-        return self._coded
+    def icons(self) -> tuple[Pictogram, ...]:
+        """The icons on the canvas."""
+        return tuple(one.icon.pictogram for one in self.document.page.layers)
 
     def enter(self) -> None:
         """Begin with looking for icons, then on the canvas."""
@@ -233,7 +232,6 @@ class MontageWorkspace(Workspace):
         self._kept = picture
 
     def _set_coded(self, coded: bool) -> None:
-        self._coded = coded
         self.switch.set_coded(coded)
         self.detail.large.set_coded(coded)
 

@@ -2,12 +2,8 @@
 
 from collections.abc import Callable, Generator
 from pathlib import Path
-from typing import Any
 
-from PySide6.QtCore import QMimeData
-from PySide6.QtGui import QImage
-
-from iconstudio.gui.dragging import dropped_file
+from iconstudio.gui.mime import Drawing, File, Image, Item
 from iconstudio.gui.photo import Photo, photo_from_image, read_photo
 from iconstudio.gui.workspaces.opening import Opener
 from iconstudio.gui.workspaces.sketching import page
@@ -23,18 +19,13 @@ class SketchOpener(Opener):
     question = "Open a sketch"
     kinds = "Sketches"
     other = "photo"
+    forms = "a file or an image"
+    images_first = True
+    limit = "a sketch has one photo"
 
     def choose_photo(self) -> None:
         """Ask for a photo."""
         self.ask("Open a photo to trace over", _PHOTOS, self.open_file)
-
-    def open_file(self, path: str) -> None:
-        """Put the photo of a file under the drawing."""
-        self.replace(lambda: _once(read_photo, path))
-
-    def open_image(self, image: QImage) -> None:
-        """Put an image from the clipboard or a drop under the drawing."""
-        self.replace(lambda: _once(photo_from_image, image))
 
     def open_work(self, path: str) -> None:
         """Open a sketch file, with the photo that it names."""
@@ -44,12 +35,17 @@ class SketchOpener(Opener):
         """Open an example."""
         self.replace(lambda: _sketch_and_photo(lambda: example))
 
-    def open_mime(self, data: QMimeData) -> None:
-        """Open what was dropped or pasted; it may be an image that is in no file."""
-        if dropped_file(data) is None and data.hasImage():
-            self.open_image(QImage(data.imageData()))
-        else:
-            super().open_mime(data)
+    def read(self, item: Item) -> Photo:
+        """Return a photo: of a file, or from the clipboard or a drop."""
+        match item:
+            case File(path):
+                return read_photo(path)
+            case Image(image):
+                return photo_from_image(image)
+        raise IconstudioError(
+            "A sketch is traced over a photo, not over a drawing. "
+            f"Open {_quoted(item)} in Edit, Hybrids or Montage."
+        )
 
     def put(self, found: Photo | tuple[SketchFile, Photo | None]) -> str:
         """Show a photo, or a sketch and its photo."""
@@ -59,10 +55,6 @@ class SketchOpener(Opener):
         file, photo = found
         page.load_sketch(self.document, file.sketch, photo, "open sketch")
         return f"Opened “{file.title}”."
-
-
-def _once(function: Callable[[Any], Photo], argument: Any) -> Generator[Photo]:
-    yield function(argument)
 
 
 def _sketch_and_photo(
@@ -77,6 +69,10 @@ def _sketch_and_photo(
     yield file, photo
     if trouble is not None:
         raise IconstudioError(f"The sketch was opened without its photo: {trouble}")
+
+
+def _quoted(item: Item) -> str:
+    return "the drawing" if isinstance(item, Drawing) else f"“{item.name}”"
 
 
 def _about(photo: Photo) -> str:

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QMimeData, Qt
+from PySide6.QtCore import Qt
 
 from iconstudio.algorithms.geometry import crosses_itself
 from iconstudio.gui import theme
@@ -15,6 +15,7 @@ from iconstudio.gui.canvas.start import StartButtons
 from iconstudio.gui.canvas.tools.polygon import PolygonTool
 from iconstudio.gui.canvas.view import CanvasView
 from iconstudio.gui.document import Document
+from iconstudio.gui.mime import holds_something
 from iconstudio.gui.pictures import Picture
 from iconstudio.gui.saving import Saver
 from iconstudio.gui.worker import Worker
@@ -62,7 +63,7 @@ class SketchWorkspace(RemixWorkspace):
         self.scene.setParent(self)
         self.outline = Outline(self.document)
         self.tool = PolygonTool(self.outline)
-        self.view = CanvasView(self.scene, self.tool, _can_be_opened)
+        self.view = CanvasView(self.scene, self.tool, holds_something)
         self.view.setAccessibleDescription("Trace the outline of an object here")
         self.dim = DimSlider()
         self.offer_symmetry(lambda page: page.sketch.polygon if page.closed else None, _filled)
@@ -207,10 +208,6 @@ class SketchWorkspace(RemixWorkspace):
         photo = Path(page.photo.path) if page.photo is not None and page.photo.path else None
         title = page.sketch.keyword
         self.saver.save_work("sketch", title, lambda path: write_sketch(path, page.sketch, photo))
-
-
-def _can_be_opened(data: QMimeData) -> bool:
-    return data.hasUrls() or data.hasImage()
 
 
 def _filled(polygon: Polygon) -> NDArray[np.bool_]:

@@ -1,0 +1,182 @@
+"""What is dropped or pasted, read from its MIME data, in whichever form it comes."""
+
+import html
+import os
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+from PySide6.QtCore import QMimeData, QUrl
+from PySide6.QtGui import QImage, QPixmap
+
+from iconstudio.gui.dragging import unpacked
+from iconstudio.gui.markup import data_images, drawings_in
+from iconstudio.model import Pictogram
+
+SVG = "image/svg+xml"
+_SVG_TYPES = (SVG, "image/x-inkscape-svg", "application/svg+xml")
+_QT_NAMES = {"png": "PNG", "jpeg": "JPG", "jpg": "JPG", "gif": "GIF", "webp": "WEBP", "bmp": "BMP"}
+"""Image types, and what Qt's readers are called: it may not choose that of SVG."""
+_PATH = re.compile(r"[/~]|[A-Za-z]:[\\/]|\\\\")
+_WEB = re.compile(r"[A-Za-z][A-Za-z0-9+.-]*://")
+_REFERENCE = re.compile(r"[a-z][a-z0-9-]*:[a-z0-9][a-z0-9-]*")
+_MOST_LINES = 200
+"""A longer text is no list of files."""
+_LONGEST = 60
+"""Most characters that are shown of an address."""
+
+
+@dataclass(frozen=True, slots=True)
+class Icon:
+    """An icon of this window."""
+
+    pictogram: Pictogram
+
+    @property
+    def name(self) -> str:
+        """What to call it."""
+        return self.pictogram.id
+
+
+@dataclass(frozen=True, slots=True)
+class Reference:
+    """An icon of the collection, ``set:name``."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class File:
+    """A file on this computer, or a folder."""
+
+    path: str
+
+    @property
+    def name(self) -> str:
+        """What to call it."""
+        return Path(self.path).name or self.path
+
+    @property
+    def is_work(self) -> bool:
+        """Whether it is a file of the program's own."""
+        return self.path.lower().endswith(".json")
+
+
+@dataclass(frozen=True, slots=True)
+class Drawing:
+    """SVG markup that is in no file."""
+
+    data: bytes
+    name: str = "drawing"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Image:
+    """An image of pixels that is in no file."""
+
+    image: QImage
+    name: str = "image"
+
+
+@dataclass(frozen=True, slots=True)
+class Elsewhere:
+    """An address that is not on this computer."""
+
+    address: str
+
+    @property
+    def name(self) -> str:
+        """What to call it."""
+        longer = len(self.address) > _LONGEST
+        return self.address[: _LONGEST - 1] + "…" if longer else self.address
+
+
+Item = Icon | Reference | File | Drawing | Image | Elsewhere
+
+
+def holds_something(data: QMimeData) -> bool:
+    """Whether there is anything that can be opened, or of which can be said why it cannot."""
+    there = data.hasUrls() or data.hasText() or data.hasHtml() or data.hasImage()
+    return there or any(map(data.hasFormat, _SVG_TYPES)) or unpacked(data) is not None
+
+
+def holds_words(data: QMimeData) -> bool:
+    """Whether there is nothing but text, so that it belongs into a text field."""
+    text = data.text()
+    if data.hasUrls() or not text.strip() or any(map(data.hasFormat, _SVG_TYPES)):
+        return False
+    return not drawings_in(text) and all(isinstance(one, Reference) for one in _named(text))
+
+
+def items(data: QMimeData, images_first: bool = False) -> tuple[Item, ...]:
+    """Return all that was dropped or pasted, once each; nothing if it is but words.
+
+    Many programs offer the same thing in several forms. ``images_first`` says whether an image of
+    pixels is wanted rather than a drawing.
+    """
+    if (icon := unpacked(data)) is not None:
+        return (Icon(icon),)
+    listed = tuple(dict.fromkeys(one for url in data.urls() for one in _at(url)))
+    if any(not isinstance(one, Elsewhere) for one in listed):
+        return listed
+    ways = [_drawings, _images]
+    for way in reversed(ways) if images_first else ways:
+        if found := way(data):
+            return found
+    return listed or _named(data.text())
+
+
+def _drawings(data: QMimeData) -> tuple[Item, ...]:
+    for kind in _SVG_TYPES:
+        if markup := data.data(kind).data().strip():
+            return (Drawing(markup),)
+    for text in (data.text(), data.html()):
+        if found := drawings_in(text):
+            return tuple(map(Drawing, found))
+    return tuple(one for one in _in_addresses(data.text(), data.html()) if isinstance(one, Drawing))
+
+
+def _images(data: QMimeData) -> tuple[Item, ...]:
+    image = data.imageData() if data.hasImage() else None
+    image = image.toImage() if isinstance(image, QPixmap) else image
+    if isinstance(image, QImage) and not image.isNull():
+        return (Image(image),)
+    return tuple(one for one in _in_addresses(data.text(), data.html()) if isinstance(one, Image))
+
+
+def _at(url: QUrl) -> tuple[Item, ...]:
+    if url.isLocalFile():
+        return (File(url.toLocalFile()),)
+    if url.scheme() == "data":
+        return _in_addresses(bytes(url.toEncoded().data()).decode("ascii", "replace"))
+    return (Elsewhere(url.toDisplayString()),)
+
+
+def _in_addresses(text: str, markup: str = "") -> tuple[Item, ...]:
+    """Return the images in the data addresses of a text or, if it has none, of HTML."""
+    found = data_images(text) or data_images(html.unescape(markup))
+    return tuple(one for kind, data in found if (one := _decoded(kind, data)) is not None)
+
+
+def _decoded(kind: str, data: bytes) -> Item | None:
+    if kind == SVG:
+        return Drawing(data)
+    image = QImage.fromData(data, _QT_NAMES.get(kind.removeprefix("image/"), "PNG"))
+    return None if image.isNull() else Image(image)
+
+
+def _named(text: str) -> tuple[Item, ...]:
+    """Return what the lines of a text name; nothing if one of them names nothing."""
+    lines = [line.strip().strip("\"'") for line in text.splitlines() if line.strip()]
+    found = [_in_line(line) for line in lines[: _MOST_LINES + 1]]
+    return () if None in found or len(found) > _MOST_LINES else tuple(dict.fromkeys(found))
+
+
+def _in_line(line: str) -> Item | None:
+    if (url := QUrl(line)).isLocalFile():
+        return File(url.toLocalFile())
+    if _WEB.match(line):
+        return Elsewhere(line)
+    if _PATH.match(line):
+        return File(os.path.expanduser(line))
+    return Reference(line) if _REFERENCE.fullmatch(line) else None

@@ -1,0 +1,572 @@
+"""Everything that can be dropped on, or pasted into, each workspace: it is taken, or told."""
+
+import base64
+import json
+from urllib.parse import quote
+
+import numpy as np
+import pytest
+from fake_session import drawing, exemplar
+from hands import SQUARE
+from PySide6.QtCore import QByteArray, QMimeData, Qt, QUrl
+from PySide6.QtGui import QDragEnterEvent, QDropEvent, QImage
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+from iconstudio.algorithms.ranking import Score
+from iconstudio.gui.dragging import packed
+from iconstudio.gui.mime import holds_words, items
+from iconstudio.gui.pictures import picture_of
+from iconstudio.model import Composite, Placement, Polygon, Sketch, Source
+from iconstudio.output.svg import svg_document
+from iconstudio.svg.reading import own_svg
+from iconstudio.workflows.events import Result
+
+SVG = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M{0} 0h9v9z"/></svg>'
+OTHERS = {"Edit": 1, "Hybrids": 2, "Montage": 3}
+MOST = {"Hybrids": 12, "Montage": 30}
+LEFT, NONE = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
+
+
+@pytest.fixture(params=OTHERS)
+def place(window, request):
+    """Each workspace that works on icons."""
+    window.show_workspace(OTHERS[request.param])
+    return window.workspace
+
+
+@pytest.fixture(params=MOST)
+def roomy(window, request):
+    """Each workspace that holds several icons."""
+    window.show_workspace(OTHERS[request.param])
+    return window.workspace
+
+
+@pytest.fixture
+def edit(window):
+    window.show_workspace(OTHERS["Edit"])
+    return window.workspace
+
+
+@pytest.fixture
+def own(tmp_path):
+    """Files of drawings, each of its own."""
+
+    def files(count, first=0):
+        paths = [tmp_path / f"icon-{number}.svg" for number in range(first, first + count)]
+        for number, path in enumerate(paths, first):
+            path.write_text(SVG.format(number))
+        return paths
+
+    return files
+
+
+@pytest.fixture
+def photo(tmp_path):
+    image = QImage(30, 20, QImage.Format.Format_RGB32)
+    image.fill(Qt.GlobalColor.red)
+    path = tmp_path / "photo.png"
+    assert image.save(str(path))
+    return path
+
+
+def urls(*paths):
+    data = QMimeData()
+    data.setUrls([one if isinstance(one, QUrl) else QUrl.fromLocalFile(str(one)) for one in paths])
+    return data
+
+
+def words(text):
+    data = QMimeData()
+    data.setText(text)
+    return data
+
+
+def drop(widget, data, action=Qt.DropAction.CopyAction):
+    """Drop something as the window system does: whoever accepts it around ``widget`` gets it."""
+    spot = widget.rect().center()
+    both = Qt.DropAction.CopyAction | Qt.DropAction.MoveAction
+    enter = QDragEnterEvent(spot, both, data, LEFT, NONE)
+    enter.setDropAction(action)
+    enter.ignore()
+    QApplication.sendEvent(widget, enter)
+    if not enter.isAccepted():
+        return None
+    event = QDropEvent(spot, both, data, LEFT, NONE)
+    event.setDropAction(action)
+    QApplication.sendEvent(widget, event)
+    return event.dropAction()
+
+
+def paste(place, data):
+    QApplication.clipboard().setMimeData(data)
+    place.actions_by_name["paste"].trigger()
+
+
+def there(place, qtbot, count):
+    """Wait until so many icons are on the page, and all is told."""
+    qtbot.waitUntil(lambda: len(place.icons) == count, timeout=20000)
+    quiet(place, qtbot)
+    return place.icons
+
+
+def quiet(place, qtbot):
+    opener = place._opener
+    qtbot.waitUntil(lambda: not (opener._adding or opener.runner.running), timeout=20000)
+
+
+def told(place):
+    notice = place.window().desk.notice
+    return notice.label.text() if notice.isVisible() else ""
+
+
+def status(place):
+    return place.window().desk.strip.label.text()
+
+
+# -- markup ----------------------------------------------------------------------------------------
+
+
+def as_html(svg):
+    data = QMimeData()
+    data.setHtml(f"<html><body><!--StartFragment--><p>Look: {svg}</p></body></html>")
+    data.setText("Look: ")
+    return data
+
+
+def as_svg(svg):
+    data = QMimeData()
+    data.setData("image/svg+xml", svg.encode())
+    return data
+
+
+def as_svg_and_picture(svg):
+    data = as_svg(svg)
+    image = QImage(9, 9, QImage.Format.Format_ARGB32)
+    image.fill(Qt.GlobalColor.black)
+    data.setImageData(image)
+    return data
+
+
+def as_inline_image(svg):
+    data = QMimeData()
+    coded = base64.b64encode(svg.encode()).decode()
+    data.setHtml(f'<img src="data:image/svg+xml;base64,{coded}">')
+    return data
+
+
+WAYS = {
+    "text": words,
+    "text with white space": lambda svg: words(f"\n\n  \t{svg}  \n"),
+    "text in text": lambda svg: words(f"Here it is:\n```svg\n{svg}\n```"),
+    "html": as_html,
+    "svg": as_svg,
+    "svg and picture": as_svg_and_picture,
+    "data in text": lambda svg: words("data:image/svg+xml," + quote(svg)),
+    "data in html": as_inline_image,
+    "data as address": lambda svg: urls(QUrl("data:image/svg+xml," + quote(svg))),
+}
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_markup_is_pasted(place, qtbot, way):
+    paste(place, WAYS[way](SVG.format(1)))
+    (icon,) = there(place, qtbot, 1)
+    assert icon.svg == SVG.format(1)
+    assert told(place) == ""
+    assert place.document.undo_stack.count() == 1
+
+
+@pytest.mark.parametrize("way", ["text", "html", "svg", "data as address"])
+def test_markup_is_dropped(place, qtbot, way):
+    data = WAYS[way](SVG.format(1))
+    assert drop(place, data) == Qt.DropAction.CopyAction
+    there(place, qtbot, 1)
+
+
+def test_markup_with_a_mistake_is_told(place, qtbot):
+    paste(place, words("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 9 9'><path></svg>"))
+    qtbot.waitUntil(lambda: "“drawing” cannot be used" in told(place))
+    assert place.icons == ()
+
+
+def test_keys_paste_a_drawing_though_the_cursor_is_in_a_field(place, qtbot):
+    """That is where it is when one begins."""
+    field = place.window().focusWidget()
+    QApplication.clipboard().setText(SVG.format(1))
+    QTest.keyClick(field, Qt.Key.Key_V, Qt.KeyboardModifier.ControlModifier)
+    there(place, qtbot, 1)
+    assert not getattr(field, "text", str)().strip()
+
+
+def test_keys_paste_words_into_a_field(place):
+    field = place.window().focusWidget()
+    for text in ("dog", "mdi:home"):
+        QApplication.clipboard().setText(text)
+        QTest.keyClick(field, Qt.Key.Key_A, Qt.KeyboardModifier.ControlModifier)
+        QTest.keyClick(field, Qt.Key.Key_V, Qt.KeyboardModifier.ControlModifier)
+        assert field.text() == text
+    html = QMimeData()
+    html.setHtml(f"dog {SVG}")
+    html.setText("dog")
+    assert holds_words(html)
+    assert not holds_words(words("/home/me/dog.svg"))
+    assert not holds_words(QMimeData())
+
+
+def test_what_copy_put_there_is_pasted_with_its_credits(place, qtbot):
+    sources = (Source(exemplar(0), Placement()),)
+    labels = np.zeros((256, 256), np.uint8)
+    composite = Composite("light", 0.1, sources, labels, 1.0, 1.0, 0.0, (1.0,), 0.9)
+    drawn = drawing(Sketch(Polygon(tuple(SQUARE))), 1, 1)
+    picture = picture_of(Result(composite, drawn, Score(1, 1, 1, 1, 1)), "Motor cycle", 64)
+    place.saver.copy_svg(picture)
+    place.actions_by_name["paste"].trigger()
+    (icon,) = there(place, qtbot, 1)
+    assert icon.svg.strip() == svg_document(drawn, composite, "Motor cycle").strip()
+    assert icon.credit.title == "Motor cycle"
+    assert [one.credit for one in icon.origins] == [exemplar(0).pictogram.credit]
+
+
+def test_several_drawings_in_one_text_are_one_step(roomy, qtbot):
+    paste(roomy, words(SVG.format(1) + "\n" + SVG.format(2)))
+    there(roomy, qtbot, 2)
+    assert roomy.document.undo_stack.count() == 1
+
+
+# -- names and paths -------------------------------------------------------------------------------
+
+
+def test_names_and_paths_in_words_are_opened(place, qtbot, own):
+    (path,) = own(1)
+    for number, text in enumerate(
+        ("shapes:ring-4", str(path), f'"{path}"', QUrl.fromLocalFile(str(path)).toString())
+    ):
+        place.actions_by_name["new"].trigger()
+        paste(place, words(f" {text}\n"))
+        (icon,) = there(place, qtbot, 1)
+        assert icon.id == "shapes:ring-4" if number == 0 else icon.id.startswith("own:icon-0-")
+
+
+@pytest.mark.parametrize(
+    ("text", "part"),
+    [
+        ("shapes:unicorn", "no icon"),
+        ("/nowhere/at-all.svg", "no such file"),
+        ("https://example.org/dog.svg", "Only files on this computer"),
+        ("dog", "no SVG file to paste"),
+        ("dog\nshapes:ring-4", "no SVG file to paste"),
+        ("", "no SVG file to paste"),
+        ("x" * 100_000, "no SVG file to paste"),
+    ],
+)
+def test_other_words_are_told(place, qtbot, text, part):
+    paste(place, words(text))
+    qtbot.waitUntil(lambda: part in told(place))
+    assert place.icons == ()
+    assert place.document.undo_stack.count() == 0
+
+
+def test_an_empty_clipboard_is_told(place):
+    paste(place, QMimeData())
+    assert "no SVG file to paste" in told(place)
+
+
+def test_what_is_tried_next_is_another_story(place):
+    drop(place, words("https://example.org/dog.svg"))
+    drop(place, words("dog"))
+    lines = ["There is no SVG file in what was dropped. Drop a file, a drawing or its markup."]
+    assert told(place).splitlines() == lines
+
+
+# -- several files ---------------------------------------------------------------------------------
+
+
+def test_all_of_several_files_are_taken_by_one_step(roomy, qtbot, own):
+    assert drop(roomy, urls(*own(3))) is not None
+    there(roomy, qtbot, 3)
+    assert told(roomy) == ""
+    assert status(roomy).count("icon-") == 3
+    assert roomy.document.undo_stack.count() == 1
+    roomy.actions_by_name["undo"].trigger()
+    assert roomy.icons == ()
+    roomy.actions_by_name["redo"].trigger()
+    assert len(roomy.icons) == 3
+
+
+def test_several_files_are_pasted(roomy, qtbot, own):
+    paste(roomy, urls(*own(2)))
+    there(roomy, qtbot, 2)
+
+
+def test_of_several_files_an_edit_takes_one_and_says_so(edit, qtbot, own):
+    drop(edit.view, urls(*own(3)))
+    there(edit, qtbot, 1)
+    assert edit.icons[0].id.startswith("own:icon-0-")
+    assert told(edit) == (
+        "Only “icon-0.svg” was opened, not “icon-1.svg” and “icon-2.svg”: an edit has one icon."
+    )
+    assert "icon-0.svg" in status(edit)
+
+
+def test_what_there_is_no_room_for_is_named(roomy, qtbot, own):
+    most = MOST[roomy.title]
+    drop(roomy, urls(*own(most - 1)))
+    there(roomy, qtbot, most - 1)
+    drop(roomy, urls(*own(3, first=most)))
+    icons = there(roomy, qtbot, most)
+    assert icons[-1].id.startswith(f"own:icon-{most}-")
+    assert f"icon-{most + 1}" in told(roomy) and f"icon-{most + 2}" in told(roomy)
+    assert f"at most {most} icons" in told(roomy)
+    assert roomy.document.undo_stack.count() == 2
+    drop(roomy, urls(*own(2, first=99)))
+    qtbot.waitUntil(lambda: "first." in told(roomy))
+    assert roomy.icons == icons
+
+
+def test_of_very_many_files_only_so_many_are_read(roomy, qtbot, own, session):
+    most = MOST[roomy.title]
+    drop(roomy, urls(*own(200)))
+    there(roomy, qtbot, most)
+    assert f"and {200 - most - 3} more were not added" in told(roomy)
+    assert sum(call[0] == "icon" for call in session.calls) == most
+
+
+def test_the_same_file_twice_is_one(roomy, qtbot, own):
+    (path,) = own(1)
+    drop(roomy, urls(path, path))
+    there(roomy, qtbot, 1)
+
+
+def test_an_icon_that_is_mixed_already_is_told(window, qtbot, own):
+    window.show_workspace(OTHERS["Hybrids"])
+    place, (path,) = window.workspace, own(1)
+    for _ in range(2):
+        drop(place, urls(path))
+        there(place, qtbot, 1)
+    assert "is among the icons already" in status(place)
+    assert "Added" not in status(place)
+
+
+def test_of_a_mixture_each_is_taken_or_told(place, qtbot, own, tmp_path, photo):
+    first, second = own(2)
+    (tmp_path / "broken.svg").write_text("<svg")
+    (tmp_path / "work.json").write_text("{}")
+    (tmp_path / "folder.svg").mkdir()
+    others = ("broken.svg", "work.json", "folder.svg", "gone.svg")
+    web = QUrl("https://example.org/dog.svg")
+    data = urls(*(tmp_path / one for one in others), photo, web, first, second)
+    drop(place, data)
+    there(place, qtbot, 1 if place.title == "Edit" else 2)
+    for name in ("broken.svg", "work.json", "folder.svg", "gone.svg", "example.org/dog.svg"):
+        assert name in told(place), name
+    assert "is a folder" in told(place)
+    assert "open it by itself" in told(place)
+    assert ("icon-1.svg" in told(place)) == (place.title == "Edit")
+    assert place.document.undo_stack.count() == 1
+
+
+def test_if_nothing_of_several_can_be_read_all_are_told_and_nothing_is_lost(
+    place, qtbot, tmp_path, own
+):
+    drop(place, urls(*own(1)))
+    before = there(place, qtbot, 1)
+    names = [f"bad-{number}.svg" for number in range(20)]
+    for name in names:
+        (tmp_path / name).write_text("Dear dog")
+    drop(place, urls(*(tmp_path / name for name in names)))
+    qtbot.waitUntil(lambda: "bad-0.svg" in told(place))
+    quiet(place, qtbot)
+    assert "12 more could not be opened" in told(place)
+    assert place.icons == before
+
+
+def test_a_reader_that_fails_on_one_file_reads_the_others(place, qtbot, own, session, monkeypatch):
+    read, paths = session.icon, own(2)
+
+    def fail(reference):
+        if reference == str(paths[0]):
+            raise MemoryError("no room")
+        return read(reference)
+
+    monkeypatch.setattr(session, "icon", fail)
+    drop(place, urls(*paths))
+    there(place, qtbot, 1)
+    assert told(place) == "“icon-0.svg” stopped the reader (MemoryError)."
+
+
+def test_of_two_files_of_work_one_is_opened_and_the_other_told(edit, qtbot, tmp_path):
+    for name in ("one", "two"):
+        file = {"icon": "shapes:ring-4", "keyword": name}
+        (tmp_path / f"{name}.json").write_text(json.dumps(file))
+    drop(edit, urls(tmp_path / "one.json", tmp_path / "two.json"))
+    there(edit, qtbot, 1)
+    assert edit.document.page.keyword == "one"
+    assert "two.json" in told(edit) and "one.json" not in told(edit)
+
+
+def test_what_is_told_of_one_drop_is_not_lost_by_the_next(roomy, qtbot, tmp_path, own):
+    """Two drops, one after the other, before the first is read."""
+    (tmp_path / "bad.svg").write_text("Dear dog")
+    drop(roomy, urls(tmp_path / "bad.svg"))
+    drop(roomy, urls(*own(2)))
+    there(roomy, qtbot, 2)
+    assert "bad.svg" in told(roomy)
+    drop(roomy, urls(*own(1, first=7)))
+    there(roomy, qtbot, 3)
+    assert told(roomy) == "", "that is over"
+
+
+# -- where, and how --------------------------------------------------------------------------------
+
+
+def test_anything_can_be_dropped_anywhere(place, qtbot, own):
+    parts = {"Edit": "board keyword_panel view", "Hybrids": "sheet tray detail column",
+             "Montage": "layers detail view chooser"}[place.title].split()  # fmt: skip
+    paths = own(len(parts))
+    for part, path in zip(parts, paths, strict=True):
+        count = 1 if place.title == "Edit" else len(place.icons) + 1
+        widget = getattr(place, part)
+        assert drop(getattr(widget, "viewport", lambda widget=widget: widget)(), urls(path))
+        there(place, qtbot, count)
+        assert place.icons[-1].id.startswith(f"own:{path.stem}-")
+
+
+def test_a_drop_takes_nothing_away_from_where_it_comes_from(place, qtbot):
+    """A text editor deletes what was moved out of it."""
+    move = Qt.DropAction.MoveAction
+    assert drop(place, words(SVG.format(1)), action=move) == Qt.DropAction.CopyAction
+    there(place, qtbot, 1)
+
+
+def test_several_files_on_the_chooser_are_the_workspaces(roomy, qtbot, own, window):
+    chooser = getattr(roomy, "chooser", None) or roomy.column.chooser
+    drop(chooser.field, urls(*own(2)))
+    there(roomy, qtbot, 2)
+    assert roomy.document.undo_stack.count() == 1
+
+
+def test_an_icon_of_the_window_goes_where_icons_are_only(window, qtbot):
+    window.show_workspace(OTHERS["Hybrids"])
+    place, data = window.workspace, packed(exemplar(3).pictogram)
+    assert drop(place.tray, data) is None, "that is where it may come from"
+    assert drop(place.column.cards.viewport(), data)
+    there(place, qtbot, 1)
+
+
+def test_nothing_at_all_is_not_welcome(place):
+    assert drop(place, QMimeData()) is None
+
+
+# -- browsers --------------------------------------------------------------------------------------
+
+
+def browser_drag(address, html="", image=b""):
+    data = QMimeData()
+    data.setUrls([QUrl(address)])
+    data.setData("text/x-moz-url", address.encode("utf-16-le"))
+    data.setHtml(html or f'<img src="{address}">')
+    if image:
+        data.setData("image/svg+xml", image)
+    return data
+
+
+def test_an_image_dragged_from_a_page_is_told(place):
+    drop(place, browser_drag("https://example.org/dog.svg"))
+    assert "Only files on this computer can be opened" in told(place)
+    assert place.icons == ()
+
+
+def test_a_drag_from_a_page_that_brings_the_drawing_is_taken(place, qtbot):
+    address = "https://example.org/dog.svg"
+    for data in (
+        browser_drag(address, image=SVG.format(1).encode()),
+        browser_drag(address, html=f'<a href="{address}">{SVG.format(2)}</a>'),
+    ):
+        place.actions_by_name["new"].trigger()
+        drop(place, data)
+        there(place, qtbot, 1)
+
+
+# -- sketch ----------------------------------------------------------------------------------------
+
+
+def has_photo(place):
+    return lambda: place.document.page.photo is not None
+
+
+def test_markup_is_no_photo(sketching, qtbot):
+    paste(sketching, words(SVG.format(1)))
+    qtbot.waitUntil(lambda: "Edit, Hybrids or Montage" in told(sketching))
+    assert sketching.document.page.photo is None
+
+
+def test_a_picture_of_a_drawing_can_be_traced(sketching, qtbot):
+    paste(sketching, as_svg_and_picture(SVG.format(1)))
+    qtbot.waitUntil(has_photo(sketching))
+
+
+def test_an_image_in_an_address_can_be_traced(sketching, qtbot, photo):
+    coded = base64.b64encode(photo.read_bytes()).decode()
+    drop(sketching.view, urls(QUrl(f"data:image/png;base64,{coded}")))
+    qtbot.waitUntil(has_photo(sketching))
+    assert (sketching.document.page.photo.width, sketching.document.page.photo.height) == (30, 20)
+
+
+def test_of_several_photos_a_sketch_takes_one_and_says_so(sketching, qtbot, photo, tmp_path):
+    other = tmp_path / "other.png"
+    other.write_bytes(photo.read_bytes())
+    drop(sketching.view, urls(photo, other))
+    qtbot.waitUntil(has_photo(sketching))
+    quiet(sketching, qtbot)
+    assert told(sketching) == (
+        "Only “photo.png” was opened, not “other.png”: a sketch has one photo."
+    )
+    assert sketching.document.undo_stack.count() == 1
+
+
+def test_of_a_mixture_a_sketch_takes_the_photo(sketching, qtbot, photo, tmp_path):
+    (tmp_path / "work.json").write_text(json.dumps({"keyword": "dog", "polygon": SQUARE}))
+    (tmp_path / "folder").mkdir()
+    drop(sketching.view, urls(tmp_path / "folder", tmp_path / "work.json", photo))
+    qtbot.waitUntil(has_photo(sketching))
+    quiet(sketching, qtbot)
+    assert "is a folder" in told(sketching)
+    assert "work.json" in told(sketching)
+    assert not sketching.document.page.vertices
+
+
+def test_a_reference_and_an_icon_are_no_photos(sketching, qtbot):
+    for data in (words("shapes:ring-4"), packed(exemplar(3).pictogram)):
+        drop(sketching.view, data)
+        qtbot.waitUntil(lambda: "not over a drawing" in told(sketching))
+        sketching.window().desk.notice._button.click()
+
+
+# -- reading ---------------------------------------------------------------------------------------
+
+
+def test_bytes_that_are_no_image_are_nothing():
+    data = QMimeData()
+    data.setImageData(QByteArray(b"no image"))
+    assert items(data) == ()
+    data.setData("image/svg+xml", QByteArray())
+    assert items(data) == ()
+    assert items(urls(QUrl("data:image/png;base64,AAAA"))) == ()
+    assert items(urls(QUrl("data:text/plain,hello"))) == ()
+
+
+def test_pasted_markup_may_declare_another_encoding():
+    text = '<?xml version="1.0" encoding="iso-8859-1"?>' + SVG.replace(
+        "<path", "<title>ü</title><path"
+    )
+    (item,) = items(words(text))
+    assert "<title>ü</title>" in own_svg(item.data, item.name).svg
+
+
+def test_a_drop_of_everything_at_once_leaves_no_trace_when_the_window_closes(window, own):
+    for number in OTHERS.values():
+        window.show_workspace(number)
+        drop(window.workspace, urls(*own(40)))
+    window.close()
+    assert not window.threads_alive()
