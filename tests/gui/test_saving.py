@@ -6,7 +6,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from hands import save_to, trace, type_keyword
-from iconstudio.library.rasterise import rasterise
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
 
@@ -15,6 +14,7 @@ from iconstudio.inputs.sketch import example, read_sketch
 from iconstudio.model import IconstudioError
 from iconstudio.output.png import coverage
 from iconstudio.output.svg import svg_document
+from iconstudio.svg.rasterise import rasterise
 from iconstudio.svg.reading import own_svg
 
 

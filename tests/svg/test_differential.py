@@ -1,0 +1,46 @@
+"""Icons of the collection by the whole way in of files, and by the renderer alone."""
+
+import random
+
+import numpy as np
+import pytest
+
+from iconstudio.library.collection import Collection
+from iconstudio.svg.rasterise import rasterise
+from iconstudio.svg.reading import own_svg
+from iconstudio.workers import Workers
+from tests.svg.pictures import overlap
+
+SETS = ("lucide", "mdi", "tabler", "ph", "carbon", "fluent", "material-symbols", "solar", "bi",
+        "game-icons")  # fmt: skip
+EACH = 30
+
+
+def compared(pictogram):
+    """How far the two ways agree; runs in a worker process."""
+    read = own_svg(pictogram.svg.encode(), "icon.svg")
+    _, drawn = rasterise(read.svg)
+    _, alone = rasterise(pictogram.svg)
+    return pictogram.id, overlap(drawn > 127, alone > 127), read.remarks
+
+
+@pytest.fixture(scope="module")
+def some():
+    with Collection.open() as collection:
+        chosen = []
+        for name in SETS:
+            rows = collection._rows("SELECT id FROM icon WHERE id GLOB ?", (f"{name}:*",))
+            ids = sorted(row[0] for row in rows)
+            chosen += map(collection.get, random.Random(name).sample(ids, EACH))
+    return chosen
+
+
+@pytest.mark.timeout(600)
+def test_three_hundred_icons_of_ten_sets_look_as_the_renderer_draws_them(some):
+    with Workers() as workers:
+        found = [one.result() for one in [workers.submit(compared, icon) for icon in some]]
+    assert len(found) == EACH * len(SETS)
+    assert not [one for one in found if one[2]]
+    agreements = np.array([one[1] for one in found])
+    assert not [one for one in found if one[1] < 0.97]
+    assert np.median(agreements) > 0.995
