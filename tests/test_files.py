@@ -1,9 +1,101 @@
 import os
+import socket
 import stat
+from contextlib import closing
+from pathlib import Path
 
 import pytest
 
-from iconstudio.files import write_atomically
+from iconstudio.files import read_bytes, write_atomically
+from iconstudio.model import IconstudioError
+
+posix = pytest.mark.skipif(os.name != "posix", reason="needs POSIX files")
+
+
+def no_files(folder):
+    """What has a name and is no file: a folder, a pipe, a device that never ends, a link to it."""
+    (folder / "folder").mkdir()
+    os.mkfifo(folder / "pipe")
+    (folder / "link").symlink_to(folder / "pipe")
+    some = {name: folder / name for name in ("folder", "pipe", "link", "socket")}
+    return some | {"device": Path("/dev/zero"), "null": Path("/dev/null")}
+
+
+def test_a_file_is_read_up_to_a_bound(tmp_path):
+    path = tmp_path / "file"
+    for data in (b"", b"12", b"123"):
+        path.write_bytes(data)
+        assert read_bytes(path, 3) == data
+    path.write_bytes(b"1234")
+    with pytest.raises(IconstudioError, match="more than 3 bytes"):
+        read_bytes(path, 3)
+
+
+@posix
+@pytest.mark.timeout(20)
+def test_what_is_no_file_is_refused_at_once(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)  # the name of a socket must be short
+    with closing(socket.socket(socket.AF_UNIX)) as end:
+        end.bind("socket")
+        for name, path in no_files(tmp_path).items():
+            kind = "folder" if name == "folder" else "a device, a pipe or a socket"
+            before = path.stat()
+            with pytest.raises(IconstudioError, match=kind):
+                read_bytes(path, 100)
+            with pytest.raises(OSError, match=kind):
+                write_atomically(path, b"data")
+            assert path.stat().st_ino == before.st_ino
+
+
+@pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="needs Linux")
+def test_a_file_that_grows_while_it_is_read_stays_within_the_bound():
+    assert Path("/proc/self/status").stat().st_size == 0
+    with pytest.raises(IconstudioError, match="more than 10 bytes"):
+        read_bytes(Path("/proc/self/status"), 10)
+
+
+@pytest.mark.parametrize("name", ["a\0b", "\ud800", "x" * 5000, "file/x", "none"])
+def test_names_of_no_file(tmp_path, name):
+    (tmp_path / "file").write_bytes(b"")
+    with pytest.raises(IconstudioError, match=r"\.$"):
+        read_bytes(tmp_path / name, 10)
+
+
+@posix
+def test_links_are_written_through_and_permissions_kept(tmp_path):
+    (tmp_path / "far").mkdir()
+    target, link = tmp_path / "far" / "target", tmp_path / "link"
+    (tmp_path / "between").symlink_to(Path("far") / "target")
+    link.symlink_to("between")
+    write_atomically(link, b"new")  # the target need not be there yet
+    assert target.read_bytes() == b"new"
+    target.chmod(0o751)
+    write_atomically(link, b"newer")
+    assert link.is_symlink()
+    assert target.read_bytes() == b"newer"
+    assert stat.S_IMODE(target.stat().st_mode) == 0o751
+    assert list((tmp_path / "far").iterdir()) == [target]
+
+
+@posix
+@pytest.mark.skipif(hasattr(os, "geteuid") and os.geteuid() == 0, reason="root may write all")
+def test_what_is_write_protected_stays(tmp_path):
+    path = tmp_path / "file"
+    path.write_bytes(b"mine")
+    path.chmod(0o444)
+    with pytest.raises(PermissionError):
+        write_atomically(path, b"new")
+    assert path.read_bytes() == b"mine"
+
+
+@posix
+def test_links_in_a_circle(tmp_path):
+    (tmp_path / "a").symlink_to("b")
+    (tmp_path / "b").symlink_to("a")
+    with pytest.raises(OSError, match="symbolic links"):
+        write_atomically(tmp_path / "a", b"")
+    with pytest.raises(IconstudioError, match="cannot be read"):
+        read_bytes(tmp_path / "a", 10)
 
 
 def test_a_file_is_made_and_replaced(tmp_path):
