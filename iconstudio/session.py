@@ -15,6 +15,7 @@ from pathlib import Path
 from iconstudio.algorithms.matching import SCALES, Matcher, PreparedExemplar
 from iconstudio.algorithms.style import two_toned
 from iconstudio.library.collection import Collection, cache_folder
+from iconstudio.library.images import Image, read_image
 from iconstudio.library.ownsvg import own_svg, read_own_svg
 from iconstudio.library.preparing import PreparingCache
 from iconstudio.library.rasters import RasterCache
@@ -154,6 +155,16 @@ class Session:
             If it is no good.
         """
         return own_svg(data, name)
+
+    def image(self, source: Path | bytes) -> Generator[None, None, Image]:
+        """Return the image in a file, or in bytes; yield now and then, where it can be closed.
+
+        Raises
+        ------
+        IconstudioError
+            If it cannot be read, or is none.
+        """
+        return (yield from read_image(source, self._workers))
 
     def exemplar(self, pictogram: Pictogram) -> Exemplar:
         """Return a pictogram on the canvas.

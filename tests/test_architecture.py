@@ -12,6 +12,8 @@ PACKAGE = ROOT / "iconstudio"
 ADAPTERS = {
     "maxflow": "algorithms/maxflow.py",
     "numba": "algorithms/compiled.py",
+    "pillow_heif": "library/pillow.py",
+    "potrace": "algorithms/potrace.py",
     "resvg_py": "library/resvg.py",
     "pebble": "workers.py",
     "tqdm": "cli/progress.py",
