@@ -11,11 +11,14 @@ from collections.abc import Generator, Iterator
 from contextlib import closing
 from importlib import import_module
 from pathlib import Path
+from typing import TypeVar
 
 from iconstudio.algorithms.matching import SCALES, Matcher, PreparedExemplar
+from iconstudio.algorithms.scanning import Scan
 from iconstudio.algorithms.style import two_toned
+from iconstudio.library import scans
 from iconstudio.library.collection import Collection, cache_folder
-from iconstudio.library.images import Image, read_image
+from iconstudio.library.images import Image, is_image_file, read_image
 from iconstudio.library.ownsvg import own_svg, read_own_svg
 from iconstudio.library.preparing import PreparingCache
 from iconstudio.library.rasters import RasterCache
@@ -63,6 +66,7 @@ _SLOW_TO_LOAD = (
 """Libraries that are not loaded before their first use, so that the window opens soon; SciPy loads
 its parts when they are first named."""
 
+T = TypeVar("T")
 _Key = tuple[str, frozenset[str], tuple[float, ...]]
 
 
@@ -76,6 +80,7 @@ class Session:
     def __init__(self, cache: Path | None = None) -> None:
         self._cache = cache or cache_folder()
         self._workers = Workers()
+        self._readers = Workers(1)  # images need not wait for cuts, nor for their compiling
         self._rasters = RasterCache(self._cache / "rasters", self._workers)
         self._preparing = PreparingCache(self._cache / "prepared", self._workers)
         self._collection: Collection | None = None
@@ -135,13 +140,15 @@ class Session:
         return self.collection.search(keyword, exclude=exclude)
 
     def icon(self, reference: str) -> Pictogram:
-        """Return an icon of the collection, ``set:name``, or one read from an SVG file.
+        """Return an icon of the collection, ``set:name``, or of a file: an SVG, or a scan.
 
         Raises
         ------
         IconstudioError
             If there is no such icon, or the file is no good.
         """
+        if is_image_file(Path(reference)):
+            return returned(scans.read_scan(Path(reference), self._readers))
         if reference.lower().endswith(".svg") or os.path.isfile(reference):
             return read_own_svg(Path(reference))
         return self.collection.get(reference)
@@ -164,7 +171,17 @@ class Session:
         IconstudioError
             If it cannot be read, or is none.
         """
-        return (yield from read_image(source, self._workers))
+        return (yield from read_image(source, self._readers))
+
+    def scan(self, image: Image, inverted: bool | None = None) -> Generator[None, None, Scan]:
+        """Return the drawing on an image; see ``library.scans.scan``."""
+        return (yield from scans.scan(image, inverted, self._readers))
+
+    def trace(
+        self, scan: Scan, threshold: int | None, name: str, remark: str = ""
+    ) -> Generator[None, None, Pictogram]:
+        """Return the drawing on a scan as an icon; see ``library.scans.trace``."""
+        return (yield from scans.trace(scan, threshold, name, self._readers, remark))
 
     def exemplar(self, pictogram: Pictogram) -> Exemplar:
         """Return a pictogram on the canvas.
@@ -303,6 +320,7 @@ class Session:
     def close(self) -> None:
         """End the worker processes and close the collection."""
         self._workers.close()
+        self._readers.close()
         if self._collection is not None:
             self._collection.close()
             self._collection = None
@@ -312,3 +330,12 @@ class Session:
 
     def __exit__(self, *exc: object) -> None:
         self.close()
+
+
+def returned(steps: Generator[object, None, T]) -> T:
+    """Return what a generator returns, whatever it yields."""
+    try:
+        while True:
+            next(steps)
+    except StopIteration as end:
+        return end.value

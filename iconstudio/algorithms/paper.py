@@ -1,8 +1,8 @@
 """Where the paper lies on a photo, and how brightly each part of it is lit."""
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import ndimage
 
 _EDGE = 1 / 30
 """Width of the edge of the paper, as part of the picture's shorter side; it holds no drawing."""
@@ -36,12 +36,12 @@ def page(light: NDArray[np.float32]) -> NDArray[np.bool_]:
     if np.ptp(light) < _CONTRAST:
         return whole
     # Without glints on the desk that touch the sheet.
-    bright = ndimage.binary_opening(light > threshold_otsu(light), iterations=_GLINT)
-    labels, count = ndimage.label(bright)
+    bright = scipy.ndimage.binary_opening(light > threshold_otsu(light), iterations=_GLINT)
+    labels, count = scipy.ndimage.label(bright)
     if not count:
         return whole
     largest = labels == 1 + int(np.argmax(np.bincount(labels.ravel())[1:]))
-    sheet = ndimage.binary_fill_holes(largest)
+    sheet = scipy.ndimage.binary_fill_holes(largest)
     outside = ~sheet
     if not _LEAST_PAGE < sheet.mean() < _MOST_PAGE or _rectangularity(sheet) < _STRAIGHT:
         return whole
@@ -50,7 +50,7 @@ def page(light: NDArray[np.float32]) -> NDArray[np.bool_]:
     if _spread(light[largest]) < _FLAT and _spread(light[outside]) < _FLAT:
         return whole
     edge = max(2, round(_EDGE * min(light.shape) / 2))
-    return ndimage.binary_erosion(sheet, iterations=edge, border_value=1)
+    return scipy.ndimage.binary_erosion(sheet, iterations=edge, border_value=1)
 
 
 def lighting(picture: NDArray[np.float32], valid: NDArray[np.bool_]) -> NDArray[np.float32]:
@@ -63,7 +63,7 @@ def lighting(picture: NDArray[np.float32], valid: NDArray[np.bool_]) -> NDArray[
     y, x = np.mgrid[-1 : 1 : height * 1j, -1 : 1 : width * 1j]
     terms = np.stack([np.ones_like(x), x, y, x * x, x * y, y * y], axis=-1).astype(np.float32)
     edge = max(2, round(_EDGE * min(height, width)))
-    paper = valid & ~ndimage.binary_erosion(valid, iterations=edge)
+    paper = valid & ~scipy.ndimage.binary_erosion(valid, iterations=edge)
     middle = np.median(picture[paper], axis=0)
     paper &= (abs(picture - middle) < 0.3).all(axis=-1)
     surface = np.broadcast_to(middle, picture.shape).astype(np.float32)
@@ -83,9 +83,9 @@ def lighting(picture: NDArray[np.float32], valid: NDArray[np.bool_]) -> NDArray[
 def _smoothed(rest: NDArray[np.float32], paper: NDArray[np.bool_]) -> NDArray[np.float32]:
     """Return what paper differs by, averaged over paper near by; nothing where there is none."""
     reach = _REACH * min(paper.shape)
-    known = ndimage.binary_erosion(paper, iterations=2, border_value=1).astype(np.float32)
-    weight = ndimage.gaussian_filter(known, reach) + 0.02
-    means = [ndimage.gaussian_filter(rest[..., c] * known, reach) / weight for c in range(3)]
+    known = scipy.ndimage.binary_erosion(paper, iterations=2, border_value=1).astype(np.float32)
+    weight = scipy.ndimage.gaussian_filter(known, reach) + 0.02
+    means = [scipy.ndimage.gaussian_filter(rest[..., c] * known, reach) / weight for c in range(3)]
     return np.stack(means, axis=-1)
 
 
@@ -98,7 +98,7 @@ def _rectangularity(shape: NDArray[np.bool_]) -> float:
     """Return how much of the smallest rectangle around it a shape fills, from 0 to 1."""
     from scipy.spatial import ConvexHull
 
-    points = np.argwhere(shape ^ ndimage.binary_erosion(shape)).astype(float)
+    points = np.argwhere(shape ^ scipy.ndimage.binary_erosion(shape)).astype(float)
     corners = points[ConvexHull(points).vertices]
     sides = np.roll(corners, -1, axis=0) - corners
     angles = np.unique(np.arctan2(sides[:, 0], sides[:, 1]) % (np.pi / 2))

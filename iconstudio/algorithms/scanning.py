@@ -7,8 +7,8 @@ What lights the paper unevenly is divided out (flat-field correction), so that o
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import ndimage
 
 from iconstudio.algorithms.paper import lighting, page
 from iconstudio.model import IconstudioError
@@ -78,7 +78,7 @@ def scanned(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
         dark = np.where(_resized(valid[here].astype(np.float32), shape) > 0.5, dark, 0.0)
     scale = SIDE / max(dark.shape)
     dark = _resized(dark, tuple(max(1, round(side * scale)) for side in dark.shape))
-    dark = np.clip(ndimage.gaussian_filter(dark, 1.0), 0, 1)
+    dark = np.clip(scipy.ndimage.gaussian_filter(dark, 1.0), 0, 1)
     return Scan(np.rint(dark * 255).astype(np.uint8), round(_threshold(dark) * 255), inverted)
 
 
@@ -103,7 +103,7 @@ def _seen_through(small: NDArray[np.float32], inverted: bool | None):
     solid = alpha > 0.5
     if not solid.any():
         raise IconstudioError("It is transparent all over.")
-    inner = ndimage.binary_erosion(solid, border_value=1)
+    inner = scipy.ndimage.binary_erosion(solid, border_value=1)
     colours = small[inner if inner.any() else solid][:, :3]
     if (np.ptp(np.percentile(colours, (4, 96), axis=0), axis=0) < _PLAIN).all():
         # Of one colour: the shape is what counts.
@@ -148,7 +148,7 @@ def _bounds(dark: NDArray[np.float32]) -> tuple[int, int, int, int]:
     IconstudioError
         If there is none.
     """
-    soft = ndimage.gaussian_filter(dark, 0.7)
+    soft = scipy.ndimage.gaussian_filter(dark, 0.7)
     # Also what is a little fainter than the rest: the user may want it.
     ink = soft > 0.7 * _threshold(soft)
     ink = _cleaned(ink, ink.size // 20000)
@@ -188,7 +188,7 @@ def _threshold(dark: NDArray[np.float32]) -> float:
 
 def _cleaned(shape: NDArray[np.bool_], speck: int) -> NDArray[np.bool_]:
     """Return a shape without parts of at most ``speck`` pixels."""
-    labels, _ = ndimage.label(shape)
+    labels, _ = scipy.ndimage.label(shape)
     large = np.bincount(labels.ravel()) > speck
     large[0] = False
     return large[labels]

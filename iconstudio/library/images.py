@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.files import read_bytes
-from iconstudio.library.pillow import decode
+from iconstudio.library.pillow import decode, is_image
 from iconstudio.model import IconstudioError
 from iconstudio.workers import Workers, died, memory_limit
 
@@ -30,6 +30,7 @@ _SECONDS = 60.0
 _MEMORY = 5 << 29
 """Bytes of address space for a process that decodes: libraries, and the largest image."""
 _PATIENCE = 0.1
+_START = 64
 _HEAD = 1 << 16
 """In so many bytes the root of an SVG file begins."""
 
@@ -47,6 +48,17 @@ class Image:
     height: int
     remark: str = ""
     """A sentence about what could not be read, or is not shown."""
+
+
+def is_image_file(path: Path) -> bool:
+    """Whether a file begins as that of an image does; false if it cannot be read."""
+    try:
+        if not path.is_file():
+            return False
+        with path.open("rb") as file:
+            return is_image(file.read(_START), path.name)
+    except (OSError, ValueError):
+        return False
 
 
 def read_image(source: Path | bytes, workers: Workers) -> Generator[None, None, Image]:
