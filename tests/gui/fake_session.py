@@ -10,7 +10,7 @@ import numpy as np
 from iconstudio.algorithms.ranking import Score
 from iconstudio.algorithms.scanning import Scan, ink_of, scanned
 from iconstudio.files import read_bytes
-from iconstudio.library.images import LONGEST, Image
+from iconstudio.library.images import LONGEST, Image, is_image_file
 from iconstudio.library.ownsvg import own_svg, read_own_svg
 from iconstudio.library.pillow import decode
 from iconstudio.model import (
@@ -30,7 +30,7 @@ from iconstudio.model import (
     Sketch,
     Source,
 )
-from iconstudio.session import ModelSettings
+from iconstudio.session import ModelSettings, returned
 from iconstudio.workflows.events import (
     Event,
     Progress,
@@ -128,6 +128,9 @@ class FakeSession:
 
     def icon(self, reference: str) -> Pictogram:
         self.calls.append(("icon", reference))
+        if is_image_file(path := Path(reference)):
+            image = returned(self.image(path))
+            return returned(self.trace(returned(self.scan(image)), None, path.name))
         if reference.endswith(".svg"):
             return read_own_svg(Path(reference))
         for one in self._exemplars(frozenset()):

@@ -163,6 +163,7 @@ class ScanDialog(QDialog):
     def _lay_out(self) -> None:
         self.picture, self.preview = ScanView("The picture"), ScanView("The icon")
         self.slider = QSlider(Qt.Orientation.Horizontal, minimum=1, maximum=DARKEST - 1)
+        self.slider.setMinimumHeight(3 * UNIT)
         self.slider.setAccessibleName("How much counts as ink")
         self.slider.setToolTip("How much counts as ink: fainter strokes to the right")
         self.slider.valueChanged.connect(self._move)
