@@ -1,4 +1,4 @@
-"""Choose icons to work on: look them up by a word, or open an SVG file of one's own."""
+"""Choose icons to work on: look them up by a word, or open a drawing of one's own."""
 
 from collections.abc import Generator
 from contextlib import closing
@@ -65,7 +65,7 @@ class IconChooser(QWidget):
 
         self.field = SearchField()
         self.button = QPushButton(
-            "Open file…", toolTip="Use a drawing of your own: an SVG, a scan or a PNG"
+            "Open drawing…", toolTip="Use a drawing of your own: an SVG, a scan or a PNG"
         )
         self.button.setAutoDefault(False)
         self.caption = Caption()

@@ -41,7 +41,7 @@ class Opener(QObject):
     """Title of the dialog that asks for a file of this workspace's own, “Open a sketch”."""
     kinds: ClassVar[str] = ""
     """What such files are called there, “Sketches”."""
-    other: ClassVar[str] = "SVG file"
+    other: ClassVar[str] = "drawing"
     """What else can be opened here."""
     forms: ClassVar[str] = "a file, a drawing or its markup"
     """In what forms it can be dropped or pasted."""
