@@ -7,16 +7,18 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from PySide6.QtCore import QMimeData, QUrl
-from PySide6.QtGui import QImage, QPixmap
+from PySide6.QtGui import QGuiApplication, QImage, QPixmap
 
 from iconstudio.gui.dragging import unpacked
 from iconstudio.gui.markup import data_images, drawings_in
+from iconstudio.library.pillow import is_image
 from iconstudio.model import Pictogram
 
 SVG = "image/svg+xml"
 _SVG_TYPES = (SVG, "image/x-inkscape-svg", "application/svg+xml")
 _PIXELS = tuple(f"image/{one}" for one in ("png", "tiff", "webp", "bmp", "avif", "heic", "jpeg"))
 """Of several forms of an image, the ones to take first: those that lose nothing."""
+_READING = ("xcb", "wayland")
 _PATH = re.compile(r"[/~]|[A-Za-z]:[\\/]|\\\\")
 _WEB = re.compile(r"[A-Za-z][A-Za-z0-9+.-]*://")
 _REFERENCE = re.compile(r"[a-z][a-z0-9-]*:[a-z0-9][a-z0-9-]*")
@@ -142,7 +144,9 @@ def _images(data: QMimeData) -> tuple[Item, ...]:
     for kind in sorted(offered, key=(*_PIXELS, *offered).index):
         if content := data.data(kind).data():
             return (Image(content),)
-    drawn = any(map(data.hasFormat, _SVG_TYPES))
+    # Where Qt makes an image of whatever is offered, it would read an SVG, without our limits.
+    unsafe = QGuiApplication.platformName().startswith(_READING)
+    drawn = unsafe and any(map(data.hasFormat, _SVG_TYPES))
     image = data.imageData() if data.hasImage() and not drawn else None
     image = image.toImage() if isinstance(image, QPixmap) else image
     if isinstance(image, QImage) and not image.isNull():
@@ -161,7 +165,11 @@ def _at(url: QUrl) -> tuple[Item, ...]:
 def _in_addresses(text: str, markup: str = "") -> tuple[Item, ...]:
     """Return the images in the data addresses of a text or, if it has none, of HTML."""
     found = data_images(text) or data_images(html.unescape(markup))
-    return tuple(Drawing(data) if kind == SVG else Image(data) for kind, data in found)
+    return tuple(
+        Drawing(data) if kind == SVG else Image(data)
+        for kind, data in found
+        if kind == SVG or is_image(data)
+    )
 
 
 def _named(text: str) -> tuple[Item, ...]:

@@ -171,7 +171,9 @@ class Fields:
     def _resolved(self, text: str, key: str) -> str:
         text = text.strip()
         if not text:
-            raise self.mistake(f'"{key}" is empty: "set:name", or the path of an SVG or a scan, is needed.')
+            raise self.mistake(
+                f'"{key}" is empty: write "set:name", or the path of an SVG or a scan.'
+            )
         if _OF_COLLECTION.fullmatch(text):
             return text
         return str((self._path.parent / text).resolve())
