@@ -3,12 +3,16 @@
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 
 from iconstudio.gui.mipmap import Mipmap
 from iconstudio.library.images import LONGEST, Image
 from iconstudio.model import IconstudioError
+
+_SMALLEST = 256
+"""A copy's shorter side has no fewer pixels."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -33,7 +37,42 @@ class Photo:
 
 def photo_of(image: Image, path: str = "") -> Photo:
     """Return an image that was read from the file ``path``, if any, as a photo."""
-    return Photo(path, image.width, image.height, Mipmap.of(qt_image(image), 256), image.remark)
+    # By NumPy, which lets the window's thread work on; Qt's conversions would hold it up.
+    levels = [_premultiplied(image.pixels)]
+    while min(levels[-1].shape[:2]) >= 2 * _SMALLEST:
+        levels.append(_halved(levels[-1]))
+    return Photo(path, image.width, image.height, Mipmap(tuple(map(_packed, levels))), image.remark)
+
+
+def _premultiplied(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """Return (h, w, 4) RGBA, the colours multiplied by alpha."""
+    height, width, channels = pixels.shape
+    whole = np.full((height, width, 4), 255, np.uint8)
+    whole[..., :channels] = pixels
+    if channels == 4:
+        alpha = pixels[..., 3:].astype(np.uint16)
+        whole[..., :3] = (pixels[..., :3] * alpha + 127) // 255
+    return whole
+
+
+def _halved(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """Return half as many pixels a side, each the mean of four; an odd last one is left out."""
+    height, width = pixels.shape[0] // 2 * 2, pixels.shape[1] // 2 * 2
+    total = np.full((height // 2, width // 2, 4), 2, np.uint16)
+    for y in (0, 1):
+        for x in (0, 1):
+            total += pixels[y:height:2, x:width:2]
+    return (total // 4).astype(np.uint8)
+
+
+def _packed(pixels: NDArray[np.uint8]) -> QImage:
+    """Return premultiplied (h, w, 4) RGBA as what Qt draws fastest."""
+    words = np.zeros(pixels.shape[:2], np.uint32)
+    for channel, shift in enumerate((16, 8, 0, 24)):
+        words |= pixels[..., channel].astype(np.uint32) << np.uint32(shift)
+    height, width = words.shape
+    kind = QImage.Format.Format_ARGB32_Premultiplied
+    return QImage(words.view(np.uint8), width, height, 4 * width, kind).copy()
 
 
 def qt_image(image: Image) -> QImage:

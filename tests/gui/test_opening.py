@@ -5,10 +5,12 @@ import json
 import numpy as np
 import pytest
 from hands import SQUARE, click, trace, type_keyword
+from images import assert_alike
 from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent, QImage
 from PySide6.QtWidgets import QApplication, QFileDialog
 
+from iconstudio.gui.mipmap import Mipmap
 from iconstudio.gui.photo import image_of, photo_of, qt_image
 from iconstudio.inputs.examples import examples
 from iconstudio.inputs.sketch import example, read_sketch
@@ -99,8 +101,21 @@ def test_a_photo_keeps_its_pixels_and_its_own_size():
     for channels in (3, 4):
         pixels = random.integers(0, 256, (7, 5, channels), np.uint8)
         photo = photo_of(Image(pixels, 50, 70), "a.png")
+        assert_alike(photo.picture.levels[0], qt_image(Image(pixels, 5, 7)), 0.01)
         assert (photo.width, photo.height, photo.path, photo.scaled_down) == (50, 70, "a.png", True)
         assert np.array_equal(image_of(qt_image(Image(pixels, 5, 7))).pixels, pixels)
+
+
+def test_the_copies_of_a_photo_are_as_qt_would_make_them():
+    y, x = np.mgrid[:1100, :900]
+    alpha = 255 - x % 200
+    pixels = np.stack([x % 256, y % 256, (x + y) % 256, alpha], axis=-1).astype(np.uint8)
+    image = Image(pixels, 900, 1100)
+    levels, expected = photo_of(image).picture.levels, Mipmap.of(qt_image(image), 256).levels
+    assert [one.size() for one in levels] == [one.size() for one in expected]
+    for one, other in zip(levels, expected, strict=True):
+        assert one.format() == other.format()
+        assert_alike(one, other, 0.03)
 
 
 def test_an_image_of_another_program_is_read_by_its_bytes_not_by_qt(sketching, qtbot, photo_file):
