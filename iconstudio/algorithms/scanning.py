@@ -110,11 +110,12 @@ def _seen_through(small: NDArray[np.float32], inverted: bool | None):
         inverted = bool(inverted)
         return (lambda picture: abs(picture[..., 3] - inverted)), inverted
     if inverted is None:
-        inverted = bool((_luminance(colours) < 0.5).mean() < 0.01)
+        inverted = bool((colours.min(axis=1) < 0.5).mean() < 0.01)
 
     def see(picture: NDArray[np.float32]) -> NDArray[np.float32]:
-        light = _luminance(picture)
-        return picture[..., 3] * (light if inverted else 1 - light)
+        # As on paper: a bright colour is as good as black.
+        colours = picture[..., :3]
+        return picture[..., 3] * (colours.max(axis=2) if inverted else 1 - colours.min(axis=2))
 
     return see, inverted
 

@@ -50,6 +50,28 @@ def test_the_polarity_can_be_chosen():
     assert ink_of(full).mean() > 0.5 > ink_of(scanned(clear)).mean()
 
 
+def test_bright_colours_are_ink_on_white_and_on_nothing_but_near_white_is_not():
+    """A yellow disc with a black ring and a pale highlight on it."""
+    picture = np.zeros((300, 300, 4), np.uint8)
+    disc = np.zeros((300, 300), bool)
+    disc[disk((150, 150), 120)] = True
+    picture[disc] = 250, 210, 40, 255
+    ring = np.zeros_like(disc)
+    ring[disk((150, 150), 70)] = True
+    ring[disk((150, 150), 50)] = False
+    picture[ring] = 0, 0, 0, 255
+    light = np.zeros_like(disc)
+    light[disk((150, 150), 25)] = True
+    picture[light] = 255, 252, 245, 255
+    on_white = np.where(disc[..., None], picture[..., :3], 255).astype(np.uint8)
+    for pixels in (picture, on_white):
+        scan = scanned(pixels)
+        expected = scans.fitted((disc & ~light).astype(float))
+        assert scans.iou(scans.fitted(ink_of(scan).astype(float)), expected) > 0.95
+        black = scans.fitted(ink_of(scan, 235).astype(float))
+        assert scans.iou(black, scans.fitted(ring.astype(float))) > 0.85
+
+
 def test_a_higher_threshold_leaves_less_ink():
     scan = scanned(scans.scan(house(), scans.blurred, 0))
     amounts = [ink_of(scan, threshold).sum() for threshold in (40, 90, scan.threshold, 170, 220)]
