@@ -275,7 +275,7 @@ def test_an_empty_clipboard_is_told(place):
 def test_what_is_tried_next_is_another_story(place):
     drop(place, words("https://example.org/dog.svg"))
     drop(place, words("dog"))
-    lines = ["There is no SVG file in what was dropped. Drop a file, a drawing or its markup."]
+    lines = ["There is no drawing in what was dropped. Drop a file, a drawing or its markup."]
     assert told(place).splitlines() == lines
 
 

@@ -85,7 +85,7 @@ def test_a_pasted_image_is_shown(place, qtbot, scan_file, way):
         data.setImageData(QImage(str(scan_file)))
     QApplication.clipboard().setMimeData(data)
     place.actions_by_name["paste"].trigger()
-    assert shown(place, qtbot).icon.credit.title == "the image"
+    assert shown(place, qtbot).icon.credit.title == "image"
 
 
 @pytest.mark.parametrize("number", [HYBRIDS, MONTAGE])

@@ -1,6 +1,7 @@
 """What all workspaces have in common when something is opened."""
 
 from collections.abc import Callable, Generator, Sequence
+from pathlib import Path
 from typing import Any, ClassVar
 
 from PySide6.QtCore import QMimeData, QObject, Signal
