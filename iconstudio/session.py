@@ -11,14 +11,18 @@ from collections.abc import Generator, Iterator
 from contextlib import closing
 from importlib import import_module
 from pathlib import Path
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.matching import SCALES, Matcher, PreparedExemplar
+from iconstudio.algorithms.scanning import Scan
 from iconstudio.algorithms.style import two_toned
 from iconstudio.files import read_bytes, remove_abandoned
+from iconstudio.library import scans
 from iconstudio.library.collection import Collection, cache_folder
+from iconstudio.library.images import Image, is_image_file, read_image
 from iconstudio.library.preparing import PreparingCache
 from iconstudio.library.rasters import RasterCache
 from iconstudio.model import (
@@ -68,6 +72,7 @@ _SLOW_TO_LOAD = (
 """Libraries that are not loaded before their first use, so that the window opens soon; SciPy loads
 its parts when they are first named."""
 
+T = TypeVar("T")
 _Key = tuple[str, frozenset[str], tuple[float, ...]]
 
 
@@ -81,6 +86,7 @@ class Session:
     def __init__(self, cache: Path | None = None) -> None:
         self._cache = cache or cache_folder()
         self._workers = Workers()
+        self._readers = Workers(1)  # images need not wait for cuts, nor for their compiling
         self._rasters = RasterCache(self._cache / "rasters", self._workers)
         self._preparing = PreparingCache(self._cache / "prepared", self._workers)
         self._collection: Collection | None = None
@@ -142,13 +148,15 @@ class Session:
         return self.collection.search(keyword, exclude=exclude)
 
     def icon(self, reference: str) -> Pictogram:
-        """Return an icon of the collection, ``set:name``, or one read from an SVG file.
+        """Return an icon of the collection, ``set:name``, or of a file: an SVG, or a scan.
 
         Raises
         ------
         IconstudioError
             If there is no such icon, or the file is no good.
         """
+        if is_image_file(Path(reference)):
+            return returned(scans.read_scan(Path(reference), self._readers))
         if _is_path(reference):
             return self._own(Path(reference))
         return self.collection.get(reference)
@@ -170,6 +178,26 @@ class Session:
         except IconstudioError as error:
             raise IconstudioError(f"“{path}” cannot be used. {error}") from None
         return self.icon_from(data, str(path))
+
+    def image(self, source: Path | bytes) -> Generator[None, None, Image]:
+        """Return the image in a file, or in bytes; yield now and then, where it can be closed.
+
+        Raises
+        ------
+        IconstudioError
+            If it cannot be read, or is none.
+        """
+        return (yield from read_image(source, self._readers))
+
+    def scan(self, image: Image, inverted: bool | None = None) -> Generator[None, None, Scan]:
+        """Return the drawing on an image; see ``library.scans.scan``."""
+        return (yield from scans.scan(image, inverted, self._readers))
+
+    def trace(
+        self, scan: Scan, threshold: int | None, name: str, remark: str = ""
+    ) -> Generator[None, None, Pictogram]:
+        """Return the drawing on a scan as an icon; see ``library.scans.trace``."""
+        return (yield from scans.trace(scan, threshold, name, self._readers, remark))
 
     def exemplar(self, pictogram: Pictogram) -> Exemplar:
         """Return a pictogram on the canvas.
@@ -323,6 +351,7 @@ class Session:
     def close(self) -> None:
         """End the worker processes and close the collection."""
         self._workers.close()
+        self._readers.close()
         if self._collection is not None:
             self._collection.close()
             self._collection = None
@@ -338,3 +367,12 @@ def _is_path(reference: str) -> bool:
     """Whether a reference names a file, which need not be there."""
     named = reference.startswith(("/", ".", "~")) or "\\" in reference or Path(reference).suffix
     return bool(named) or os.path.isfile(reference)
+
+
+def returned(steps: Generator[object, None, T]) -> T:
+    """Return what a generator returns, whatever it yields."""
+    try:
+        while True:
+            next(steps)
+    except StopIteration as end:
+        return end.value

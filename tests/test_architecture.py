@@ -18,6 +18,8 @@ ADAPTERS = {
     "cssselect2": "svg/stylesheet.py",
     "coloraide": "svg/colours.py",
     "shapely": "algorithms/geometry.py",
+    "pillow_heif": "library/pillow.py",
+    "potrace": "algorithms/potrace.py",
     "tqdm": "cli/progress.py",
 }
 

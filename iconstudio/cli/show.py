@@ -21,7 +21,7 @@ from iconstudio.session import Session
     help=f"Draw it, {png.SIZE} pixels wide: 4 for each unit of an edit's canvas of 256.",
 )
 def command(icon: str, picture: Path | None) -> None:
-    """Say whose ICON (set:name, or the path of an SVG) is, and draw it on its canvas."""
+    """Say whose ICON (set:name, or the path of an SVG or a scan) is, and draw it on its canvas."""
     if picture is not None:
         png.check_name(picture)
     with Session() as session:

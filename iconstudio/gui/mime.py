@@ -7,16 +7,18 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from PySide6.QtCore import QMimeData, QUrl
-from PySide6.QtGui import QImage, QPixmap
+from PySide6.QtGui import QGuiApplication, QImage, QPixmap
 
 from iconstudio.gui.dragging import unpacked
 from iconstudio.gui.markup import data_images, drawings_in
+from iconstudio.library.pillow import is_image
 from iconstudio.model import Pictogram
 
 SVG = "image/svg+xml"
 _SVG_TYPES = (SVG, "image/x-inkscape-svg", "application/svg+xml")
-_QT_NAMES = {"png": "PNG", "jpeg": "JPG", "jpg": "JPG", "gif": "GIF", "webp": "WEBP", "bmp": "BMP"}
-"""Image types, and what Qt's readers are called: it may not choose that of SVG."""
+_PIXELS = tuple(f"image/{one}" for one in ("png", "tiff", "webp", "bmp", "avif", "heic", "jpeg"))
+"""Of several forms of an image, the ones to take first: those that lose nothing."""
+_READING = ("xcb", "wayland")
 _PATH = re.compile(r"[/~]|[A-Za-z]:[\\/]|\\\\")
 _WEB = re.compile(r"[A-Za-z][A-Za-z0-9+.-]*://")
 _REFERENCE = re.compile(r"[a-z][a-z0-9-]*:[a-z0-9][a-z0-9-]*")
@@ -72,9 +74,9 @@ class Drawing:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Image:
-    """An image of pixels that is in no file."""
+    """An image of pixels that is in no file: its bytes in whatever format, or as Qt has it."""
 
-    image: QImage
+    image: bytes | QImage
     name: str = "image"
 
 
@@ -137,7 +139,15 @@ def _drawings(data: QMimeData) -> tuple[Item, ...]:
 
 
 def _images(data: QMimeData) -> tuple[Item, ...]:
-    image = data.imageData() if data.hasImage() else None
+    """Return the image that is offered, undecoded: Qt's readers know no limits, and SVG too."""
+    offered = [one for one in data.formats() if one.startswith("image/") and one not in _SVG_TYPES]
+    for kind in sorted(offered, key=(*_PIXELS, *offered).index):
+        if content := data.data(kind).data():
+            return (Image(content),)
+    # Where Qt makes an image of whatever is offered, it would read an SVG, without our limits.
+    unsafe = QGuiApplication.platformName().startswith(_READING)
+    drawn = unsafe and any(map(data.hasFormat, _SVG_TYPES))
+    image = data.imageData() if data.hasImage() and not drawn else None
     image = image.toImage() if isinstance(image, QPixmap) else image
     if isinstance(image, QImage) and not image.isNull():
         return (Image(image),)
@@ -155,14 +165,11 @@ def _at(url: QUrl) -> tuple[Item, ...]:
 def _in_addresses(text: str, markup: str = "") -> tuple[Item, ...]:
     """Return the images in the data addresses of a text or, if it has none, of HTML."""
     found = data_images(text) or data_images(html.unescape(markup))
-    return tuple(one for kind, data in found if (one := _decoded(kind, data)) is not None)
-
-
-def _decoded(kind: str, data: bytes) -> Item | None:
-    if kind == SVG:
-        return Drawing(data)
-    image = QImage.fromData(data, _QT_NAMES.get(kind.removeprefix("image/"), "PNG"))
-    return None if image.isNull() else Image(image)
+    return tuple(
+        Drawing(data) if kind == SVG else Image(data)
+        for kind, data in found
+        if kind == SVG or is_image(data)
+    )
 
 
 def _named(text: str) -> tuple[Item, ...]:

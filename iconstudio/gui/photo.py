@@ -1,19 +1,18 @@
-"""Photos to trace over: decoded away from the window's thread, scaled down when gigantic."""
+"""Photos to trace over, and images of pixels as Qt has them. Nothing is decoded here."""
 
 from dataclasses import dataclass
-from pathlib import Path
 
-from PySide6.QtCore import QSize, Qt
-from PySide6.QtGui import QImage, QImageIOHandler, QImageReader
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QImage
 
 from iconstudio.gui.mipmap import Mipmap
+from iconstudio.library.images import LONGEST, Image
 from iconstudio.model import IconstudioError
 
-LONGEST = 4096
-"""A photo is kept with at most this many pixels on its longer side; it is only a guide."""
-
-_ALLOCATION_LIMIT = 512
-"""Megabytes that decoding a photo may take, before scaling."""
+_SMALLEST = 256
+"""A copy's shorter side has no fewer pixels."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -27,6 +26,8 @@ class Photo:
     width: int
     height: int
     picture: Mipmap
+    remark: str = ""
+    """What of it could not be read, or is not shown."""
 
     @property
     def scaled_down(self) -> bool:
@@ -34,50 +35,76 @@ class Photo:
         return self.picture.width < self.width
 
 
-def read_photo(path: str) -> Photo:
-    """Decode the photo in the file ``path``.
+def photo_of(image: Image, path: str = "") -> Photo:
+    """Return an image that was read from the file ``path``, if any, as a photo."""
+    # By NumPy, which lets the window's thread work on; Qt's conversions would hold it up.
+    levels = [_premultiplied(image.pixels)]
+    while min(levels[-1].shape[:2]) >= 2 * _SMALLEST:
+        levels.append(_halved(levels[-1]))
+    return Photo(path, image.width, image.height, Mipmap(tuple(map(_packed, levels))), image.remark)
+
+
+def _premultiplied(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """Return (h, w, 4) RGBA, the colours multiplied by alpha."""
+    height, width, channels = pixels.shape
+    whole = np.full((height, width, 4), 255, np.uint8)
+    whole[..., :channels] = pixels
+    if channels == 4:
+        alpha = pixels[..., 3:].astype(np.uint16)
+        whole[..., :3] = (pixels[..., :3] * alpha + 127) // 255
+    return whole
+
+
+def _halved(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """Return half as many pixels a side, each the mean of four; an odd last one is left out."""
+    height, width = pixels.shape[0] // 2 * 2, pixels.shape[1] // 2 * 2
+    total = np.full((height // 2, width // 2, 4), 2, np.uint16)
+    for y in (0, 1):
+        for x in (0, 1):
+            total += pixels[y:height:2, x:width:2]
+    return (total // 4).astype(np.uint8)
+
+
+def _packed(pixels: NDArray[np.uint8]) -> QImage:
+    """Return premultiplied (h, w, 4) RGBA as what Qt draws fastest."""
+    words = np.zeros(pixels.shape[:2], np.uint32)
+    for channel, shift in enumerate((16, 8, 0, 24)):
+        words |= pixels[..., channel].astype(np.uint32) << np.uint32(shift)
+    height, width = words.shape
+    kind = QImage.Format.Format_ARGB32_Premultiplied
+    return QImage(words.view(np.uint8), width, height, 4 * width, kind).copy()
+
+
+def qt_image(image: Image) -> QImage:
+    """Return an image as Qt has it."""
+    height, width, channels = image.pixels.shape
+    kind = QImage.Format.Format_RGBA8888 if channels == 4 else QImage.Format.Format_RGB888
+    # A copy: Qt would not keep the pixels alive.
+    return QImage(image.pixels, width, height, width * channels, kind).copy()
+
+
+def image_of(image: QImage) -> Image:
+    """Return an image that another program, or Qt, holds in memory, as one that was read.
 
     Raises
     ------
     IconstudioError
-        If the file cannot be read, is no image, or is too large to decode.
+        If it is empty.
     """
-    name = Path(path).name
-    if not Path(path).is_file():
-        raise IconstudioError(f"There is no file “{path}”. Choose another photo.")
-    QImageReader.setAllocationLimit(_ALLOCATION_LIMIT)
-    reader = QImageReader(path)
-    reader.setAutoTransform(True)
-    reader.setDecideFormatFromContent(True)
-    size = reader.size()
-    if size.isValid() and max(size.width(), size.height()) > LONGEST:
-        reader.setScaledSize(size.scaled(LONGEST, LONGEST, Qt.AspectRatioMode.KeepAspectRatio))
-    image = reader.read()
-    if image.isNull():
-        if size.isValid() and size.width() * size.height() > 50_000_000:
-            raise IconstudioError(
-                f"“{name}” is too large to open ({size.width():,} × {size.height():,} pixels). "
-                f"Scale it down to {LONGEST:,} pixels or fewer and open it again."
-            )
-        raise IconstudioError(
-            f"“{name}” is not a photo that can be opened ({reader.errorString().rstrip('.')}). "
-            "Choose a PNG, JPEG, WebP, TIFF, GIF or BMP file."
-        )
-    if reader.transformation() & QImageIOHandler.Transformation.TransformationRotate90:
-        size.transpose()
-    return _photo(image, size if size.isValid() else image.size(), path)
-
-
-def photo_from_image(image: QImage) -> Photo:
-    """Return a pasted or dropped ``image`` as a photo."""
     if image.isNull():
         raise IconstudioError("The clipboard holds no image. Copy a photo and paste it again.")
-    return _photo(image, image.size(), "")
-
-
-def _photo(image: QImage, size: QSize, path: str) -> Photo:
-    smooth = Qt.TransformationMode.SmoothTransformation
-    keep = Qt.AspectRatioMode.KeepAspectRatio
-    if max(image.width(), image.height()) > LONGEST:
+    width, height = image.width(), image.height()
+    if max(width, height) > LONGEST:
+        smooth, keep = (
+            Qt.TransformationMode.SmoothTransformation,
+            Qt.AspectRatioMode.KeepAspectRatio,
+        )
         image = image.scaled(LONGEST, LONGEST, keep, smooth)
-    return Photo(path, size.width(), size.height(), Mipmap.of(image, 256))
+    clear = image.hasAlphaChannel()
+    image = image.convertToFormat(
+        QImage.Format.Format_RGBA8888 if clear else QImage.Format.Format_RGB888
+    )
+    rows = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), -1)
+    channels = 4 if clear else 3
+    pixels = rows[:, : image.width() * channels].reshape(image.height(), image.width(), channels)
+    return Image(pixels.copy(), width, height)

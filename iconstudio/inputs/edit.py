@@ -1,9 +1,10 @@
 """EDIT.json: what to change on an icon (section 4.2).
 
 ``{"icon": "set:name", "keyword": "camera", "remove": [polygon, ...], "add": [polygon, ...],
-"symmetry": "horizontal", "exclude": ["set:name", ...]}``. ``icon`` may be the path of an SVG, from
-the file's folder. A polygon is ``[[x, y], ...]`` in canvas units (0 to 256) of the normalised icon.
-Of ``remove`` and ``add`` one may be left out; ``symmetry``, ``exclude`` and a ``title`` may.
+"symmetry": "horizontal", "exclude": ["set:name", ...]}``. ``icon`` may be the path of an
+SVG or a scan, from the file's folder. A polygon is ``[[x, y], ...]`` in canvas units (0 to 256) of
+the normalised icon. Of ``remove`` and ``add`` one may be left out; ``symmetry``, ``exclude`` and a
+``title`` may.
 """
 
 from collections.abc import Callable

@@ -29,7 +29,7 @@ STRAY = 0.2
 MANY = 500
 """Points that nobody draws by hand."""
 _OF_COLLECTION = re.compile(r"[^:/\\]+:[^:/\\]+(?<!\.svg)", re.IGNORECASE)
-"""``set:name``; anything else is the path of an SVG."""
+"""``set:name``; anything else is the path of a file."""
 
 _ODD = re.compile("[\0\ud800-\udfff]")
 
@@ -109,9 +109,9 @@ class Fields:
         return Axis(value)
 
     def reference(self, key: str = "icon") -> str:
-        """Return the reference of an icon: ``set:name``, or the absolute path of an SVG."""
+        """Return the reference of an icon: ``set:name``, or the absolute path of a file."""
         if not self.has(key):
-            raise self.mistake(f'"{key}" is missing: "set:name", or the path of an SVG.')
+            raise self.mistake(f'"{key}" is missing: "set:name", or the path of an SVG or a scan.')
         return self._resolved(self.text(key), key)
 
     def references(self, key: str) -> tuple[str, ...]:
@@ -218,7 +218,9 @@ class Fields:
     def _resolved(self, text: str, key: str) -> str:
         text = text.strip()
         if not text:
-            raise self.mistake(f'"{key}" is empty: "set:name", or the path of an SVG, is needed.')
+            raise self.mistake(
+                f'"{key}" is empty: write "set:name", or the path of an SVG or a scan.'
+            )
         if _OF_COLLECTION.fullmatch(text):
             return text
         return os.path.realpath(self._path.parent / text)

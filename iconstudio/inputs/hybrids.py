@@ -1,9 +1,9 @@
 """HYBRIDS.json: which icons to mix (section 4.3).
 
 ``{"icons": ["set:name", ...], "draws": 40, "seed": 0, "symmetry": "horizontal"}``, or, for icons
-that the program picks, ``{"keyword": "lamp", "count": 5, ...}``. An icon may be the path of an SVG,
-from the file's folder. ``"pins": [[[x, y], ...], ...]``, a list for each icon, are points that
-every hybrid keeps. There may be a ``title``.
+that the program picks, ``{"keyword": "lamp", "count": 5, ...}``. An icon may be the path of an
+SVG or a scan, from the file's folder. ``"pins": [[[x, y], ...], ...]``, a list for each icon, are
+points that every hybrid keeps. There may be a ``title``.
 """
 
 from collections.abc import Callable

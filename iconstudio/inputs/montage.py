@@ -3,7 +3,7 @@
 ``{"layers": [{"icon": "set:name", "scale": 1, "flip": false, "dx": 0, "dy": 0,
 "strokes": [{"width": 12, "points": [[x, y], ...]}]}]}``.
 
-``icon`` may be the path of an SVG, from the file's folder.
+``icon`` may be the path of an SVG or a scan, from the file's folder.
 A layer is mirrored left to right if ``flip``, scaled about the canvas's centre, and shifted by
 ``dx``, ``dy``; all but ``icon`` may be left out. Lengths are in canvas units (0 to 256), y down.
 There may be a ``title``.

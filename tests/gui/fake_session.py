@@ -8,6 +8,10 @@ from pathlib import Path
 import numpy as np
 
 from iconstudio.algorithms.ranking import Score
+from iconstudio.algorithms.scanning import Scan, ink_of, scanned
+from iconstudio.files import read_bytes
+from iconstudio.library.images import LONGEST, Image, is_image_file
+from iconstudio.library.pillow import decode
 from iconstudio.model import (
     CANVAS,
     Composite,
@@ -25,7 +29,7 @@ from iconstudio.model import (
     Sketch,
     Source,
 )
-from iconstudio.session import ModelSettings
+from iconstudio.session import ModelSettings, returned
 from iconstudio.svg.reading import own_svg
 from iconstudio.workflows.events import (
     Event,
@@ -124,6 +128,9 @@ class FakeSession:
 
     def icon(self, reference: str) -> Pictogram:
         self.calls.append(("icon", reference))
+        if is_image_file(path := Path(reference)):
+            image = returned(self.image(path))
+            return returned(self.trace(returned(self.scan(image)), None, path.name))
         if reference.endswith(".svg"):
             return own_svg(Path(reference).read_bytes(), reference)
         for one in self._exemplars(frozenset()):
@@ -134,6 +141,39 @@ class FakeSession:
     def icon_from(self, data: bytes, name: str) -> Pictogram:
         self.calls.append(("icon_from", data, name))
         return own_svg(data, name)
+
+    def image(self, source: Path | bytes):
+        """As the real one, but in this process."""
+        self.thread_ids.add(threading.get_ident())
+        yield
+        data = source if isinstance(source, bytes) else read_bytes(source, 1 << 24)
+        try:
+            pixels, (width, height), remark = decode(data, LONGEST)
+        except IconstudioError as error:
+            name = f"“{source.name}”" if isinstance(source, Path) else "The image"
+            raise IconstudioError(f"{name} cannot be opened. {error}") from None
+        return Image(pixels, width, height, remark)
+
+    def scan(self, image: Image, inverted: bool | None = None):
+        self.calls.append(("scan", inverted))
+        self.thread_ids.add(threading.get_ident())
+        yield
+        return scanned(image.pixels, inverted)
+
+    def trace(self, scan: Scan, threshold: int | None, name: str, remark: str = ""):
+        """The bounding box of the ink."""
+        self.calls.append(("trace", threshold, name))
+        self.thread_ids.add(threading.get_ident())
+        yield
+        ink = ink_of(scan, threshold)
+        (height, width), (ys, xs) = ink.shape, np.nonzero(ink)
+        path = f"M{xs.min()} {ys.min()}L{xs.max()} {ys.min()}L{xs.max()} {ys.max()}Z"
+        svg = (
+            f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}">'
+            f'<path d="{path}"/></svg>'
+        )
+        credit = Credit(name, "an unnamed author", "licence not stated", "", "")
+        return Pictogram(f"own:{name}", svg, credit, remarks=(remark,) if remark else ())
 
     def exemplar(self, pictogram: Pictogram) -> Exemplar:
         self.thread_ids.add(threading.get_ident())

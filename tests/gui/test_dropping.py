@@ -254,10 +254,10 @@ def test_names_and_paths_in_words_are_opened(place, qtbot, own):
         ("shapes:unicorn", "no icon"),
         ("/nowhere/at-all.svg", "no such file"),
         ("https://example.org/dog.svg", "Only files on this computer"),
-        ("dog", "no SVG file to paste"),
-        ("dog\nshapes:ring-4", "no SVG file to paste"),
-        ("", "no SVG file to paste"),
-        ("x" * 100_000, "no SVG file to paste"),
+        ("dog", "no drawing to paste"),
+        ("dog\nshapes:ring-4", "no drawing to paste"),
+        ("", "no drawing to paste"),
+        ("x" * 100_000, "no drawing to paste"),
     ],
 )
 def test_other_words_are_told(place, qtbot, text, part):
@@ -269,13 +269,13 @@ def test_other_words_are_told(place, qtbot, text, part):
 
 def test_an_empty_clipboard_is_told(place):
     paste(place, QMimeData())
-    assert "no SVG file to paste" in told(place)
+    assert "no drawing to paste" in told(place)
 
 
 def test_what_is_tried_next_is_another_story(place):
     drop(place, words("https://example.org/dog.svg"))
     drop(place, words("dog"))
-    lines = ["There is no SVG file in what was dropped. Drop a file, a drawing or its markup."]
+    lines = ["There is no drawing in what was dropped. Drop a file, a drawing or its markup."]
     assert told(place).splitlines() == lines
 
 

@@ -172,7 +172,7 @@ def test_what_is_no_icon_is_told_and_nothing_is_lost(editing, qtbot, tmp_path):
     qtbot.waitUntil(lambda: "letter.svg" in notice(editing))
     QApplication.clipboard().setText("dog")
     editing.actions_by_name["paste"].trigger()
-    assert "no SVG file to paste" in notice(editing)
+    assert "no drawing to paste" in notice(editing)
     assert editing.document.page == before
 
 

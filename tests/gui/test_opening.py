@@ -2,15 +2,19 @@
 
 import json
 
+import numpy as np
 import pytest
 from hands import SQUARE, click, trace, type_keyword
+from images import assert_alike
 from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent, QImage
 from PySide6.QtWidgets import QApplication, QFileDialog
 
-from iconstudio.gui.photo import LONGEST, photo_from_image, read_photo
+from iconstudio.gui.mipmap import Mipmap
+from iconstudio.gui.photo import image_of, photo_of, qt_image
 from iconstudio.inputs.examples import examples
 from iconstudio.inputs.sketch import example, read_sketch
+from iconstudio.library.images import Image
 from iconstudio.model import IconstudioError
 
 
@@ -78,56 +82,68 @@ def test_a_file_that_is_no_photo_is_told_and_nothing_is_lost(sketching, qtbot, t
     path.write_text("Dear dog")
     sketching.opener.open_file(str(path))
     qtbot.waitUntil(sketching.window().desk.notice.isVisible)
-    assert "“letter.png” is not a photo" in sketching.window().desk.notice.label.text()
+    assert "“letter.png” cannot be opened" in sketching.window().desk.notice.label.text()
     assert sketching.document.page == before
 
 
-def test_a_file_that_is_cut_short_or_gone_is_told(tmp_path, photo_file):
-    half = tmp_path / "half.png"
-    half.write_bytes(photo_file.read_bytes()[:40])
-    with pytest.raises(IconstudioError, match=r"half\.png"):
-        read_photo(str(half))
-    with pytest.raises(IconstudioError, match="no file"):
-        read_photo(str(tmp_path / "gone.png"))
+@pytest.mark.parametrize("name", ["photo.jpg", "drawing.svg"])
+def test_an_svg_opened_as_a_photo_reaches_no_reader(sketching, qtbot, tmp_path, name):
+    path = tmp_path / name
+    path.write_text('<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"/>')
+    sketching.opener.open_file(str(path))
+    qtbot.waitUntil(sketching.window().desk.notice.isVisible)
+    assert "cannot be opened" in sketching.window().desk.notice.label.text()
+    assert sketching.document.page.empty
 
 
-def test_a_gigantic_photo_is_kept_smaller_with_its_own_coordinates(tmp_path):
-    path = tmp_path / "wide.png"
-    image = QImage(20000, 1000, QImage.Format.Format_Grayscale8)
-    image.fill(128)
-    assert image.save(str(path))
-    photo = read_photo(str(path))
-    assert (photo.width, photo.height) == (20000, 1000)
-    assert photo.scaled_down
-    assert photo.picture.width == LONGEST
+def test_a_photo_keeps_its_pixels_and_its_own_size():
+    random = np.random.default_rng(0)
+    for channels in (3, 4):
+        pixels = random.integers(0, 256, (7, 5, channels), np.uint8)
+        photo = photo_of(Image(pixels, 50, 70), "a.png")
+        assert_alike(photo.picture.levels[0], qt_image(Image(pixels, 5, 7)), 0.01)
+        assert (photo.width, photo.height, photo.path, photo.scaled_down) == (50, 70, "a.png", True)
+        assert np.array_equal(image_of(qt_image(Image(pixels, 5, 7))).pixels, pixels)
 
 
-def test_a_photo_beyond_the_memory_is_told(tmp_path):
-    """A bomb: a header that promises 60,000 by 60,000 pixels."""
-    path = tmp_path / "bomb.bmp"
-    header = b"BM" + (0).to_bytes(8, "little") + (54).to_bytes(4, "little")
-    header += (40).to_bytes(4, "little") + (60000).to_bytes(4, "little") * 2
-    header += (1).to_bytes(2, "little") + (24).to_bytes(2, "little") + bytes(24)
-    path.write_bytes(header)
-    with pytest.raises(IconstudioError, match=r"too large|not a photo"):
-        read_photo(str(path))
+def test_the_copies_of_a_photo_are_as_qt_would_make_them():
+    y, x = np.mgrid[:1100, :900]
+    alpha = 255 - x % 200
+    pixels = np.stack([x % 256, y % 256, (x + y) % 256, alpha], axis=-1).astype(np.uint8)
+    image = Image(pixels, 900, 1100)
+    levels, expected = photo_of(image).picture.levels, Mipmap.of(qt_image(image), 256).levels
+    assert [one.size() for one in levels] == [one.size() for one in expected]
+    for one, other in zip(levels, expected, strict=True):
+        assert one.format() == other.format()
+        assert_alike(one, other, 0.03)
 
 
-def test_a_turned_photo_is_turned_back(tmp_path):
-    from PIL import Image
-
-    path = tmp_path / "turned.jpg"
-    exif = Image.Exif()
-    exif[0x0112] = 6
-    Image.new("RGB", (60, 40)).save(path, exif=exif)
-    photo = read_photo(str(path))
-    assert (photo.width, photo.height) == (40, 60)
-    assert photo.picture.levels[0].size().toTuple() == (40, 60)
+def test_an_image_of_another_program_is_read_by_its_bytes_not_by_qt(sketching, qtbot, photo_file):
+    data = QMimeData()
+    data.setData("image/png", photo_file.read_bytes())
+    data.setData("image/svg+xml", b"<svg xmlns='http://www.w3.org/2000/svg'/>")
+    data.imageData = data.hasImage = lambda: pytest.fail("Qt was asked to decode it")
+    sketching.opener.open_mime(data)
+    qtbot.waitUntil(has_photo(sketching))
+    assert sketching.document.page.photo.width == 300
 
 
 def test_an_empty_image_is_no_photo():
     with pytest.raises(IconstudioError, match="holds no image"):
-        photo_from_image(QImage())
+        image_of(QImage())
+
+
+def test_a_photo_that_is_cut_short_is_shown_with_a_remark(sketching, qtbot, tmp_path):
+    noise = QImage(200, 200, QImage.Format.Format_RGB32)
+    for x in range(200):
+        for y in range(200):
+            noise.setPixel(x, y, (x * 7919 + y * 104729) * 2654435761 & 0xFFFFFF)
+    path = tmp_path / "half.png"
+    assert noise.save(str(path))
+    path.write_bytes(path.read_bytes()[: path.stat().st_size * 2 // 3])
+    sketching.opener.open_file(str(path))
+    qtbot.waitUntil(has_photo(sketching))
+    assert "cut short" in sketching.window().desk.strip.label.text()
 
 
 def test_the_dim_slider_fades_the_photo(sketching, qtbot, photo_file):

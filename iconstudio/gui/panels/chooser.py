@@ -1,7 +1,8 @@
-"""Choose icons to work on: look them up by a word, or open an SVG file of one's own."""
+"""Choose icons to work on: look them up by a word, or open a drawing of one's own."""
 
 from collections.abc import Generator
 from contextlib import closing
+from pathlib import Path
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QDragEnterEvent, QDropEvent, QKeyEvent
@@ -10,16 +11,18 @@ from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QPushButton, QVBoxLayout
 from iconstudio.gui.dragging import take_copy, unpacked
 from iconstudio.gui.panels.caption import Caption
 from iconstudio.gui.panels.choices import Choices
+from iconstudio.gui.panels.scanning import ScanDialog, may_be_scan
 from iconstudio.gui.panels.wordfield import WordField
 from iconstudio.gui.preparation import DEBOUNCE
 from iconstudio.gui.runner import Runner
 from iconstudio.gui.theme import UNIT
 from iconstudio.gui.worker import Worker
-from iconstudio.model import Exemplar
+from iconstudio.library.images import SUFFIXES
+from iconstudio.model import Exemplar, Pictogram
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event, Retrieved
 
-_FILES = "SVG drawings (*.svg);;All files (*)"
+_FILES = f"Drawings ({' '.join(f'*.{one}' for one in ('svg', 'svgz', *SUFFIXES))});;All files (*)"
 _WELCOME = "Look icons up by a word, or open a drawing of your own."
 
 
@@ -52,6 +55,7 @@ class IconChooser(QWidget):
     ) -> None:
         super().__init__(parent)
         self._session = session
+        self._worker = worker
         self._multiple = multiple
         self._shown: dict[str, Exemplar] = {}
         self._keyword = ""
@@ -60,7 +64,9 @@ class IconChooser(QWidget):
         self.setAcceptDrops(True)
 
         self.field = SearchField()
-        self.button = QPushButton("Open SVG…", toolTip="Use an SVG drawing of your own")
+        self.button = QPushButton(
+            "Open drawing…", toolTip="Use a drawing of your own: an SVG, a scan or a PNG"
+        )
         self.button.setAutoDefault(False)
         self.caption = Caption()
         self.choices = Choices()
@@ -102,15 +108,27 @@ class IconChooser(QWidget):
         self.choices.sheet().set_taken(identifiers)
 
     def choose_file(self) -> None:
-        """Ask for an SVG file."""
+        """Ask for a file: an SVG, or an image."""
         path, _ = QFileDialog.getOpenFileName(self, "Open a drawing of your own", "", _FILES)
         if path:
             self.open_file(path)
 
     def open_file(self, path: str) -> None:
-        """Read and draw an SVG file in the background, then choose it."""
+        """Read and draw a file in the background, then choose it; of a scan, show what it gives."""
+        if may_be_scan(path):
+            dialog = ScanDialog(self._session, self._worker, Path(path), Path(path).name, self)
+            dialog.chosen.connect(
+                lambda icon: self._file.start(lambda: _drawn(self._session, icon))
+            )
+            dialog.failed.connect(self._fail)
+            dialog.no_image.connect(lambda: self._read_file(path))
+            dialog.open()
+        else:
+            self._read_file(path)
+
+    def _read_file(self, path: str) -> None:
         self.caption.say(f"Opening “{path}”…")
-        self._file.start(lambda: _drawn(self._session, path))
+        self._file.start(lambda: _opened(self._session, path))
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         """Let a drawing be dropped; anything else is for the workspace around."""
@@ -216,5 +234,9 @@ def _dropped_drawing(event: QDropEvent) -> str | None:
     return path if path.lower().endswith((".svg", ".svgz")) else None
 
 
-def _drawn(session: Session, path: str) -> Generator[Exemplar]:
+def _opened(session: Session, path: str) -> Generator[Exemplar]:
     yield session.exemplar(session.icon(path))
+
+
+def _drawn(session: Session, icon: Pictogram) -> Generator[Exemplar]:
+    yield session.exemplar(icon)

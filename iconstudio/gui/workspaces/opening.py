@@ -1,14 +1,15 @@
 """What all workspaces have in common when something is opened."""
 
 from collections.abc import Callable, Generator, Sequence
+from pathlib import Path
 from typing import Any, ClassVar
 
 from PySide6.QtCore import QMimeData, QObject, Signal
-from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
 from iconstudio.gui import mime
 from iconstudio.gui.document import Document
+from iconstudio.gui.panels.scanning import ScanDialog, Source, may_be_scan, pictogram_of
 from iconstudio.gui.runner import Runner
 from iconstudio.gui.worker import Worker
 from iconstudio.gui.workspaces.together import Gathered, gathering, named, was
@@ -21,7 +22,7 @@ class Opener(QObject):
 
     A subclass says how each thing is opened, by generators that ``replace`` or ``add`` runs, and
     in ``put`` what becomes of what they yield. Of several things that are dropped or pasted
-    together, ``read`` reads each, and ``put_all`` puts them on the page by one command.
+    together, ``reading`` reads each, and ``put_all`` puts them on the page by one command.
 
     Signals
     -------
@@ -41,7 +42,7 @@ class Opener(QObject):
     """Title of the dialog that asks for a file of this workspace's own, “Open a sketch”."""
     kinds: ClassVar[str] = ""
     """What such files are called there, “Sketches”."""
-    other: ClassVar[str] = "SVG file"
+    other: ClassVar[str] = "drawing"
     """What else can be opened here."""
     forms: ClassVar[str] = "a file, a drawing or its markup"
     """In what forms it can be dropped or pasted."""
@@ -77,15 +78,15 @@ class Opener(QObject):
         """Open any other file."""
         self.open_items((mime.File(path),))
 
-    def open_image(self, image: QImage) -> None:
-        """Open an image of pixels."""
-        self.open_items((mime.Image(image),))
+    def open_image(self, image: mime.Image) -> None:
+        """Open an image of pixels that is in no file."""
+        self.open_items((image,))
 
     def take(self, pictogram: Pictogram) -> None:
         """Open an icon that is sent, or dropped here."""
         self.open_items((mime.Icon(pictogram),))
 
-    def read(self, item: mime.Item) -> Any:
+    def reading(self, item: mime.Item) -> Generator[None, None, Any]:
         """Return what ``put_all`` puts on the page; in the worker's thread.
 
         Raises
@@ -145,8 +146,8 @@ class Opener(QObject):
                 self.take(pictogram)
             case mime.File(path):
                 (self.open_work if item.is_work else self.open_file)(path)
-            case mime.Image(image):
-                self.open_image(image)
+            case mime.Image():
+                self.open_image(item)
             case mime.Elsewhere():
                 self.complain(
                     f"Only files on this computer can be opened. Save the {self.other} first."
@@ -170,7 +171,7 @@ class Opener(QObject):
             )
 
     def _gather(self, items: Sequence[mime.Item]) -> Generator[Gathered | None]:
-        return gathering(items, self.read, self.most, self.no_room)
+        return gathering(items, self.reading, self.most, self.no_room)
 
     def no_room(self, taken: Sequence[str], left: Sequence[mime.Item | str]) -> str:
         """Return the sentence that says for what there was no room."""
@@ -238,24 +239,39 @@ class Opener(QObject):
 class IconOpener(Opener):
     """Opens icons: those of the window or the collection, files, and markup."""
 
-    def read(self, item: mime.Item) -> Any:
+    def open_item(self, item: mime.Item) -> None:
+        """Open a single thing; of an image of pixels, an icon is made while the user looks on."""
+        match item:
+            case mime.File(path) if may_be_scan(path):
+                self._scan(item, Path(path))
+            case mime.Image(image):
+                self._scan(item, image)
+            case _:
+                super().open_item(item)
+
+    def reading(self, item: mime.Item) -> Generator[None, None, Any]:
         """Return an icon, drawn."""
-        return self.drawn(self._pictogram(item))
+        return self.drawn((yield from self._pictogram(item)))
 
     def drawn(self, pictogram: Pictogram) -> Any:
         """Return what is put on the page for an icon; in the worker's thread."""
         return self.session.exemplar(pictogram)
 
-    def _pictogram(self, item: mime.Item) -> Pictogram:
+    def _pictogram(self, item: mime.Item) -> Generator[None, None, Pictogram]:
         match item:
             case mime.Icon(pictogram):
                 return pictogram
-            case mime.File(path):
-                return self.session.icon(path)
-            case mime.Reference(name):
+            case mime.File(name) | mime.Reference(name):
                 return self.session.icon(name)
             case mime.Drawing(data, name):
                 return self.session.icon_from(data, name)
-        raise IconstudioError(
-            "It is an image of pixels. Only drawings can be used here: save it as SVG first."
-        )
+            case mime.Image(image, name):
+                return (yield from pictogram_of(self.session, image, name))
+        raise IconstudioError(f"“{item.name}” is nothing that can be used here.")
+
+    def _scan(self, item: mime.Item, source: Source) -> None:
+        dialog = ScanDialog(self.session, self._worker, source, item.name, self._owner)
+        dialog.chosen.connect(self.take)
+        dialog.failed.connect(self.complain)
+        dialog.no_image.connect(lambda: self.open_items((item,)))
+        dialog.open()

@@ -28,7 +28,7 @@ class Gathered:
 
 def gathering(
     items: Sequence[Item],
-    read: Callable[[Item], Any],
+    read: Callable[[Item], Generator[None, None, Any]],
     most: int,
     no_room: Callable[[Sequence[str], Sequence[Item]], str],
 ) -> Generator[Gathered | None]:
@@ -44,7 +44,7 @@ def gathering(
             break
         try:
             _check(item)
-            found.append(read(item))
+            found.append((yield from read(item)))
             names.append(item.name)
         except IconstudioError as error:
             complaints.append(str(error))

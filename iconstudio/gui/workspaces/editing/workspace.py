@@ -33,7 +33,7 @@ OWN = {
         Entry("icon", "Choose &icon…", "Choose another icon", Key.Open, "search"),
     ),
     "&Edit": (
-        Entry("paste", "&Paste icon", "Use the SVG drawing on the clipboard", Key.Paste),
+        Entry("paste", "&Paste icon", "Use the drawing on the clipboard", Key.Paste),
         Entry("delete", "&Delete", "Remove the selected area or point", "Backspace"),
         Entry("clear", "C&lear all areas", "Remove all areas", "Ctrl+Backspace", "clear"),
         Entry("run", "&Remix", "Make the icon anew where it is marked", "Ctrl+Return"),

@@ -224,7 +224,7 @@ class IconCard(QWidget):
 
 
 class Cards(QScrollArea):
-    """The cards of all icons, in rows; icons and SVG files can be dropped here.
+    """The cards of all icons, in rows; icons and files can be dropped here.
 
     Signals
     -------

@@ -162,7 +162,7 @@ class IconsColumn(QWidget):
         self._hint.say(
             "Click a part on an icon to pin it: every hybrid keeps it."
             if count
-            else f"Choose {FEWEST} to {MOST} icons above, or drop icons and SVG files here."
+            else f"Choose {FEWEST} to {MOST} icons above, or drop icons and files here."
         )
         self.cards.show_icons(page.ingredients, page.symmetry)
         self.chooser.set_taken(page.ids)

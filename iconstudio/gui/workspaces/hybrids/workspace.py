@@ -29,11 +29,11 @@ from iconstudio.session import Session
 OWN = {
     "&File": (
         *work_entries("mix"),
-        Entry("svg_in", "Op&en SVG…", "Mix a drawing of your own", Key.Open, "open"),
+        Entry("svg_in", "Op&en drawing…", "Mix a drawing of your own", Key.Open, "open"),
         Entry("save_all", "Save all &favourites…", "Save every favourite as SVG", "Ctrl+Alt+S"),
     ),
     "&Edit": (
-        Entry("paste", "&Paste icon", "Mix the SVG drawing on the clipboard", Key.Paste),
+        Entry("paste", "&Paste icon", "Mix the drawing on the clipboard", Key.Paste),
         Entry("clear", "&Remove all icons", "Remove all icons", "Ctrl+Backspace", "clear"),
         Entry("favourite", "&Favourite", "Keep the picked hybrid, or no longer", "F"),
         Entry("like", "More &like this", "Draw hybrids like the picked one", "L"),

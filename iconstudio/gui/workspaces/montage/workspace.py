@@ -45,10 +45,10 @@ from iconstudio.session import Session
 OWN = {
     "&File": (
         *work_entries("montage"),
-        Entry("svg_in", "Op&en SVG…", "Add a drawing of your own", Key.Open, "open"),
+        Entry("svg_in", "Op&en drawing…", "Add a drawing of your own", Key.Open, "open"),
     ),
     "&Edit": (
-        Entry("paste", "P&aste drawing", "Add the SVG drawing on the clipboard", Key.Paste),
+        Entry("paste", "P&aste drawing", "Add the drawing on the clipboard", Key.Paste),
         Entry("delete", "&Delete icon", "Take the chosen icon out", "Backspace"),
         Entry("clear", "Clear &scribbles", "Remove all scribbles", "Ctrl+Backspace", "clear"),
         Entry("mirror", "&Mirror icon", "Mirror the chosen icon", "M", "mirror"),
@@ -100,7 +100,7 @@ class MontageWorkspace(Workspace):
 
         self._make_actions()
         self.start_buttons = StartButtons(
-            self.view, "Open SVG…", self.actions_by_name["svg_in"], self.examples
+            self.view, "Open drawing…", self.actions_by_name["svg_in"], self.examples
         )
         self._lay_out()
         self._wire()

@@ -4,13 +4,14 @@ from collections.abc import Callable, Generator
 from pathlib import Path
 
 from iconstudio.gui.mime import Drawing, File, Image, Item
-from iconstudio.gui.photo import Photo, photo_from_image, read_photo
+from iconstudio.gui.photo import Photo, image_of, photo_of
 from iconstudio.gui.workspaces.opening import Opener
 from iconstudio.gui.workspaces.sketching import page
 from iconstudio.inputs.sketch import SketchFile, read_sketch
+from iconstudio.library.images import SUFFIXES
 from iconstudio.model import IconstudioError
 
-_PHOTOS = "Photos (*.png *.jpg *.jpeg *.webp *.tif *.tiff *.gif *.bmp)"
+_PHOTOS = f"Photos ({' '.join(f'*.{one}' for one in SUFFIXES)})"
 
 
 class SketchOpener(Opener):
@@ -29,19 +30,21 @@ class SketchOpener(Opener):
 
     def open_work(self, path: str) -> None:
         """Open a sketch file, with the photo that it names."""
-        self.replace(lambda: _sketch_and_photo(lambda: read_sketch(Path(path))))
+        self.replace(lambda: self._sketch_and_photo(lambda: read_sketch(Path(path))))
 
     def open_example(self, example: SketchFile) -> None:
         """Open an example."""
-        self.replace(lambda: _sketch_and_photo(lambda: example))
+        self.replace(lambda: self._sketch_and_photo(lambda: example))
 
-    def read(self, item: Item) -> Photo:
+    def reading(self, item: Item) -> Generator[None, None, Photo]:
         """Return a photo: of a file, or from the clipboard or a drop."""
         match item:
             case File(path):
-                return read_photo(path)
+                return photo_of((yield from self.session.image(Path(path))), path)
+            case Image(bytes() as data):
+                return photo_of((yield from self.session.image(data)))
             case Image(image):
-                return photo_from_image(image)
+                return photo_of(image_of(image))
         raise IconstudioError(
             "A sketch is traced over a photo, not over a drawing. "
             f"Open {_quoted(item)} in Edit, Hybrids or Montage."
@@ -56,19 +59,21 @@ class SketchOpener(Opener):
         page.load_sketch(self.document, file.sketch, photo, "open sketch")
         return f"Opened “{file.title}”."
 
-
-def _sketch_and_photo(
-    read: Callable[[], SketchFile],
-) -> Generator[tuple[SketchFile, Photo | None]]:
-    """Yield a sketch with its photo; if only the photo is missing, none, and then say so."""
-    file = read()
-    try:
-        photo, trouble = file.photo and read_photo(str(file.photo)), None
-    except IconstudioError as error:
-        photo, trouble = None, error
-    yield file, photo
-    if trouble is not None:
-        raise IconstudioError(f"The sketch was opened without its photo: {trouble}")
+    def _sketch_and_photo(
+        self, read: Callable[[], SketchFile]
+    ) -> Generator[tuple[SketchFile, Photo | None] | None]:
+        """Yield a sketch with its photo; if only the photo is missing, none, and then say so."""
+        file = read()
+        photo, trouble = None, None
+        if file.photo is not None:
+            try:
+                image = yield from self.session.image(file.photo)
+                photo = photo_of(image, str(file.photo))
+            except IconstudioError as error:
+                trouble = error
+        yield file, photo
+        if trouble is not None:
+            raise IconstudioError(f"The sketch was opened without its photo: {trouble}")
 
 
 def _quoted(item: Item) -> str:
@@ -78,4 +83,4 @@ def _quoted(item: Item) -> str:
 def _about(photo: Photo) -> str:
     size = f"{photo.width:,} × {photo.height:,} pixels"
     kept = ", shown smaller" if photo.scaled_down else ""
-    return f"Photo opened ({size}{kept})."
+    return f"Photo opened ({size}{kept}). {photo.remark}".rstrip()

@@ -1,0 +1,113 @@
+"""Drawings found on scans that were made up, so that their true shape is known."""
+
+import numpy as np
+import pytest
+from skimage.data import horse
+from skimage.draw import disk, polygon
+
+from iconstudio.algorithms.potrace import traced
+from iconstudio.algorithms.scanning import SIDE, Scan, ink_of, scanned
+from iconstudio.model import IconstudioError
+from tests import scans
+
+
+def house() -> np.ndarray:
+    """Walls, a roof, a door and a chimney that floats: (SIDE, SIDE) from 0 to 1."""
+    ink = np.zeros((scans.SIDE, scans.SIDE))
+    ink[polygon([60, 200, 200, 370, 370, 200, 200], [200, 40, 80, 80, 320, 320, 360])] = 1
+    ink[240:370, 170:230] = 0
+    ink[disk((290, 280), 25)] = 0
+    ink[40:110, 300:340] = 1
+    return ink
+
+
+def found(pixels, **options) -> np.ndarray:
+    return ink_of(scanned(pixels, **options)).astype(float)
+
+
+@pytest.mark.parametrize("kind", scans.KINDS, ids=lambda kind: kind.__name__)
+@pytest.mark.parametrize("seed", [0, 1])
+def test_a_drawing_is_found_on_every_kind_of_scan(kind, seed):
+    ink = found(scans.scan(house(), kind, seed))
+    assert max(ink.shape) == SIDE
+    assert scans.iou(scans.fitted(ink), scans.fitted(house())) > 0.95
+
+
+def test_the_horse():
+    picture = horse()  # black on white
+    shape = ~picture
+    pixels = np.repeat(np.where(picture, 255, 0).astype(np.uint8)[..., None], 3, axis=2)
+    assert scans.iou(scans.fitted(found(pixels)), scans.fitted(shape.astype(float))) > 0.97
+    assert scans.iou(scans.fitted(found(255 - pixels)), scans.fitted(shape.astype(float))) > 0.97
+
+
+def test_the_polarity_can_be_chosen():
+    pixels = scans.scan(house(), scans.plain, 0)
+    assert not scanned(pixels).inverted and scanned(255 - pixels).inverted
+    clear = scans.scan(house(), scans.transparent, 0)
+    full = scanned(clear, inverted=True)
+    assert full.inverted
+    assert ink_of(full).mean() > 0.5 > ink_of(scanned(clear)).mean()
+
+
+def test_bright_colours_are_ink_on_white_and_on_nothing_but_near_white_is_not():
+    """A yellow disc with a black ring and a pale highlight on it."""
+    picture = np.zeros((300, 300, 4), np.uint8)
+    disc = np.zeros((300, 300), bool)
+    disc[disk((150, 150), 120)] = True
+    picture[disc] = 250, 210, 40, 255
+    ring = np.zeros_like(disc)
+    ring[disk((150, 150), 70)] = True
+    ring[disk((150, 150), 50)] = False
+    picture[ring] = 0, 0, 0, 255
+    light = np.zeros_like(disc)
+    light[disk((150, 150), 25)] = True
+    picture[light] = 255, 252, 245, 255
+    on_white = np.where(disc[..., None], picture[..., :3], 255).astype(np.uint8)
+    for pixels in (picture, on_white):
+        scan = scanned(pixels)
+        expected = scans.fitted((disc & ~light).astype(float))
+        assert scans.iou(scans.fitted(ink_of(scan).astype(float)), expected) > 0.95
+        black = scans.fitted(ink_of(scan, 235).astype(float))
+        assert scans.iou(black, scans.fitted(ring.astype(float))) > 0.85
+
+
+def test_a_higher_threshold_leaves_less_ink():
+    scan = scanned(scans.scan(house(), scans.blurred, 0))
+    amounts = [ink_of(scan, threshold).sum() for threshold in (40, 90, scan.threshold, 170, 220)]
+    assert amounts == sorted(amounts, reverse=True) and amounts[0] > 1.05 * amounts[-1]
+
+
+@pytest.mark.parametrize(
+    "pixels",
+    [
+        np.full((50, 40, 3), 255, np.uint8),
+        np.zeros((1, 1, 3), np.uint8),
+        np.full((50, 40, 4), (255, 0, 0, 0), np.uint8),
+        np.random.default_rng(0).normal(128, 4, (300, 300, 3)).astype(np.uint8),
+    ],
+    ids=["blank", "a pixel", "transparent", "noise"],
+)
+def test_where_there_is_no_drawing_it_is_told(pixels):
+    with pytest.raises(IconstudioError, match=r"No drawing|transparent all over|Nothing is"):
+        ink_of(scanned(pixels))
+
+
+def test_a_threshold_that_nothing_exceeds_is_told():
+    with pytest.raises(IconstudioError, match="Lower the threshold"):
+        ink_of(Scan(np.full((9, 9), 100, np.uint8), 50, False), 200)
+
+
+def test_what_is_traced_is_the_ink_not_the_paper():
+    """Filled with the even-odd rule by scikit-image, the polygons are the bitmap again."""
+    ink = np.zeros((64, 80), bool)
+    ink[10:50, 20:60] = True
+    ink[20:30, 30:40] = False
+    filled = np.zeros_like(ink)
+    for part in traced(ink).split("M")[1:]:
+        numbers = part.replace("L", " ").replace("C", " ").replace("Z", "").split()
+        points = np.array(numbers, float).reshape(-1, 2)
+        inside = np.zeros_like(ink)
+        inside[polygon(points[:, 1] - 0.5, points[:, 0] - 0.5, ink.shape)] = True
+        filled ^= inside
+    assert scans.iou(filled, ink) > 0.93

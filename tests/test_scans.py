@@ -1,0 +1,99 @@
+"""Scans of real icons become icons again: by files, in works that name them, without a window."""
+
+import json
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from iconstudio.algorithms.style import two_toned
+from iconstudio.inputs.edit import read_edit
+from iconstudio.model import IconstudioError
+from iconstudio.session import Session
+from iconstudio.svg.resvg import render_coverage
+from tests import scans
+
+WORDS = ("dog", "house", "lamp", "camera", "bicycle", "tree", "key", "cup", "phone", "cloud")
+EACH = 4
+
+
+@pytest.fixture(scope="module")
+def session():
+    with Session() as one:
+        yield one
+
+
+@pytest.fixture(scope="module")
+def icons(session):
+    """Real icons of many styles, of one tone, and not of lines thinner than a scan can tell."""
+    found = []
+    for word in WORDS:
+        pictograms = session.search(word)
+        drawn = (session.exemplar(one) for one in pictograms[:: len(pictograms) // 9])
+        usable = [one for one in drawn if not two_toned(one.coverage) and one.ink.mean() > 0.08]
+        found += usable[:EACH]
+    assert len(found) == EACH * len(WORDS)
+    return found
+
+
+def test_scans_of_real_icons_become_these_icons(session, icons, tmp_path):
+    off = {}
+    for number, icon in enumerate(icons):
+        kind = scans.KINDS[number % len(scans.KINDS)]
+        coverage = render_coverage(icon.pictogram.svg, icon.frame, scans.SIDE) / 255
+        path = tmp_path / f"scan-{number}.png"
+        Image.fromarray(scans.scan(coverage, kind, number)).save(path, compress_level=1)
+        again = session.exemplar(session.icon(str(path)))
+        found = scans.iou(again.ink, icon.ink)
+        if found < 0.9:
+            off[icon.id, kind.__name__] = found
+    assert not off
+
+
+def test_a_scan_is_an_icon_of_ones_own(session, tmp_path):
+    path = tmp_path / "my lamp.jpeg"
+    pixels = np.full((300, 300, 3), 250, np.uint8)
+    pixels[100:200, 50:250] = 20
+    Image.fromarray(pixels).save(path)
+    icon = session.icon(str(path))
+    assert icon.id.startswith("own:my lamp-")
+    assert icon.credit.title == "my lamp.jpeg" and icon.credit.author == "an unnamed author"
+    assert icon.svg.count("<path") == 1 and "currentColor" in icon.svg and "viewBox" in icon.svg
+    ink = session.exemplar(icon).ink
+    assert ink[128, 20:236].all() and not ink[60].any()
+    assert session.icon(str(path)) == icon
+
+
+def test_a_scan_is_known_by_its_content_whatever_its_name(session, tmp_path):
+    path = tmp_path / "scan.svg"
+    pixels = np.full((60, 60, 3), 255, np.uint8)
+    pixels[20:40, 10:50] = 0
+    Image.fromarray(pixels).save(path, "PNG")
+    assert session.exemplar(session.icon(str(path))).ink.any()
+
+
+def test_a_scan_can_be_named_in_a_work(session, tmp_path):
+    pixels = np.full((60, 60, 3), 255, np.uint8)
+    pixels[20:40, 10:50] = 0
+    Image.fromarray(pixels).save(tmp_path / "scan.webp")
+    work = tmp_path / "edit.json"
+    area = [[[100, 100], [150, 100], [150, 150]]]
+    work.write_text(json.dumps({"icon": "scan.webp", "keyword": "cup", "remove": area, "add": []}))
+    assert read_edit(work).resolved(session.icon).icon.id.startswith("own:scan-")
+
+
+def test_what_a_scan_lacks_is_told(session, tmp_path):
+    blank = tmp_path / "blank.png"
+    Image.new("RGB", (50, 50), "white").save(blank)
+    with pytest.raises(IconstudioError, match=r"blank\.png.*No drawing can be made out"):
+        session.icon(str(blank))
+    broken = tmp_path / "broken.png"
+    broken.write_bytes(blank.read_bytes()[:60])
+    with pytest.raises(IconstudioError, match=r"broken\.png.*cut short"):
+        session.icon(str(broken))
+    paper = np.random.default_rng(0).integers(225, 256, (200, 200, 3), np.uint8)
+    paper[40:90, 40:160] //= 9
+    half = tmp_path / "half.png"
+    Image.fromarray(paper).save(half)
+    half.write_bytes(half.read_bytes()[: half.stat().st_size * 9 // 10])
+    assert "cut short" in session.icon(str(half)).remarks[0]
