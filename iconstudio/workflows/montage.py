@@ -53,7 +53,7 @@ def _pose(sources: Sequence[Source], scribbles: NDArray[np.bool_]) -> Posed:
     ink, filled = placed_sources(sources, side)
     reach = MONTAGE_REACH * side / CANVAS
     data = np.stack([truncated_distance(one, reach) for one in scribbles])
-    return Posed(RemixProblem(data + held(scribbles), ink, filled))
+    return Posed(RemixProblem(data + held(scribbles), ink, filled), marked=scribbles)
 
 
 def check(montage: Montage, side: int = CANVAS) -> NDArray[np.bool_]:

@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from iconstudio.algorithms import ranking
-from iconstudio.algorithms.energy import Labels, RemixProblem, joined_ink
+from iconstudio.algorithms.energy import Labels, RemixProblem
+from iconstudio.algorithms.overhang import seen
 from iconstudio.algorithms.ranking import Score
 from iconstudio.algorithms.raster import Bitmap, overlap, solid
 from iconstudio.algorithms.redraw import SCALE
@@ -37,6 +38,14 @@ class Posed:
     """(m, m): the filled outline that is wanted, if there is one."""
     near: Bitmap | None = None
     """(m, m): where the likeness to it counts; everywhere if None."""
+    marked: Bitmap | None = None
+    """(K, m, m): what the user wants to keep of each source; nothing if None."""
+
+    def kept(self, labels: Labels) -> Bitmap | None:
+        """Return what is marked of its owner, (m, m), if anything is."""
+        if self.marked is None:
+            return None
+        return np.take_along_axis(self.marked, labels[None].astype(np.intp), axis=0)[0]
 
     def weight(self, lambda_s: float) -> float:
         """Return what the paper's lambda_S comes to on this canvas (see ``RemixProblem``)."""
@@ -142,20 +151,22 @@ def solve(key: object, job: Job, step: Step, render: Render) -> Solved:
 
 def finished(posed: Posed, job: Job, step: Step, labels: Labels, render: Render) -> Solved:
     """Judge, redraw and trace a labelling (m, m) that a step has come to."""
-    problem = posed.problem
-    ink = joined_ink(problem.ink, labels)
-    owned = np.bincount(labels[ink], minlength=len(job.sources))
+    problem, kept = posed.problem, posed.kept(labels)
+    scale = PREVIEW if step.preview else SCALE
+    drawing = draw(labels, problem.ink, job.sources, render, scale, kept)
+    shares = _shares(drawing, labels, len(job.sources))
     data_cost, smoothness_cost = problem.costs(labels)
-    iou, likeness = _compared(posed, ink)
-    score = ranking.score(problem, labels, sharing=job.sharing)
+    iou, likeness = _compared(posed, drawing)
+    score = ranking.score(problem, labels, marked=kept)
+    sharing = ranking.evenness(shares) if job.sharing else 1.0
     return Solved(
         labels,
         (data_cost, smoothness_cost),
         data_cost + posed.weight(step.lambda_s) * smoothness_cost,
-        tuple((owned / max(1, owned.sum())).tolist()),
+        shares,
         iou,
-        replace(score, likeness=likeness),
-        draw(labels, problem.ink, job.sources, render, PREVIEW if step.preview else SCALE),
+        replace(score, likeness=likeness, sharing=sharing),
+        drawing,
     )
 
 
@@ -196,15 +207,26 @@ def _cut(bench: _Bench, step: Step) -> Labels:
     return bench.sweep.solve(bench.posed.weight(step.lambda_s))
 
 
-def _compared(posed: Posed, ink: Bitmap) -> tuple[float | None, float]:
-    """Return overlap and likeness of a result with what was wanted; likeness is 1 if nothing was.
+def _shares(drawing: Drawing, labels: Labels, count: int) -> tuple[float, ...]:
+    """Return which part of a drawing's ink each of the sources owns."""
+    ink = drawing.coverage > 127
+    owners = labels if drawing.owners is None else drawing.owners
+    step = np.arange(len(ink)) * len(owners) // len(ink)
+    owned = np.bincount(owners[step[:, None], step][ink], minlength=count)
+    return tuple((owned / max(1, owned.sum())).tolist())
 
-    ``ink`` is (m, m).
+
+def _compared(posed: Posed, drawing: Drawing) -> tuple[float | None, float]:
+    """Return overlap and likeness of a drawing with what was wanted; likeness is 1 if nothing was.
+
+    The drawing is what the user sees: it may differ from the labelling.
     """
     if posed.target is None:
         return None, 1.0
-    filled = solid(ink)
-    iou = overlap(filled, posed.target)
+    size = len(drawing.coverage)
+    filled, target = solid(drawing.coverage > 127), seen(posed.target, drawing.frame, size, False)
+    iou = overlap(filled, target)
     if posed.near is None:
         return iou, iou
-    return iou, overlap(filled[posed.near], posed.target[posed.near])
+    near = seen(posed.near, drawing.frame, size, False)
+    return iou, overlap(filled[near], target[near])
