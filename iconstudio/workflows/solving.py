@@ -25,9 +25,6 @@ from iconstudio.workflows.drawing import PREVIEW, Render, draw
 if TYPE_CHECKING:
     from iconstudio.algorithms.sweep import Sweep
 
-NEAR = 1.6
-"""What is found for lambda_S this many times larger or smaller helps almost as much as all."""
-
 
 @dataclass(frozen=True, eq=False)
 class Posed:
@@ -65,7 +62,8 @@ class Job:
     lambdas: tuple[float, ...]
     """In the order in which the results are wanted."""
     explored: tuple[float, ...] = ()
-    """Values of lambda_S for which to look for labellings first: they help each other."""
+    """Values of lambda_S for which to look for labellings, too, as they help each other: all that
+    are wanted, and more. If there are none, each wanted one is looked for by itself."""
     preview: bool = False
     """Whether a coarse result for the first lambda_S goes ahead."""
     earlier: Composite | None = None
@@ -80,8 +78,7 @@ class Job:
         finished = (*most, replace(last, last=True))
         if not self.preview:
             return finished
-        first = finished[0]
-        return replace(first, preview=True, last=False), replace(first, soon=True), *finished[1:]
+        return replace(finished[0], preview=True, last=False), *finished
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,8 +87,6 @@ class Step:
 
     lambda_s: float
     preview: bool = False
-    soon: bool = False
-    """Whether to look for labellings for this lambda_S alone: somebody is waiting."""
     last: bool = False
     """Whether the job is done after it."""
 
@@ -120,7 +115,8 @@ class _Bench:
 
     posed: Posed
     sweep: "Sweep"
-    unexplored: tuple[float, ...]
+    row: tuple[float, ...]
+    """What the explored lambda_S come to on the canvas."""
 
 
 def solve(key: object, job: Job, step: Step, render: Render) -> Solved:
@@ -177,8 +173,7 @@ def warm_up(render: Render) -> None:
 
     ink = np.zeros((2, CANVAS, CANVAS), dtype=bool)
     sweep = Sweep(RemixProblem(ink.astype(np.float32), ink, ink))
-    sweep.explore([1.0])
-    sweep.solve(1.0)
+    sweep.find(1.0, [1.0])
     dot = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 8 8"><path d="M2 2h4v4H2z"/></svg>'
     trace(render(dot, Frame(0, 0, 8), Placement(), CANVAS))
 
@@ -192,19 +187,17 @@ def _begin(job: Job) -> _Bench:
     if before is not None and before.labels.shape == posed.problem.data.shape[1:]:
         data = posed.problem.data
         sweep.add(transferred(before.labels, before.sources, job.sources, data))
-    return _Bench(posed, sweep, job.explored)
+    return _Bench(posed, sweep, tuple(map(posed.weight, job.explored)))
 
 
 def _cut(bench: _Bench, step: Step) -> Labels:
+    """Return the labelling of a step. Only a preview depends on the result before an edit."""
+    weight = bench.posed.weight(step.lambda_s)
     if step.preview:
-        return bench.sweep.preview(bench.posed.weight(step.lambda_s))
-    if step.soon:
-        near = (step.lambda_s / NEAR, step.lambda_s, step.lambda_s * NEAR)
-        bench.sweep.explore(map(bench.posed.weight, near))
-    elif bench.unexplored:
-        bench.sweep.explore(map(bench.posed.weight, bench.unexplored))
-        bench.unexplored = ()
-    return bench.sweep.solve(bench.posed.weight(step.lambda_s))
+        return bench.sweep.preview(weight)
+    if bench.row:
+        return bench.sweep.find(weight, bench.row)
+    return bench.sweep.solve(weight)
 
 
 def _shares(drawing: Drawing, labels: Labels, count: int) -> tuple[float, ...]:
