@@ -154,7 +154,8 @@ def placed_sources(
 ) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
     """Return ink and solid of sources at their placements, both (K, side, side) bool.
 
-    ``pad`` is by how many pixels the canvas is enlarged on each side. On a canvas that is not of the paper's side, the exemplars' pictures are enlarged or reduced.
+    ``pad`` is by how many pixels the canvas is enlarged on each side. On a canvas that is not of
+    the paper's side, the exemplars' pictures are enlarged or reduced.
     """
     placed = [placed_ink(source.exemplar, source.placement, side, pad) for source in sources]
     return np.stack([pair[0] for pair in placed]), np.stack([pair[1] for pair in placed])

@@ -138,7 +138,8 @@ def placed_ink(
 ) -> tuple[Bitmap, Bitmap]:
     """Return ink and solid of an exemplar at a placement, both (side, side) bool.
 
-    ``pad`` is by how many pixels the canvas is enlarged on each side. The holes are filled before the canvas cuts the drawing off: what it encloses stays enclosed.
+    ``pad`` is by how many pixels the canvas is enlarged on each side. The holes are filled before
+    the canvas cuts the drawing off: what it encloses stays enclosed.
     """
     scaled = _remembered if placement.scale <= _USUAL else _scaled
     both = scaled(exemplar.coverage.tobytes(), placement.scale, side)

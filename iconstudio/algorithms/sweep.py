@@ -19,9 +19,10 @@ What is heuristic, in the order of the work:
    the one that is wanted; and from what is known, such as the result before an edit.
 2. ``find`` looks for good regions to begin in, for one of a row of lambda_S: on blocks of 2 x 2
    from the lowest lambda_S up to it, each from the last, and from the highest down to it, in either
-   way through half of the row at least; and those on 4 x 4 blocks, from the cheapest labels, that are nearly as good as the best of these are
-   improved on 2 x 2. It ends with expansions on the sites near the seams of the best labelling:
-   elsewhere next to nothing is gained. The rises and falls are kept for the others of the row.
+   way through half of the row at least; and those on 4 x 4 blocks, from the cheapest labels, that
+   are nearly as good as the best of these are improved on 2 x 2. It ends with expansions on the
+   sites near the seams of the best labelling: elsewhere next to nothing is gained. The rises and
+   falls are kept for the others of the row.
 
 What ``find`` returns depends on the problem, the value and the row alone: not on what was asked
 before, nor on previews. (A minimum cut need not be the only one, but each network gives the one

@@ -10,11 +10,15 @@ from iconstudio.model.exemplar import Frame
 from iconstudio.model.placement import Source
 
 
+WHOLE = Frame(0, 0, CANVAS)
+"""The canvas itself."""
+
+
 @dataclass(frozen=True, eq=False)
 class Composite:
     """The labelling L of equation 5 with its energy.
 
-    ``energy == data_cost + lambda_s * m / CANVAS * smoothness_cost``, with m the side of ``labels``.
+    ``energy == data_cost + lambda_s * m / CANVAS * smoothness_cost``; m is the side of ``labels``.
     """
 
     style: str
@@ -47,6 +51,6 @@ class Drawing:
     coverage: NDArray[np.uint8]
     owners: NDArray[np.uint8] | None = None
     """(k, k): index of the source that owns each part of ``frame``; None: as the labels say."""
-    frame: Frame = Frame(0, 0, CANVAS)
+    frame: Frame = WHOLE
     """The square of the composite's canvas that is drawn, in its units: more than the canvas if a
     source that owns its border reaches past it. Path and coverage are in units of this square."""

@@ -33,6 +33,7 @@ def of_result(name: str, result: Result) -> dict[str, Any]:
     composite = result.composite
     return {
         "style": composite.style,
+        "m": len(composite.labels),
         "lambda_s": float(composite.lambda_s),
         "energy": float(composite.energy),
         "data_cost": float(composite.data_cost),

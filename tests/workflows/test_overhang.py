@@ -35,8 +35,8 @@ def expected(source, frame, size=512):
     dx = -shift[0] if placement.flip else shift[0]
     centre = shown.x + shown.size / 2 + dx * k, shown.y + shown.size / 2 + shift[1] * k
     side = shown.size / unit
-    picture = render_coverage(source.exemplar.pictogram.svg,
-                              Frame(centre[0] - side / 2, centre[1] - side / 2, side), size)  # fmt: skip
+    square = Frame(centre[0] - side / 2, centre[1] - side / 2, side)
+    picture = render_coverage(source.exemplar.pictogram.svg, square, size)
     return picture[:, ::-1] if placement.flip else picture
 
 
