@@ -9,7 +9,6 @@ from iconstudio.model.canvas import CANVAS
 from iconstudio.model.exemplar import Frame
 from iconstudio.model.placement import Source
 
-
 WHOLE = Frame(0, 0, CANVAS)
 """The canvas itself."""
 
