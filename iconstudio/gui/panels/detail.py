@@ -214,7 +214,7 @@ class DetailPanel(QFrame):
         icons = len({source.source.exemplar.id for source in sources})
         about = f"{_counted(len(sources), 'part')} of {_counted(icons, 'icon')}"
         if picture.result.preview:
-            about = f"preview · {about}"
+            about = "preview"
         # Of hybrids and montages, λ is always the same.
         weight = [] if composite.iou is None else [f"λ {composite.lambda_s:.2f}"]
         self._about.setText(" · ".join((*weight, about, *_merits(picture.result))))
