@@ -78,3 +78,16 @@ def test_a_placements_frame_shows_what_the_placement_says(scale, flip, dx, dy, p
     y = (uy - shown.y) / shown.size * CANVAS
     assert (CANVAS - x if flip else x) == pytest.approx(qx, abs=1e-6)
     assert y == pytest.approx(qy, abs=1e-6)
+
+
+SCALARS = st.sampled_from([np.float64, np.float32, float])
+
+
+@given(SCALARS, SCALARS, st.integers(-200, 200), st.booleans())
+def test_numbers_of_numpy_become_plain_ones(scale, unit, shift, flip):
+    placement = Placement(scale(0.9), np.bool_(flip), np.int64(shift), np.int16(-shift))
+    frame = placement.frame(Frame(unit(1.5), unit(-2), np.int64(24)))
+    assert "np." not in repr((placement, frame))
+    assert placement == Placement(float(scale(0.9)), flip, shift, -shift)
+    kinds = [type(value) for value in (placement.scale, placement.flip, placement.dx, frame.size)]
+    assert kinds == [float, bool, int, float]

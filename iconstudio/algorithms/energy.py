@@ -150,13 +150,14 @@ def data_cost(sketch_field: NDArray[np.float32], filled: NDArray[np.bool_]) -> N
 
 
 def placed_sources(
-    sources: Sequence[Source], side: int = CANVAS
+    sources: Sequence[Source], side: int = CANVAS, pad: int = 0
 ) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
     """Return ink and solid of sources at their placements, both (K, side, side) bool.
 
-    On a canvas that is not of the paper's side, the exemplars' pictures are enlarged or reduced.
+    ``pad`` is by how many pixels the canvas is enlarged on each side. On a canvas that is not of
+    the paper's side, the exemplars' pictures are enlarged or reduced.
     """
-    placed = [placed_ink(source.exemplar, source.placement, side) for source in sources]
+    placed = [placed_ink(source.exemplar, source.placement, side, pad) for source in sources]
     return np.stack([pair[0] for pair in placed]), np.stack([pair[1] for pair in placed])
 
 

@@ -17,7 +17,12 @@ WHOLE = 0.5
 _EIGHT = np.ones((3, 3), dtype=bool)
 
 
-def fragments(labels: Labels, ink: NDArray[np.bool_], small: float = SMALL) -> NDArray[np.bool_]:
+def fragments(
+    labels: Labels,
+    ink: NDArray[np.bool_],
+    small: float = SMALL,
+    marked: NDArray[np.bool_] | None = None,
+) -> NDArray[np.bool_]:
     """Return the pixels of all fragments, (h, w) bool.
 
     Parameters
@@ -28,13 +33,18 @@ def fragments(labels: Labels, ink: NDArray[np.bool_], small: float = SMALL) -> N
         (K, h, w) bool: the sources.
     small
         The part of the ink that a fragment holds at most.
+    marked
+        (h, w) bool: what the user wants to keep. A piece with ink there is no fragment.
     """
     joined = joined_ink(ink, labels)
     pieces, count = scipy.ndimage.label(joined, _EIGHT)
     sizes = np.bincount(pieces.ravel(), minlength=count + 1)
     found = np.zeros_like(joined)
+    wanted = np.zeros(count + 1, dtype=bool)
+    if marked is not None:
+        wanted[pieces[marked]] = True
     for piece in range(1, count + 1):
-        if sizes[piece] <= small * joined.sum():
+        if sizes[piece] <= small * joined.sum() and not wanted[piece]:
             here = pieces == piece
             if _shown(labels, ink, here) <= WHOLE:
                 found |= here

@@ -9,7 +9,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
-from iconstudio.model import CANVAS, Axis, Point, Stroke
+from iconstudio.model import CANVAS, Axis, Placement, Point, Stroke
 
 EDIT_REACH = 25
 """t of D_E, in canvas units (section 4.2)."""
@@ -94,6 +94,21 @@ def scribble(strokes: Sequence[Stroke], side: int = CANVAS) -> NDArray[np.bool_]
             if first and (steps.cumsum(axis=1)[:, :-1] > 0).all():  # scribbled all over
                 break
     return covered | (steps.cumsum(axis=1)[:, :-1] > 0)
+
+
+def carried(stroke: Stroke, before: Placement, after: Placement) -> Stroke:
+    """Return a stroke over an icon, after the icon was put elsewhere: over the same part of it."""
+    grown = after.scale / before.scale
+    mirror = -1 if before.flip != after.flip else 1
+    half = CANVAS / 2
+    points = tuple(
+        (
+            half + mirror * grown * (x - half - before.dx) + after.dx,
+            half + grown * (y - half - before.dy) + after.dy,
+        )
+        for x, y in stroke.points
+    )
+    return Stroke(stroke.width * grown, points)
 
 
 def points_on(stroke: Stroke) -> NDArray[np.float64]:

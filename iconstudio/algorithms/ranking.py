@@ -4,6 +4,7 @@ The paper's authors picked the hybrids of their figures by hand (section 4.3). T
 what the eye objects to; each lies between 0 and 1, and 1 is best.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -45,17 +46,28 @@ class Score:
         return self.seam * self.whole * self.symmetry * self.sharing * self.likeness
 
 
-def score(problem: RemixProblem, labels: Labels, *, sharing: bool = False) -> Score:
+def score(
+    problem: RemixProblem,
+    labels: Labels,
+    *,
+    sharing: bool = False,
+    marked: NDArray[np.bool_] | None = None,
+) -> Score:
     """Return the terms of a labelling (m, m) for which no outline was wanted.
 
-    ``sharing`` says whether the ink should come from several sources.
+    Parameters
+    ----------
+    sharing
+        Whether the ink should come from several sources.
+    marked
+        (m, m) bool: what the user wants to keep, however free it floats.
     """
     ink = joined_ink(problem.ink, labels)
     return Score(
         seam=float(np.exp(-seam_cost(problem, labels) / HARSH)),
-        whole=_whole(problem, labels, ink),
+        whole=_whole(problem, labels, ink, marked),
         symmetry=_symmetry(problem, labels, ink),
-        sharing=_sharing(problem, labels, ink) if sharing else 1.0,
+        sharing=evenness(_owned(problem, labels, ink)) if sharing else 1.0,
         likeness=1.0,
     )
 
@@ -106,8 +118,13 @@ def _repeats(
     return stray <= STRAY * (int(ink.sum()) + int(other.sum()))
 
 
-def _whole(problem: RemixProblem, labels: Labels, ink: NDArray[np.bool_]) -> float:
-    loose = fragments(labels, problem.ink, small=1.0)
+def _whole(
+    problem: RemixProblem,
+    labels: Labels,
+    ink: NDArray[np.bool_],
+    marked: NDArray[np.bool_] | None,
+) -> float:
+    loose = fragments(labels, problem.ink, small=1.0, marked=marked)
     return max(0.0, 1 - 3 * float(loose.sum()) / max(1, ink.sum()))
 
 
@@ -118,7 +135,11 @@ def _symmetry(problem: RemixProblem, labels: Labels, ink: NDArray[np.bool_]) -> 
     return min(1.0, likeness(ink, problem.symmetry) / max(float(expected), 1e-9))
 
 
-def _sharing(problem: RemixProblem, labels: Labels, ink: NDArray[np.bool_]) -> float:
+def evenness(shares: Sequence[float]) -> float:
+    """Return how far the ink comes from several sources, given each one's part of it."""
+    return min(1.0, (1 - max(shares)) / EVEN)
+
+
+def _owned(problem: RemixProblem, labels: Labels, ink: NDArray[np.bool_]) -> list[float]:
     owned = np.bincount(labels[ink], minlength=len(problem.ink))
-    others = 1 - owned.max() / max(1, owned.sum())
-    return min(1.0, float(others) / EVEN)
+    return (owned / max(1, owned.sum())).tolist()

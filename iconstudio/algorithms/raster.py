@@ -139,18 +139,19 @@ def shifted(picture: NDArray, dx: int, dy: int, size: int, fill: object = 0) -> 
 
 
 def placed_ink(
-    exemplar: Exemplar, placement: Placement, side: int = CANVAS
+    exemplar: Exemplar, placement: Placement, side: int = CANVAS, pad: int = 0
 ) -> tuple[Bitmap, Bitmap]:
     """Return ink and solid of an exemplar at a placement, both (side, side) bool.
 
-    The holes are filled before the canvas cuts the drawing off: what it encloses stays enclosed.
+    ``pad`` is by how many pixels the canvas is enlarged on each side. The holes are filled before
+    the canvas cuts the drawing off: what it encloses stays enclosed.
     """
     scaled = _remembered if placement.scale <= _USUAL else _scaled
     both = scaled(exemplar.coverage.tobytes(), placement.scale, side)
     if placement.flip:
         both = both[:, :, ::-1]
     dx, dy = (round(shift * side / CANVAS) for shift in (placement.dx, placement.dy))
-    ink, filled = shifted(both, dx, dy, side, False)
+    ink, filled = shifted(both, dx, dy, side + 2 * pad, False)
     return ink, filled
 
 

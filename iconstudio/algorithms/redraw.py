@@ -215,13 +215,37 @@ def two_tone(coverage: NDArray[np.uint8]) -> NDArray[np.uint8]:
     return np.where(edge, coverage, np.where(ink, np.uint8(255), np.uint8(0)))
 
 
-def erase(coverage: NDArray[np.uint8], fragments: NDArray[np.bool_]) -> None:
+def erase(
+    coverage: NDArray[np.uint8],
+    fragments: NDArray[np.bool_],
+    marked: NDArray[np.bool_] | None = None,
+) -> None:
     """Take pieces off a drawing (n, n), in place.
 
-    ``fragments`` is (m, m) bool; what lies within two of its pixels and touches it goes too.
+    ``fragments`` is (m, m) bool; what lies within two of its pixels and touches it goes too, but
+    nothing that is ``marked``, (m, m) bool.
     """
     if fragments.any():
         s = len(coverage) // len(fragments)
         reach = 2 * len(fragments) // CANVAS or 1
         near = scipy.ndimage.binary_dilation(fragments, iterations=reach)
+        if marked is not None:
+            near &= ~spread(marked)
         coverage[near.repeat(s, axis=0).repeat(s, axis=1)] = 0
+
+
+def restore(
+    coverage: NDArray[np.uint8],
+    labels: Labels,
+    coverages: Mapping[int, NDArray[np.uint8]],
+    marked: NDArray[np.bool_],
+) -> None:
+    """Draw what is marked as its owner alone draws it, in place: no cross-fade may thin it.
+
+    ``coverage`` is (n, n), ``labels`` and ``marked`` are (m, m).
+    """
+    s = len(coverage) // len(labels)
+    for owner in np.unique(labels[marked]):
+        blocks = np.argwhere(marked & (labels == owner))
+        own = in_blocks(coverages[int(owner)], s)[at(blocks)]
+        in_blocks(coverage, s)[at(blocks)] = own

@@ -2,14 +2,14 @@
 
 Importing this module loads numba, so only the process that cuts should do so.
 
-Alpha-expansion ends in one of many local minima, and in which depends on where it begins. A
-``Sweep`` keeps all labellings found so far. What a labelling costs is D + lambda_S S, so each
-counts for every lambda_S, and each search begins with the best one known.
+Alpha-expansion ends in one of many local minima, and in which depends on where it begins. What a
+labelling costs is D + lambda_S S, so each that is found counts for other lambda_S, too, and each
+search begins with the best one it may know.
 
 What is exact: every expansion is the best one (``networks``, ``cuts``) on its lattice, of blocks or
-of sites near seams; so no search ends above its beginning, and ``solve`` never answers worse than a
-labelling it knows. Energies are whole numbers of ``networks.UNIT`` parts, some 1e-5 off. Debug runs
-(``check``) assert that flows are feasible, cuts worth their flow, and energies never rise.
+of sites near seams; so no search ends above its beginning. Energies are whole numbers of
+``networks.UNIT`` parts, some 1e-5 off. Debug runs (``check``) assert that flows are feasible, cuts
+worth their flow, and energies never rise.
 
 What is heuristic, in the order of the work:
 
@@ -17,17 +17,21 @@ What is heuristic, in the order of the work:
    labellings that are constant on blocks: a quarter of the nodes, a tenth of the time. It begins
    with the best on blocks of 4 x 4: from where the data cost rules, at the lowest lambda_S, up to
    the one that is wanted; and from what is known, such as the result before an edit.
-2. ``explore`` looks for good regions to begin in: for each lambda_S on blocks of 4 x 4 from the
-   cheapest labels; on blocks of 2 x 2 from the lowest lambda_S up, each from the last, and again
-   from the highest down; last, those on 4 x 4 blocks that are nearly as good as the best known are
-   improved on 2 x 2.
-3. ``solve`` ends with expansions on the sites near the seams of the best labelling known: elsewhere
-   next to nothing is gained.
+2. ``find`` looks for good regions to begin in, for one of a row of lambda_S: on blocks of 2 x 2
+   from the lowest lambda_S up to it, each from the last, and from the highest down to it, in either
+   way through half of the row at least; and those on 4 x 4 blocks, from the cheapest labels, that
+   are nearly as good as the best of these are improved on 2 x 2. It ends with expansions on the
+   sites near the seams of the best labelling: elsewhere next to nothing is gained. The rises and
+   falls are kept for the others of the row.
 
+What ``find`` returns depends on the problem, the value and the row alone: not on what was asked
+before, nor on previews. (A minimum cut need not be the only one, but each network gives the one
+with the fewest sites that change, however much flow it had.)
 Everything is deterministic: the same calls in the same order give the same labellings.
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
+from typing import NamedTuple
 
 import numpy as np
 from scipy import ndimage
@@ -58,7 +62,7 @@ RISES = 4
 REACH = 5
 """Sites farther than this from a seam keep their labels in the end."""
 PROMISING = 1.03
-"""An energy this much above the best known is worth refining."""
+"""An energy this much above the best that is found is worth refining."""
 FAR = 0.5
 """From this lambda_S on, seams outweigh the data cost, so that flow goes far."""
 LARGEST = 16.0
@@ -197,6 +201,18 @@ class Level:
         return gain
 
 
+class Found(NamedTuple):
+    """A labelling (m, m), and what it costs."""
+
+    data: float
+    smoothness: float
+    labels: Labels
+
+    def energy(self, lambda_s: float) -> float:
+        """Return the energy for a lambda_S."""
+        return self.data + lambda_s * self.smoothness
+
+
 class Sweep:
     """The labellings of a problem found so far, and the means to find better ones.
 
@@ -216,20 +232,20 @@ class Sweep:
         self._stop = stop
         self._words = plane_words(problem)
         self._levels: dict[int, Level] = {}
-        self._known: list[tuple[float, float, Labels]] = []
+        self._known: list[Found] = []
+        self._chains: dict[tuple[int, tuple[float, ...]], Found] = {}
 
     def add(self, labels: Labels) -> None:
         """Make a labelling (m, m) known, such as that of a similar problem."""
-        data, smoothness = self._problem.costs(labels)
-        self._known.append((data, smoothness, labels))
+        self._known.append(Found(*self._problem.costs(labels), labels))
 
     def best(self, lambda_s: float) -> Labels:
         """Return the best labelling known, (m, m)."""
-        return min(self._known, key=lambda one: one[0] + lambda_s * one[1])[2]
+        return _best(self._known, lambda_s).labels
 
     def energy(self, lambda_s: float) -> float:
         """Return the energy of the best labelling known."""
-        return min(data + lambda_s * smoothness for data, smoothness, _ in self._known)
+        return _best(self._known, lambda_s).energy(lambda_s)
 
     def preview(self, lambda_s: float) -> Labels:
         """Return a good labelling soon, (m, m); what is known already is improved, too."""
@@ -238,31 +254,47 @@ class Sweep:
         labels = None
         lowest = LAMBDAS[0] * self._problem.side / CANVAS
         for value in np.geomspace(min(lowest, lambda_s), lambda_s, RISES):
-            labels = self._descend(COARSE, value, labels)
+            labels = self._descend(COARSE, value, labels).labels
         self._descend(BLOCK, lambda_s, self.best(lambda_s))
         return self.best(lambda_s)
 
-    def explore(self, lambdas: Iterable[float]) -> None:
-        """Look for good labellings for several lambda_S."""
-        rising = sorted(lambdas)
-        coarse = {value: self._descend(COARSE, value, None) for value in rising}
-        for order in (rising, rising[::-1]):
-            labels = None
-            for lambda_s in order:
-                labels = self._descend(BLOCK, lambda_s, labels)
-        for lambda_s, labels in coarse.items():
-            data, smoothness = self._problem.costs(labels)
-            if data + lambda_s * smoothness < PROMISING * self.energy(lambda_s):
-                self._descend(BLOCK, lambda_s, labels)
+    def find(self, lambda_s: float, row: Iterable[float]) -> Labels:
+        """Return a labelling of low energy, (m, m), whatever else is known.
+
+        ``lambda_s`` is one of the values of ``row``, for which labellings are looked for, too.
+        """
+        values = sorted(row)
+        at = values.index(lambda_s)
+        half = len(values) // 2  # at least so many on the way, for those near the ends
+        rising, falling = values[: max(at, half) + 1], values[min(at, len(values) - 1 - half) :]
+        found = [*self._chain(tuple(rising)), *self._chain(tuple(falling[::-1]))]
+        for value in values[max(0, at - 1) : at + 2]:
+            coarse = self._kept(COARSE, (value,))
+            if coarse.energy(lambda_s) < PROMISING * _best(found, lambda_s).energy(lambda_s):
+                found.append(self._descend(BLOCK, lambda_s, coarse.labels))
+        found.append(self._descend(1, lambda_s, _best(found, lambda_s).labels))
+        return _best(found, lambda_s).labels
 
     def solve(self, lambda_s: float) -> Labels:
-        """Return a labelling of low energy, (m, m)."""
+        """Return a labelling of low energy, (m, m), that is no worse than any that is known."""
         if not self._known:
             self._descend(BLOCK, lambda_s, None)
         self._descend(1, lambda_s, self.best(lambda_s))
         return self.best(lambda_s)
 
-    def _descend(self, block: int, lambda_s: float, start: Labels | None) -> Labels:
+    def _chain(self, values: tuple[float, ...]) -> list["Found"]:
+        """Return what is found for values one after another, each from the last."""
+        return [self._kept(BLOCK, values[: count + 1]) for count in range(len(values))]
+
+    def _kept(self, block: int, values: tuple[float, ...]) -> "Found":
+        """Return what is found at the end of a chain of values, and remember it."""
+        key = block, values
+        if key not in self._chains:
+            start = self._kept(block, values[:-1]).labels if values[1:] else None
+            self._chains[key] = self._descend(block, values[-1], start)
+        return self._chains[key]
+
+    def _descend(self, block: int, lambda_s: float, start: Labels | None) -> "Found":
         """Expand from ``start``, the cheapest labels if None, and remember what is found."""
         if block not in self._levels:
             self._levels[block] = Level(self._problem, block, self._words, self._check)
@@ -274,10 +306,10 @@ class Sweep:
         level.descend(labels, lambda_s, self._stop)
         if block == 1:
             level.let_go()
-        found = level.full(labels)
-        self.add(found)
+        self.add(level.full(labels))
+        found = self._known[-1]
         if before is not None:
-            fallen = self._energy(before, lambda_s) - self._energy(found, lambda_s)
+            fallen = self._energy(before, lambda_s) - self._energy(found.labels, lambda_s)
             assert fallen >= -ROUNDING * self._energy(before, lambda_s)
         return found
 
@@ -307,6 +339,11 @@ def check_cut(grid: Grid, network: Network, tree: np.ndarray, total: int) -> Non
     assert (network.excess[~taken] <= 0).all()
     for d, step in enumerate(grid.offset.tolist()):
         assert not network.capacity[taken & ~np.roll(taken, -step), d].any()
+
+
+def _best(found: Sequence[Found], lambda_s: float) -> Found:
+    """Return what costs least; the first of equals."""
+    return min(found, key=lambda one: one.energy(lambda_s))
 
 
 def _joined(one: Box, other: Box) -> Box:

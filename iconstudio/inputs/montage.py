@@ -96,6 +96,9 @@ def _layer(fields: Fields) -> LayerFile:
         round(fields.number("dy", 0, -FAR, FAR)),
     )
     strokes = tuple(map(_stroke, fields.objects("strokes", "stroke")))
+    if strokes and not any(map(_meets_canvas, strokes)):
+        its = "Its stroke lies" if len(strokes) == 1 else "All its strokes lie"
+        raise fields.mistake(f"{its} outside the canvas, 0 to {CANVAS}.")
     return LayerFile(fields.reference(), placement, strokes)
 
 
@@ -105,9 +108,13 @@ def _stroke(fields: Fields) -> Stroke:
     if len(set(points)) < 2:
         count = "no point" if not points else "one point"
         raise fields.mistake(f"The stroke has {count}; it needs at least 2 different ones.")
-    left, right = min(x for x, _ in points), max(x for x, _ in points)
-    top, bottom = min(y for _, y in points), max(y for _, y in points)
-    reach = width / 2
-    if not (-reach < right and left < CANVAS + reach and -reach < bottom and top < CANVAS + reach):
-        raise fields.mistake(f"The stroke lies outside the canvas, 0 to {CANVAS}.")
     return Stroke(width, points)
+
+
+def _meets_canvas(stroke: Stroke) -> bool:
+    """Whether the box around a stroke has a part of the canvas."""
+    reach = stroke.width / 2
+    return all(
+        -reach < max(values) and min(values) < CANVAS + reach
+        for values in zip(*stroke.points, strict=True)
+    )

@@ -5,14 +5,19 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from iconstudio.model.canvas import CANVAS
+from iconstudio.model.exemplar import Frame
 from iconstudio.model.placement import Source
+
+WHOLE = Frame(0, 0, CANVAS)
+"""The canvas itself."""
 
 
 @dataclass(frozen=True, eq=False)
 class Composite:
     """The labelling L of equation 5 with its energy.
 
-    ``energy == data_cost + lambda_s * smoothness_cost``.
+    ``energy == data_cost + lambda_s * m / CANVAS * smoothness_cost``; m is the side of ``labels``.
     """
 
     style: str
@@ -20,14 +25,15 @@ class Composite:
     lambda_s: float
     sources: tuple[Source, ...]
     labels: NDArray[np.uint8]
-    """(CANVAS, CANVAS): index into ``sources`` of each pixel's owner."""
+    """(m, m), m a multiple of CANVAS: index into ``sources`` of the owner of each pixel of the
+    canvas."""
     energy: float
     data_cost: float
     smoothness_cost: float
     shares: tuple[float, ...]
-    """Part of the result's ink that each source owns; they sum to 1."""
+    """Part of the drawing's ink that each source owns; they sum to 1."""
     iou: float | None
-    """Intersection over union of the filled result and the outline that was wanted; None if none
+    """Intersection over union of the filled drawing and the outline that was wanted; None if none
     was."""
 
 
@@ -42,3 +48,8 @@ class Drawing:
 
     path: str
     coverage: NDArray[np.uint8]
+    owners: NDArray[np.uint8] | None = None
+    """(k, k): index of the source that owns each part of ``frame``; None: as the labels say."""
+    frame: Frame = WHOLE
+    """The square of the composite's canvas that is drawn, in its units: more than the canvas if a
+    source that owns its border reaches past it. Path and coverage are in units of this square."""

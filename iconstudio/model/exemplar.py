@@ -17,6 +17,11 @@ class Frame:
     y: float
     size: float
 
+    def __post_init__(self) -> None:
+        """Take plain numbers only: those of NumPy would be written out as ``np.float64(0.9)``."""
+        for name in ("x", "y", "size"):
+            object.__setattr__(self, name, float(getattr(self, name)))
+
 
 @dataclass(frozen=True, eq=False)
 class Exemplar:

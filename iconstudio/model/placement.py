@@ -19,6 +19,13 @@ class Placement:
     dx: int = 0
     dy: int = 0
 
+    def __post_init__(self) -> None:
+        """Take plain numbers only: those of NumPy would be written out as ``np.float64(0.9)``."""
+        object.__setattr__(self, "scale", float(self.scale))
+        object.__setattr__(self, "flip", bool(self.flip))
+        object.__setattr__(self, "dx", round(self.dx))
+        object.__setattr__(self, "dy", round(self.dy))
+
     def frame(self, frame: Frame) -> Frame:
         """Return the part of the pictogram that the canvas shows *before* mirroring.
 

@@ -102,12 +102,13 @@ def colour_code(
     -------
     (size, size, 4) uint8 RGBA, alpha not multiplied in
     """
-    m = len(composite.labels)
+    owners = composite.labels if drawing.owners is None else drawing.owners
+    m = len(owners)
     scale = -(-size // m)
     coverage = _resized(drawing.coverage, m * scale)
     alpha = np.maximum(coverage, np.where(solid(coverage > 127), round(255 * TINT), 0))
     colours = source_colours(composite, colours)
-    picture = np.dstack([_painted(composite.labels, colours, alpha > 0), alpha.astype(np.uint8)])
+    picture = np.dstack([_painted(owners, colours, alpha > 0), alpha.astype(np.uint8)])
     return _resized(picture, size)
 
 

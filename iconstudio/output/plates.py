@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from PIL import Image
 
-from iconstudio.algorithms.guidance import scribble
+from iconstudio.algorithms.guidance import carried, scribble
 from iconstudio.algorithms.raster import placed_ink
 from iconstudio.model import Montage, Source
 from iconstudio.output.colours import RGB, Palette, colour_code, key_of, palette
@@ -74,7 +74,8 @@ def montage_plate(montage: Montage, result: Result) -> Image.Image:
         x, y = _EDGE + number % across * step, 100 + number // across * (step + 24)
         ink, _ = placed_ink(source.exemplar, source.placement)
         page.stencil(x, y, _LAYER, grey(ink), PALE)
-        page.stencil(x, y, _LAYER, grey(scribble(layer.strokes)), colours[key_of(source)])
+        strokes = [carried(one, layer.placement, source.placement) for one in layer.strokes]
+        page.stencil(x, y, _LAYER, grey(scribble(strokes)), colours[key_of(source)])
         page.frame(x, y, _LAYER, _LAYER, PALE)
         page.text(x, y + _LAYER + 6, layer.icon.id, 13, colour=MUTED, width=_LAYER)
     page.rule(top, _EDGE, width - _EDGE)

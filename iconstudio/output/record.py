@@ -5,7 +5,7 @@ from dataclasses import asdict
 from typing import Any
 
 from iconstudio import __version__
-from iconstudio.model import CANVAS, Axis, Composite, Pictogram, Placement, Source
+from iconstudio.model import CANVAS, Axis, Composite, Frame, Pictogram, Placement, Source
 from iconstudio.output.colours import significant_sources
 from iconstudio.workflows.events import Result
 
@@ -33,11 +33,13 @@ def of_result(name: str, result: Result) -> dict[str, Any]:
     composite = result.composite
     return {
         "style": composite.style,
+        "m": len(composite.labels),
         "lambda_s": float(composite.lambda_s),
         "energy": float(composite.energy),
         "data_cost": float(composite.data_cost),
         "smoothness_cost": float(composite.smoothness_cost),
         "iou": None if composite.iou is None else float(composite.iou),
+        "frame": _of_frame(result.drawing.frame),
         "rank_score": float(result.score.total),
         "rank_terms": {term: float(value) for term, value in asdict(result.score).items()},
         "svg": f"{name}.svg",
@@ -47,6 +49,11 @@ def of_result(name: str, result: Result) -> dict[str, Any]:
             _of_share(label, composite) for label in significant_sources(composite, least=0)
         ],
     }
+
+
+def _of_frame(frame: Frame) -> dict[str, float]:
+    """Describe the square of the canvas that is drawn, in its units."""
+    return {"x": frame.x, "y": frame.y, "size": frame.size}
 
 
 def of_source(source: Source) -> dict[str, Any]:

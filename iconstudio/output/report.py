@@ -67,7 +67,8 @@ class GridReport:
                 self._folder.write_icon(self._name(event.composite), event, title)
                 self._results.append(event)
             case Recommended():
-                self._recommended[event.style] = event.lambda_s
+                if event.lambda_s is not None:
+                    self._recommended[event.style] = event.lambda_s
 
     def finish(self, timings: Mapping[str, float]) -> None:
         """Write ``grid.png``, ``results.json`` and the dumps; ``timings`` are seconds by stage."""
@@ -118,11 +119,16 @@ class GridReport:
         return record.of_result(self._name(composite), result) | extra
 
     def _dump(self, style: str) -> None:
-        """Write all that is needed to check a style's results independently."""
+        """Write all that is needed to check a style's results independently, as it was solved.
+
+        The energy is the data cost plus lambda_S m / 256 times the smoothness cost.
+        """
         results = [result.composite for result in self._of(style)]
         if not results:
             return
-        ink, filled = placed_sources(results[0].sources)
+        side = len(results[0].labels)
+        ink, filled = placed_sources(results[0].sources, side)
+        wish = self._wish.on(side)
         matched = self._styles[style]
         exemplars = matched.exemplars if isinstance(matched, StyleMatched) else ()
         whole = [solid(exemplar.ink) for exemplar in exemplars]
@@ -130,16 +136,17 @@ class GridReport:
             "ink": ink,
             "solid": filled,
             "interior": interior(ink, filled),
-            "sketch": self._wish.outline,
+            "m": np.array(side),
+            "sketch": wish.outline,
             "labels": np.stack([composite.labels for composite in results]),
             "lambda_s": np.array([composite.lambda_s for composite in results]),
             "energy": np.array([composite.energy for composite in results]),
             "exemplar_solid": np.array(whole, dtype=bool).reshape(-1, CANVAS, CANVAS),
             "exemplar_id": np.array([exemplar.id for exemplar in exemplars], dtype=np.str_),
         }
-        if self._wish.mask is not None:
-            arrays["change"] = self._wish.mask == 0
-            arrays["penalty"] = edit_penalty(self._wish.mask, len(ink))
+        if wish.mask is not None:
+            arrays["change"] = wish.mask == 0
+            arrays["penalty"] = edit_penalty(wish.mask, len(ink))
         buffer = io.BytesIO()
         np.savez_compressed(buffer, **arrays)
         self._folder.write(f"{style}.npz", buffer.getvalue())

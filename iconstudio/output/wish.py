@@ -1,14 +1,16 @@
 """What a user asked for, as reports of the grid show it: a sketch, or changes of an icon."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.raster import Bitmap, fill_polygon
-from iconstudio.model import Axis, Edit, Sketch, Source
+from iconstudio.model import CANVAS, Axis, Edit, Sketch, Source
 from iconstudio.output.page import INK, MUTED, RGB
-from iconstudio.workflows.editing import Change
+from iconstudio.workflows.editing import Change, prepare_change
 
 ADDED, REMOVED = (46, 148, 84), (206, 58, 48)
 _ADDED_GROUND, _REMOVED_GROUND = (150, 214, 172), (246, 200, 195)
@@ -29,12 +31,25 @@ class Wish:
     """Of an edit: the icon that is changed."""
     mask: NDArray[np.float32] | None = None
     """Of an edit: D_E, (CANVAS, CANVAS)."""
+    posed: Callable[[int], "Wish"] | None = None
+    """Poses the same wish on a canvas of another side m."""
+
+    def on(self, side: int) -> "Wish":
+        """Return the wish on a canvas of side m: its outline and mask are (side, side)."""
+        return self if self.posed is None or side == len(self.outline) else self.posed(side)
 
 
-def sketched(sketch: Sketch) -> Wish:
+def sketched(sketch: Sketch, side: int = CANVAS) -> Wish:
     """Return the wish of a sketch."""
-    outline = fill_polygon(sketch.polygon.fitted())
-    return Wish(sketch.keyword, sketch.symmetry, "sketch and keyword", ((outline, MUTED),), outline)
+    outline = fill_polygon(sketch.polygon.fitted(), side)
+    return Wish(
+        sketch.keyword,
+        sketch.symmetry,
+        "sketch and keyword",
+        ((outline, MUTED),),
+        outline,
+        posed=partial(sketched, sketch),
+    )
 
 
 def changed(edit: Edit, change: Change) -> Wish:
@@ -54,4 +69,5 @@ def changed(edit: Edit, change: Change) -> Wish:
         change.target,
         change.base,
         change.mask,
+        lambda side: changed(edit, prepare_change(edit, change.base.exemplar, side)),
     )

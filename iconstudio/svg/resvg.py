@@ -134,7 +134,7 @@ def _drawn(
     root = _root(svg)
     box = _view_box(root)
     for name, value in zip(("x", "y", "width", "height"), box, strict=True):
-        root.set(name, repr(value))
+        root.set(name, repr(float(value)))
     if "viewBox" not in root.attrib:
         root.set("viewBox", _numbers(box))
     root.set("overflow", "visible")
@@ -219,7 +219,7 @@ def _pixels(length: str | None) -> float | None:
 
 
 def _numbers(values: Box) -> str:
-    return " ".join(map(repr, values))
+    return " ".join(repr(float(value)) for value in values)
 
 
 def _clip(coverage: NDArray[np.uint8], box: Box, corner: tuple[float, float], unit: float) -> None:

@@ -14,10 +14,17 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.energy import Labels
+from iconstudio.algorithms.energy import Labels, placed_sources
 from iconstudio.algorithms.fragments import fragments
+from iconstudio.algorithms.overhang import (
+    continued,
+    cropped,
+    framed,
+    overhang,
+    owned_throughout,
+)
 from iconstudio.algorithms.raster import Bitmap, inked_tiles, shifted
-from iconstudio.algorithms.redraw import FAR, REACH, SCALE, erase, redraw, two_tone
+from iconstudio.algorithms.redraw import FAR, REACH, SCALE, erase, redraw, restore, two_tone
 from iconstudio.model import CANVAS, Drawing, Exemplar, Frame, Placement, Source
 from iconstudio.workers import Workers
 
@@ -37,6 +44,8 @@ _AROUND = -(-(REACH + FAR) * _TILES // CANVAS)
 """Tiles around a region in which its owner's drawing counts."""
 _COVERAGE = 2 * CANVAS
 """Side of a drawing's coverage, in pixels."""
+_MOST = 2048
+"""Side of the largest drawing that is traced, in pixels."""
 
 
 class Render(Protocol):
@@ -63,6 +72,7 @@ def draw(
     sources: Sequence[Source],
     render: Render,
     scale: int = SCALE,
+    marked: Bitmap | None = None,
 ) -> Drawing:
     """Redraw a labelling from its owners' SVG without its crumbs, and trace it.
 
@@ -74,12 +84,30 @@ def draw(
         (K, m, m) bool: the sources on the canvas.
     scale
         Drawn pixels to a canvas pixel: 2, 4 or 8, and no fewer than there are labels.
+    marked
+        (m, m) bool: what the user wants to keep; nothing of it goes.
     """
     from iconstudio.algorithms.vectorize import trace
 
-    coverage = redraw(labels, _drawn(labels, sources, render, scale * CANVAS))
-    erase(coverage, fragments(labels, ink))
-    return Drawing(trace(coverage), _reduced(coverage))
+    m, nobody = len(labels), len(sources)
+    pad = overhang(labels, ink, sources)
+    if pad:
+        scale = scale // 2 if scale * (CANVAS + 2 * pad) > _MOST else scale
+        ink, _ = placed_sources(sources, m, pad * m // CANVAS)
+        labels = continued(labels, ink)
+        ink = np.concatenate([ink, np.zeros_like(ink[:1])])
+        marked = None if marked is None else np.pad(marked, pad * m // CANVAS)
+    coverages = _drawn(labels, sources, render, scale, pad)
+    coverage = redraw(labels, coverages)
+    erase(coverage, fragments(labels, ink, marked=marked), marked)
+    if marked is not None:
+        restore(coverage, labels, coverages, marked)
+    if not pad:
+        return Drawing(trace(coverage), _reduced(coverage))
+    frame = framed(coverage, pad)
+    coverage = cropped(coverage, pad, frame)
+    owners = owned_throughout(cropped(labels, pad, frame, nobody), nobody)
+    return Drawing(trace(coverage), _reduced(coverage), owners, frame)
 
 
 def draw_whole(
@@ -91,35 +119,44 @@ def draw_whole(
 
 
 def _drawn(
-    labels: Labels, sources: Sequence[Source], render: Render, side: int
+    labels: Labels, sources: Sequence[Source], render: Render, scale: int, pad: int
 ) -> Mapping[int, NDArray[np.uint8]]:
-    """Draw every owner, (side, side) uint8, wherever it counts."""
-    m = len(labels)
-    tile = np.arange(m) * _TILES // m
-    owned = np.zeros((len(sources), _TILES, _TILES), dtype=bool)
+    """Draw every owner wherever it counts: the canvas, enlarged by ``pad`` units on each side."""
+    units = CANVAS + 2 * pad
+    count = units * _TILES // CANVAS
+    tile = np.arange(len(labels)) * count // len(labels)
+    owned = np.zeros((len(sources) + 1, count, count), dtype=bool)
     owned[labels, tile[:, None], tile] = True
     coverages = {}
     for label in np.flatnonzero(owned.any(axis=(1, 2))):
+        if label == len(sources):  # nobody
+            coverages[int(label)] = np.zeros((units * scale, units * scale), dtype=np.uint8)
+            continue
         near = scipy.ndimage.maximum_filter(owned[label], 2 * _AROUND + 1)
-        coverages[int(label)] = _placed(sources[label], near, render, side)
+        coverages[int(label)] = _placed(sources[label], near, render, scale, pad)
     return coverages
 
 
-def _placed(source: Source, near: Bitmap, render: Render, side: int) -> NDArray[np.uint8]:
-    """Draw a source, (side, side) uint8, complete in the tiles that are ``near`` at least."""
+def _placed(
+    source: Source, near: Bitmap, render: Render, finer: int, beyond: int
+) -> NDArray[np.uint8]:
+    """Draw a source, complete in the tiles that are ``near`` at least.
+
+    The canvas is enlarged by ``beyond`` units on each side, of ``finer`` pixels each.
+    """
     exemplar, placement = source.exemplar, source.placement
     scale, flip, dx, dy = placement.scale, placement.flip, placement.dx, placement.dy
     picture = render, exemplar.pictogram.svg, exemplar.frame
-    unit = CANVAS // _TILES
+    unit, side = CANVAS // _TILES, finer * CANVAS
     needed = near.repeat(unit, axis=0).repeat(unit, axis=1)
     if scale > _LARGE:  # too large to be drawn whole
-        return _sheet(_Wanted(*picture, placement, side, 0, exemplar)).shown(needed)
+        return _sheet(_Wanted(*picture, placement, side, beyond, exemplar)).shown(needed)
     pad = _BLOCK * max(0, math.ceil(CANVAS / 2 * (scale - 1) / _BLOCK))
     sheet = _sheet(_Wanted(*picture, Placement(scale), side, pad, exemplar))
     before = shifted(needed, -dx, -dy, CANVAS + 2 * pad, False)
     coverage = sheet.shown(before[:, ::-1] if flip else before)
-    finer = side // CANVAS
-    return shifted(coverage[:, ::-1] if flip else coverage, dx * finer, dy * finer, side)
+    shown = side + 2 * beyond * finer
+    return shifted(coverage[:, ::-1] if flip else coverage, dx * finer, dy * finer, shown)
 
 
 @dataclass(frozen=True)
@@ -185,7 +222,10 @@ def _sheet(wanted: _Wanted) -> _Sheet:
 def _reduced(coverage: NDArray[np.uint8]) -> NDArray[np.uint8]:
     from PIL import Image
 
-    factor = len(coverage) // _COVERAGE
-    if factor == 1:
+    side = len(coverage)
+    if side == _COVERAGE:
         return coverage
-    return np.asarray(Image.fromarray(coverage).reduce(factor))
+    image = Image.fromarray(coverage)
+    if side % _COVERAGE == 0:
+        return np.asarray(image.reduce(side // _COVERAGE))
+    return np.asarray(image.resize((_COVERAGE, _COVERAGE), Image.Resampling.BOX))

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from iconstudio.algorithms.energy import distance_field, remix_problem
 from iconstudio.algorithms.guidance import EDIT_REACH, edit_penalty, truncated_distance
 from iconstudio.algorithms.matching import Matcher
+from iconstudio.algorithms.overhang import seen
 from iconstudio.algorithms.raster import Bitmap, fill_polygon, outlines, placed_ink, solid
 from iconstudio.algorithms.saliency import saliency, salient_regions
 from iconstudio.algorithms.style import STYLES, Style, blackness
@@ -22,6 +23,7 @@ from iconstudio.model import (
     Drawing,
     Edit,
     Exemplar,
+    Frame,
     IconstudioError,
     Placement,
     Polygon,
@@ -61,9 +63,9 @@ class Change:
 
     def unchanged(self, edited: Drawing, own: Drawing) -> float:
         """Return the part of the pixels beyond the reach of the change that equal the icon's."""
-        step = own.coverage.shape[0] // len(self.mask)
-        far = (self.mask >= 1).repeat(step, axis=0).repeat(step, axis=1)
-        same = (edited.coverage > 127) == (own.coverage > 127)
+        size = len(edited.coverage)
+        far = seen(self.mask >= 1, edited.frame, size, True)
+        same = (edited.coverage > 127) == (_shown(own.coverage, edited.frame) > 127)
         return float(same[far].mean()) if far.any() else 1.0
 
 
@@ -149,6 +151,21 @@ def edit_icon(
         )
     finally:
         own.cancel()
+
+
+def _shown(coverage: NDArray[np.uint8], frame: Frame) -> NDArray[np.uint8]:
+    """Return a drawing of the canvas as a frame shows it, of the same size."""
+    if frame.size == CANVAS:
+        return coverage
+    from PIL import Image
+
+    size = len(coverage)
+    step = frame.size / CANVAS
+    moved = (step, 0, frame.x * size / CANVAS, 0, step, frame.y * size / CANVAS)
+    picture = Image.fromarray(coverage).transform(
+        (size, size), Image.Transform.AFFINE, moved, resample=Image.Resampling.BILINEAR
+    )
+    return np.asarray(picture)
 
 
 def _refusal(style: Style, count: int, rows: Matches | None) -> str:

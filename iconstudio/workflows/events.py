@@ -83,10 +83,13 @@ class Result:
 
 @dataclass(frozen=True, slots=True)
 class Recommended:
-    """The result of a style to look at first: all its results are there."""
+    """The result of a style to look at first: all its results are there.
+
+    ``lambda_s`` is None if none is more than an icon that there was before.
+    """
 
     style: str
-    lambda_s: float
+    lambda_s: float | None
 
 
 Event = Progress | Retrieved | RegionsFound | StyleMatched | StyleSkipped | Result | Recommended

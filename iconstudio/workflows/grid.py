@@ -30,6 +30,9 @@ from iconstudio.workflows.solving import Job, Posed
 FINE = 2 * CANVAS
 """The side of fine results: seams run between half pixels of the canvas."""
 
+UNTOUCHED = 0.98
+"""A source with this part of the ink is the result, but for crumbs."""
+
 Matches = tuple[tuple[Source, ...], ...]
 
 
@@ -170,7 +173,10 @@ def remix_styles(
 
 
 class Recommending:
-    """Names the best result of each style once all ``count`` are there."""
+    """Names the best result of each style once all ``count`` are there.
+
+    An icon that comes out as it went in is no remix, and is never named.
+    """
 
     def __init__(self, count: int) -> None:
         self._count = count
@@ -184,8 +190,9 @@ class Recommending:
                 row = self._results.setdefault(event.composite.style, [])
                 row.append(event)
                 if len(row) == self._count:
-                    best = max(row, key=lambda one: one.score.total).composite
-                    yield Recommended(best.style, best.lambda_s)
+                    made = [one for one in row if max(one.composite.shares) < UNTOUCHED]
+                    best = max(made, key=lambda one: one.score.total, default=None)
+                    yield Recommended(event.composite.style, best and best.composite.lambda_s)
 
 
 def distinct(rows: Sequence[Sequence[Source]]) -> tuple[Source, ...]:

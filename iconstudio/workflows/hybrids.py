@@ -1,21 +1,27 @@
 """Pictogram hybrids (section 4.3): icons mixed at random, repeats dropped."""
 
+import math
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from functools import partial
+from itertools import combinations
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.energy import RemixProblem, joined_ink, placed_sources
 from iconstudio.algorithms.guidance import held, scribble, seed_cost, with_mirror_images
 from iconstudio.algorithms.ranking import Gallery
+from iconstudio.algorithms.symmetry import reflected
 from iconstudio.model import (
     CANVAS,
+    Axis,
     Exemplar,
     IconstudioError,
     Mix,
     Placement,
+    Point,
     Seeds,
     Source,
     Stroke,
@@ -30,7 +36,9 @@ LAMBDA_S = 3.0
 FEWEST, MOST = 2, 12
 MOST_DRAWS = 1000
 PIN = 24.0
-"""Diameter of what a pin holds, in canvas pixels."""
+"""Diameter of the disc that a pin holds, in canvas pixels."""
+DETAIL = 0.3
+"""A piece with at most this part of its icon's ink is a detail, which a pin holds as a whole."""
 
 
 def check(mix: Mix) -> None:
@@ -56,6 +64,19 @@ def check(mix: Mix) -> None:
     for seeds, name in ((mix.pins, "pins"), (mix.like, "seeds")):
         if seeds and len(seeds) != count:
             raise IconstudioError(f"There are {name} for {len(seeds)} icons, but {count} icons.")
+    if mix.pins:
+        _check_pins(mix)
+
+
+def _check_pins(mix: Mix) -> None:
+    """Refuse pins of two icons that hold the same place."""
+    for (one, pins), (other, theirs) in combinations(zip(mix.icons, mix.pins, strict=True), 2):
+        own, images = (with_mirror_images(some, mix.symmetry) for some in (pins, theirs))
+        if any(math.dist(p, q) < PIN for p in own for q in images):
+            raise IconstudioError(
+                f"A pin on “{one.id}” and one on “{other.id}” hold the same place. "
+                "Only one icon can be kept there: move or remove one of the pins."
+            )
 
 
 def mix_icons(
@@ -130,15 +151,46 @@ def _pose(mix: Mix, seeds: Seeds, ink: NDArray[np.bool_], filled: NDArray[np.boo
     """Pose the problem of a draw; ``ink`` and ``filled`` are the icons on the canvas, (K, m, m)."""
     side = ink.shape[-1]
     data = seed_cost(seeds, side)
-    if mix.pins:
-        data += held(_pinned(mix, side))
-    return Posed(RemixProblem(data, ink, filled, mix.symmetry))
+    marked = pinned(mix.pins, ink, mix.symmetry) if mix.pins else None
+    if marked is not None:
+        data += held(marked)
+    return Posed(RemixProblem(data, ink, filled, mix.symmetry), marked=marked)
 
 
-def _pinned(mix: Mix, side: int) -> NDArray[np.bool_]:
-    """Return what the pins hold of each icon, (K, side, side) bool."""
-    dots = [
-        [Stroke(PIN, (point,)) for point in with_mirror_images(points, mix.symmetry)]
-        for points in mix.pins
-    ]
-    return np.stack([scribble(one, side) for one in dots])
+def pinned(pins: Seeds, ink: NDArray[np.bool_], axis: Axis | None) -> NDArray[np.bool_]:
+    """Return what the pins hold of each icon, (K, m, m) bool.
+
+    That is a disc around each pin and, if it is a detail, the whole piece of ink that is pinned,
+    but for what other icons' discs hold.
+
+    Parameters
+    ----------
+    ink
+        (K, m, m) bool: the icons.
+    """
+    side = ink.shape[-1]
+    points = [with_mirror_images(some, axis) for some in pins]
+    discs = np.stack([scribble([Stroke(PIN, (point,)) for point in some], side) for some in points])
+    parts = discs.copy()
+    for number, own in enumerate(ink):
+        pieces, _ = scipy.ndimage.label(own, np.ones((3, 3)))
+        sizes = np.bincount(pieces.ravel())
+        for point in points[number]:
+            piece = _nearest(pieces, point, PIN / 2)
+            if piece and sizes[piece] <= DETAIL * own.sum():
+                parts[number] |= pieces == piece
+        if axis is not None:
+            parts[number] |= reflected(parts[number], axis)
+        others = parts[:number].any(axis=0) | np.delete(discs, number, axis=0).any(axis=0)
+        parts[number] &= ~others | discs[number]
+    return parts
+
+
+def _nearest(pieces: NDArray[np.int32], point: Point, reach: float) -> int:
+    """Return the number of the piece nearest to a point, within so many canvas units; else 0."""
+    side = len(pieces)
+    ys, xs = np.nonzero(pieces)
+    unit = CANVAS / side
+    away = np.hypot((xs + 0.5) * unit - point[0], (ys + 0.5) * unit - point[1])
+    at = int(away.argmin())
+    return int(pieces[ys[at], xs[at]]) if away[at] <= reach else 0

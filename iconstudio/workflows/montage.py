@@ -1,6 +1,7 @@
 """Pictogram montage (section 4.4): the parts that the user scribbles over, joined."""
 
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from functools import partial
 from itertools import combinations
 
@@ -8,8 +9,24 @@ import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.energy import RemixProblem, placed_sources
-from iconstudio.algorithms.guidance import MONTAGE_REACH, held, scribble, truncated_distance
-from iconstudio.model import CANVAS, Exemplar, IconstudioError, Montage, Source
+from iconstudio.algorithms.guidance import (
+    MONTAGE_REACH,
+    carried,
+    held,
+    scribble,
+    truncated_distance,
+)
+from iconstudio.algorithms.raster import placed_ink
+from iconstudio.model import (
+    CANVAS,
+    MARGIN,
+    Exemplar,
+    IconstudioError,
+    Montage,
+    Placement,
+    Source,
+    Stroke,
+)
 from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import Event
@@ -31,13 +48,17 @@ def montage_icons(
 ) -> Iterator[Event]:
     """Join ``exemplars``, one for each layer, by what is scribbled over them.
 
-    They are asked for once the montage is checked.
+    They are asked for once the montage is checked. If something marked lies past the canvas, all is
+    moved, and made smaller if need be, so that it fits: the result's sources say where they lie.
     Yields ``Progress``, then one ``Result``. ``side`` is m, the sites in a row of the graph cut.
     """
-    scribbles = check(montage, side)
+    check(montage)
+    drawn = tuple(exemplars)
+    montage = framed(montage, drawn)
+    scribbles = _disjoint([scribble(layer.strokes, side) for layer in montage.layers])
     sources = tuple(
         Source(exemplar, layer.placement)
-        for exemplar, layer in zip(exemplars, montage.layers, strict=True)
+        for exemplar, layer in zip(drawn, montage.layers, strict=True)
     )
     remixing = Remixing(workers, render, total=1)
     try:
@@ -53,7 +74,77 @@ def _pose(sources: Sequence[Source], scribbles: NDArray[np.bool_]) -> Posed:
     ink, filled = placed_sources(sources, side)
     reach = MONTAGE_REACH * side / CANVAS
     data = np.stack([truncated_distance(one, reach) for one in scribbles])
-    return Posed(RemixProblem(data + held(scribbles), ink, filled))
+    return Posed(RemixProblem(data + held(scribbles), ink, filled), marked=scribbles)
+
+
+def framed(montage: Montage, exemplars: Sequence[Exemplar]) -> Montage:
+    """Return a montage so placed that all ink that is marked lies on the canvas."""
+    left, top, right, bottom = _marked_box(montage, exemplars)
+    if min(left, top) >= 0 and max(right, bottom) <= CANVAS:
+        return montage
+    half = CANVAS / 2
+    scale = min(1.0, (CANVAS - 2 * MARGIN) / max(right - left, bottom - top))
+    layers = []
+    for layer in montage.layers:
+        before = layer.placement
+        after = Placement(
+            scale * before.scale,
+            before.flip,
+            round(scale * (half + before.dx - (left + right) / 2)),
+            round(scale * (half + before.dy - (top + bottom) / 2)),
+        )
+        strokes = tuple(carried(stroke, before, after) for stroke in layer.strokes)
+        layers.append(replace(layer, placement=after, strokes=strokes))
+    return Montage(tuple(layers))
+
+
+def _marked_box(
+    montage: Montage, exemplars: Sequence[Exemplar]
+) -> tuple[float, float, float, float]:
+    """Return left, top, right and bottom of the ink that is marked, in canvas units.
+
+    Where that reaches past the canvas it is known to a few units, and may be found a bit larger.
+    """
+    half = CANVAS / 2
+    ends = [
+        abs(value - half) + stroke.width / 2
+        for layer in montage.layers
+        for stroke in layer.strokes
+        for point in stroke.points
+        for value in point
+    ]
+    coarse = max(1.0, max(ends) / (half - 2))  # canvas units to a pixel: all strokes are seen
+    inked = np.zeros((CANVAS, CANVAS), dtype=bool)
+    for layer, exemplar in zip(montage.layers, exemplars, strict=True):
+        here = layer.placement
+        small = Placement(
+            here.scale / coarse, here.flip, round(here.dx / coarse), round(here.dy / coarse)
+        )
+        strokes = tuple(
+            Stroke(
+                stroke.width / coarse,
+                tuple(((x - half) / coarse + half, (y - half) / coarse + half)
+                      for x, y in stroke.points),
+            )
+            for stroke in layer.strokes
+        )  # fmt: skip
+        inked |= scribble(strokes) & placed_ink(exemplar, small)[0]
+    if coarse == 1 or not inked.any():
+        return 0, 0, CANVAS, CANVAS
+    rows, columns = (np.flatnonzero(inked.any(axis=axis)) for axis in (1, 0))
+    ends = columns[0] - 1, rows[0] - 1, columns[-1] + 2, rows[-1] + 2
+    left, top, right, bottom = ((float(value) - half) * coarse + half for value in ends)
+    return left, top, right, bottom
+
+
+def _disjoint(scribbles: Sequence[NDArray[np.bool_]]) -> NDArray[np.bool_]:
+    """Return scribbles that share no pixel, as they may once they are made smaller."""
+    taken = np.zeros_like(scribbles[0])
+    own = []
+    for one in scribbles:
+        own.append(one & ~taken)
+        taken |= one
+    return np.stack(own)
 
 
 def check(montage: Montage, side: int = CANVAS) -> NDArray[np.bool_]:

@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from iconstudio.algorithms import ranking
-from iconstudio.algorithms.energy import Labels, RemixProblem, joined_ink
+from iconstudio.algorithms.energy import Labels, RemixProblem
+from iconstudio.algorithms.overhang import seen
 from iconstudio.algorithms.ranking import Score
 from iconstudio.algorithms.raster import Bitmap, overlap, solid
 from iconstudio.algorithms.redraw import SCALE
@@ -25,9 +26,6 @@ from iconstudio.workflows.drawing import MEMORY, PREVIEW, SECONDS, Render, draw
 if TYPE_CHECKING:
     from iconstudio.algorithms.sweep import Sweep
 
-NEAR = 1.6
-"""What is found for lambda_S this many times larger or smaller helps almost as much as all."""
-
 
 @dataclass(frozen=True, eq=False)
 class Posed:
@@ -38,6 +36,14 @@ class Posed:
     """(m, m): the filled outline that is wanted, if there is one."""
     near: Bitmap | None = None
     """(m, m): where the likeness to it counts; everywhere if None."""
+    marked: Bitmap | None = None
+    """(K, m, m): what the user wants to keep of each source; nothing if None."""
+
+    def kept(self, labels: Labels) -> Bitmap | None:
+        """Return what is marked of its owner, (m, m), if anything is."""
+        if self.marked is None:
+            return None
+        return np.take_along_axis(self.marked, labels[None].astype(np.intp), axis=0)[0]
 
     def weight(self, lambda_s: float) -> float:
         """Return what the paper's lambda_S comes to on this canvas (see ``RemixProblem``)."""
@@ -57,7 +63,8 @@ class Job:
     lambdas: tuple[float, ...]
     """In the order in which the results are wanted."""
     explored: tuple[float, ...] = ()
-    """Values of lambda_S for which to look for labellings first: they help each other."""
+    """Values of lambda_S for which to look for labellings, too, as they help each other: all that
+    are wanted, and more. If there are none, each wanted one is looked for by itself."""
     preview: bool = False
     """Whether a coarse result for the first lambda_S goes ahead."""
     earlier: Composite | None = None
@@ -72,8 +79,7 @@ class Job:
         finished = (*most, replace(last, last=True))
         if not self.preview:
             return finished
-        first = finished[0]
-        return replace(first, preview=True, last=False), replace(first, soon=True), *finished[1:]
+        return replace(finished[0], preview=True, last=False), *finished
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,8 +88,6 @@ class Step:
 
     lambda_s: float
     preview: bool = False
-    soon: bool = False
-    """Whether to look for labellings for this lambda_S alone: somebody is waiting."""
     last: bool = False
     """Whether the job is done after it."""
 
@@ -112,7 +116,8 @@ class _Bench:
 
     posed: Posed
     sweep: "Sweep"
-    unexplored: tuple[float, ...]
+    row: tuple[float, ...]
+    """What the explored lambda_S come to on the canvas."""
 
 
 def solve(key: object, job: Job, step: Step, render: Render) -> Solved:
@@ -144,20 +149,22 @@ def solve(key: object, job: Job, step: Step, render: Render) -> Solved:
 
 def finished(posed: Posed, job: Job, step: Step, labels: Labels, render: Render) -> Solved:
     """Judge, redraw and trace a labelling (m, m) that a step has come to."""
-    problem = posed.problem
-    ink = joined_ink(problem.ink, labels)
-    owned = np.bincount(labels[ink], minlength=len(job.sources))
+    problem, kept = posed.problem, posed.kept(labels)
+    scale = PREVIEW if step.preview else SCALE
+    drawing = draw(labels, problem.ink, job.sources, render, scale, kept)
+    shares = _shares(drawing, labels, len(job.sources))
     data_cost, smoothness_cost = problem.costs(labels)
-    iou, likeness = _compared(posed, ink)
-    score = ranking.score(problem, labels, sharing=job.sharing)
+    iou, likeness = _compared(posed, drawing)
+    score = ranking.score(problem, labels, marked=kept)
+    sharing = ranking.evenness(shares) if job.sharing else 1.0
     return Solved(
         labels,
         (data_cost, smoothness_cost),
         data_cost + posed.weight(step.lambda_s) * smoothness_cost,
-        tuple((owned / max(1, owned.sum())).tolist()),
+        shares,
         iou,
-        replace(score, likeness=likeness),
-        draw(labels, problem.ink, job.sources, render, PREVIEW if step.preview else SCALE),
+        replace(score, likeness=likeness, sharing=sharing),
+        drawing,
     )
 
 
@@ -168,8 +175,7 @@ def warm_up(render: Render) -> None:
 
     ink = np.zeros((2, CANVAS, CANVAS), dtype=bool)
     sweep = Sweep(RemixProblem(ink.astype(np.float32), ink, ink))
-    sweep.explore([1.0])
-    sweep.solve(1.0)
+    sweep.find(1.0, [1.0])
     dot = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 8 8"><path d="M2 2h4v4H2z"/></svg>'
     trace(render(dot, Frame(0, 0, 8), Placement(), CANVAS))
 
@@ -183,30 +189,39 @@ def _begin(job: Job) -> _Bench:
     if before is not None and before.labels.shape == posed.problem.data.shape[1:]:
         data = posed.problem.data
         sweep.add(transferred(before.labels, before.sources, job.sources, data))
-    return _Bench(posed, sweep, job.explored)
+    return _Bench(posed, sweep, tuple(map(posed.weight, job.explored)))
 
 
 def _cut(bench: _Bench, step: Step) -> Labels:
+    """Return the labelling of a step. Only a preview depends on the result before an edit."""
+    weight = bench.posed.weight(step.lambda_s)
     if step.preview:
-        return bench.sweep.preview(bench.posed.weight(step.lambda_s))
-    if step.soon:
-        near = (step.lambda_s / NEAR, step.lambda_s, step.lambda_s * NEAR)
-        bench.sweep.explore(map(bench.posed.weight, near))
-    elif bench.unexplored:
-        bench.sweep.explore(map(bench.posed.weight, bench.unexplored))
-        bench.unexplored = ()
-    return bench.sweep.solve(bench.posed.weight(step.lambda_s))
+        return bench.sweep.preview(weight)
+    if bench.row:
+        return bench.sweep.find(weight, bench.row)
+    return bench.sweep.solve(weight)
 
 
-def _compared(posed: Posed, ink: Bitmap) -> tuple[float | None, float]:
-    """Return overlap and likeness of a result with what was wanted; likeness is 1 if nothing was.
+def _shares(drawing: Drawing, labels: Labels, count: int) -> tuple[float, ...]:
+    """Return which part of a drawing's ink each of the sources owns."""
+    ink = drawing.coverage > 127
+    owners = labels if drawing.owners is None else drawing.owners
+    step = np.arange(len(ink)) * len(owners) // len(ink)
+    owned = np.bincount(owners[step[:, None], step][ink], minlength=count)
+    return tuple((owned / max(1, owned.sum())).tolist())
 
-    ``ink`` is (m, m).
+
+def _compared(posed: Posed, drawing: Drawing) -> tuple[float | None, float]:
+    """Return overlap and likeness of a drawing with what was wanted; likeness is 1 if nothing was.
+
+    The drawing is what the user sees: it may differ from the labelling.
     """
     if posed.target is None:
         return None, 1.0
-    filled = solid(ink)
-    iou = overlap(filled, posed.target)
+    size = len(drawing.coverage)
+    filled, target = solid(drawing.coverage > 127), seen(posed.target, drawing.frame, size, False)
+    iou = overlap(filled, target)
     if posed.near is None:
         return iou, iou
-    return iou, overlap(filled[posed.near], posed.target[posed.near])
+    near = seen(posed.near, drawing.frame, size, False)
+    return iou, overlap(filled[near], target[near])

@@ -179,9 +179,8 @@ def solving_costs(sources: Sequence[Source], side: int) -> Costs:
 
     def solve_all() -> None:
         sweep = Sweep(problem)
-        sweep.explore(weights)
         for weight in weights:
-            sweep.solve(weight)
+            sweep.find(weight, weights)
 
     arrays = (problem.data, problem.ink, problem.solid, problem.patches, problem.penalty)
     solving, _ = cpu(solve_all, rounds=2)  # the first one may have to compile

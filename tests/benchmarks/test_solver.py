@@ -63,9 +63,8 @@ def posed(request):
 
 def swept(problem: RemixProblem) -> Sweep:
     sweep = Sweep(problem)
-    sweep.explore(LAMBDAS)
-    for lambda_s in LAMBDAS:
-        sweep.solve(lambda_s)
+    for lambda_s in FALLING:
+        sweep.find(lambda_s, LAMBDAS)
     return sweep
 
 

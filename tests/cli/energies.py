@@ -13,6 +13,8 @@ def prove_energies(dump, results):
     """Check a dump and the results of the report against equations 5 to 8, and 11."""
     ink, solid, interior = dump["ink"], dump["solid"], dump["interior"]
     assert np.array_equal(interior, solid & ~ink)
+    m = int(dump["m"])
+    assert {array.shape[-2:] for array in (ink, solid, dump["sketch"], dump["labels"])} == {(m, m)}
     data = abs(tsdf(dump["sketch"]) - np.stack([tsdf(one) for one in solid]))
     if "change" in dump:
         data += penalty(dump["change"], len(ink))
@@ -21,19 +23,22 @@ def prove_energies(dump, results):
     ):
         total = np.take_along_axis(data, labels[None].astype(int), 0).sum()
         smoothness = smoothness_cost(labels, ink, interior)
-        assert energy == pytest.approx(total + lambda_s * smoothness, rel=1e-4)
+        assert result["m"] == m
+        assert energy == pytest.approx(total + lambda_s * m / CANVAS * smoothness, rel=1e-4)
         assert result["energy"] == pytest.approx(energy)
         assert result["smoothness_cost"] == pytest.approx(smoothness, rel=1e-4)
 
 
 def tsdf(shape):
-    edt = ndimage.distance_transform_edt
-    return np.clip(edt(~shape) - edt(shape), -6, 6) / 256
+    """Distances are in canvases, whatever the side of the canvas is."""
+    edt, m = ndimage.distance_transform_edt, len(shape)
+    reach = 6 * m // CANVAS
+    return np.clip(edt(~shape) - edt(shape), -reach, reach) / CANVAS * (CANVAS / m)
 
 
 def penalty(change, count):
     """Equation 11 with t = 25 and w_E = 0.1; label 0 is the icon that is edited."""
-    mask = np.minimum(ndimage.distance_transform_edt(~change) / 25, 1)
+    mask = np.minimum(ndimage.distance_transform_edt(~change) / (25 * len(change) / CANVAS), 1)
     return 0.1 * np.stack([1 - mask] + [mask] * (count - 1))
 
 
@@ -42,7 +47,8 @@ def smoothness_cost(labels, ink, interior):
     patches = np.lib.stride_tricks.sliding_window_view(padded, (7, 7), axis=(1, 2))
     cost = 0.0
     for dy, dx in ((0, 1), (1, 0)):
-        here, there = labels[: CANVAS - dy, : CANVAS - dx], labels[dy:, dx:]
+        m = len(labels)
+        here, there = labels[: m - dy, : m - dx], labels[dy:, dx:]
         for y, x in np.argwhere(here != there):
             a, b = labels[y, x], labels[y + dy, x + dx]
             f_n = sum(

@@ -128,7 +128,7 @@ DOWN, ACROSS = stroke((128, 20), (128, 200)), stroke((20, 128), (200, 128))
         ([{"icon": ICON}], "Nothing is marked"),
         ([{"icon": ICON, "strokes": [stroke((9, 9))]}], "one point"),
         ([{"icon": ICON, "strokes": [stroke((300, 9), (400, 90))]}], "outside the canvas"),
-        ([{"icon": ICON, "strokes": [DOWN, stroke((-9, -9), (-90, 9))]}], "outside the canvas"),
+        ([{"icon": ICON, "strokes": [stroke((-9, -9), (-90, 9))]}], "outside the canvas"),
         ([{"icon": ICON, "strokes": [stroke((9, 9), (99, 9), width=0)]}], "above 0"),
         ([{"icon": ICON, "strokes": [DOWN]}, {"icon": OTHER, "strokes": [ACROSS]}], "overlap"),
         ([{"icon": ICON, "scale": 0, "strokes": [DOWN]}], "from 0.02 to 20"),

@@ -86,6 +86,35 @@ def test_the_dump_proves_the_energies(edited):
     prove_energies(held, results_of(edited)["results"])
 
 
+def test_a_dump_of_fine_quality_proves_the_energies(tmp_path):
+    edit = {"icon": LIGHTHOUSE, "keyword": "lighthouse", "remove": [disc(128, 45, 40)]}
+    file = written(tmp_path / "edit.json", edit)
+    options = ["--styles", "medium", "--lambdas", "0.3", "--dump", "--fine"]
+    assert run(["edit", file, "--out", str(tmp_path), *options], None) == 0
+    with np.load(tmp_path / "medium.npz", allow_pickle=False) as dump:
+        held = dict(dump)
+    assert held["m"] == 2 * CANVAS
+    prove_energies(held, results_of(tmp_path)["results"])
+
+
+def test_what_is_added_beyond_the_canvas_is_drawn(tmp_path):
+    """Drawing and label map agree; no number of NumPy's is written out by its name."""
+    edit = {"icon": LIGHTHOUSE, "keyword": "lighthouse",
+            "add": [[[110, -40], [150, -40], [150, 40], [110, 40]]]}  # fmt: skip
+    file = written(tmp_path / "edit.json", edit)
+    options = ["--styles", "medium", "--lambdas", "0.3", "--dump"]
+    assert run(["edit", file, "--out", str(tmp_path), *options], None) == 0
+    (result,) = results_of(tmp_path)["results"]
+    with np.load(tmp_path / "medium.npz", allow_pickle=False) as dump:
+        joined = np.take_along_axis(dump["ink"], dump["labels"][:1].astype(int), axis=0)[0]
+    picture = drawn(tmp_path, result)
+    assert (joined & picture).sum() / (joined | picture).sum() > 0.9
+    assert sum(source["share"] for source in result["sources"]) == pytest.approx(1)
+    for path in tmp_path.iterdir():
+        if path.suffix in (".svg", ".json"):
+            assert "np." not in path.read_text("utf-8"), path
+
+
 def test_the_sheet_is_there(edited):
     with Image.open(edited / "grid.png") as sheet:
         assert sheet.width > 600

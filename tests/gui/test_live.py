@@ -2,6 +2,7 @@
 is waited for is set to for ever, or to nothing, and what a run has shown is let through a gate."""
 
 import threading
+from dataclasses import replace
 
 import pytest
 from fake_session import RECOMMENDED, FakeSession, exemplar
@@ -13,8 +14,9 @@ from iconstudio.gui.main_window import MainWindow
 from iconstudio.gui.panels.cell import CellState
 from iconstudio.gui.preferences import preferred
 from iconstudio.model import CANVAS, Axis
+from iconstudio.output.colours import significant_sources
 from iconstudio.session import ModelSettings
-from iconstudio.workflows.events import StyleSkipped
+from iconstudio.workflows.events import Recommended, StyleSkipped
 from iconstudio.workflows.grid import FINE
 
 STYLES = ModelSettings().styles
@@ -382,7 +384,6 @@ def test_a_preview_comes_first_and_the_finished_result_takes_its_place(drawn, qt
     pick(drawn, "medium", LAMBDAS[3])
     cell = drawn.board.results.cell("medium", LAMBDAS[3])
     rows = drawn.board.detail._rows
-    sources = [rows.itemAt(number).widget() for number in range(rows.count())]
     add_point(drawn)
     qtbot.waitUntil(begun(session, 2))
     assert runs(session)[-1][1].focus == ("medium", LAMBDAS[3])
@@ -392,9 +393,13 @@ def test_a_preview_comes_first_and_the_finished_result_takes_its_place(drawn, qt
     assert preview.result.preview
     assert drawn.board.detail.picture is preview
     assert "preview · fits the sketch" in drawn.board.detail._about.text()
-    assert [rows.itemAt(i).widget() for i in range(rows.count())] == sources, (
-        "they stay as they are"
-    )
+    composite = preview.result.composite
+    named = [
+        f"{composite.sources[k].exemplar.id}, {composite.shares[k]:.0%}"
+        for k in significant_sources(composite)
+    ]
+    shown = [rows.itemAt(number).widget().accessibleName() for number in range(rows.count())]
+    assert shown == named, "the sources are those of the preview"
     assert "preview" in cell.accessibleName()
     assert drawn.board.results.finished == 0
     looks = cell.grab().toImage()
@@ -627,3 +632,35 @@ def test_an_edit_follows_its_areas_and_the_styles(editing, qtbot, session):
     editing.actions_by_name["clear"].trigger()
     assert not editing.runs.running
     assert not editing.window().desk.notice.isVisible()
+
+
+def test_the_pick_stays_while_a_run_goes_on_and_is_the_best_in_the_end(drawn, qtbot):
+    """Rows come one after another, each with a better star; the pick moves once, at the end."""
+    from iconstudio.gui.panels.board import Board
+
+    board, results = Board(), drawn.board.results.pictures
+    qtbot.addWidget(board)
+    settings = ModelSettings()
+    scored = [
+        replace(one, result=replace(one.result, preview=False, score=replace(
+            one.result.score, seam=0.1 + 0.8 * number / len(results))))
+        for number, one in enumerate(results)
+    ]  # fmt: skip
+    picks = []
+    board.picked.connect(lambda one: picks.append(one and one.result.composite))
+    board.begin(settings)
+    picks.clear()
+    for one in scored:
+        board.show_event(one)
+        board.show_event(Recommended(one.result.composite.style, one.result.composite.lambda_s))
+    assert {(c.style, c.lambda_s) for c in picks} == {
+        (scored[0].result.composite.style, scored[0].result.composite.lambda_s)
+    }
+    board.end()
+    assert board.detail.picture is scored[-1]
+
+
+def test_nothing_is_starred_where_nothing_was_made(drawn):
+    style = drawn.board.results.pictures[0].result.composite.style
+    drawn.board.show_event(Recommended(style, None))
+    assert not any(drawn.board.results.cell(style, value).recommended for value in LAMBDAS)

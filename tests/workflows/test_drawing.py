@@ -69,7 +69,7 @@ def whole(labels, sources, scale):
 
 @pytest.fixture
 def sources():
-    placements = (Placement(), UNEVEN, Placement(1.1, dx=-9), Placement(dy=5))
+    placements = (Placement(), UNEVEN, Placement(1.1, dx=-3), Placement(dy=5))
     return [source(number, placement) for number, placement in enumerate(placements)]
 
 

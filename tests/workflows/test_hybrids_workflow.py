@@ -9,8 +9,8 @@ from iconstudio.svg.resvg import render_placed
 from iconstudio.workers import Workers
 from iconstudio.workflows.choosing import choose_icons, stroke_width
 from iconstudio.workflows.events import Progress, Result
-from iconstudio.workflows.hybrids import draw_seeds, mix_icons
-from tests.shapes import exemplar
+from iconstudio.workflows.hybrids import check, draw_seeds, mix_icons, pinned
+from tests.shapes import blob, exemplar
 
 YS, XS = np.mgrid[:CANVAS, :CANVAS] - CANVAS / 2 + 0.5
 
@@ -166,3 +166,26 @@ def test_chosen_icons_hold_to_the_symmetry():
 def test_the_width_of_strokes():
     bars = (abs(YS) < 5) & (abs(XS) < 100)
     assert stroke_width(bars) == pytest.approx(10, rel=0.1)
+
+
+def test_a_pinned_detail_is_held_whole_and_drawn(workers):
+    """A filament longer than a pin's disc, of one icon, in another's outline."""
+    ys, xs = np.mgrid[:CANVAS, :CANVAS] + 0.5
+    ring = abs(np.hypot(xs - 128, ys - 128) - 96) < 8
+    filament = (abs(xs - 128) < 40) & (abs(ys - 128) < 3)
+    cross = (abs(xs - 128) < 4) & (abs(ys - 128) < 70)
+    lamps = [exemplar(ring | filament, "filament"), exemplar(ring | cross, "cross")]
+    pins = (((128.0, 128.0),), ())
+    held = pinned(pins, np.stack([one.ink for one in lamps]), None)
+    assert held[0][filament].all() and not held[0][ring].any() and not held[1].any()
+    mix = Mix(tuple(one.pictogram for one in lamps), draws=6, pins=pins)
+    run = mix_icons(mix, lamps, workers, render_placed)
+    for result in (event for event in run if isinstance(event, Result)):
+        ink = result.drawing.coverage.reshape(CANVAS, 2, CANVAS, 2).mean(axis=(1, 3)) > 127
+        assert ink[filament].all()
+
+
+def test_pins_that_contradict_are_refused():
+    icons = tuple(exemplar(blob(seed), f"pin-{seed}").pictogram for seed in range(2))
+    with pytest.raises(IconstudioError, match="hold the same place"):
+        check(Mix(icons, pins=(((100.0, 100.0),), ((110.0, 100.0),))))

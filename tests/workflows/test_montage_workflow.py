@@ -3,6 +3,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from iconstudio.algorithms.guidance import carried, scribble
+from iconstudio.algorithms.overhang import seen
+from iconstudio.algorithms.raster import placed_ink
 from iconstudio.model import CANVAS, IconstudioError, Layer, Montage, Placement, Stroke
 from iconstudio.svg.resvg import render_placed
 from iconstudio.workers import Workers
@@ -111,3 +114,43 @@ def test_bad_montages_are_refused(montage, words, workers):
 def test_a_dot_is_a_stroke(workers):
     montage = replace(GOOD, layers=(replace(GOOD.layers[0], strokes=(stroke((90, 90)),)),))
     assert result(montage, [DISC], workers).composite.shares == (1.0,)
+
+
+def test_a_marked_crumb_is_kept(workers):
+    """A small ring in a great one: marked, it stays, though it is a small part of its source."""
+    r = np.hypot(XS - 128, YS - 128)
+    small = abs(np.hypot(XS - 128, YS - 128) - 6) < 2
+    arms = (abs(YS - 128) < 2) & (XS > 134) & (XS < 235)
+    tool = exemplar(small | arms | (abs(r - 100) < 8), "tool")
+    frame = exemplar((abs(r - 100) < 12), "frame")
+    bars = (((128, 22), (128, 38)), ((228, 110), (228, 150)), ((160, 100), (160, 160)))
+    montage = Montage(
+        (
+            Layer(tool.pictogram, strokes=(stroke((124, 128), (132, 128), width=20),)),
+            Layer(frame.pictogram, strokes=tuple(stroke(*bar) for bar in bars)),
+        )
+    )
+    one = result(montage, [tool, frame], workers)
+    ink = one.drawing.coverage.reshape(CANVAS, 2, CANVAS, 2).mean(axis=(1, 3)) > 127
+    assert (ink & small).sum() > 0.95 * small.sum()
+
+
+@pytest.mark.parametrize(("dx", "dy"), [(150, 0), (0, -130), (-110, 120)])
+def test_all_that_is_marked_past_the_frame_is_drawn(dx, dy, workers):
+    """A disc that is scribbled all over hangs out of the canvas; the result has it whole."""
+    placement = Placement(0.7, False, dx, dy)
+    across = stroke((128 + dx - 50, 128 + dy), (128 + dx + 50, 128 + dy), width=30)
+    far = Layer(DISC.pictogram, placement, (across,))
+    near = Layer(RING.pictogram, Placement(0.5), (stroke((128, 90), (128, 100), width=8),))
+    one = result(Montage((far, near)), [DISC, RING], workers)
+    source = one.composite.sources[0]
+    marked = scribble([carried(across, placement, source.placement)])
+    whole = placed_ink(source.exemplar, source.placement, pad=CANVAS)[0]
+    own = marked & whole[CANVAS:-CANVAS, CANVAS:-CANVAS]
+    wide = 30 * source.placement.scale / 0.7
+    length = min(130, 160 * 0.7) * source.placement.scale / 0.7
+    assert own.sum() == pytest.approx(wide * length, rel=0.1)
+    drawn = one.drawing.coverage > 127
+    shown = seen(own, one.drawing.frame, 512, False)
+    assert (drawn & shown).sum() >= 0.99 * shown.sum()
+    assert not drawn[[0, -1]].any() and not drawn[:, [0, -1]].any()

@@ -17,8 +17,8 @@ from iconstudio.workflows.events import Event, Recommended, StyleMatched, StyleS
 class Board(QSplitter):
     """Shows the events of a run as they come: results by style and lambda_S.
 
-    The best result of the first run of an object is picked, and until there is one its first
-    result; then the pick stays in its cell until the user picks another.
+    The first result of an object is picked, and stays so while the run goes on; when its first run
+    is over, the best is picked, once. Then the pick stays in its cell until the user picks another.
 
     Signals
     -------
@@ -94,7 +94,8 @@ class Board(QSplitter):
         """Nothing more is to come; ``keep`` the best result in sight."""
         self.results.end()
         best = self._best
-        if best is not None and self._pick_is_hidden():
+        first = whole and not self._settled
+        if best is not None and (first or self._pick_is_hidden()):
             self._pick(best)
         self._settled = self._settled or (whole and best is not None)
         if keep and self.results.finished:
@@ -111,12 +112,11 @@ class Board(QSplitter):
 
     def _recommend(self, event: Recommended) -> None:
         self.results.recommend(event.style, event.lambda_s)
-        picture = self.results.cell(event.style, event.lambda_s).picture
-        if self._best is not None and _score(picture) <= _score(self._best):
+        if event.lambda_s is None:
             return
-        self._best = picture
-        if not self._settled:
-            self._pick(picture)
+        picture = self.results.cell(event.style, event.lambda_s).picture
+        if self._best is None or _score(picture) > _score(self._best):
+            self._best = picture
 
     def _pick(self, picture: Picture) -> None:
         composite = picture.result.composite

@@ -200,7 +200,7 @@ class DetailPanel(QFrame):
         self.setMinimumHeight(23 * UNIT)
 
     def show_picture(self, picture: Picture | None) -> None:
-        """Show a result, or nothing. Beside a preview the sources of the one before stay."""
+        """Show a result, or nothing, with its own sources."""
         self.picture = picture
         self.large.show_picture(picture)
         self._stack.setCurrentIndex(0 if picture is None else 1)
@@ -209,13 +209,12 @@ class DetailPanel(QFrame):
             return
         composite = picture.result.composite
         self._title.setText(composite.style.capitalize())
+        sources = source_pictures(composite, picture.colours)
+        self._show_sources(sources)
+        icons = len({source.source.exemplar.id for source in sources})
+        about = f"{_counted(len(sources), 'part')} of {_counted(icons, 'icon')}"
         if picture.result.preview:
             about = "preview"
-        else:
-            sources = source_pictures(composite, picture.colours)
-            icons = len({source.source.exemplar.id for source in sources})
-            about = f"{_counted(len(sources), 'part')} of {_counted(icons, 'icon')}"
-            self._show_sources(sources)
         # Of hybrids and montages, λ is always the same.
         weight = [] if composite.iou is None else [f"λ {composite.lambda_s:.2f}"]
         self._about.setText(" · ".join((*weight, about, *_merits(picture.result))))

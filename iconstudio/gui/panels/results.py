@@ -333,8 +333,8 @@ class ResultsPanel(QFrame):
             self.picked.emit(picture)
         return True
 
-    def recommend(self, style: str, lambda_s: float) -> None:
-        """Mark the result of a style to look at first, and no other of that style."""
+    def recommend(self, style: str, lambda_s: float | None) -> None:
+        """Mark the result of a style to look at first, if there is one, and no other."""
         reason = f"of the {style} icons, this one holds together best and is closest to the outline"
         for value in self._shape[1]:
             self.cell(style, value).recommend(reason if value == lambda_s else "")

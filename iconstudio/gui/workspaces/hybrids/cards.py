@@ -4,6 +4,7 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QDragEnterEvent,
@@ -28,6 +29,7 @@ from iconstudio.gui.pictures import stencil
 from iconstudio.gui.theme import UNIT
 from iconstudio.gui.workspaces.hybrids.page import Ingredient
 from iconstudio.model import CANVAS, Axis, Exemplar, Point
+from iconstudio.workflows.hybrids import pinned
 
 SIDE = 9 * UNIT
 """Side of a card in device-independent pixels."""
@@ -62,6 +64,7 @@ class IconCard(QWidget):
         self._ingredient: Ingredient | None = None
         self._axis: Axis | None = None
         self._image: Mipmap | None = None
+        self._held: NDArray[np.bool_] | None = None
         self._mark: QPointF | None = None
         """Where the keys would set a pin, once they have been used."""
         self.setFixedSize(SIDE, SIDE)
@@ -77,8 +80,14 @@ class IconCard(QWidget):
         self.button.installEventFilter(self)
         self.button.hide()
 
-    def show_icon(self, ingredient: Ingredient, axis: Axis | None) -> None:
-        """Show an icon, its pins, and under a symmetry their mirror images."""
+    def show_icon(
+        self, ingredient: Ingredient, axis: Axis | None, held: NDArray[np.bool_] | None = None
+    ) -> None:
+        """Show an icon, its pins, under a symmetry their mirror images, and what they hold.
+
+        ``held`` is (CANVAS, CANVAS).
+        """
+        self._held = held if held is not None and held.any() else None
         if self._ingredient is None or self._ingredient.exemplar is not ingredient.exemplar:
             self._image = None
         self._ingredient, self._axis = ingredient, axis
@@ -182,6 +191,9 @@ class IconCard(QWidget):
             painter.drawRoundedRect(frame, 6, 6)
             box = self._box()
             painter.drawImage(box, self._image.at(box.width() * self.devicePixelRatioF()))
+            if self._held is not None:
+                ink = np.where(self._held, self._ingredient.exemplar.coverage, 0).astype(np.uint8)
+                painter.drawImage(box, stencil(ink, look.color("accent")))
             for pin in self._ingredient.pins:
                 if self._axis is not None:
                     _paint_pin(painter, self.at(mirror_image(pin, self._axis)), look, faint=True)
@@ -271,8 +283,12 @@ class Cards(QScrollArea):
                 self.focusPreviousChild()
             card.hide()
             card.deleteLater()
-        for card, ingredient in zip(self.cards, ingredients, strict=True):
-            card.show_icon(ingredient, axis)
+        parts: Sequence[NDArray[np.bool_] | None] = [None] * len(ingredients)
+        if any(one.pins for one in ingredients):
+            pins = tuple(one.pins for one in ingredients)
+            parts = pinned(pins, np.stack([one.exemplar.ink for one in ingredients]), axis)
+        for card, ingredient, held in zip(self.cards, ingredients, parts, strict=True):
+            card.show_icon(ingredient, axis, held)
 
     def refresh_icons(self, look: theme.Theme) -> None:
         """Draw all icons in the colours of ``look``."""

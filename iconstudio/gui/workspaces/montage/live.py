@@ -83,7 +83,7 @@ class LiveResult(QObject):
         with closing(self._session.montage(montage)) as events:
             for event in events:
                 if isinstance(event, Result):
-                    yield picture_of(event, TITLE, colours=palette)
+                    yield picture_of(event, TITLE, colours=_coloured(montage, event, palette))
                 else:
                     yield event
 
@@ -105,3 +105,11 @@ class LiveResult(QObject):
         if not whole:
             self._wanted = None
         self.rested.emit()
+
+
+def _coloured(montage: Montage, result: Result, palette: Palette) -> Palette:
+    """Return the colours of a result's sources, which may lie elsewhere than their layers."""
+    from iconstudio.output.colours import key_of
+
+    pairs = zip(result.composite.sources, montage.layers, strict=True)
+    return {key_of(source): palette[layer.icon.id, layer.placement] for source, layer in pairs}

@@ -134,11 +134,15 @@ class MontagePage:
         return bool(self.layers) and not before.layers
 
     def montage(self) -> Montage:
-        """Return what is to be joined. Strokes off the canvas wait for their icon to come back."""
+        """Return what is to be joined.
+
+        An icon all of whose strokes are off the canvas waits: they count when it comes back.
+        """
         layers = []
         for one in sorted(self.layers, key=lambda one: one.number):
-            near = (part for stroke in one.strokes for part in near_canvas(stroke))
-            layers.append(Layer(one.icon.pictogram, one.placement, tuple(filter(visible, near))))
+            near = tuple(part for stroke in one.strokes for part in near_canvas(stroke))
+            strokes = near if any(map(visible, near)) else ()
+            layers.append(Layer(one.icon.pictogram, one.placement, strokes))
         return Montage(tuple(layers))
 
     # -- other pages ---------------------------------------------------------------------------

@@ -11,6 +11,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from iconstudio.algorithms import guidance
 from iconstudio.algorithms.geometry import near, simplified_line
 from iconstudio.algorithms.guidance import points_on, scribble
 from iconstudio.model import CANVAS, Placement, Point, Stroke
@@ -64,17 +65,8 @@ def cut(strokes: Iterable[Stroke], knives: Sequence[Stroke]) -> tuple[Stroke, ..
 
 def carried(stroke: Stroke, before: Placement, after: Placement) -> Stroke:
     """Return a stroke over an icon, after the icon was put elsewhere: over the same part of it."""
-    grown = after.scale / before.scale
-    mirror = -1 if before.flip != after.flip else 1
-    half = CANVAS / 2
-    points = tuple(
-        (
-            half + mirror * grown * (x - half - before.dx) + after.dx,
-            half + grown * (y - half - before.dy) + after.dy,
-        )
-        for x, y in stroke.points
-    )
-    return replace(stroke, width=min(max(stroke.width * grown, THINNEST), WIDEST), points=points)
+    stroke = guidance.carried(stroke, before, after)
+    return replace(stroke, width=min(max(stroke.width, THINNEST), WIDEST))
 
 
 def near_canvas(stroke: Stroke) -> tuple[Stroke, ...]:

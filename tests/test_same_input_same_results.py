@@ -1,0 +1,60 @@
+"""A finished result depends on the page alone: not on what was run before, nor on the focus."""
+
+from dataclasses import replace
+
+import pytest
+
+from iconstudio.algorithms.expansion import LAMBDAS
+from iconstudio.inputs.sketch import example
+from iconstudio.model import Polygon
+from iconstudio.output.svg import svg_document
+from iconstudio.session import Session
+from iconstudio.workflows.events import Result
+from iconstudio.workflows.grid import ModelSettings
+
+STYLE = "medium"
+FEW = LAMBDAS[2:6]
+
+
+def finished(session, sketch, settings, enough=None):
+    """The files of all finished results, by lambda_S; ends after ``enough`` results of any kind."""
+    found = {}
+    events = session.model(sketch, settings)
+    for event in events:
+        if isinstance(event, Result):
+            if not event.preview:
+                one = event.composite
+                said = svg_document(event.drawing, one, "x"), one.energy, one.iou, one.shares
+                found[one.lambda_s] = said, one.labels.tobytes(), event.drawing.coverage.tobytes()
+            if enough is not None and (enough := enough - 1) <= 0:
+                break
+    events.close()
+    return found
+
+
+def test_a_run_after_many_edits_equals_a_fresh_one_to_the_byte():
+    sketch = example("shuttle").sketch
+    fitted = sketch.polygon.fitted().vertices
+    plain = ModelSettings((STYLE,), FEW)
+    with Session() as fresh:
+        expected = finished(fresh, sketch, plain)
+    assert len(expected) == len(FEW)
+    with Session() as used:
+        for step in range(4):  # a vertex is dragged, another result in focus each time
+            moved = [(x + 9 * (step + 1) * (n == 3), y) for n, (x, y) in enumerate(fitted)]
+            live = replace(plain, previews=True, focus=(STYLE, FEW[step]))
+            edited = replace(sketch, polygon=Polygon.of(moved))
+            assert finished(used, edited, live, enough=1 + step % 2) is not None
+        for focus in (FEW[0], FEW[3]):
+            live = replace(plain, previews=True, focus=(STYLE, focus))
+            assert finished(used, sketch, live) == expected
+
+
+@pytest.mark.parametrize("asked", [FEW[1:2], FEW[:3]])
+def test_what_else_is_asked_for_does_not_matter(asked):
+    """All lambda_S of the paper's row are explored, whichever are asked for."""
+    sketch = example("shuttle").sketch
+    with Session() as session:
+        every = finished(session, sketch, ModelSettings((STYLE,), FEW))
+        some = finished(session, sketch, ModelSettings((STYLE,), asked))
+    assert some == {value: every[value] for value in asked}
