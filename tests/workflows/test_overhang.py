@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from iconstudio.library.resvg import render_coverage, render_placed
 
 from iconstudio.algorithms.energy import placed_sources
 from iconstudio.algorithms.overhang import overhang, seen
 from iconstudio.model import CANVAS, MARGIN, Frame, Placement, Source
+from iconstudio.svg.resvg import render_coverage, render_placed
 from iconstudio.workflows.drawing import PREVIEW, SCALE, draw
 from tests.shapes import exemplar
 
