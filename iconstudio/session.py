@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from iconstudio.algorithms.matching import SCALES, Matcher, PreparedExemplar
 from iconstudio.algorithms.scanning import Scan
 from iconstudio.algorithms.style import two_toned
-from iconstudio.files import read_bytes, remove_abandoned
+from iconstudio.files import remove_abandoned
 from iconstudio.library import scans
 from iconstudio.library.collection import Collection, cache_folder
 from iconstudio.library.images import Image, is_image_file, read_image
@@ -40,8 +40,7 @@ from iconstudio.model import (
     Sketch,
     Source,
 )
-from iconstudio.svg.decode import MAX_BYTES
-from iconstudio.svg.reading import own_svg
+from iconstudio.svg.reading import own_svg, read_file
 from iconstudio.svg.resvg import render_placed
 from iconstudio.workers import Workers, answer
 from iconstudio.workflows.choosing import choose_icons
@@ -158,7 +157,7 @@ class Session:
         if is_image_file(Path(reference)):
             return returned(scans.read_scan(Path(reference), self._readers))
         if _is_path(reference):
-            return self._own(Path(reference))
+            return self.icon_from(read_file(Path(reference)), reference)
         return self.collection.get(reference)
 
     def icon_from(self, data: bytes, name: str) -> Pictogram:
@@ -171,13 +170,6 @@ class Session:
         """
         reading = self._workers.submit(own_svg, data, name, timeout=_SECONDS, memory=_MEMORY)
         return answer(reading, f"Reading “{name}”")
-
-    def _own(self, path: Path) -> Pictogram:
-        try:
-            data = read_bytes(path, MAX_BYTES)
-        except IconstudioError as error:
-            raise IconstudioError(f"“{path}” cannot be used. {error}") from None
-        return self.icon_from(data, str(path))
 
     def image(self, source: Path | bytes) -> Generator[None, None, Image]:
         """Return the image in a file, or in bytes; yield now and then, where it can be closed.

@@ -186,8 +186,9 @@ def _tone(match: re.Match[str], choice: Paints, opaque: bool) -> str:
     white = bool(near_white(np.array(rgb, dtype=np.uint8)))
     ink = choice is Paints.ALL or white == (choice is Paints.LIGHT)
     level = 0 if ink else 255
-    alpha = match[5] or "1"
-    return f"rgba({level},{level},{level},{'1' if opaque and float(alpha) > 0 else alpha})"
+    if match[5] is None or (opaque and float(match[5]) > 0):
+        return f"#{level:02x}{level:02x}{level:02x}"
+    return f"rgba({level},{level},{level},{match[5]})"
 
 
 def _traced(coverage: NDArray[np.uint8]) -> ET.Element:

@@ -127,7 +127,11 @@ class _Builder:
         self._foreign = metadata
         self._count(attributes)
         kept = (
-            {_qualified(key, spaces): value for key, value in attributes.items()}
+            {
+                _qualified(key, spaces): value
+                for key, value in attributes.items()
+                if not key.startswith("xmlns")
+            }
             if metadata
             else self._own(attributes, spaces)
         )

@@ -4,12 +4,27 @@ import hashlib
 import logging
 from pathlib import Path
 
+from iconstudio.files import read_bytes
 from iconstudio.model import IconstudioError, Pictogram
 from iconstudio.svg import credits
-from iconstudio.svg.decode import decode
+from iconstudio.svg.decode import MAX_BYTES, decode
 from iconstudio.svg.parse import parse
 
 _log = logging.getLogger(__name__)
+
+
+def read_file(path: Path) -> bytes:
+    """Return what is in the file of a drawing.
+
+    Raises
+    ------
+    IconstudioError
+        If it cannot be read, or is too large.
+    """
+    try:
+        return read_bytes(path, MAX_BYTES)
+    except IconstudioError as error:
+        raise IconstudioError(f"“{path}” cannot be used. {error}") from None
 
 
 def own_svg(data: bytes, name: str) -> Pictogram:

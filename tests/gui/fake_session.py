@@ -30,7 +30,7 @@ from iconstudio.model import (
     Source,
 )
 from iconstudio.session import ModelSettings, returned
-from iconstudio.svg.reading import own_svg
+from iconstudio.svg.reading import own_svg, read_file
 from iconstudio.workflows.events import (
     Event,
     Progress,
@@ -132,7 +132,7 @@ class FakeSession:
             image = returned(self.image(path))
             return returned(self.trace(returned(self.scan(image)), None, path.name))
         if reference.endswith(".svg"):
-            return own_svg(Path(reference).read_bytes(), reference)
+            return own_svg(read_file(Path(reference)), reference)
         for one in self._exemplars(frozenset()):
             if one.id == reference:
                 return one.pictogram

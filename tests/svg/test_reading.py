@@ -202,10 +202,11 @@ def test_the_session_finds_files_and_icons_of_the_collection(session, file, monk
     assert session.icon(str(upper)).id.startswith("own:A-")
     assert session.icon(str(bare)).id.startswith("own:bare-")
     assert session.icon("set:name") == "the collection's set:name"
-    for nowhere in ("long" * 9999, "a\0b", "", str(file("").parent)):
+    for nowhere in ("long" * 9999, "a\0b", ""):
         assert session.icon(nowhere) == f"the collection's {nowhere}"
-    with pytest.raises(IconstudioError, match="no such file"):
-        session.icon("nowhere.svg")
+    for nowhere in ("nowhere.svg", "nowhere/plain.svgz", "./nowhere"):
+        assert "no such file" in refusal(session, nowhere)
+    assert "It is a folder" in refusal(session, file("").parent)
 
 
 @pytest.mark.parametrize("size", ['width="1e9" height="1e9"', 'width="5000mm" height="2500mm"'])
