@@ -204,7 +204,7 @@ def test_the_session_finds_files_and_icons_of_the_collection(session, file, monk
     assert session.icon("set:name") == "the collection's set:name"
     for nowhere in ("long" * 9999, "a\0b", ""):
         assert session.icon(nowhere) == f"the collection's {nowhere}"
-    for nowhere in ("nowhere.svg", "nowhere/plain.svgz", "./nowhere"):
+    for nowhere in ("nowhere.svg", "nowhere/plain.svgz", "../nowhere-at-all"):
         assert "no such file" in refusal(session, nowhere)
     assert "It is a folder" in refusal(session, file("").parent)
 
