@@ -56,6 +56,8 @@ def replaceable(path: Path) -> os.stat_result | None:
     try:
         found = path.stat()
     except FileNotFoundError:
+        if not Path(os.path.realpath(path)).parent.is_dir():
+            raise FileNotFoundError(errno.ENOENT, "there is no such folder") from None
         return None
     if stat.S_ISDIR(found.st_mode):
         raise IsADirectoryError(errno.EISDIR, "it is a folder")

@@ -8,7 +8,7 @@ import os
 import threading
 from collections import OrderedDict
 from collections.abc import Generator, Iterator
-from contextlib import closing
+from contextlib import AbstractContextManager, closing
 from importlib import import_module
 from pathlib import Path
 from typing import TypeVar
@@ -75,7 +75,7 @@ T = TypeVar("T")
 _Key = tuple[str, frozenset[str], tuple[float, ...]]
 
 
-class Session:
+class Session(AbstractContextManager):
     """The collection, its caches and the worker processes of one run.
 
     All methods may be called from any thread; the generators work while they are iterated, and
@@ -158,7 +158,12 @@ class Session:
             return returned(scans.read_scan(Path(reference), self._readers))
         if _is_path(reference):
             return self.icon_from(read_file(Path(reference)), reference)
-        return self.collection.get(reference)
+        try:
+            return self.collection.get(reference)
+        except IconstudioError as error:
+            if "/" in reference:
+                raise IconstudioError(f"There is no such file “{reference}”. {error}") from None
+            raise
 
     def icon_from(self, data: bytes, name: str) -> Pictogram:
         """Return an icon of SVG markup that is in no file, but pasted, say; ``name`` it.
@@ -347,9 +352,6 @@ class Session:
         if self._collection is not None:
             self._collection.close()
             self._collection = None
-
-    def __enter__(self) -> "Session":
-        return self
 
     def __exit__(self, *exc: object) -> None:
         self.close()

@@ -91,7 +91,9 @@ def run(arguments: Sequence[str], window: Window) -> int:
         click.echo("Stopped.", err=True)
         return INTERRUPTED
     except IconstudioError as error:
-        click.echo(f"iconstudio: {error}", err=True)
+        # A name may hold bytes that are no text.
+        sentence = str(error).encode(errors="backslashreplace").decode()
+        click.echo(f"iconstudio: {sentence}", err=True)
         return MISTAKE
     except UnicodeEncodeError as error:  # half of a surrogate pair, where no file name is meant
         click.echo(

@@ -197,6 +197,8 @@ def _content(root: ET.Element, stretch: Matrix) -> ET.Element:
         "g", {name: value for name, value in root.attrib.items() if name not in _OF_ROOTS}
     )
     content.extend(list(root))
+    if not content.attrib and [child.tag for child in content] == ["g"]:
+        (content,) = content
     for name in ("fill", "color"):
         content.attrib.setdefault(name, "#000000")
     for stop in content.iter("stop"):

@@ -28,10 +28,12 @@ def results_of(folder):
 
 
 def drawn(folder, entry):
-    """The ink of a result's SVG on the canvas."""
+    """The ink of a result's SVG on the canvas, wherever its frame lies."""
     svg = (folder / entry["svg"]).read_text("utf-8")
     check(svg)
-    return render_coverage(svg, Frame(0, 0, CANVAS), CANVAS) > 127
+    frame, unit = entry["frame"], CANVAS / entry["frame"]["size"]
+    canvas = Frame(-frame["x"] * unit, -frame["y"] * unit, CANVAS * unit)
+    return render_coverage(svg, canvas, CANVAS) > 127
 
 
 def own_ink(reference):

@@ -625,7 +625,7 @@ def test_an_icon_that_no_collection_has_is_saved_beside_the_edit(
     own.unlink()
     icon = json.loads(path.read_text())["icon"]
     assert "/" not in icon
-    assert (tmp_path / icon).read_text() == SVG
+    assert (tmp_path / icon).read_text() == empty.document.page.icon.pictogram.svg
     assert read_edit(path).icon == str(tmp_path / icon)
 
 

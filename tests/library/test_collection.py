@@ -242,7 +242,7 @@ def test_damage_that_shows_only_in_use_is_mended(folder, tmp_path, caplog, metho
 
 def test_an_error_that_is_no_damage_is_not_hidden(folder, tmp_path, monkeypatch):
     with Collection.open(folder, tmp_path / "cache") as collection:
-        with pytest.raises(AttributeError):
+        with pytest.raises(TypeError):
             collection.search(None)
         assert collection.search("dog")
 
