@@ -12,4 +12,4 @@ import os
 # need the cores make matrix products ten times slower.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
-__version__ = "0.3.0"
+__version__ = "0.4.0"
