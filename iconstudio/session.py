@@ -85,8 +85,9 @@ class Session(AbstractContextManager):
     def __init__(self, cache: Path | None = None) -> None:
         self._cache = cache or cache_folder()
         self._workers = Workers()
-        self._readers = Workers(1)  # images need not wait for cuts, nor for their compiling
+        self._readers = Workers(1)  # files need not wait for cuts, nor for their compiling
         self._rasters = RasterCache(self._cache / "rasters", self._workers)
+        self._single = RasterCache(self._cache / "rasters", self._readers)
         self._preparing = PreparingCache(self._cache / "prepared", self._workers)
         self._collection: Collection | None = None
         self._opening = threading.Lock()
@@ -173,7 +174,7 @@ class Session(AbstractContextManager):
         IconstudioError
             If it is no good.
         """
-        reading = self._workers.submit(own_svg, data, name, timeout=_SECONDS, memory=_MEMORY)
+        reading = self._readers.submit(own_svg, data, name, timeout=_SECONDS, memory=_MEMORY)
         return answer(reading, f"Reading “{name}”")
 
     def image(self, source: Path | bytes) -> Generator[None, None, Image]:
@@ -204,7 +205,7 @@ class Session(AbstractContextManager):
         IconstudioError
             If it has no dark ink, or cannot be drawn.
         """
-        ((_, drawn),) = self._rasters.exemplars((pictogram,))
+        ((_, drawn),) = self._single.exemplars((pictogram,))
         if isinstance(drawn, IconstudioError):
             raise drawn
         return drawn
@@ -224,7 +225,7 @@ class Session(AbstractContextManager):
             If that takes too long or too much memory.
         """
         svg, frame = exemplar.pictogram.svg, exemplar.frame
-        drawing = self._workers.submit(
+        drawing = self._readers.submit(
             render_placed, svg, frame, Placement(), size, timeout=SECONDS, memory=MEMORY
         )
         return answer(drawing, f"Drawing “{exemplar.id}”")
