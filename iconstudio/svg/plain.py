@@ -48,6 +48,7 @@ _OF_ROOTS = (
     "viewBox", "width", "height", "x", "y", "preserveAspectRatio", "version", "baseProfile",
     "overflow", "id", "zoomAndPan", "contentScriptType", "contentStyleType",
 )  # fmt: skip
+_BOLD = 600
 _MANY = 8
 """Masks and clips, from which on they are slow to draw."""
 _MOST_SYMBOLS = 6
@@ -100,6 +101,7 @@ def plain(root: ET.Element) -> Plain:
     check(ET.tostring(root, encoding="unicode"))  # before anything follows its references
     remarks += place(root, page, ids)
     _without_contexts(root, False)
+    _set_fonts(root, False)
     content = _content(root, stretch)
     return Plain(
         content,
@@ -189,6 +191,18 @@ def _without_contexts(element: ET.Element, marker: bool) -> None:
             del element.attrib[name]
     for child in element:
         _without_contexts(child, marker)
+
+
+def _set_fonts(element: ET.Element, bold: bool) -> None:
+    """Let all text be in the fonts that come with the program."""
+    weight = element.attrib.pop("font-weight", None)
+    if weight is not None and weight != "inherit":
+        bold = weight in ("bold", "bolder") or (weight.isdecimal() and int(weight) >= _BOLD)
+    element.attrib.pop("font-family", None)
+    if element.tag in _TEXTS:
+        element.set("font-family", "Inter Semi Bold" if bold else "Inter")
+    for child in element:
+        _set_fonts(child, bold)
 
 
 def _content(root: ET.Element, stretch: Matrix) -> ET.Element:

@@ -322,6 +322,12 @@ def test_nothing_is_left_out_in_silence(kind):
     assert remarks[0].endswith(".")
 
 
+def test_letters_may_be_bold():
+    text = '<text y="18" font-size="18">P</text>'
+    plain, bold = ink(svg(text)), ink(svg(f'<g style="font-weight:bold">{text}</g>'))
+    assert 1.2 * plain.sum() < bold.sum()
+
+
 def test_letters_are_drawn():
     sign = '<path fill-rule="evenodd" d="M2 2h20v20H2zM4 4v16h16V4z"/>'
     with_letter = ink(
