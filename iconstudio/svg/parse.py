@@ -22,6 +22,8 @@ _RDF = "http://www.w3.org/1999/02/22-rdf-syntax-ns#"
 _MAX_ENTITIES, _LONGEST_ENTITY = 200, 5_000
 _ENTITY = re.compile(r"&([A-Za-z][A-Za-z0-9]*);")
 _DECLARED_ENTITY = re.compile(r"<!ENTITY\s+([A-Za-z_][\w.-]*)")
+_AMPERSAND = re.compile(r"&(?!#?\w+;)")
+_VERBATIM = re.compile(r"(<!\[CDATA\[.*?\]\]>|<!DOCTYPE[^>\[]*\[.*?\]\s*>)", re.DOTALL)
 _OF_XML = ("amp", "lt", "gt", "quot", "apos")
 _CONTROL = re.compile("[\0-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff\ud800-\udfff]")
 
@@ -64,7 +66,7 @@ def _reason(error: expat.ExpatError) -> str:
 
 
 def _without_html_entities(text: str) -> str:
-    """Replace the names that HTML has for characters, which pages' drawings use, by these."""
+    """Replace HTML's names of characters, which pages' drawings use, and write single & rightly."""
     if "&" not in text:
         return text
     declared = {*_OF_XML, *_DECLARED_ENTITY.findall(text)}
@@ -73,7 +75,9 @@ def _without_html_entities(text: str) -> str:
         name = match[1]
         return match[0] if name in declared else html5.get(f"{name};", match[0])
 
-    return _ENTITY.sub(replaced, text)
+    parts = _VERBATIM.split(text)
+    parts[::2] = [_ENTITY.sub(replaced, _AMPERSAND.sub("&amp;", part)) for part in parts[::2]]
+    return "".join(parts)
 
 
 class _Builder:

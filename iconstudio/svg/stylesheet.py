@@ -87,7 +87,7 @@ class StyleSheet:
         for rule in rules:
             match rule.type:
                 case "qualified-rule":
-                    self._add(rule)
+                    self._add(tinycss2.serialize(rule.prelude).strip(), rule.content)
                 case "at-rule":
                     self._at(rule)
                 case "error":
@@ -108,19 +108,18 @@ class StyleSheet:
                 "drawing with its styles embedded."
             )
 
-    def _add(self, rule: Any) -> None:
+    def _add(self, selector: str, content: Any) -> None:
+        """Add a rule, and those nested in it."""
         self._rules += 1
         if self._rules > MAX_RULES:
             raise IconstudioError(f"It has more than {MAX_RULES:,} style rules. Simplify it.")
-        selector = tinycss2.serialize(rule.prelude).strip()
-        declarations = list(_declarations(rule.content))
-        if not declarations:
-            return
         if len(selector) > _LONGEST_SELECTOR:
             self.remarks.append("A style rule with too many selectors was left out.")
             return
+        parts = tinycss2.parse_blocks_contents(content, skip_comments=True, skip_whitespace=True)
+        declarations = list(_declarations(parts))
         try:
-            compiled = cssselect2.compile_selector_list(rule.prelude)
+            compiled = cssselect2.compile_selector_list(selector) if declarations else ()
         except cssselect2.SelectorError:
             self.remarks.append(
                 f"The style rule for “{selector[:40]}” was not understood and left out."
@@ -128,6 +127,11 @@ class StyleSheet:
             return
         for one in compiled:
             self._matcher.add_selector(one, declarations)
+        for part in parts:
+            if part.type == "qualified-rule":
+                self._add(_nested(tinycss2.serialize(part.prelude), selector), part.content)
+            elif part.type == "at-rule":
+                self.remarks.append(f"“@{part.at_keyword}” within a style rule was left out.")
 
     @staticmethod
     def _applies(media: str) -> bool:
@@ -142,14 +146,26 @@ class StyleSheet:
 
 def declarations_of(style: str) -> list[Declared]:
     """Return the declarations of a ``style`` attribute."""
-    return list(_declarations(style)) if style.strip() else []
+    if not style.strip():
+        return []
+    parts = tinycss2.parse_blocks_contents(style, skip_comments=True, skip_whitespace=True)
+    return list(_declarations(parts))
 
 
-def _declarations(content: Any) -> Iterator[Declared]:
-    for one in tinycss2.parse_blocks_contents(content, skip_comments=True, skip_whitespace=True):
+def _declarations(parts: Sequence[Any]) -> Iterator[Declared]:
+    for one in parts:
         if one.type == "declaration":
             name = one.name if one.name.startswith("--") else one.lower_name
             yield name, tinycss2.serialize(one.value).strip(), one.important
+
+
+def _nested(selector: str, outer: str) -> str:
+    """Return the selector of a nested rule as one that stands alone (CSS Nesting)."""
+    parts = [
+        part.replace("&", f":is({outer})") if "&" in part else f":is({outer}) {part}"
+        for part in selector.split(",")
+    ]
+    return ", ".join(part.strip() for part in parts)
 
 
 def _end_of(content: Any) -> list[Declared]:
@@ -159,5 +175,9 @@ def _end_of(content: Any) -> list[Declared]:
         if rule.type == "qualified-rule":
             when = tinycss2.serialize(rule.prelude).lower().split(",")
             if any(one.strip() in ("to", "100%") for one in when):
-                found += _declarations(rule.content)
+                found += _declarations(
+                    tinycss2.parse_blocks_contents(
+                        rule.content, skip_comments=True, skip_whitespace=True
+                    )
+                )
     return found

@@ -97,6 +97,7 @@ AS_THE_HOUSE = {
     '<switch><foreignObject requiredExtensions="&ns_ai;"/><g i:extraneous="self">'
     f'<path fill-rule="evenodd" d="M3 21V10L12 2l9 8v11z{WINDOW}"/><path d="&d;"/></g></switch>'
     "</svg>",
+    "a single ampersand": svg(f"<title>Salt & Co.</title>{PATH}"),
     "HTML's entities": svg(f"<title>a&nbsp;b&hellip;</title>{PATH}"),
     "attributes declared": f'<!DOCTYPE svg [<!ATTLIST svg x CDATA "y">]>{svg(PATH)}',
     # Style sheets
@@ -124,6 +125,10 @@ AS_THE_HOUSE = {
         "<style>path:nth-of-type(2){display:none}"
         ".x{fill:#000 !important;fill-rule:evenodd}</style>"
         f'<path class="x" style="fill:#fff" d="{HOUSE}"/><path d="M0 0h24v24H0z"/>'
+    ),
+    "nested rules": svg(
+        "<style>g{fill:red;.a{fill-rule:evenodd;&:hover{fill:none}}& > .b{display:none}}</style>"
+        f"<g><path class='a' d='{HOUSE}'/><path class='b' d='M0 0h24v24z'/></g>"
     ),
     "specificity": svg(
         f"<style>#h{{fill-rule:evenodd}}path.a{{fill-rule:nonzero}}.a{{fill:red}}</style>"
