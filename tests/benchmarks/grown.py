@@ -5,7 +5,7 @@ search takes it for another drawing.
 """
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Container, Iterator
 from dataclasses import fields
 from pathlib import Path
 from typing import Any
@@ -17,6 +17,7 @@ from iconstudio.library import archive
 from iconstudio.library.archive import Archive, Contents
 from iconstudio.library.fingerprint import SIDE
 from iconstudio.library.iconify import IconSet
+from iconstudio.library.indexing import Index
 from iconstudio.resources import resource
 
 _TURNS: tuple[Callable[[NDArray[np.uint8]], NDArray[np.uint8]], ...] = (
@@ -46,8 +47,6 @@ def write_collection(folder: Path, count: int) -> None:
     def column(name: str) -> list[Any]:
         return [columns[name][number] for number in chosen]
 
-    kept = {phrase for phrases in column("phrases") for phrase in phrases}
-    readings = _pruned(columns["readings"], kept.__contains__)
     contents = Contents(
         sets=tuple(_icon_set(one) for one in columns["sets"]),
         set_of=column("set_of") * copies,
@@ -56,9 +55,7 @@ def write_collection(folder: Path, count: int) -> None:
         bodies=[bodies[number] for number in chosen] * copies,
         cells=b"".join(_turned(cells, turn).tobytes() for turn in _TURNS[:copies]),
         blackness=blackness.tobytes() * copies,
-        phrases=column("phrases") * copies,
-        readings=readings,
-        relations=_pruned(columns["relations"], readings.__contains__),
+        index=_index(columns, column("phrases"), copies),
     )
     folder.mkdir(parents=True)
     tightly, archive._FILTERS = archive._FILTERS, [{"id": archive.lzma.FILTER_LZMA2, "preset": 1}]
@@ -68,14 +65,35 @@ def write_collection(folder: Path, count: int) -> None:
         archive._FILTERS = tightly
 
 
-def _pruned(table: dict[str, list[Any]], wanted: Callable[[Any], bool]) -> dict[str, list[Any]]:
-    """Return a table of flat pairs with those pairs alone whose first is wanted."""
-    found = {}
+def _index(columns: dict[str, Any], phrases: list[list[int]], copies: int) -> Index:
+    """Return what leads to icons with these phrases, and to nothing else, so many times over."""
+    kept = sorted({phrase for own in phrases for phrase in own})
+    numbers = {phrase: number for number, phrase in enumerate(kept)}
+    readings = {
+        term: [value for phrase, tier in pairs for value in (numbers[phrase], tier)]
+        for term, pairs in _pruned(columns["readings"], numbers)
+    }
+    relations = {
+        word: [value for pair in pairs for value in pair]
+        for word, pairs in _pruned(columns["relations"], readings)
+    }
+    return Index(
+        phrases=[[numbers[phrase] for phrase in own] for own in phrases] * copies,
+        wordings=[columns["wordings"][phrase] for phrase in kept],
+        readings=readings,
+        relations=relations,
+        proposals=[word for word in columns["proposals"] if word in readings or word in relations],
+    )
+
+
+def _pruned(
+    table: dict[str, list[Any]], wanted: Container[Any]
+) -> Iterator[tuple[str, list[tuple[Any, Any]]]]:
+    """Yield the rows of a table of flat pairs, with those pairs alone whose first is wanted."""
     for word, flat in table.items():
-        pairs = [pair for pair in zip(flat[::2], flat[1::2], strict=True) if wanted(pair[0])]
+        pairs = [pair for pair in zip(flat[::2], flat[1::2], strict=True) if pair[0] in wanted]
         if pairs:
-            found[word] = [value for pair in pairs for value in pair]
-    return found
+            yield word, pairs
 
 
 def _turned(cells: NDArray[np.uint8], turn: Callable[..., NDArray[np.uint8]]) -> NDArray[np.uint8]:
