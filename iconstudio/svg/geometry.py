@@ -9,6 +9,7 @@ from collections.abc import Callable, Mapping
 from functools import lru_cache
 
 from fontTools.pens.boundsPen import ControlBoundsPen
+from fontTools.pens.perimeterPen import PerimeterPen
 from fontTools.pens.recordingPen import RecordingPen
 from fontTools.pens.svgPathPen import SVGPathPen
 from fontTools.pens.transformPen import TransformPen
@@ -91,6 +92,13 @@ def moved(data: str, matrix: Matrix) -> str:
     pen = SVGPathPen(None, ntos=lambda value: f"{value:.9g}")
     _recorded(data).replay(TransformPen(pen, matrix))
     return pen.getCommands()
+
+
+def data_length(data: str) -> float:
+    """Return the length of a path."""
+    pen = PerimeterPen(None)
+    _recorded(data).replay(pen)
+    return float(pen.value)
 
 
 @lru_cache(maxsize=512)

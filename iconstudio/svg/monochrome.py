@@ -16,6 +16,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.layers import flattened
 from iconstudio.algorithms.tone import Paints, near_white, paints, pictogram
 from iconstudio.algorithms.vectorize import trace
 from iconstudio.model import CANVAS, Frame, IconstudioError
@@ -129,7 +130,7 @@ def _picture(svg: str, frame: Frame, fonts: list[str], heavy: bool) -> _Picture:
         start = perf_counter()
         render_colours(svg, frame, CANVAS, fonts)
         size = CANVAS if perf_counter() - start > _SLOW else 2 * CANVAS
-    colours = render_colours(svg, frame, size, fonts)
+    colours = flattened(render_colours(svg, frame, size, fonts))
     return _Picture(colours, pictogram(colours))
 
 

@@ -62,7 +62,8 @@ def parse(text: str) -> ET.Element:
 
 
 def _reason(error: expat.ExpatError) -> str:
-    return f"{expat.errors.messages.get(error.code, error)} in line {error.lineno}"
+    reason = expat.errors.messages.get(error.code, error)
+    return f"{reason} in line {error.lineno}, column {error.offset + 1}"
 
 
 def _without_html_entities(text: str) -> str:

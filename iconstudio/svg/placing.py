@@ -4,7 +4,7 @@ import re
 import xml.etree.ElementTree as ET
 from collections.abc import Mapping
 
-from iconstudio.svg.geometry import SHAPES, bounds, moved, path_data, viewport
+from iconstudio.svg.geometry import SHAPES, bounds, data_length, moved, path_data, viewport
 from iconstudio.svg.lengths import (
     IDENTITY,
     Box,
@@ -13,6 +13,7 @@ from iconstudio.svg.lengths import (
     inverse,
     length,
     multiplied,
+    numbers,
     pixels,
     transform,
     written,
@@ -20,6 +21,7 @@ from iconstudio.svg.lengths import (
 
 _ORIGINS = {"left": "0%", "top": "0%", "center": "50%", "right": "100%", "bottom": "100%"}
 _OF_SERVERS = ("gradientTransform", "patternTransform")
+_DASHES = ("stroke-dasharray", "stroke-dashoffset")
 _OF_CSS = ("transform-origin", "transform-box", "translate", "rotate", "scale")
 
 
@@ -31,6 +33,7 @@ def place(root: ET.Element, page: Box | None, ids: Mapping[str, ET.Element]) -> 
     Sentences about what was not understood.
     """
     remarks: list[str] = []
+    _scale_dashes(root, {}, page or (0.0, 0.0, 100.0, 100.0))
     shown = page or (0.0, 0.0, 100.0, 100.0)
     for element in root.iter():
         _place(element, shown, ids, remarks)
@@ -74,6 +77,22 @@ def _place(
     for one in _OF_CSS:
         if one != "rotate" or rotate is not None:
             element.attrib.pop(one, None)
+
+
+def _scale_dashes(element: ET.Element, dashes: Mapping[str, str], page: Box) -> None:
+    """Measure dashes by the length that a shape says it has (``pathLength``)."""
+    own = {name: element.attrib[name] for name in _DASHES if name in element.attrib}
+    dashes = {**dashes, **own}
+    if element.tag in SHAPES:
+        said = numbers(element.attrib.pop("pathLength", ""))
+        if said and said[0] > 0 and dashes:
+            factor = data_length(path_data(element, page)) / said[0]
+            for name, value in dashes.items():
+                if numbers(value):
+                    element.set(name, written(tuple(one * factor for one in numbers(value))))
+        return
+    for child in element:
+        _scale_dashes(child, dashes, page)
 
 
 def _call(function: str, value: str | None) -> str:

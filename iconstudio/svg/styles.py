@@ -252,8 +252,9 @@ def _opacity(word: str) -> str | None:
 def _length(word: str) -> str | None:
     if re.fullmatch(r"[a-z]+(-[a-z]+)*", word):
         return word  # of a font, or of a size: a keyword
-    if " " in word or "," in word:
-        return word  # of text: a list
+    parts = re.split(r"[\s,]+", word)
+    if len(parts) > 1:  # of text: a list
+        return word if all(_LENGTH.fullmatch(part) for part in parts) else None
     match = _LENGTH.fullmatch(word)
     if match is None:
         return None

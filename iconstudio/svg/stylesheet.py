@@ -20,9 +20,19 @@ MAX_RULES = 5_000
 MAX_MATCHES = 300_000
 """How often rules may apply to elements."""
 _LONGEST_SELECTOR = 2_000
-_ELSEWHERE = ("print", "speech")
-_DARK = re.compile(r"prefers-color-scheme\s*:\s*dark|forced-colors\s*:\s*active", re.IGNORECASE)
-_NEGATED = re.compile(r"\s*not\s", re.IGNORECASE)
+_SCREEN = 512.0
+_FEATURES = {
+    "prefers-color-scheme": ("light", "no-preference"),
+    "prefers-contrast": ("no-preference",),
+    "prefers-reduced-motion": ("no-preference",),
+    "hover": ("hover",),
+    "any-hover": ("hover",),
+    "pointer": ("fine",),
+    "any-pointer": ("fine",),
+    "forced-colors": ("none",),
+    "color": (),
+}
+"""What media features are taken to be."""
 _FONTS = re.compile(r"font", re.IGNORECASE)
 
 
@@ -135,13 +145,33 @@ class StyleSheet:
 
     @staticmethod
     def _applies(media: str) -> bool:
-        """Whether rules for these media hold for a light screen."""
-        queries = [one.strip().lower() for one in media.split(",")]
-        return not media.strip() or any(
-            bool(_NEGATED.match(one)) == (one.split()[-1] in _ELSEWHERE or bool(_DARK.search(one)))
-            for one in queries
-            if one
-        )
+        """Whether rules for these media hold on the screen that icons are for."""
+        queries = [one.strip().lower() for one in media.split(",") if one.strip()]
+        return not queries or any(map(_holds, queries))
+
+
+def _holds(query: str) -> bool:
+    """Whether a media query holds: a light screen, ``_SCREEN`` pixels wide, one to a CSS pixel."""
+    negated = query.startswith("not ")
+    plain = re.sub(r"^(not|only)\s+", "", query)
+    kind = re.match(r"[a-z]+", plain)
+    fits = (kind is None or kind[0] in ("all", "screen")) and all(
+        name.strip() in _FEATURES or _within(name.strip(), value.strip())
+        if value.strip() == "" or not _FEATURES.get(name.strip())
+        else value.strip() in _FEATURES[name.strip()]
+        for name, _, value in (one.partition(":") for one in re.findall(r"\(([^()]*)\)", plain))
+    )
+    return fits != negated
+
+
+def _within(name: str, value: str) -> bool:
+    """Whether a bound of a size or of a resolution holds."""
+    number = re.match(r"[\d.]+", value)
+    if number is None or not name.startswith(("min-", "max-")):
+        return False
+    size = 1.0 if "resolution" in name or "pixel-ratio" in name else _SCREEN
+    bound = float(number[0]) * (16 if value.endswith("em") else 1)
+    return size >= bound if name.startswith("min-") else size <= bound
 
 
 def declarations_of(style: str) -> list[Declared]:
