@@ -89,8 +89,8 @@ def timed(request, way, function, *given):
 
 
 def by_sweep(problem: RemixProblem) -> list[float]:
-    sweep = swept(problem)
-    return [sweep.energy(lambda_s) for lambda_s in FALLING]
+    sweep = Sweep(problem)
+    return [energy(problem, sweep.find(lambda_s, LAMBDAS), lambda_s) for lambda_s in FALLING]
 
 
 @pytest.mark.benchmark(group="8 lambda_S of one style")
