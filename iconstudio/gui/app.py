@@ -5,6 +5,7 @@ import sys
 
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QApplication
+from shiboken6.Shiboken import createdByPython
 
 from iconstudio.gui import theme
 from iconstudio.gui.main_window import MainWindow
@@ -25,7 +26,16 @@ def application() -> QApplication:
     theme.prepare(app)
     theme.apply(app, theme.current())
     _Follower(app)
+    app.aboutToQuit.connect(leave_clipboard)
     return app
+
+
+def leave_clipboard() -> None:
+    """Leave on the clipboard what needs no Python, which ends before Qt does, with a crash."""
+    clipboard = QApplication.clipboard()
+    data = clipboard.mimeData()
+    if data is not None and createdByPython(data):
+        clipboard.setText(clipboard.text())
 
 
 def run(example: str | None = None, session: Session | None = None) -> int:

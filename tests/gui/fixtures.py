@@ -9,7 +9,7 @@ from PySide6.QtCore import QCoreApplication, QEvent, QSettings, QSize, QtMsgType
 from PySide6.QtWidgets import QApplication
 
 from iconstudio.gui import pictures
-from iconstudio.gui.app import application
+from iconstudio.gui.app import application, leave_clipboard
 from iconstudio.gui.main_window import MainWindow
 from iconstudio.gui.preferences import prefer
 from iconstudio.gui.workspaces.live import LIVE
@@ -28,6 +28,8 @@ def qapp_cls():
 @pytest.fixture(scope="session", autouse=True)
 def look(qapp):
     application()
+    yield
+    leave_clipboard()
 
 
 @pytest.fixture(autouse=True)
