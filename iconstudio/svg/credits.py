@@ -1,5 +1,6 @@
 """The credits that an SVG document carries: Dublin Core and Creative Commons, in RDF."""
 
+import copy
 import xml.etree.ElementTree as ET
 
 from iconstudio.model import Credit, Pictogram
@@ -21,8 +22,8 @@ _LONGEST = 500
 
 
 def metadata(root: ET.Element) -> ET.Element | None:
-    """Return the RDF of a parsed document; None if it has none."""
-    return next(root.iter(f"{_RDF}RDF"), None)
+    """Return a copy of the RDF of a parsed document; None if it has none."""
+    return copy.deepcopy(next(root.iter(f"{_RDF}RDF"), None))
 
 
 def credit(rdf: ET.Element | None, title: str) -> Credit:

@@ -1,5 +1,6 @@
 """A session that needs no collection: the same interface, on a few simple bitmaps, at once."""
 
+import hashlib
 import threading
 from collections.abc import Iterator
 from dataclasses import replace
@@ -30,7 +31,11 @@ from iconstudio.model import (
     Source,
 )
 from iconstudio.session import ModelSettings, returned
-from iconstudio.svg.reading import own_svg, read_file
+from iconstudio.svg import credits
+from iconstudio.svg.decode import decode as svg_text
+from iconstudio.svg.parse import parse
+from iconstudio.svg.plain import document, plain
+from iconstudio.svg.reading import read_file
 from iconstudio.workflows.events import (
     Event,
     Progress,
@@ -96,6 +101,27 @@ def drawing(sketch: Sketch, row: int, column: int) -> Drawing:
     return Drawing(path, coverage)
 
 
+def read_simply(data: bytes, name: str) -> Pictogram:
+    """An SVG as it is read, but for its colours, which take time to think about."""
+    try:
+        root = parse(svg_text(data))
+        rdf = credits.metadata(root)
+        drawing = plain(root)
+        if drawing.bounds is None:
+            raise IconstudioError("There is nothing to be seen in it.")
+    except IconstudioError as error:
+        raise IconstudioError(f"“{name}” cannot be used. {error}") from None
+    svg = document(drawing.content, drawing.page or drawing.bounds, rdf)
+    digest = hashlib.sha256(data).hexdigest()[:8]
+    return Pictogram(
+        f"own:{Path(name).stem}-{digest}",
+        svg,
+        credits.credit(rdf, Path(name).name),
+        credits.sources(rdf),
+        drawing.remarks,
+    )
+
+
 class FakeSession:
     """Same interface as ``Session``.
 
@@ -132,7 +158,7 @@ class FakeSession:
             image = returned(self.image(path))
             return returned(self.trace(returned(self.scan(image)), None, path.name))
         if reference.endswith(".svg"):
-            return own_svg(read_file(Path(reference)), reference)
+            return read_simply(read_file(Path(reference)), reference)
         for one in self._exemplars(frozenset()):
             if one.id == reference:
                 return one.pictogram
@@ -140,7 +166,7 @@ class FakeSession:
 
     def icon_from(self, data: bytes, name: str) -> Pictogram:
         self.calls.append(("icon_from", data, name))
-        return own_svg(data, name)
+        return read_simply(data, name)
 
     def image(self, source: Path | bytes):
         """As the real one, but in this process."""

@@ -3,6 +3,7 @@
 import threading
 
 import pytest
+from fake_session import read_simply
 from images import pixels
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDrag, QDragEnterEvent, QDropEvent
@@ -12,7 +13,6 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 from iconstudio.gui.dragging import unpacked
 from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.worker import Worker
-from iconstudio.svg.reading import own_svg
 
 LEFT = Qt.MouseButton.LeftButton
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M1 1h7v7z"/></svg>'
@@ -248,7 +248,7 @@ def drop(chooser, *urls):
 def test_a_dropped_file_is_opened(chooser, qtbot, own):
     assert drop(chooser, QUrl.fromLocalFile(str(own)))
     qtbot.waitUntil(lambda: len(chooser.heard) == 1)
-    assert chooser.heard[0][1].pictogram.svg == own_svg(SVG.encode(), "logo.svg").svg
+    assert chooser.heard[0][1].pictogram.svg == read_simply(SVG.encode(), "logo.svg").svg
 
 
 def test_no_part_of_the_chooser_keeps_a_drop_from_it(chooser):

@@ -6,7 +6,7 @@ from urllib.parse import quote
 
 import numpy as np
 import pytest
-from fake_session import drawing, exemplar
+from fake_session import drawing, exemplar, read_simply
 from hands import SQUARE
 from PySide6.QtCore import QByteArray, QMimeData, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent, QImage
@@ -20,7 +20,6 @@ from iconstudio.gui.pictures import picture_of
 from iconstudio.model import Composite, Placement, Polygon, Sketch, Source
 from iconstudio.output.svg import svg_document
 from iconstudio.svg.decode import decode
-from iconstudio.svg.reading import own_svg
 from iconstudio.workflows.events import Result
 
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M{0} 0h9v9z"/></svg>'
@@ -173,7 +172,7 @@ WAYS = {
 def test_markup_is_pasted(place, qtbot, way):
     paste(place, WAYS[way](SVG.format(1)))
     (icon,) = there(place, qtbot, 1)
-    assert icon.svg == own_svg(SVG.format(1).encode(), "drawing").svg
+    assert icon.svg == read_simply(SVG.format(1).encode(), "drawing").svg
     assert told(place) == ""
     assert place.document.undo_stack.count() == 1
 
@@ -225,7 +224,7 @@ def test_what_copy_put_there_is_pasted_with_its_credits(place, qtbot):
     place.actions_by_name["paste"].trigger()
     (icon,) = there(place, qtbot, 1)
     document = svg_document(drawn, composite, "Motor cycle")
-    assert icon.svg == own_svg(document.encode(), "drawing").svg
+    assert icon.svg == read_simply(document.encode(), "drawing").svg
     assert icon.credit.title == "Motor cycle"
     assert [one.credit for one in icon.origins] == [exemplar(0).pictogram.credit]
 

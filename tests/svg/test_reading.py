@@ -135,6 +135,14 @@ def test_the_credits_of_a_saved_result_are_read_back(file, saved):
     assert [one.id for one in own.origins] == ["test:ring", "test:block"]
 
 
+def test_the_credits_stay_in_the_drawing(saved):
+    """So that it can be saved beside the work that uses it."""
+    _, document = saved
+    once = read(document)
+    again = read(once.svg)
+    assert (again.credit, again.made_of) == (once.credit, once.made_of)
+
+
 def test_the_credits_survive_being_used_again(file, saved):
     """Saved, opened, made part of another result, and that saved."""
     composite, document = saved
