@@ -73,9 +73,13 @@ def halves(word: str) -> Iterator[tuple[str, str]]:
         yield word[:cut], word[cut:]
 
 
+_KINDS_OF_PICTURES = ("icon", "icons", "pictogram", "pictograms")
+
+
 def without_style(words: tuple[str, ...]) -> tuple[str, ...]:
     """Return words without those that say how the thing is drawn, and without numbers."""
-    core = take_apart("-".join(words)).words
+    core = tuple(word for word in words if word not in _KINDS_OF_PICTURES) or words
+    core = take_apart("-".join(core)).words
     while len(core) > 1 and core[0] in STYLES:
         core = core[1:]
     return core

@@ -5,8 +5,9 @@ Everything is computed in double precision; the renderer has but 24 bits.
 
 import math
 import xml.etree.ElementTree as ET
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from functools import lru_cache
+from pathlib import Path
 
 from fontTools.pens.boundsPen import ControlBoundsPen
 from fontTools.pens.perimeterPen import PerimeterPen
@@ -14,6 +15,7 @@ from fontTools.pens.recordingPen import RecordingPen
 from fontTools.pens.svgPathPen import SVGPathPen
 from fontTools.pens.transformPen import TransformPen
 from fontTools.svgLib.path.parser import parse_path
+from fontTools.ttLib import TTFont
 
 from iconstudio.svg.lengths import (
     IDENTITY,
@@ -92,6 +94,14 @@ def moved(data: str, matrix: Matrix) -> str:
     pen = SVGPathPen(None, ntos=lambda value: f"{value:.9g}")
     _recorded(data).replay(TransformPen(pen, matrix))
     return pen.getCommands()
+
+
+def missing_letters(texts: Iterable[str], font: Path) -> str:
+    """Return the letters of some texts that a font does not have, each once."""
+    with TTFont(font, lazy=True) as opened:
+        known = opened.getBestCmap()
+    letters = dict.fromkeys(letter for text in texts for letter in text)
+    return "".join(one for one in letters if not one.isspace() and ord(one) not in known)
 
 
 def data_length(data: str) -> float:

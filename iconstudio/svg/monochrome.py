@@ -22,6 +22,7 @@ from iconstudio.algorithms.vectorize import trace
 from iconstudio.model import CANVAS, Frame, IconstudioError
 from iconstudio.resources import resource
 from iconstudio.svg.fitting import fitted, square
+from iconstudio.svg.geometry import missing_letters
 from iconstudio.svg.lengths import Box, mapped
 from iconstudio.svg.near import brought_near
 from iconstudio.svg.plain import Plain, document
@@ -46,6 +47,7 @@ _OPACITIES = ("opacity", "fill-opacity", "stroke-opacity", "stop-opacity")
 OFF_PAGE = "It lies outside of its page; all of it was taken."
 THIN = "Its lines are too thin to be seen at the size of an icon; they were drawn thicker."
 FONTS = "Its text was drawn in Inter, whatever its font. To keep its look, turn text into shapes."
+UNKNOWN = "The font Inter has no “{}”, which was left out. Turn text into shapes."
 
 
 class _Picture(NamedTuple):
@@ -66,12 +68,14 @@ def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ..
         If there is nothing to be seen.
     """
     remarks = list(drawing.remarks)
+    fonts: list[str] = []
     if drawing.texts:
-        remarks.append(FONTS)
-    fonts = [str(resource(f"fonts/Inter-{one}.otf")) for one in ("Regular", "SemiBold")]
-    fonts = fonts if drawing.texts else []
+        files = [resource(f"fonts/Inter-{one}.otf") for one in ("Regular", "SemiBold")]
+        fonts = list(map(str, files))
+        missing = missing_letters(drawing.texts, files[0])
+        remarks.append(UNKNOWN.format(missing[:20]) if missing else FONTS)
     if drawing.bounds is None:
-        raise _nothing(drawing.remarks)
+        raise _nothing(remarks)
     content, matrix = brought_near(drawing.content, drawing.page, drawing.bounds)
     drawn = mapped(matrix, drawing.bounds)
     box = drawn if drawing.page is None else mapped(matrix, drawing.page)
@@ -87,7 +91,7 @@ def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ..
         content = thickened(content, around.size, box)
         frame = fitted(document(content, box), _common(box, drawn), fonts)
         if frame is None:
-            raise _nothing(drawing.remarks)
+            raise _nothing(remarks)
         picture = _picture(document(content, box), frame, fonts, drawing.heavy)
         if _is_thin(picture.coverage):
             raise IconstudioError(

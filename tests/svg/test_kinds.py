@@ -288,6 +288,10 @@ def test_the_outline_is_drawn_and_stays_a_line(kind):
 
 SAID = {
     "text": (svg(f'{PATH}<text x="2" y="9" font-size="4">P</text>'), "turn text into shapes"),
+    "letters of another script": (
+        svg(f'{PATH}<text y="9">中</text>'),
+        "no “中”, which was left out",
+    ),
     "bitmap": (svg(f'{PATH}<image width="4" height="4" href="{PIXEL}"/>'), "A bitmap was left out"),
     "web page": (svg(f"{PATH}<foreignObject><p>hello</p></foreignObject>"), "only web pages show"),
     "elsewhere": (svg(f'{PATH}<use href="other.svg#a"/>'), "“other.svg#a” outside of itself"),
@@ -353,6 +357,7 @@ REFUSED = {
         svg(f'<image href="{PIXEL}" width="9" height="9"/>'),
         "A bitmap was left out",
     ),
+    "only an emoji": (svg('<text y="20">🎯</text>'), "no “🎯”, which was left out"),
     "nothing": (svg(), "nothing to be seen in it: it is empty"),
     "external entity": (
         '<!DOCTYPE svg [<!ENTITY x SYSTEM "file:///etc/passwd">]>' + svg("<text>&x;</text>"),
