@@ -5,6 +5,7 @@ from itertools import islice
 
 import numpy as np
 import pytest
+from scipy.ndimage import binary_dilation
 
 from iconstudio.algorithms.style import two_toned
 from iconstudio.library.collection import Collection
@@ -23,12 +24,20 @@ def compared(pictogram):
     read = own_svg(pictogram.svg.encode(), "icon.svg")
     _, drawn = rasterise(read.svg)
     _, alone = rasterise(pictogram.svg)
-    return pictogram.id, overlap(drawn > 127, alone > 127), read.remarks
+    return pictogram.id, overlap(drawn > 127, alone > 127), astray(drawn, alone), read.remarks
+
+
+def astray(one, other):
+    """Part of the ink of two pictures that is more than a pixel away from the other's."""
+    inks = one > 127, other > 127
+    wide = [binary_dilation(ink, np.ones((3, 3))) for ink in inks]
+    lost = (inks[0] & ~wide[1]) | (inks[1] & ~wide[0])
+    return lost.sum() / (inks[0] | inks[1]).sum()
 
 
 def _is_plain(pictogram):
     """Whether it has no pale layer, which files of one's own show as well."""
-    return not two_toned(rasterise(pictogram.svg)[1])
+    return "duotone" not in pictogram.id and not two_toned(rasterise(pictogram.svg)[1])
 
 
 @pytest.fixture(scope="module")
@@ -49,7 +58,7 @@ def test_three_hundred_icons_of_ten_sets_look_as_the_renderer_draws_them(some):
     with Workers() as workers:
         found = [one.result() for one in [workers.submit(compared, icon) for icon in some]]
     assert len(found) == EACH * len(SETS)
-    assert not [one for one in found if one[2]]
-    agreements = np.array([one[1] for one in found])
-    assert not [one for one in found if one[1] < 0.97]
-    assert np.median(agreements) > 0.995
+    assert not [one for one in found if one[3]]
+    assert np.median([one[1] for one in found]) > 0.995
+    # Lines of a pixel or two may lie a fraction of one beside each other.
+    assert not [one for one in found if one[2] > 0.002]
