@@ -306,14 +306,14 @@ class _Lane:
         return process.exitcode
 
 
-def answer(future: "Future[Any]", doing: str = "The work") -> Any:
+def answer(future: "Future[Any]", doing: str = "The work", advice: str = "") -> Any:
     """Return what a worker process answers.
 
     Raises
     ------
     IconstudioError
         If a limit was reached, its processes died, or it was stopped; a sentence that begins with
-        what it was ``doing``.
+        what it was ``doing``, and of a limit ends with the ``advice``.
     """
     try:
         return future.result()
@@ -323,7 +323,7 @@ def answer(future: "Future[Any]", doing: str = "The work") -> Any:
         reason = loss(error, doing)
         if reason is None:
             raise
-        raise IconstudioError(reason) from error
+        raise IconstudioError(f"{reason} {advice}".rstrip()) from error
 
 
 def loss(error: BaseException | None, doing: str) -> str | None:

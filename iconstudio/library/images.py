@@ -3,7 +3,7 @@
 import re
 import zlib
 from collections.abc import Generator
-from concurrent.futures import CancelledError, Future, wait
+from concurrent.futures import Future, wait
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from iconstudio.files import read_bytes
 from iconstudio.library.pillow import decode, is_image
 from iconstudio.model import IconstudioError
-from iconstudio.workers import Workers, loss
+from iconstudio.workers import Workers, answer
 
 LONGEST = 4096
 """An image is kept with at most this many pixels on its longer side."""
@@ -104,16 +104,7 @@ def awaited(future: "Future[Any]") -> Generator[None, None, Any]:
     try:
         while not wait([future], _PATIENCE).done:
             yield
-        return future.result()
-    except CancelledError:
-        raise IconstudioError("The work was stopped.") from None
-    except Exception as error:
-        reason = loss(error, "Reading it")
-        if reason is None:
-            raise
-        raise IconstudioError(
-            f"{reason} Scale it down first, or save it in another format."
-        ) from error
+        return answer(future, "Reading it", "Scale it down first, or save it in another format.")
     finally:
         future.cancel()
 

@@ -9,6 +9,7 @@ comes out is always simple to draw.
 import copy
 import re
 import xml.etree.ElementTree as ET
+from collections.abc import Sequence
 from time import perf_counter
 from typing import NamedTuple
 
@@ -105,13 +106,13 @@ def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ..
     return document(own, box, rdf), tuple(dict.fromkeys(remarks))
 
 
-def _nothing(remarks: "list[str] | tuple[str, ...]") -> IconstudioError:
+def _nothing(remarks: Sequence[str]) -> IconstudioError:
+    if not remarks:
+        return IconstudioError(
+            "There is nothing to be seen in it: it is empty, or all of it is transparent."
+        )
     said = " ".join(dict.fromkeys(remarks))
-    return IconstudioError(
-        f"There is nothing to be seen in it. {said}".strip()
-        if said
-        else "There is nothing to be seen in it: it is empty, or all of it is transparent."
-    )
+    return IconstudioError(f"There is nothing to be seen in it. {said}")
 
 
 def _common(page: Box, drawn: Box) -> Box:

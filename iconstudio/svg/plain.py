@@ -90,7 +90,7 @@ def plain(root: ET.Element) -> Plain:
     kept = references.drawn(root, ids)
     page, stretch = _page(root)
     if not any(element.tag in SHAPES or element.tag in _TEXTS for element in kept):
-        only = _only_symbol(root, kept, symbols)
+        only = _only_symbol(root, symbols)
         if only is not None:
             root, (page, stretch) = only, _page(only)
             kept = references.drawn(root, ids)
@@ -136,7 +136,7 @@ def _page(root: ET.Element) -> tuple[Box | None, Matrix]:
     return (x + (across - seen[0]) * left, y + (down - seen[1]) * top, *seen), IDENTITY
 
 
-def _only_symbol(root: ET.Element, kept: set[ET.Element], names: list[str]) -> ET.Element | None:
+def _only_symbol(root: ET.Element, names: list[str]) -> ET.Element | None:
     """Return the symbol of a document that defines but one.
 
     Raises

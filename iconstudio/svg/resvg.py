@@ -6,7 +6,6 @@ document's own canvas is done in the array, which takes a third off resvg's time
 
 import io
 import math
-import re
 import xml.etree.ElementTree as ET
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
@@ -16,13 +15,13 @@ from numpy.typing import NDArray
 from resvg_py import __version__, svg_to_bytes
 
 from iconstudio.model import Frame, IconstudioError, Placement
+from iconstudio.svg.lengths import Box, numbers, pixels
 
 if TYPE_CHECKING:
     from PIL.Image import Image
 
 __all__ = [
     "VERSION",
-    "Box",
     "Window",
     "render_colours",
     "render_coverage",
@@ -33,18 +32,10 @@ __all__ = [
 VERSION = __version__
 """Of resvg-py: another version may draw differently."""
 
-Box = tuple[float, float, float, float]
-"""x, y, width and height in user space."""
 Window = tuple[int, int, int, int]
 """Left, top, right and bottom in pixels."""
 
 _SVG = "http://www.w3.org/2000/svg"
-_NUMBER = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?")
-_LENGTH = re.compile(rf"({_NUMBER.pattern})\s*([a-z]*)")
-_PIXELS = {
-    "": 1, "px": 1, "pt": 96 / 72, "pc": 16, "mm": 96 / 25.4, "cm": 96 / 2.54, "in": 96,
-    "em": 16, "rem": 16, "ex": 8,
-}  # fmt: skip
 _LARGEST = 1e6
 _FAMILIES = ("font_family", "serif_family", "sans_serif_family", "monospace_family")
 _FAMILY = "Inter"
@@ -73,7 +64,7 @@ def render_coverage(
     Parameters
     ----------
     svg:
-        A complete document that has passed ``svgcheck.check``.
+        A complete document that has passed ``check.check``.
     frame:
         The square of its user space to show; what lies outside its ``view_box`` stays empty.
     size:
@@ -189,10 +180,10 @@ def _root(svg: str) -> ET.Element:
 
 
 def _view_box(root: ET.Element) -> Box:
-    sizes = _pixels(root.get("width")), _pixels(root.get("height"))
-    numbers = [float(value) for value in _NUMBER.findall(root.get("viewBox", ""))]
-    if len(numbers) == 4:
-        x, y, width, height = numbers
+    sizes = pixels(root.get("width")), pixels(root.get("height"))
+    box = numbers(root.get("viewBox", ""))
+    if len(box) == 4:
+        x, y, width, height = box
         if None not in sizes and sizes[0] > 0:
             height = width * sizes[1] / sizes[0]
     elif None not in sizes:
@@ -208,14 +199,6 @@ def _view_box(root: ET.Element) -> Box:
             f"The SVG's size of {width:g} by {height:g} at ({x:g}, {y:g}) is out of all scale."
         )
     return x, y, width, height
-
-
-def _pixels(length: str | None) -> float | None:
-    """Return a CSS length in pixels; None if absent or relative to the page."""
-    match = _LENGTH.fullmatch((length or "").strip())
-    if match is None or match[2] not in _PIXELS:
-        return None
-    return float(match[1]) * _PIXELS[match[2]]
 
 
 def _numbers(values: Box) -> str:
