@@ -66,7 +66,8 @@ def near(points: Points, line: Sequence[Point], reach: float) -> NDArray[np.bool
     """Return which of ``points`` are within ``reach`` of a line of one point or more, (n,)."""
     import shapely
 
-    whole = shapely.linestrings(np.array(line if len(line) > 1 else [*line, *line]))
+    # GEOS takes fright at numbers of 1e-313.
+    whole = shapely.linestrings(np.round(line if len(line) > 1 else [*line, *line], 12))
     shapely.prepare(whole)
     return shapely.dwithin(whole, shapely.points(points), reach)
 

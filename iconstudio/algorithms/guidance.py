@@ -23,6 +23,8 @@ EDIT_WEIGHT = 0.1
 """w_E of equation 11."""
 _FAR_CORNER = 0.75
 """The centre of a pixel is nearer to all that runs through it."""
+_LEVEL = 1e-9
+"""A segment that rises by less is level."""
 _AT_ONCE = 1000
 """Segments of a stroke that are drawn at a time: this bounds the memory."""
 
@@ -153,11 +155,12 @@ def _within(
     """
     (x0, y0), (dx, dy) = start, end - start
     length = np.maximum(np.hypot(dx, dy), 1e-300)
+    level = np.abs(dy) < _LEVEL
     bounds = []
     for way in (-1, 1):
         # Of all discs along the segment one reaches farthest that way: where the outline leaves it.
         below = -way * radius * dx * np.sign(dy) / length
-        at = np.where(dy == 0, way * dx > 0, (y - y0 - below) / np.where(dy == 0, 1, dy))
+        at = np.where(level, way * dx > 0, (y - y0 - below) / np.where(level, 1, dy))
         at = np.clip(at, 0, 1)
         half = np.sqrt(np.maximum(radius**2 - (y - y0 - at * dy) ** 2, 0))
         bounds.append(x0 + at * dx + way * half)

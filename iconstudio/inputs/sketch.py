@@ -33,11 +33,11 @@ def example(name: str) -> SketchFile:
     IconstudioError
         If there is none.
     """
-    path = resource("examples") / f"{name}.json"
-    if not path.is_file():
-        known = sorted(file.stem for file in path.parent.glob("*.json"))
+    folder = resource("examples")
+    known = sorted(file.stem for file in folder.glob("*.json"))
+    if name not in known:
         raise IconstudioError(f"There is no example {name!r}. There are {', '.join(known)}.")
-    return read_sketch(path)
+    return read_sketch(folder / f"{name}.json")
 
 
 def read_sketch(path: Path) -> SketchFile:

@@ -6,7 +6,7 @@ import time
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from iconstudio.algorithms.geometry import (
@@ -138,6 +138,7 @@ def test_a_simplified_line_is_near_and_has_its_ends(line, stray):
 @given(
     st.lists(free, min_size=1, max_size=9), st.lists(free, min_size=1, max_size=9), st.floats(0, 30)
 )
+@example([(0.0, 0.0)], [(0.0, 0.0), (0.0, 2.2250738585e-313)], 0.0)
 def test_what_is_near_a_line_is_near_one_of_its_segments(points, line, reach):
     segments = list(itertools.pairwise(line)) or [(line[0], line[0])]
     gaps = np.array([min(gap(point, segment) for segment in segments) for point in points])

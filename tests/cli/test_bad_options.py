@@ -42,6 +42,13 @@ def test_bytes_that_are_no_text_are_told(capsys, words):
     assert capsys.readouterr().err.count("\n") == 1
 
 
+@pytest.mark.parametrize("name", STRANGE)
+def test_no_example_is_told(capsys, name):
+    assert run(["demo", "--headless", "--", name], None) == 2
+    said = "".join(capsys.readouterr())
+    assert "no example" in said
+
+
 @pytest.mark.parametrize("command", OPTIONS)
 @USUAL
 @given(data=st.data())

@@ -6,7 +6,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 from fake_session import exemplar
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from iconstudio.algorithms.guidance import points_on, scribble
@@ -41,6 +41,7 @@ def three_icons():
 
 @settings(deadline=None, max_examples=150)
 @given(st.lists(step, max_size=10))
+@example([("drawn", 0, [Stroke(4.0, ((0.0, 0.0), (1.0, 1.9006040323566764e-308)))])])
 def test_after_any_edits_the_montage_is_accepted_or_nothing_is_marked(tmp_path_factory, steps):
     page = three_icons()
     for name, which, what in steps:
