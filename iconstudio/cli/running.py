@@ -10,6 +10,7 @@ import click
 from iconstudio.cli.progress import ProgressBar
 from iconstudio.cli.timing import Stopwatch
 from iconstudio.model import CANVAS, Pictogram
+from iconstudio.output.folder import check_folder
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event, Progress, Result, Retrieved, StyleSkipped
 from iconstudio.workflows.grid import FINE
@@ -79,12 +80,18 @@ def side_of(fine: bool) -> int:
 
 
 def output_folder(sheet: str) -> Callable[..., Any]:
-    """Return the option that names the folder for everything."""
+    """Return the option that names the folder for everything; it is checked before any work."""
+
+    def checked(_: click.Context, __: click.Parameter, path: Path) -> Path:
+        check_folder(path)
+        return path
+
     return click.option(
         "--out",
         "folder",
         type=click.Path(path_type=Path),
         required=True,
         metavar="DIR",
+        callback=checked,
         help=f"Folder for the icons, results.json and the contact sheet {sheet}.",
     )

@@ -1,6 +1,7 @@
 """The folder that a run without a window fills."""
 
 import json
+import os
 import tempfile
 from collections.abc import Iterable
 from contextlib import suppress
@@ -21,8 +22,34 @@ _KINDS = (".svg", ".png", ".npz")
 _MOST_BYTES = 100_000_000
 
 
+def check_folder(path: Path) -> None:
+    """Make sure that a folder can be written, or made; nothing is left behind.
+
+    Raises
+    ------
+    IconstudioError
+        If it cannot.
+    """
+    there = next(one for one in (path, *path.absolute().parents) if os.path.lexists(one))
+    try:
+        with suppress(FileNotFoundError, NotADirectoryError):
+            path.lstat()  # it may have a name that nothing can have
+        with tempfile.TemporaryFile(dir=there) as file:
+            file.write(b"0")
+    except OSError as error:
+        raise _unwritable(path, error) from None
+    if there != path:
+        return
+    try:
+        replaceable(path / _REPORT)
+    except OSError as error:
+        raise IconstudioError(
+            f"“{path / _REPORT}” cannot be written: {error.strerror}. Choose another folder."
+        ) from None
+
+
 class Folder:
-    """Writes files, each in one step.
+    """Writes files, each in one step; it is made with the first of them.
 
     Raises
     ------
@@ -31,25 +58,16 @@ class Folder:
     """
 
     def __init__(self, path: Path) -> None:
+        check_folder(path)
         self._path = path
-        try:
-            path.mkdir(parents=True, exist_ok=True)
-            with tempfile.TemporaryFile(dir=path) as file:
-                file.write(b"0")
-        except OSError as error:
-            raise IconstudioError(
-                f"The folder “{path}” cannot be written: {error.strerror}. Choose another one."
-            ) from None
-        try:
-            replaceable(path / _REPORT)
-        except OSError as error:
-            raise IconstudioError(
-                f"“{path / _REPORT}” cannot be written: {error.strerror}. Choose another folder."
-            ) from None
         self._written: set[str] = set()
 
     def write(self, name: str, content: bytes) -> None:
         """Write a file."""
+        try:
+            self._path.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise _unwritable(self._path, error) from None
         png.write(self._path / name, content)
         self._written.add(name)
 
@@ -78,6 +96,12 @@ class Folder:
         self.write(f"{name}.png", png.encoded(png.drawing_pixels(drawing, png.SIZE)))
         code = colour_code(composite, drawing, png.SIZE // 2, colours)
         self.write(f"{name}-sources.png", png.encoded(code))
+
+
+def _unwritable(path: Path, error: OSError) -> IconstudioError:
+    return IconstudioError(
+        f"The folder “{path}” cannot be written: {error.strerror}. Choose another one."
+    )
 
 
 def _listed(report: Path) -> set[str]:

@@ -1,6 +1,7 @@
 """Bad input of editing, hybrids, montage and single icons: a sentence each, and exit code 2."""
 
 import json
+import os
 
 import pytest
 
@@ -146,16 +147,31 @@ def test_a_montage_without_layers(tmp_path, capsys):
     assert "Bring icons" in told(tmp_path, capsys, "montage", {})
 
 
-@pytest.mark.parametrize("command", ["edit", "hybrids", "montage"])
-def test_an_output_folder_that_is_a_file(tmp_path, capsys, command):
-    data = {
-        "edit": edit(),
-        "hybrids": {"icons": [ICON, OTHER]},
-        "montage": {"layers": [{"icon": ICON, "strokes": [DOWN]}]},
-    }
-    (tmp_path / "out").write_text("mine")
-    assert "cannot be written" in told(tmp_path, capsys, command, data[command])
-    assert (tmp_path / "out").read_text() == "mine"
+@pytest.mark.parametrize("command", ["model", "edit", "hybrids", "montage"])
+@pytest.mark.parametrize("what", ["a file", "in a file", "a dangling link", "a long name"])
+def test_an_output_folder_that_cannot_be_is_told_before_anything_is_read(
+    tmp_path, capsys, command, what
+):
+    out = tmp_path / "out"
+    if what == "a dangling link":
+        out.symlink_to(tmp_path / "nowhere")
+    elif what == "a long name":
+        out = tmp_path / ("x" * 400)
+    else:
+        out.write_text("mine")
+    folder = out / "deeper" if what == "in a file" else out
+    assert run([command, str(tmp_path / "none.json"), "--out", str(folder)], None) == 2
+    assert "cannot be written" in capsys.readouterr().err
+    assert not os.path.isfile(out) or out.read_text() == "mine"
+
+
+@pytest.mark.parametrize(
+    ("command", "data"),
+    [("edit", edit(icon="no:such")), ("montage", {"layers": [{"icon": ICON}]})],
+)
+def test_what_is_refused_leaves_no_folder(tmp_path, capsys, command, data):
+    told(tmp_path, capsys, command, data)
+    assert not (tmp_path / "out").exists()
 
 
 @pytest.mark.parametrize(
