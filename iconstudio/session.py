@@ -58,6 +58,8 @@ _PLENTY = 8
 """With so many others, icons of two tones are left out: only their dark part could be used."""
 _SECONDS, _MEMORY = 20.0, 1 << 30
 """How long reading a file from outside may take, and how many bytes."""
+_SIMPLER = "Simplify the drawing, or save it as a PNG and open that."
+"""What to do about a drawing that reaches the limits."""
 _KEPT = 3
 """How many keywords stay prepared: at most 70 MiB each."""
 
@@ -175,7 +177,7 @@ class Session(AbstractContextManager):
             If it is no good.
         """
         reading = self._readers.submit(own_svg, data, name, timeout=_SECONDS, memory=_MEMORY)
-        return answer(reading, f"Reading “{name}”")
+        return answer(reading, f"Reading “{name}”", _SIMPLER)
 
     def image(self, source: Path | bytes) -> Generator[None, None, Image]:
         """Return the image in a file, or in bytes; yield now and then, where it can be closed.
@@ -228,7 +230,7 @@ class Session(AbstractContextManager):
         drawing = self._readers.submit(
             render_placed, svg, frame, Placement(), size, timeout=SECONDS, memory=MEMORY
         )
-        return answer(drawing, f"Drawing “{exemplar.id}”")
+        return answer(drawing, f"Drawing “{exemplar.id}”", _SIMPLER)
 
     def keyword(self, pictogram: Pictogram) -> str:
         """Return what icons like this one are looked for by; empty if its name does not say."""

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from iconstudio.model import CANVAS
+from iconstudio.model import CANVAS, IconstudioError
 from iconstudio.session import Session
 from iconstudio.workflows.events import Progress, Retrieved
 
@@ -56,3 +56,12 @@ def test_a_keyword_is_made_ready_once(session):
     again, same = prepared(session, " Otter")
     assert same is matcher
     assert [type(event) for event in again] == [Retrieved]
+
+
+def test_a_drawing_that_reaches_a_limit_ends_with_what_to_do(session, monkeypatch):
+    monkeypatch.setattr("iconstudio.session._SECONDS", 0.01)
+    blur = '<filter id="f"><feGaussianBlur stdDeviation="900"/></filter>'
+    groups = '<g filter="url(#f)">' * 40 + '<path d="M0 0h9v9z"/>' + "</g>" * 40
+    svg = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9">{blur}{groups}</svg>'
+    with pytest.raises(IconstudioError, match="“slow.svg” takes too long. Simplify the drawing"):
+        session.icon_from(svg.encode(), "slow.svg")
