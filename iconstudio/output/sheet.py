@@ -211,7 +211,7 @@ def _sources(page: Page, row: Row, colours: Palette, top: float) -> None:
         collection, name = one.source.exemplar.id.split(":", 1)
         share = max(1, round(100 * one.share))
         page.text(x, y + _THUMB + 4, name, 13, width=_THUMB)
-        number_width = page.text(x, y + _THUMB + 22, f"{share} %", 12, bold=True)
+        number_width = page.text(x, y + _THUMB + 22, f"{share}%", 12, bold=True)
         page.text(x + number_width + 6, y + _THUMB + 22, collection, 12, colour=MUTED,
                   width=_THUMB - number_width - 6)  # fmt: skip
 

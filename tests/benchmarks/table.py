@@ -223,7 +223,7 @@ def run(name: str) -> None:
     made.unlink(missing_ok=True)
     test = f"tests/benchmarks/test_{name}.py"
     options = ["--benchmark-only", f"--benchmark-json={made}", "--timeout=1800"]
-    command = [sys.executable, "-m", "pytest", test, *options]
+    command = [sys.executable, "-m", "pytest", "-n", "0", test, *options]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
     print(f"{perf_counter() - began:.0f} s", flush=True)
     if done.returncode:

@@ -409,7 +409,7 @@ def test_remix_fills_the_rows_of_the_icons_own_styles(marked, qtbot, session):
     picked = marked.board.detail.picture.result.composite
     assert (picked.style, picked.lambda_s) == ("medium", LAMBDAS[RECOMMENDED])
     about = marked.board.detail._about.text()
-    assert "fits the change by 87%" in about and "unchanged elsewhere 90 %" in about
+    assert "fits the change by 87%" in about and "unchanged elsewhere 90%" in about
     assert marked.board.results.note.text() == ""
 
 

@@ -293,7 +293,7 @@ def _merits(result: Result) -> list[str]:
     if result.unchanged is not None:
         return [
             f"fits the change by {result.score.likeness:.0%}",
-            f"unchanged elsewhere {_floor(100 * result.unchanged)} %",
+            f"unchanged elsewhere {_floor(100 * result.unchanged)}%",
         ]
     if result.draw >= 0:
         return [f"rank score {result.score.total:.2f}"]
