@@ -1,6 +1,6 @@
 """Forty hybrids of five icons under a symmetry constraint, beside plain alpha-expansion.
 
-Run with ``python -m pytest -n 0 tests/benchmarks/test_hybrids.py --benchmark-only``. The mean rank score
+Run with ``pytest -n 0 tests/benchmarks/test_hybrids.py --benchmark-only``. The mean rank score
 of all draws stands in ``extra_info``; those that repeat others are dropped by the workflow only.
 """
 

@@ -1,6 +1,6 @@
 """How soon the icons of a keyword are ready: retrieved, drawn and measured.
 
-Run with ``python -m pytest -n 0 tests/benchmarks/test_keyword.py --benchmark-only``. Medians.
+Run with ``pytest -n 0 tests/benchmarks/test_keyword.py --benchmark-only``. Medians.
 """
 
 import shutil

@@ -1,6 +1,6 @@
 """How soon results follow the hand, in a session that got ready while the outline was drawn.
 
-Run with ``python -m pytest -n 0 tests/benchmarks/test_live.py --benchmark-only``; figures are medians.
+Run with ``pytest -n 0 tests/benchmarks/test_live.py --benchmark-only``; figures are medians.
 """
 
 import itertools

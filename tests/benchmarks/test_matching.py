@@ -1,6 +1,6 @@
 """Matching beside the plain way of doing the same, and whether it finds the same.
 
-Run with ``python -m pytest -n 0 tests/benchmarks/test_matching.py --benchmark-only``; figures are
+Run with ``pytest -n 0 tests/benchmarks/test_matching.py --benchmark-only``; figures are
 medians.
 """
 

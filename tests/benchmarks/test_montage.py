@@ -1,6 +1,6 @@
 """How soon a montage of four icons is made anew after one more stroke (the aim is 0.15 s).
 
-Run with ``python -m pytest -n 0 tests/benchmarks --benchmark-only``; figures are medians.
+Run with ``pytest -n 0 tests/benchmarks --benchmark-only``; figures are medians.
 """
 
 import itertools

@@ -1,6 +1,6 @@
 """How long remixes of the examples take for all lambda_S, beside plain expansion with PyMaxflow.
 
-Run with ``python -m pytest -n 0 tests/benchmarks/test_solver.py --benchmark-only``. Three problems take
+Run with ``pytest -n 0 tests/benchmarks/test_solver.py --benchmark-only``. Three problems take
 some four minutes; ``ICONSTUDIO_PROBLEMS=20`` in the environment takes all twenty, in half an hour.
 The energies stand in ``extra_info``, from the highest lambda_S down; the last test sums up: the
 ratio to the lower energy of both plain ways, for each lambda_S, and the speed-up.

@@ -1,6 +1,6 @@
 """How long the stages take on the motorbike example, beside the plain way of doing the same.
 
-Run with ``python -m pytest -n 0 tests/benchmarks --benchmark-only``; figures are medians.
+Run with ``pytest -n 0 tests/benchmarks --benchmark-only``; figures are medians.
 """
 
 import numpy as np

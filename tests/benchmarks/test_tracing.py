@@ -1,6 +1,6 @@
 """How long drawing and tracing take, and how far the outlines are from the icons', in canvas units.
 
-Run with ``python -m pytest -n 0 tests/benchmarks --benchmark-only``; figures are medians.
+Run with ``pytest -n 0 tests/benchmarks --benchmark-only``; figures are medians.
 """
 
 import re

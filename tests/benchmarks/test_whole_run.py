@@ -1,6 +1,6 @@
 """The main job from the start of the program, rasters cached: first result, last one, and memory.
 
-Run with ``python -m pytest -n 0 tests/benchmarks/test_whole_run.py --benchmark-only``.
+Run with ``pytest -n 0 tests/benchmarks/test_whole_run.py --benchmark-only``.
 """
 
 import statistics

@@ -1,6 +1,6 @@
 """How soon the window opens, and the longest that it stands still (the aims: 1.5 s and 50 ms).
 
-Run with ``python -m pytest -n 0 tests/benchmarks/test_window.py --benchmark-only -s``. On a machine that
+Run with ``pytest -n 0 tests/benchmarks/test_window.py --benchmark-only -s``. On a machine that
 is busy with other things, look at the busy milliseconds.
 """
 
