@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QMenu, QWidget
 
-from iconstudio.gui import icons, theme
+from iconstudio.gui import icons
 
 Key = QKeySequence.StandardKey
 
@@ -105,7 +105,6 @@ class Actions(Mapping[str, QAction]):
         entries = ENTRIES | {entry.name: entry for some in own.values() for entry in some}
         self._owner = owner
         self._by_name: dict[str, QAction] = {}
-        self._icons: dict[str, str] = {}
         self._own = {
             menu: tuple(entry.name for entry in some if entry.name not in ENTRIES)
             for menu, some in own.items()
@@ -130,9 +129,9 @@ class Actions(Mapping[str, QAction]):
         self._owner.addAction(action)
         self._by_name[entry.name] = action
         if entry.icon:
-            self._icons[entry.name] = entry.icon
-            # Before the first layout: a button without an icon would claim the width of its text.
-            self._draw(entry.name, theme.current())
+            action.setIcon(icons.icon(entry.icon))
+            # An icon beside some menu items only would be noise.
+            action.setIconVisibleInMenu(False)
 
     def choose_between(self, *names: str) -> None:
         """Let exactly one of these checkable actions be checked, the first one now."""
@@ -144,16 +143,6 @@ class Actions(Mapping[str, QAction]):
     def own(self, menu: str) -> list[QAction]:
         """Return the actions for a menu that only this owner has."""
         return [self[name] for name in self._own.get(menu, ())]
-
-    def refresh_icons(self, look: theme.Theme) -> None:
-        """Draw the icons in the colours of ``look``."""
-        for name in self._icons:
-            self._draw(name, look)
-
-    def _draw(self, name: str, look: theme.Theme) -> None:
-        self[name].setIcon(icons.icon(self._icons[name], look))
-        # An icon beside some menu items only would be noise.
-        self[name].setIconVisibleInMenu(False)
 
 
 def fill_menu(

@@ -3,7 +3,6 @@
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from iconstudio.gui import theme
 from iconstudio.gui.dragging import take_copy, unpacked
 from iconstudio.gui.mime import holds_something
 from iconstudio.gui.panels.notice import Notice
@@ -43,11 +42,6 @@ class Desk(QWidget):
         """Show a remark for a while; messages are dealt with."""
         self.notice.clear()
         self.strip.say(remark)
-
-    def refresh_icons(self, look: theme.Theme) -> None:
-        """Draw all icons in the colours of ``look``."""
-        self.notice.refresh_icons(look)
-        self.workspace.refresh_icons(look)
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         """Let anything of other programs be dropped; what cannot be used is told."""

@@ -1,10 +1,11 @@
 """The window's own small line icons, drawn on a grid of 24 units."""
 
-from PySide6.QtCore import QByteArray, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QIcon, QPainter, QPixmap, QPixmapCache
+from PySide6.QtCore import QByteArray, QRect, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QIcon, QIconEngine, QPainter, QPaintEvent, QPixmap, QPixmapCache
 from PySide6.QtSvg import QSvgRenderer
+from PySide6.QtWidgets import QWidget
 
-from iconstudio.gui.theme import Theme
+from iconstudio.gui import theme
 
 _SHEET = '<rect x="4" y="4" width="16" height="16" rx="3" stroke-opacity="0.45"/>'
 _STAR = "M12 3.5l2.6 5.4 5.9.8-4.3 4.1 1 5.9-5.2-2.8-5.2 2.8 1-5.9-4.3-4.1 5.9-.8z"
@@ -99,14 +100,55 @@ def _drawn(name: str, color: QColor, size: int, ratio: float) -> QPixmap:
 
 _TOKENS = {"remove": "danger", "add": "added"}
 """Icons that have a colour of their own."""
+_FAINT = 0.35
+"""Opacity of what is disabled."""
 
 
-def icon(name: str, theme: Theme, token: str = "") -> QIcon:
-    """Return the icon ``name`` in a colour of the theme, crisp at any usual pixel density."""
-    token = token or _TOKENS.get(name, "text")
-    result = QIcon()
-    for ratio in (1.0, 2.0, 3.0):
-        result.addPixmap(pixmap(name, theme.color(token), ratio=ratio))
-        faint = pixmap(name, theme.color(token, 0.35), ratio=ratio)
-        result.addPixmap(faint, QIcon.Mode.Disabled)
-    return result
+class _ThemedEngine(QIconEngine):
+    """Paints an icon in a colour of the theme that is in use at that moment."""
+
+    def __init__(self, name: str, token: str) -> None:
+        super().__init__()
+        self._name, self._token = name, token
+
+    def clone(self) -> QIconEngine:
+        """Return the same once more."""
+        return _ThemedEngine(self._name, self._token)
+
+    def scaledPixmap(
+        self, size: QSize, mode: QIcon.Mode, state: QIcon.State, scale: float
+    ) -> QPixmap:
+        """Return the icon of a size in device-independent pixels, of ``scale`` pixels each."""
+        alpha = _FAINT if mode == QIcon.Mode.Disabled else 1.0
+        color = theme.current().color(self._token, alpha)
+        return pixmap(self._name, color, min(size.width(), size.height()), scale)
+
+    def pixmap(self, size: QSize, mode: QIcon.Mode, state: QIcon.State) -> QPixmap:
+        """Return the icon, a pixel of the device to each of the window."""
+        return self.scaledPixmap(size, mode, state, 1.0)
+
+    def paint(self, painter: QPainter, rect: QRect, mode: QIcon.Mode, state: QIcon.State) -> None:
+        """Draw the icon."""
+        ratio = painter.device().devicePixelRatioF()
+        painter.drawPixmap(rect, self.scaledPixmap(rect.size(), mode, state, ratio))
+
+
+def icon(name: str, token: str = "") -> QIcon:
+    """Return the icon ``name`` in a colour of the theme; it follows the theme by itself."""
+    return QIcon(_ThemedEngine(name, token or _TOKENS.get(name, "text")))
+
+
+class Sign(QWidget):
+    """An icon that only tells something: nothing happens when it is clicked."""
+
+    def __init__(
+        self, name: str, token: str = "muted", side: int = 18, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._icon = icon(name, token)
+        self.setFixedSize(side, side)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Draw the icon."""
+        with QPainter(self) as painter:
+            self._icon.paint(painter, self.rect())

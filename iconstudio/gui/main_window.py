@@ -2,11 +2,9 @@
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QEvent
 from PySide6.QtGui import QAction, QCloseEvent, QGuiApplication
 from PySide6.QtWidgets import QHBoxLayout, QMainWindow, QMenu, QStackedWidget, QVBoxLayout, QWidget
 
-from iconstudio.gui import theme
 from iconstudio.gui.about import show_about
 from iconstudio.gui.actions import MENUS, Actions, fill_menu
 from iconstudio.gui.desk import Desk
@@ -124,7 +122,6 @@ class MainWindow(QMainWindow):
             workspace.made.connect(self.recent.keep)
             workspace.send.connect(self._send)
             desk = self._made[number] = Desk(workspace)
-            desk.refresh_icons(theme.current())
             self.desks.addWidget(desk)
         return self._made[number]
 
@@ -138,20 +135,9 @@ class MainWindow(QMainWindow):
 
     # -- the window itself ---------------------------------------------------------------------
 
-    def refresh_look(self) -> None:
-        """Draw all icons in the colours of the present theme."""
-        for desk in self._made.values():
-            desk.refresh_icons(theme.current())
-
     def threads_alive(self) -> bool:
         """Whether a thread of the window still runs; not once it is closed."""
         return any(worker.alive for worker in self.findChildren(Worker))
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the system between light and dark."""
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_made"):
-            self.refresh_look()
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Stop all work and wait until the threads have ended."""

@@ -5,8 +5,8 @@ import pytest
 from fake_session import FakeSession, drawing
 from hands import SQUARE, trace
 from images import assert_alike, blank, difference, pixels
-from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QPainter
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QIcon, QPainter
 
 from iconstudio.gui import icons, theme
 from iconstudio.gui.canvas.tools.polygon import PolygonTool
@@ -123,6 +123,30 @@ def test_every_small_icon_shows_something(name, look):
     assert 0.02 < shown[..., 3].mean() < 0.6
     edge = np.concatenate([shown[0], shown[-1], shown[:, 0], shown[:, -1]])
     assert edge[..., 3].max() < 0.3, "nothing is cut off"
+
+
+@pytest.mark.parametrize("ratio", [1.0, 1.5, 2.0])
+def test_an_icon_has_the_colours_of_the_theme_in_use(monkeypatch, ratio):
+    drawn = icons.icon("add", "accent")
+    for look in (theme.LIGHT, theme.DARK, theme.LIGHT):
+        monkeypatch.setattr(theme, "current", lambda look=look: look)
+        picture = drawn.pixmap(QSize(20, 20), ratio)
+        assert picture.width() == 20 * ratio
+        assert picture.devicePixelRatio() == ratio
+        shown = pixels(picture.toImage())
+        ink = shown[shown[..., 3] > 0.95][:, :3].mean(axis=0)
+        expected = look.color("accent")
+        colour = [expected.redF(), expected.greenF(), expected.blueF()]
+        assert ink == pytest.approx(colour, abs=0.03)
+
+
+def test_a_disabled_icon_is_faint(qtbot):
+    drawn = icons.icon("add")
+    normal, disabled = (
+        pixels(drawn.pixmap(QSize(20, 20), 1.0, mode).toImage())[..., 3].mean()
+        for mode in (QIcon.Mode.Normal, QIcon.Mode.Disabled)
+    )
+    assert disabled == pytest.approx(0.35 * normal, abs=0.01)
 
 
 @pytest.mark.parametrize("look", [theme.LIGHT, theme.DARK], ids=["light", "dark"])

@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QScrollArea, QToolButton, QWidget
 
-from iconstudio.gui import icons, theme
+from iconstudio.gui import icons
 from iconstudio.gui.theme import UNIT
 
 _HIGHEST = 9 * UNIT
@@ -25,7 +25,7 @@ class Notice(QFrame):
         self._messages: dict[str, None] = {}
         self._remarks: dict[str, None] = {}
         self._dismissed: set[str] = set()
-        self._sign = QLabel()
+        self._sign = icons.Sign("warning", "danger", 20)
         self.label = QLabel(wordWrap=True)
         self.label.setTextFormat(Qt.TextFormat.PlainText)
         self.label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
@@ -38,6 +38,7 @@ class Notice(QFrame):
         self._scroll.viewport().installEventFilter(self)
         self._button = QToolButton(toolTip="Dismiss this message")
         self._button.setAccessibleName("Dismiss this message")
+        self._button.setIcon(icons.icon("close", "muted"))
         self._button.clicked.connect(self._dismiss)
         layout = QHBoxLayout(self)
         layout.setContentsMargins(UNIT * 3 // 2, UNIT // 2, UNIT // 2, UNIT // 2)
@@ -63,11 +64,6 @@ class Notice(QFrame):
         self._remarks = dict.fromkeys(remarks)
         self._dismissed &= self._remarks.keys()
         self._write()
-
-    def refresh_icons(self, look: theme.Theme) -> None:
-        """Draw the icons in the colours of ``look``."""
-        self._sign.setPixmap(icons.pixmap("warning", look.color("danger"), ratio=2))
-        self._button.setIcon(icons.icon("close", look, "muted"))
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Be as high as the sentences at this width."""

@@ -4,7 +4,7 @@ from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
 from PySide6.QtGui import QActionGroup
 from PySide6.QtWidgets import QMenu, QPushButton, QToolButton, QWidget
 
-from iconstudio.gui import icons, theme
+from iconstudio.gui import icons
 from iconstudio.gui.theme import UNIT
 from iconstudio.model import Axis
 
@@ -38,6 +38,8 @@ class SymmetryButton(QToolButton):
         for axis, words in WORDS.items():
             action = menu.addAction(words)
             action.setCheckable(True)
+            token = "text" if axis is None else "accent"
+            action.setIcon(icons.icon(f"axis-{axis or 'none'}", token))
             action.triggered.connect(lambda _=False, axis=axis: self.chosen.emit(axis))
             group.addAction(action)
             self._actions[axis] = action
@@ -45,7 +47,6 @@ class SymmetryButton(QToolButton):
         self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.setIconSize(QSize(20, 20))
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        self.refresh_icons(theme.current())
         self.set_axis(None)
 
     @property
@@ -60,13 +61,6 @@ class SymmetryButton(QToolButton):
         self.setIcon(self._actions[axis].icon())
         self.setToolTip(f"Symmetry of the results – {WORDS[axis].lower()}")
         self.setAccessibleName(f"Symmetry: {WORDS[axis].lower()}")
-
-    def refresh_icons(self, look: theme.Theme) -> None:
-        """Draw the icons in the colours of ``look``."""
-        for axis, action in self._actions.items():
-            token = "text" if axis is None else "accent"
-            action.setIcon(icons.icon(f"axis-{axis or 'none'}", look, token))
-        self.setIcon(self._actions[self._axis].icon())
 
 
 class SymmetryHint(QPushButton):

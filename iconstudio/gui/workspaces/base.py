@@ -6,7 +6,6 @@ from typing import ClassVar
 from PySide6.QtCore import QMimeData, Signal
 from PySide6.QtWidgets import QMenu, QWidget
 
-from iconstudio.gui import theme
 from iconstudio.gui.actions import ENTRIES, Actions, Entry
 from iconstudio.gui.canvas.view import CanvasView
 from iconstudio.gui.document import Document
@@ -112,10 +111,6 @@ class Workspace(QWidget):
         self.cancel()
         for worker in self.findChildren(Worker):
             worker.close(self.session.close)
-
-    def refresh_icons(self, look: theme.Theme) -> None:
-        """Draw all icons in the colours of ``look``."""
-        self.actions_by_name.refresh_icons(look)
 
     # -- for subclasses ------------------------------------------------------------------------
 

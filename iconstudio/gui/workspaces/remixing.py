@@ -8,7 +8,6 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QHBoxLayout, QSplitter, QWidget
 
-from iconstudio.gui import theme
 from iconstudio.gui.canvas.view import CanvasView
 from iconstudio.gui.document import Document
 from iconstudio.gui.panels.board import Board
@@ -84,11 +83,6 @@ class RemixWorkspace(Workspace, Wanting):
         """Stop the run and the search; results that are finished stay."""
         self.preparation.cancel()
         self.runs.cancel()
-
-    def refresh_icons(self, look: theme.Theme) -> None:
-        """Draw all icons in the colours of ``look``."""
-        super().refresh_icons(look)
-        self.symmetry.refresh_icons(look)
 
     # -- what a subclass says ------------------------------------------------------------------
 

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from iconstudio.gui import icons, theme
+from iconstudio.gui import icons
 from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.theme import UNIT
 from iconstudio.gui.worker import Worker
@@ -45,6 +45,7 @@ class StartSheet(QFrame):
         self.chooser = IconChooser(session, worker)
         self.close_button = QToolButton(toolTip="Go on with the icon that is there (Esc)")
         self.close_button.setAccessibleName("Close")
+        self.close_button.setIcon(icons.icon("close"))
         self.close_button.clicked.connect(self.closed)
         top = QHBoxLayout()
         top.addWidget(heading, 1)
@@ -60,11 +61,6 @@ class StartSheet(QFrame):
         layout.addWidget(self.chooser, 1)
         self.setFocusProxy(self.chooser)
         canvas.installEventFilter(self)
-        self.refresh_icons(theme.current())
-
-    def refresh_icons(self, look: theme.Theme) -> None:
-        """Draw the sign in the colours of ``look``."""
-        self.close_button.setIcon(icons.icon("close", look))
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Cover the whole canvas."""

@@ -4,7 +4,6 @@ from collections.abc import Generator
 from pathlib import Path
 from typing import NamedTuple
 
-from iconstudio.gui import theme
 from iconstudio.gui.actions import Entry, Key, work_entries
 from iconstudio.gui.canvas.view import CanvasView
 from iconstudio.gui.crisp import CrispIcons
@@ -92,7 +91,6 @@ class EditWorkspace(RemixWorkspace):
         self.start_sheet = StartSheet(self.view, session, self.finder, self.examples)
         self._lay_out()
         self._wire()
-        self.refresh_icons(theme.current())
         self.show_page()
 
     # -- putting together ----------------------------------------------------------------------
@@ -156,11 +154,6 @@ class EditWorkspace(RemixWorkspace):
     def take(self, pictogram: Pictogram) -> None:
         """Begin with an icon that was sent here."""
         self.opener.take(pictogram)
-
-    def refresh_icons(self, look: theme.Theme) -> None:
-        """Draw all icons in the colours of ``look``."""
-        super().refresh_icons(look)
-        self.start_sheet.refresh_icons(look)
 
     # -- editing -------------------------------------------------------------------------------
 

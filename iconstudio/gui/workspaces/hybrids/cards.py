@@ -59,11 +59,12 @@ class IconCard(QWidget):
     pinned = Signal(str, tuple)
     removed = Signal(str)
 
+    _image: Mipmap | None = None
+
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._ingredient: Ingredient | None = None
         self._axis: Axis | None = None
-        self._image: Mipmap | None = None
         self._held: NDArray[np.bool_] | None = None
         self._mark: QPointF | None = None
         """Where the keys would set a pin, once they have been used."""
@@ -72,6 +73,7 @@ class IconCard(QWidget):
         self.setCursor(Qt.CursorShape.CrossCursor)
         self.button = QToolButton(self)
         self.button.setProperty("floating", True)
+        self.button.setIcon(icons.icon("close", "muted"))
         self.button.setIconSize(QSize(12, 12))
         self.button.setCursor(Qt.CursorShape.ArrowCursor)
         self.button.clicked.connect(self._remove)
@@ -102,11 +104,11 @@ class IconCard(QWidget):
         self.button.setAccessibleName(f"Do not mix {ingredient.id}")
         self.update()
 
-    def refresh_icons(self, look: theme.Theme) -> None:
-        """Draw the icons in the colours of ``look``."""
-        self.button.setIcon(icons.icon("close", look, "muted"))
-        self._image = None
-        self.update()
+    def changeEvent(self, event: QEvent) -> None:
+        """Draw the icon anew in other colours."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            self._image = None
 
     def at(self, point: Point) -> QPointF:
         """Return where a point of the canvas is on the card."""
@@ -271,7 +273,6 @@ class Cards(QScrollArea):
         """Show these icons."""
         while len(self.cards) < len(ingredients):
             card = IconCard()
-            card.refresh_icons(theme.current())
             card.pinned.connect(self.pinned)
             card.removed.connect(self.removed)
             place = divmod(len(self.cards), COLUMNS)
@@ -289,11 +290,6 @@ class Cards(QScrollArea):
             parts = pinned(pins, np.stack([one.exemplar.ink for one in ingredients]), axis)
         for card, ingredient, held in zip(self.cards, ingredients, parts, strict=True):
             card.show_icon(ingredient, axis, held)
-
-    def refresh_icons(self, look: theme.Theme) -> None:
-        """Draw all icons in the colours of ``look``."""
-        for card in self.cards:
-            card.refresh_icons(look)
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         """Let anything be dropped; what cannot be used is told."""

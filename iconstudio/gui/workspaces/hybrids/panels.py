@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from iconstudio.gui import icons, theme
+from iconstudio.gui import icons
 from iconstudio.gui.panels.caption import Caption
 from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.panels.symmetry import WORDS, SymmetryButton
@@ -52,6 +52,7 @@ class SeedField(QWidget):
         self.field.setToolTip("Random seed: the same number gives the same hybrids")
         self.dice = QToolButton(toolTip="Draw other hybrids: another random seed")
         self.dice.setAccessibleName("Another random seed")
+        self.dice.setIcon(icons.icon("dice"))
         self.dice.setIconSize(QSize(20, 20))
         label = QLabel("Seed")
         label.setProperty("muted", True)
@@ -171,12 +172,6 @@ class IconsColumn(QWidget):
         self.offer.setToolTip(WORDS[offered] if offered else "")
         self.seed.set_seed(page.seed)
 
-    def refresh_icons(self, look: theme.Theme) -> None:
-        """Draw all icons in the colours of ``look``."""
-        self.cards.refresh_icons(look)
-        self.symmetry.refresh_icons(look)
-        self.seed.dice.setIcon(icons.icon("dice", look))
-
 
 class SheetPanel(QFrame):
     """The sheet with its title; a welcome as long as it is empty.
@@ -198,6 +193,7 @@ class SheetPanel(QFrame):
         self.note = QLabel()
         self.note.setProperty("muted", True)
         self.button = QPushButton("Whole sheet", toolTip="Go back to all hybrids")
+        self.button.setIcon(icons.icon("back"))
         self.button.clicked.connect(self.back)
         policy = self.button.sizePolicy()
         policy.setRetainSizeWhenHidden(True)
@@ -225,10 +221,6 @@ class SheetPanel(QFrame):
     def show_section(self, title: str) -> None:
         """Offer the way back if a section is shown alone; ``title`` is empty if none is."""
         self.button.setVisible(bool(title))
-
-    def refresh_icons(self, look: theme.Theme) -> None:
-        """Draw all icons in the colours of ``look``."""
-        self.button.setIcon(icons.icon("back", look))
 
     def _welcome(self) -> QWidget:
         title = QLabel("Be surprised by mixtures of icons")

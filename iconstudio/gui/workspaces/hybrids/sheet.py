@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QEvent, QPersistentModelIndex, QPoint, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QPersistentModelIndex, QPoint, QRect, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QContextMenuEvent, QKeyEvent, QPainter, QPen, QResizeEvent, QWheelEvent
 from PySide6.QtWidgets import (
     QHBoxLayout,
@@ -76,8 +76,8 @@ class SheetDelegate(QStyledItemDelegate):
         inner.moveCenter(box.center())
         picture.paint(painter, inner, look.color("text"), self.coded)
         if any(same(one, picture) for one in self.favourites):
-            sign = icons.pixmap("star-full", look.color("accent"), 16, 2)
-            painter.drawPixmap(box.topRight() - QPoint(19, -3), sign)
+            place = QRect(box.topRight().toPoint() - QPoint(19, -3), QSize(16, 16))
+            icons.icon("star-full", "accent").paint(painter, place)
 
 
 class HoverBar(QWidget):
@@ -101,26 +101,20 @@ class HoverBar(QWidget):
         row.setSpacing(0)
         row.addWidget(self._more)
         row.addWidget(self._star)
-        self._kept = False
-        self.refresh_icons(theme.current())
+        self._more.setIcon(icons.icon("like", "accent"))
+        self._show_kept(False)
         self.adjustSize()
         self.hide()
 
     def show_over(self, box, kept: bool) -> None:
         """Show the buttons at the top of ``box``; ``kept`` says whether it is a favourite."""
-        self._kept = kept
-        self.refresh_icons(theme.current())
+        self._show_kept(kept)
         self.move(box.right() - self.width() - 2, box.top() + 2)
         self.show()
 
-    def refresh_icons(self, look: theme.Theme) -> None:
-        """Draw the icons in the colours of ``look``."""
-        star = "star-full" if self._kept else "star"
-        self._star.setIcon(icons.icon(star, look, "accent"))
-        self._star.setToolTip(
-            "No favourite any more (F)" if self._kept else "Keep as a favourite (F)"
-        )
-        self._more.setIcon(icons.icon("like", look, "accent"))
+    def _show_kept(self, kept: bool) -> None:
+        self._star.setIcon(icons.icon("star-full" if kept else "star", "accent"))
+        self._star.setToolTip("No favourite any more (F)" if kept else "Keep as a favourite (F)")
 
     def _button(self, words: str, signal) -> QToolButton:
         button = QToolButton(toolTip=words)
@@ -270,13 +264,6 @@ class Sheet(QListView):
         super().resizeEvent(event)
         self._delegate.set_width(self.viewport().width() - 2)
         self.scheduleDelayedItemsLayout()
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Draw again in the new colours."""
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "bar"):
-            self.bar.refresh_icons(theme.current())
-            self.viewport().update()
 
     # -- inside --------------------------------------------------------------------------------
 

@@ -3,7 +3,6 @@
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QHBoxLayout, QMenu, QSplitter, QVBoxLayout, QWidget
 
-from iconstudio.gui import theme
 from iconstudio.gui.actions import Entry, Key, work_entries
 from iconstudio.gui.document import Document
 from iconstudio.gui.panels.chooser import IconChooser
@@ -65,7 +64,6 @@ class HybridsWorkspace(Workspace):
         self._lay_out()
         self._wire_page()
         self._wire_work()
-        self.refresh_icons(theme.current())
         self._show_page(self.document.page)
 
     # -- putting together ----------------------------------------------------------------------
@@ -178,12 +176,6 @@ class HybridsWorkspace(Workspace):
         """Stop drawing and picking; hybrids that are finished stay."""
         self.gathering.runner.cancel()
         self.draws.runner.cancel()
-
-    def refresh_icons(self, look: theme.Theme) -> None:
-        """Draw all icons in the colours of ``look``."""
-        super().refresh_icons(look)
-        self.column.refresh_icons(look)
-        self.panel.refresh_icons(look)
 
     # -- mixing --------------------------------------------------------------------------------
 

@@ -1,6 +1,6 @@
 """The list of a montage's icons, the topmost first."""
 
-from PySide6.QtCore import QPoint, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QPoint, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import (
     QFrame,
@@ -25,10 +25,11 @@ EMPTY = "The icons of the montage are listed here."
 class LayerPicture(QWidget):
     """An icon as it is, on a stripe of its colour."""
 
+    _image: Mipmap | None = None
+
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._layer: PlacedIcon | None = None
-        self._image: Mipmap | None = None
         self.setFixedSize(5 * UNIT, 4 * UNIT)
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
 
@@ -37,10 +38,11 @@ class LayerPicture(QWidget):
         self._layer = layer
         self.update()
 
-    def refresh(self) -> None:
-        """Draw in the present colours."""
-        self._image = None
-        self.update()
+    def changeEvent(self, event: QEvent) -> None:
+        """Draw the icon anew in other colours."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            self._image = None
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """Draw swatch and icon."""
@@ -78,6 +80,7 @@ class LayerRow(QFrame):
         self.count.setProperty("muted", True)
         self.eye = _button("Show or hide the icon on the canvas; its strokes count all the same")
         self.bin = _button("Take the icon out of the montage")
+        self.bin.setIcon(icons.icon("clear"))
         self.eye.clicked.connect(lambda: owner.hid.emit(number, not self._hidden))
         self.bin.clicked.connect(lambda: owner.deleted.emit(number))
         self._hidden = False
@@ -94,13 +97,13 @@ class LayerRow(QFrame):
         row.addWidget(self.eye)
         row.addWidget(self.bin)
         self.setProperty("layer", True)
-        self.refresh_icons(theme.current())
+        self._show_eye()
 
     def show_layer(self, layer: PlacedIcon, chosen: bool) -> None:
         """Show what the layer is now."""
         if self._hidden != layer.hidden:
             self._hidden = layer.hidden
-            self.refresh_icons(theme.current())
+            self._show_eye()
         self.picture.show_layer(layer)
         self.count.setText(_counted(len(layer.strokes)))
         self.setToolTip(f"{layer.icon.pictogram.id}\nClick to scribble over it, drag to reorder")
@@ -110,11 +113,8 @@ class LayerRow(QFrame):
             self.style().unpolish(self)
             self.style().polish(self)
 
-    def refresh_icons(self, look: theme.Theme) -> None:
-        """Draw the icons in the colours of ``look``."""
-        self.picture.refresh()
-        self.eye.setIcon(icons.icon("eye-closed" if self._hidden else "eye", look))
-        self.bin.setIcon(icons.icon("clear", look))
+    def _show_eye(self) -> None:
+        self.eye.setIcon(icons.icon("eye-closed" if self._hidden else "eye"))
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Choose the layer; a drag may begin."""
@@ -193,11 +193,6 @@ class LayerList(QWidget):
             if self._list.indexOf(row) != at:
                 self._list.insertWidget(at, row)
             row.show_layer(layer, layer is page.current)
-
-    def refresh_icons(self, look: theme.Theme) -> None:
-        """Draw all icons in the colours of ``look``."""
-        for row in self._rows.values():
-            row.refresh_icons(look)
 
     def drag_to(self, row: LayerRow, y: int) -> None:
         """Mark the row's place where the pointer is."""

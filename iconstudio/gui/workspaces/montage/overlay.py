@@ -1,9 +1,9 @@
 """What lies beside the tools, or over the canvas, only when a montage is made."""
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QSlider, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QSlider, QWidget
 
-from iconstudio.gui import icons, theme
+from iconstudio.gui import icons
 from iconstudio.gui.theme import UNIT
 from iconstudio.gui.workspaces.montage.tools.scribble import THINNEST, WIDEST, Brush
 
@@ -20,14 +20,9 @@ class BrushSlider(QWidget):
         self.slider.setAccessibleName("Brush size")
         self.slider.valueChanged.connect(brush.set_width)
         brush.changed.connect(self.slider.setValue)
-        self._sign = QLabel()
         self.setToolTip("Brush size ([ and ])")
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(UNIT // 2)
-        row.addWidget(self._sign)
+        row.addWidget(icons.Sign("brush"))
         row.addWidget(self.slider)
-
-    def refresh_icons(self, look: theme.Theme) -> None:
-        """Draw the sign in the colours of ``look``."""
-        self._sign.setPixmap(icons.pixmap("brush", look.color("muted"), 18, 2))

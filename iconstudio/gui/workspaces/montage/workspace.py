@@ -14,7 +14,6 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from iconstudio.gui import theme
 from iconstudio.gui.actions import Entry, Key, work_entries
 from iconstudio.gui.canvas.start import StartButtons
 from iconstudio.gui.canvas.view import CanvasView
@@ -104,7 +103,6 @@ class MontageWorkspace(Workspace):
         )
         self._lay_out()
         self._wire()
-        self.refresh_icons(theme.current())
         self._show_page(self.document.page)
 
     # -- putting together ----------------------------------------------------------------------
@@ -207,12 +205,6 @@ class MontageWorkspace(Workspace):
     def cancel(self) -> None:
         """Stop the run; the last result stays."""
         self.live.cancel()
-
-    def refresh_icons(self, look: theme.Theme) -> None:
-        """Draw all icons in the colours of ``look``."""
-        super().refresh_icons(look)
-        self.layers.refresh_icons(look)
-        self.slider.refresh_icons(look)
 
     def hideEvent(self, event: QHideEvent) -> None:
         """Keep the result in sight when the user goes elsewhere."""

@@ -1,9 +1,9 @@
 """What lies over the canvas, or beside its tools, only when a sketch is made."""
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QSlider, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QSlider, QWidget
 
-from iconstudio.gui import icons, theme
+from iconstudio.gui import icons
 from iconstudio.gui.theme import UNIT
 
 
@@ -15,14 +15,9 @@ class DimSlider(QWidget):
         self.slider = QSlider(Qt.Orientation.Horizontal, minimum=0, maximum=100, value=35)
         self.slider.setFixedWidth(7 * UNIT)
         self.slider.setAccessibleName("Dim the photo")
-        self._sign = QLabel()
         self.setToolTip("Dim the photo")
         row = QHBoxLayout(self)
         row.setContentsMargins(UNIT, 0, 0, 0)
         row.setSpacing(2)
-        row.addWidget(self._sign)
+        row.addWidget(icons.Sign("dim"))
         row.addWidget(self.slider)
-
-    def refresh_icons(self, look: theme.Theme) -> None:
-        """Draw the sign in the colours of ``look``."""
-        self._sign.setPixmap(icons.pixmap("dim", look.color("muted"), 18, 2))

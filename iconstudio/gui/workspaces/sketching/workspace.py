@@ -8,7 +8,6 @@ from numpy.typing import NDArray
 from PySide6.QtCore import Qt
 
 from iconstudio.algorithms.geometry import crosses_itself
-from iconstudio.gui import theme
 from iconstudio.gui.actions import Entry, Key, work_entries
 from iconstudio.gui.canvas.outline import Outline
 from iconstudio.gui.canvas.start import StartButtons
@@ -74,7 +73,6 @@ class SketchWorkspace(RemixWorkspace):
         )
         self._lay_out()
         self._wire()
-        self.refresh_icons(theme.current())
         self.show_page()
 
     # -- putting together ----------------------------------------------------------------------
@@ -115,11 +113,6 @@ class SketchWorkspace(RemixWorkspace):
         self.view.dropped.connect(lambda data, _: self.opener.open_mime(data))
 
     # -- what the window asks for --------------------------------------------------------------
-
-    def refresh_icons(self, look: theme.Theme) -> None:
-        """Draw all icons in the colours of ``look``."""
-        super().refresh_icons(look)
-        self.dim.refresh_icons(look)
 
     def demonstrate(self, example: SketchFile) -> None:
         """Load an example and remix it as soon as it is there."""
