@@ -140,7 +140,7 @@ def _no_logos(
         cells = logos.get(candidate.name.phrase)
         if not cells:
             return False
-        (own,) = stack([candidate.shape.cells])
+        own = stack([candidate.shape.cells])
         return bool(unlikeness(own, stack(cells)).min() < LIKE_A_LOGO)
 
     return [candidate for candidate in candidates if not is_logo(candidate)]
@@ -160,7 +160,7 @@ def _different(candidates: Sequence[_Candidate]) -> list[_Candidate]:
         shapes = stack([candidate.shape.cells for candidate in group])
         kept: list[int] = []
         for number in range(len(group)):
-            if not kept or unlikeness(shapes[number], shapes[kept]).min() >= ALIKE:
+            if not kept or unlikeness(shapes[[number]], shapes[kept]).min() >= ALIKE:
                 kept.append(number)
         different += [group[number] for number in kept]
     return different

@@ -12,13 +12,14 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.library import database, query, search
+from iconstudio.library import database, query, search, symbols
 from iconstudio.library.archive import Archive
 from iconstudio.library.fingerprint import stack
 from iconstudio.library.iconify import document
 from iconstudio.library.lookup import Lookup
 from iconstudio.library.naming import take_apart
 from iconstudio.library.progress import Progress
+from iconstudio.library.query import Style
 from iconstudio.model import Credit, IconstudioError, Pictogram
 from iconstudio.resources import resource
 
@@ -31,6 +32,7 @@ LIMIT = 200
 _DAMAGED = "The unpacked icon collection is damaged, and unpacked anew: %s"
 _FEW = 20
 """With fewer drawings, a keyword lends no parts to choose from."""
+_ANY = Style()
 _WORDLESS = "There is no word in {}. Name the thing to draw, such as 'dog'."
 _ENGLISH = "Icons have English names: try another English word for the thing."
 
@@ -181,7 +183,7 @@ class Collection:
         scores = self._scores(keyword)
         for number in self._numbers(exclude):
             scores.pop(number, None)
-        found = self._choose(scores, limit)
+        found = self._choose(scores, limit, self._lookup.style(keyword))
         if not found:
             raise IconstudioError(self._nothing(keyword, bool(exclude)))
         return self._pictograms(found)
@@ -205,13 +207,18 @@ class Collection:
         return self._pictograms(numbers[:1])[0]
 
     def _near(self, identifier: str) -> tuple[str, ...]:
-        """Return identifiers near to ``identifier``: spelt alike, or of that name in other sets."""
+        """Return identifiers near to ``identifier``: of that name, or else spelt alike.
+
+        Of the same set first, then of other sets.
+        """
         prefix, _, name = identifier.rpartition(":")
-        named = self._choose(self._lookup.plainly(query.plain(name)), 3)
-        same = [one.id for one in self._pictograms(named)]
-        rows = self._rows("SELECT id FROM icon WHERE id GLOB ?", (_glob(prefix) + ":*",))
-        alike = search.nearest(identifier, [row[0] for row in rows])
-        return tuple(dict.fromkeys((*alike[:2], *same)))[:4]
+        scores = self._lookup.scores(name)
+        own = self._rows("SELECT number, id FROM icon WHERE id GLOB ?", (_glob(prefix) + ":*",))
+        in_set = {number: scores[number] for number, _ in own if number in scores}
+        named = [*self._choose(in_set, 2), *self._choose(scores, 4)]
+        if not named:
+            return search.nearest(identifier, [row[1] for row in own])
+        return tuple(dict.fromkeys(one.id for one in self._pictograms(named)))[:4]
 
     @_mended
     def suggest(self, keyword: str) -> tuple[str, ...]:
@@ -238,33 +245,57 @@ class Collection:
         If the keyword is an identifier, its icon comes first, then what has the same name.
         """
         spelt = list(query.identifiers(keyword, self._prefixes))
-        if spelt and ":" in keyword:
-            scores = self._lookup.scores(spelt[0].partition(":")[2])
-            return scores | dict.fromkeys(self._numbers(spelt)[:1], -1)
-        return self._lookup.scores(keyword) or dict.fromkeys(self._numbers(spelt)[:1], 0)
+        meant = dict.fromkeys(self._numbers(spelt)[:1], -1)
+        if ":" in keyword:
+            return self._lookup.scores(_name(keyword)) | meant
+        found = self._lookup.scores(keyword) or meant
+        return found or (self._lookup.scores(_name(spelt[0])) if spelt else {})
 
-    def _choose(self, scores: dict[int, int], limit: int) -> list[int]:
-        icons = np.fromiter(scores.keys(), dtype=np.int64, count=len(scores))
-        values = np.fromiter(scores.values(), dtype=np.int64, count=len(scores))
-        relevant = values <= search.RELEVANT
-        found = search.in_order(icons[relevant], values[relevant], self._blackness)
-        chosen = search.different(self._cells[found], limit)
-        if len(chosen) < search.PLENTY:
+    def _choose(self, scores: dict[int, int], limit: int, style: Style = _ANY) -> list[int]:
+        found = self._in_order(scores, search.RELEVANT, style)
+        chosen: list[int] = []
+        if len(found) >= search.PLENTY:  # or else there are too few in any case
+            chosen = search.different(self._cells[found], limit)
+        if len(found) >= search.ENOUGH and len(chosen) < search.PLENTY:
             most = max(len(chosen), min(limit, search.PLENTY))
             chosen = search.different(self._cells[found], most, search.NEARLY_EQUAL)
         if len(chosen) < search.ENOUGH:
-            found = search.in_order(icons, values, self._blackness)
+            found = self._in_order(scores, max(scores.values(), default=0), style)
             most = max(len(chosen), min(limit, search.ENOUGH))
             chosen = search.different(self._cells[found], most, search.NEARLY_EQUAL)
         return [int(found[i]) for i in chosen]
+
+    def _in_order(self, scores: dict[int, int], worst: int, style: Style) -> NDArray[np.int64]:
+        """Return the icons that score at most ``worst``, the best and those of a style first."""
+        known = {icon: score for icon, score in scores.items() if score <= worst}
+        icons = np.fromiter(known.keys(), dtype=np.int64, count=len(known))
+        values = np.fromiter(known.values(), dtype=np.int64, count=len(known))
+        found = search.in_order(icons, values, self._blackness)
+        if not style.words:
+            return found
+        distances = {row[0]: style.distance(row[1]) for row in self._named(known)}
+        return search.nearest_style(
+            found,
+            np.array([known[icon] for icon in found.tolist()]),
+            np.array([distances[icon] for icon in found.tolist()]),
+        )
+
+    def _named(self, numbers: Iterable[int]) -> list[tuple[int, str]]:
+        """Return icons with their identifiers."""
+        listed = ",".join(map(str, numbers))
+        return self._rows(f"SELECT number, id FROM icon WHERE number IN ({listed})")
 
     def _nothing(self, keyword: str, excluded: bool) -> str:
         if excluded and self._scores(keyword):
             return f"Every icon for {_said(keyword)} is excluded. Exclude fewer."
         none = f"No icon is called {_said(keyword)}."
-        if beside := self._lookup.beside(keyword):
+        if beside := self._lookup.beside(_name(keyword)):
             return f"{none} Of its kind there are: {', '.join(beside)}."
-        near = self.suggest(keyword) if query.is_latin(keyword) else ()
+        parts = () if symbols.has_symbols(keyword) else self._lookup.parts(_name(keyword))
+        if parts:
+            return f"{none} Alone, these words find icons: {', '.join(parts)}."
+        english = filter(self._lookup.scores, symbols.english(keyword.strip()))
+        near = tuple(english) or (self.suggest(_name(keyword)) if query.is_latin(keyword) else ())
         return f"{none}{_hint(near)} {_ENGLISH}"
 
     def _numbers(self, identifiers: Iterable[str]) -> list[int]:
@@ -293,8 +324,14 @@ class Collection:
 
 def _said(keyword: str) -> str:
     """Return a keyword as a message has it: quoted, a symbol with its name."""
-    name = query.plain(keyword) if query.has_symbols(keyword) else ""
+    name = query.plain(keyword) if symbols.has_symbols(keyword) else ""
     return f"'{keyword.strip()}'" + (f" ({name})" if name else "")
+
+
+def _name(identifier: str) -> str:
+    """Return what an icon is called in its set: *home* of *mdi:home*."""
+    name = identifier.rpartition(":")[2]
+    return name if query.plain(name) else identifier
 
 
 def _hint(near: tuple[str, ...]) -> str:

@@ -12,6 +12,11 @@ _PRIVATE = (
 )  # fmt: skip
 """Words for what one would not show, or say aloud, unasked; their first meaning, and its kinds."""
 
+_BESIDES = frozenset(
+    {"bum", "poo", "boob", "boobs", "eskimo", "rape", "slave", "suicide", "swastika"}
+)
+"""Words that hurt, or are rude, and that WordNet does not mark."""
+
 _RUDE = ("obscenity", "ethnic slur", "disparagement")
 """Words by which WordNet marks how others are used."""
 
@@ -33,7 +38,7 @@ class Decency:
 
     def is_unspoken(self, word: str) -> bool:
         """Whether ``word``, or a part of it, is not for saying: by what it means first."""
-        return any(
+        return not _BESIDES.isdisjoint(word.split()) or any(
             self.is_private(key)
             for part in {word, *word.split()}
             for key in self._wordnet.senses.get(self._wordnet.lemma(part), ())[:1]

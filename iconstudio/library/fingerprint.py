@@ -57,11 +57,14 @@ def stack(cells: list[bytes]) -> NDArray[np.uint64]:
     return np.frombuffer(b"".join(cells), dtype=np.uint64).reshape(-1, WORDS)
 
 
-def unlikeness(one: NDArray[np.uint64], others: NDArray[np.uint64]) -> NDArray[np.float64]:
-    """Return how far a drawing (WORDS,) is from each of ``others`` (n, WORDS).
+def unlikeness(some: NDArray[np.uint64], others: NDArray[np.uint64]) -> NDArray[np.float64]:
+    """Return how far each of some drawings (m, WORDS) is from each other one (n, WORDS), as (m, n).
 
     0 = the same cells, 1 = none in common: the Jaccard distance.
     """
-    union = np.bitwise_count(one | others).sum(axis=1)
-    differing = np.bitwise_count(one ^ others).sum(axis=1)
-    return differing / np.maximum(union, 1)
+    common = np.zeros((len(some), len(others)), dtype=np.intp)
+    for word in range(WORDS):
+        common += np.bitwise_count(some[:, word, None] & others[:, word])
+    sizes = (np.bitwise_count(cells).sum(axis=1, dtype=np.intp) for cells in (some, others))
+    union = np.add.outer(*sizes) - common
+    return (union - common) / np.maximum(union, 1)

@@ -6,11 +6,13 @@ Scores are a relation's rank and a reading's tier added up: the lower the better
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
-from iconstudio.library import query
+from iconstudio.library import query, symbols
+from iconstudio.library.inflections import is_irregular
 from iconstudio.library.naming import take_apart
+from iconstudio.library.query import Style
 from iconstudio.library.readings import COMPOUND, EXACT, MENTION
 from iconstudio.library.relations import BESIDE, KIND
-from iconstudio.library.vocabulary import ATTRIBUTES, STYLES
+from iconstudio.library.vocabulary import ATTRIBUTES, PREPOSITIONS, STYLES
 
 Rows = Callable[[str, Sequence[Any]], list[tuple[Any, ...]]]
 """Runs a query with values, and returns its rows."""
@@ -38,6 +40,9 @@ drawing be one of it: of a kind, and of what is broader, only the thing itself i
 
 Scores = dict[int, int]
 """The number of an icon to its score."""
+_NEVER = 99
+_FEW = 8
+"""With fewer icons of its whole name, a symbol is also what the last word of it says."""
 
 
 class Lookup:
@@ -51,22 +56,47 @@ class Lookup:
         words = tuple(query.plain(keyword).split())
         if not words:
             return {}
-        if query.has_symbols(keyword):
-            return self.plainly(" ".join(words)) or self._answers(query.without_framing(words))
+        if symbols.has_symbols(keyword):
+            return self._named_by(keyword.strip(), words)
         return self._answers(words)
+
+    def style(self, keyword: str) -> Style:
+        """Return the style that a keyword asks for, unless the words together name a thing."""
+        words = tuple(query.plain(keyword).split())
+        asked = query.style(words)
+        return Style() if asked.words and self.plainly(" ".join(words)) else asked
+
+    def _named_by(self, keyword: str, words: tuple[str, ...]) -> Scores:
+        """Return the icons that answer the names of a symbol, its own before all others."""
+        found = self.plainly(" ".join(words))
+        if symbols.is_flag(keyword):  # a country is no kind of anything
+            return found
+        core = query.without_framing(words)
+        for name in (" ".join(core), *symbols.other_names(keyword)):
+            found = self.plainly(name) | found
+        if len(found) < _FEW and not PREPOSITIONS.intersection(core):
+            found = self._last(core) | found
+        return found or self._answers(core)
+
+    def _last(self, words: tuple[str, ...]) -> Scores:
+        """Return the things of the last of several words, unless they together mean another."""
+        if len(words) == 1 or words[-1] in ATTRIBUTES or self._is_known(" ".join(words)):
+            return {}
+        found = self.plainly(words[-1])
+        return found if self._is_thing(words[-1]) else {}
 
     def plainly(self, words: str) -> Scores:
         """Return the icons that answer plain words taken together, in the plural or not."""
         called: Scores = {}
+        found: Scores = {}
         for form in query.forms(words):
             called = dict.fromkeys(called, -1)  # called just so, in the plural: before all others
             called |= dict(self._rows(_CALLED, (query.joined(form),)))
-            found = dict(self._rows(_RELATED, (form,)))
-            for icon, tier in self._rows(_READ, (form,)):
-                found[icon] = min(tier, found.get(icon, tier))
-            if found:
-                return found | called
-        return called
+            for icon, tier in (*self._rows(_RELATED, (form,)), *self._rows(_READ, (form,))):
+                found[icon] = min(tier, found.get(icon, _NEVER))
+            if found and not is_irregular(form):  # glasses are no glass, but children are a child
+                break
+        return found | called
 
     def beside(self, keyword: str) -> tuple[str, ...]:
         """Return words for things of the same kind as one that nothing answers."""
@@ -92,7 +122,18 @@ class Lookup:
             found[icon] = min(score, found.get(icon, score))
         if not found and told != words:
             return self._answers(told)
-        return found or self._head(words)
+        return found or self._head(words) or self._without_attribute(words)
+
+    def _without_attribute(self, words: tuple[str, ...]) -> Scores:
+        """Return the things of the words before one for a view, say: a swing set is swings."""
+        if words[-1] in ATTRIBUTES and not self._is_known(" ".join(words)):
+            return self._answers(words[:-1])
+        return {}
+
+    def parts(self, keyword: str) -> tuple[str, ...]:
+        """Return the words of a keyword that icons answer on their own."""
+        words = query.plain(keyword).split()
+        return tuple(word for word in words if len(words) > 1 and self.plainly(word))
 
     def _all_of(self, words: Sequence[str]) -> Scores:
         """Return the icons that answer the last word, and have all others in their names."""

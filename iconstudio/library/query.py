@@ -1,28 +1,33 @@
 """What somebody types to find icons, made plain: accents, emoji, hyphens, styles, identifiers.
 
-An emoji stands for its Unicode name; so does any other symbol.
+An emoji stands for its name, and so does any other symbol.
 """
 
 import re
 import unicodedata
 from collections.abc import Iterator
+from dataclasses import dataclass
 
+from iconstudio.library import symbols
+from iconstudio.library.inflections import singulars
 from iconstudio.library.naming import take_apart
-from iconstudio.library.vocabulary import PREPOSITIONS, STYLES
-from iconstudio.library.wordnet import singulars
+from iconstudio.library.vocabulary import PREPOSITIONS, STYLE_GROUPS, STYLES
 
 _LETTERS = str.maketrans(
     {"ß": "ss", "æ": "ae", "œ": "oe", "ø": "o", "đ": "d", "ð": "d", "þ": "th", "ł": "l", "ı": "i"}
 )
 """Letters that Unicode does not compose from others."""
 _APOSTROPHES = re.compile(r"['\u2018\u2019\u02bc`]")
-_FRAMING = {"black", "white", "heavy", "suit", "sign", "symbol", "building", "face"}
+_FRAMING = {
+    "black", "white", "heavy", "red", "blue", "green", "orange", "yellow", "purple", "brown",
+    "grey", "pink", "suit", "sign", "symbol", "building", "face", "button", "flag",
+}  # fmt: skip
 """Words of the names of symbols that say nothing of the thing: "black heart suit"."""
 
 
 def plain(keyword: str) -> str:
     """Return the words of a keyword in lower case, without accents, joined by spaces."""
-    spoken = "".join(_spoken(character) for character in keyword)
+    spoken = "".join(map(_joining, symbols.spoken(keyword)))
     bare = "".join(
         character
         for character in unicodedata.normalize("NFKD", spoken)
@@ -32,19 +37,10 @@ def plain(keyword: str) -> str:
     return " ".join(re.findall(r"[^\W_]+", bare))
 
 
-def _spoken(character: str) -> str:
-    """Return a symbol's name between spaces; a letter as it is; nothing for what only joins."""
-    if unicodedata.category(character) not in ("So", "Sk", "Cf", "Mn"):
-        return character
-    name = unicodedata.name(character, "")
-    if unicodedata.category(character) == "So" and not name.startswith("REGIONAL INDICATOR"):
-        return f" {name.lower()} "
-    return character if unicodedata.combining(character) else " "
-
-
-def has_symbols(keyword: str) -> bool:
-    """Whether a keyword holds an emoji or another symbol that has a name."""
-    return any(unicodedata.category(character) == "So" for character in keyword)
+def _joining(character: str) -> str:
+    """Return a blank for what stands alone but is no letter; nothing else is changed."""
+    alone = unicodedata.category(character) in ("Sk", "Cf", "Mn")
+    return " " if alone and not unicodedata.combining(character) else character
 
 
 def is_latin(keyword: str) -> bool:
@@ -57,8 +53,8 @@ def is_latin(keyword: str) -> bool:
 
 
 def forms(words: str) -> list[str]:
-    """Return what plain words may be listed as: as they are, and in the singular."""
-    listed = [words, *singulars(words), words + "s"]  # a scissor
+    """Return what plain words may be listed as: as they are, in the singular, and in one word."""
+    listed = [words, *singulars(words), words + "s", joined(words)]  # a scissor
     return list(dict.fromkeys(form for form in listed if form.strip()))
 
 
@@ -83,6 +79,33 @@ def without_style(words: tuple[str, ...]) -> tuple[str, ...]:
     while len(core) > 1 and core[0] in STYLES:
         core = core[1:]
     return core
+
+
+@dataclass(frozen=True, slots=True)
+class Style:
+    """A style that a keyword asks for."""
+
+    words: frozenset[str] = frozenset()
+    """What it is called."""
+    others: frozenset[str] = frozenset()
+    """What other styles are called: a filled drawing is no outline."""
+
+    def distance(self, name: str) -> int:
+        """Return 0 if a name says that the drawing has the style, 2 if another, else 1."""
+        tokens = set(re.split("[^a-z]+", name))
+        return 1 + bool(tokens & self.others) - bool(tokens & self.words)
+
+
+def style(words: tuple[str, ...]) -> Style:
+    """Return the style that words ask for beside the thing."""
+    asked = set(words).difference(without_style(words)) & STYLES
+    same: set[str] = set(asked)
+    others: set[str] = set()
+    for groups in STYLE_GROUPS:
+        if asked & frozenset().union(*groups):
+            same.update(*(group for group in groups if group & asked))
+            others.update(*groups)
+    return Style(frozenset(same), frozenset(others - same))
 
 
 def without_framing(words: tuple[str, ...]) -> tuple[str, ...]:

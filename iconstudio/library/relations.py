@@ -5,14 +5,29 @@ plain miss is better than a far-fetched hit, so a word leads only through what i
 """
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence, Set
 
 from iconstudio.library.decency import Decency
-from iconstudio.library.vocabulary import PARTS, TECHNICAL
-from iconstudio.library.wordnet import PERSON, WordNet
+from iconstudio.library.inflections import verb_forms
+from iconstudio.library.usage import STAND_INS, SYNONYMS, USAGE
+from iconstudio.library.vocabulary import FALSE_FRIENDS, PARTS, TECHNICAL
+from iconstudio.library.wordnet import (
+    ACT,
+    ANIMAL,
+    ARTIFACT,
+    COMMUNICATION,
+    FOOD,
+    PERSON,
+    PLANT,
+    THINGS,
+    TOPS,
+    WordNet,
+)
 
-SAME, NAMED, KIND, BROADER, BESIDE = 1, 2, 3, 7, 9
-"""``NAMED`` are kinds that bear the word: a fingernail is nearer to a nail than a thumbtack is.
+FORM, SAME, NAMED, KIND, BROADER, BROADEST, BESIDE = 0, 1, 2, 3, 7, 8, 9
+"""``FORM``: the word is an inflected form of a verb. ``NAMED`` are kinds that bear the word: a
+fingernail is nearer to a nail than a thumbtack is. ``BROADEST`` is the nearest of all that it is a
+kind of that has drawings: a reptile for a crocodile, if nothing is nearer.
 ``BESIDE`` it are other kinds of the same: they do not answer, but may be proposed."""
 _FARTHER = 2
 """What is led to by another than the first meaning of a word has a rank higher by this."""
@@ -21,44 +36,20 @@ _MANY = 400
 """At most so many kinds of one thing, the commonest in the collection."""
 _GENERAL = 64
 """A word with more kinds than this is too general to stand in for one of them."""
+_BASIC = 40
+"""The same, for what is not next above the word: birds, fish, trees, but no animals, no plants."""
+_GROWN = (ANIMAL, FOOD, PLANT)
+"""What is alive or eaten: of these, kinds look alike."""
 _SENSES = 3
 """At most so many meanings of a word count."""
 _RARE = 2
 """A person is meant only if nothing else is so many times as common."""
+_COMMON = 2
+"""A meaning that is counted less often is not surely what a word commonly means."""
 _DECISIVE = 3
 """One meaning comes before another in any case if it is so many times as common."""
-_PROPOSED = 4
-"""So many words are kept that lie beside a word that nothing answers."""
-
-_USAGE = {
-    "bike": "bicycle",
-    "plane": "airplane",
-    "chicken": "hen",
-    "mouse": "rodent",
-    "glass": "drinking glass",
-    "lamb": "sheep",
-    "turkey": "fowl",
-    "apple": "fruit",
-    "boot": "footwear",
-    "crane": "lifting device",
-    "tank": "vehicle",
-}
-"""What collections of icons mean by a word, where WordNet puts another meaning first."""
-
-
-_SYNONYMS = (
-    "home house", "bike bicycle", "motorbike motorcycle", "plane airplane aeroplane aircraft",
-    "couch sofa settee", "puppy dog", "kitten cat", "bunny rabbit", "hare rabbit",
-    "phone telephone", "tv television", "car automobile auto", "truck lorry", "hen chicken",
-    "pc computer", "ship boat", "cup mug", "cow cattle", "pony horse", "lamp lantern",
-    "flashlight torch", "glasses eyeglasses spectacles", "bulb lightbulb", "rocket spaceship",
-    "present gift", "bag handbag", "purse handbag", "photo photograph", "film movie",
-    "cactus cacti", "helicopter chopper", "ax axe", "donut doughnut", "airplane airliner",
-    "sneaker trainer", "trashcan bin", "bin trash", "sailboat boat", "eggplant aubergine",
-    "subway metro", "shop store", "mailbox postbox", "suitcase luggage", "gear cog cogwheel",
-    "pitcher jug", "tap faucet", "t_rex tyrannosaurus dinosaur",
-)  # fmt: skip
-"""Words that collections of icons use for the same drawing."""
+_PROPOSED, _SHOWN = 4, 3
+"""So many words are kept that lie beside a word that nothing answers; each has so many drawings."""
 
 
 class Relations:
@@ -74,23 +65,42 @@ class Relations:
         self._kinds_of: dict[int, list[str]] = {}
         self._meanings: dict[str, tuple[int, ...]] = {}
         self._pairs: dict[str, set[str]] = {}
-        for group in _SYNONYMS:
+        for group in SYNONYMS:
             words = [word.replace("_", " ") for word in group.split()]
             for word in words:
                 self._pairs.setdefault(word, set()).update(set(words) - {word})
 
     def all(self) -> Iterator[tuple[str, str, int]]:
         """Yield (keyword, term, rank), keywords in order."""
-        for word in sorted({*self._terms, *self._wordnet.senses, *self._pairs}):
-            for term, rank in sorted(self.of(word).items()):
+        forms = self._forms()
+        for word in sorted({*self._terms, *self._wordnet.senses, *self._pairs, *STAND_INS, *forms}):
+            ranks = self.of(word) | dict.fromkeys(forms.get(word, ()), FORM)
+            for term, rank in sorted(ranks.items()):
                 yield word, term, rank
+
+    def _forms(self) -> dict[str, list[str]]:
+        """Return the inflected forms of the verbs of the collection, each with its verbs.
+
+        Only of verbs that name nothing that can be drawn: fishing is no fish. And a wedding is no
+        form of *to wed*: a noun counts as a form if it is an act, as writing and dancing are.
+        """
+        wordnet = self._wordnet
+        forms: dict[str, list[str]] = {}
+        for verb in sorted(wordnet.verbs.intersection(self._terms)):
+            if self._meant(verb):
+                continue
+            for form in verb_forms(verb):
+                meant = wordnet.senses.get(form, ())[:1]
+                if all(wordnet.synsets[key].kind in (ACT, COMMUNICATION) for key in meant):
+                    forms.setdefault(form, []).append(verb)
+        return forms
 
     def of(self, word: str) -> dict[str, int]:
         """Return the other terms of the collection that answer ``word``, each with its rank."""
         ranks: dict[str, int] = {}
 
         def add(term: str, rank: int) -> None:
-            if term in self._terms and term != word:
+            if term in self._terms and term != word and term not in FALSE_FRIENDS:
                 ranks[term] = min(rank, ranks.get(term, rank))
 
         for term in self._pairs.get(word, ()):
@@ -103,8 +113,11 @@ class Relations:
             far = _FARTHER if number else 0
             for term in self._kinds(key):
                 add(term, NAMED if term.endswith(word) else KIND + far)
-        for term in self._broader(word):
+        for term in (*self._broader(word), *STAND_INS.get(word, ())):
             add(term, BROADER)
+        if not ranks and word not in self._terms:
+            for term in self._broadest(word):
+                add(term, BROADEST)
         if not ranks and word not in self._terms:
             for term in self._beside(word):
                 add(term, BESIDE)
@@ -152,7 +165,7 @@ class Relations:
         return tuple(common[:_SENSES])
 
     def _is_usage(self, word: str, key: int) -> bool:
-        meant = _USAGE.get(word)
+        meant = USAGE.get(word)
         return meant is not None and self._descends(key, set(self._wordnet.things(meant)))
 
     def _descends(self, key: int, targets: set[int]) -> bool:
@@ -168,7 +181,7 @@ class Relations:
         """Whether ``word`` means ``key`` before anything else, or is the first word for it."""
         if self._decency.is_private(key):
             return False
-        if word not in _USAGE and self._wordnet.senses.get(word, ())[:1] == (key,):
+        if word not in USAGE and self._wordnet.senses.get(word, ())[:1] == (key,):
             return True
         first = self._wordnet.synsets[key].words[:1] == (word,)
         return self._meant(word)[:1] == (key,) or (first and key in self._meant(word))
@@ -208,38 +221,84 @@ class Relations:
 
     def _broader(self, word: str) -> list[str]:
         """Words for what ``word`` is a kind of: those that mean it first, if ``word`` is clear."""
-        wordnet = self._wordnet
         found: list[str] = []
         head = word.rpartition(" ")[2]
-        if head != word and wordnet.is_kind_of(word, head):
+        if head != word and self._wordnet.is_kind_of(word, head):
             found.append(head)
-        meanings = self._meant(word)
-        often = [wordnet.count(word, key) for key in meanings]
-        if len(often) == 1 or (often and often[0] > often[1]):
-            for parent in wordnet.synsets[meanings[0]].parents:
-                if len(self._kinds(parent)) <= _GENERAL and not self._decency.is_private(parent):
-                    words = wordnet.synsets[parent].words
-                    found += (
-                        term
-                        for term in words
-                        if wordnet.senses.get(term, ())[:1] == (parent,) and term not in TECHNICAL
-                    )
+        if self._is_clear(word):
+            for parent in self._wordnet.synsets[self._meant(word)[0]].parents:
+                found += self._general(parent)
         return found
+
+    def _is_clear(self, word: str) -> bool:
+        """Whether ``word`` commonly means one thing, or one more often than another."""
+        often = [self._wordnet.count(word, key) for key in self._meant(word)]
+        return len(often) == 1 or (len(often) > 1 and often[0] >= max(_COMMON, often[1] + 1))
+
+    def _general(self, key: int, most: int = _GENERAL) -> list[str]:
+        """Words that mean ``key`` first, if it is not too general to stand in for its kinds."""
+        if len(self._kinds(key)) > most or self._decency.is_private(key):
+            return []
+        return [
+            term
+            for term in self._wordnet.synsets[key].words
+            if self._wordnet.senses.get(term, ())[:1] == (key,) and term not in TECHNICAL
+        ]
+
+    def _broadest(self, word: str) -> list[str]:
+        """Words for the nearest thing with drawings that a living being, or a food, is a kind of.
+
+        A word that may mean an artifact, too, leads nowhere: a nutcracker is a bird, but not often.
+        """
+        wordnet = self._wordnet
+        if any(wordnet.synsets[key].kind == ARTIFACT for key in wordnet.senses.get(word, ())):
+            return []
+        for kind in _GROWN:
+            keys = [key for key in self._meant(word) if wordnet.synsets[key].kind == kind]
+            for ancestor in self._above(keys, {kind}):
+                words = self._terms.keys() & set(wordnet.synsets[ancestor].words)
+                if words & TECHNICAL:
+                    return []
+                if found := [word for word in self._general(ancestor, _BASIC) if word in words]:
+                    return found
+        return []
 
     def _beside(self, word: str) -> list[str]:
         """Words for what ``word`` is a kind of, and the commonest for other kinds of it."""
         if self._decency.is_unspoken(word):
             return []
-        for key in self._meant(word):
-            for parent in self._wordnet.synsets[key].parents:
-                if len(self._kinds(parent)) > _GENERAL:
-                    continue
-                words = self._wordnet.synsets[parent].words
-                whole = [term for term in words if self._stands_for(term, parent)]
-                siblings = self._wordnet.children[parent]
-                near = {term for sibling in siblings for term in self._surely(sibling)}
-                by_number = sorted(near, key=lambda term: (-self._terms[term], term))
-                found = [term for term in (*whole, *by_number) if term in self._terms]
-                if found:
-                    return list(dict.fromkeys(found))[:_PROPOSED]
+        meanings = self._meant(word) or self._wordnet.things(word)[:1]
+        if meanings[:1] == self._wordnet.senses.get(word, ())[:1] or self._meant(word):
+            for key in self._above(meanings, THINGS - {TOPS}):
+                found = self._around(key)
+                if len(found) > 1 or self._stands_for("".join(found), key):
+                    return found[:_PROPOSED]
         return []
+
+    def _above(self, keys: Sequence[int], kinds: Set[int]) -> Iterator[int]:
+        """Yield all of ``kinds`` that ``keys`` are kinds of, the nearest first."""
+        while keys:
+            keys = [
+                parent
+                for key in keys
+                for parent in self._wordnet.synsets[key].parents
+                if self._wordnet.synsets[parent].kind in kinds
+            ]
+            yield from keys
+
+    def _around(self, key: int) -> list[str]:
+        """Words of the collection that mean ``key``, and the commonest kinds next below it."""
+        if self._decency.is_private(key):
+            return []
+        words = self._wordnet.synsets[key].words
+        whole = [term for term in words if self._stands_for(term, key)]
+        kind = self._wordnet.synsets[key].kind
+        near: set[str] = set()
+        if len(self._kinds(key)) <= _GENERAL and kind != PERSON:  # a janitor is like no fireman
+            for child in self._wordnet.children[key]:
+                if not self._decency.is_private(child):
+                    near.update(self._surely(child))
+        elif kind == ARTIFACT:
+            return []  # a device, say
+        by_number = sorted(near.difference(whole), key=lambda term: (-self._terms[term], term))
+        return [term for term in (*whole, *by_number) if self._terms[term] >= _SHOWN]

@@ -17,8 +17,14 @@ because every style (section 3.5) needs its own."""
 RELEVANT = 8
 """Drawings that score higher only mention the thing, or carry a badge of another."""
 
+ITSELF = 2
+"""Drawings that score higher are of a kind of the thing, or show more than it."""
+
 PLENTY = 120
 """With so many relevant drawings, those that differ little are left out."""
+
+_BLOCK = 64
+"""So many drawings are compared at once."""
 
 ENOUGH = 60
 """With so many relevant drawings, the others are left out."""
@@ -42,18 +48,34 @@ def in_order(
     return icons[order[np.lexsort((shade[order], turn, scores[order]))]]
 
 
+def nearest_style(
+    icons: NDArray[np.int64], scores: NDArray[np.int64], distances: NDArray[np.int64]
+) -> NDArray[np.int64]:
+    """Return ``icons`` in the same order but those of the nearest style first.
+
+    What is no drawing of the thing itself stays behind what is, whatever its style.
+    """
+    return icons[np.lexsort((distances, scores > ITSELF))]
+
+
 def different(cells: NDArray[np.uint64], limit: int, alike: float = ALIKE) -> list[int]:
     """Return at most ``limit`` indices of ``cells`` (n, WORDS), the first of those alike.
 
     They are in rising order, and no two of them differ by less than ``alike``.
     """
-    open_ = np.arange(len(cells))
     kept: list[int] = []
-    while len(open_) and len(kept) < limit:
-        first = int(open_[0])
-        kept.append(first)
-        open_ = open_[1:]
-        open_ = open_[unlikeness(cells[first], cells[open_]) >= alike]
+    for start in range(0, len(cells), _BLOCK):
+        block = np.arange(start, min(start + _BLOCK, len(cells)))
+        far = unlikeness(cells[kept], cells[block]) >= alike
+        block = block[far.all(axis=0)]
+        far = unlikeness(cells[block], cells[block]) >= alike
+        open_ = np.ones(len(block), dtype=bool)
+        for place, index in enumerate(block.tolist()):
+            if len(kept) == limit:
+                return kept
+            if open_[place]:
+                kept.append(index)
+                open_ &= far[place]
     return kept
 
 

@@ -16,6 +16,16 @@ STYLES = words(
 )
 """Words that name how a drawing is drawn, not what it shows."""
 
+STYLE_GROUPS = tuple(
+    tuple(words(group) for group in groups.split(","))
+    for groups in (
+        "fill filled solid glyph flat, outline outlined line linear lineal stroke,"
+        "duotone duo tone twotone, bold fat, thin light",
+        "round rounded, sharp",
+    )
+)
+"""Words for the same style; and beside them those for the styles that a drawing then has not."""
+
 LEADING_STYLES = words(
     """
     outline baseline round sharp twotone rounded outlined solid filled
@@ -109,8 +119,12 @@ TECHNICAL = words(
     platform port rack ring screen seal shell spool stack tablet tap terminal track trunk
     adapter converter connector cell agent host mole pilot token swift kite ram buffer
     scoter myna lounge boxer springer clipper packer dingo
-    thumbnail stream field draw set receiver result tool drone
+    thumbnail stream field draw set receiver result tool drone nut weed machine ruler
     """
 )
 """Words that collections of icons use for machines and marks, though WordNet also knows a horse,
 a dog or a fish of that name: they are no kinds of anything."""
+
+FALSE_FRIENDS = words("doc ref tec eft server doge guardian copilot afters bum")
+"""Words that mean a living being, or a dessert, in WordNet, but never in a collection of icons:
+no other word leads to them."""

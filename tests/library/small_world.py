@@ -3,7 +3,7 @@
 import json
 from pathlib import Path
 
-ANIMAL, ARTIFACT, FOOD, ACT, BODY, PERSON = 5, 6, 13, 4, 8, 18
+ANIMAL, ARTIFACT, FOOD, ACT, BODY, PERSON, EVENT = 5, 6, 13, 4, 8, 18, 11
 
 SYNSETS = (
     # key, lexicographer file, words, keys of the parents
@@ -47,13 +47,18 @@ SYNSETS = (
     (38, ARTIFACT, ("bar_code",), ()),
     (39, ARTIFACT, ("carousel", "merry-go-round"), ()),
     (40, ANIMAL, ("fur_seal",), (29,)),
+    (41, EVENT, ("wedding",), ()),
+    (42, ANIMAL, ("fish",), ()),
+    (43, ANIMAL, ("harbor_seal",), (29,)),
+    (44, ARTIFACT, ("carafe",), (31,)),
 )
+VERBS = ("run", "fish", "wed", "walk")
 UNCOUNTED = ("chump", "gull", "mug")
 """Words that do not occur in the texts that were counted."""
 
 
 def write_wordnet(folder: Path) -> Path:
-    """Write noun files in WordNet's format; keys stand for offsets."""
+    """Write nouns and verbs in WordNet's format; keys stand for offsets."""
     folder.mkdir(parents=True)
     (folder.parent / "LICENSE").write_text("WordNet licence\n")
     data = ["  1 This line is part of the licence.\n"]
@@ -72,6 +77,10 @@ def write_wordnet(folder: Path) -> Path:
             f"{word} n {len(keys)} 1 @ {len(keys)} 1 {' '.join(f'{key:08d}' for key in keys)}  \n"
             for word, keys in sorted(senses.items())
         )
+    )
+    (folder / "index.verb").write_text(
+        "  1 This line is part of the licence.\n"
+        + "".join(f"{verb} v 1 1 @ 1 0 00000001  \n" for verb in VERBS)
     )
     (folder / "index.sense").write_text(
         "".join(

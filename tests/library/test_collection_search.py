@@ -26,6 +26,10 @@ def small(*names):
     return icon_set("a", {name: shape(number) for number, name in enumerate(names)})
 
 
+def several(name):
+    return [f"{name}-{number}" for number in (2, 3, 4)]
+
+
 def test_the_thing_before_what_mentions_it(opened):
     names = (
         "dog-bowl", "hot-dog", "man-walking-dog", "dog-plus", "poodle", "police-dog", "dog-sitting",
@@ -69,7 +73,7 @@ def test_two_words_must_both_be_there(opened):
     assert ids(collection, "horse bowl") == ["horse-bowl"]
 
 
-@pytest.mark.parametrize("keyword", ["", "  ", "-", "?!", "\U0001f1e9\U0001f1ea"])
+@pytest.mark.parametrize("keyword", ["", "  ", "-", "?!", "\U0001f1e9"])
 def test_a_keyword_without_a_word(opened, keyword):
     with pytest.raises(IconstudioError, match="There is no word in"):
         opened(small("dog")).search(keyword)
@@ -119,13 +123,22 @@ def test_a_word_leads_to_what_it_commonly_means(opened, keyword, names):
 
 
 def test_a_compound_that_has_a_meaning_of_its_own_is_not_its_last_word(opened):
-    with pytest.raises(IconstudioError, match=r"'sea lion'\. Of its kind there are: fur seal\."):
-        opened(small("lion", "fur-seal")).search("sea lion")
+    collection = opened(small("lion", *several("fur-seal"), *several("harbor-seal")))
+    with pytest.raises(
+        IconstudioError, match=r"'sea lion'\. Of its kind there are: fur seal, harbor seal\."
+    ):
+        collection.search("sea lion")
 
 
 def test_a_miss_proposes_other_things_of_the_kind(opened):
-    with pytest.raises(IconstudioError, match=r"'ewer'\. Of its kind there are: jug\."):
-        opened(small("jug", "horse")).search("ewer")
+    collection = opened(small(*several("jug"), *several("carafe"), "horse"))
+    with pytest.raises(IconstudioError, match=r"'ewer'\. Of its kind there are: carafe, jug\."):
+        collection.search("ewer")
+
+
+def test_a_miss_proposes_neither_what_is_hardly_ever_drawn_nor_one_kind_alone(opened):
+    with pytest.raises(IconstudioError, match=r"'ewer'\. Icons have English names"):
+        opened(small(*several("jug"), "carafe", "horse")).search("ewer")
 
 
 @pytest.mark.parametrize("keyword", ["anos", "anuss", "organn"])
@@ -180,7 +193,7 @@ def test_unlikeness_is_the_jaccard_distance(cells):
     packed = stack([np.packbits(one).tobytes() for one in cells])
     assert packed.shape == (5, WORDS)
     slow = [(cells[0] ^ one).sum() / max((cells[0] | one).sum(), 1) for one in cells]
-    np.testing.assert_allclose(unlikeness(packed[0], packed), slow)
+    np.testing.assert_allclose(unlikeness(packed[:1], packed)[0], slow)
 
 
 @given(hnp.arrays(np.uint64, st.tuples(st.integers(0, 12), st.just(WORDS))), st.integers(0, 9))
@@ -189,11 +202,11 @@ def test_different_drawings_differ_and_the_others_are_like_one_before(cells, lim
     assert kept == sorted(kept) and len(kept) <= limit
     for i, number in enumerate(kept):
         others = cells[kept[:i]]
-        assert not len(others) or unlikeness(cells[number], others).min() >= search.ALIKE
+        assert not len(others) or unlikeness(cells[[number]], others).min() >= search.ALIKE
     if len(kept) < limit:
         for number in set(range(len(cells))) - set(kept):
             before = cells[[k for k in kept if k < number]]
-            assert unlikeness(cells[number], before).min() < search.ALIKE
+            assert unlikeness(cells[[number]], before).min() < search.ALIKE
 
 
 @given(st.lists(st.tuples(st.integers(0, 9), st.integers(0, 100)), max_size=40))
@@ -218,7 +231,7 @@ def test_fingerprint_ignores_place_and_size_but_not_filling():
 
     one, moved, disc = ring(40, 8, (48, 48)), ring(20, 4, (30, 60)), ring(40, 40, (48, 48))
     cells = [fingerprint(picture).cells for picture in (one, moved, disc)]
-    near, far = unlikeness(stack(cells[:1])[0], stack(cells[1:]))
+    near, far = unlikeness(stack(cells[:1]), stack(cells[1:]))[0]
     assert near < 0.1 and far > 0.4
     assert fingerprint(disc).blackness > 95 > 60 > fingerprint(one).blackness
     assert fingerprint(np.full((96, 96), 90, np.uint8)) is None
@@ -306,7 +319,7 @@ def test_results_of_the_bundled_collection_differ_and_suit_every_style(bundled):
     numbers = bundled._numbers([one.id for one in found])
     cells = bundled._cells[numbers]
     for i in range(1, len(cells)):
-        assert unlikeness(cells[i], cells[:i]).min() >= search.ALIKE
+        assert unlikeness(cells[[i]], cells[:i]).min() >= search.ALIKE
     blackness = bundled._blackness[numbers] / 100
     for low, high in ((0, 0.4), (0.2, 0.6), (0.4, 0.8), (0.6, 1)):
         assert ((low <= blackness) & (blackness <= high)).sum() >= 25

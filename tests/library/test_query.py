@@ -24,11 +24,19 @@ from iconstudio.library import query
         ("salt & pepper", "salt and pepper"),
         ("\uff24\uff2f\uff27", "dog"),
         ("\U0001f415", "dog"),
-        ("\u2764\ufe0f", "heavy black heart"),
-        ("\U0001f468\u200d\U0001f692", "man fire engine"),
-        ("\U0001f44d\U0001f3fd", "thumbs up sign"),
+        ("\u2764\ufe0f", "red heart"),
+        ("\u2764", "red heart"),
+        ("\U0001f468\u200d\U0001f692", "man firefighter"),
+        ("\U0001f469\U0001f3ff\u200d\U0001f692", "woman firefighter"),
+        ("\U0001f44d\U0001f3fd", "thumbs up"),
+        ("\U0001fabf", "goose"),
+        ("\u2605", "black star"),
         ("my \U0001f415!", "my dog"),
-        ("\U0001f1e9\U0001f1ea", ""),
+        ("\U0001f1e9\U0001f1ea", "germany"),
+        ("\U0001f3f4\U000e0067\U000e0062\U000e0065\U000e006e\U000e0067\U000e007f", "england"),
+        ("1\ufe0f\u20e3", "1"),
+        ("\U0001f1e9", ""),
+        ("\U0001f3fb", ""),
         ("!?", ""),
     ],
 )
@@ -57,6 +65,27 @@ def test_plain_words_stay_plain_however_their_accents_are_composed(text):
 )
 def test_words_for_a_style_are_told_from_the_thing(typed, bare):
     assert " ".join(query.without_style(tuple(typed.split()))) == bare
+
+
+@pytest.mark.parametrize(
+    ("typed", "near", "far"),
+    [
+        ("dog filled", "dog-solid", "dog-outline"),
+        ("outline house", "house-line", "house-fill"),
+        ("line car", "car-outline-24", "car-duotone"),
+        ("dog thin", "dog-light", "dog-bold"),
+        ("sharp star", "star-sharp", "star-rounded"),
+    ],
+)
+def test_a_style_that_is_asked_for(typed, near, far):
+    style = query.style(tuple(typed.split()))
+    name = query.without_style(tuple(typed.split()))[0]
+    assert [style.distance(one) for one in (near, name, far)] == [0, 1, 2]
+
+
+@pytest.mark.parametrize("typed", ["dog", "outline", "traffic light", "clothes line"])
+def test_a_word_for_a_style_may_belong_to_the_thing(typed):
+    assert query.style(tuple(typed.split())) == query.Style()
 
 
 @pytest.mark.parametrize(

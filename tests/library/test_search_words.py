@@ -5,9 +5,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 from small_world import write_wordnet
 
+from iconstudio.library.inflections import is_irregular, singulars, verb_forms
 from iconstudio.library.naming import is_negated, take_apart
 from iconstudio.library.readings import BADGED, COMPOUND, EXACT, MENTION, POSED, SCENE, readings
-from iconstudio.library.wordnet import WordNet, singulars
+from iconstudio.library.wordnet import WordNet
 
 
 @pytest.fixture(scope="module")
@@ -90,10 +91,41 @@ def test_readings(wordnet, name, term, tier):
         ("ponies", "pony"),
         ("police cars", "police car"),
         ("coffee knives", "coffee knife"),
+        ("geese", "goose"),
+        ("wolves", "wolf"),
+        ("feet", "foot"),
+        ("teeth", "tooth"),
+        ("policemen", "policeman"),
+        ("grandchildren", "grandchild"),
+        ("dice", "die"),
+        ("cacti", "cactus"),
+        ("giraffes", "giraffe"),
+        ("vertebrae", "vertebra"),
     ],
 )
 def test_singulars(plural, singular):
     assert singular in singulars(plural)
+
+
+@pytest.mark.parametrize("word", ["dogs", "glasses", "omen", "news", "beef"])
+def test_regular_plurals_and_words_of_other_ends_are_not_irregular(word):
+    assert not is_irregular(word)
+
+
+@pytest.mark.parametrize(
+    ("verb", "forms"),
+    [
+        ("run", "running ran"),
+        ("swim", "swimming swam swum"),
+        ("ride", "riding rode ridden"),
+        ("dance", "dancing danced"),
+        ("carry", "carrying carried"),
+        ("play", "playing played"),
+        ("travel", "travelling traveling travelled traveled"),
+    ],
+)
+def test_verb_forms(verb, forms):
+    assert set(forms.split()) <= set(verb_forms(verb))
 
 
 @pytest.mark.parametrize("word", ["as", "new", "ga"])

@@ -1,0 +1,81 @@
+"""What emoji and other symbols are called: by Unicode's names for readers (CLDR), or plainly.
+
+Variants are one: with and without colour, of every skin; a flag has the name of its country.
+"""
+
+import re
+import unicodedata
+from functools import cache
+
+_SKINS = dict.fromkeys(range(0x1F3FB, 0x1F400))
+_KEYCAP = "\u20e3"
+
+
+def has_symbols(text: str) -> bool:
+    """Whether a text holds an emoji or another symbol that has a name."""
+    return any(
+        character == _KEYCAP or unicodedata.category(character) in ("So", "Cn")
+        for character in text
+    )  # "Cn": an emoji that is younger than this Python
+
+
+def is_flag(text: str) -> bool:
+    """Whether a text is the flag of a country or of a part of one."""
+    return text[:1] == "\U0001f3f4" or "\U0001f1e6" <= text[:1] <= "\U0001f1ff"
+
+
+def spoken(text: str) -> str:
+    """Return a text with names, between spaces, for its symbols."""
+    if not has_symbols(text):
+        return text
+    import emoji
+
+    named = emoji.replace_emoji(text.translate(_SKINS), lambda _, data: f" {_words(data['en'])} ")
+    return "".join(map(_spoken, named))
+
+
+def other_names(text: str) -> list[str]:
+    """Return by what else the one emoji that a text consists of is known."""
+    if not has_symbols(text):
+        return []
+    import emoji
+
+    one = text.translate(_SKINS).strip()
+    aliases = emoji.EMOJI_DATA.get(one, {}).get("alias", ())
+    return [name for name in map(_words, aliases) if re.fullmatch("[a-z ]{3,}", name)]
+
+
+def english(word: str) -> list[str]:
+    """Return in English what has an emoji that is called ``word`` in another language."""
+    return _translations().get(word.casefold(), [])
+
+
+@cache
+def _translations() -> dict[str, list[str]]:
+    """Return the names of emoji in other languages, each with its English ones."""
+    import emoji
+
+    others = [language for language in emoji.LANGUAGES if language != "en"]
+    emoji.config.load_language(others)
+    found: dict[str, list[str]] = {}
+    for data in emoji.EMOJI_DATA.values():
+        meant = _words(data["en"])
+        for language in others:
+            names = found.setdefault(_words(data.get(language, "")), [])
+            if meant not in names:
+                names.append(meant)
+    return found
+
+
+def _words(code: str) -> str:
+    """Return the words of an emoji's name: of ``:flag_for_Germany:``, ``:keycap_1:``."""
+    words = code.strip(":").replace("_", " ").lower()
+    return words.removeprefix("keycap ").removeprefix("flag for ")
+
+
+def _spoken(character: str) -> str:
+    """Return the name of a symbol that is no emoji between spaces; a letter as it is."""
+    if unicodedata.category(character) == "So":
+        name = unicodedata.name(character, "")
+        return " " if name.startswith("REGIONAL INDICATOR") else f" {name.lower()} "
+    return character
