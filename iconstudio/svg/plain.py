@@ -6,6 +6,7 @@ tree of shapes, groups, gradients, clips, masks and filters that every renderer 
 
 import math
 import xml.etree.ElementTree as ET
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from iconstudio.model import IconstudioError
@@ -22,7 +23,7 @@ _SERVERS = ("clipPath", "mask", "pattern", "marker", "stop", *references.GRADIEN
 _TEXTS = ("text", "tspan", "textPath")
 _SILENT = (
     "title", "desc", "metadata", "style", "view", "cursor", "font", "font-face", "glyph",
-    "missing-glyph", "hkern", "vkern", "color-profile", "script",
+    "missing-glyph", "hkern", "vkern", "color-profile", "script", "slot",
 )  # fmt: skip
 """Elements that draw nothing."""
 _UNKNOWN = {
@@ -72,15 +73,15 @@ class Plain:
     """What could not be read, in sentences."""
 
 
-def plain(root: ET.Element) -> Plain:
-    """Make a parsed document plain; ``root`` is changed.
+def plain(root: ET.Element, remarks: Sequence[str] = ()) -> Plain:
+    """Make a parsed document plain; ``root`` is changed, and ``remarks`` are those made before.
 
     Raises
     ------
     IconstudioError
         If it only defines what others may draw, or is not safe to draw.
     """
-    remarks = finish(root)
+    remarks = [*remarks, *finish(root)]
     if any(True for _ in root.iter("script")):
         remarks.append("A script was not run.")
     symbols = [one.get("id", "?") for one in root.iter("symbol")]

@@ -8,6 +8,7 @@ from iconstudio.files import read_bytes
 from iconstudio.model import IconstudioError, Pictogram
 from iconstudio.svg import credits
 from iconstudio.svg.decode import MAX_BYTES, decode
+from iconstudio.svg.markup import markup_of
 from iconstudio.svg.parse import parse
 
 _log = logging.getLogger(__name__)
@@ -51,10 +52,11 @@ def own_svg(data: bytes, name: str) -> Pictogram:
     from iconstudio.svg.plain import plain
 
     try:
-        root = parse(decode(data))
+        markup, said = markup_of(decode(data))
+        root, left_out = parse(markup)
         rdf = credits.metadata(root)
         credit, made_of = credits.credit(rdf, Path(name).name), credits.sources(rdf)
-        svg, remarks = in_black(plain(root), rdf)
+        svg, remarks = in_black(plain(root, said + left_out), rdf)
     except IconstudioError as error:
         raise IconstudioError(f"“{name}” cannot be used. {error}") from None
     except (ArithmeticError, LookupError, RecursionError, TypeError, ValueError) as error:

@@ -13,6 +13,7 @@ import cssselect2
 import tinycss2
 
 from iconstudio.model import IconstudioError
+from iconstudio.svg.parse import SHEET_ELSEWHERE
 
 Declared = tuple[str, str, bool]
 """Property, value and whether it is important."""
@@ -113,10 +114,7 @@ class StyleSheet:
         elif keyword.endswith("keyframes") and rule.content:
             self.keyframes[prelude.strip("\"'")] = _end_of(rule.content)
         elif keyword == "import" and not _FONTS.search(prelude):
-            self.remarks.append(
-                "A style sheet outside of the file was not read. If colours are wrong, save the "
-                "drawing with its styles embedded."
-            )
+            self.remarks.append(SHEET_ELSEWHERE)
 
     def _add(self, selector: str, content: Any) -> None:
         """Add a rule, and those nested in it."""

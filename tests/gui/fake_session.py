@@ -104,9 +104,9 @@ def drawing(sketch: Sketch, row: int, column: int) -> Drawing:
 def read_simply(data: bytes, name: str) -> Pictogram:
     """An SVG as it is read, but for its colours, which take time to think about."""
     try:
-        root = parse(svg_text(data))
+        root, said = parse(svg_text(data))
         rdf = credits.metadata(root)
-        drawing = plain(root)
+        drawing = plain(root, said)
         if drawing.bounds is None:
             raise IconstudioError("There is nothing to be seen in it.")
     except IconstudioError as error:
