@@ -20,8 +20,10 @@ AS_THE_OUTLINE = {
         "{/* don't draw <path/> */}{title ? <title>{title}</title> : null}"
         f"<path d={{`{ROOF}`}} key={{1}} />\n</svg>\n  );\n}}\n"
     ),
-    "JSX with a style": f'<svg {BOX}><path style={{{{ fill: "none", strokeWidth: 2,'
-    f' stroke: "#000" }}}}' d="{ROOF}" /></svg>',
+    "JSX with a style": (
+        f'<svg {BOX}><path style={{{{ fill: "none", strokeWidth: 2, stroke: "#000" }}}}'
+        f' d="{ROOF}" /></svg>'
+    ),
     "JSX with values by default": (
         'const Icon = ({ size = 24, color = "#000", strokeWidth = 2 }) => (\n'
         f'<svg width={{size}} height={{size}} {BOX} stroke={{color}} fill={{"none"}}'
@@ -34,7 +36,8 @@ AS_THE_OUTLINE = {
     f'</style><path className="a" d="{ROOF}"/></svg>',
     "Vue": (
         f'<!-- An icon --><template>\n  <svg {STROKED} :class="{{ big: a > 1 }}"'
-        f' @click="$emit(\'x\')" v-if="shown" v-bind="$attrs" :stroke-width="2"><title>{{{{ title }}}}</title>'
+        f' @click="$emit(\'x\')" v-if="shown" v-bind="$attrs" :stroke-width="2">'
+        f"<title>{{{{ title }}}}</title>"
         f'<path d="{ROOF}" v-bind:key="1"/><slot/></svg>\n</template>\n<script setup>\n'
         "defineProps({ title: String })\n</script>"
     ),

@@ -1,0 +1,114 @@
+"""Mathematical functions of CSS (CSS Values and Units, section 10), of tinycss2's tokens."""
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import tinycss2
+
+from iconstudio.svg.lengths import pixels
+
+Quantity = tuple[float, str]
+"""A number and its kind: "", "px", "%" or a unit of angles."""
+_FUNCTIONS = ("calc", "min", "max", "clamp", "-webkit-calc")
+_ANGLES = ("deg", "rad", "grad", "turn")
+
+
+class _UnknownError(Exception):
+    """What is to be computed depends on what is not known here, or means nothing."""
+
+
+def calculated(value: str) -> str:
+    """Return a value with its functions computed; those that cannot be are left as they are."""
+    if not any(f"{name}(" in value.lower() for name in _FUNCTIONS):
+        return value
+    return _computed(tinycss2.parse_component_value_list(value))
+
+
+def _computed(tokens: Sequence[Any]) -> str:
+    parts = []
+    for token in tokens:
+        if token.type == "function" and token.lower_name in _FUNCTIONS:
+            try:
+                number, kind = _function(token)
+                parts.append(f"{number:.9g}{kind}")
+            except (_UnknownError, ArithmeticError):
+                parts.append(token.serialize())
+        elif token.type == "function":
+            parts.append(f"{token.name}({_computed(token.arguments)})")
+        else:
+            parts.append(token.serialize())
+    return "".join(parts)
+
+
+def _function(token: Any) -> Quantity:
+    arguments = [_sum(one) for one in _split(token.arguments)]
+    name = token.lower_name
+    if name in ("calc", "-webkit-calc", "") and len(arguments) == 1:
+        return arguments[0]
+    if not arguments or len({kind for _, kind in arguments}) > 1:
+        raise _UnknownError
+    numbers, kind = [number for number, _ in arguments], arguments[0][1]
+    if name in ("min", "max"):
+        return (min if name == "min" else max)(numbers), kind
+    if name == "clamp" and len(numbers) == 3:
+        return max(numbers[0], min(numbers[1], numbers[2])), kind
+    raise _UnknownError
+
+
+def _split(tokens: Sequence[Any]) -> list[list[Any]]:
+    """Return the arguments of a function, without blanks."""
+    found: list[list[Any]] = [[]]
+    for token in tokens:
+        if token == ",":
+            found.append([])
+        elif token.type not in ("whitespace", "comment"):
+            found[-1].append(token)
+    return found
+
+
+def _sum(tokens: Sequence[Any]) -> Quantity:
+    return _chain(list(tokens), "+-", lambda rest: _chain(rest, "*/", _one))
+
+
+def _chain(tokens: list[Any], signs: str, inner: Callable[[list[Any]], Quantity]) -> Quantity:
+    """Return what operations of one rank come to, from left to right."""
+    parts: list[tuple[str, list[Any]]] = [(signs[0], [])]
+    for token in tokens:
+        if token.type == "literal" and token.value in signs:
+            parts.append((token.value, []))
+        else:
+            parts[-1][1].append(token)
+    number, kind = inner(parts[0][1])
+    for sign, rest in parts[1:]:
+        other, unit = inner(rest)
+        if sign in "+-" and kind == unit:
+            number += other if sign == "+" else -other
+        elif sign == "*" and "" in (kind, unit):
+            number, kind = number * other, kind or unit
+        elif sign == "/" and not unit:
+            number /= other
+        else:
+            raise _UnknownError
+    return number, kind
+
+
+def _one(tokens: Sequence[Any]) -> Quantity:
+    if len(tokens) != 1:
+        raise _UnknownError
+    (token,) = tokens
+    match token.type:
+        case "number":
+            return token.value, ""
+        case "percentage":
+            return token.value, "%"
+        case "dimension" if token.lower_unit in _ANGLES:
+            return token.value, token.lower_unit
+        case "dimension":
+            found = pixels(f"{token.value}{token.unit}")
+            if found is not None:
+                return found, "px"
+        case "() block":
+            return _sum([one for one in token.content if one.type != "whitespace"])
+        case "function" if token.lower_name in _FUNCTIONS:
+            return _function(token)
+    raise _UnknownError
