@@ -47,7 +47,10 @@ def _number(element: ET.Element | None, name: str, default: float) -> float:
 
 def symbols(root: ET.Element) -> dict[str, ET.Element]:
     """Return by their names what a document defines and does not show: symbols, or hidden parts."""
-    found = {one.get("id", ""): one for one in root.iter("symbol")}
+    found = {}
+    for number, one in enumerate(root.iter("symbol"), start=1):
+        one.set("id", one.get("id") or f"symbol-{number}")
+        found.setdefault(one.attrib["id"], one)
     if not found:
         found = {one.get("id", ""): one for one in root if one.get("display") == "none"}
         found.pop("", None)

@@ -133,7 +133,6 @@ def test_drawings_within_drawings_end():
     document = svg(PATH)
     for _ in range(9):
         inner = base64.b64encode(document.encode()).decode()
-        document = svg(
-            f'{PATH}<image width="9" height="9" href="data:image/svg+xml;base64,{inner}"/>'
-        )
+        address = f"data:image/svg+xml;base64,{inner}"
+        document = svg(f'{PATH}<image width="9" height="9" href="{address}"/>')
     assert any("was left out" in remark for remark in read(document).remarks)
