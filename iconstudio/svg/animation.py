@@ -18,7 +18,9 @@ _SIZES = ("r", "width", "height")
 _NOTHING_IF_ZERO = (
     *_SIZES, "rx", "ry", "opacity", "fill-opacity", "stroke-opacity", "stroke-width",
 )  # fmt: skip
-_NO_SCALE = re.compile(r"scale\(\s*0*\.?0*\s*[,)\s]", re.IGNORECASE)
+_NO_SCALE = re.compile(
+    r"scale\(\s*0*\.?0*\s*[,)\s]|matrix\(\s*0[\s,]+0[\s,]+0[\s,]+0[\s,]", re.IGNORECASE
+)
 _MOMENTS = (0.5, 0.25, 0.75, 0.1, 0.9, 0.0, 1.0)
 """Parts of the time that an animation takes, the best first."""
 MOVING = "The drawing moves; it is taken as it stands before it does."
@@ -115,7 +117,13 @@ def _end(animation: ET.Element, target: ET.Element) -> bool:
 
 def _show_midway(target: ET.Element, animations: Sequence[ET.Element]) -> None:
     """Apply animations as they are at the first moment at which something may be seen."""
+    if _NO_SCALE.search(target.get("transform", "")):
+        del target.attrib["transform"]  # to which nothing could be added
+    before = target.get("transform")
     for moment in _MOMENTS:
+        target.attrib.pop("transform", None)
+        if before is not None:
+            target.set("transform", before)
         for animation in animations:
             if not _BY_HAND.search(animation.get("begin", "")):
                 _apply(animation, target, moment)

@@ -81,7 +81,7 @@ def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ..
         fonts = list(map(str, files))
         missing = missing_letters(drawing.texts, files[0])
         remarks.append(UNKNOWN.format(missing[:20]) if missing else FONTS)
-    if drawing.bounds is None:
+    if drawing.bounds is None or not max(drawing.bounds[2:]):
         raise _nothing(remarks)
     content, matrix = brought_near(drawing.content, drawing.page, drawing.bounds)
     drawn = mapped(matrix, drawing.bounds)

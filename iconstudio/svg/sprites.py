@@ -6,12 +6,14 @@ A font (SVG 1.1, section 20) is one, too: of its glyphs.
 import xml.etree.ElementTree as ET
 
 from iconstudio.model import IconstudioError, SpriteError
+from iconstudio.svg.geometry import SHAPES
 from iconstudio.svg.lengths import numbers
 
 _MOST_NAMED = 6
 _OF_FRAMES = (
     "viewBox", "preserveAspectRatio", "width", "height", "x", "y", "refX", "refY", "id", "overflow",
 )  # fmt: skip
+_DRAWN = ("g", "svg", *SHAPES)
 _HIDDEN = ("display", "visibility", "opacity")
 
 
@@ -52,8 +54,9 @@ def symbols(root: ET.Element) -> dict[str, ET.Element]:
         one.set("id", one.get("id") or f"symbol-{number}")
         found.setdefault(one.attrib["id"], one)
     if not found:
-        found = {one.get("id", ""): one for one in root if one.get("display") == "none"}
-        found.pop("", None)
+        hidden = [one for one in root if one.get("display") == "none"]
+        defined = [one for defs in root.iter("defs") for one in defs if one.tag in _DRAWN]
+        found = {one.attrib["id"]: one for one in hidden or defined if one.get("id")}
     return found
 
 
@@ -85,6 +88,10 @@ def show(root: ET.Element, chosen: ET.Element) -> None:
         return
     parents = {child: element for element in root.iter() for child in element}
     defs = ET.Element("defs")
+    if parents[chosen].tag == "defs":
+        parents[chosen].remove(chosen)
+        root.append(chosen)
+        parents[chosen] = root
     if chosen.tag == "symbol":
         parents[chosen].remove(chosen)
         defs.extend(list(root))

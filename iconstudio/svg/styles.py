@@ -13,6 +13,7 @@ from iconstudio.svg.calculation import calculated
 from iconstudio.svg.clipping import is_basic_shape
 from iconstudio.svg.colours import colour
 from iconstudio.svg.instances import own_copies
+from iconstudio.svg.lengths import Box, page_of, whole_of
 from iconstudio.svg.stylesheet import Declared, Frame, StyleSheet
 
 _COLOURS = ("color", "stop-color", "flood-color", "lighting-color")
@@ -95,6 +96,7 @@ def apply_styles(root: ET.Element, midway: bool = False) -> list[str]:
     Sentences about what was not understood.
     """
     sheet = StyleSheet.of(root)
+    page = page_of(root)
     remarks = list(sheet.remarks)
     parents = {child: element for element in root.iter() for child in element}
     variables: dict[ET.Element, dict[str, str]] = {}
@@ -105,7 +107,7 @@ def apply_styles(root: ET.Element, midway: bool = False) -> list[str]:
         own = {name: value for name, value, _ in declared if name.startswith("--")}
         inherited = variables.get(parents.get(element), {})  # type: ignore[arg-type]
         known = variables[element] = inherited | own if own else inherited
-        _apply(element, _by_property(declared), known, remarks)
+        _apply(element, _by_property(declared), known, page, remarks)
     return remarks
 
 
@@ -150,6 +152,7 @@ def _apply(
     element: ET.Element,
     values: dict[str, list[str]],
     variables: dict[str, str],
+    page: Box | None,
     remarks: list[str],
 ) -> None:
     for name in _DROPPED:
@@ -158,7 +161,7 @@ def _apply(
     for name, candidates in values.items():
         if name == "d" and element.tag != "path":
             continue
-        found = _first(name, candidates, variables)
+        found = _first(name, candidates, variables, page)
         if found is None:
             remarks.append(f"“{name}: {candidates[-1][:40]}” was not understood and left out.")
         if found:
@@ -167,11 +170,13 @@ def _apply(
             del element.attrib[name]
 
 
-def _first(name: str, candidates: list[str], variables: dict[str, str]) -> str | None:
+def _first(
+    name: str, candidates: list[str], variables: dict[str, str], page: Box | None
+) -> str | None:
     """Return the strongest value that is understood; "" if none is to be set, None if none is."""
     for candidate in reversed(candidates):
         try:
-            value = calculated(_substituted(candidate, variables))
+            value = calculated(_substituted(candidate, variables), page and whole_of(name, page))
         except _UnsetError:
             return ""
         found = _understood(name, value.strip())

@@ -18,6 +18,14 @@ AS_THE_HOUSE = {
         f'<path d="{BODY}"/><rect style="x:calc(3px * 3);y:calc((10px + 2px));fill:#fff;'
         'width:min(6px, 60px);height:clamp(1px, 5px, 9px)"/>'
     ),
+    "computed of percentages": svg(
+        f'<path d="{BODY}"/><rect x="calc(50% - 3px)" y="calc(100% / 2)" width="calc(25% + 0px)"'
+        ' height="5" fill="#fff"/>'
+    ),
+    "moved by percentages": svg(
+        f'<g style="transform:translate(50%, 50%)"><g style="transform:translate(-12px, -12px)">'
+        f'{PATH}</g></g><g style="transform-box:fill-box;transform:translateX(100%)"/>'
+    ),
     "computed attribute": svg(
         f'<path d="{BODY}"/><rect x="calc(1px + 8px)" y="12" width="6" height="5" fill="#fff"/>'
     ),
@@ -110,7 +118,7 @@ def test_strokes_are_computed_and_stay_strokes():
 
 
 SAID = {
-    "mixed units": (svg(f'{PATH}<rect style="x:calc(50% - 2px)" d=""/>'), "calc(50% - 2px)"),
+    "unknown units": (svg(f'{PATH}<rect style="x:calc(5vw - 2px)" d=""/>'), "calc(5vw - 2px)"),
     "unknown shape": (svg(f'<g style="clip-path:circle(tomorrow)">{PATH}</g>'), "circle(tomorrow)"),
     "another file's drawing": (
         svg(f'{PATH}<image width="9" height="9" href="icons/x.svg#a"/>'),

@@ -305,7 +305,10 @@ SAID = {
         svg(f"<style>path:nth-col(2){{fill:none}}</style>{PATH}"),
         "style rule for “path:nth-col(2)”",
     ),
-    "unknown transform": (svg(f'<g style="transform:translate(10%)">{PATH}</g>'), "translate(10%)"),
+    "unknown transform": (
+        svg(f'<g style="transform:translate(10vw)">{PATH}</g>'),
+        "translate(10vw)",
+    ),
     "sheet from elsewhere": (svg(f"<style>@import 'a.css';</style>{PATH}"), "outside of the file"),
     "moves for ever": (
         svg(

@@ -61,6 +61,14 @@ def test_symbols_without_names_are_numbered():
     assert overlap(chosen(sheet, caught.value.names[1]), ink(svg(PATH))) > 0.985
 
 
+def test_what_is_only_defined_is_a_sheet():
+    sheet = f'{ROOT}><defs><g id="a">{PATH}</g><path id="b" d="M0 0h9v9z"/></defs></svg>'
+    with pytest.raises(SpriteError, match=r"2 symbols \(a, b\)"):
+        read(sheet)
+    assert overlap(chosen(sheet, "a"), ink(svg(PATH))) > 0.985
+    assert_shows(f'{ROOT}><defs><g id="a">{PATH}</g></defs></svg>', PATH)
+
+
 def test_the_symbol_is_named():
     own = own_svg(SHEET.encode(), "folder/sheet.svg", "dot")
     assert own.id.startswith("own:sheet-dot-")
@@ -118,6 +126,12 @@ SEEN = {
         '<animateTransform attributeName="transform" type="scale" values="0;1" dur="1s"'
         ' repeatCount="indefinite"/></g></g>'
     ).replace('<g transform="translate(-12 -12)">', '<g transform="scale(0)">'),
+    "added to nothing": svg(
+        '<circle cx="12" cy="12" r="9" transform="matrix(0 0 0 0 12 12)"><animateTransform'
+        ' attributeName="transform" begin="0;a.begin+1s" dur="1s" type="translate"'
+        ' values="12 12;0 0"/><animateTransform additive="sum" attributeName="transform"'
+        ' begin="0;a.begin+1s" dur="1s" type="scale" values="0;1"/></circle>'
+    ),
     "CSS": svg(
         "<style>@keyframes p{0%{opacity:0}50%{opacity:1}100%{opacity:0}}"
         f".p{{opacity:0;animation:p 1s infinite}}</style><g class='p'>{DOT}</g>"
