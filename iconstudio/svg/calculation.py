@@ -1,11 +1,10 @@
-"""Mathematical functions of CSS (CSS Values and Units, section 10), of tinycss2's tokens."""
+"""Mathematical functions of CSS (CSS Values and Units, section 10)."""
 
 from collections.abc import Callable, Sequence
 from typing import Any
 
-import tinycss2
-
 from iconstudio.svg.lengths import pixels
+from iconstudio.svg.stylesheet import tokens_of
 
 Quantity = tuple[float, str]
 """A number and its kind: "", "px", "%" or a unit of angles."""
@@ -25,7 +24,7 @@ def calculated(value: str, whole: float | None = None) -> str:
     """
     if not any(f"{name}(" in value.lower() for name in _FUNCTIONS):
         return value
-    return _computed(tinycss2.parse_component_value_list(value), whole)
+    return _computed(tokens_of(value), whole)
 
 
 def _computed(tokens: Sequence[Any], whole: float | None) -> str:

@@ -184,6 +184,11 @@ def declarations_of(style: str) -> list[Declared]:
     return list(_declarations(parts))
 
 
+def tokens_of(value: str) -> list[Any]:
+    """Return a value as tokens, which know their ``type`` and how to ``serialize``."""
+    return tinycss2.parse_component_value_list(value)
+
+
 def _declarations(parts: Sequence[Any]) -> Iterator[Declared]:
     for one in parts:
         if one.type == "declaration":
