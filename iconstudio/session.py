@@ -40,7 +40,7 @@ from iconstudio.model import (
     Sketch,
     Source,
 )
-from iconstudio.svg.reading import own_svg, read_file
+from iconstudio.svg.reading import file_and_symbol, own_svg, read_file
 from iconstudio.svg.resvg import render_placed
 from iconstudio.workers import Workers, answer
 from iconstudio.workflows.choosing import choose_icons
@@ -152,6 +152,8 @@ class Session(AbstractContextManager):
     def icon(self, reference: str) -> Pictogram:
         """Return an icon of the collection, ``set:name``, or of a file: an SVG, or a scan.
 
+        Of a sprite sheet, ``FILE.svg#id`` is one symbol.
+
         Raises
         ------
         IconstudioError
@@ -160,7 +162,8 @@ class Session(AbstractContextManager):
         if is_image_file(Path(reference)):
             return returned(scans.read_scan(Path(reference), self._readers))
         if _is_path(reference):
-            return self.icon_from(read_file(Path(reference)), reference)
+            path, symbol = file_and_symbol(reference)
+            return self.icon_from(read_file(Path(path)), path, symbol)
         try:
             return self.collection.get(reference)
         except IconstudioError as error:
@@ -168,7 +171,7 @@ class Session(AbstractContextManager):
                 raise IconstudioError(f"There is no such file “{reference}”. {error}") from None
             raise
 
-    def icon_from(self, data: bytes, name: str) -> Pictogram:
+    def icon_from(self, data: bytes, name: str, symbol: str | None = None) -> Pictogram:
         """Return an icon of SVG markup that is in no file, but pasted, say; ``name`` it.
 
         Raises
@@ -176,7 +179,8 @@ class Session(AbstractContextManager):
         IconstudioError
             If it is no good.
         """
-        reading = self._readers.submit(own_svg, data, name, timeout=_SECONDS, memory=_MEMORY)
+        task = own_svg, data, name, symbol
+        reading = self._readers.submit(*task, timeout=_SECONDS, memory=_MEMORY)
         return answer(reading, f"Reading “{name}”", _SIMPLER)
 
     def image(self, source: Path | bytes) -> Generator[None, None, Image]:
@@ -363,7 +367,7 @@ class Session(AbstractContextManager):
 def _is_path(reference: str) -> bool:
     """Whether a reference names a file, which need not be there."""
     named = reference.startswith(("/", ".", "~")) or "\\" in reference or Path(reference).suffix
-    return bool(named) or os.path.isfile(reference)
+    return bool(named) or os.path.isfile(file_and_symbol(reference)[0])
 
 
 def returned(steps: Generator[object, None, T]) -> T:

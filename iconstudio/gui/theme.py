@@ -221,6 +221,10 @@ QSlider::handle:horizontal { background: @surface; border: 1px solid @muted; wid
 QSlider::handle:horizontal:focus { border: 2px solid @accent; }
 
 QScrollArea, QListView { background: transparent; border: 0; }
+QListWidget { background: @surface; border: 1px solid @border; border-radius: 8px; padding: 4px;
+    outline: 0; }
+QListWidget::item { padding: 6px 8px; border-radius: 4px; color: @text; }
+QListWidget::item:selected { background: @accent_soft; color: @text; }
 QScrollBar:vertical { background: transparent; width: 10px; margin: 0; }
 QScrollBar::handle:vertical { background: @border; border-radius: 4px; min-height: 24px;
                               margin: 1px; }

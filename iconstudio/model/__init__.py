@@ -3,7 +3,7 @@
 from iconstudio.model.canvas import CANVAS, MARGIN
 from iconstudio.model.composite import Composite, Drawing
 from iconstudio.model.edit import Edit
-from iconstudio.model.errors import IconstudioError
+from iconstudio.model.errors import IconstudioError, SpriteError
 from iconstudio.model.exemplar import Exemplar, Frame
 from iconstudio.model.mix import Mix, Seeds
 from iconstudio.model.montage import Layer, Montage, Stroke
@@ -33,5 +33,6 @@ __all__ = [
     "Seeds",
     "Sketch",
     "Source",
+    "SpriteError",
     "Stroke",
 ]

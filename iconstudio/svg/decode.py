@@ -1,4 +1,4 @@
-"""The characters of an SVG file: unpacked, decoded, and cut out of what was copied with them."""
+"""The characters of an SVG file: unpacked and decoded."""
 
 import base64
 import binascii
@@ -8,6 +8,7 @@ import zlib
 from urllib.parse import unquote_to_bytes
 
 from iconstudio.model import IconstudioError
+from iconstudio.svg import signatures
 
 MAX_BYTES = 32_000_000
 """Of a file, unpacked; most of a large one is private data of the program that wrote it."""
@@ -32,14 +33,13 @@ _NOT_OF_FILES = ("idna", "punycode", "raw_unicode_escape", "undefined", "unicode
 """Python's encodings of text that no file is in."""
 _DATA_ADDRESS = re.compile(rb"\s*data:image/svg\+xml([^,]{0,99}),", re.IGNORECASE)
 _ROOT = re.compile(r"<([\w.-]+:)?svg[\s>/]", re.IGNORECASE)
-_PROLOG = re.compile(r"\s*(?:<\?xml.*?\?>|<!--.*?-->|<!DOCTYPE\s+(?:[\w.-]+:)?svg\b)", re.DOTALL)
 
 
 def decode(data: bytes) -> str:
-    """Return the text of an SVG document.
+    """Return the text of a file, without blanks around it.
 
     ``data`` may be compressed (SVGZ), in any encoding that it declares or that its first characters
-    tell, a ``data:`` address, or a page or mail out of which a drawing was copied.
+    tell, or a ``data:`` address.
 
     Raises
     ------
@@ -53,7 +53,10 @@ def decode(data: bytes) -> str:
         raise _too_large()
     if not data.strip(b"\0 \t\r\n"):
         raise IconstudioError("The file is empty. Save the drawing again.")
-    return _drawing(_text(data))
+    what = signatures.binary(data)
+    if what is not None:
+        raise IconstudioError(what)
+    return _text(data).strip(" \t\r\n\0\ufeff")
 
 
 def _unaddressed(data: bytes) -> bytes:
@@ -117,19 +120,6 @@ def _is_of_files(name: str) -> bool:
         return codecs.lookup(name).name not in _NOT_OF_FILES
     except (LookupError, UnicodeDecodeError):
         return False
-
-
-def _drawing(text: str) -> str:
-    """Return the document itself, without the page, mail or blank lines around it."""
-    text = text.strip(" \t\r\n\0\ufeff")
-    if _PROLOG.match(text) or _ROOT.match(text):
-        return text
-    root = _ROOT.search(text)
-    if root is None:
-        return text
-    closing = text.rfind(f"</{root[1] or ''}svg>")
-    end = closing + len(f"</{root[1] or ''}svg>") if closing > root.start() else len(text)
-    return text[root.start() : end]
 
 
 def _too_large() -> IconstudioError:

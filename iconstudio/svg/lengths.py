@@ -2,6 +2,7 @@
 
 import math
 import re
+import xml.etree.ElementTree as ET
 
 Box = tuple[float, float, float, float]
 """x, y, width and height in user space."""
@@ -36,6 +37,24 @@ def length(text: str | None, whole: float, default: float = 0.0) -> float:
         return default if match is None else finite(float(match[0]) / 100 * whole) or 0.0
     found = pixels(text)
     return default if found is None else found
+
+
+def page_of(root: ET.Element) -> Box | None:
+    """Return the box of a document's ``viewBox``, or else of its size; None if it has neither."""
+    box = numbers(root.get("viewBox", ""))
+    if len(box) == 4 and box[2] > 0 and box[3] > 0:
+        return box[0], box[1], box[2], box[3]
+    width, height = pixels(root.get("width")), pixels(root.get("height"))
+    return (0.0, 0.0, width, height) if width and height else None
+
+
+def whole_of(name: str, page: Box) -> float:
+    """Return what percentages of an attribute, or property, are of (SVG 2, section 8.9)."""
+    if name in ("x", "cx", "rx", "width", "x1", "x2"):
+        return page[2]
+    if name in ("y", "cy", "ry", "height", "y1", "y2"):
+        return page[3]
+    return math.hypot(page[2], page[3]) / math.sqrt(2)
 
 
 def numbers(text: str) -> list[float]:

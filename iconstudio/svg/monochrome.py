@@ -51,6 +51,10 @@ FONTS = "Its text was drawn in Inter, whatever its font. To keep its look, turn 
 UNKNOWN = "The font Inter has no “{}”, which was left out. Turn text into shapes."
 
 
+class EmptyError(IconstudioError):
+    """A drawing shows nothing."""
+
+
 class _Picture(NamedTuple):
     colours: NDArray[np.uint8]
     """(n, n, 4)"""
@@ -65,8 +69,10 @@ def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ..
 
     Raises
     ------
-    IconstudioError
+    EmptyError
         If there is nothing to be seen.
+    IconstudioError
+        If its lines are too thin.
     """
     remarks = list(drawing.remarks)
     fonts: list[str] = []
@@ -75,7 +81,7 @@ def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ..
         fonts = list(map(str, files))
         missing = missing_letters(drawing.texts, files[0])
         remarks.append(UNKNOWN.format(missing[:20]) if missing else FONTS)
-    if drawing.bounds is None:
+    if drawing.bounds is None or not max(drawing.bounds[2:]):
         raise _nothing(remarks)
     content, matrix = brought_near(drawing.content, drawing.page, drawing.bounds)
     drawn = mapped(matrix, drawing.bounds)
@@ -106,13 +112,13 @@ def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ..
     return document(own, box, rdf), tuple(dict.fromkeys(remarks))
 
 
-def _nothing(remarks: Sequence[str]) -> IconstudioError:
+def _nothing(remarks: Sequence[str]) -> EmptyError:
     if not remarks:
-        return IconstudioError(
+        return EmptyError(
             "There is nothing to be seen in it: it is empty, or all of it is transparent."
         )
     said = " ".join(dict.fromkeys(remarks))
-    return IconstudioError(f"There is nothing to be seen in it. {said}")
+    return EmptyError(f"There is nothing to be seen in it. {said}")
 
 
 def _common(page: Box, drawn: Box) -> Box:

@@ -10,6 +10,8 @@ from html.entities import html5
 from xml.parsers import expat
 
 from iconstudio.model import IconstudioError
+from iconstudio.svg.lenient import parse_leniently
+from iconstudio.svg.names import attribute_name, tag_name
 
 MAX_CHARACTERS = 2_000_000
 """Of attributes and text that are kept."""
@@ -25,24 +27,43 @@ _DECLARED_ENTITY = re.compile(r"<!ENTITY\s+([A-Za-z_][\w.-]*)")
 _AMPERSAND = re.compile(r"&(?!#?\w+;)")
 _VERBATIM = re.compile(r"(<!\[CDATA\[.*?\]\]>|<!DOCTYPE[^>\[]*\[.*?\]\s*>)", re.DOTALL)
 _OF_XML = ("amp", "lt", "gt", "quot", "apos")
+SHEET_ELSEWHERE = (
+    "A style sheet outside of the file was not read. If colours are wrong, save the "
+    "drawing with its styles embedded."
+)
 _CONTROL = re.compile("[\0-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff\ud800-\udfff]")
 
 
-def parse(text: str) -> ET.Element:
-    """Return the root ``svg`` of a document; tags and attributes are SVG's, by local name.
+def parse(text: str) -> tuple[ET.Element, list[str]]:
+    """Return the root ``svg`` of a document, and what could not be read, in sentences.
 
-    ``href`` is also what XLink calls so. The metadata's ``RDF`` is kept as a child with its
-    namespaces, as ElementTree writes them; all other foreign elements are gone.
+    Tags and attributes are SVG's, by local name. ``href`` is also what XLink calls so. The
+    metadata's ``RDF`` is kept as a child with its namespaces, as ElementTree writes them; all other
+    foreign elements are gone. What is not well-formed is read as browsers read pages.
 
     Raises
     ------
     IconstudioError
-        If the document is not well-formed, has external or nested entities, is no SVG, or is
-        too large.
+        If the document has external or nested entities, is no SVG, or is too large.
     """
     if _CONTROL.search(text):
         raise IconstudioError("It holds characters that are no text: the file is damaged.")
+    text = _without_html_entities(text)
     builder = _Builder()
+    try:
+        _parse_strictly(text, builder)
+    except expat.ExpatError as error:
+        mistake = f"It is not well-formed XML: {_reason(error)}. Save it again."
+        builder = _Builder()
+        parse_leniently(text, builder)
+        if builder.root is None:
+            raise IconstudioError(mistake) from None
+    if builder.root is None:
+        raise IconstudioError("The file is empty. Save the drawing again.")
+    return builder.root, builder.remarks
+
+
+def _parse_strictly(text: str, builder: "_Builder") -> None:
     parser = expat.ParserCreate("utf-8")
     parser.buffer_text = True
     parser.StartElementHandler = builder.start
@@ -50,15 +71,8 @@ def parse(text: str) -> ET.Element:
     parser.CharacterDataHandler = builder.characters
     parser.EntityDeclHandler = builder.entity
     parser.SkippedEntityHandler = builder.skipped
-    try:
-        parser.Parse(_without_html_entities(text).encode(), True)
-    except expat.ExpatError as error:
-        raise IconstudioError(
-            f"It is not well-formed XML: {_reason(error)}. Save it again, or mend it in an editor."
-        ) from None
-    if builder.root is None:
-        raise IconstudioError("The file is empty. Save the drawing again.")
-    return builder.root
+    parser.ProcessingInstructionHandler = builder.instruction
+    parser.Parse(text.encode(), True)
 
 
 def _reason(error: expat.ExpatError) -> str:
@@ -86,6 +100,9 @@ class _Builder:
 
     def __init__(self) -> None:
         self.root: ET.Element | None = None
+        self.remarks: list[str] = []
+        self._respelled = False
+        """Whether elements have other names than SVG's: of React Native, or in capitals."""
         self._open: list[ET.Element] = []
         self._namespaces: list[dict[str, str]] = [{}]
         self._skipping = 0
@@ -112,6 +129,15 @@ class _Builder:
         """Refuse what has no known meaning."""
         raise IconstudioError(f"The entity &{name}; is not defined. Remove it.")
 
+    def instruction(self, target: str, data: str) -> None:
+        """Say that a style sheet lies elsewhere."""
+        if target == "xml-stylesheet" and 'alternate="yes"' not in data:
+            self._elsewhere()
+
+    def _elsewhere(self) -> None:
+        if SHEET_ELSEWHERE not in self.remarks:
+            self.remarks.append(SHEET_ELSEWHERE)
+
     def start(self, name: str, attributes: dict[str, str]) -> None:
         """Open an element."""
         spaces = self._spaces(attributes)
@@ -124,7 +150,14 @@ class _Builder:
         if self.root is None:
             if local.lower() != "svg":
                 raise IconstudioError(f"It is not an SVG drawing: its root element is <{local}>.")
+            self._respelled = local != "svg"
             self._svg, local = space, "svg"
+        elif self._respelled:
+            local = tag_name(local)
+        if local == "link" and "stylesheet" in attributes.get("rel", "").lower():
+            self._elsewhere()
+            self._skipping += 1
+            return
         metadata = self._foreign or (space, local) == (_RDF, "RDF")
         if self._skipping or (space != self._svg and not metadata):
             self._skipping += 1
@@ -195,7 +228,7 @@ class _Builder:
             prefix, colon, local = name.rpartition(":")
             if not colon:
                 if name != "xmlns":
-                    kept[name] = value
+                    kept.setdefault(attribute_name(name), value)
             elif local == "href" and spaces.get(prefix, prefix) in (_XLINK, "xlink"):
                 kept.setdefault("href", value)
             elif name == "xml:space":

@@ -21,6 +21,7 @@ from iconstudio.svg.lengths import (
 
 _ORIGINS = {"left": "0%", "top": "0%", "center": "50%", "right": "100%", "bottom": "100%"}
 _OF_SERVERS = ("gradientTransform", "patternTransform")
+_TRANSLATION = re.compile(r"(translate(?:[xy]|3d)?)\(([^()]*%[^()]*)\)", re.IGNORECASE)
 _DASHES = ("stroke-dasharray", "stroke-dashoffset")
 _OF_CSS = ("transform-origin", "transform-box", "translate", "rotate", "scale")
 
@@ -62,7 +63,8 @@ def _place(
         if name in element.attrib and matrix is not None:
             element.set(name, f"matrix({written(matrix)})")
     if any(said):
-        matrix = transform(" ".join(filter(None, said)))
+        box = _reference_box(element, page, ids) if any("%" in one for one in said) else page
+        matrix = transform(_in_pixels(" ".join(filter(None, said)), box))
         if matrix is None:
             remarks.append(
                 f"“transform: {' '.join(filter(None, said))[:40]}” was not understood and left out."
@@ -113,10 +115,34 @@ def _origin(
     if text and text.lower().split()[0] in ("top", "bottom"):
         parts = parts[1:2] + parts[:1] if len(parts) > 1 else ["50%", parts[0]]
     parts = [*parts, "50%"][:2]
-    box = (0.0, 0.0, page[2], page[3])
-    if kind in ("fill-box", "stroke-box", "content-box", "border-box"):
-        box = bounds(element, page, ids) or box
+    box = _reference_box(element, page, ids)
     return box[0] + length(parts[0], box[2]), box[1] + length(parts[1], box[3])
+
+
+def _reference_box(element: ET.Element, page: Box, ids: Mapping[str, ET.Element]) -> Box:
+    """Return the box that percentages of a transform refer to."""
+    box = (0.0, 0.0, page[2], page[3])
+    if element.get("transform-box", "view-box") == "view-box":
+        return box
+    still = element.attrib.pop("transform", None)
+    found = bounds(element, page, ids) or box
+    if still is not None:
+        element.set("transform", still)
+    return found
+
+
+def _in_pixels(said: str, box: Box) -> str:
+    """Return transforms of CSS without percentages."""
+
+    def replaced(match: re.Match[str]) -> str:
+        down = match[1].lower().endswith("y")
+        parts = [
+            f"{length(part, box[3 if down or number else 2])}px" if "%" in part else part
+            for number, part in enumerate(match[2].replace(",", " ").split())
+        ]
+        return f"{match[1]}({', '.join(parts)})"
+
+    return _TRANSLATION.sub(replaced, said)
 
 
 def _keep_strokes(element: ET.Element, outer: Matrix, page: Box) -> None:

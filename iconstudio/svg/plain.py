@@ -6,12 +6,14 @@ tree of shapes, groups, gradients, clips, masks and filters that every renderer 
 
 import math
 import xml.etree.ElementTree as ET
+from collections.abc import Sequence
 from dataclasses import dataclass
 
-from iconstudio.model import IconstudioError
-from iconstudio.svg import references
+from iconstudio.svg import references, sprites
 from iconstudio.svg.animation import finish
 from iconstudio.svg.check import check
+from iconstudio.svg.clipping import clip
+from iconstudio.svg.embedding import embed
 from iconstudio.svg.geometry import SHAPES, bounds
 from iconstudio.svg.lengths import IDENTITY, Box, Matrix, numbers, pixels, written
 from iconstudio.svg.placing import place
@@ -22,7 +24,7 @@ _SERVERS = ("clipPath", "mask", "pattern", "marker", "stop", *references.GRADIEN
 _TEXTS = ("text", "tspan", "textPath")
 _SILENT = (
     "title", "desc", "metadata", "style", "view", "cursor", "font", "font-face", "glyph",
-    "missing-glyph", "hkern", "vkern", "color-profile", "script",
+    "missing-glyph", "hkern", "vkern", "color-profile", "script", "slot",
 )  # fmt: skip
 """Elements that draw nothing."""
 _UNKNOWN = {
@@ -51,7 +53,6 @@ _OF_ROOTS = (
 _BOLD = 600
 _MANY = 8
 """Masks and clips, from which on they are slow to draw."""
-_MOST_SYMBOLS = 6
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,27 +73,46 @@ class Plain:
     """What could not be read, in sentences."""
 
 
-def plain(root: ET.Element) -> Plain:
+def plain(
+    root: ET.Element, remarks: Sequence[str] = (), symbol: str | None = None, midway: bool = False
+) -> Plain:
     """Make a parsed document plain; ``root`` is changed.
+
+    Parameters
+    ----------
+    remarks
+        What could not be read before, in sentences.
+    symbol
+        The id of what is wanted of it, if that is not all.
+    midway
+        Whether animations are shown in the middle where they end with nothing.
 
     Raises
     ------
+    SpriteError
+        If it only defines what others may draw.
     IconstudioError
-        If it only defines what others may draw, or is not safe to draw.
+        If nothing is called ``symbol``, or it is not safe to draw.
     """
-    remarks = finish(root)
+    remarks = [*remarks, *finish(root, midway)]
     if any(True for _ in root.iter("script")):
         remarks.append("A script was not run.")
-    symbols = [one.get("id", "?") for one in root.iter("symbol")]
-    remarks += apply_styles(root)
+    remarks += apply_styles(root, midway)
+    remarks += embed(root)
     root.attrib.pop("display", None)  # of a sprite within a page
+    sprites.turn_glyphs_into_symbols(root)
+    symbols = sprites.symbols(root)
+    if symbol is not None:
+        sprites.choose(root, symbol)
     ids, outside = references.resolve(root)
     kept = references.drawn(root, ids)
     page, stretch = _page(root)
     if not any(element.tag in SHAPES or element.tag in _TEXTS for element in kept):
-        only = _only_symbol(root, symbols)
-        if only is not None:
-            root, (page, stretch) = only, _page(only)
+        if len(symbols) > 1 and symbol is None:
+            raise sprites.several(list(symbols))
+        for only in symbols.values() if symbol is None else ():
+            sprites.show(root, only)
+            page, stretch = _page(root)
             kept = references.drawn(root, ids)
     remarks += outside if kept else []
     remarks += _without_unknown(root, kept)
@@ -100,6 +120,7 @@ def plain(root: ET.Element) -> Plain:
     references.prune(root, kept)
     check(ET.tostring(root, encoding="unicode"))  # before anything follows its references
     remarks += place(root, page, ids)
+    remarks += clip(root, page, ids)
     _without_contexts(root, False)
     _set_fonts(root, False)
     content = _content(root, stretch)
@@ -136,28 +157,6 @@ def _page(root: ET.Element) -> tuple[Box | None, Matrix]:
     return (x + (across - seen[0]) * left, y + (down - seen[1]) * top, *seen), IDENTITY
 
 
-def _only_symbol(root: ET.Element, names: list[str]) -> ET.Element | None:
-    """Return the symbol of a document that defines but one.
-
-    Raises
-    ------
-    IconstudioError
-        If it defines several.
-    """
-    symbols = list(root.iter("symbol"))
-    if not symbols:
-        return None
-    if len(symbols) > 1:
-        named = ", ".join(names[:_MOST_SYMBOLS]) + (", …" if len(names) > _MOST_SYMBOLS else "")
-        raise IconstudioError(
-            f"It is a sprite sheet of {len(symbols)} symbols ({named}) and shows none by itself. "
-            "Save the one that you want as a file of its own."
-        )
-    (symbol,) = symbols
-    symbol.tag = "svg"
-    return symbol
-
-
 def _without_unknown(root: ET.Element, kept: set[ET.Element]) -> list[str]:
     """Remove elements that no renderer of shapes draws; return what to say of those in sight."""
     remarks = []
@@ -172,6 +171,10 @@ def _without_unknown(root: ET.Element, kept: set[ET.Element]) -> list[str]:
             if child in kept and child.tag not in _SILENT and not child.tag.startswith("{"):
                 what = _UNKNOWN.get(child.tag, f"An element <{child.tag[:30]}>")
                 cure = _CURE.get(what, "Turn what it shows into shapes")
+                address = child.get("href", "").partition("#")[0].partition("?")[0]
+                if child.tag == "image" and address.lower().endswith((".svg", ".svgz")):
+                    what = f"A drawing in another file (“{address[-60:]}”)"
+                    cure = "Open that, or embed it"
                 remarks.append(f"{what} was left out. {cure}.")
             for one in child.iter():
                 kept.discard(one)

@@ -2,12 +2,15 @@
 
 import hashlib
 import logging
+import os
 from pathlib import Path
 
 from iconstudio.files import read_bytes
-from iconstudio.model import IconstudioError, Pictogram
+from iconstudio.model import Credit, IconstudioError, Pictogram, SpriteError
 from iconstudio.svg import credits
+from iconstudio.svg.animation import moves
 from iconstudio.svg.decode import MAX_BYTES, decode
+from iconstudio.svg.markup import markup_of
 from iconstudio.svg.parse import parse
 
 _log = logging.getLogger(__name__)
@@ -27,7 +30,17 @@ def read_file(path: Path) -> bytes:
         raise IconstudioError(f"“{path}” cannot be used. {error}") from None
 
 
-def own_svg(data: bytes, name: str) -> Pictogram:
+def file_and_symbol(reference: str) -> tuple[str, str | None]:
+    """Split ``FILE.svg#id`` into the path of a file that is there and the id of a symbol in it."""
+    end = len(reference)
+    while not os.path.exists(reference[:end]) and "#" in reference[:end]:
+        end = reference.rindex("#", 0, end)
+    if end == len(reference) or not os.path.isfile(reference[:end]):
+        return reference, None
+    return reference[:end], reference[end + 1 :]
+
+
+def own_svg(data: bytes, name: str, symbol: str | None = None) -> Pictogram:
     """Return an SVG document as a pictogram: ``own:`` with its name and a digest of the contents.
 
     Its drawing is plain and black. If its Dublin Core metadata name author and licence, they are
@@ -40,21 +53,24 @@ def own_svg(data: bytes, name: str) -> Pictogram:
     ----------
     name
         The path of its file, or what to call it.
+    symbol
+        The id of what is wanted of it, if that is not all.
 
     Raises
     ------
+    SpriteError
+        If it is a sprite sheet, and ``symbol`` does not say what of it is wanted.
     IconstudioError
         If it is no SVG, shows nothing, or is not safe to draw.
     """
-    # They load libraries, which the window's own process can do without.
-    from iconstudio.svg.monochrome import in_black
-    from iconstudio.svg.plain import plain
-
     try:
-        root = parse(decode(data))
-        rdf = credits.metadata(root)
-        credit, made_of = credits.credit(rdf, Path(name).name), credits.sources(rdf)
-        svg, remarks = in_black(plain(root), rdf)
+        svg, credit, made_of, remarks = _read(data, Path(name).name, symbol)
+    except SpriteError as error:
+        raise SpriteError(
+            f"“{name}” cannot be used. {error} "
+            f"To use one, write its name behind the file's: “{Path(name).name}#{error.names[0]}”.",
+            error.names,
+        ) from None
     except IconstudioError as error:
         raise IconstudioError(f"“{name}” cannot be used. {error}") from None
     except (ArithmeticError, LookupError, RecursionError, TypeError, ValueError) as error:
@@ -64,4 +80,27 @@ def own_svg(data: bytes, name: str) -> Pictogram:
             f"“{name}” cannot be used. A part of it is not understood. Save it as plain SVG."
         ) from None
     digest = hashlib.sha256(data).hexdigest()[:8]
-    return Pictogram(f"own:{Path(name).stem}-{digest}", svg, credit, made_of, remarks)
+    called = "-".join(filter(None, (Path(name).stem, symbol, digest)))
+    return Pictogram(f"own:{called}", svg, credit, made_of, remarks)
+
+
+def _read(
+    data: bytes, title: str, symbol: str | None
+) -> tuple[str, Credit, tuple[Pictogram, ...], tuple[str, ...]]:
+    """Return a drawing in black, whose it is, what it is made of, and what to say of it."""
+    # They load libraries, which the window's own process can do without.
+    from iconstudio.svg.monochrome import EmptyError, in_black
+    from iconstudio.svg.plain import plain
+
+    markup, remarks = markup_of(decode(data))
+    root, left_out = parse(markup)
+    said = [*remarks, *left_out]
+    rdf = credits.metadata(root)
+    credit = credits.credit(rdf, title if symbol is None else f"{title}#{symbol}")
+    try:
+        svg, remarks = in_black(plain(root, said, symbol), rdf)
+    except EmptyError:
+        if not moves(markup):
+            raise
+        svg, remarks = in_black(plain(parse(markup)[0], said, symbol, midway=True), rdf)
+    return svg, credit, credits.sources(rdf), remarks

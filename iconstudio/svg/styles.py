@@ -6,9 +6,15 @@ which every renderer reads alike.
 
 import re
 import xml.etree.ElementTree as ET
+from collections.abc import Sequence
 
+from iconstudio.svg.animation import MIDWAY, MOVING, vanishes
+from iconstudio.svg.calculation import calculated
+from iconstudio.svg.clipping import is_basic_shape
 from iconstudio.svg.colours import colour
-from iconstudio.svg.stylesheet import Declared, StyleSheet
+from iconstudio.svg.instances import own_copies
+from iconstudio.svg.lengths import Box, page_of, whole_of
+from iconstudio.svg.stylesheet import Declared, Frame, StyleSheet
 
 _COLOURS = ("color", "stop-color", "flood-color", "lighting-color")
 _PAINTS = ("fill", "stroke")
@@ -41,13 +47,14 @@ _INHERITED = frozenset(
         "direction",
     )
 )  # fmt: skip
-_INITIAL = {
+INITIAL = {
     "color": "#000000", "fill": "#000000", "stroke": "none", "fill-opacity": "1",
     "stroke-opacity": "1", "stroke-width": "1", "stroke-dasharray": "none",
     "stroke-dashoffset": "0", "stroke-linecap": "butt", "stroke-linejoin": "miter",
     "stroke-miterlimit": "4", "fill-rule": "nonzero", "clip-rule": "nonzero",
     "visibility": "visible",
 }  # fmt: skip
+"""Initial values of properties that are inherited."""
 _SHORTHANDS = {
     "marker": ("marker-start", "marker-mid", "marker-end"),
     "mask-image": ("mask",),
@@ -79,37 +86,56 @@ class _UnsetError(Exception):
     """A variable has no value."""
 
 
-def apply_styles(root: ET.Element) -> list[str]:
+def apply_styles(root: ET.Element, midway: bool = False) -> list[str]:
     """Turn all styles of a document into presentation attributes, in place.
+
+    ``midway``, animations that end with nothing are shown in their middle.
 
     Returns
     -------
     Sentences about what was not understood.
     """
     sheet = StyleSheet.of(root)
+    page = page_of(root)
     remarks = list(sheet.remarks)
     parents = {child: element for element in root.iter() for child in element}
     variables: dict[ET.Element, dict[str, str]] = {}
     matched = list(sheet.matches(root))  # before any attribute changes
+    matched += own_copies(root, matched, parents)
     for element, declared in matched:
-        declared += _ends(declared, sheet, remarks)
+        declared += _ends(declared, sheet, remarks, midway)
         own = {name: value for name, value, _ in declared if name.startswith("--")}
         inherited = variables.get(parents.get(element), {})  # type: ignore[arg-type]
         known = variables[element] = inherited | own if own else inherited
-        _apply(element, _by_property(declared), known, remarks)
+        _apply(element, _by_property(declared), known, page, remarks)
     return remarks
 
 
-def _ends(declared: list[Declared], sheet: StyleSheet, remarks: list[str]) -> list[Declared]:
-    """Return what the animations of style sheets leave at their end."""
+def _ends(
+    declared: list[Declared], sheet: StyleSheet, remarks: list[str], midway: bool
+) -> list[Declared]:
+    """Return what the animations of style sheets leave at their end, or show in their middle."""
     said = " ".join(value for name, value, _ in declared if name.startswith("animation")).split()
     names = [name.strip("\"',") for name in said if name.strip("\"',") in sheet.keyframes]
     if not names:
         return []
-    if "forwards" in said or "both" in said:
-        return [one for name in names for one in sheet.keyframes[name]]
-    remarks.append("The drawing moves; it is taken as it stands before it does.")
-    return []
+    frames = [one for name in names for one in sheet.keyframes[name]]
+    ends = "infinite" not in said and ("forwards" in said or "both" in said)
+    end = [one for when, frame in frames if when == 1 for one in frame] if ends else []
+    if not (midway or not ends) or not vanishes(_animated([*declared, *end], frames)):
+        if not ends:
+            remarks.append(MOVING)
+        return end
+    remarks.append(MIDWAY)
+    frames.sort(key=lambda frame: abs(frame[0] - 0.5))
+    middle = [frame for _, frame in frames if not vanishes(_animated(frame, frames))]
+    return middle[0] if middle else []
+
+
+def _animated(declared: list[Declared], frames: Sequence[Frame]) -> dict[str, str]:
+    """Return the values, of those declared, of what key frames animate."""
+    names = {name for _, frame in frames for name, *_ in frame}
+    return {name: value for name, value, _ in declared if name in names}
 
 
 def _by_property(declared: list[Declared]) -> dict[str, list[str]]:
@@ -126,6 +152,7 @@ def _apply(
     element: ET.Element,
     values: dict[str, list[str]],
     variables: dict[str, str],
+    page: Box | None,
     remarks: list[str],
 ) -> None:
     for name in _DROPPED:
@@ -134,7 +161,7 @@ def _apply(
     for name, candidates in values.items():
         if name == "d" and element.tag != "path":
             continue
-        found = _first(name, candidates, variables)
+        found = _first(name, candidates, variables, page)
         if found is None:
             remarks.append(f"“{name}: {candidates[-1][:40]}” was not understood and left out.")
         if found:
@@ -143,11 +170,13 @@ def _apply(
             del element.attrib[name]
 
 
-def _first(name: str, candidates: list[str], variables: dict[str, str]) -> str | None:
+def _first(
+    name: str, candidates: list[str], variables: dict[str, str], page: Box | None
+) -> str | None:
     """Return the strongest value that is understood; "" if none is to be set, None if none is."""
     for candidate in reversed(candidates):
         try:
-            value = _substituted(candidate, variables)
+            value = calculated(_substituted(candidate, variables), page and whole_of(name, page))
         except _UnsetError:
             return ""
         found = _understood(name, value.strip())
@@ -200,7 +229,7 @@ def _understood(name: str, value: str) -> str | None:
     if word in ("inherit", "unset", "initial", "revert", "revert-layer"):
         if name not in _INHERITED:
             return "inherit" if word == "inherit" else ""
-        return _INITIAL.get(name, "") if word == "initial" else ""
+        return INITIAL.get(name, "") if word == "initial" else ""
     if name in _PAINTS:
         return _paint(value)
     if name in _COLOURS:
@@ -273,8 +302,8 @@ def _dashes(word: str) -> str | None:
 
 
 def _reference(name: str, value: str) -> str | None:
-    if value.lower() == "none":
-        return "none"
+    if value.lower() == "none" or (name == "clip-path" and is_basic_shape(value)):
+        return value.lower() if value.lower() == "none" else value
     match = _URL.match(value)
     if match is not None and (name != "filter" or not match[4].strip()):
         return f"url({_target(match)})"

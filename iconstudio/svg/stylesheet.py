@@ -13,9 +13,11 @@ import cssselect2
 import tinycss2
 
 from iconstudio.model import IconstudioError
+from iconstudio.svg.parse import SHEET_ELSEWHERE
 
 Declared = tuple[str, str, bool]
 """Property, value and whether it is important."""
+Frame = tuple[float, list[Declared]]
 MAX_RULES = 5_000
 MAX_MATCHES = 300_000
 """How often rules may apply to elements."""
@@ -43,12 +45,12 @@ class StyleSheet:
     Attributes
     ----------
     keyframes:
-        For the name of each animation, the declarations of its end.
+        For the name of each animation, its key frames: when, from 0 to 1, and the declarations.
     remarks:
         What was not understood, in sentences.
     """
 
-    keyframes: dict[str, list[Declared]] = field(default_factory=dict)
+    keyframes: dict[str, list[Frame]] = field(default_factory=dict)
     remarks: list[str] = field(default_factory=list)
     _matcher: Any = field(default_factory=cssselect2.Matcher)
     _rules: int = 0
@@ -111,12 +113,9 @@ class StyleSheet:
                     tinycss2.parse_rule_list(rule.content, skip_comments=True, skip_whitespace=True)
                 )
         elif keyword.endswith("keyframes") and rule.content:
-            self.keyframes[prelude.strip("\"'")] = _end_of(rule.content)
+            self.keyframes[prelude.strip("\"'")] = list(_frames(rule.content))
         elif keyword == "import" and not _FONTS.search(prelude):
-            self.remarks.append(
-                "A style sheet outside of the file was not read. If colours are wrong, save the "
-                "drawing with its styles embedded."
-            )
+            self.remarks.append(SHEET_ELSEWHERE)
 
     def _add(self, selector: str, content: Any) -> None:
         """Add a rule, and those nested in it."""
@@ -140,6 +139,9 @@ class StyleSheet:
         for part in parts:
             if part.type == "qualified-rule":
                 self._add(_nested(tinycss2.serialize(part.prelude), selector), part.content)
+            elif part.type == "at-rule" and part.lower_at_keyword == "media" and part.content:
+                if self._applies(tinycss2.serialize(part.prelude).strip()):
+                    self._add(selector, part.content)
             elif part.type == "at-rule":
                 self.remarks.append(f"“@{part.at_keyword}” within a style rule was left out.")
 
@@ -182,6 +184,11 @@ def declarations_of(style: str) -> list[Declared]:
     return list(_declarations(parts))
 
 
+def tokens_of(value: str) -> list[Any]:
+    """Return a value as tokens, which know their ``type`` and how to ``serialize``."""
+    return tinycss2.parse_component_value_list(value)
+
+
 def _declarations(parts: Sequence[Any]) -> Iterator[Declared]:
     for one in parts:
         if one.type == "declaration":
@@ -198,16 +205,16 @@ def _nested(selector: str, outer: str) -> str:
     return ", ".join(part.strip() for part in parts)
 
 
-def _end_of(content: Any) -> list[Declared]:
-    """Return the declarations of an animation's last key frame."""
-    found: list[Declared] = []
+def _frames(content: Any) -> Iterator[Frame]:
+    """Yield the key frames of an animation."""
     for rule in tinycss2.parse_rule_list(content, skip_comments=True, skip_whitespace=True):
-        if rule.type == "qualified-rule":
-            when = tinycss2.serialize(rule.prelude).lower().split(",")
-            if any(one.strip() in ("to", "100%") for one in when):
-                found += _declarations(
-                    tinycss2.parse_blocks_contents(
-                        rule.content, skip_comments=True, skip_whitespace=True
-                    )
-                )
-    return found
+        if rule.type != "qualified-rule":
+            continue
+        parts = tinycss2.parse_blocks_contents(
+            rule.content, skip_comments=True, skip_whitespace=True
+        )
+        declared = list(_declarations(parts))
+        for when in tinycss2.serialize(rule.prelude).lower().split(","):
+            part = re.sub("^from$", "0%", re.sub("^to$", "100%", when.strip()))
+            if re.fullmatch(r"[\d.]+%", part):
+                yield float(part[:-1]) / 100, declared

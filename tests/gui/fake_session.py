@@ -29,13 +29,14 @@ from iconstudio.model import (
     Polygon,
     Sketch,
     Source,
+    SpriteError,
 )
 from iconstudio.session import ModelSettings, returned
 from iconstudio.svg import credits
 from iconstudio.svg.decode import decode as svg_text
 from iconstudio.svg.parse import parse
 from iconstudio.svg.plain import document, plain
-from iconstudio.svg.reading import read_file
+from iconstudio.svg.reading import file_and_symbol, read_file
 from iconstudio.workflows.events import (
     Event,
     Progress,
@@ -101,14 +102,16 @@ def drawing(sketch: Sketch, row: int, column: int) -> Drawing:
     return Drawing(path, coverage)
 
 
-def read_simply(data: bytes, name: str) -> Pictogram:
+def read_simply(data: bytes, name: str, symbol: str | None = None) -> Pictogram:
     """An SVG as it is read, but for its colours, which take time to think about."""
     try:
-        root = parse(svg_text(data))
+        root, said = parse(svg_text(data))
         rdf = credits.metadata(root)
-        drawing = plain(root)
+        drawing = plain(root, said, symbol)
         if drawing.bounds is None:
             raise IconstudioError("There is nothing to be seen in it.")
+    except SpriteError:
+        raise
     except IconstudioError as error:
         raise IconstudioError(f"“{name}” cannot be used. {error}") from None
     svg = document(drawing.content, drawing.page or drawing.bounds, rdf)
@@ -157,16 +160,17 @@ class FakeSession:
         if is_image_file(path := Path(reference)):
             image = returned(self.image(path))
             return returned(self.trace(returned(self.scan(image)), None, path.name))
-        if reference.endswith(".svg"):
-            return read_simply(read_file(Path(reference)), reference)
+        path, symbol = file_and_symbol(reference)
+        if path.endswith(".svg"):
+            return read_simply(read_file(Path(path)), path, symbol)
         for one in self._exemplars(frozenset()):
             if one.id == reference:
                 return one.pictogram
         raise IconstudioError(f"The collection has no icon '{reference}'.")
 
-    def icon_from(self, data: bytes, name: str) -> Pictogram:
+    def icon_from(self, data: bytes, name: str, symbol: str | None = None) -> Pictogram:
         self.calls.append(("icon_from", data, name))
-        return read_simply(data, name)
+        return read_simply(data, name, symbol)
 
     def image(self, source: Path | bytes):
         """As the real one, but in this process."""

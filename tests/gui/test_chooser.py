@@ -16,7 +16,6 @@ from iconstudio.gui.worker import Worker
 
 LEFT = Qt.MouseButton.LeftButton
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M1 1h7v7z"/></svg>'
-SPRITE = '<svg xmlns="http://www.w3.org/2000/svg"><symbol id="a"/><symbol id="b"/></svg>'
 
 
 @pytest.fixture
@@ -267,7 +266,6 @@ def test_what_is_no_file_cannot_be_dropped(chooser):
         ("gone.svg", None, "no such file"),
         ("empty.svg", "", "is empty"),
         ("letter.svg", "Dear dog", "well-formed"),
-        ("sprite.svg", SPRITE, "sprite sheet of 2 symbols"),
         ("pale.svg", SVG.replace("path", "g"), "nothing to be seen"),
     ],
 )

@@ -155,7 +155,7 @@ def drawings(draw):
 @settings(max_examples=150, deadline=None)
 def test_any_notation_gives_the_picture_of_the_plain_form(drawing, encoding):
     plainly, oddly = drawing
-    read = plain(parse(decode(oddly.encode(encoding))))
+    read = plain(*parse(decode(oddly.encode(encoding))))
     assert read.remarks == ()
     drawn = render_coverage(document(read.content, BOX), FRAME, 100).astype(int)
     expected = render_coverage(plainly, FRAME, 100).astype(int)
@@ -165,8 +165,8 @@ def test_any_notation_gives_the_picture_of_the_plain_form(drawing, encoding):
 @given(drawings())
 @settings(max_examples=50, deadline=None)
 def test_what_is_plain_stays_as_it_is(drawing):
-    once = plain(parse(drawing[1]))
-    again = plain(parse(document(once.content, BOX)))
+    once = plain(*parse(drawing[1]))
+    again = plain(*parse(document(once.content, BOX)))
     assert (again.page, again.remarks) == (BOX, ())
     first = render_coverage(document(once.content, BOX), FRAME, 64).astype(int)
     second = render_coverage(document(again.content, BOX), FRAME, 64).astype(int)

@@ -12,13 +12,14 @@ from iconstudio.gui.dragging import take_copy, unpacked
 from iconstudio.gui.panels.caption import Caption
 from iconstudio.gui.panels.choices import Choices
 from iconstudio.gui.panels.scanning import ScanDialog, may_be_scan
+from iconstudio.gui.panels.symbols import SymbolDialog
 from iconstudio.gui.panels.wordfield import WordField
 from iconstudio.gui.preparation import DEBOUNCE
 from iconstudio.gui.runner import Runner
 from iconstudio.gui.theme import UNIT
 from iconstudio.gui.worker import Worker
 from iconstudio.library.images import SUFFIXES
-from iconstudio.model import Exemplar, Pictogram
+from iconstudio.model import Exemplar, Pictogram, SpriteError
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event, Retrieved
 
@@ -164,12 +165,26 @@ class IconChooser(QWidget):
             what = "click to add or take away" if self._multiple else "click one to use it"
             self.caption.say(f"{icons} found · {what}")
 
-    def _take_file(self, exemplar: Exemplar) -> None:
+    def _take_file(self, found: Exemplar | tuple[str, tuple[str, ...]]) -> None:
+        if isinstance(found, tuple):
+            self._choose_symbol(*found)
+            return
+        exemplar = found
         self._opened = {exemplar.id: exemplar} | self._opened
         self._fill()
         self.caption.say(f"Opened “{exemplar.pictogram.credit.title}”.")
         if not self.choices.sheet().is_taken(exemplar):
             self.chosen.emit(exemplar)
+
+    def _choose_symbol(self, path: str, names: tuple[str, ...]) -> None:
+        """Let the user choose a symbol of a sprite sheet."""
+        self.caption.say("Choose a symbol of the sprite sheet.")
+        find = self._session.icon
+        dialog = SymbolDialog(
+            self._session, self._worker, lambda name: find(f"{path}#{name}"), names, self
+        )
+        dialog.chosen.connect(lambda icon: self._file.start(lambda: _drawn(self._session, icon)))
+        dialog.open()
 
     def _choose(self, identifier: str) -> None:
         exemplar = self._shown[identifier]
@@ -234,8 +249,14 @@ def _dropped_drawing(event: QDropEvent) -> str | None:
     return path if path.lower().endswith((".svg", ".svgz")) else None
 
 
-def _opened(session: Session, path: str) -> Generator[Exemplar]:
-    yield session.exemplar(session.icon(path))
+def _opened(session: Session, path: str) -> Generator[Exemplar | tuple[str, tuple[str, ...]]]:
+    """Yield a file's icon; of a sprite sheet, its path and the names of its symbols."""
+    try:
+        icon = session.icon(path)
+    except SpriteError as error:
+        yield path, error.names
+    else:
+        yield session.exemplar(icon)
 
 
 def _drawn(session: Session, icon: Pictogram) -> Generator[Exemplar]:

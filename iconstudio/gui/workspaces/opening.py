@@ -10,9 +10,10 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 from iconstudio.gui import mime
 from iconstudio.gui.document import Document
 from iconstudio.gui.panels.scanning import ScanDialog, Source, may_be_scan, pictogram_of
+from iconstudio.gui.panels.symbols import SymbolDialog
 from iconstudio.gui.runner import Runner
 from iconstudio.gui.worker import Worker
-from iconstudio.gui.workspaces.together import Gathered, gathering, named, was
+from iconstudio.gui.workspaces.together import Gathered, Sprite, gathering, named, was
 from iconstudio.model import IconstudioError, Pictogram
 from iconstudio.session import Session
 
@@ -110,6 +111,9 @@ class Opener(QObject):
         """Put all that was read on the page; see ``put``."""
         return self.put(gathered.found[0])
 
+    def choose_symbol(self, sprite: Sprite) -> None:
+        """Let the user choose a symbol of a sprite sheet that was opened."""
+
     # -- ways to open --------------------------------------------------------------------------
 
     def choose_work(self) -> None:
@@ -170,7 +174,7 @@ class Opener(QObject):
                 "of all that is here: open it by itself."
             )
 
-    def _gather(self, items: Sequence[mime.Item]) -> Generator[Gathered | None]:
+    def _gather(self, items: Sequence[mime.Item]) -> Generator[Gathered | Sprite | None]:
         return gathering(items, self.reading, self.most, self.no_room)
 
     def no_room(self, taken: Sequence[str], left: Sequence[mime.Item | str]) -> str:
@@ -198,6 +202,9 @@ class Opener(QObject):
     def receive(self, found: object) -> None:
         """Put something on the page, and tell."""
         if found is None:
+            return
+        if isinstance(found, Sprite):
+            self.choose_symbol(found)
             return
         if isinstance(found, Gathered):
             for complaint in found.complaints:
@@ -268,6 +275,22 @@ class IconOpener(Opener):
             case mime.Image(image, name):
                 return (yield from pictogram_of(self.session, image, name))
         raise IconstudioError(f"“{item.name}” is nothing that can be used here.")
+
+    def choose_symbol(self, sprite: Sprite) -> None:
+        """Let the user choose a symbol of a sprite sheet, and open that."""
+        session = self.session
+
+        def find(name: str) -> Pictogram:
+            match sprite.item:
+                case mime.Drawing(data, title):
+                    return session.icon_from(data, title, name)
+                case mime.File(reference) | mime.Reference(reference):
+                    return session.icon(f"{reference}#{name}")
+            raise IconstudioError(f"“{sprite.item.name}” is nothing that can be used here.")
+
+        dialog = SymbolDialog(session, self._worker, find, sprite.names, self._owner)
+        dialog.chosen.connect(self.take)
+        dialog.open()
 
     def _scan(self, item: mime.Item, source: Source) -> None:
         dialog = ScanDialog(self.session, self._worker, source, item.name, self._owner)

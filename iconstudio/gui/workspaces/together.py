@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from iconstudio.gui.mime import Elsewhere, File, Item
-from iconstudio.model import IconstudioError
+from iconstudio.model import IconstudioError, SpriteError
 
 log = logging.getLogger(__name__)
 
@@ -26,13 +26,23 @@ class Gathered:
     complaints: tuple[str, ...] = ()
 
 
+@dataclass(frozen=True, slots=True)
+class Sprite:
+    """A sprite sheet that was opened alone: the user chooses one of its symbols."""
+
+    item: Item
+    names: tuple[str, ...]
+
+
 def gathering(
     items: Sequence[Item],
     read: Callable[[Item], Generator[None, None, Any]],
     most: int,
     no_room: Callable[[Sequence[str], Sequence[Item]], str],
-) -> Generator[Gathered | None]:
+) -> Generator[Gathered | Sprite | None]:
     """Read things, ``most`` at most, and yield them together; None in between.
+
+    A single sprite sheet is yielded as such.
 
     ``no_room`` returns the sentence for the names that were taken, and what was left over.
     """
@@ -46,6 +56,11 @@ def gathering(
             _check(item)
             found.append((yield from read(item)))
             names.append(item.name)
+        except SpriteError as error:
+            if len(items) == 1:
+                yield Sprite(item, error.names)
+                return
+            complaints.append(str(error))
         except IconstudioError as error:
             complaints.append(str(error))
         except Exception as error:  # the others are opened all the same

@@ -1,0 +1,119 @@
+"""Drawings of Android (VectorDrawable, in XML), as SVG."""
+
+import itertools
+import re
+import xml.etree.ElementTree as ET
+
+from iconstudio.model import IconstudioError
+
+_ANDROID = "{http://schemas.android.com/apk/res/android}"
+_ROOT = re.compile(r"<(?:animated-)?vector\b[^>]*\bxmlns:", re.DOTALL)
+_COLOUR = re.compile(r"#([0-9a-fA-F]{3,8})")
+_PATHS = {
+    "pathData": "d",
+    "strokeWidth": "stroke-width",
+    "strokeLineCap": "stroke-linecap",
+    "strokeLineJoin": "stroke-linejoin",
+    "strokeMiterLimit": "stroke-miterlimit",
+    "fillAlpha": "fill-opacity",
+    "strokeAlpha": "stroke-opacity",
+}
+_numbers = itertools.count()
+LOOKED_UP = "Colours that the app looks up elsewhere were drawn in black."
+TRIMMED = "Paths that are drawn in part only (trimPath) were drawn whole."
+
+
+def is_vector(text: str) -> bool:
+    """Whether a text is a VectorDrawable."""
+    return _ROOT.search(text) is not None and _ANDROID[1:-1] in text
+
+
+def as_svg(text: str) -> tuple[str, list[str]]:
+    """Return a VectorDrawable as an SVG document, and what could not be read, in sentences.
+
+    Raises
+    ------
+    IconstudioError
+        If it is not well-formed, or its drawing lies in another file.
+    """
+    if "<!DOCTYPE" in text:
+        raise IconstudioError("It is a drawing of Android with a DOCTYPE. Remove that.")
+    try:
+        vector = next(ET.fromstring(text).iter("vector"), None)
+    except ET.ParseError as error:
+        raise IconstudioError(
+            f"It is a drawing of Android, and not well-formed XML: {error}. Save it again."
+        ) from None
+    if vector is None:
+        raise IconstudioError(
+            "It is an animation of Android whose drawing lies in another file. Open that."
+        )
+    remarks: list[str] = []
+    box = f"0 0 {_said(vector, 'viewportWidth', '24')} {_said(vector, 'viewportHeight', '24')}"
+    root = ET.Element("svg", xmlns="http://www.w3.org/2000/svg", viewBox=box)
+    root.set("opacity", _said(vector, "alpha", "1"))
+    _convert(vector, root, remarks)
+    return ET.tostring(root, encoding="unicode"), remarks
+
+
+def _said(element: ET.Element, name: str, default: str) -> str:
+    return element.get(_ANDROID + name, default)
+
+
+def _convert(vector: ET.Element, parent: ET.Element, remarks: list[str]) -> None:
+    """Add what is below an element of Android's to one of SVG's."""
+    for child in vector:
+        if child.tag == "group":
+            _convert(child, ET.SubElement(parent, "g", transform=_placed(child)), remarks)
+        elif child.tag == "clip-path":  # which clips all that follows it in its group
+            clip = ET.SubElement(parent, "clipPath", id=f"clip-{next(_numbers)}")
+            ET.SubElement(clip, "path", d=_said(child, "pathData", ""))
+            parent = ET.SubElement(parent, "g", {"clip-path": f"url(#{clip.get('id')})"})
+        elif child.tag == "path":
+            parent.append(_path(child, remarks))
+
+
+def _placed(group: ET.Element) -> str:
+    """Return the transform of a group: scaled, then turned about its pivot, then moved."""
+
+    def at(name: str, default: str = "0") -> float:
+        return float(_said(group, name, default))
+
+    x, y = at("pivotX"), at("pivotY")
+    return (
+        f"translate({at('translateX') + x} {at('translateY') + y}) rotate({at('rotation')}) "
+        f"scale({at('scaleX', '1')} {at('scaleY', '1')}) translate({-x} {-y})"
+    )
+
+
+def _path(path: ET.Element, remarks: list[str]) -> ET.Element:
+    given = {
+        svg: path.attrib[_ANDROID + name]
+        for name, svg in _PATHS.items()
+        if _ANDROID + name in path.attrib
+    }
+    found = ET.Element("path", given)
+    for name in ("fill", "stroke"):
+        found.set(name, _colour(path, f"{name}Color", remarks))
+    if _said(path, "fillType", "").lower() == "evenodd":
+        found.set("fill-rule", "evenodd")
+    if any(name.startswith(f"{_ANDROID}trimPath") for name in path.attrib):
+        remarks.append(TRIMMED)
+    return found
+
+
+def _colour(path: ET.Element, name: str, remarks: list[str]) -> str:
+    """Return a colour, which Android writes with its alpha in front."""
+    value = path.get(_ANDROID + name)
+    if value is None:
+        gradient = any(one.get("name") == f"android:{name}" for one in path)
+        return "#000000" if gradient else "none"
+    match = _COLOUR.fullmatch(value.strip())
+    if match is None:
+        if not value.startswith("@android:color/black"):
+            remarks.append(LOOKED_UP)
+        return "none" if value == "@android:color/transparent" else "#000000"
+    digits = match[1]
+    if len(digits) in (3, 4):
+        digits = "".join(2 * one for one in digits)
+    return f"#{digits[2:]}{digits[:2]}" if len(digits) == 8 else f"#{digits}"

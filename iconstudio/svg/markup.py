@@ -1,0 +1,47 @@
+"""The markup of a drawing, cut out of what was copied or saved with it: a page, mail, or code."""
+
+import re
+
+from iconstudio.model import IconstudioError
+from iconstudio.svg import android, components, signatures
+
+_ROOT = re.compile(r"<([\w.-]+:)?svg[\s>/]", re.IGNORECASE)
+_PROLOG = re.compile(
+    r"\s*(?:<\?.*?\?>|<!--.*?-->|<!DOCTYPE\s+(?:[\w.-]+:)?svg\b[^>\[]*(?:\[.*?\]\s*)?>)",
+    re.DOTALL,
+)
+
+
+def markup_of(text: str) -> tuple[str, list[str]]:
+    """Return the SVG document in a text, and what could not be read around it, in sentences.
+
+    Raises
+    ------
+    IconstudioError
+        If there is none; it says what the text is instead.
+    """
+    if android.is_vector(text):
+        return android.as_svg(text)
+    if _ROOT.search(text) is None:
+        what = signatures.text(text)
+        if what is not None:
+            raise IconstudioError(what)
+        return text, []
+    markup = _cut_out(text)
+    if components.is_code(markup):
+        return components.without_code(markup, text.replace(markup, "", 1))
+    return markup, []
+
+
+def _cut_out(text: str) -> str:
+    """Return the document from its prolog, or its root, to its end."""
+    place = 0
+    while match := _PROLOG.match(text, place):
+        place = match.end()
+    if _ROOT.match(text[place:].lstrip()):
+        return text
+    root = _ROOT.search(text)
+    assert root is not None
+    end = f"</{root[1] or ''}svg>".lower()
+    closing = text.lower().rfind(end)
+    return text[root.start() : closing + len(end) if closing > root.start() else len(text)]
