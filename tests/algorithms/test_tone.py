@@ -11,7 +11,8 @@ from PIL import Image
 from resvg_py import svg_to_bytes
 from skimage.transform import resize
 
-from iconstudio.algorithms.tone import LINE, SIDE, Paints, near_white, paints, pictogram
+from iconstudio.algorithms import tone
+from iconstudio.algorithms.tone import LINE, SIDE, Paints, near_white, paints
 from iconstudio.algorithms.vectorize import trace
 
 N = 2 * SIDE
@@ -24,6 +25,10 @@ def rgba(body: str, n: int = N, box: str = "0 0 24 24") -> np.ndarray:
     svg = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{box}">{body}</svg>'
     png = svg_to_bytes(svg_string=svg, width=n, height=n, skip_system_fonts=True)
     return np.array(Image.open(io.BytesIO(png)).convert("RGBA"))
+
+
+def pictogram(drawing: np.ndarray) -> np.ndarray:
+    return tone.pictogram(drawing).coverage
 
 
 def path(d: str, fill: str = "#000", more: str = "") -> str:
