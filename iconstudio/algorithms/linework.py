@@ -75,10 +75,11 @@ def _is_outline(found: Regions, line: Mask, lightness: float) -> bool:
         return False
     if around[line].sum() > 0.6 * around[of_it].sum():
         return True
-    # A shape that the lines cross need have none around it.
+    # A shape that the lines cross need have none around it, if there is nothing else without.
     enclosed = _shapes(found, line).enclosed
     crossed = (enclosed > _OUT) & (enclosed < 1 - _OUT)
-    return around[line].sum() > 0.6 * around[of_it & ~crossed].sum()
+    crossed[0] = False
+    return around[line].sum() > 0.8 * around[~crossed].sum()
 
 
 def line_drawing(found: Regions, line: Mask) -> Tones:
@@ -92,7 +93,7 @@ def line_drawing(found: Regions, line: Mask) -> Tones:
     reaches_out = ~dark & ~beside & (shapes.free > 0)
     thin = found.widths < 1.5 * np.average(found.widths[line], weights=found.areas[line])
     strokes = reaches_out & thin & (found.lengths[0] > 0.7 * found.around)
-    apart = reaches_out & (shapes.enclosed < 0.5) & (shapes.free > 0.3)
+    apart = reaches_out & (shapes.enclosed < 0.5) & (shapes.free > 0.5)
     part = apart & ~pale & ~strokes & (shapes.behind < 0.6)
     # What lies within such a part is as in drawings without lines.
     within = found.lengths[:, part].sum(axis=1) > 0.9 * found.around
@@ -106,7 +107,8 @@ def line_drawing(found: Regions, line: Mask) -> Tones:
     decide(tone, found, np.where(striking, 1, -0.2) * found.lengths, tone > 1)
     paper = tone < 0
     paper[0] = False
-    decoration = (shapes.enclosed < 1 - _OUT) & (shapes.free > 0.3) & reaches_out
+    decoration = reaches_out & (shapes.enclosed < 1 - _OUT)
+    decoration &= (shapes.enclosed > 0.5) | (shapes.free > 0.4)
     left_out = paper & ~found.white & ((beside & pale) | decoration)
     fills = paper & ~left_out
     over = (tone > 0) & dark & (found.lengths[:, part].sum(axis=1) > 0)

@@ -3,7 +3,7 @@
 import numpy as np
 import scipy
 
-from iconstudio.algorithms.regions import GREY, Mask, Regions
+from iconstudio.algorithms.regions import Mask, Regions
 
 SHARP, _ROUNDED, _ROUND = 0.985, 0.9, 0.76
 """How much of its bounding box a rectangle fills, a rounded square, a circle."""
@@ -11,6 +11,8 @@ _ALIKE = 14.0
 """Colours, in CIELAB, that differ by less are alike."""
 _DARK = 30.0
 """Lightness of what is dark."""
+_COLOURED = 30.0
+"""Chroma of what is plainly coloured."""
 _CONVEX = 0.95
 """How much of its convex hull a bare sign fills, such as a triangle or a disc."""
 _GLOSS = 0.6
@@ -71,7 +73,7 @@ def _gloss(found: Regions, number: int) -> Mask:
     a, b = found.colours[:, 1:].T
     chroma = np.hypot(a, b)
     same_hue = a * a[number] + b * b[number] > 0.9 * chroma * chroma[number]
-    coloured = chroma > max(GREY, 0.3 * chroma[number])
+    coloured = (chroma > 0.3 * chroma[number]) & (chroma[number] > _COLOURED)
     on_it = found.lengths[number] > 0.9 * found.around
     contrast = np.where(on_it, found.contrasts[number], 0)
     contrast[0] = 0

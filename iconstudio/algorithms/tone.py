@@ -179,16 +179,13 @@ def _alternating(found: Regions, behind: Mask) -> Mask:
     inner = found.contrasts[:, 1:].max(axis=1)
     shade = (tone == 0) & (found.widths < _NARROW) & (inner > 0) & (inner < STRIKING)
     weights[shade] = found.lengths[shade]
-    rim = shade & (found.lengths[0] == 0) & (_depths(found) < 3 * _NARROW)
-    weights[rim] = -found.lengths[rim]
+    # Nor is a second one, along the first.
+    outermost = shade & (found.lengths[0] > 0)
+    second = shade & (found.lengths[:, outermost].sum(axis=1) > 0.4 * found.around)
+    second &= found.lengths[0] == 0
+    weights[second] = -found.lengths[second]
     decide(tone, found, weights, shade)
     return tone > 0
-
-
-def _depths(found: Regions) -> NDArray[np.float64]:
-    """Return how far, in pixels, each region is from the outside at most."""
-    depth = scipy.ndimage.distance_transform_edt(np.pad(found.labels > 0, 1))[1:-1, 1:-1]
-    return scipy.ndimage.maximum(depth, found.labels, np.arange(len(found.areas)))
 
 
 def _white_on_colour(found: Regions) -> Mask:
