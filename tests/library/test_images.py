@@ -220,7 +220,7 @@ def drawing(paper: int, ink: int) -> Image.Image:
 CUT = [
     *(("PNG", mode) for mode in ("L", "1", "P", "RGB", "RGBA", "LA", "I;16")),
     *(("JPEG", mode) for mode in ("L", "RGB", "CMYK")),
-    *(("TIFF", "L"), ("BMP", "RGB"), ("GIF", "P")),
+    *(("TIFF", "L"), ("BMP", "RGB")),
 ]
 
 
@@ -234,7 +234,7 @@ def test_what_is_missing_of_a_file_that_is_cut_short_is_paper(kind, mode, paper,
         plain = kind == "GIF" or mode == "1"
         picture = whole.point(lambda v: 255 * (v > 127)) if plain else whole
         picture = picture.convert("RGB").quantize(8) if mode == "P" else picture.convert(mode)
-    data = saved(picture, kind)
+    data = saved(picture, kind, **({"interlace": 0} if kind == "GIF" else {}))
     pixels, _, remark = decode(data[: round(0.8 * len(data))], LONGEST)
     assert "cut short" in remark
     seen = pixels[..., 0].astype(int)
