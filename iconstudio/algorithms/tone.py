@@ -5,10 +5,12 @@ into regions of even colour (``regions``). Of these,
 
 1. *one tone*, all over, is ink, whatever its colour and opacity;
 2. in a *line drawing*, with a dark line around most of it, the lines and what is about as dark
-   are ink, and the fills are paper; a detail that stands out within a fill is ink;
+   are ink, and the fills that they enclose are paper; a shape that they do not enclose is a part
+   of the drawing, or decoration (``linework``); a detail that stands out within a fill is ink;
 3. a *tile* behind the drawing is paper: a rectangle or a rounded square in which the drawing
    stands free, neither in small pieces (as a die's dots) nor filling it (as a screen). A disc is
-   a badge or a face, and a tile only if it is near white;
+   a badge or a face, and a tile only if it is near white. A bare sign, such as a triangle, keeps
+   its tile, for that is a button. Gloss goes with its tile (``tiles``);
 4. *near white* on other colours is paper, unless it stands by itself or makes a large part of
    the silhouette (a cloud before the sun);
 5. of the others, what mainly borders on the outside is ink; what mainly borders on ink is paper
