@@ -17,6 +17,8 @@ LEAP = 7.0
 """How much a channel of CIELAB differs within three pixels at an edge; in a gradient, less."""
 BLEND = 25.0
 """How far a pixel's colour is from that of the region beside it, if it is a line of its own."""
+WHITE, GREY = 92.0, 8.0
+"""Near white is lighter than this, and has less chroma."""
 MOST = 256
 """Regions that are told apart; where there are more, small ones join their neighbours."""
 _SMALLEST = 6
@@ -45,6 +47,30 @@ class Regions:
     """(k + 1, k + 1): the number of pixel sides along which two regions meet."""
     contrasts: NDArray[np.float64]
     """(k + 1, k + 1): the mean difference of their colours there; 0 where they do not meet."""
+
+    @property
+    def white(self) -> Mask:
+        """(k + 1,): the regions that are near white."""
+        white = near_white(self.colours)
+        white[0] = False
+        return white
+
+    @property
+    def around(self) -> NDArray[np.float64]:
+        """(k + 1,): the lengths of their contours, in pixel sides, at least 1."""
+        return np.maximum(self.lengths.sum(axis=1), 1)
+
+    def pieces(self) -> NDArray[np.intp]:
+        """Return which separate piece of the drawing each region belongs to; 0 is one, too."""
+        meet = self.lengths > 0
+        meet[0] = meet[:, 0] = False
+        return scipy.sparse.csgraph.connected_components(meet)[1]
+
+
+def near_white(lab: NDArray) -> Mask:
+    """Return which colours (..., 3), in CIELAB, are near white."""
+    lightness, a, b = np.moveaxis(lab, -1, 0)
+    return (lightness > WHITE) & (np.hypot(a, b) < GREY)
 
 
 def regions(lab: NDArray[np.float32], inside: Mask, contrast: float, smallest: float) -> Regions:

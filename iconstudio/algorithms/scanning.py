@@ -24,6 +24,8 @@ _SPECK = 72
 """Most pixels of what is taken for dirt, on the paper or in the ink."""
 _MARGIN = 0.04
 """Air around a drawing, as part of its longer side."""
+_OPAQUE = 0.95
+"""Opacity of ink, as part of the most that there is."""
 _PLAIN = 0.25
 """Colours that differ by no more are one."""
 
@@ -100,7 +102,7 @@ def ink_of(scan: Scan, threshold: int | None = None) -> NDArray[np.bool_]:
 def _seen_through(small: NDArray[np.float32], inverted: bool | None):
     """Return how dark a transparent picture is as a function of its colours, and if inverted."""
     alpha = small[..., 3]
-    solid = alpha > 0.5
+    solid = (alpha > 0.5) & ~_veil(alpha)
     if not solid.any():
         raise IconstudioError("It is transparent all over.")
     inner = scipy.ndimage.binary_erosion(solid, border_value=1)
@@ -114,10 +116,24 @@ def _seen_through(small: NDArray[np.float32], inverted: bool | None):
 
     def see(picture: NDArray[np.float32]) -> NDArray[np.float32]:
         # As on paper: a bright colour is as good as black.
-        colours = picture[..., :3]
-        return picture[..., 3] * (colours.max(axis=2) if inverted else 1 - colours.min(axis=2))
+        colours, alpha = picture[..., :3], picture[..., 3]
+        return np.where(_veil(alpha), 0, alpha) * (
+            colours.max(axis=2) if inverted else 1 - colours.min(axis=2)
+        )
 
     return see, inverted
+
+
+def _veil(alpha: NDArray[np.float32]) -> NDArray[np.bool_]:
+    """Return which pixels are paper as one sees through them, whatever colour they hide.
+
+    An edge between ink and nothing is no such area: its opacity is uneven.
+    """
+    most = np.quantile(alpha, 0.99)
+    clear = (alpha > 0.05) & (alpha < _OPAQUE * most)
+    high, low = scipy.ndimage.maximum_filter(alpha, 3), scipy.ndimage.minimum_filter(alpha, 3)
+    even = clear & (high - low < 0.05)
+    return clear & scipy.ndimage.binary_dilation(even, np.ones((3, 3)))
 
 
 def _ground(

@@ -5,10 +5,12 @@ into regions of even colour (``regions``). Of these,
 
 1. *one tone*, all over, is ink, whatever its colour and opacity;
 2. in a *line drawing*, with a dark line around most of it, the lines and what is about as dark
-   are ink, and the fills are paper; a detail that stands out within a fill is ink;
+   are ink, and the fills that they enclose are paper; a shape that they do not enclose is a part
+   of the drawing, or decoration (``linework``); a detail that stands out within a fill is ink;
 3. a *tile* behind the drawing is paper: a rectangle or a rounded square in which the drawing
    stands free, neither in small pieces (as a die's dots) nor filling it (as a screen). A disc is
-   a badge or a face, and a tile only if it is near white;
+   a badge or a face, and a tile only if it is near white. A bare sign, such as a triangle, keeps
+   its tile, for that is a button. Gloss goes with its tile (``tiles``);
 4. *near white* on other colours is paper, unless it stands by itself or makes a large part of
    the silhouette (a cloud before the sun);
 5. of the others, what mainly borders on the outside is ink; what mainly borders on ink is paper
@@ -24,32 +26,28 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.regions import Mask, Regions, cielab, nearest, regions
+from iconstudio.algorithms import regions
+from iconstudio.algorithms.alternation import Omission, Tones, decide
+from iconstudio.algorithms.linework import STRIKING, THICK, line_drawing, outline
+from iconstudio.algorithms.regions import Mask, Regions, cielab, nearest
+from iconstudio.algorithms.tiles import SHARP, rectangularity, tile
 
 SIDE = 512
 """Pixels to a side at which regions are found."""
 CONTRAST = 14.0
 """Neighbouring colours that differ by less (CIEDE2000) are shades of one."""
-STRIKING = 35.0
-"""Fills of a line drawing, and narrow regions, that differ by more are told apart."""
+FAINT = 11.0
+"""As CONTRAST, where all that is on a tile would be one shape."""
 SMALLEST = 60
 """Pixels of the smallest detail that reads."""
 LINE = 7.0
 """Width of the lines drawn between regions, in pixels: 3.5 on the canvas of 256."""
-WHITE = 92.0
-"""Lightness of near white, whose chroma is less than ``_GREY``."""
-_GREY = 8.0
-_AS_DARK, _DARK, _PALE = 18.0, 30.0, 75.0
-"""Lightness: how much lighter than its lines the dark parts of a line drawing are at most, or how
-dark; and that of shadows."""
 _BLENDS = 4.0
 """Pixels on either side of an edge that may blend its colours."""
 _FREE = 0.9
 """How much of its contour a shape that stands by itself shares with the outside."""
 _NARROW = 2 * LINE
 """Width of regions that no line sets off, unless their colour is striking."""
-_THICK = SIDE / 10
-"""Width of the thickest lines of a line drawing, and bands of white."""
 
 
 class Paints(Enum):
@@ -60,15 +58,17 @@ class Paints(Enum):
     LIGHT = "near white is ink, all other paints are paper"
 
 
-class _Tones(NamedTuple):
-    ink: Mask
-    """(k + 1,): the regions that are ink."""
-    lines: Mask
-    """(k + 1, k + 1): the neighbours with a line between them."""
+class Inked(NamedTuple):
+    """The pictogram of a drawing."""
+
+    coverage: NDArray[np.uint8]
+    """(n, n), 255 = ink."""
+    omissions: frozenset[Omission] = frozenset()
+    """What of the drawing is no part of it."""
 
 
-def pictogram(rgba: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """Return the coverage (n, n), 255 = ink, of the pictogram of a drawing (n, n, 4).
+def pictogram(rgba: NDArray[np.uint8]) -> Inked:
+    """Return the pictogram of a drawing (n, n, 4).
 
     The drawing is sRGB with straight alpha, fitted to the square; n is best a multiple of SIDE.
     A drawing without anything to see has no ink.
@@ -77,12 +77,14 @@ def pictogram(rgba: NDArray[np.uint8]) -> NDArray[np.uint8]:
     body = _body(alpha)
     silhouette = np.minimum(rgba[..., 3] * (255 / body), 255)
     inside = alpha > body / 2
+    omissions: frozenset[Omission] = frozenset()
     if inside.any():
-        found = regions(cielab(rgb), inside, CONTRAST, SMALLEST)
+        found = _regions(rgb, inside)
         tones = _tones(found)
-        if tones.lines.any() or not tones.ink[1:].all():
+        omissions = tones.omissions
+        if tones.lines.any() or not tones.ink[1:].all() or tones.over.any():
             silhouette *= _enlarged(_soft(rgb, found, tones), len(rgba))
-    return (silhouette + 0.5).astype(np.uint8)
+    return Inked((silhouette + 0.5).astype(np.uint8), omissions)
 
 
 def paints(rgba: NDArray[np.uint8], coverage: NDArray[np.uint8]) -> Paints | None:
@@ -109,12 +111,7 @@ def paints(rgba: NDArray[np.uint8], coverage: NDArray[np.uint8]) -> Paints | Non
 
 def near_white(rgb: NDArray[np.uint8]) -> Mask:
     """Return which of the sRGB colours (..., 3) are near white."""
-    return _near_white(cielab(rgb))
-
-
-def _near_white(colours: NDArray) -> Mask:
-    lightness, a, b = np.moveaxis(colours, -1, 0)
-    return (lightness > WHITE) & (np.hypot(a, b) < _GREY)
+    return regions.near_white(cielab(rgb))
 
 
 def _reduced(rgba: NDArray[np.uint8]) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
@@ -143,172 +140,76 @@ def _body(alpha: NDArray[np.float32]) -> float:
     return float(np.quantile(visible, 0.95)) if visible.size else 255.0
 
 
-def _tones(found: Regions) -> _Tones:
-    line = _line(found)
+def _regions(rgb: NDArray[np.uint8], inside: Mask) -> Regions:
+    lab = cielab(rgb)
+    found = regions.regions(lab, inside, CONTRAST, SMALLEST)
+    if len(found.areas) != 3:
+        return found
+    # Of one shape on a tile the shades are all that there is.
+    closer = regions.regions(lab, inside, FAINT, SMALLEST)
+    return closer if tile(closer).any() else found
+
+
+def _tones(found: Regions) -> Tones:
+    line = outline(found)
     if line is not None:
-        return _line_drawing(found, line)
-    ink = _alternating(found, _tile(found))
+        return line_drawing(found, line)
+    behind = tile(found)
+    ink = _alternating(found, behind)
     # A line would leave little of a narrow region.
     narrow = found.widths < _NARROW
     narrow = (narrow | narrow[:, None]) & (found.contrasts < STRIKING)
-    return _Tones(ink, ink & ink[:, None] & (found.lengths > 0) & ~narrow)
+    return Tones(
+        ink,
+        ink & ink[:, None] & (found.lengths > 0) & ~narrow,
+        np.zeros_like(ink),
+        frozenset([Omission.TILE] if (behind & ~found.white).any() else []),
+    )
 
 
-def _alternating(found: Regions, tile: int | None) -> Mask:
+def _alternating(found: Regions, behind: Mask) -> Mask:
     """Return which regions are ink: those on the outside, and what lies within their holes."""
-    paper = np.zeros(len(found.areas), bool)
+    paper = behind.copy()
     paper[0] = True
-    if tile is not None:
-        paper[tile] = True
     # Of paper on the outside colours do not matter.
     weights = found.lengths * np.minimum(found.contrasts, 60)
     weights[:, paper] = 120 * found.lengths[:, paper]
     tone = np.where(paper, -1, 0)
-    if tile is None:
+    if not behind.any():
         tone[_white_on_colour(found)] = -1
     # The shade along a contour is no outline of what it is the shade of.
     inner = found.contrasts[:, 1:].max(axis=1)
     shade = (tone == 0) & (found.widths < _NARROW) & (inner > 0) & (inner < STRIKING)
     weights[shade] = found.lengths[shade]
-    _decide(tone, found, weights, shade)
+    # Nor is a second one, along the first.
+    outermost = shade & (found.lengths[0] > 0)
+    second = shade & (found.lengths[:, outermost].sum(axis=1) > 0.4 * found.around)
+    second &= found.lengths[0] == 0
+    weights[second] = -found.lengths[second]
+    decide(tone, found, weights, shade)
     return tone > 0
-
-
-def _decide(
-    tone: NDArray[np.intp], found: Regions, weights: NDArray[np.float64], last: Mask
-) -> None:
-    """Give each region of ``tone`` 0 the tone, 1 ink or -1 paper, that differs from its neighbours.
-
-    ``weights`` (k + 1, k + 1) say how much it matters that two neighbours differ; ``last`` are
-    the regions that the others do not heed.
-    """
-    around = np.maximum(found.lengths[:, ~last].sum(axis=1), 1)
-    while not tone.all():
-        # Next is the region whose neighbours are known best; of several, the largest.
-        known = (found.lengths[:, (tone != 0) & ~last].sum(axis=1) / around).round(2)
-        number = max(
-            np.flatnonzero(tone == 0), key=lambda r: (not last[r], known[r], found.areas[r])
-        )
-        tone[number] = -1 if weights[number] @ tone > 0 else 1
-
-
-def _pieces(found: Regions) -> tuple[int, NDArray[np.intp]]:
-    """Return the number of separate pieces, and which each region belongs to; 0 is one, too."""
-    meet = found.lengths > 0
-    meet[0] = meet[:, 0] = False
-    return scipy.sparse.csgraph.connected_components(meet)
-
-
-def _white(found: Regions) -> Mask:
-    white = _near_white(found.colours)
-    white[0] = False
-    return white
 
 
 def _white_on_colour(found: Regions) -> Mask:
     """Return the white regions that are paper, as they make no part of the silhouette."""
-    white = _white(found)
+    white = found.white
     total = found.areas[1:].sum()
     if found.areas[1:][~white[1:]].sum() < 0.05 * total:
         return np.zeros_like(white)
     page = white & (found.lengths[0] > 0.75 * found.lengths[0].sum())
-    if page.any() and _rectangle(found) > _SHARP:
+    if page.any() and rectangularity(found) > SHARP:
         return white
     outer = found.lengths[0]
     free = outer > _FREE * found.lengths.sum(axis=1)
     at_outside = outer > 0
     at_outside[0] = True
     # What is drawn on the white does not count. A narrow band sets other colours off.
-    large = (found.areas > 0.05 * total) & (found.widths > _THICK)
+    large = (found.areas > 0.05 * total) & (found.widths > THICK)
     part = large & (outer > 0.5 * found.lengths[:, at_outside].sum(axis=1))
     return white & ~free & ~part
 
 
-_SHARP, _ROUNDED, _ROUND = 0.985, 0.9, 0.76
-"""How much of its bounding box a rectangle fills, a rounded square, a circle."""
-
-
-def _box(inside: Mask) -> tuple[int, int]:
-    """Return height and width of what is inside."""
-    rows, columns = np.flatnonzero(inside.any(axis=1)), np.flatnonzero(inside.any(axis=0))
-    return rows[-1] - rows[0] + 1, columns[-1] - columns[0] + 1
-
-
-def _rectangle(found: Regions) -> float:
-    """Return how much of its bounding box the silhouette fills."""
-    height, width = _box(found.labels > 0)
-    return found.areas[1:].sum() / (height * width)
-
-
-def _tile(found: Regions) -> int | None:
-    """Return the region that is a tile behind the drawing proper, or None."""
-    outer = np.flatnonzero(found.lengths[0])
-    if len(outer) != 1 or len(found.areas) == 2:
-        return None
-    tile = int(outer[0])
-    white, fill = _white(found), _rectangle(found)
-    sharp = fill > _SHARP
-    if white[tile] and sharp:
-        return tile
-    alike = np.linalg.norm(found.colours - found.colours[tile], axis=1) < CONTRAST
-    two_tones = (white | alike)[1:].all()
-    dark = found.colours[tile, 0] < _DARK
-    height, width = _box(found.labels > 0)
-    square = max(height, width) < 1.1 * min(height, width)
-    banner = sharp and dark and two_tones
-    if not banner and not (square and fill > (_ROUND if white[tile] else _ROUNDED)):
-        return None
-    content = (found.labels > 0) & (found.labels != tile)
-    pieces = scipy.ndimage.find_objects(scipy.ndimage.label(content)[0])
-    span = max(side.stop - side.start for piece in pieces for side in piece)
-    share = content.sum() / found.areas[1:].sum()
-    return tile if share < 0.6 and span > min(height, width) / 3 else None
-
-
-def _line(found: Regions) -> Mask | None:
-    """Return the regions (k + 1,) that are the outline of a line drawing, or None."""
-    around = found.lengths[0]
-    _, piece = _pieces(found)
-    for number in np.argsort(-around)[:3]:
-        line = abs(found.colours - found.colours[number]).max(axis=1) < 12
-        line[0] = False
-        of_it = np.isin(piece, piece[line])
-        of_it[0] = False
-        fills = of_it & ~line
-        if (
-            around[number] > 0
-            and around[line].sum() > 0.6 * around[of_it].sum()
-            and around[line].sum() > 0.4 * around.sum()
-            and found.areas[line].sum() < 0.6 * found.areas[of_it].sum()
-            and np.average(found.colours[fills, 0], weights=found.areas[fills])
-            > found.colours[number, 0] + 20
-            and found.colours[number, 0] < 55
-            and np.average(found.widths[line], weights=found.areas[line]) < _THICK
-        ):
-            return line
-    return None
-
-
-def _line_drawing(found: Regions, line: Mask) -> _Tones:
-    """Return the tones of a line drawing: its fills are paper, what stands out in them is ink."""
-    lightness, *chromatic = found.colours.T
-    dark = lightness < max(lightness[line].max() + _AS_DARK, _DARK)
-    _, piece = _pieces(found)
-    beside = ~np.isin(piece, piece[line])
-    shadow = (lightness > _PALE) & (np.hypot(*chromatic) < 3 * _GREY)
-    tone = np.where(dark | (beside & ~shadow), 1, 0)
-    around = np.maximum(found.lengths.sum(axis=1), 1)
-    tone[(tone == 0) & (beside | (found.lengths[:, line].sum(axis=1) > around / 3))] = -1
-    tone[0] = -1
-    striking = found.contrasts > STRIKING
-    # What differs little is as its neighbours are.
-    _decide(tone, found, np.where(striking, 1, -0.2) * found.lengths, tone > 1)
-    fills = tone < 0
-    fills[0] = False
-    return _Tones(tone > 0, fills & fills[:, None] & striking)
-
-
-def _soft(rgb: NDArray[np.uint8], found: Regions, tones: _Tones) -> NDArray[np.float32]:
+def _soft(rgb: NDArray[np.uint8], found: Regions, tones: Tones) -> NDArray[np.float32]:
     """Return how much of each pixel is ink, (SIDE, SIDE) from 0 to 1, were all inside."""
     soft = _blended(rgb, found, tones.ink)
     labels = found.extended
@@ -321,6 +222,11 @@ def _soft(rgb: NDArray[np.uint8], found: Regions, tones: _Tones) -> NDArray[np.f
         drawn = np.clip(LINE / 2 + 0.5 - away, 0, 1)
         at_ink = tones.ink[labels]
         soft = np.where(at_ink, np.minimum(soft, 1 - drawn), np.maximum(soft, drawn))
+    if tones.over.any():
+        over = tones.over[labels]
+        away = _smooth(scipy.ndimage.distance_transform_edt(~over), LINE / 4)
+        others = tones.ink[labels] & ~over
+        soft = np.where(others, np.minimum(soft, np.clip(away - LINE + 0.5, 0, 1)), soft)
     return _without_crumbs(soft, found.labels > 0)
 
 

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from iconstudio.library.truncated import coarser, completed
 from iconstudio.model import IconstudioError
 
 if TYPE_CHECKING:
@@ -87,7 +88,7 @@ def _what_is_there(data: bytes, longest: int) -> tuple[NDArray[np.uint8], tuple[
 
     try:
         with _as_pillow_likes_it(truncated=True):
-            return _decoded(data, longest)[:2]
+            return _decoded(data, longest, damaged=True)[:2]
     except (IconstudioError, MemoryError):
         raise
     except UnidentifiedImageError:
@@ -96,7 +97,9 @@ def _what_is_there(data: bytes, longest: int) -> tuple[NDArray[np.uint8], tuple[
         raise IconstudioError(_UNREADABLE) from None
 
 
-def _decoded(data: bytes, longest: int) -> tuple[NDArray[np.uint8], tuple[int, int], str]:
+def _decoded(
+    data: bytes, longest: int, damaged: bool = False
+) -> tuple[NDArray[np.uint8], tuple[int, int], str]:
     from PIL import Image
 
     with _opened(data) as file:
@@ -109,9 +112,14 @@ def _decoded(data: bytes, longest: int) -> tuple[NDArray[np.uint8], tuple[int, i
                 f"Scale it down to {longest:,} pixels or fewer."
             )
         remark = _remark(file)
+        interlaced = damaged and _interlaced(file)
         file.load()
         turned = _TURNED.get(_orientation(file, data))
-        image = _in_srgb(_smaller(file, longest), file.info.get("icc_profile"))
+        image = _smaller(_coarser(file) if interlaced else file, longest)
+        image = _in_srgb(image, file.info.get("icc_profile"))
+        if damaged:
+            upwards = file.format == "BMP"
+            image = Image.fromarray(completed(np.asarray(image), upwards), image.mode)
     if turned is not None:
         image = image.transpose(Image.Transpose(turned))
         if turned in (2, 4, 5, 6):
@@ -155,6 +163,22 @@ def _remark(file: Any) -> str:
     if count > 1 and file.format not in _ONE_PICTURE:
         return f"This is the first of {count:,} pictures in the file."
     return ""
+
+
+def _interlaced(file: Any) -> bool:
+    """Whether the rows of a file that is not loaded yet come in passes, ever finer."""
+    if file.format == "GIF":
+        return bool(file.tile and file.tile[0][3][1])
+    return bool(file.format == "PNG" and file.info.get("interlace"))
+
+
+def _coarser(file: Any) -> "PillowImage":
+    """Return an interlaced image as it is after its last whole pass, at its own size."""
+    from PIL import Image
+
+    plain = _plain(file, file.info.get("transparency"), _range(file))
+    found = Image.fromarray(coarser(np.asarray(plain)), plain.mode)
+    return found.resize(file.size, Image.Resampling.BILINEAR)
 
 
 def _orientation(file: Any, data: bytes) -> int:

@@ -17,6 +17,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.alternation import Omission
 from iconstudio.algorithms.layers import flattened
 from iconstudio.algorithms.tone import Paints, near_white, paints, pictogram
 from iconstudio.algorithms.vectorize import trace
@@ -51,6 +52,12 @@ FONTS = "Its text was drawn in Inter, whatever its font. To keep its look, turn 
 UNKNOWN = "The font Inter has no “{}”, which was left out. Turn text into shapes."
 
 
+OMITTED = {
+    Omission.TILE: "The tile behind the drawing was left out.",
+    Omission.DECORATION: "Colour that lies behind or beside its lines was left out.",
+}
+
+
 class EmptyError(IconstudioError):
     """A drawing shows nothing."""
 
@@ -60,6 +67,7 @@ class _Picture(NamedTuple):
     """(n, n, 4)"""
     coverage: NDArray[np.uint8]
     """(n, n), 255 = ink: the pictogram of it."""
+    omissions: frozenset[Omission]
 
 
 def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ...]]:
@@ -105,6 +113,7 @@ def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ..
                 "Its lines are too thin to be seen at the size of an icon. Make them thicker."
             )
         remarks.append(THIN)
+    remarks += [said for what, said in OMITTED.items() if what in picture.omissions]
     box = _common(box, (frame.x, frame.y, frame.size, frame.size))
     own = None if fonts or drawing.heavy else _own_shapes(content, box, frame, picture)
     if own is None:
@@ -142,7 +151,7 @@ def _picture(svg: str, frame: Frame, fonts: list[str], heavy: bool) -> _Picture:
         render_colours(svg, frame, CANVAS, fonts)
         size = CANVAS if perf_counter() - start > _SLOW else 2 * CANVAS
     colours = flattened(render_colours(svg, frame, size, fonts))
-    return _Picture(colours, pictogram(colours))
+    return _Picture(colours, *pictogram(colours))
 
 
 def _is_thin(coverage: NDArray[np.uint8]) -> bool:

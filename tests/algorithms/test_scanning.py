@@ -111,3 +111,13 @@ def test_what_is_traced_is_the_ink_not_the_paper():
         inside[polygon(points[:, 1] - 0.5, points[:, 0] - 0.5, ink.shape)] = True
         filled ^= inside
     assert scans.iou(filled, ink) > 0.93
+
+
+@pytest.mark.parametrize("opacity", [0, 20, 100, 160, 230])
+@pytest.mark.parametrize("hidden", [(0, 0, 0), (255, 255, 255), (90, 30, 200)])
+def test_paper_that_is_partly_transparent_is_paper_whatever_it_hides(opacity, hidden):
+    shape = house() > 0.5
+    picture = np.full((*shape.shape, 4), 255, np.uint8)
+    picture[:, 180:] = *hidden, opacity
+    picture[shape] = 20, 20, 160, 255
+    assert scans.iou(scans.fitted(found(picture)), scans.fitted(house())) > 0.95

@@ -11,7 +11,9 @@ from PIL import Image
 from resvg_py import svg_to_bytes
 from skimage.transform import resize
 
-from iconstudio.algorithms.tone import LINE, SIDE, Paints, near_white, paints, pictogram
+from iconstudio.algorithms import tone
+from iconstudio.algorithms.alternation import Omission
+from iconstudio.algorithms.tone import LINE, SIDE, Paints, near_white, paints
 from iconstudio.algorithms.vectorize import trace
 
 N = 2 * SIDE
@@ -24,6 +26,10 @@ def rgba(body: str, n: int = N, box: str = "0 0 24 24") -> np.ndarray:
     svg = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{box}">{body}</svg>'
     png = svg_to_bytes(svg_string=svg, width=n, height=n, skip_system_fonts=True)
     return np.array(Image.open(io.BytesIO(png)).convert("RGBA"))
+
+
+def pictogram(drawing: np.ndarray) -> np.ndarray:
+    return tone.pictogram(drawing).coverage
 
 
 def path(d: str, fill: str = "#000", more: str = "") -> str:
@@ -269,3 +275,49 @@ def test_near_white():
         [[255, 255, 255], [240, 240, 240], [200, 200, 200], [255, 255, 180]], np.uint8
     )
     assert near_white(shades).tolist() == [True, True, False, False]
+
+
+def test_what_is_left_out_with_a_tile_is_told():
+    tile = TILES["rounded"].format("#1976d2")
+    assert tone.pictogram(rgba(tile + path(HOUSE, "#fff", GLYPH))).omissions == {Omission.TILE}
+    page = '<path d="M0 0h24v24H0z" fill="#fff"/>' + path(HOUSE, "#c00", GLYPH)
+    for drawing in (page, FACE, path(HOUSE)):  # white is paper anyway
+        assert not tone.pictogram(rgba(drawing)).omissions
+
+
+@pytest.mark.parametrize("sign", ["M31 24l-11-8v16z", "M18 18h12v12H18z", "M24 17a7 7 0 0 1 0 14z"])
+def test_a_bare_sign_keeps_its_button(sign):
+    button = '<rect x="6" y="6" width="36" height="36" rx="4" fill="#f44336"/>'
+    drawing = rgba(button + path(sign, "#fff"), box="0 0 48 48")
+    right = rgba(button, box="0 0 48 48")[..., 3] * (
+        rgba(path(sign), box="0 0 48 48")[..., 3] < 128
+    )
+    coverage, omissions = tone.pictogram(drawing)
+    assert_alike(coverage, right)
+    assert not omissions
+
+
+def test_gloss_on_a_tile_goes_with_it():
+    tile = TILES["rounded"].format("#f44336")
+    gloss = path("M2 7c0-4 1-5 5-5-2 2-4 2-5 5z", "#ff8a80")
+    for shade in (gloss, path("M3 21h18v1H3z", "#a51f1f")):
+        coverage = pictogram(rgba(tile + shade + path(HOUSE, "#fff", GLYPH)))
+        assert_alike(coverage, SMALL, 0.03)
+
+
+def test_the_shades_of_one_shape_on_a_tile_are_told_apart():
+    cube = path("M12 4l7 4v8l-7 4-7-4V8z", "#469ea2")
+    sides = path(
+        "M12 5l5.5 3.2-5.5 3.2-5.5-3.2zM6 9l5.5 3.2v6.3L6 15.4zM18 9l-5.5 3.2v6.3l5.5-3.1z",
+        "#6acad1",
+    )
+    coverage = pictogram(rgba(TILES["very rounded"].format("#242938") + cube + sides))
+    assert_alike(coverage, ink(cube) * (ink(sides) < 128), 0.05)
+
+
+def test_rims_are_shades_of_a_disc():
+    disc = '<circle cx="12" cy="12" r="{}" fill="{}"/>'
+    rims = disc.format(11, "#8fb98a") + disc.format(10.4, "#459121") + disc.format(9.8, "#79c843")
+    arrow = path("M11 6h2v6h4l-5 6-5-6h4z", "#fff")
+    right = ink(disc.format(11, "#000")) * (ink(arrow) < 128)
+    assert_alike(pictogram(rgba(rims + arrow)), right, 0.03)

@@ -58,7 +58,6 @@ AS_THE_HOUSE = {
         '<linearGradient id="g" x2="0" y2="1"><stop stop-color="#FFD54F"/><stop offset="1"'
         f' stop-color="#BF360C"/></linearGradient><path fill="url(#g)" {EVENODD}/>'
     ),
-    "white on a black page": svg(f'<path d="M0 0h24v24H0z"/><path fill="#fff" {EVENODD}/>'),
     "black on a white page": svg(f'<path fill="#fff" d="M0 0h24v24H0z"/>{PATH}'),
     # CSS Color 4
     "oklch": svg(f'<path d="{BODY}"/><path fill="oklch(100% 0 0)" d="{WINDOW}"/>'),
@@ -227,6 +226,11 @@ AS_THE_HOUSE = {
 @pytest.mark.parametrize("kind", AS_THE_HOUSE)
 def test_the_house_is_drawn(kind):
     assert_shows(AS_THE_HOUSE[kind], PATH)
+
+
+def test_the_tile_behind_a_house_is_left_out_with_a_remark():
+    on_tile = svg(f'<path d="M0 0h24v24H0z"/><path fill="#fff" {EVENODD}/>')
+    assert_shows(on_tile, PATH, remarks=["tile behind"])
 
 
 def declared(encoding, title):

@@ -1,0 +1,95 @@
+"""Shapes that the lines of a drawing do not enclose: parts of it, or decoration."""
+
+import re
+
+import pytest
+
+from iconstudio.algorithms.alternation import Omission
+from iconstudio.algorithms.tone import SIDE, pictogram
+from tests.algorithms.test_tone import amiss, ink, rgba
+
+CUP = "M5 4h14v6a7 7 0 0 1-14 0z"
+HANDLES = '<path d="M5 5H2v3a4 4 0 0 0 4 4M19 5h3v3a4 4 0 0 1-4 4M12 17v4M7 22h10"'
+CLOUD = '<path d="M7 19a4 4 0 0 1 0-8 5 5 0 0 1 9.6-1A4.5 4.5 0 0 1 17 19z"'
+PERSON = '<path d="M2 21c0-6 3-8 7-8s7 2 7 8zM5 7a4 4 0 0 0 8 0 4 4 0 0 0-8 0z"'
+PAGE = '<path d="M3 2h9l4 4v12H3z"'
+RING = '<circle cx="{}" cy="{}" r="6"'
+LINES = ' fill="none" stroke="#111" stroke-width="{}"/>'
+WIDE, THIN = LINES.format(2), LINES.format(0.8)
+CHECK = '<path d="M15.5 17l2 2 3-4" stroke="#fff" stroke-width="1.5" fill="none"/>'
+
+PARTS = {
+    "square": ('<rect x="2" y="2" width="12" height="12" fill="#f00"/>', RING.format(15, 15)),
+    "disc": ('<circle cx="8" cy="12" r="6.5" fill="#2979ff"/>', RING.format(17, 12)),
+    "cup": (f'<path d="{CUP}" fill="#90caf9"/>', HANDLES),
+    "sun": ('<circle cx="16" cy="8" r="5" fill="#fbc02d"/>', CLOUD),
+    "badge": ('<circle cx="18" cy="17" r="5" fill="#2e7d32"/>', PERSON),
+    "sheet": ('<path d="M10 9h12v13H10z" fill="#42a5f5"/>', PAGE),
+    "quarter": ('<path d="M12 12V1a11 11 0 0 1 11 11z" fill="#e55"/>', RING.format(11, 13)),
+}
+
+
+@pytest.mark.parametrize("lines", [WIDE, THIN], ids=["wide", "thin"])
+@pytest.mark.parametrize("kind", PARTS)
+def test_a_shape_that_lines_enclose_in_part_is_a_part_of_the_drawing(kind, lines):
+    shape, line = (PARTS[kind][0], PARTS[kind][1] + lines)
+    coverage, omissions = pictogram(rgba(shape + line, SIDE))
+    assert not omissions
+    drawn, whole = ink(line, SIDE), ink(shape + line, SIDE)
+    assert coverage[drawn > 200].mean() > 220  # the lines keep their width
+    shown = (coverage > 127) & (drawn < 128)
+    assert shown.sum() > 0.7 * ((whole > 127) & (drawn < 128)).sum()
+    assert (coverage[whole < 100] < 128).all()
+
+
+def test_what_is_drawn_on_a_part_stays():
+    drawing = PARTS["badge"][0] + PERSON + WIDE + CHECK
+    coverage, _ = pictogram(rgba(drawing, SIDE))
+    assert coverage[ink(CHECK, SIDE) > 200].mean() < 20
+
+
+DECORATED = {
+    "fill moved": ('<path d="M6 6h15v15H6z" fill="#9cf"/>', '<path d="M3 3h15v15H3z"'),
+    "disc moved": (
+        '<circle cx="14" cy="13" r="8" fill="#fc6"/>',
+        '<circle cx="11" cy="11" r="8.5"',
+    ),
+    "blob behind": (
+        '<circle cx="13" cy="12" r="9" fill="#ffd6a5"/>',
+        '<path d="M4 11l8-7 8 7v9H4zM10 20v-6h4v6"',
+    ),
+}
+
+
+@pytest.mark.parametrize("kind", DECORATED)
+def test_colour_behind_lines_is_left_out_and_told(kind):
+    shape, line = DECORATED[kind]
+    coverage, omissions = pictogram(rgba(shape + line + WIDE, SIDE))
+    assert amiss(coverage, ink(line + WIDE, SIDE)) < 0.03
+    assert omissions == {Omission.DECORATION}
+
+
+FILLED = {
+    "whole": '<path d="M4 5h16v14H4z" fill="#ffe082" stroke="#111" stroke-width="2"/>',
+    "gap": '<path d="M4 5h16v14H4z" fill="#ffe082"/><path d="M12 5h8v14H4V5h4"' + WIDE,
+    "dashes": '<circle cx="12" cy="12" r="9" fill="#fc8" stroke="#111" stroke-width="2" '
+    'stroke-dasharray="3 1.5"/>',
+    "open below": '<path d="M5 19v-4a7 7 0 0 1 14 0v4" fill="#9cf" stroke="#111"/>',
+}
+
+
+@pytest.mark.parametrize("kind", FILLED)
+def test_a_fill_is_paper_also_where_its_outline_has_gaps(kind):
+    drawing = FILLED[kind]
+    coverage, omissions = pictogram(rgba(drawing, SIDE))
+    lines = re.sub('fill="#[0-9a-f]+"', 'fill="none"', drawing)
+    assert amiss(coverage, ink(lines, SIDE)) < 0.03
+    assert not omissions
+
+
+def test_lines_of_a_second_colour_are_lines():
+    frame = '<rect x="2" y="2" width="20" height="20" fill="none" stroke="#00a" stroke-width="2"/>'
+    grid = '<path d="M9 3v18M15 3v18" stroke="#a9c" stroke-width="1.5"/>'
+    coverage, omissions = pictogram(rgba(frame + grid, SIDE))
+    assert amiss(coverage, ink(frame + grid, SIDE)) < 0.05
+    assert not omissions
