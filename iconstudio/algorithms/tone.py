@@ -42,6 +42,8 @@ SMALLEST = 60
 """Pixels of the smallest detail that reads."""
 LINE = 7.0
 """Width of the lines drawn between regions, in pixels: 3.5 on the canvas of 256."""
+_ROUNDING = 3
+"""Levels of sRGB by which pixels of one colour may differ."""
 _BLENDS = 4.0
 """Pixels on either side of an edge that may blend its colours."""
 _FREE = 0.9
@@ -78,7 +80,7 @@ def pictogram(rgba: NDArray[np.uint8]) -> Inked:
     silhouette = np.minimum(rgba[..., 3] * (255 / body), 255)
     inside = alpha > body / 2
     omissions: frozenset[Omission] = frozenset()
-    if inside.any():
+    if inside.any() and np.ptp(rgb[inside], axis=0).max() > _ROUNDING:
         found = _regions(rgb, inside)
         tones = _tones(found)
         omissions = tones.omissions
@@ -126,12 +128,14 @@ def _reduced(rgba: NDArray[np.uint8]) -> tuple[NDArray[np.uint8], NDArray[np.flo
 
 def _averaged(values: NDArray[np.float32]) -> NDArray[np.float32]:
     """Return the means (SIDE, SIDE, c) of values (n, n, c)."""
-    from skimage.transform import resize_local_mean
-
-    n, _, channels = values.shape
+    n = len(values)
     if n % SIDE:
+        from skimage.transform import resize_local_mean
+
         return resize_local_mean(values, (SIDE, SIDE), channel_axis=2)
-    return values.reshape(SIDE, n // SIDE, SIDE, n // SIDE, channels).mean(axis=(1, 3))
+    step = n // SIDE
+    shifts = [values[row::step, column::step] for row in range(step) for column in range(step)]
+    return sum(shifts) / np.float32(step**2)
 
 
 def _body(alpha: NDArray[np.float32]) -> float:
