@@ -16,15 +16,15 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.matching import SCALES, Matcher, PreparedExemplar
-from iconstudio.algorithms.scanning import Scan
-from iconstudio.algorithms.style import two_toned
+from iconstudio.algorithms.iconification.matching import SCALES, Matcher, PreparedExemplar
+from iconstudio.algorithms.iconification.style import two_toned
+from iconstudio.algorithms.scanning.binarisation import Scan
+from iconstudio.caches.preparing import PreparingCache
+from iconstudio.caches.rasters import RasterCache
 from iconstudio.files import remove_abandoned
-from iconstudio.library import scans
+from iconstudio.images import scans
+from iconstudio.images.reading import Image, is_image_file, read_image
 from iconstudio.library.collection import Collection, cache_folder
-from iconstudio.library.images import Image, is_image_file, read_image
-from iconstudio.library.preparing import PreparingCache
-from iconstudio.library.rasters import RasterCache
 from iconstudio.model import (
     CANVAS,
     Axis,

@@ -3,9 +3,9 @@
 import numpy as np
 from scipy import ndimage
 
-from iconstudio.algorithms.energy import RemixProblem
+from iconstudio.algorithms.iconification.energy import RemixProblem
+from iconstudio.algorithms.iconification.saliency import Region, saliency, salient_regions
 from iconstudio.algorithms.raster import fill_polygon
-from iconstudio.algorithms.saliency import Region, saliency, salient_regions
 from iconstudio.model import CANVAS, Credit, Exemplar, Frame, Pictogram, Polygon
 
 CREDIT = Credit("shape", "A. Artist", "MIT", "https://example.org/mit", "https://example.org")

@@ -10,7 +10,6 @@ import pytest
 ROOT = Path(__file__).parents[1]
 PACKAGE = ROOT / "iconstudio"
 ADAPTERS = {
-    "maxflow": "algorithms/maxflow.py",
     "numba": "algorithms/compiled.py",
     "resvg_py": "svg/resvg.py",
     "fontTools": "svg/geometry.py",
@@ -18,8 +17,8 @@ ADAPTERS = {
     "cssselect2": "svg/stylesheet.py",
     "coloraide": "svg/colours.py",
     "shapely": "algorithms/geometry.py",
-    "pillow_heif": "library/pillow.py",
-    "potrace": "algorithms/potrace.py",
+    "pillow_heif": "images/pillow.py",
+    "potrace": "algorithms/tracing/potrace.py",
     "tqdm": "cli/progress.py",
 }
 
@@ -55,6 +54,10 @@ def test_each_foreign_library_has_one_adapter():
             if library in imported(path)
         }
         assert users == {adapter}, (library, users)
+
+
+def test_pymaxflow_is_an_oracle_only():
+    assert not [path for path in PACKAGE.rglob("*.py") if "maxflow" in imported(path)]
 
 
 def test_rooms_stay_small():

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from scipy import ndimage
 
-from iconstudio.algorithms.redraw import SCALE, redraw, two_tone
-from iconstudio.algorithms.vectorize import trace
+from iconstudio.algorithms.iconification.redraw import SCALE, redraw, two_tone
+from iconstudio.algorithms.tracing.vectorize import trace
 from iconstudio.model import CANVAS, Frame, Placement
 from iconstudio.session import Session
 from iconstudio.svg.resvg import render_coverage, render_placed

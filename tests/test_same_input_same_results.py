@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from iconstudio.algorithms.expansion import LAMBDAS
+from iconstudio.algorithms.iconification.lattice import LAMBDAS
 from iconstudio.inputs.sketch import example
 from iconstudio.model import Polygon
 from iconstudio.output.svg import svg_document

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from iconstudio.algorithms.style import two_toned
+from iconstudio.algorithms.iconification.style import two_toned
 from iconstudio.inputs.edit import read_edit
 from iconstudio.model import IconstudioError
 from iconstudio.session import Session

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import click
 
-from iconstudio.algorithms.expansion import LAMBDAS
+from iconstudio.algorithms.iconification.lattice import LAMBDAS
 from iconstudio.cli.progress import ProgressBar
 from iconstudio.cli.timing import profile_option, profiled
 from iconstudio.inputs.fields import read

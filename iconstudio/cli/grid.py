@@ -7,9 +7,9 @@ from typing import Any, TypeVar
 
 import click
 
-from iconstudio.algorithms.expansion import LAMBDAS
-from iconstudio.algorithms.matching import SCALES
-from iconstudio.algorithms.style import STYLES
+from iconstudio.algorithms.iconification.lattice import LAMBDAS
+from iconstudio.algorithms.iconification.matching import SCALES
+from iconstudio.algorithms.iconification.style import STYLES
 from iconstudio.cli import running
 from iconstudio.cli.lists import ListCommand, Numbers, Words, flat, is_number
 from iconstudio.cli.timing import Stopwatch, profile_option

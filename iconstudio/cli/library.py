@@ -28,8 +28,8 @@ def command() -> None:
 )
 def build(iconify: Path, wordnet: Path, licences: Path, out: Path) -> None:
     """Build the bundled collection from IconifyJSON and WordNet."""
-    from iconstudio.library.builder import Inputs
-    from iconstudio.library.builder import build as build_collection
+    from iconstudio.building.builder import Inputs
+    from iconstudio.building.builder import build as build_collection
     from iconstudio.workers import Workers
 
     message = ""

@@ -11,7 +11,7 @@ from PySide6.QtGui import QGuiApplication, QImage, QPixmap
 
 from iconstudio.gui.dragging import unpacked
 from iconstudio.gui.markup import data_images, drawings_in
-from iconstudio.library.pillow import is_image
+from iconstudio.images.pillow import is_image
 from iconstudio.model import Pictogram
 
 SVG = "image/svg+xml"

@@ -8,7 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 
 from iconstudio.gui.mipmap import Mipmap
-from iconstudio.library.images import LONGEST, Image
+from iconstudio.images.reading import LONGEST, Image
 from iconstudio.model import IconstudioError
 
 _SMALLEST = 256

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from iconstudio.library.iconify import IconSet
-from iconstudio.library.indexing import Index
+from iconstudio.library.words.indexing import Index
 from iconstudio.model import IconstudioError
 
 FORMAT = 2

@@ -12,14 +12,15 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.library import database, query, search, symbols
+from iconstudio.library import database, search
 from iconstudio.library.archive import Archive
 from iconstudio.library.fingerprint import stack
 from iconstudio.library.iconify import document
 from iconstudio.library.lookup import Lookup
-from iconstudio.library.naming import take_apart
 from iconstudio.library.progress import Progress
-from iconstudio.library.query import Style
+from iconstudio.library.words import query, symbols
+from iconstudio.library.words.naming import take_apart
+from iconstudio.library.words.query import Style
 from iconstudio.model import Credit, IconstudioError, Pictogram
 from iconstudio.resources import resource
 

@@ -35,7 +35,7 @@ def fingerprint(coverage: NDArray[np.uint8]) -> Fingerprint | None:
     """
     from PIL import Image
 
-    from iconstudio.algorithms.style import blackness
+    from iconstudio.algorithms.iconification.style import blackness
 
     ink = coverage > 127
     if not ink.any():

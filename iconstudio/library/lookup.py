@@ -6,13 +6,13 @@ Scores are a relation's rank and a reading's tier added up: the lower the better
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
-from iconstudio.library import query, symbols
-from iconstudio.library.inflections import is_irregular
-from iconstudio.library.naming import take_apart
-from iconstudio.library.query import Style
-from iconstudio.library.readings import COMPOUND, EXACT, MENTION
-from iconstudio.library.relations import BESIDE, KIND
-from iconstudio.library.vocabulary import ATTRIBUTES, PREPOSITIONS, STYLES
+from iconstudio.library.words import query, symbols
+from iconstudio.library.words.inflections import is_irregular
+from iconstudio.library.words.naming import take_apart
+from iconstudio.library.words.query import Style
+from iconstudio.library.words.readings import COMPOUND, EXACT, MENTION
+from iconstudio.library.words.relations import BESIDE, KIND
+from iconstudio.library.words.vocabulary import ATTRIBUTES, PREPOSITIONS, STYLES
 
 Rows = Callable[[str, Sequence[Any]], list[tuple[Any, ...]]]
 """Runs a query with values, and returns its rows."""

@@ -8,8 +8,8 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.iconification.blending import at, in_blocks, shares
 from iconstudio.algorithms.raster import solid
-from iconstudio.algorithms.sharing import at, in_blocks, shares
 from iconstudio.model import CANVAS, Composite, Drawing, Placement, Source
 
 Key = tuple[str, Placement]

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from PIL import Image
 
-from iconstudio.algorithms.guidance import carried, scribble
+from iconstudio.algorithms.iconification.guidance import carried, scribble
 from iconstudio.algorithms.raster import placed_ink
 from iconstudio.model import Montage, Source
 from iconstudio.output.colours import RGB, Palette, colour_code, key_of, palette

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from iconstudio.algorithms.energy import placed_sources
-from iconstudio.algorithms.guidance import edit_penalty
+from iconstudio.algorithms.iconification.energy import placed_sources
+from iconstudio.algorithms.iconification.guidance import edit_penalty
 from iconstudio.algorithms.raster import interior, solid
 from iconstudio.model import CANVAS, Composite, Exemplar, Point
 from iconstudio.output import record

@@ -17,10 +17,10 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.alternation import Omission
-from iconstudio.algorithms.layers import flattened
-from iconstudio.algorithms.tone import Paints, near_white, paints, pictogram
-from iconstudio.algorithms.vectorize import trace
+from iconstudio.algorithms.tones.alternation import Omission
+from iconstudio.algorithms.tones.layers import flattened
+from iconstudio.algorithms.tones.tone import Paints, near_white, paints, pictogram
+from iconstudio.algorithms.tracing.vectorize import trace
 from iconstudio.model import CANVAS, Frame, IconstudioError
 from iconstudio.resources import resource
 from iconstudio.svg.fitting import fitted, square

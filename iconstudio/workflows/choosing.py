@@ -8,9 +8,9 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.iconification.style import STYLES, blackness
+from iconstudio.algorithms.iconification.symmetry import likeness
 from iconstudio.algorithms.raster import solid
-from iconstudio.algorithms.style import STYLES, blackness
-from iconstudio.algorithms.symmetry import likeness
 from iconstudio.model import Axis, Exemplar, IconstudioError
 from iconstudio.workflows.hybrids import FEWEST, MOST
 

@@ -14,17 +14,25 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.energy import Labels, placed_sources
-from iconstudio.algorithms.fragments import fragments
-from iconstudio.algorithms.overhang import (
+from iconstudio.algorithms.iconification.energy import Labels, placed_sources
+from iconstudio.algorithms.iconification.fragments import fragments
+from iconstudio.algorithms.iconification.overhang import (
     continued,
     cropped,
     framed,
     overhang,
     owned_throughout,
 )
+from iconstudio.algorithms.iconification.redraw import (
+    FAR,
+    REACH,
+    SCALE,
+    erase,
+    redraw,
+    restore,
+    two_tone,
+)
 from iconstudio.algorithms.raster import Bitmap, inked_tiles, shifted
-from iconstudio.algorithms.redraw import FAR, REACH, SCALE, erase, redraw, restore, two_tone
 from iconstudio.model import CANVAS, Drawing, Exemplar, Frame, Placement, Source
 from iconstudio.workers import Workers
 
@@ -87,7 +95,7 @@ def draw(
     marked
         (m, m) bool: what the user wants to keep; nothing of it goes.
     """
-    from iconstudio.algorithms.vectorize import trace
+    from iconstudio.algorithms.tracing.vectorize import trace
 
     m, nobody = len(labels), len(sources)
     pad = overhang(labels, ink, sources)

@@ -7,14 +7,18 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.energy import distance_field, remix_problem
-from iconstudio.algorithms.guidance import EDIT_REACH, edit_penalty, truncated_distance
-from iconstudio.algorithms.matching import Matcher
-from iconstudio.algorithms.overhang import seen
+from iconstudio.algorithms.iconification.energy import distance_field, remix_problem
+from iconstudio.algorithms.iconification.guidance import (
+    EDIT_REACH,
+    edit_penalty,
+    truncated_distance,
+)
+from iconstudio.algorithms.iconification.matching import Matcher
+from iconstudio.algorithms.iconification.overhang import seen
+from iconstudio.algorithms.iconification.saliency import saliency, salient_regions
+from iconstudio.algorithms.iconification.style import STYLES, Style, blackness
+from iconstudio.algorithms.iconification.tsdf import tsdf
 from iconstudio.algorithms.raster import Bitmap, fill_polygon, outlines, placed_ink, solid
-from iconstudio.algorithms.saliency import saliency, salient_regions
-from iconstudio.algorithms.style import STYLES, Style, blackness
-from iconstudio.algorithms.tsdf import tsdf
 from iconstudio.model import (
     CANVAS,
     MARGIN,

@@ -4,7 +4,7 @@ from collections.abc import Generator
 from dataclasses import dataclass
 from typing import Literal, TypeVar
 
-from iconstudio.algorithms.ranking import Score
+from iconstudio.algorithms.iconification.ranking import Score
 from iconstudio.model import Composite, Drawing, Exemplar, Point, Seeds, Source
 
 T = TypeVar("T")

@@ -8,10 +8,10 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.expansion import LAMBDAS
-from iconstudio.algorithms.matching import SCALES, Matcher, sources_of
-from iconstudio.algorithms.saliency import Region
-from iconstudio.algorithms.style import STYLES, Style
+from iconstudio.algorithms.iconification.lattice import LAMBDAS
+from iconstudio.algorithms.iconification.matching import SCALES, Matcher, sources_of
+from iconstudio.algorithms.iconification.saliency import Region
+from iconstudio.algorithms.iconification.style import STYLES, Style
 from iconstudio.model import CANVAS, Composite, IconstudioError, Placement, Source
 from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import Render

@@ -10,10 +10,15 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.energy import RemixProblem, joined_ink, placed_sources
-from iconstudio.algorithms.guidance import held, scribble, seed_cost, with_mirror_images
-from iconstudio.algorithms.ranking import Gallery
-from iconstudio.algorithms.symmetry import reflected
+from iconstudio.algorithms.iconification.energy import RemixProblem, joined_ink, placed_sources
+from iconstudio.algorithms.iconification.guidance import (
+    held,
+    scribble,
+    seed_cost,
+    with_mirror_images,
+)
+from iconstudio.algorithms.iconification.ranking import Gallery
+from iconstudio.algorithms.iconification.symmetry import reflected
 from iconstudio.model import (
     CANVAS,
     Axis,

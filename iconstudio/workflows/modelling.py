@@ -3,12 +3,12 @@
 from collections.abc import Iterator
 from functools import partial
 
-from iconstudio.algorithms.energy import distance_field, remix_problem
-from iconstudio.algorithms.matching import Matcher
+from iconstudio.algorithms.iconification.energy import distance_field, remix_problem
+from iconstudio.algorithms.iconification.matching import Matcher
+from iconstudio.algorithms.iconification.saliency import saliency, salient_regions
+from iconstudio.algorithms.iconification.style import Style
+from iconstudio.algorithms.iconification.tsdf import tsdf
 from iconstudio.algorithms.raster import Bitmap, fill_polygon
-from iconstudio.algorithms.saliency import saliency, salient_regions
-from iconstudio.algorithms.style import Style
-from iconstudio.algorithms.tsdf import tsdf
 from iconstudio.model import Axis, Composite, Sketch, Source
 from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import Render

@@ -8,8 +8,8 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.energy import RemixProblem, placed_sources
-from iconstudio.algorithms.guidance import (
+from iconstudio.algorithms.iconification.energy import RemixProblem, placed_sources
+from iconstudio.algorithms.iconification.guidance import (
     MONTAGE_REACH,
     carried,
     held,

@@ -11,20 +11,20 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from iconstudio.algorithms import ranking
-from iconstudio.algorithms.energy import Labels, RemixProblem
-from iconstudio.algorithms.overhang import seen
-from iconstudio.algorithms.ranking import Score
+from iconstudio.algorithms.iconification import ranking
+from iconstudio.algorithms.iconification.energy import Labels, RemixProblem
+from iconstudio.algorithms.iconification.overhang import seen
+from iconstudio.algorithms.iconification.ranking import Score
+from iconstudio.algorithms.iconification.redraw import SCALE
+from iconstudio.algorithms.iconification.warm_start import transferred
 from iconstudio.algorithms.raster import Bitmap, overlap, solid
-from iconstudio.algorithms.redraw import SCALE
-from iconstudio.algorithms.transfer import transferred
 from iconstudio.limits import limited
 from iconstudio.model import CANVAS, Composite, Drawing, Frame, Placement, Source
 from iconstudio.tasks import forget, remembered, stopped
 from iconstudio.workflows.drawing import MEMORY, PREVIEW, SECONDS, Render, draw
 
 if TYPE_CHECKING:
-    from iconstudio.algorithms.sweep import Sweep
+    from iconstudio.algorithms.iconification.sweep import Sweep
 
 
 @dataclass(frozen=True, eq=False)
@@ -130,7 +130,7 @@ def solve(key: object, job: Job, step: Step, render: Render) -> Solved:
     CancelledError
         As soon as the result is no longer wanted.
     """
-    from iconstudio.algorithms.sweep import Stopped
+    from iconstudio.algorithms.iconification.sweep import Stopped
 
     began = perf_counter()
     try:
@@ -170,8 +170,8 @@ def finished(posed: Posed, job: Job, step: Step, labels: Labels, render: Render)
 
 def warm_up(render: Render) -> None:
     """Load what cuts and draws, and compile it if it never was, on a problem of nothing."""
-    from iconstudio.algorithms.sweep import Sweep
-    from iconstudio.algorithms.vectorize import trace
+    from iconstudio.algorithms.iconification.sweep import Sweep
+    from iconstudio.algorithms.tracing.vectorize import trace
 
     ink = np.zeros((2, CANVAS, CANVAS), dtype=bool)
     sweep = Sweep(RemixProblem(ink.astype(np.float32), ink, ink))
@@ -181,7 +181,7 @@ def warm_up(render: Render) -> None:
 
 
 def _begin(job: Job) -> _Bench:
-    from iconstudio.algorithms.sweep import Sweep
+    from iconstudio.algorithms.iconification.sweep import Sweep
 
     posed = job.pose()
     sweep = Sweep(posed.problem, stopped)

@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from iconstudio.algorithms import maxflow
-from iconstudio.algorithms.cuts import SOURCE, minimum_cut, new_trees
+from iconstudio.algorithms.mincut.cuts import SOURCE, minimum_cut, new_trees
+from tests.oracles import maxflow
 
 
 class Grid:

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from iconstudio.algorithms.energy import (
+from iconstudio.algorithms.iconification.energy import (
     EPSILON,
     F_INT,
     PATCH,
@@ -17,7 +17,7 @@ from iconstudio.algorithms.energy import (
     patch_words,
     remix_problem,
 )
-from iconstudio.algorithms.tsdf import tsdf
+from iconstudio.algorithms.iconification.tsdf import tsdf
 from iconstudio.model import CANVAS, Placement, Source
 from tests.shapes import blob, exemplar, problem
 

@@ -5,9 +5,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from iconstudio.algorithms import maxflow
-from iconstudio.algorithms.expansion import LAMBDAS, Lattice, energy, expand, minimise
+from iconstudio.algorithms.iconification.lattice import LAMBDAS, Lattice
 from iconstudio.model import CANVAS
+from tests.oracles import maxflow
+from tests.oracles.expansion import energy, expand, minimise
 from tests.shapes import blob, problem
 
 finite = st.floats(-5, 5)

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from iconstudio.algorithms.guidance import (
+from iconstudio.algorithms.iconification.guidance import (
     edit_penalty,
     mirror_image,
     points_mask,
@@ -14,7 +14,7 @@ from iconstudio.algorithms.guidance import (
     truncated_distance,
     with_mirror_images,
 )
-from iconstudio.algorithms.saliency import LAMBDA_D, profile, saliency
+from iconstudio.algorithms.iconification.saliency import LAMBDA_D, profile, saliency
 from iconstudio.model import CANVAS, Axis, Polygon, Stroke
 from tests.shapes import saliency_of
 
@@ -55,7 +55,7 @@ def test_equation_10_by_direct_sums():
 
 
 def test_the_most_salient_region_of_an_edit_lies_in_its_change():
-    from iconstudio.algorithms.saliency import salient_regions
+    from iconstudio.algorithms.iconification.saliency import salient_regions
 
     square = Polygon.of([(64, 64), (192, 64), (192, 192), (64, 192)])
     filled = np.zeros((CANVAS, CANVAS), dtype=bool)
@@ -117,7 +117,7 @@ def test_a_hair_line_still_covers_its_pixels():
 
 @pytest.mark.parametrize("axis", list(Axis))
 def test_a_seed_has_its_mirror_image(axis):
-    from iconstudio.algorithms.symmetry import reflected
+    from iconstudio.algorithms.iconification.symmetry import reflected
 
     point = (30.5, 77.5)
     (same, image) = with_mirror_images([point], axis)

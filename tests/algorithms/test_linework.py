@@ -4,8 +4,8 @@ import re
 
 import pytest
 
-from iconstudio.algorithms.alternation import Omission
-from iconstudio.algorithms.tone import SIDE, pictogram
+from iconstudio.algorithms.tones.alternation import Omission
+from iconstudio.algorithms.tones.tone import SIDE, pictogram
 from tests.algorithms.test_tone import amiss, ink, rgba
 
 CUP = "M5 4h14v6a7 7 0 0 1-14 0z"

@@ -7,15 +7,15 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from iconstudio.algorithms import matching
-from iconstudio.algorithms.matching import FAR, Matcher, prepare, sources_of
+from iconstudio.algorithms.iconification import matching
+from iconstudio.algorithms.iconification.matching import FAR, Matcher, prepare, sources_of
+from iconstudio.algorithms.iconification.saliency import Region
+from iconstudio.algorithms.iconification.sliding import Waves
+from iconstudio.algorithms.iconification.target import Target, least
+from iconstudio.algorithms.iconification.tsdf import tsdf
 from iconstudio.algorithms.raster import placed_ink, scaled_ink, shifted, solid
-from iconstudio.algorithms.saliency import Region
-from iconstudio.algorithms.sliding import Waves
-from iconstudio.algorithms.target import Target, least
-from iconstudio.algorithms.tsdf import tsdf
 from iconstudio.model import CANVAS, Placement, Polygon
-from tests.exhaustive import exhaustive
+from tests.oracles.exhaustive import exhaustive
 from tests.shapes import blob, exemplar, regions_of
 
 EVERYONE = range(12)

@@ -1,8 +1,8 @@
 import numpy as np
 import pytest
 
-from iconstudio.algorithms.energy import RemixProblem
-from iconstudio.algorithms.ranking import Gallery, score, seam_cost
+from iconstudio.algorithms.iconification.energy import RemixProblem
+from iconstudio.algorithms.iconification.ranking import Gallery, score, seam_cost
 from iconstudio.algorithms.raster import solid
 from iconstudio.model import CANVAS, Axis
 from tests.shapes import blob

@@ -6,8 +6,8 @@ from PIL import Image
 from scipy import ndimage
 from scipy.spatial.distance import cdist
 
-from iconstudio.algorithms.fragments import fragments
-from iconstudio.algorithms.redraw import (
+from iconstudio.algorithms.iconification.fragments import fragments
+from iconstudio.algorithms.iconification.redraw import (
     FADE,
     FAR,
     REACH,
@@ -17,7 +17,7 @@ from iconstudio.algorithms.redraw import (
     redraw,
     two_tone,
 )
-from iconstudio.algorithms.vectorize import trace
+from iconstudio.algorithms.tracing.vectorize import trace
 from iconstudio.model import CANVAS, Frame
 from iconstudio.svg.resvg import render_coverage
 from tests.shapes import blob

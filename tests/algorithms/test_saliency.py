@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from iconstudio.algorithms.saliency import (
+from iconstudio.algorithms.iconification.saliency import (
     LAMBDA_B,
     REGIONS,
     SIGMA,

@@ -5,8 +5,8 @@ import pytest
 from skimage.data import horse
 from skimage.draw import disk, polygon
 
-from iconstudio.algorithms.potrace import traced
-from iconstudio.algorithms.scanning import SIDE, Scan, ink_of, scanned
+from iconstudio.algorithms.scanning.binarisation import SIDE, Scan, ink_of, scanned
+from iconstudio.algorithms.tracing.potrace import traced
 from iconstudio.model import IconstudioError
 from tests import scans
 

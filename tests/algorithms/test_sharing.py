@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from PIL import Image
 from scipy import ndimage
 
-from iconstudio.algorithms.sharing import at, in_blocks, regions, shares, spread
+from iconstudio.algorithms.iconification.blending import at, in_blocks, regions, shares, spread
 from iconstudio.model import CANVAS
 
 

@@ -4,11 +4,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from iconstudio.algorithms import sliding
-from iconstudio.algorithms.matching import FAR
+from iconstudio.algorithms.iconification import sliding
+from iconstudio.algorithms.iconification.matching import FAR
+from iconstudio.algorithms.iconification.sliding import SlidingWindow, Waves, spectra_of
+from iconstudio.algorithms.iconification.tsdf import tsdf
 from iconstudio.algorithms.raster import shifted
-from iconstudio.algorithms.sliding import SlidingWindow, Waves, spectra_of
-from iconstudio.algorithms.tsdf import tsdf
 from iconstudio.model import CANVAS
 from tests.shapes import blob
 

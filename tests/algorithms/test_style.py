@@ -3,7 +3,7 @@ import pytest
 from hypothesis import given
 from hypothesis.extra.numpy import arrays
 
-from iconstudio.algorithms.style import STYLES, blackness, two_toned
+from iconstudio.algorithms.iconification.style import STYLES, blackness, two_toned
 
 
 def test_a_full_rectangle_is_all_black():

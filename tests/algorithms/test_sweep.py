@@ -5,12 +5,14 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from iconstudio.algorithms import cuts, expansion
-from iconstudio.algorithms.energy import F_INT, Labels, RemixProblem
-from iconstudio.algorithms.expansion import Lattice, minimise
-from iconstudio.algorithms.networks import UNIT
-from iconstudio.algorithms.sweep import Level, Stopped, Sweep, plane_words
+from iconstudio.algorithms.iconification.energy import F_INT, Labels, RemixProblem
+from iconstudio.algorithms.iconification.lattice import Lattice
+from iconstudio.algorithms.iconification.sweep import Level, Stopped, Sweep, plane_words
+from iconstudio.algorithms.mincut import cuts
+from iconstudio.algorithms.mincut.networks import UNIT
 from iconstudio.model import CANVAS, Axis
+from tests.oracles import expansion
+from tests.oracles.expansion import minimise
 from tests.shapes import blob, problem
 
 

@@ -5,12 +5,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from iconstudio.algorithms.energy import RemixProblem
-from iconstudio.algorithms.expansion import Lattice, energy, expand
+from iconstudio.algorithms.iconification.energy import RemixProblem
+from iconstudio.algorithms.iconification.lattice import Lattice
+from iconstudio.algorithms.iconification.sweep import Sweep
+from iconstudio.algorithms.iconification.symmetry import likeness, mirrored, propose, reflected
 from iconstudio.algorithms.raster import solid
-from iconstudio.algorithms.sweep import Sweep
-from iconstudio.algorithms.symmetry import likeness, mirrored, propose, reflected
 from iconstudio.model import CANVAS, Axis
+from tests.oracles.expansion import energy, expand
 from tests.shapes import blob
 
 AXES = list(Axis)

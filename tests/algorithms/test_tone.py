@@ -11,10 +11,10 @@ from PIL import Image
 from resvg_py import svg_to_bytes
 from skimage.transform import resize
 
-from iconstudio.algorithms import tone
-from iconstudio.algorithms.alternation import Omission
-from iconstudio.algorithms.tone import LINE, SIDE, Paints, near_white, paints
-from iconstudio.algorithms.vectorize import trace
+from iconstudio.algorithms.tones import tone
+from iconstudio.algorithms.tones.alternation import Omission
+from iconstudio.algorithms.tones.tone import LINE, SIDE, Paints, near_white, paints
+from iconstudio.algorithms.tracing.vectorize import trace
 
 N = 2 * SIDE
 HOUSE = "M3 21V10L12 2l9 8v11zM9 12h6v5H9zM17 2h4v3h-4z"

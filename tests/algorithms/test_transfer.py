@@ -2,7 +2,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from iconstudio.algorithms.transfer import transferred
+from iconstudio.algorithms.iconification.warm_start import transferred
 from iconstudio.model import Placement, Source
 from tests.shapes import blob, exemplar
 

@@ -4,7 +4,7 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from scipy import ndimage
 
-from iconstudio.algorithms.tsdf import D_MAX, tsdf
+from iconstudio.algorithms.iconification.tsdf import D_MAX, tsdf
 from iconstudio.model import CANVAS
 from tests.shapes import blob
 

@@ -9,9 +9,9 @@ from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 from scipy import ndimage
 
-from iconstudio.algorithms.bezier import direction, fit
-from iconstudio.algorithms.redraw import SCALE, redraw
-from iconstudio.algorithms.vectorize import SPECK, TOLERANCE, trace
+from iconstudio.algorithms.iconification.redraw import SCALE, redraw
+from iconstudio.algorithms.tracing.bezier import direction, fit
+from iconstudio.algorithms.tracing.vectorize import SPECK, TOLERANCE, trace
 from iconstudio.model import CANVAS, Frame
 from iconstudio.svg.resvg import render_coverage
 from tests.shapes import blob

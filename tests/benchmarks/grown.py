@@ -17,7 +17,7 @@ from iconstudio.library import archive
 from iconstudio.library.archive import Archive, Contents
 from iconstudio.library.fingerprint import SIDE
 from iconstudio.library.iconify import IconSet
-from iconstudio.library.indexing import Index
+from iconstudio.library.words.indexing import Index
 from iconstudio.resources import resource
 
 _TURNS: tuple[Callable[[NDArray[np.uint8]], NDArray[np.uint8]], ...] = (

@@ -18,14 +18,14 @@ from typing import Any
 
 import numpy as np
 
-from iconstudio.algorithms.energy import distance_field, remix_problem
-from iconstudio.algorithms.expansion import LAMBDAS
-from iconstudio.algorithms.matching import Matcher, prepare, sources_of
+from iconstudio.algorithms.iconification.energy import distance_field, remix_problem
+from iconstudio.algorithms.iconification.lattice import LAMBDAS
+from iconstudio.algorithms.iconification.matching import Matcher, prepare, sources_of
+from iconstudio.algorithms.iconification.saliency import Region
+from iconstudio.algorithms.iconification.style import STYLES
+from iconstudio.algorithms.iconification.sweep import Sweep
+from iconstudio.algorithms.iconification.tsdf import tsdf
 from iconstudio.algorithms.raster import fill_polygon
-from iconstudio.algorithms.saliency import Region
-from iconstudio.algorithms.style import STYLES
-from iconstudio.algorithms.sweep import Sweep
-from iconstudio.algorithms.tsdf import tsdf
 from iconstudio.inputs.sketch import example
 from iconstudio.library.collection import Collection
 from iconstudio.model import CANVAS, Exemplar, IconstudioError, Polygon, Source

@@ -11,17 +11,18 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from iconstudio.algorithms import ranking
-from iconstudio.algorithms.energy import RemixProblem, placed_sources
-from iconstudio.algorithms.expansion import Lattice, minimise
-from iconstudio.algorithms.guidance import seed_cost
-from iconstudio.algorithms.sweep import Sweep
+from iconstudio.algorithms.iconification import ranking
+from iconstudio.algorithms.iconification.energy import RemixProblem, placed_sources
+from iconstudio.algorithms.iconification.guidance import seed_cost
+from iconstudio.algorithms.iconification.lattice import Lattice
+from iconstudio.algorithms.iconification.sweep import Sweep
 from iconstudio.inputs.hybrids import read_hybrids
 from iconstudio.model import Placement, Source
 from iconstudio.resources import resource
 from iconstudio.session import Session
 from iconstudio.workflows.events import Result
 from iconstudio.workflows.hybrids import LAMBDA_S, draw_seeds
+from tests.oracles.expansion import minimise
 
 
 @pytest.fixture(scope="module")

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 from scipy import ndimage
 
-from iconstudio.algorithms.matching import SCALES, padding
+from iconstudio.algorithms.iconification.matching import SCALES, padding
+from iconstudio.algorithms.iconification.tsdf import D_MAX
 from iconstudio.algorithms.raster import scaled_ink, solid
-from iconstudio.algorithms.tsdf import D_MAX
 from iconstudio.model import CANVAS, Exemplar, IconstudioError
 from iconstudio.session import Session
 from iconstudio.svg.rasterise import rasterise

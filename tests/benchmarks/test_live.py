@@ -12,7 +12,7 @@ from time import perf_counter
 import numpy as np
 import pytest
 
-from iconstudio.algorithms.expansion import LAMBDAS
+from iconstudio.algorithms.iconification.lattice import LAMBDAS
 from iconstudio.inputs.sketch import example
 from iconstudio.model import Polygon, Sketch
 from iconstudio.session import Session

@@ -9,14 +9,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from iconstudio.algorithms.matching import MATCHES, SCALES, Matcher, prepare
+from iconstudio.algorithms.iconification.matching import MATCHES, SCALES, Matcher, prepare
+from iconstudio.algorithms.iconification.style import STYLES
+from iconstudio.algorithms.iconification.tsdf import tsdf
 from iconstudio.algorithms.raster import fill_polygon
-from iconstudio.algorithms.style import STYLES
-from iconstudio.algorithms.tsdf import tsdf
 from iconstudio.inputs.sketch import example, read_sketch
 from iconstudio.resources import resource
 from iconstudio.session import Session
-from tests.exhaustive import exhaustive
+from tests.oracles.exhaustive import exhaustive
 from tests.shapes import regions_of
 
 MANY = "house"

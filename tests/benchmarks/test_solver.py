@@ -12,17 +12,18 @@ from time import process_time
 import numpy as np
 import pytest
 
-from iconstudio.algorithms.energy import RemixProblem, remix_problem
-from iconstudio.algorithms.expansion import LAMBDAS, Lattice, energy, minimise
-from iconstudio.algorithms.matching import sources_of
+from iconstudio.algorithms.iconification.energy import RemixProblem, remix_problem
+from iconstudio.algorithms.iconification.lattice import LAMBDAS, Lattice
+from iconstudio.algorithms.iconification.matching import sources_of
+from iconstudio.algorithms.iconification.style import STYLES
+from iconstudio.algorithms.iconification.sweep import Sweep
+from iconstudio.algorithms.iconification.tsdf import tsdf
 from iconstudio.algorithms.raster import fill_polygon
-from iconstudio.algorithms.style import STYLES
-from iconstudio.algorithms.sweep import Sweep
-from iconstudio.algorithms.tsdf import tsdf
 from iconstudio.inputs.sketch import read_sketch
 from iconstudio.resources import resource
 from iconstudio.session import Session
 from iconstudio.workflows.grid import distinct
+from tests.oracles.expansion import energy, minimise
 from tests.shapes import regions_of
 
 FALLING = LAMBDAS[::-1]

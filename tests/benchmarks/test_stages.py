@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 from scipy import ndimage
 
-from iconstudio.algorithms.energy import remix_problem
-from iconstudio.algorithms.matching import sources_of
+from iconstudio.algorithms.iconification.energy import remix_problem
+from iconstudio.algorithms.iconification.matching import sources_of
+from iconstudio.algorithms.iconification.style import STYLES
+from iconstudio.algorithms.iconification.sweep import Sweep
+from iconstudio.algorithms.iconification.tsdf import D_MAX, tsdf
 from iconstudio.algorithms.raster import fill_polygon
-from iconstudio.algorithms.style import STYLES
-from iconstudio.algorithms.sweep import Sweep
-from iconstudio.algorithms.tsdf import D_MAX, tsdf
 from iconstudio.inputs.sketch import example
 from iconstudio.model import CANVAS
 from iconstudio.session import Session

@@ -8,11 +8,11 @@ from pathlib import Path
 
 import numpy as np
 
-from iconstudio.algorithms.ranking import Score
-from iconstudio.algorithms.scanning import Scan, ink_of, scanned
+from iconstudio.algorithms.iconification.ranking import Score
+from iconstudio.algorithms.scanning.binarisation import Scan, ink_of, scanned
 from iconstudio.files import read_bytes
-from iconstudio.library.images import LONGEST, Image, is_image_file
-from iconstudio.library.pillow import decode
+from iconstudio.images.pillow import decode
+from iconstudio.images.reading import LONGEST, Image, is_image_file
 from iconstudio.model import (
     CANVAS,
     Composite,

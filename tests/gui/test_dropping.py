@@ -13,7 +13,7 @@ from PySide6.QtGui import QDragEnterEvent, QDropEvent, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from iconstudio.algorithms.ranking import Score
+from iconstudio.algorithms.iconification.ranking import Score
 from iconstudio.gui.dragging import packed
 from iconstudio.gui.mime import holds_words, items
 from iconstudio.gui.pictures import picture_of

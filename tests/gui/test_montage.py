@@ -20,7 +20,7 @@ from PySide6.QtGui import (
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog
 
-from iconstudio.algorithms.guidance import scribble
+from iconstudio.algorithms.iconification.guidance import scribble
 from iconstudio.gui import theme
 from iconstudio.gui.dragging import packed
 from iconstudio.gui.main_window import MainWindow

@@ -9,7 +9,7 @@ from fake_session import exemplar
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from iconstudio.algorithms.guidance import points_on, scribble
+from iconstudio.algorithms.iconification.guidance import points_on, scribble
 from iconstudio.inputs.montage import LayerFile, MontageFile, read_montage, write_montage
 from iconstudio.model import CANVAS, IconstudioError, Placement, Stroke
 from iconstudio.workflows.montage import check

@@ -12,9 +12,9 @@ from PySide6.QtWidgets import QApplication, QFileDialog
 
 from iconstudio.gui.mipmap import Mipmap
 from iconstudio.gui.photo import image_of, photo_of, qt_image
+from iconstudio.images.reading import Image
 from iconstudio.inputs.examples import examples
 from iconstudio.inputs.sketch import example, read_sketch
-from iconstudio.library.images import Image
 from iconstudio.model import IconstudioError
 
 

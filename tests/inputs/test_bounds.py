@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from iconstudio.algorithms.geometry import near
-from iconstudio.algorithms.guidance import scribble
+from iconstudio.algorithms.iconification.guidance import scribble
 from iconstudio.inputs import fields
 from iconstudio.inputs.edit import read_edit
 from iconstudio.inputs.hybrids import read_hybrids

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from small_world import write_sets, write_wordnet
 
-from iconstudio.library.builder import Inputs, build
+from iconstudio.building.builder import Inputs, build
 from iconstudio.library.collection import Collection
 from iconstudio.workers import Workers
 

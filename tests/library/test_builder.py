@@ -6,9 +6,9 @@ from concurrent.futures import Future
 import pytest
 from small_world import icon_set, shape, write_sets
 
-from iconstudio.library import drawings
+from iconstudio.building import drawings
+from iconstudio.building.builder import Inputs, build
 from iconstudio.library.archive import Archive
-from iconstudio.library.builder import Inputs, build
 from iconstudio.library.iconify import RawIcon
 from iconstudio.model import IconstudioError
 from iconstudio.workers import ProcessDied

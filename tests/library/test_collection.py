@@ -13,10 +13,10 @@ from functools import partial
 import pytest
 from small_world import icon_set, shape
 
+from iconstudio.building.selection import LICENCES
 from iconstudio.library import database
 from iconstudio.library.archive import MANIFEST, Archive
 from iconstudio.library.collection import Collection, cache_folder
-from iconstudio.library.selection import LICENCES
 from iconstudio.model import IconstudioError
 from iconstudio.resources import resource
 

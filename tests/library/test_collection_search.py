@@ -12,7 +12,7 @@ from small_world import icon_set, shape
 from iconstudio.library import search
 from iconstudio.library.collection import Collection
 from iconstudio.library.fingerprint import SIDE, WORDS, fingerprint, stack, unlikeness
-from iconstudio.library.naming import take_apart
+from iconstudio.library.words.naming import take_apart
 from iconstudio.model import IconstudioError
 
 bitmaps = hnp.arrays(np.bool_, (5, SIDE, SIDE))

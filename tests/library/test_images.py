@@ -14,9 +14,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from PIL import Image, ImageCms, PngImagePlugin
 
-from iconstudio.library import pillow
-from iconstudio.library.images import LONGEST, read_image
-from iconstudio.library.pillow import decode, is_image
+from iconstudio.images import pillow
+from iconstudio.images.pillow import decode, is_image
+from iconstudio.images.reading import LONGEST, read_image
 from iconstudio.model import IconstudioError
 from iconstudio.workers import Workers
 

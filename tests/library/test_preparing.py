@@ -4,10 +4,10 @@ from concurrent.futures import CancelledError
 import numpy as np
 import pytest
 
-from iconstudio.algorithms import sliding
-from iconstudio.algorithms.matching import SCALES, prepare
-from iconstudio.library import preparing
-from iconstudio.library.preparing import PreparingCache, prepared_entries
+from iconstudio.algorithms.iconification import sliding
+from iconstudio.algorithms.iconification.matching import SCALES, prepare
+from iconstudio.caches import preparing
+from iconstudio.caches.preparing import PreparingCache, prepared_entries
 from iconstudio.workers import Workers
 from tests.shapes import blob, exemplar
 

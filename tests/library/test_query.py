@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from iconstudio.library import query
+from iconstudio.library.words import query
 
 
 @pytest.mark.parametrize(

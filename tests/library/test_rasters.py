@@ -9,8 +9,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from iconstudio.library import rasters, store
-from iconstudio.library.rasters import RasterCache, draw_entries
+from iconstudio.caches import rasters, store
+from iconstudio.caches.rasters import RasterCache, draw_entries
 from iconstudio.model import Credit, IconstudioError, Pictogram
 from iconstudio.svg.rasterise import rasterise
 from iconstudio.workers import Workers
@@ -228,7 +228,7 @@ def test_closing_the_generator_leaves_the_rest_undone(cache, tmp_path):
 OTHER = """
 import sys
 from pathlib import Path
-from iconstudio.library.rasters import RasterCache
+from iconstudio.caches.rasters import RasterCache
 from iconstudio.model import Exemplar
 from iconstudio.workers import Workers
 from tests.library.test_rasters import GOOD

@@ -5,10 +5,18 @@ from hypothesis import given
 from hypothesis import strategies as st
 from small_world import write_wordnet
 
-from iconstudio.library.inflections import is_irregular, singulars, verb_forms
-from iconstudio.library.naming import is_negated, take_apart
-from iconstudio.library.readings import BADGED, COMPOUND, EXACT, MENTION, POSED, SCENE, readings
-from iconstudio.library.wordnet import WordNet
+from iconstudio.library.words.inflections import is_irregular, singulars, verb_forms
+from iconstudio.library.words.naming import is_negated, take_apart
+from iconstudio.library.words.readings import (
+    BADGED,
+    COMPOUND,
+    EXACT,
+    MENTION,
+    POSED,
+    SCENE,
+    readings,
+)
+from iconstudio.library.words.wordnet import WordNet
 
 
 @pytest.fixture(scope="module")

@@ -4,9 +4,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from iconstudio.algorithms.energy import remix_problem
+from iconstudio.algorithms.iconification.energy import remix_problem
+from iconstudio.algorithms.iconification.tsdf import tsdf
 from iconstudio.algorithms.raster import fill_polygon
-from iconstudio.algorithms.tsdf import tsdf
 from iconstudio.model import CANVAS, Composite, Credit, Exemplar, Placement, Polygon, Sketch, Source
 from iconstudio.svg.resvg import render_placed
 from iconstudio.workflows.events import Result

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from iconstudio.algorithms.guidance import scribble
-from iconstudio.algorithms.ranking import Score
+from iconstudio.algorithms.iconification.guidance import scribble
+from iconstudio.algorithms.iconification.ranking import Score
 from iconstudio.model import CANVAS, Axis, Layer, Montage, Stroke
 from iconstudio.output.colours import key_of, palette
 from iconstudio.output.hybrids import HybridsReport

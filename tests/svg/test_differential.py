@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy.ndimage import binary_dilation
 
-from iconstudio.algorithms.style import two_toned
+from iconstudio.algorithms.iconification.style import two_toned
 from iconstudio.library.collection import Collection
 from iconstudio.svg.rasterise import rasterise
 from iconstudio.svg.reading import own_svg

@@ -10,10 +10,10 @@ from hypothesis import strategies as st
 from PIL import Image
 from scipy import ndimage
 
-from iconstudio.algorithms.energy import placed_sources
-from iconstudio.algorithms.fragments import fragments
+from iconstudio.algorithms.iconification.energy import placed_sources
+from iconstudio.algorithms.iconification.fragments import fragments
+from iconstudio.algorithms.iconification.redraw import SCALE, erase, redraw, two_tone
 from iconstudio.algorithms.raster import inked_tiles
-from iconstudio.algorithms.redraw import SCALE, erase, redraw, two_tone
 from iconstudio.model import CANVAS, Exemplar, Frame, Placement, Source
 from iconstudio.svg.rasterise import rasterise
 from iconstudio.svg.resvg import render_coverage, render_placed

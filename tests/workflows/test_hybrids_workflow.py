@@ -3,7 +3,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from iconstudio.algorithms.symmetry import reflected
+from iconstudio.algorithms.iconification.symmetry import reflected
 from iconstudio.model import CANVAS, Axis, IconstudioError, Mix
 from iconstudio.svg.resvg import render_placed
 from iconstudio.workers import Workers

@@ -1,8 +1,8 @@
 import numpy as np
 import pytest
 
-from iconstudio.algorithms.energy import joined_ink, placed_sources
-from iconstudio.algorithms.matching import Matcher, prepare
+from iconstudio.algorithms.iconification.energy import joined_ink, placed_sources
+from iconstudio.algorithms.iconification.matching import Matcher, prepare
 from iconstudio.model import CANVAS, Frame, IconstudioError, Placement, Polygon, Sketch
 from iconstudio.svg.resvg import render_coverage, render_placed
 from iconstudio.workers import Workers

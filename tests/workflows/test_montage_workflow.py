@@ -3,8 +3,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from iconstudio.algorithms.guidance import carried, scribble
-from iconstudio.algorithms.overhang import seen
+from iconstudio.algorithms.iconification.guidance import carried, scribble
+from iconstudio.algorithms.iconification.overhang import seen
 from iconstudio.algorithms.raster import placed_ink
 from iconstudio.model import CANVAS, IconstudioError, Layer, Montage, Placement, Stroke
 from iconstudio.svg.resvg import render_placed

@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from iconstudio.algorithms.energy import placed_sources
-from iconstudio.algorithms.overhang import overhang, seen
+from iconstudio.algorithms.iconification.energy import placed_sources
+from iconstudio.algorithms.iconification.overhang import overhang, seen
 from iconstudio.model import CANVAS, MARGIN, Frame, Placement, Source
 from iconstudio.svg.resvg import render_coverage, render_placed
 from iconstudio.workflows.drawing import PREVIEW, SCALE, draw

@@ -5,7 +5,7 @@ import time
 
 import pytest
 
-from iconstudio.algorithms.matching import Matcher, prepare
+from iconstudio.algorithms.iconification.matching import Matcher, prepare
 from iconstudio.algorithms.raster import overlap
 from iconstudio.model import CANVAS, Polygon, Sketch
 from iconstudio.svg.resvg import render_placed

@@ -18,7 +18,7 @@ from iconstudio.gui.preparation import DEBOUNCE
 from iconstudio.gui.runner import Runner
 from iconstudio.gui.theme import UNIT
 from iconstudio.gui.worker import Worker
-from iconstudio.library.images import SUFFIXES
+from iconstudio.images.reading import SUFFIXES
 from iconstudio.model import Exemplar, Pictogram, SpriteError
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event, Retrieved

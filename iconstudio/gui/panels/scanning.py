@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from iconstudio.algorithms.scanning import Scan
+from iconstudio.algorithms.scanning.binarisation import Scan
 from iconstudio.gui import theme
 from iconstudio.gui.mipmap import Mipmap
 from iconstudio.gui.newest import Newest
@@ -29,7 +29,7 @@ from iconstudio.gui.runner import Runner
 from iconstudio.gui.theme import UNIT
 from iconstudio.gui.vector import painter_path
 from iconstudio.gui.worker import Worker
-from iconstudio.library.images import SUFFIXES, Image, is_image_file
+from iconstudio.images.reading import SUFFIXES, Image, is_image_file
 from iconstudio.model import Pictogram
 from iconstudio.session import Session
 

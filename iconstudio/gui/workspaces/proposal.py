@@ -60,7 +60,7 @@ class SymmetryProposal(QObject):
             self._timer.start()
 
     def _look(self) -> None:
-        from iconstudio.algorithms.symmetry import propose
+        from iconstudio.algorithms.iconification.symmetry import propose
 
         self._outline = self._outline_of(self._document.page)
         try:

@@ -7,8 +7,8 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.energy import joined_ink
-from iconstudio.algorithms.ranking import Gallery
+from iconstudio.algorithms.iconification.energy import joined_ink
+from iconstudio.algorithms.iconification.ranking import Gallery
 from iconstudio.gui.pictures import Picture, picture_of
 from iconstudio.model import CANVAS, Composite, Drawing, Mix
 from iconstudio.session import Session

@@ -19,7 +19,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QGridLayout, QScrollArea, QToolButton, QWidget
 
-from iconstudio.algorithms.guidance import mirror_image
+from iconstudio.algorithms.iconification.guidance import mirror_image
 from iconstudio.algorithms.raster import solid
 from iconstudio.gui import icons, theme
 from iconstudio.gui.dragging import take_copy

@@ -167,8 +167,8 @@ def shared_axis(page: HybridsPage) -> Axis | None:
 @lru_cache(64)
 def _axes(exemplar: Exemplar) -> frozenset[Axis]:
     """Return the axes about which an icon's solid shape is nearly symmetric."""
+    from iconstudio.algorithms.iconification.symmetry import NEARLY, likeness
     from iconstudio.algorithms.raster import solid
-    from iconstudio.algorithms.symmetry import NEARLY, likeness
 
     shape = solid(exemplar.ink)
     return frozenset(axis for axis in Axis if likeness(shape, axis) >= NEARLY)

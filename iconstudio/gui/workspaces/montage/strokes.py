@@ -11,9 +11,9 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.algorithms import guidance
 from iconstudio.algorithms.geometry import near, simplified_line
-from iconstudio.algorithms.guidance import points_on, scribble
+from iconstudio.algorithms.iconification import guidance
+from iconstudio.algorithms.iconification.guidance import points_on, scribble
 from iconstudio.model import CANVAS, Placement, Point, Stroke
 
 THINNEST, WIDEST = 1.0, 2.0 * CANVAS

@@ -7,8 +7,8 @@ from iconstudio.gui.mime import Drawing, File, Image, Item
 from iconstudio.gui.photo import Photo, image_of, photo_of
 from iconstudio.gui.workspaces.opening import Opener
 from iconstudio.gui.workspaces.sketching import page
+from iconstudio.images.reading import SUFFIXES
 from iconstudio.inputs.sketch import SketchFile, read_sketch
-from iconstudio.library.images import SUFFIXES
 from iconstudio.model import IconstudioError
 
 _PHOTOS = f"Photos ({' '.join(f'*.{one}' for one in SUFFIXES)})"

@@ -1,0 +1,1 @@
+"""Data-Driven Iconification: each section of the paper is a module that cites it."""

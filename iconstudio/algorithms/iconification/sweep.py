@@ -1,0 +1,356 @@
+"""Remixes of one problem for many lambda_S, each helping the others (section 3.4).
+
+Importing this module loads numba, so only the process that cuts should do so.
+
+Alpha-expansion ends in one of many local minima, and in which depends on where it begins. What a
+labelling costs is D + lambda_S S, so each that is found counts for other lambda_S, too, and each
+search begins with the best one it may know.
+
+What is exact: every expansion is the best one (``networks``, ``cuts``) on its lattice, of blocks or
+of sites near seams; so no search ends above its beginning. Energies are whole numbers of
+``networks.UNIT`` parts, some 1e-5 off. Debug runs (``check``) assert that flows are feasible, cuts
+worth their flow, and energies never rise.
+
+What is heuristic, in the order of the work:
+
+1. ``preview``: expansions on blocks of 2 x 2 sites. The energy is the true one, restricted to
+   labellings that are constant on blocks: a quarter of the nodes, a tenth of the time. It begins
+   with the best on blocks of 4 x 4: from where the data cost rules, at the lowest lambda_S, up to
+   the one that is wanted; and from what is known, such as the result before an edit.
+2. ``find`` looks for good regions to begin in, for one of a row of lambda_S: on blocks of 2 x 2
+   from the lowest lambda_S up to it, each from the last, and from the highest down to it, in either
+   way through half of the row at least; and those on 4 x 4 blocks, from the cheapest labels, that
+   are nearly as good as the best of these are improved on 2 x 2. It ends with expansions on the
+   sites near the seams of the best labelling: elsewhere next to nothing is gained. The rises and
+   falls are kept for the others of the row.
+
+What ``find`` returns depends on the problem, the value and the row alone: not on what was asked
+before, nor on previews. (A minimum cut need not be the only one, but each network gives the one
+with the fewest sites that change, however much flow it had.)
+Everything is deterministic: the same calls in the same order give the same labellings.
+"""
+
+from collections.abc import Callable, Iterable, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from scipy import ndimage
+
+from iconstudio.algorithms.iconification.energy import EPSILON, F_INT, PATCH, Labels, RemixProblem
+from iconstudio.algorithms.iconification.lattice import LAMBDAS, Lattice
+from iconstudio.algorithms.iconification.symmetry import mirrored
+from iconstudio.algorithms.mincut.cuts import SOURCE, minimum_cut, new_trees
+from iconstudio.algorithms.mincut.networks import (
+    FREE,
+    HELD,
+    UNIT,
+    Box,
+    Grid,
+    Network,
+    Smoothness,
+    move,
+    new_network,
+    new_scratch,
+    update,
+)
+from iconstudio.model import CANVAS
+
+BLOCK = 2
+COARSE = 4
+RISES = 4
+"""In how many steps a preview goes from the lowest lambda_S to the one that is wanted."""
+REACH = 5
+"""Sites farther than this from a seam keep their labels in the end."""
+PROMISING = 1.03
+"""An energy this much above the best that is found is worth refining."""
+FAR = 0.5
+"""From this lambda_S on, seams outweigh the data cost, so that flow goes far."""
+LARGEST = 16.0
+"""Above this lambda_S, expansions are made as if it were this, as whole numbers have an end."""
+ROUNDING = 1e-4
+"""The energy that whole numbers stand for may be so much off, in parts of it."""
+_DEAREST = 1 << 29
+"""The largest data cost of a node, in units: more than all seams around it."""
+
+
+class Stopped(Exception):  # noqa: N818 - nothing went wrong
+    """The work was no longer wanted."""
+
+
+class Level:
+    """A problem on blocks of ``block`` x ``block`` sites, and the networks of its labels.
+
+    Labels here are arrays (N,) uint8 with the grid's border.
+    """
+
+    def __init__(
+        self, problem: RemixProblem, block: int, words: np.ndarray, check: bool = False
+    ) -> None:
+        lattice = Lattice(problem, block)
+        self._check = check
+        side = problem.side // block
+        width = side + 2
+        self._inside = (np.arange(1, side + 1)[:, None] * width + np.arange(1, side + 1)).ravel()
+        self._image = np.arange(side * side)
+        if problem.symmetry is not None:
+            self._image = np.minimum(self._image, mirrored(side, problem.symmetry))
+        kept = np.zeros(width * width, np.int8)
+        kept[self._inside] = np.where(self._image == np.arange(side * side), FREE, 0)
+        self._nodes = kept > 0
+        data = np.zeros((len(problem.data), width * width), np.int32)
+        for costs, row in zip(lattice.data, data, strict=True):
+            row[self._inside] = np.minimum(np.rint(costs * UNIT), _DEAREST)[lattice.node]
+        offset = np.array([1, -1, width, -width], np.int32)
+        self.grid = Grid(words, data, kept, offset, side, block)
+        self._networks: list[Network | None] = [None] * len(data)
+        self._trees = new_trees(width * width)
+        self._scratch = new_scratch(len(words), problem.side, width * width)
+        self.begin(1.0)
+
+    def cheapest(self) -> Labels:
+        """Return the labels of least data cost."""
+        return self.grid.data.argmin(axis=0).astype(np.uint8)
+
+    def reduced(self, labels: Labels) -> Labels:
+        """Return the labels of the blocks' first sites; ``labels`` is (m, m)."""
+        block = self.grid.block
+        out = np.zeros(self.grid.kept.shape, np.uint8)
+        out[self._inside] = labels[::block, ::block].ravel()
+        return out
+
+    def full(self, labels: Labels) -> Labels:
+        """Return labels on the sites, (m, m)."""
+        side, block = self.grid.side, self.grid.block
+        picture = labels[self._inside][self._image].reshape(side, side)
+        return picture.repeat(block, axis=0).repeat(block, axis=1)
+
+    def hold(self, labels: Labels) -> None:
+        """From the next ``begin`` on, let only nodes near seams of the labels change."""
+        side = self.grid.side
+        inside = (slice(1, -1), slice(1, -1))
+        picture = labels.reshape(side + 2, side + 2)[inside]
+        seam = ndimage.maximum_filter(picture, 3) != ndimage.minimum_filter(picture, 3)
+        free = ndimage.maximum_filter(seam, 2 * REACH - 1)
+        kept = np.zeros((side + 2, side + 2), np.int8)
+        kept[inside] = np.where(free, FREE, np.where(ndimage.maximum_filter(free, 3), HELD, 0))
+        self.grid = self.grid._replace(kept=np.where(self._nodes, kept.ravel(), 0).astype(np.int8))
+
+    def let_go(self) -> None:
+        """Forget the networks, most of the memory; the next expansions begin anew."""
+        self._networks = [None] * len(self._networks)
+
+    def descend(self, labels: Labels, lambda_s: float, stop: Callable[[], bool]) -> None:
+        """Expand all labels in turn, in place, until none gains.
+
+        Raises
+        ------
+        Stopped
+            When ``stop()`` says so; asked every few milliseconds.
+        """
+        self.begin(lambda_s)
+
+        def ask() -> None:
+            if stop():
+                raise Stopped
+
+        count = len(self._networks)
+        idle, alpha = 0, 0
+        while idle < count:
+            ask()
+            idle = 0 if self.expand(labels, alpha, ask) else idle + 1
+            alpha = (alpha + 1) % count
+
+    def begin(self, lambda_s: float) -> None:
+        """Set lambda_S for the expansions to come, of any labels."""
+        unit = min(lambda_s, LARGEST) * UNIT
+        self._far = lambda_s >= FAR
+        root = np.ceil(unit * np.sqrt(np.arange(PATCH * PATCH + 1))).astype(np.int32)
+        self.smoothness = Smoothness(root, int(np.ceil(unit * F_INT)), int(np.ceil(unit * EPSILON)))
+        self._changed = [(0, self.grid.side, 0, self.grid.side)] * len(self._networks)
+
+    def touch(self, box: Box) -> None:
+        """Say that labels within a box have changed, one node or more from its border."""
+        self._changed = [_joined(one, box) for one in self._changed]
+
+    def expand(self, labels: Labels, alpha: int, ask: Callable[[], None] = lambda: None) -> int:
+        """Make the best expansion of a label, in place; return what it gains, in units.
+
+        ``labels`` are those of the last expansion, except where ``touch`` has been told. If ``ask``
+        raises, called every few milliseconds, they are as before; then ``begin`` must come next.
+        """
+        box = self._changed[alpha]
+        if box[0] >= box[1]:
+            return 0
+        self._changed[alpha] = (self.grid.side, 0, self.grid.side, 0)
+        grid, trees = self.grid, self._trees
+        network = self._networks[alpha]
+        cold = network is None
+        if network is None:
+            network = self._networks[alpha] = new_network(len(grid.kept))
+        if not update(grid, self.smoothness, network, self._scratch, labels, alpha, box):
+            return 0
+        full = box == (0, grid.side, 0, grid.side)
+        far = cold and self._far
+        total = network.excess.sum() if self._check else 0
+        minimum_cut(grid.offset, network.capacity, network.excess, trees, full, far, ask)
+        if self._check:
+            check_cut(grid, network, trees.tree, int(total))
+        gain, box = move(grid.side, network.excess, trees.tree, labels, alpha)
+        if gain:
+            self.touch(box)
+        return gain
+
+
+class Found(NamedTuple):
+    """A labelling (m, m), and what it costs."""
+
+    data: float
+    smoothness: float
+    labels: Labels
+
+    def energy(self, lambda_s: float) -> float:
+        """Return the energy for a lambda_S."""
+        return self.data + lambda_s * self.smoothness
+
+
+class Sweep:
+    """The labellings of a problem found so far, and the means to find better ones.
+
+    ``stop`` is asked every few milliseconds; when it says so, ``Stopped`` is raised, and the sweep
+    can still be used. With ``check``, for debug runs, the invariants are asserted: every flow is
+    feasible, every cut is worth its flow (``check_cut``), and no search ends above its beginning.
+    """
+
+    def __init__(
+        self,
+        problem: RemixProblem,
+        stop: Callable[[], bool] = lambda: False,
+        check: bool = False,
+    ) -> None:
+        self._check = check
+        self._problem = problem
+        self._stop = stop
+        self._words = plane_words(problem)
+        self._levels: dict[int, Level] = {}
+        self._known: list[Found] = []
+        self._chains: dict[tuple[int, tuple[float, ...]], Found] = {}
+
+    def add(self, labels: Labels) -> None:
+        """Make a labelling (m, m) known, such as that of a similar problem."""
+        self._known.append(Found(*self._problem.costs(labels), labels))
+
+    def best(self, lambda_s: float) -> Labels:
+        """Return the best labelling known, (m, m)."""
+        return _best(self._known, lambda_s).labels
+
+    def energy(self, lambda_s: float) -> float:
+        """Return the energy of the best labelling known."""
+        return _best(self._known, lambda_s).energy(lambda_s)
+
+    def preview(self, lambda_s: float) -> Labels:
+        """Return a good labelling soon, (m, m); what is known already is improved, too."""
+        if self._known:
+            self._descend(COARSE, lambda_s, self.best(lambda_s))
+        labels = None
+        lowest = LAMBDAS[0] * self._problem.side / CANVAS
+        for value in np.geomspace(min(lowest, lambda_s), lambda_s, RISES):
+            labels = self._descend(COARSE, value, labels).labels
+        self._descend(BLOCK, lambda_s, self.best(lambda_s))
+        return self.best(lambda_s)
+
+    def find(self, lambda_s: float, row: Iterable[float]) -> Labels:
+        """Return a labelling of low energy, (m, m), whatever else is known.
+
+        ``lambda_s`` is one of the values of ``row``, for which labellings are looked for, too.
+        """
+        values = sorted(row)
+        at = values.index(lambda_s)
+        half = len(values) // 2  # at least so many on the way, for those near the ends
+        rising, falling = values[: max(at, half) + 1], values[min(at, len(values) - 1 - half) :]
+        found = [*self._chain(tuple(rising)), *self._chain(tuple(falling[::-1]))]
+        for value in values[max(0, at - 1) : at + 2]:
+            coarse = self._kept(COARSE, (value,))
+            if coarse.energy(lambda_s) < PROMISING * _best(found, lambda_s).energy(lambda_s):
+                found.append(self._descend(BLOCK, lambda_s, coarse.labels))
+        found.append(self._descend(1, lambda_s, _best(found, lambda_s).labels))
+        return _best(found, lambda_s).labels
+
+    def solve(self, lambda_s: float) -> Labels:
+        """Return a labelling of low energy, (m, m), that is no worse than any that is known."""
+        if not self._known:
+            self._descend(BLOCK, lambda_s, None)
+        self._descend(1, lambda_s, self.best(lambda_s))
+        return self.best(lambda_s)
+
+    def _chain(self, values: tuple[float, ...]) -> list["Found"]:
+        """Return what is found for values one after another, each from the last."""
+        return [self._kept(BLOCK, values[: count + 1]) for count in range(len(values))]
+
+    def _kept(self, block: int, values: tuple[float, ...]) -> "Found":
+        """Return what is found at the end of a chain of values, and remember it."""
+        key = block, values
+        if key not in self._chains:
+            start = self._kept(block, values[:-1]).labels if values[1:] else None
+            self._chains[key] = self._descend(block, values[-1], start)
+        return self._chains[key]
+
+    def _descend(self, block: int, lambda_s: float, start: Labels | None) -> "Found":
+        """Expand from ``start``, the cheapest labels if None, and remember what is found."""
+        if block not in self._levels:
+            self._levels[block] = Level(self._problem, block, self._words, self._check)
+        level = self._levels[block]
+        labels = level.cheapest() if start is None else level.reduced(start)
+        if block == 1:
+            level.hold(labels)
+        before = level.full(labels) if self._check else None
+        level.descend(labels, lambda_s, self._stop)
+        if block == 1:
+            level.let_go()
+        self.add(level.full(labels))
+        found = self._known[-1]
+        if before is not None:
+            fallen = self._energy(before, lambda_s) - self._energy(found.labels, lambda_s)
+            assert fallen >= -ROUNDING * self._energy(before, lambda_s)
+        return found
+
+    def _energy(self, labels: Labels, lambda_s: float) -> float:
+        data, smoothness = self._problem.costs(labels)
+        return data + min(lambda_s, LARGEST) * smoothness
+
+
+def plane_words(problem: RemixProblem) -> np.ndarray:
+    """Return ``Grid.words`` of a problem."""
+    inside = problem.interior.reshape(len(problem.data), -1)
+    words = problem.patches | inside.astype(np.uint64) << np.uint64(63)
+    if problem.symmetry is None:
+        return words[None]
+    return np.stack([words, words[:, mirrored(problem.side, problem.symmetry)]])
+
+
+def check_cut(grid: Grid, network: Network, tree: np.ndarray, total: int) -> None:
+    """Assert that a cut is minimum: its flow is feasible, and no more can be sent.
+
+    ``total`` is the sum of the excess before: flow moves it, but nothing is lost.
+    """
+    taken = tree == SOURCE
+    assert (network.capacity >= 0).all()
+    assert network.excess.sum() == total
+    assert (network.excess[taken] >= 0).all()
+    assert (network.excess[~taken] <= 0).all()
+    for d, step in enumerate(grid.offset.tolist()):
+        assert not network.capacity[taken & ~np.roll(taken, -step), d].any()
+
+
+def _best(found: Sequence[Found], lambda_s: float) -> Found:
+    """Return what costs least; the first of equals."""
+    return min(found, key=lambda one: one.energy(lambda_s))
+
+
+def _joined(one: Box, other: Box) -> Box:
+    """Return the box around two."""
+    return (
+        min(one[0], other[0]),
+        max(one[1], other[1]),
+        min(one[2], other[2]),
+        max(one[3], other[3]),
+    )

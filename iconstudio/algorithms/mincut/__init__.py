@@ -1,0 +1,1 @@
+"""Exact minimum cuts of grids."""

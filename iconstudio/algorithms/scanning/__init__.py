@@ -1,0 +1,1 @@
+"""From a photo of a pen drawing to black and white."""

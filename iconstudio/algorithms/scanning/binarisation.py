@@ -1,0 +1,242 @@
+"""A scan, a photo of a drawing or a picture of an icon becomes black and white.
+
+What lights the paper unevenly is divided out (flat-field correction), so that one threshold
+(N. Otsu, 1979) serves all of it; it may be a coloured pen, chalk on a board, or transparent.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+import scipy
+from numpy.typing import NDArray
+
+from iconstudio.algorithms.scanning.paper import lighting, page
+from iconstudio.model import IconstudioError
+
+SIDE = 512
+"""Pixels of the longer side of a drawing; its curves are fitted to about a third of one."""
+LEAST = 0.12
+"""A drawing is darker than its paper by so much at least, of all the way to black."""
+
+_COARSE = 512
+"""Pixels of the longer side at which paper and drawing are told apart."""
+_SPECK = 72
+"""Most pixels of what is taken for dirt, on the paper or in the ink."""
+_MARGIN = 0.04
+"""Air around a drawing, as part of its longer side."""
+_OPAQUE = 0.95
+"""Opacity of ink, as part of the most that there is."""
+_PLAIN = 0.25
+"""Colours that differ by no more are one."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Scan:
+    """A drawing, cut out of its paper."""
+
+    darkness: NDArray[np.uint8]
+    """(h, w), the longer side ``SIDE``: from 0, paper, to 255, the darkest there can be."""
+    threshold: int
+    """What is darker is ink, if the user does not say otherwise."""
+    inverted: bool
+    """Whether the drawing was lighter than its ground."""
+
+
+def scanned(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
+    """Find the drawing on a picture.
+
+    Parameters
+    ----------
+    pixels
+        (h, w, 3) RGB or (h, w, 4) RGBA, in sRGB.
+    inverted
+        Whether it is lighter than its ground; None to find out.
+
+    Raises
+    ------
+    IconstudioError
+        If there is none.
+    """
+    step = -(-max(pixels.shape[:2]) // _COARSE)
+    small = _shrunk(pixels, step)
+    if small.shape[2] == 4:
+        see, inverted = _seen_through(small, inverted)
+        coarse = see(small)
+    else:
+        ground, valid, inverted = _ground(small, inverted)
+        coarse = np.where(valid, _darkness(small, ground, inverted), 0.0)
+    left, top, right, bottom = _bounds(coarse)
+    # Once more, only the drawing and in its own resolution.
+    height, width = coarse.shape
+    area = pixels[top * step : bottom * step, left * step : right * step]
+    finer = max(1, max(area.shape[:2]) // (2 * SIDE))
+    fine = _shrunk(area, finer)
+    if small.shape[2] == 4:
+        dark = see(fine)
+    else:
+        shape = fine.shape[:2]
+        here = np.s_[top : min(bottom, height), left : min(right, width)]
+        dark = _darkness(fine, _resized(ground[here], shape), inverted)
+        dark = np.where(_resized(valid[here].astype(np.float32), shape) > 0.5, dark, 0.0)
+    scale = SIDE / max(dark.shape)
+    dark = _resized(dark, tuple(max(1, round(side * scale)) for side in dark.shape))
+    dark = np.clip(scipy.ndimage.gaussian_filter(dark, 1.0), 0, 1)
+    return Scan(np.rint(dark * 255).astype(np.uint8), round(_threshold(dark) * 255), inverted)
+
+
+def ink_of(scan: Scan, threshold: int | None = None) -> NDArray[np.bool_]:
+    """Return (h, w) where there is ink: what is darker than ``threshold``, without specks.
+
+    Raises
+    ------
+    IconstudioError
+        If there is none.
+    """
+    ink = scan.darkness > (scan.threshold if threshold is None else threshold)
+    ink = ~_cleaned(~_cleaned(ink, _SPECK), _SPECK)
+    if not ink.any():
+        raise IconstudioError("Nothing is that dark. Lower the threshold.")
+    return ink
+
+
+def _seen_through(small: NDArray[np.float32], inverted: bool | None):
+    """Return how dark a transparent picture is as a function of its colours, and if inverted."""
+    alpha = small[..., 3]
+    solid = (alpha > 0.5) & ~_veil(alpha)
+    if not solid.any():
+        raise IconstudioError("It is transparent all over.")
+    inner = scipy.ndimage.binary_erosion(solid, border_value=1)
+    colours = small[inner if inner.any() else solid][:, :3]
+    if (np.ptp(np.percentile(colours, (4, 96), axis=0), axis=0) < _PLAIN).all():
+        # Of one colour: the shape is what counts.
+        inverted = bool(inverted)
+        return (lambda picture: abs(picture[..., 3] - inverted)), inverted
+    if inverted is None:
+        inverted = bool((colours.min(axis=1) < 0.5).mean() < 0.01)
+
+    def see(picture: NDArray[np.float32]) -> NDArray[np.float32]:
+        # As on paper: a bright colour is as good as black.
+        colours, alpha = picture[..., :3], picture[..., 3]
+        return np.where(_veil(alpha), 0, alpha) * (
+            colours.max(axis=2) if inverted else 1 - colours.min(axis=2)
+        )
+
+    return see, inverted
+
+
+def _veil(alpha: NDArray[np.float32]) -> NDArray[np.bool_]:
+    """Return which pixels are paper as one sees through them, whatever colour they hide.
+
+    An edge between ink and nothing is no such area: its opacity is uneven.
+    """
+    most = np.quantile(alpha, 0.99)
+    clear = (alpha > 0.05) & (alpha < _OPAQUE * most)
+    high, low = scipy.ndimage.maximum_filter(alpha, 3), scipy.ndimage.minimum_filter(alpha, 3)
+    even = clear & (high - low < 0.05)
+    return clear & scipy.ndimage.binary_dilation(even, np.ones((3, 3)))
+
+
+def _ground(
+    small: NDArray[np.float32], inverted: bool | None
+) -> tuple[NDArray[np.float32], NDArray[np.bool_], bool]:
+    """Return the paper without the drawing, where there is paper, and whether it is dark."""
+    valid = page(_luminance(small))
+    ground = lighting(small, valid)
+    if inverted is None:
+        off = _luminance(small - ground)[valid]
+        lighter, darker = (np.clip(side - LEAST, 0, None).sum() for side in (off, -off))
+        inverted = bool(lighter > darker)
+    return lighting(1 - small, valid) if inverted else ground, valid, inverted
+
+
+def _darkness(
+    picture: NDArray[np.float32], ground: NDArray[np.float32], inverted: bool
+) -> NDArray[np.float32]:
+    """Return how much darker than the paper each pixel is, in the channel where it is most so."""
+    dark = 1 - ((1 - picture if inverted else picture) / ground).min(axis=2)
+    return np.clip(dark - np.median(dark[dark < LEAST]) if (dark < LEAST).any() else dark, 0, 1)
+
+
+def _bounds(dark: NDArray[np.float32]) -> tuple[int, int, int, int]:
+    """Return left, top, right, bottom of the drawing with some air.
+
+    Raises
+    ------
+    IconstudioError
+        If there is none.
+    """
+    soft = scipy.ndimage.gaussian_filter(dark, 0.7)
+    # Also what is a little fainter than the rest: the user may want it.
+    ink = soft > 0.7 * _threshold(soft)
+    ink = _cleaned(ink, ink.size // 20000)
+    if not ink.any():
+        raise IconstudioError("No drawing can be made out on it.")
+    rows, columns = np.flatnonzero(ink.any(axis=1)), np.flatnonzero(ink.any(axis=0))
+    top, bottom, left, right = rows[0], rows[-1] + 1, columns[0], columns[-1] + 1
+    air = round(_MARGIN * max(bottom - top, right - left)) + 1
+    height, width = dark.shape
+    return (
+        max(0, int(left) - air),
+        max(0, int(top) - air),
+        min(width, int(right) + air),
+        min(height, int(bottom) + air),
+    )
+
+
+def _threshold(dark: NDArray[np.float32]) -> float:
+    """Return half the darkness of ink, where a blurred edge really runs.
+
+    Raises
+    ------
+    IconstudioError
+        If nothing is darker than the rest.
+    """
+    from skimage.filters import threshold_otsu
+
+    if np.ptp(dark) < LEAST:
+        raise IconstudioError("No drawing can be made out on it.")
+    split = threshold_otsu(dark)
+    paper, ink = dark[dark <= split], dark[dark > split]
+    low, high = float(np.median(paper)), float(np.percentile(ink, 75))
+    if high - low < LEAST:
+        raise IconstudioError("No drawing can be made out on it.")
+    return (low + high) / 2
+
+
+def _cleaned(shape: NDArray[np.bool_], speck: int) -> NDArray[np.bool_]:
+    """Return a shape without parts of at most ``speck`` pixels."""
+    labels, _ = scipy.ndimage.label(shape)
+    large = np.bincount(labels.ravel()) > speck
+    large[0] = False
+    return large[labels]
+
+
+def _luminance(picture: NDArray[np.float32]) -> NDArray[np.float32]:
+    return picture[..., :3] @ np.float32([0.2126, 0.7152, 0.0722])
+
+
+def _shrunk(pixels: NDArray[np.uint8], step: int) -> NDArray[np.float32]:
+    """Return means of ``step`` x ``step`` pixels, from 0 to 1; colours weighted by their alpha."""
+    height, width, channels = pixels.shape
+    pad = [(0, -height % step), (0, -width % step), (0, 0)]
+    padded = np.pad(pixels, pad, mode="edge") if step > 1 else pixels
+    rows, columns = padded.shape[0] // step, padded.shape[1] // step
+    blocks = padded.reshape(rows, step, columns, step, channels)
+    if channels == 3 or step == 1:
+        return (blocks.mean(axis=(1, 3), dtype=np.float32) / 255).astype(np.float32)
+    alpha = blocks[..., 3:].astype(np.float32)
+    total = alpha.sum(axis=(1, 3))
+    colours = (blocks[..., :3] * alpha).sum(axis=(1, 3)) / np.maximum(total, 1)
+    return np.concatenate([colours, total / step**2], axis=2, dtype=np.float32) / 255
+
+
+def _resized(values: NDArray[np.float32], shape: tuple[int, ...]) -> NDArray[np.float32]:
+    """Return (h, w) or (h, w, c) values at another resolution: smooth, without overshooting."""
+    from skimage.transform import resize
+
+    if values.shape[:2] == tuple(shape):
+        return values
+    smaller = shape[0] < values.shape[0]
+    return resize(
+        values, shape, order=1 if smaller else 3, mode="edge", anti_aliasing=smaller, clip=True
+    ).astype(np.float32)

@@ -1,0 +1,1 @@
+"""From coloured drawings to pictograms of one tone."""

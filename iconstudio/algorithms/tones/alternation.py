@@ -1,0 +1,46 @@
+"""Which regions of a drawing are ink: each has the tone that differs from what is around it."""
+
+from enum import Enum
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from iconstudio.algorithms.tones.regions import Mask, Regions
+
+
+class Omission(Enum):
+    """What of a drawing is no part of its pictogram, though a part of its silhouette."""
+
+    TILE = "the tile behind the drawing"
+    DECORATION = "colour behind or beside the lines of a drawing"
+
+
+class Tones(NamedTuple):
+    """What of k regions is ink."""
+
+    ink: Mask
+    """(k + 1,): the regions that are ink."""
+    lines: Mask
+    """(k + 1, k + 1): the neighbours with a line between them."""
+    over: Mask
+    """(k + 1,): the lines of a drawing, which keep their width: other ink keeps away from them."""
+    omissions: frozenset[Omission] = frozenset()
+
+
+def decide(
+    tone: NDArray[np.intp], found: Regions, weights: NDArray[np.float64], last: Mask
+) -> None:
+    """Give each region of ``tone`` 0 the tone, 1 ink or -1 paper, that differs from its neighbours.
+
+    ``weights`` (k + 1, k + 1) say how much it matters that two neighbours differ; ``last`` are
+    the regions that the others do not heed.
+    """
+    around = np.maximum(found.lengths[:, ~last].sum(axis=1), 1)
+    while not tone.all():
+        # Next is the region whose neighbours are known best; of several, the largest.
+        known = (found.lengths[:, (tone != 0) & ~last].sum(axis=1) / around).round(2)
+        number = max(
+            np.flatnonzero(tone == 0), key=lambda r: (not last[r], known[r], found.areas[r])
+        )
+        tone[number] = -1 if weights[number] @ tone > 0 else 1

@@ -1,0 +1,150 @@
+"""Line drawings: dark lines around fills, which are paper, and what else there is beside them.
+
+The rule. A shape is all that has one colour, also where a line runs over it. A shape that reaches
+the outside
+
+1. is a *fill*, and paper, if the lines enclose most of it, but for small gaps, or run along most
+   of its contour;
+2. is a *backdrop*, and paper, if most of the lines run over it, as over a blob behind a drawing;
+3. is a *line*, and ink, if it is as narrow as the lines, and free;
+4. else is a part of the drawing, and ink; the lines over it are set off by paper.
+
+A fill that reaches out of the lines and a backdrop are decoration, and left out. So is what is pale
+beside the lines: a shadow, or a glow. Within the lines, all that stands out in a fill is ink.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+import scipy
+from numpy.typing import NDArray
+
+from iconstudio.algorithms.tones.alternation import Omission, Tones, decide
+from iconstudio.algorithms.tones.regions import GREY, Mask, Regions, nearest
+
+STRIKING = 35.0
+"""Fills of a line drawing, and narrow regions, that differ by more are told apart."""
+THICK = 512 / 10
+"""Width in pixels of the thickest lines of a line drawing, and bands of white."""
+_GAP = 20
+"""Half the width in pixels of the gaps that an outline may have."""
+_ALIKE = 14.0
+"""Colours, in CIELAB, that differ by less are those of one shape."""
+_AS_DARK, _DARK, _PALE = 18.0, 30.0, 75.0
+"""Lightness: how much lighter than its lines the dark parts of a line drawing are at most, or how
+dark; and that of shadows."""
+_OUT = 0.1
+"""How much of a fill may reach out of its outline without being told."""
+
+
+class _Shapes(NamedTuple):
+    """What the regions that are no lines make together, for each region (k + 1,)."""
+
+    enclosed: NDArray[np.float64]
+    """How much of the shape that it belongs to the lines enclose."""
+    behind: NDArray[np.float64]
+    """How much of the lines runs over that shape."""
+    free: NDArray[np.float64]
+    """How much of that shape's contour is on the outside."""
+
+
+def outline(found: Regions) -> Mask | None:
+    """Return the regions (k + 1,) that are the outline of a line drawing, or None."""
+    for number in np.argsort(-found.lengths[0])[:3]:
+        line = abs(found.colours - found.colours[number]).max(axis=1) < 12
+        line[0] = False
+        if found.lengths[0, number] > 0 and _is_outline(found, line, found.colours[number, 0]):
+            return line
+    return None
+
+
+def _is_outline(found: Regions, line: Mask, lightness: float) -> bool:
+    """Whether regions of that lightness are dark, thin, and around most of their pieces."""
+    piece = found.pieces()
+    of_it = np.isin(piece, piece[line])
+    of_it[0] = False
+    fills = of_it & ~line
+    around, areas = found.lengths[0], found.areas
+    if (
+        lightness > 55
+        or around[line].sum() <= 0.4 * around.sum()
+        or areas[line].sum() >= 0.6 * areas[of_it].sum()
+        or np.average(found.colours[fills, 0], weights=areas[fills]) <= lightness + 20
+        or np.average(found.widths[line], weights=areas[line]) >= THICK
+    ):
+        return False
+    if around[line].sum() > 0.6 * around[of_it].sum():
+        return True
+    # A shape that the lines cross need have none around it, if there is nothing else without.
+    enclosed = _shapes(found, line).enclosed
+    crossed = (enclosed > _OUT) & (enclosed < 1 - _OUT)
+    crossed[0] = False
+    return around[line].sum() > 0.8 * around[~crossed].sum()
+
+
+def line_drawing(found: Regions, line: Mask) -> Tones:
+    """Return the tones of a drawing with that outline."""
+    lightness, *chromatic = found.colours.T
+    dark = lightness < max(lightness[line].max() + _AS_DARK, _DARK)
+    piece = found.pieces()
+    beside = ~np.isin(piece, piece[line])
+    pale = (lightness > _PALE) & (np.hypot(*chromatic) < 3 * GREY)
+    shapes = _shapes(found, line)
+    reaches_out = ~dark & ~beside & (shapes.free > 0)
+    thin = found.widths < 1.5 * np.average(found.widths[line], weights=found.areas[line])
+    strokes = reaches_out & thin & (found.lengths[0] > 0.7 * found.around)
+    apart = reaches_out & (shapes.enclosed < 0.5) & (shapes.free > 0.5)
+    part = apart & ~pale & ~strokes & (shapes.behind < 0.6)
+    # What lies within such a part is as in drawings without lines.
+    within = found.lengths[:, part].sum(axis=1) > 0.9 * found.around
+    tone = np.where(dark | (beside & ~pale) | strokes | part, 1, 0)
+    tone[within & (tone > 0)] = 0
+    at_line = found.lengths[:, line].sum(axis=1) > found.around / 3
+    tone[(tone == 0) & ~within & (beside | at_line)] = -1
+    tone[0] = -1
+    striking = found.contrasts > STRIKING
+    # What differs little is as its neighbours are.
+    decide(tone, found, np.where(striking, 1, -0.2) * found.lengths, tone > 1)
+    paper = tone < 0
+    paper[0] = False
+    decoration = reaches_out & (shapes.enclosed < 1 - _OUT)
+    decoration &= (shapes.enclosed > 0.5) | (shapes.free > 0.4)
+    left_out = paper & ~found.white & ((beside & pale) | decoration)
+    fills = paper & ~left_out
+    over = (tone > 0) & dark & (found.lengths[:, part].sum(axis=1) > 0)
+    omissions = frozenset([Omission.DECORATION] if left_out.any() else [])
+    return Tones(tone > 0, fills & fills[:, None] & striking, over, omissions)
+
+
+def _shapes(found: Regions, line: Mask) -> _Shapes:
+    count = len(line)
+    at_line = line[found.labels]
+    # Below the lines, what is beside them goes on.
+    below = found.labels[nearest(~at_line)]
+    meet = np.zeros((count, count), bool)
+    for one, other in ((np.s_[1:], np.s_[:-1]), (np.s_[:, 1:], np.s_[:, :-1])):
+        meet[below[one], below[other]] = True
+    difference = np.linalg.norm(found.colours[:, None] - found.colours, axis=2)
+    joined = meet & (difference < _ALIKE) & (found.white == found.white[:, None])
+    joined[0] = joined[:, 0] = False
+    number, shape = scipy.sparse.csgraph.connected_components(joined, directed=False)
+
+    def total(values: NDArray) -> NDArray[np.float64]:
+        return np.bincount(shape, values, number)[shape]
+
+    areas = np.maximum(total(found.areas), 1)
+    inner = np.bincount(found.labels[_enclosed(at_line)], minlength=count)
+    behind = np.bincount(below[at_line], minlength=count)
+    return _Shapes(
+        total(inner) / areas,
+        total(behind) / max(at_line.sum(), 1),
+        total(found.lengths[0]) / total(found.around),
+    )
+
+
+def _enclosed(lines: Mask) -> Mask:
+    """Return what lines enclose, with themselves, were gaps closed."""
+    margin = _GAP + 2
+    away = scipy.ndimage.distance_transform_edt(~np.pad(lines, margin))
+    filled = scipy.ndimage.binary_fill_holes(away <= _GAP)
+    return (scipy.ndimage.distance_transform_edt(filled) > _GAP)[margin:-margin, margin:-margin]

@@ -1,0 +1,86 @@
+"""Tiles: the rounded squares, pages and banners that icons are put on."""
+
+import numpy as np
+import scipy
+
+from iconstudio.algorithms.tones.regions import Mask, Regions
+
+SHARP, _ROUNDED, _ROUND = 0.985, 0.9, 0.76
+"""How much of its bounding box a rectangle fills, a rounded square, a circle."""
+_ALIKE = 14.0
+"""Colours, in CIELAB, that differ by less are alike."""
+_DARK = 30.0
+"""Lightness of what is dark."""
+_COLOURED = 30.0
+"""Chroma of what is plainly coloured."""
+_CONVEX = 0.95
+"""How much of its convex hull a bare sign fills, such as a triangle or a disc."""
+_GLOSS = 0.6
+"""How much a gloss on a tile differs from it, at most, as part of what the drawing does."""
+
+
+def rectangularity(found: Regions) -> float:
+    """Return how much of its bounding box the silhouette fills."""
+    height, width = _box(found.labels > 0)
+    return found.areas[1:].sum() / (height * width)
+
+
+def tile(found: Regions) -> Mask:
+    """Return the regions (k + 1,) that are a tile behind the drawing proper, and gloss on it."""
+    on_it = np.zeros(len(found.areas), bool)
+    outer = np.flatnonzero(found.lengths[0])
+    if len(outer) == 1 and len(found.areas) > 2:
+        number = int(outer[0])
+        if _is_tile(found, number):
+            on_it[number] = True
+            on_it |= _gloss(found, number)
+    return on_it
+
+
+def _is_tile(found: Regions, number: int) -> bool:
+    white, fill = found.white, rectangularity(found)
+    sharp = fill > SHARP
+    if white[number] and sharp:
+        return True
+    alike = np.linalg.norm(found.colours - found.colours[number], axis=1) < _ALIKE
+    two_tones = (white | alike)[1:].all()
+    dark = found.colours[number, 0] < _DARK
+    height, width = _box(found.labels > 0)
+    square = max(height, width) < 1.1 * min(height, width)
+    banner = sharp and dark and two_tones
+    if not banner and not (square and fill > (_ROUND if white[number] else _ROUNDED)):
+        return False
+    content = (found.labels > 0) & (found.labels != number)
+    pieces = scipy.ndimage.find_objects(scipy.ndimage.label(content)[0])
+    span = max(side.stop - side.start for piece in pieces for side in piece)
+    share = content.sum() / found.areas[1:].sum()
+    if share >= 0.6 or span <= min(height, width) / 3:
+        return False
+    return bool(white[number]) or not _is_bare_sign(found, content)
+
+
+def _is_bare_sign(found: Regions, content: Mask) -> bool:
+    """Whether all that is on a tile is one convex shape: a button's, which says little alone."""
+    from skimage.morphology import convex_hull_image
+
+    if len(found.areas) > 3:
+        return False
+    return content.sum() > _CONVEX * convex_hull_image(content).sum()
+
+
+def _gloss(found: Regions, number: int) -> Mask:
+    """Return the regions that are mere shades of a coloured tile, as gloss and shadows on it."""
+    a, b = found.colours[:, 1:].T
+    chroma = np.hypot(a, b)
+    same_hue = a * a[number] + b * b[number] > 0.9 * chroma * chroma[number]
+    coloured = (chroma > 0.3 * chroma[number]) & (chroma[number] > _COLOURED)
+    on_it = found.lengths[number] > 0.9 * found.around
+    contrast = np.where(on_it, found.contrasts[number], 0)
+    contrast[0] = 0
+    return same_hue & coloured & on_it & (contrast < _GLOSS * contrast.max())
+
+
+def _box(inside: Mask) -> tuple[int, int]:
+    """Return height and width of what is inside."""
+    rows, columns = np.flatnonzero(inside.any(axis=1)), np.flatnonzero(inside.any(axis=0))
+    return rows[-1] - rows[0] + 1, columns[-1] - columns[0] + 1

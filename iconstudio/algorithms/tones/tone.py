@@ -1,0 +1,278 @@
+"""From a coloured drawing to a pictogram: what of it is ink, and what is paper.
+
+The rule. All that is more than half as opaque as the drawing's body is its silhouette, divided
+into regions of even colour (``regions``). Of these,
+
+1. *one tone*, all over, is ink, whatever its colour and opacity;
+2. in a *line drawing*, with a dark line around most of it, the lines and what is about as dark
+   are ink, and the fills that they enclose are paper; a shape that they do not enclose is a part
+   of the drawing, or decoration (``linework``); a detail that stands out within a fill is ink;
+3. a *tile* behind the drawing is paper: a rectangle or a rounded square in which the drawing
+   stands free, neither in small pieces (as a die's dots) nor filling it (as a screen). A disc is
+   a badge or a face, and a tile only if it is near white. A bare sign, such as a triangle, keeps
+   its tile, for that is a button. Gloss goes with its tile (``tiles``);
+4. *near white* on other colours is paper, unless it stands by itself or makes a large part of
+   the silhouette (a cloud before the sun);
+5. of the others, what mainly borders on the outside is ink; what mainly borders on ink is paper
+   (eyes in a face, the door of a house), and what mainly borders on paper is ink;
+6. between two regions of ink runs a line of paper; in a line drawing, between fills that differ
+   strongly, one of ink.
+"""
+
+from enum import Enum
+from typing import NamedTuple
+
+import numpy as np
+import scipy
+from numpy.typing import NDArray
+
+from iconstudio.algorithms.tones import regions
+from iconstudio.algorithms.tones.alternation import Omission, Tones, decide
+from iconstudio.algorithms.tones.linework import STRIKING, THICK, line_drawing, outline
+from iconstudio.algorithms.tones.regions import Mask, Regions, cielab, nearest
+from iconstudio.algorithms.tones.tiles import SHARP, rectangularity, tile
+
+SIDE = 512
+"""Pixels to a side at which regions are found."""
+CONTRAST = 14.0
+"""Neighbouring colours that differ by less (CIEDE2000) are shades of one."""
+FAINT = 11.0
+"""As CONTRAST, where all that is on a tile would be one shape."""
+SMALLEST = 60
+"""Pixels of the smallest detail that reads."""
+LINE = 7.0
+"""Width of the lines drawn between regions, in pixels: 3.5 on the canvas of 256."""
+_ROUNDING = 3
+"""Levels of sRGB by which pixels of one colour may differ."""
+_BLENDS = 4.0
+"""Pixels on either side of an edge that may blend its colours."""
+_FREE = 0.9
+"""How much of its contour a shape that stands by itself shares with the outside."""
+_NARROW = 2 * LINE
+"""Width of regions that no line sets off, unless their colour is striking."""
+
+
+class Paints(Enum):
+    """Which paints of a drawing are ink, if its shapes can be kept as they are."""
+
+    ALL = "all paints are ink"
+    DARK = "near white is paper, all other paints are ink"
+    LIGHT = "near white is ink, all other paints are paper"
+
+
+class Inked(NamedTuple):
+    """The pictogram of a drawing."""
+
+    coverage: NDArray[np.uint8]
+    """(n, n), 255 = ink."""
+    omissions: frozenset[Omission] = frozenset()
+    """What of the drawing is no part of it."""
+
+
+def pictogram(rgba: NDArray[np.uint8]) -> Inked:
+    """Return the pictogram of a drawing (n, n, 4).
+
+    The drawing is sRGB with straight alpha, fitted to the square; n is best a multiple of SIDE.
+    A drawing without anything to see has no ink.
+    """
+    rgb, alpha = _reduced(rgba)
+    body = _body(alpha)
+    silhouette = np.minimum(rgba[..., 3] * (255 / body), 255)
+    inside = alpha > body / 2
+    omissions: frozenset[Omission] = frozenset()
+    if inside.any() and np.ptp(rgb[inside], axis=0).max() > _ROUNDING:
+        found = _regions(rgb, inside)
+        tones = _tones(found)
+        omissions = tones.omissions
+        if tones.lines.any() or not tones.ink[1:].all() or tones.over.any():
+            silhouette *= _enlarged(_soft(rgb, found, tones), len(rgba))
+    return Inked((silhouette + 0.5).astype(np.uint8), omissions)
+
+
+def paints(rgba: NDArray[np.uint8], coverage: NDArray[np.uint8]) -> Paints | None:
+    """Return which paints of a drawing are ink, given its pictogram; None if shapes must change.
+
+    Painted so, and with the opacity of its body raised to 1, the drawing looks as the pictogram
+    does but for specks; if there is no such way, the pictogram is to be traced.
+    """
+    rgb, alpha = _reduced(rgba)
+    visible = alpha > _body(alpha) / 2
+    white = near_white(rgb)
+    ink = _averaged(coverage[..., None].astype(np.float32))[..., 0] > 127.5
+    for choice, painted in (
+        (Paints.ALL, visible),
+        (Paints.DARK, visible & ~white),
+        (Paints.LIGHT, visible & white),
+    ):
+        # Edges, where colours blend, do not count.
+        amiss = scipy.ndimage.binary_opening(painted != ink, np.ones((3, 3)))
+        if amiss.sum() < SMALLEST:
+            return choice
+    return None
+
+
+def near_white(rgb: NDArray[np.uint8]) -> Mask:
+    """Return which of the sRGB colours (..., 3) are near white."""
+    return regions.near_white(cielab(rgb))
+
+
+def _reduced(rgba: NDArray[np.uint8]) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
+    """Return the colours and the alpha, 0 to 255, of a drawing on SIDE by SIDE pixels."""
+    premultiplied = rgba.astype(np.float32)
+    premultiplied[..., :3] *= premultiplied[..., 3:] / 255
+    small = _averaged(premultiplied)
+    alpha = small[..., 3]
+    rgb = small[..., :3] * (255 / np.maximum(alpha, 1))[..., None]
+    return np.clip(rgb + 0.5, 0, 255).astype(np.uint8), alpha
+
+
+def _averaged(values: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Return the means (SIDE, SIDE, c) of values (n, n, c)."""
+    n = len(values)
+    if n % SIDE:
+        from skimage.transform import resize_local_mean
+
+        return resize_local_mean(values, (SIDE, SIDE), channel_axis=2)
+    step = n // SIDE
+    shifts = [values[row::step, column::step] for row in range(step) for column in range(step)]
+    return sum(shifts) / np.float32(step**2)
+
+
+def _body(alpha: NDArray[np.float32]) -> float:
+    """Return the alpha of a drawing's body: all but its most opaque specks have no more."""
+    visible = alpha[alpha > 4]
+    return float(np.quantile(visible, 0.95)) if visible.size else 255.0
+
+
+def _regions(rgb: NDArray[np.uint8], inside: Mask) -> Regions:
+    lab = cielab(rgb)
+    found = regions.regions(lab, inside, CONTRAST, SMALLEST)
+    if len(found.areas) != 3:
+        return found
+    # Of one shape on a tile the shades are all that there is.
+    closer = regions.regions(lab, inside, FAINT, SMALLEST)
+    return closer if tile(closer).any() else found
+
+
+def _tones(found: Regions) -> Tones:
+    line = outline(found)
+    if line is not None:
+        return line_drawing(found, line)
+    behind = tile(found)
+    ink = _alternating(found, behind)
+    # A line would leave little of a narrow region.
+    narrow = found.widths < _NARROW
+    narrow = (narrow | narrow[:, None]) & (found.contrasts < STRIKING)
+    return Tones(
+        ink,
+        ink & ink[:, None] & (found.lengths > 0) & ~narrow,
+        np.zeros_like(ink),
+        frozenset([Omission.TILE] if (behind & ~found.white).any() else []),
+    )
+
+
+def _alternating(found: Regions, behind: Mask) -> Mask:
+    """Return which regions are ink: those on the outside, and what lies within their holes."""
+    paper = behind.copy()
+    paper[0] = True
+    # Of paper on the outside colours do not matter.
+    weights = found.lengths * np.minimum(found.contrasts, 60)
+    weights[:, paper] = 120 * found.lengths[:, paper]
+    tone = np.where(paper, -1, 0)
+    if not behind.any():
+        tone[_white_on_colour(found)] = -1
+    # The shade along a contour is no outline of what it is the shade of.
+    inner = found.contrasts[:, 1:].max(axis=1)
+    shade = (tone == 0) & (found.widths < _NARROW) & (inner > 0) & (inner < STRIKING)
+    weights[shade] = found.lengths[shade]
+    # Nor is a second one, along the first.
+    outermost = shade & (found.lengths[0] > 0)
+    second = shade & (found.lengths[:, outermost].sum(axis=1) > 0.4 * found.around)
+    second &= found.lengths[0] == 0
+    weights[second] = -found.lengths[second]
+    decide(tone, found, weights, shade)
+    return tone > 0
+
+
+def _white_on_colour(found: Regions) -> Mask:
+    """Return the white regions that are paper, as they make no part of the silhouette."""
+    white = found.white
+    total = found.areas[1:].sum()
+    if found.areas[1:][~white[1:]].sum() < 0.05 * total:
+        return np.zeros_like(white)
+    page = white & (found.lengths[0] > 0.75 * found.lengths[0].sum())
+    if page.any() and rectangularity(found) > SHARP:
+        return white
+    outer = found.lengths[0]
+    free = outer > _FREE * found.lengths.sum(axis=1)
+    at_outside = outer > 0
+    at_outside[0] = True
+    # What is drawn on the white does not count. A narrow band sets other colours off.
+    large = (found.areas > 0.05 * total) & (found.widths > THICK)
+    part = large & (outer > 0.5 * found.lengths[:, at_outside].sum(axis=1))
+    return white & ~free & ~part
+
+
+def _soft(rgb: NDArray[np.uint8], found: Regions, tones: Tones) -> NDArray[np.float32]:
+    """Return how much of each pixel is ink, (SIDE, SIDE) from 0 to 1, were all inside."""
+    soft = _blended(rgb, found, tones.ink)
+    labels = found.extended
+    edge = np.zeros(labels.shape, bool)
+    for one, other in ((np.s_[1:], np.s_[:-1]), (np.s_[:, 1:], np.s_[:, :-1])):
+        edge[one] |= tones.lines[labels[one], labels[other]]
+    if edge.any():
+        # Smoothing takes the staircase off the lines.
+        away = _smooth(scipy.ndimage.distance_transform_edt(~edge), LINE / 4)
+        drawn = np.clip(LINE / 2 + 0.5 - away, 0, 1)
+        at_ink = tones.ink[labels]
+        soft = np.where(at_ink, np.minimum(soft, 1 - drawn), np.maximum(soft, drawn))
+    if tones.over.any():
+        over = tones.over[labels]
+        away = _smooth(scipy.ndimage.distance_transform_edt(~over), LINE / 4)
+        others = tones.ink[labels] & ~over
+        soft = np.where(others, np.minimum(soft, np.clip(away - LINE + 0.5, 0, 1)), soft)
+    return _without_crumbs(soft, found.labels > 0)
+
+
+def _blended(rgb: NDArray[np.uint8], found: Regions, ink: Mask) -> NDArray[np.float32]:
+    """Return how much of each pixel is ink, as its blend of the colours of ink and paper tells."""
+    toned = ink[found.extended]
+    pure = found.pure & (found.labels > 0)
+    if not (pure & toned).any() or not (pure & ~toned).any():
+        return toned.astype(np.float32)
+    at_ink, at_paper = nearest(pure & toned), nearest(pure & ~toned)
+    here = np.indices(toned.shape)
+    near = [np.hypot(*(np.array(at) - here)) <= _BLENDS for at in (at_ink, at_paper)]
+    mixed = near[0] & near[1] & ~pure & (found.labels > 0)
+    full, none = (rgb[at][mixed].astype(np.float32) for at in (at_ink, at_paper))
+    way = full - none
+    share = ((rgb[mixed] - none) * way).sum(axis=1) / np.maximum((way**2).sum(axis=1), 1)
+    soft = toned.astype(np.float32)
+    soft[mixed] = np.clip(share, 0, 1)
+    return _smooth(soft, 0.6)
+
+
+def _without_crumbs(soft: NDArray[np.float32], inside: Mask) -> NDArray[np.float32]:
+    """Take away what lines leave of ink or paper that is smaller than any detail."""
+    soft = soft.copy()
+    for tone in (1, 0):
+        of_tone = (soft > 0.5) == tone
+        pieces, _ = scipy.ndimage.label(of_tone & inside)
+        small = (np.bincount(pieces.ravel()) < SMALLEST)[pieces] & (pieces > 0)
+        around = scipy.ndimage.binary_dilation(small, np.ones((3, 3)))
+        # A dot of the drawing's own has nothing else around it.
+        reached = scipy.ndimage.maximum_filter(np.where(small, pieces, 0), 3)
+        crumbs = np.unique(reached[around & inside & ~of_tone])
+        at = scipy.ndimage.binary_dilation(np.isin(pieces, crumbs[crumbs > 0]), np.ones((3, 3)))
+        soft[at] = 1 - tone
+    return soft
+
+
+def _smooth(values: NDArray, sigma: float) -> NDArray[np.float32]:
+    return scipy.ndimage.gaussian_filter(values.astype(np.float32), sigma)
+
+
+def _enlarged(soft: NDArray[np.float32], n: int) -> NDArray[np.float32]:
+    from skimage.transform import resize
+
+    return soft if n == SIDE else resize(soft, (n, n), order=1)

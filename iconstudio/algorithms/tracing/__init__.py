@@ -1,0 +1,1 @@
+"""From bitmaps and points to smooth curves."""

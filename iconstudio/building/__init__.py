@@ -1,0 +1,1 @@
+"""Building the collection that comes with the program; nothing else imports this."""

@@ -1,0 +1,1 @@
+"""Pictures of pixels from outside: photos to trace over, drawings to make icons of."""

@@ -1,0 +1,77 @@
+"""A scan, a photo of a drawing or a picture of an icon becomes an icon of one's own."""
+
+import hashlib
+from collections.abc import Generator
+from pathlib import Path
+
+from iconstudio.algorithms.scanning.binarisation import Scan, ink_of, scanned
+from iconstudio.algorithms.tracing.potrace import traced
+from iconstudio.images.reading import Image, awaited, read_image
+from iconstudio.model import Credit, IconstudioError, Pictogram
+from iconstudio.svg.credits import UNLICENSED, UNNAMED
+from iconstudio.workers import Workers
+
+_SECONDS = 30.0
+_MEMORY = 1 << 30
+"""Bytes that scanning or tracing may take."""
+
+
+def scan(image: Image, inverted: bool | None, workers: Workers) -> Generator[None, None, Scan]:
+    """Return the drawing on an image, see ``algorithms.scanning``; yield now and then.
+
+    Raises
+    ------
+    IconstudioError
+        If there is none.
+    """
+    future = workers.submit(_scan, image, inverted, timeout=_SECONDS, memory=_MEMORY)
+    return (yield from awaited(future))
+
+
+def trace(
+    scan: Scan, threshold: int | None, name: str, workers: Workers, remark: str = ""
+) -> Generator[None, None, Pictogram]:
+    """Return the drawing on a scan as an icon, ``own:name-digest``; yield now and then.
+
+    Raises
+    ------
+    IconstudioError
+        If nothing is darker than the threshold.
+    """
+    future = workers.submit(_trace, scan, threshold, timeout=_SECONDS, memory=_MEMORY)
+    svg = yield from awaited(future)
+    digest = hashlib.sha256(svg.encode()).hexdigest()[:8]
+    credit = Credit(name, UNNAMED, UNLICENSED, "", "")
+    return Pictogram(
+        f"own:{Path(name).stem}-{digest}", svg, credit, remarks=tuple(filter(None, [remark]))
+    )
+
+
+def read_scan(path: Path, workers: Workers) -> Generator[None, None, Pictogram]:
+    """Return the icon in a file of an image; yield now and then.
+
+    Raises
+    ------
+    IconstudioError
+        If it cannot be read, or no drawing can be made out.
+    """
+    image = yield from read_image(path, workers)
+    try:
+        found = yield from scan(image, None, workers)
+        return (yield from trace(found, None, path.name, workers, image.remark))
+    except IconstudioError as error:
+        raise IconstudioError(f"“{path}” cannot be used. {error}") from None
+
+
+def _scan(image: Image, inverted: bool | None) -> Scan:
+    return scanned(image.pixels, inverted)
+
+
+def _trace(scan: Scan, threshold: int | None) -> str:
+    ink = ink_of(scan, threshold)
+    height, width = ink.shape
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}"'
+        f' viewBox="0 0 {width} {height}" fill="currentColor">\n'
+        f'<path fill-rule="evenodd" d="{traced(ink)}"/>\n</svg>\n'
+    )

@@ -1,0 +1,1 @@
+"""What words mean, and which icons they may find."""

@@ -1,0 +1,56 @@
+"""What is shown only to who asks for it by name, and never proposed: private parts and rude words.
+
+WordNet says which words are rude, and what lies under the few meanings that are listed here.
+"""
+
+from iconstudio.library.words.wordnet import WordNet
+
+_PRIVATE = (
+    "reproductive organ", "gonad", "erectile organ", "vagina", "scrotum", "mammary gland", "breast",
+    "buttocks", "anus", "sperm", "body waste", "sexual activity", "contraceptive", "vibrator",
+    "prostitute",
+)  # fmt: skip
+"""Words for what one would not show, or say aloud, unasked; their first meaning, and its kinds."""
+
+_BESIDES = frozenset(
+    {"bum", "poo", "boob", "boobs", "eskimo", "rape", "slave", "suicide", "swastika"}
+)
+"""Words that hurt, or are rude, and that WordNet does not mark."""
+
+_RUDE = ("obscenity", "ethnic slur", "disparagement")
+"""Words by which WordNet marks how others are used."""
+
+
+class Decency:
+    """Tells which words are not for saying unasked."""
+
+    def __init__(self, wordnet: WordNet) -> None:
+        self._wordnet = wordnet
+        self._rude = {key for word in _RUDE for key in wordnet.senses.get(word, ())}
+        roots = {wordnet.senses[word][0] for word in _PRIVATE if word in wordnet.senses}
+        self._private = _descendants(wordnet, roots)
+
+    def is_private(self, key: int) -> bool:
+        """Whether the meaning ``key`` is not for showing unasked."""
+        return key in self._private or bool(
+            self._rude.intersection(self._wordnet.synsets[key].usages)
+        )
+
+    def is_unspoken(self, word: str) -> bool:
+        """Whether ``word``, or a part of it, is not for saying: by what it means first."""
+        return not _BESIDES.isdisjoint(word.split()) or any(
+            self.is_private(key)
+            for part in {word, *word.split()}
+            for key in self._wordnet.senses.get(self._wordnet.lemma(part), ())[:1]
+        )
+
+
+def _descendants(wordnet: WordNet, roots: set[int]) -> frozenset[int]:
+    found: set[int] = set()
+    open_ = list(roots)
+    while open_:
+        key = open_.pop()
+        if key not in found:
+            found.add(key)
+            open_ += wordnet.children.get(key, ())
+    return frozenset(found)

@@ -1,0 +1,137 @@
+"""What somebody types to find icons, made plain: accents, emoji, hyphens, styles, identifiers.
+
+An emoji stands for its name, and so does any other symbol.
+"""
+
+import re
+import unicodedata
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from iconstudio.library.words import symbols
+from iconstudio.library.words.inflections import singulars
+from iconstudio.library.words.naming import take_apart
+from iconstudio.library.words.vocabulary import PREPOSITIONS, STYLE_GROUPS, STYLES
+
+_LETTERS = str.maketrans(
+    {"ß": "ss", "æ": "ae", "œ": "oe", "ø": "o", "đ": "d", "ð": "d", "þ": "th", "ł": "l", "ı": "i"}
+)
+"""Letters that Unicode does not compose from others."""
+_APOSTROPHES = re.compile(r"['\u2018\u2019\u02bc`]")
+_FRAMING = {
+    "black", "white", "heavy", "red", "blue", "green", "orange", "yellow", "purple", "brown",
+    "grey", "pink", "suit", "sign", "symbol", "building", "face", "button", "flag",
+}  # fmt: skip
+"""Words of the names of symbols that say nothing of the thing: "black heart suit"."""
+
+
+def plain(keyword: str) -> str:
+    """Return the words of a keyword in lower case, without accents, joined by spaces."""
+    spoken = "".join(map(_joining, symbols.spoken(keyword)))
+    bare = "".join(
+        character
+        for character in unicodedata.normalize("NFKD", spoken)
+        if not unicodedata.combining(character)
+    )
+    bare = _APOSTROPHES.sub("", bare.replace("&", " and ")).casefold().translate(_LETTERS)
+    return " ".join(re.findall(r"[^\W_]+", bare))
+
+
+def _joining(character: str) -> str:
+    """Return a blank for what stands alone but is no letter; nothing else is changed."""
+    alone = unicodedata.category(character) in ("Sk", "Cf", "Mn")
+    return " " if alone and not unicodedata.combining(character) else character
+
+
+def is_latin(keyword: str) -> bool:
+    """Whether all letters of a keyword are Latin, with accents or without."""
+    return all(
+        unicodedata.name(character, "").startswith("LATIN")
+        for character in unicodedata.normalize("NFKD", keyword)
+        if character.isalpha()
+    )
+
+
+def forms(words: str) -> list[str]:
+    """Return what plain words may be listed as: as they are, in the singular, and in one word."""
+    listed = [words, *singulars(words), words + "s", joined(words)]  # a scissor
+    return list(dict.fromkeys(form for form in listed if form.strip()))
+
+
+def joined(words: str) -> str:
+    """Return words in one: *fire truck* as *firetruck*."""
+    return words.replace(" ", "")
+
+
+def halves(word: str) -> Iterator[tuple[str, str]]:
+    """Yield all pairs of words that one may have been joined from."""
+    for cut in range(1, len(word)):
+        yield word[:cut], word[cut:]
+
+
+_KINDS_OF_PICTURES = ("icon", "icons", "pictogram", "pictograms")
+
+
+def without_style(words: tuple[str, ...]) -> tuple[str, ...]:
+    """Return words without those that say how the thing is drawn, and without numbers."""
+    core = tuple(word for word in words if word not in _KINDS_OF_PICTURES) or words
+    core = take_apart("-".join(core)).words
+    while len(core) > 1 and core[0] in STYLES:
+        core = core[1:]
+    return core
+
+
+@dataclass(frozen=True, slots=True)
+class Style:
+    """A style that a keyword asks for."""
+
+    words: frozenset[str] = frozenset()
+    """What it is called."""
+    others: frozenset[str] = frozenset()
+    """What other styles are called: a filled drawing is no outline."""
+
+    def distance(self, name: str) -> int:
+        """Return 0 if a name says that the drawing has the style, 2 if another, else 1."""
+        tokens = set(re.split("[^a-z]+", name))
+        return 1 + bool(tokens & self.others) - bool(tokens & self.words)
+
+
+def style(words: tuple[str, ...]) -> Style:
+    """Return the style that words ask for beside the thing."""
+    asked = set(words).difference(without_style(words)) & STYLES
+    same: set[str] = set(asked)
+    others: set[str] = set()
+    for groups in STYLE_GROUPS:
+        if asked & frozenset().union(*groups):
+            same.update(*(group for group in groups if group & asked))
+            others.update(*groups)
+    return Style(frozenset(same), frozenset(others - same))
+
+
+def without_framing(words: tuple[str, ...]) -> tuple[str, ...]:
+    """Return words without those at either end that only the names of symbols have."""
+    while len(words) > 1 and words[0] in _FRAMING:
+        words = words[1:]
+    while len(words) > 1 and words[-1] in _FRAMING:
+        words = words[:-1]
+    return words
+
+
+def telling(words: tuple[str, ...]) -> tuple[str, ...]:
+    """Return words without articles and prepositions, unless there are no others."""
+    return tuple(word for word in words if word not in PREPOSITIONS) or words
+
+
+def identifiers(text: str, prefixes: frozenset[str]) -> Iterator[str]:
+    """Yield the identifiers ``set:name`` that a text may stand for in another spelling.
+
+    *mdi-home*, *mdi/home*, *i-mdi-home*, *icon-[mdi--home]*, *MDI:Home*, *mdiHome*.
+    """
+    parted = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "-", text.strip())
+    tokens = re.findall(r"[a-z0-9]+", parted.casefold())
+    if tokens[:1] in (["i"], ["icon"], ["iconify"]):
+        tokens = tokens[1:]
+    for count in range(len(tokens) - 1, 0, -1):
+        prefix = "-".join(tokens[:count])
+        if prefix in prefixes:
+            yield f"{prefix}:{'-'.join(tokens[count:])}"
