@@ -78,6 +78,13 @@ class Board(QSplitter):
             self.results.clear()
         self.results.begin(settings.styles, settings.lambdas)
 
+    def clear(self) -> None:
+        """Let go of all results."""
+        self._best = None
+        self._settled = self._owed = False
+        self.results.clear()
+        self.counted.emit(0)
+
     def show_event(self, event: Event | Picture) -> None:
         """Show what a run has come to."""
         match event:

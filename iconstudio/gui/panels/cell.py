@@ -51,7 +51,7 @@ class ResultCell(QAbstractButton):
         self.recommended = ""
         self._paling = QTimer(self, singleShot=True, interval=PALING)
         self._paling.timeout.connect(self._turn_pale)
-        self._pale = False
+        self._pale = self._stale = False
         self.setCheckable(True)
         self.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.setMinimumSize(48, 48)
@@ -82,6 +82,12 @@ class ResultCell(QAbstractButton):
         self.picture = picture
         self.setEnabled(True)
         self._turn(CellState.PREVIEW if picture.result.preview else CellState.READY)
+
+    def set_stale(self, stale: bool) -> None:
+        """Say whether the result is of something else than what is there now."""
+        if stale != self._stale:
+            self._stale = stale
+            self._turn(self.state)
 
     def recommend(self, reason: str) -> None:
         """Mark the result as the one of its row to look at first; without a reason, no more."""
@@ -121,7 +127,7 @@ class ResultCell(QAbstractButton):
                 self._paint_frame(painter, look, box)
                 target = QRectF(0, 0, side, side)
                 target.moveCenter(box.center())
-                painter.setOpacity(PALE if self._pale else 1.0)
+                painter.setOpacity(PALE if self._pale or self._stale else 1.0)
                 self.picture.paint(painter, target, look.color("text"), self._coded)
                 if self.recommended:
                     self._paint_mark(painter, look, target)
@@ -134,7 +140,7 @@ class ResultCell(QAbstractButton):
         if state is not CellState.OLD:
             self._paling.stop()
             self._pale = False
-        remark = _REMARKS.get(state)
+        remark = _REMARKS.get(CellState.OLD if self._stale and self.picture else state)
         first = "recommended" if self.recommended else ""
         self.setAccessibleName(", ".join(part for part in (self._name, remark, first) if part))
         advice = f"Look here first: {self.recommended}" if self.recommended else ""

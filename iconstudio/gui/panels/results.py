@@ -265,6 +265,12 @@ class ResultsPanel(QFrame):
             head.set_count(None)
             self._set_skipped(style, "")
         self.picked.emit(None)
+        self._stack.setCurrentIndex(0)
+
+    def set_stale(self, stale: bool) -> None:
+        """Say whether all results are of something else than what is there now."""
+        for cell in self._cells.values():
+            cell.set_stale(stale)
 
     def _build(self, styles: tuple[str, ...], lambdas: tuple[float, ...]) -> None:
         """Make the grid; what is shown in both the old and the new one is taken over."""

@@ -154,6 +154,20 @@ class Runs(QObject):
         else:
             self._drop()
 
+    def leave(self) -> bool:
+        """Stop, and forget what ran before, if the page is of something else by now.
+
+        Returns
+        -------
+        Whether it is.
+        """
+        page, before = self._page.document.page, self._ran_page
+        if before is None or not (page.empty or page.elsewhere(before)):
+            return False
+        self.cancel()
+        self.ran = self._ran_page = None
+        return True
+
     def cancel(self) -> None:
         """Stop; in live mode, until the next change."""
         self.newest.forget()

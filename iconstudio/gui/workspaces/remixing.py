@@ -165,7 +165,7 @@ class RemixWorkspace(Workspace, Wanting):
             runner.ended.connect(self._rest)
         self._opening.failed.connect(self.failed)
         runs = self.runs
-        document.page_changed.connect(runs.renew)
+        document.page_changed.connect(self._renew)
         runs.began.connect(self._begin_run)
         runs.event.connect(self.show_event)
         runs.progressed.connect(self.progressed)
@@ -208,8 +208,21 @@ class RemixWorkspace(Workspace, Wanting):
         self.actions_by_name["live"].setChecked(preferred(LIVE, True))
         self.actions_by_name["fine"].setChecked(preferred(FINE, False))
 
+    def _renew(self) -> None:
+        """Follow a change of the page; results of something else have nothing to do here."""
+        if self.runs.leave():
+            self.board.clear()
+        self.runs.renew()
+        self._show_stale()
+        self._rest()
+
+    def _show_stale(self) -> None:
+        runs = self.runs
+        self.board.results.set_stale(runs.live and runs.stale and not runs.running)
+
     def _begin_run(self, settings: ModelSettings, afresh: bool) -> None:
         self.board.begin(settings, afresh)
+        self._show_stale()
         if self.runs.live:
             self.rested.emit("Live")  # no progress to be seen yet
         self._allow_cancel(True)
@@ -222,6 +235,6 @@ class RemixWorkspace(Workspace, Wanting):
     def _rest(self) -> None:
         busy = self.runs.running, self.preparation.runner.running, self._opening.running
         if not any(busy):
-            count = len(self.board.results.pictures)
+            count = 0 if self.runs.stale else self.board.results.finished
             parts = "Live" if self.runs.live else "", f"{count} icons" if count else ""
             self.rested.emit(" · ".join(part for part in parts if part))
