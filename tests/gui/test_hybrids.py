@@ -625,3 +625,26 @@ def test_from_nothing_to_a_saved_svg_with_real_icons(qtbot, tmp_path, monkeypatc
     assert 'd="M' in svg
     assert "Iconscout" in svg or "Microsoft" in svg or "Tsvetkov" in svg
     window.close()
+
+
+def test_a_new_mix_has_no_hybrids(mixed, qtbot):
+    assert mixed.picture is None or mixed.sheet.hybrids.pictures
+    mixed.actions_by_name["new"].trigger()
+    assert not mixed.sheet.hybrids.pictures
+    assert mixed.picture is None
+    assert not mixed.actions_by_name["svg"].isEnabled()
+    assert mixed.window().desk.strip.label.text() == ""
+    pick(mixed, qtbot, 4)
+    run(mixed, qtbot)
+    assert len(mixed.sheet.hybrids.pictures) == 37
+
+
+def test_the_hybrids_in_sight_are_counted(mixed, qtbot):
+    total = len(mixed.sheet.hybrids.pictures)
+    mixed.draw_like(mixed.sheet.hybrids.pictures[0])
+    qtbot.waitUntil(lambda: not mixed.draws.runner.running, timeout=20000)
+    alone = len(mixed.sheet.hybrids.alone.pictures)
+    label = mixed.window().desk.strip.label
+    assert label.text() == f"{alone} hybrids · {total + alone} with the others"
+    mixed.draws.show_all()
+    assert label.text() == f"{total + alone} hybrids"

@@ -66,6 +66,13 @@ class Draws(QObject):
         self._show_section()
         self._draw(section)
 
+    def clear(self) -> None:
+        """Let go of all hybrids."""
+        self.runner.cancel()
+        self._model.clear()
+        self._seen, self.ran, self._section = Seen(), None, None
+        self._show_section()
+
     def draw_like(self, picture: Picture) -> None:
         """Draw hybrids that resemble one, in a section of their own.
 
@@ -118,12 +125,14 @@ class Draws(QObject):
         self.runner.start(lambda: batch(self._session, mix, name, seen))
 
     def _show(self, event: Event | Picture) -> None:
-        if isinstance(event, Picture):
+        if isinstance(event, Picture) and self._section is not None:
             self._sheet.add(self._section, event)
-            self.counted.emit(len(self._model.pictures))
+            self.counted.emit(len(self._model.in_sight))
 
     def _end(self, whole: bool) -> None:
         section = self._section
+        if section is None:  # the sheet was cleared
+            return
         new = section.batch
         if whole:
             section.drawn += section.mix.draws

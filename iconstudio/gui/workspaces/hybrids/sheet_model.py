@@ -99,6 +99,11 @@ class SheetModel(QAbstractListModel):
         """All hybrids, from the top down, in sight or not."""
         return [picture for section in self.sections for picture in section.pictures]
 
+    @property
+    def in_sight(self) -> list[Picture]:
+        """The hybrids of the section that is shown alone, or else all of them."""
+        return self.pictures if self.alone is None else self.alone.pictures
+
     def clear(self) -> None:
         """Forget all sections."""
         self.beginResetModel()

@@ -134,6 +134,7 @@ class HybridsWorkspace(Workspace):
         self.draws.runner.failed.connect(self.failed)
         self.draws.counted.connect(self.counted)
         self.draws.section_changed.connect(panel.show_section)
+        self.draws.section_changed.connect(lambda _: self._rest())
         self.connect_opener(self.gathering)
         self.gathering.shown.connect(self.run)
         sheet.picked.connect(self._look_at)
@@ -209,9 +210,11 @@ class HybridsWorkspace(Workspace):
             self.column.chooser.setFocus()
 
     def _rest(self) -> None:
+        hybrids = self.sheet.hybrids
         if not (self.draws.runner.running or self.gathering.runner.running):
-            count = len(self.sheet.hybrids.pictures)
-            self.rested.emit(f"{count} hybrids" if count else "")
+            count, total = (len(some) for some in (hybrids.in_sight, hybrids.pictures))
+            others = f" · {total} with the others" if total > count else ""
+            self.rested.emit(f"{count} hybrids{others}" if count else "")
 
     # -- looking at results --------------------------------------------------------------------
 
@@ -248,6 +251,8 @@ class HybridsWorkspace(Workspace):
     # -- page ----------------------------------------------------------------------------------
 
     def _show_page(self, page: HybridsPage) -> None:
+        if not page.ids and self.draws.ran is not None:
+            self._clear_sheet()
         self.column.show_page(page, edits.shared_axis(page) if page.symmetry is None else None)
         if self.tray.pictures != page.favourites:
             self.tray.strip.show_pictures(page.favourites)
@@ -260,6 +265,16 @@ class HybridsWorkspace(Workspace):
         self.column.run.setToolTip(problem or "Draw hybrids of the icons (Ctrl+Return)")
         for name, there in (("clear", page.ids), ("save", page.ids), ("save_all", page.favourites)):
             self.actions_by_name[name].setEnabled(bool(there))
+
+    def _clear_sheet(self) -> None:
+        """Leave the hybrids behind: nothing of what they are of is there any more."""
+        self.draws.clear()
+        self.panel.show_welcome(True)
+        self.detail.show_picture(None)
+        for name in ("favourite", "like"):
+            self.actions_by_name[name].setEnabled(False)
+        self.picked.emit(None)
+        self._rest()
 
     def _save(self) -> None:
         page = self.document.page
