@@ -12,13 +12,15 @@ class _Window:
     def obstacle(self) -> str | None:
         from iconstudio.gui.availability import obstacle
 
-        return obstacle()
+        reason: str | None = obstacle()
+        return reason
 
     def open(self, example: str | None) -> int:
         gc.disable()  # Nearly all that is made until the window is there stays.
         from iconstudio.gui.app import run
 
-        return run(example)
+        code: int = run(example)
+        return code
 
 
 def main() -> None:

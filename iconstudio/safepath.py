@@ -30,8 +30,8 @@ def protect_children() -> None:
     if sys.flags.ignore_environment and not sys.flags.safe_path:
         from multiprocessing import util
 
-        given = util._args_from_interpreter_flags
-        util._args_from_interpreter_flags = lambda: [*given(), "-P"]
+        given = util._args_from_interpreter_flags  # type: ignore[attr-defined]  # not public
+        util._args_from_interpreter_flags = lambda: [*given(), "-P"]  # type: ignore[attr-defined]  # not public
 
 
 def _named() -> list[str]:

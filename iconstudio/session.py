@@ -77,7 +77,7 @@ T = TypeVar("T")
 _Key = tuple[str, frozenset[str], tuple[float, ...]]
 
 
-class Session(AbstractContextManager):
+class Session(AbstractContextManager["Session"]):
     """The collection, its caches and the worker processes of one run.
 
     All methods may be called from any thread; the generators work while they are iterated, and
@@ -285,7 +285,7 @@ class Session(AbstractContextManager):
             self._prepared.popitem(last=False)
         return self._prepared[key]
 
-    def model(self, sketch: Sketch, settings: ModelSettings | None = None) -> Iterator[Event]:
+    def model(self, sketch: Sketch, settings: ModelSettings | None = None) -> Generator[Event]:
         """Run sketch-based modelling (section 4.1): see ``workflows.modelling.model``.
 
         Raises
@@ -302,7 +302,7 @@ class Session(AbstractContextManager):
         )
         yield from self._remixed("model", events, settings)
 
-    def edit(self, edit: Edit, settings: ModelSettings | None = None) -> Iterator[Event]:
+    def edit(self, edit: Edit, settings: ModelSettings | None = None) -> Generator[Event]:
         """Run editing (section 4.2): see ``workflows.editing.edit_icon``.
 
         Without settings, in the styles that the icon belongs to.
@@ -329,20 +329,20 @@ class Session(AbstractContextManager):
         chosen = choose_icons([one.exemplar for one in matcher.exemplars], count, symmetry, seed)
         return tuple(one.pictogram for one in chosen)
 
-    def mix(self, mix: Mix, side: int = CANVAS) -> Iterator[Event]:
+    def mix(self, mix: Mix, side: int = CANVAS) -> Generator[Event]:
         """Draw hybrids (section 4.3): see ``workflows.hybrids.mix_icons``."""
         exemplars = map(self.exemplar, mix.icons)
         events = mix_icons(mix, exemplars, self._workers, render_placed, side)
         yield from estimated(events, self._workers.count)
 
-    def montage(self, montage: Montage, side: int = CANVAS) -> Iterator[Event]:
+    def montage(self, montage: Montage, side: int = CANVAS) -> Generator[Event]:
         """Make a montage (section 4.4): see ``workflows.montage.montage_icons``."""
         exemplars = (self.exemplar(layer.icon) for layer in montage.layers)
         yield from montage_icons(montage, exemplars, self._workers, render_placed, side)
 
     def _remixed(
-        self, name: str, events: Iterator[Event], settings: ModelSettings
-    ) -> Iterator[Event]:
+        self, name: str, events: Generator[Event], settings: ModelSettings
+    ) -> Generator[Event]:
         """Pass on a run, with the time that remains; keep the result in focus for the next one."""
         with closing(estimated(events, self._workers.count)) as timed:
             for event in timed:
@@ -376,4 +376,5 @@ def returned(steps: Generator[object, None, T]) -> T:
         while True:
             next(steps)
     except StopIteration as end:
-        return end.value
+        value: T = end.value
+        return value

@@ -38,11 +38,12 @@ def remembered(key: object, make: Callable[[], T]) -> T:
 
     A process remembers ``REMEMBERED`` things. Tasks that build on each other name their lane.
     """
-    found = _memory.pop(key, None)
-    _memory[key] = make() if found is None else found
+    found: T | None = _memory.pop(key, None)
+    value = make() if found is None else found
+    _memory[key] = value
     while len(_memory) > REMEMBERED:
         del _memory[next(iter(_memory))]
-    return _memory[key]
+    return value
 
 
 def forget(key: object) -> None:

@@ -22,11 +22,13 @@ from collections.abc import Callable
 from concurrent.futures import BrokenExecutor, CancelledError, Future, InvalidStateError
 from contextlib import suppress
 from time import monotonic
-from typing import Any
+from typing import Any, TypeVar
 
 from iconstudio.model import IconstudioError
 from iconstudio.safepath import protect_children
 from iconstudio.tasks import BEGUN, SLOTS, work
+
+T = TypeVar("T")
 
 _GRACE = 10.0
 """Seconds after which a task that was stopped, but works on, is killed if it is in the way."""
@@ -88,13 +90,13 @@ class Workers:
 
     def submit(
         self,
-        function: Callable[..., Any],
-        *args: Any,
+        function: Callable[..., T],
+        *args: object,
         timeout: float | None = None,
         memory: int | None = None,
         lane: int | None = None,
         ticket: Ticket | None = None,
-    ) -> "Future[Any]":
+    ) -> "Future[T]":
         """Run ``function(*args)`` in a worker; if its process dies, once more in another.
 
         ``future.cancel()`` kills it, also while it runs. The future raises ``CancelledError`` once
@@ -260,7 +262,9 @@ class _Lane:
                 if not self._connection.poll(task.timeout):
                     self._end_process()
                     return None, TimeoutError(f"more than {task.timeout:g} seconds")
-                return pickle.loads(self._connection.recv_bytes())
+                outcome: tuple[Any, BaseException | None]
+                outcome = pickle.loads(self._connection.recv_bytes())
+                return outcome
             except (EOFError, OSError):  # it died
                 exitcode = self._end_process()
                 lost += begun
@@ -303,10 +307,11 @@ class _Lane:
         process.kill()
         process.join()
         connection.close()
-        return process.exitcode
+        exitcode: int | None = process.exitcode
+        return exitcode
 
 
-def answer(future: "Future[Any]", doing: str = "The work", advice: str = "") -> Any:
+def answer(future: "Future[T]", doing: str = "The work", advice: str = "") -> T:
     """Return what a worker process answers.
 
     Raises

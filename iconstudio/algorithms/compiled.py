@@ -14,8 +14,11 @@ import logging
 import os
 import pickle
 import shutil
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import chdir, contextmanager, suppress
+from typing import Any, ParamSpec, TypeVar
+
+import numpy as np
 
 with chdir(os.path.dirname(__file__)):  # numba looks for settings in the current folder,
     from numba import njit, types
@@ -26,38 +29,48 @@ config._config_fname = os.devnull  # and does so again each time that it compile
 
 log = logging.getLogger(__name__)
 
-part = njit(nogil=True)
-"""A function that only compiled functions call. One that has no cache of its own."""
-inner = njit(nogil=True, inline="always")
-"""The same, written out where it is called: arguments that are arrays would cost time there."""
+P = ParamSpec("P")
+R = TypeVar("R")
 
 
-def entry(function):
+def part(function: Callable[P, R]) -> Callable[P, R]:
+    """Compile a function that only compiled functions call: one without a cache of its own."""
+    return njit(nogil=True)(function)
+
+
+def inner(function: Callable[P, R]) -> Callable[P, R]:
+    """Do the same, written out where it is called: arguments that are arrays cost time there."""
+    return njit(nogil=True, inline="always")(function)
+
+
+def entry(function: Callable[P, R]) -> Callable[P, R]:
     """Compile a function that Python calls; it runs without the interpreter lock."""
     compiled = njit(nogil=True)(function)
     with suppress(RuntimeError):  # nowhere to keep what is compiled
-        compiled._cache = _Cache(function)
+        compiled._cache = _Cache(function)  # type: ignore[attr-defined]  # numba does not tell it
     return compiled
 
 
 class _Cache(FunctionCache):
     """Numba's cache of a function; what it cannot read or write is compiled and not kept."""
 
-    def __init__(self, function) -> None:
+    _cache_file: "_CheckedFile"
+
+    def __init__(self, function: Callable[..., object]) -> None:
         super().__init__(function)
         given = self._cache_file
         self._cache_file = _CheckedFile(
             given._cache_path, f"{self._impl.filename_base}.sha256", given._source_stamp
         )
 
-    def load_overload(self, sig, target_context):
+    def load_overload(self, sig: object, target_context: object) -> object:
         try:
             return super().load_overload(sig, target_context)
         except Exception as error:
             self._cache_file.throw_away(error)
             return None
 
-    def save_overload(self, sig, data):
+    def save_overload(self, sig: object, data: object) -> None:
         try:
             super().save_overload(sig, data)
         except OSError as error:
@@ -77,7 +90,7 @@ class _CheckedFile(IndexDataCacheFile):
             else:
                 os.remove(path)
 
-    def _load_index(self):
+    def _load_index(self) -> dict[Any, Any]:
         contents = self._contents(self._index_path)
         if contents is None:
             return {}
@@ -85,9 +98,9 @@ class _CheckedFile(IndexDataCacheFile):
         if pickle.load(file) != self._version:
             return {}
         stamp, overloads = pickle.load(file)
-        return overloads if stamp == self._source_stamp else {}
+        return dict(overloads) if stamp == self._source_stamp else {}
 
-    def _load_data(self, name):
+    def _load_data(self, name: str) -> object:
         contents = self._contents(self._data_path(name))
         if contents is None:
             raise FileNotFoundError(name)
@@ -118,10 +131,12 @@ class _CheckedFile(IndexDataCacheFile):
 
 
 @intrinsic
-def ones(typing_context, word):
-    """Count the ones of a uint64."""
-
-    def code(context, builder, signature, arguments):
+def _ones(typing_context: object, word: types.Type) -> tuple[object, Callable[..., object]]:
+    def code(context: object, builder: Any, signature: object, arguments: Any) -> object:
         return builder.ctpop(arguments[0])
 
     return types.uint64(types.uint64), code
+
+
+ones: Callable[[np.uint64], np.uint64] = _ones  # type: ignore[assignment]  # for compiled callers
+"""Count the ones of a word; only compiled functions can."""

@@ -69,7 +69,8 @@ def near(points: Points, line: Sequence[Point], reach: float) -> NDArray[np.bool
     # GEOS takes fright at numbers of 1e-313.
     whole = shapely.linestrings(np.round(line if len(line) > 1 else [*line, *line], 12))
     shapely.prepare(whole)
-    return shapely.dwithin(whole, shapely.points(points), reach)
+    within: NDArray[np.bool_] = shapely.dwithin(whole, shapely.points(points), reach)
+    return within
 
 
 def _simplified(polygon: Polygon, stray: float, careful: bool) -> Polygon:
@@ -93,7 +94,8 @@ def _joined(pieces: NDArray[np.object_]) -> Points:
     """Return the points of the lines that make up a line; those where they meet once."""
     import shapely
 
-    points, piece = shapely.get_coordinates(pieces, return_index=True)
+    found: tuple[Points, NDArray[np.intp]] = shapely.get_coordinates(pieces, return_index=True)
+    points, piece = found
     first_again = np.diff(piece, prepend=0) > 0
     return points[~first_again]
 
@@ -124,4 +126,5 @@ def _cross(a: Points, b: Points, c: Points, d: Points) -> NDArray[np.bool_]:
 def _side(p: Points, q: Points, r: Points) -> NDArray[np.float64]:
     """Return on which side of the line pq the point r lies: -1, 0 or 1, row by row."""
     (ux, uy), (vx, vy) = (q - p).T, (r - p).T
-    return np.sign(ux * vy - uy * vx)
+    side: NDArray[np.float64] = np.sign(ux * vy - uy * vx)
+    return side

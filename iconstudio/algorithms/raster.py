@@ -1,6 +1,7 @@
 """Bitmaps on the canvas: outlines filled, exemplars placed (sections 3.2 and 3.4)."""
 
 from functools import lru_cache
+from typing import TypeVar
 
 import numpy as np
 import scipy
@@ -10,6 +11,7 @@ from iconstudio.algorithms.geometry import crosses_itself, simplified_line
 from iconstudio.model import CANVAS, Exemplar, Placement, Polygon
 
 Bitmap = NDArray[np.bool_]
+Scalar = TypeVar("Scalar", bound=np.generic)
 
 _USUAL = 1.5
 """Exemplars at larger scales take too much memory to be remembered."""
@@ -20,8 +22,10 @@ def solid(ink: Bitmap) -> Bitmap:
 
     The outside is what is 4-connected to the border without crossing ink.
     """
+    background: NDArray[np.int32]
     background, _ = scipy.ndimage.label(np.pad(~ink, 1, constant_values=True))
-    return background[1:-1, 1:-1] != background[0, 0]
+    filled: Bitmap = background[1:-1, 1:-1] != background[0, 0]
+    return filled
 
 
 def overlap(first: Bitmap, second: Bitmap) -> float:
@@ -69,7 +73,8 @@ def _enclosed_oddly(corners: NDArray[np.float64], side: int) -> Bitmap:
     crossing = x[edge] + (row + 0.5 - y[edge]) * slope[edge]
     column = np.clip(np.ceil(crossing - 0.5), 0, side).astype(int)
     turns = np.bincount(row * (side + 1) + column, minlength=side * (side + 1))
-    return np.cumsum(turns.reshape(side, side + 1), axis=1)[:, :side] % 2 == 1
+    odd: Bitmap = np.cumsum(turns.reshape(side, side + 1), axis=1)[:, :side] % 2 == 1
+    return odd
 
 
 def outlines(filled: Bitmap, tolerance: float = 1.5) -> tuple[Polygon, ...]:
@@ -122,7 +127,9 @@ def scaled_ink(
     return np.asarray(picture) > 127
 
 
-def shifted(picture: NDArray, dx: int, dy: int, size: int, fill: object = 0) -> NDArray:
+def shifted(
+    picture: NDArray[Scalar], dx: int, dy: int, size: int, fill: object = 0
+) -> NDArray[Scalar]:
     """Return the central (size, size) window of a square picture moved by (dx, dy) pixels.
 
     What comes in from outside has the value ``fill``.
@@ -185,4 +192,5 @@ def inked_tiles(exemplar: Exemplar, placement: Placement, count: int, pad: int =
         ranges.append(np.clip(np.rint([first, last]), 0, CANVAS).astype(int))
     (top, bottom), (left, right) = ranges
     upper, lower = before[top], before[bottom]
-    return lower[:, right] - lower[:, left] - upper[:, right] + upper[:, left] > 0
+    pixels: NDArray[np.int32] = lower[:, right] - lower[:, left] - upper[:, right] + upper[:, left]
+    return pixels > 0

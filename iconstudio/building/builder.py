@@ -100,7 +100,7 @@ def build(inputs: Inputs, out: Path, workers: Workers, most: int = ICONS) -> Ite
 
 def _version(iconify: Path) -> str:
     try:
-        return json.loads((iconify / "package.json").read_text(encoding="utf-8"))["version"]
+        return str(json.loads((iconify / "package.json").read_text(encoding="utf-8"))["version"])
     except (OSError, ValueError, KeyError):
         return ""
 

@@ -6,7 +6,6 @@ shows nothing, has no fingerprint.
 
 from collections.abc import Iterator, Sequence
 from concurrent.futures import Future
-from typing import Any
 
 from iconstudio.library.fingerprint import Fingerprint, fingerprint
 from iconstudio.library.iconify import RawIcon, document
@@ -46,7 +45,7 @@ def _one_by_one(batch: Sequence[RawIcon], workers: Workers) -> list[Fingerprint 
     return [one[0] if one else None for one in drawn]
 
 
-def _result(future: "Future[Any]") -> list[Fingerprint | None] | None:
+def _result(future: "Future[list[Fingerprint | None]]") -> list[Fingerprint | None] | None:
     """Return what a worker has drawn; None if it died, or took too much."""
     try:
         return future.result()

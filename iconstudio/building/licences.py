@@ -71,7 +71,7 @@ def _heading(title: str) -> str:
 def _spdx_text(licence: str, folder: Path) -> str:
     path = folder / "licenses" / f"{licence}.json"
     try:
-        return json.loads(path.read_text(encoding="utf-8"))["licenseText"]
+        return str(json.loads(path.read_text(encoding="utf-8"))["licenseText"])
     except (OSError, ValueError, KeyError):
         raise IconstudioError(
             f"The text of the licence {licence} is missing: {path}. "

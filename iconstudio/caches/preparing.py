@@ -6,7 +6,6 @@ from collections import deque
 from collections.abc import Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -68,7 +67,7 @@ class PreparingCache:
     ) -> Iterator[tuple[int, str, bytes]]:
         """Yield index, key and entry of what is missing."""
         chunks = deque(missing[start : start + _CHUNK] for start in range(0, len(missing), _CHUNK))
-        waiting: dict[Future[Any], list[tuple[int, str]]] = {}
+        waiting: dict[Future[list[bytes]], list[tuple[int, str]]] = {}
         ticket = self._workers.ticket()
         try:
             while chunks or waiting:
@@ -93,7 +92,7 @@ def prepared_entries(exemplars: Sequence[Exemplar], scales: tuple[float, ...]) -
 
 
 def _entries(
-    future: "Future[Any]", exemplars: Sequence[Exemplar], scales: tuple[float, ...]
+    future: "Future[list[bytes]]", exemplars: Sequence[Exemplar], scales: tuple[float, ...]
 ) -> list[bytes]:
     """Return what a worker has prepared; if its processes were lost, prepare it here."""
     if isinstance(future.exception(), ProcessDied):

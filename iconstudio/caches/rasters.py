@@ -6,7 +6,6 @@ from collections import deque
 from collections.abc import Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -72,7 +71,7 @@ class RasterCache:
             (missing[start : start + _CHUNK], _CHUNK_SECONDS)
             for start in range(0, len(missing), _CHUNK)
         )
-        waiting: dict[Future[Any], list[tuple[int, str]]] = {}
+        waiting: dict[Future[list[bytes]], list[tuple[int, str]]] = {}
         while chunks or waiting:
             # Few at once, so that nothing need be cancelled, which would kill workers.
             while chunks and len(waiting) < 2 * self._workers.count:

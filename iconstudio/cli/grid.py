@@ -1,6 +1,6 @@
 """What ``iconstudio model`` and ``iconstudio edit`` share: options, and the grid of results."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, TypeVar
@@ -117,7 +117,7 @@ def grid_command(
 
 def run(
     session: Session,
-    events: Iterator[Event],
+    events: Generator[Event],
     wish: Wish,
     settings: ModelSettings,
     folder: Path,

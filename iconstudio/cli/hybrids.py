@@ -1,6 +1,6 @@
 """``iconstudio hybrids``: random mixtures of icons, without a window."""
 
-from collections.abc import Iterator
+from collections.abc import Generator
 from dataclasses import replace
 from pathlib import Path
 
@@ -56,7 +56,7 @@ def command(
     click.echo(f"{results} hybrids; see {click.format_filename(folder / 'sheet.png')}")
 
 
-def _mixing(session: Session, hybrids: HybridsFile, side: int) -> Iterator[Event]:
+def _mixing(session: Session, hybrids: HybridsFile, side: int) -> Generator[Event]:
     """Find or pick the icons, then mix them."""
     if not hybrids.keyword:
         mix = hybrids.resolved(session.icon)

@@ -6,7 +6,7 @@ from typing import Any
 import click
 
 
-class Words(click.ParamType):
+class Words(click.ParamType):  # type: ignore[type-arg]  # generic only since Click 8.5
     """Words of a list."""
 
     name = "names"

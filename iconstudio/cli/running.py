@@ -1,6 +1,6 @@
 """Running a workflow without a window: progress on the terminal, everything into a report."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Generator, Iterable, Mapping
 from contextlib import closing
 from pathlib import Path
 from typing import Any, Protocol
@@ -26,7 +26,7 @@ class Report(Protocol):
         """Write the rest; ``timings`` are seconds by stage."""
 
 
-def run(session: Session, events: Iterator[Event], report: Report, stopwatch: Stopwatch) -> int:
+def run(session: Session, events: Generator[Event], report: Report, stopwatch: Stopwatch) -> int:
     """Run a workflow to its end, write all that comes of it, and return how many results did."""
     results = 0
     with closing(events), ProgressBar() as bar:

@@ -29,7 +29,7 @@ def command(icon: str, picture: Path | None) -> None:
         running.tell_remarks([pictogram])
         exemplar = session.exemplar(pictogram)
         ink = None if picture is None else session.picture(exemplar, png.SIZE)
-    if picture is not None:
+    if picture is not None and ink is not None:
         png.write(picture, png.encoded(Image.fromarray(255 - ink)))
     for one in dict.fromkeys((pictogram, *pictogram.origins)):
         click.echo(row(one.id, one.credit.author, one.credit.license))

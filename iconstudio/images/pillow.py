@@ -124,7 +124,7 @@ def _decoded(
         image = image.transpose(Image.Transpose(turned))
         if turned in (2, 4, 5, 6):
             width, height = height, width
-    if image.mode == "RGBA" and image.getextrema()[3][0] == 255:
+    if image.mode == "RGBA" and image.getchannel("A").getextrema()[0] == 255:
         image = image.convert("RGB")
     return np.asarray(image), (width, height), remark
 
@@ -275,11 +275,12 @@ def _in_srgb(image: "PillowImage", profile: bytes | None) -> "PillowImage":
         if profile:
             given = ImageCms.ImageCmsProfile(io.BytesIO(profile))
         elif image.mode == "LAB":
-            given = ImageCms.createProfile("LAB")
+            given = ImageCms.ImageCmsProfile(ImageCms.createProfile("LAB"))
         else:
             return image.convert(mode)
         srgb = ImageCms.createProfile("sRGB")
-        return ImageCms.profileToProfile(image, given, srgb, outputMode=mode)
+        converted = ImageCms.profileToProfile(image, given, srgb, outputMode=mode)
+        return image if converted is None else converted  # None: in place, which is not asked for
     except (ImageCms.PyCMSError, OSError, ValueError):  # no good, or for other channels than these
         if image.mode == "LAB":
             return image.getchannel("L").convert(mode)

@@ -6,7 +6,7 @@ from collections.abc import Generator
 from concurrent.futures import Future, wait
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +15,8 @@ from iconstudio.files import read_bytes
 from iconstudio.images.pillow import decode, is_image
 from iconstudio.model import IconstudioError
 from iconstudio.workers import Workers, answer
+
+T = TypeVar("T")
 
 LONGEST = 4096
 """An image is kept with at most this many pixels on its longer side."""
@@ -91,7 +93,7 @@ def decode_image(data: bytes) -> Image:
     return Image(pixels, width, height, remark)
 
 
-def awaited(future: "Future[Any]") -> Generator[None, None, Any]:
+def awaited(future: "Future[T]") -> Generator[None, None, T]:
     """Return what a worker process makes of an image; yield now and then until it is there.
 
     Closing the generator ends the work.

@@ -1,5 +1,6 @@
 """JSON files, read field by field: every mistake names the file, the place and the cure."""
 
+import builtins
 import json
 import math
 import os
@@ -183,7 +184,7 @@ class Fields:
             raise self.mistake(f'"{key}" holds characters that are none.')
         return text
 
-    def _polygon(self, value: object, name: str) -> Polygon:
+    def _polygon(self, value: builtins.object, name: str) -> Polygon:
         if not isinstance(value, list):
             raise self.mistake(f"The {name} must be a list of [x, y] points.")
         if len(value) > MOST_POINTS:
@@ -205,7 +206,7 @@ class Fields:
             for number, value in enumerate(values, start=1)
         )
 
-    def _point(self, value: object, name: str, largest: float) -> Point:
+    def _point(self, value: builtins.object, name: str, largest: float) -> Point:
         if not isinstance(value, list) or len(value) != 2 or not all(map(_is_number, value)):
             raise self.mistake(f"{name} is not a pair of numbers such as [12, 34.5].")
         x, y = map(_finite, value)

@@ -135,7 +135,8 @@ class Collection:
             try:
                 next(steps)
             except StopIteration as stop:
-                return stop.value
+                opened: Collection = stop.value
+                return opened
 
     def close(self) -> None:
         """Close the file."""

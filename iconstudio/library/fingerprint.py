@@ -67,4 +67,5 @@ def unlikeness(some: NDArray[np.uint64], others: NDArray[np.uint64]) -> NDArray[
         common += np.bitwise_count(some[:, word, None] & others[:, word])
     sizes = (np.bitwise_count(cells).sum(axis=1, dtype=np.intp) for cells in (some, others))
     union = np.add.outer(*sizes) - common
-    return (union - common) / np.maximum(union, 1)
+    distances: NDArray[np.float64] = (union - common) / np.maximum(union, 1)
+    return distances

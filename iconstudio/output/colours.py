@@ -1,6 +1,6 @@
 """Colour coding by source (section 4.1): a hue a pictogram, a lightness a placement (HSL)."""
 
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Sequence
 from colorsys import hls_to_rgb
 
@@ -58,23 +58,23 @@ def palette(composites: Sequence[Composite]) -> Palette:
     style. Of two that prefer one hue, the smaller contributor takes a free one, so that the ten
     largest always differ.
     """
-    owned: Counter[Key] = Counter()
+    owned: defaultdict[Key, float] = defaultdict(float)
     for composite in composites:
         for source, share in zip(composite.sources, composite.shares, strict=True):
             owned[key_of(source)] += share
     matched = [name for name, _ in Counter(name for name, _ in owned).most_common()]
-    largest = Counter(dict.fromkeys(matched, 0.0))
+    largest = dict.fromkeys(matched, 0.0)
     for (name, _), share in owned.items():
         largest[name] += share
     hues: dict[str, int] = {}
-    for name, _ in largest.most_common():
+    for name in sorted(largest, key=largest.__getitem__, reverse=True):
         taken = Counter(hues.values())
         wanted = matched.index(name)
         order = [(wanted + step) % len(HUES) for step in range(len(HUES))]
         hues[name] = min(order, key=taken.__getitem__)
     colours: Palette = {}
     placed: Counter[str] = Counter()
-    for key, _ in owned.most_common():
+    for key in sorted(owned, key=owned.__getitem__, reverse=True):
         colours[key] = _colour(hues[key[0]], placed[key[0]])
         placed[key[0]] += 1
     return colours
@@ -107,8 +107,8 @@ def colour_code(
     scale = -(-size // m)
     coverage = _resized(drawing.coverage, m * scale)
     alpha = np.maximum(coverage, np.where(solid(coverage > 127), round(255 * TINT), 0))
-    colours = source_colours(composite, colours)
-    picture = np.dstack([_painted(owners, colours, alpha > 0), alpha.astype(np.uint8)])
+    painted = _painted(owners, source_colours(composite, colours), alpha > 0)
+    picture = np.dstack([painted, alpha.astype(np.uint8)])
     return _resized(picture, size)
 
 

@@ -148,7 +148,7 @@ class GridReport:
             arrays["change"] = wish.mask == 0
             arrays["penalty"] = edit_penalty(wish.mask, len(ink))
         buffer = io.BytesIO()
-        np.savez_compressed(buffer, **arrays)
+        np.savez_compressed(buffer, **arrays)  # type: ignore[arg-type]  # none is `allow_pickle`
         self._folder.write(f"{style}.npz", buffer.getvalue())
 
 

@@ -1,6 +1,6 @@
 """Sheets: the grid of a run, what a search found, and the gallery, as in the paper's figures."""
 
-from collections import Counter
+from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -138,10 +138,10 @@ def gallery_sheet(subjects: Sequence[Subject], across: int = 4) -> Image.Image:
             page.image(x + 2 * (side + _GAP), y + 36, colour_code(composite, drawing, side))
         colour, _ = _VERDICTS[_verdict(subject)]
         page.frame(x + side + _GAP // 2, y + 30, 2 * side + 2 * _GAP, side + _GAP, colour)
-    x, y = float(_EDGE), page.picture.height - _EDGE - 6
+    left, bottom = float(_EDGE), page.picture.height - _EDGE - 6
     for colour, meaning in _VERDICTS.values():
-        page.frame(x, y - 1, 16, 16, colour)
-        x += 26 + page.text(x + 26, y, meaning, 16, colour=MUTED) + 36
+        page.frame(left, bottom - 1, 16, 16, colour)
+        left += 26 + page.text(left + 26, bottom, meaning, 16, colour=MUTED) + 36
     return page.picture
 
 
@@ -149,7 +149,7 @@ def _verdict(subject: Subject) -> str:
     if subject.failed or subject.result is None:
         return "failed"
     composite, _ = subject.result
-    owned: Counter[str] = Counter()
+    owned: defaultdict[str, float] = defaultdict(float)
     for source, share in zip(composite.sources, composite.shares, strict=True):
         owned[source.exemplar.id] += share
     return "existing" if max(owned.values()) >= _WHOLE else "remixed"

@@ -102,7 +102,8 @@ def _read(svg: str) -> _Document:
         raise IconstudioError(
             f"The SVG has {len(data):,} bytes; at most {MAX_BYTES:,} are read. Simplify it."
         )
-    document, stack = _Document(), []
+    document = _Document()
+    stack: list[int] = []
 
     def start(name: str, attributes: dict[str, str]) -> None:
         node = _node(_local_name(name), attributes)
@@ -126,7 +127,7 @@ def _read(svg: str) -> _Document:
         if stack and document.nodes[stack[-1]].tag == "style":
             document.style_sheet.append(data)
 
-    def doctype(_name: str, _system: str, _public: str, internal: int) -> None:
+    def doctype(_name: str, _system: str | None, _public: str | None, internal: bool) -> None:
         if internal:  # a mere mention of the SVG 1.1 DTD, as old programs write it, is harmless
             raise IconstudioError("The SVG defines its own document type; remove its DOCTYPE.")
 

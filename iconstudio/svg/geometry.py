@@ -93,7 +93,8 @@ def moved(data: str, matrix: Matrix) -> str:
     """Return path data mapped by a matrix."""
     pen = SVGPathPen(None, ntos=lambda value: f"{value:.9g}")
     _recorded(data).replay(TransformPen(pen, matrix))
-    return pen.getCommands()
+    commands: str = pen.getCommands()
+    return commands
 
 
 def missing_letters(texts: Iterable[str], font: Path) -> str:
@@ -179,8 +180,8 @@ def _collect(
         return
     if element.tag in ("text", "image", "foreignObject"):
         x, y = (numbers(element.get(name, "0"))[:1] or [0.0] for name in "xy")
-        size = length(element.get("font-size"), page[2], page[2] / 4)
-        add(mapped(matrix, (x[0] - 4 * size, y[0] - size, 8 * size, 2 * size)))
+        em = length(element.get("font-size"), page[2], page[2] / 4)
+        add(mapped(matrix, (x[0] - 4 * em, y[0] - em, 8 * em, 2 * em)))
         return
     if element.tag == "use":
         target = ids.get(element.get("href", "").removeprefix("#"))

@@ -116,10 +116,11 @@ class _Reader(HTMLParser):
             given.setdefault(spelled.get(name, name), value or "")
         closed = bool(attrs) and (attrs[-1][1] or "").endswith("/") and _BARE_END.search(raw)
         if closed:  # d=M0,0h9/> ends the element
-            given[spelled.get(attrs[-1][0], attrs[-1][0])] = attrs[-1][1].removesuffix("/")
-        name = _TAG.match(raw)
+            last, value = attrs[-1]
+            given[spelled.get(last, last)] = (value or "").removesuffix("/")
+        written = _TAG.match(raw)
         self._open.append(tag)
-        self._builder.start(name[1] if name else tag, given)
+        self._builder.start(written[1] if written else tag, given)
         if closed:
             self._close(1)
         return not closed

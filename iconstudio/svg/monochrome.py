@@ -100,10 +100,11 @@ def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ..
         if frame is not None:
             box = drawn
             remarks.append(OFF_PAGE)
-    around = frame or square(drawn)
-    picture = frame and _picture(document(content, box), frame, fonts, drawing.heavy)
-    if picture is None or _is_thin(picture.coverage):
-        content = thickened(content, around.size, box)
+    picture = None
+    if frame is not None:
+        picture = _picture(document(content, box), frame, fonts, drawing.heavy)
+    if frame is None or picture is None or _is_thin(picture.coverage):
+        content = thickened(content, (frame or square(drawn)).size, box)
         frame = fitted(document(content, box), _common(box, drawn), fonts)
         if frame is None:
             raise _nothing(remarks)
@@ -160,7 +161,7 @@ def _is_thin(coverage: NDArray[np.uint8]) -> bool:
     if not ink.any():
         return True
     depths = scipy.ndimage.distance_transform_edt(ink)[ink]
-    return 2 * np.quantile(depths, 0.95) * CANVAS / len(coverage) < _THIN
+    return float(2 * np.quantile(depths, 0.95)) * CANVAS / len(coverage) < _THIN
 
 
 def _own_shapes(

@@ -223,7 +223,7 @@ class _Builder:
 
     def _own(self, attributes: dict[str, str], spaces: dict[str, str]) -> dict[str, str]:
         """Return SVG's own attributes, and the one of XLink."""
-        kept = {}
+        kept: dict[str, str] = {}
         for name, value in attributes.items():
             prefix, colon, local = name.rpartition(":")
             if not colon:

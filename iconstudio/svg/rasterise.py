@@ -1,7 +1,5 @@
 """Rasterising (section 3.4): a pictogram becomes an exemplar on the canvas of side m = 256."""
 
-from itertools import count
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -39,7 +37,9 @@ def rasterise(svg: str) -> tuple[Frame, NDArray[np.uint8]]:
     if bounds is not None:
         frame = _zoom(frame, bounds, _COARSE)
     # At the final resolution, thin parts may show that the coarse one missed.
-    for number in count(1):
+    rounds = 0
+    while True:
+        rounds += 1
         coverage = render_coverage(svg, frame, CANVAS)
         bounds = ink_bounds(coverage)
         if bounds is None:
@@ -47,7 +47,7 @@ def rasterise(svg: str) -> tuple[Frame, NDArray[np.uint8]]:
                 "It has no dark ink: it is empty, white, or pale all over. "
                 "Fill its shapes with a dark colour; turn text into shapes."
             )
-        if _fits(bounds) or number == _ROUNDS:
+        if _fits(bounds) or rounds == _ROUNDS:
             return frame, coverage
         frame = _zoom(frame, bounds, CANVAS)
 

@@ -92,9 +92,9 @@ def _read(
     from iconstudio.svg.monochrome import EmptyError, in_black
     from iconstudio.svg.plain import plain
 
-    markup, remarks = markup_of(decode(data))
+    markup, unread = markup_of(decode(data))
     root, left_out = parse(markup)
-    said = [*remarks, *left_out]
+    said = [*unread, *left_out]
     rdf = credits.metadata(root)
     credit = credits.credit(rdf, title if symbol is None else f"{title}#{symbol}")
     try:

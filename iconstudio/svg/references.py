@@ -6,7 +6,7 @@ Here every reference goes to the first element of a kind that it can mean, by an
 
 import re
 import xml.etree.ElementTree as ET
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 
 from iconstudio.svg.geometry import SHAPES
 
@@ -67,7 +67,7 @@ def resolve(root: ET.Element) -> tuple[dict[str, ET.Element], list[str]]:
     return {name: element for element, name in named.items()}, remarks
 
 
-def _resolve(element: ET.Element, name_of) -> None:
+def _resolve(element: ET.Element, name_of: Callable[[str, tuple[str, ...]], str | None]) -> None:
     if "href" in element.attrib:
         kinds = _TARGETS.get(element.tag)
         name = name_of(element.attrib["href"].strip(), kinds) if kinds else None

@@ -37,7 +37,6 @@ Window = tuple[int, int, int, int]
 
 _SVG = "http://www.w3.org/2000/svg"
 _LARGEST = 1e6
-_FAMILIES = ("font_family", "serif_family", "sans_serif_family", "monospace_family")
 _FAMILY = "Inter"
 """Of the fonts that come with the program."""
 
@@ -136,7 +135,7 @@ def _drawn(
     shown = _numbers((*corner, width * unit, height * unit))
     outer = ET.Element(f"{{{_SVG}}}svg", viewBox=shown, width=str(width), height=str(height))
     outer.append(root)
-    families = dict.fromkeys(_FAMILIES, _FAMILY) if fonts else {}
+    family = _FAMILY if fonts else None
     try:
         png = svg_to_bytes(
             svg_string=ET.tostring(outer, encoding="unicode"),
@@ -145,7 +144,10 @@ def _drawn(
             dpi=96,
             skip_system_fonts=True,
             font_files=list(fonts) or None,
-            **families,
+            font_family=family,
+            serif_family=family,
+            sans_serif_family=family,
+            monospace_family=family,
         )
     except ValueError as error:
         raise IconstudioError(f"The SVG cannot be drawn: {error}.") from None
@@ -180,14 +182,14 @@ def _root(svg: str) -> ET.Element:
 
 
 def _view_box(root: ET.Element) -> Box:
-    sizes = pixels(root.get("width")), pixels(root.get("height"))
+    across, down = pixels(root.get("width")), pixels(root.get("height"))
     box = numbers(root.get("viewBox", ""))
     if len(box) == 4:
         x, y, width, height = box
-        if None not in sizes and sizes[0] > 0:
-            height = width * sizes[1] / sizes[0]
-    elif None not in sizes:
-        x, y, width, height = 0.0, 0.0, *sizes
+        if across is not None and down is not None and across > 0:
+            height = width * down / across
+    elif across is not None and down is not None:
+        x, y, width, height = 0.0, 0.0, across, down
     else:
         raise IconstudioError("The SVG has no size: give its root a viewBox.")
     if not (

@@ -49,7 +49,7 @@ def _number(element: ET.Element | None, name: str, default: float) -> float:
 
 def symbols(root: ET.Element) -> dict[str, ET.Element]:
     """Return by their names what a document defines and does not show: symbols, or hidden parts."""
-    found = {}
+    found: dict[str, ET.Element] = {}
     for number, one in enumerate(root.iter("symbol"), start=1):
         one.set("id", one.get("id") or f"symbol-{number}")
         found.setdefault(one.attrib["id"], one)

@@ -186,7 +186,8 @@ def declarations_of(style: str) -> list[Declared]:
 
 def tokens_of(value: str) -> list[Any]:
     """Return a value as tokens, which know their ``type`` and how to ``serialize``."""
-    return tinycss2.parse_component_value_list(value)
+    tokens: list[Any] = tinycss2.parse_component_value_list(value)
+    return tokens
 
 
 def _declarations(parts: Sequence[Any]) -> Iterator[Declared]:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from iconstudio.algorithms.iconification.style import STYLES, blackness
 from iconstudio.algorithms.iconification.symmetry import likeness
 from iconstudio.algorithms.raster import solid
-from iconstudio.model import Axis, Exemplar, IconstudioError
+from iconstudio.model import CANVAS, Axis, Exemplar, IconstudioError
 from iconstudio.workflows.hybrids import FEWEST, MOST
 
 SYMMETRIC = 0.85
@@ -48,8 +48,8 @@ def choose_icons(
     if symmetry is not None:
         shapes = [pair for pair in shapes if likeness(pair[1], symmetry) >= SYMMETRIC]
     groups: dict[frozenset[int], float] = {}
-    inks = np.stack([one.ink for one, _ in shapes]).reshape(len(shapes), -1) if shapes else None
-    alike = _overlaps(np.stack([shape for _, shape in shapes])) if shapes else None
+    inks = np.array([one.ink for one, _ in shapes], bool).reshape(-1, CANVAS**2)
+    alike = _overlaps(np.array([shape for _, shape in shapes], bool).reshape(-1, CANVAS**2))
     widths = np.array([stroke_width(one.ink) for one, _ in shapes])
     for style in STYLES:
         members = [k for k, (one, _) in enumerate(shapes) if style.admits(blackness(one.ink))]
@@ -92,8 +92,9 @@ def stroke_width(ink: NDArray[np.bool_]) -> float:
 
 
 def _overlaps(shapes: NDArray[np.bool_]) -> NDArray[np.float64]:
-    """Return intersection over union of all pairs of shapes, (K, K)."""
-    flat = shapes.reshape(len(shapes), -1).astype(np.float32)
+    """Return intersection over union of all pairs of shapes (K, pixels), (K, K)."""
+    flat = shapes.astype(np.float32)
     common = flat @ flat.T
     area = flat.sum(axis=1)
-    return (common / np.maximum(area[:, None] + area[None] - common, 1)).astype(np.float64)
+    either: NDArray[np.float32] = area[:, None] + area[None] - common
+    return (common / np.maximum(either, 1)).astype(np.float64)

@@ -136,12 +136,12 @@ def _drawn(
     owned = np.zeros((len(sources) + 1, count, count), dtype=bool)
     owned[labels, tile[:, None], tile] = True
     coverages = {}
-    for label in np.flatnonzero(owned.any(axis=(1, 2))):
+    for label in map(int, np.flatnonzero(owned.any(axis=(1, 2)))):
         if label == len(sources):  # nobody
-            coverages[int(label)] = np.zeros((units * scale, units * scale), dtype=np.uint8)
+            coverages[label] = np.zeros((units * scale, units * scale), dtype=np.uint8)
             continue
         near = scipy.ndimage.maximum_filter(owned[label], 2 * _AROUND + 1)
-        coverages[int(label)] = _placed(sources[label], near, render, scale, pad)
+        coverages[label] = _placed(sources[label], near, render, scale, pad)
     return coverages
 
 

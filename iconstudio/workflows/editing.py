@@ -1,6 +1,6 @@
 """Sketch-based pictogram editing (section 4.2): one part of an icon is changed, the rest stays."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Generator, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -120,7 +120,7 @@ def edit_icon(
     workers: Workers,
     render: Render,
     earlier: Composite | None = None,
-) -> Iterator[Event]:
+) -> Generator[Event]:
     """Remix an icon with parts of the exemplars of ``matcher`` where it is to be changed.
 
     ``change`` is the edit on the canvas, by ``prepare_change``. The events, and the other

@@ -7,7 +7,7 @@ as work has taken up to now.
 """
 
 from collections import Counter, deque
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator
 from contextlib import closing
 from dataclasses import replace
 from time import perf_counter
@@ -24,8 +24,8 @@ _OVERDUE = 0.05
 
 
 def estimated(
-    events: Iterator[Event], processes: int, clock: Callable[[], float] = perf_counter
-) -> Iterator[Event]:
+    events: Generator[Event], processes: int, clock: Callable[[], float] = perf_counter
+) -> Generator[Event]:
     """Pass on the events of a run, with ``remaining`` in its progress.
 
     It stays None until the first result is finished: nobody could tell. Closing the iterator closes

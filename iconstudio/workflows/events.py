@@ -103,4 +103,5 @@ def staged(
         while True:
             yield Progress(stage, next(work), message)
     except StopIteration as end:
-        return end.value
+        value: T = end.value
+        return value

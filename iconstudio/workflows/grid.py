@@ -1,7 +1,7 @@
 """Remixing in every style and for every lambda_S (sections 3.3 to 3.5): modelling and editing."""
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterable, Sequence
 from dataclasses import dataclass
 from functools import partial
 
@@ -97,7 +97,7 @@ def remix_styles(
     finish: Callable[[Result], Result] = lambda result: result,
     but: str = "",
     earlier: Composite | None = None,
-) -> Iterator[Event]:
+) -> Generator[Event]:
     """Match exemplars to the salient regions of an outline, and remix them in every style.
 
     Yields ``RegionsFound``, then for each style ``StyleMatched`` or ``StyleSkipped``, each
@@ -182,7 +182,7 @@ class Recommending:
         self._count = count
         self._results: dict[str, list[Result]] = {}
 
-    def after(self, events: Iterator[Event]) -> Iterator[Event]:
+    def after(self, events: Iterable[Event]) -> Generator[Event]:
         """Pass events on, with a ``Recommended`` after the last result of a style."""
         for event in events:
             yield event
@@ -192,7 +192,8 @@ class Recommending:
                 if len(row) == self._count:
                     made = [one for one in row if max(one.composite.shares) < UNTOUCHED]
                     best = max(made, key=lambda one: one.score.total, default=None)
-                    yield Recommended(event.composite.style, best and best.composite.lambda_s)
+                    lambda_s = None if best is None else best.composite.lambda_s
+                    yield Recommended(event.composite.style, lambda_s)
 
 
 def distinct(rows: Sequence[Sequence[Source]]) -> tuple[Source, ...]:

@@ -1,7 +1,7 @@
 """Pictogram hybrids (section 4.3): icons mixed at random, repeats dropped."""
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Generator, Iterable
 from dataclasses import replace
 from functools import partial
 from itertools import combinations
@@ -90,7 +90,7 @@ def mix_icons(
     workers: Workers,
     render: Render,
     side: int = CANVAS,
-) -> Iterator[Event]:
+) -> Generator[Event]:
     """Draw hybrids of ``exemplars``, one for each of ``mix.icons``; asked for once all is checked.
 
     Yields ``Progress``, and each ``Result`` in the order of the draws, so that the same seed gives

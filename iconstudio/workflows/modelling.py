@@ -1,6 +1,6 @@
 """Sketch-based pictogram modelling (section 4.1): from a rough polygon to remixed icons."""
 
-from collections.abc import Iterator
+from collections.abc import Generator
 from functools import partial
 
 from iconstudio.algorithms.iconification.energy import distance_field, remix_problem
@@ -32,7 +32,7 @@ def model(
     workers: Workers,
     render: Render,
     earlier: Composite | None = None,
-) -> Iterator[Event]:
+) -> Generator[Event]:
     """Remix the exemplars of ``matcher`` in the shape of a sketch, for every style and lambda_S.
 
     The events, and the other parameters, are those of ``grid.remix_styles``.

@@ -1,6 +1,6 @@
 """Pictogram montage (section 4.4): the parts that the user scribbles over, joined."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Generator, Iterable, Sequence
 from dataclasses import replace
 from functools import partial
 from itertools import combinations
@@ -45,7 +45,7 @@ def montage_icons(
     workers: Workers,
     render: Render,
     side: int = CANVAS,
-) -> Iterator[Event]:
+) -> Generator[Event]:
     """Join ``exemplars``, one for each layer, by what is scribbled over them.
 
     They are asked for once the montage is checked. If something marked lies past the canvas, all is
@@ -132,8 +132,8 @@ def _marked_box(
     if coarse == 1 or not inked.any():
         return 0, 0, CANVAS, CANVAS
     rows, columns = (np.flatnonzero(inked.any(axis=axis)) for axis in (1, 0))
-    ends = columns[0] - 1, rows[0] - 1, columns[-1] + 2, rows[-1] + 2
-    left, top, right, bottom = ((float(value) - half) * coarse + half for value in ends)
+    box = columns[0] - 1, rows[0] - 1, columns[-1] + 2, rows[-1] + 2
+    left, top, right, bottom = ((float(value) - half) * coarse + half for value in box)
     return left, top, right, bottom
 
 

@@ -5,7 +5,6 @@ from collections import deque
 from collections.abc import Callable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from dataclasses import dataclass
-from typing import Any
 
 from iconstudio.model import Composite
 from iconstudio.workers import Workers, answer
@@ -41,7 +40,7 @@ class Remixing:
         self._ticket = workers.ticket()
         self._jobs: deque[tuple[Job, Finish]] = deque()
         self._lanes: list[deque[_Task]] = [deque() for _ in range(workers.count)]
-        self._running: dict[Future[Any], _Task] = {}
+        self._running: dict[Future[Solved], _Task] = {}
 
     @property
     def busy(self) -> bool:

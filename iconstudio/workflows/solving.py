@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from iconstudio.algorithms.iconification import ranking
-from iconstudio.algorithms.iconification.energy import Labels, RemixProblem
+from iconstudio.algorithms.iconification.energy import Labels, RemixProblem, joined_ink
 from iconstudio.algorithms.iconification.overhang import seen
 from iconstudio.algorithms.iconification.ranking import Score
 from iconstudio.algorithms.iconification.redraw import SCALE
@@ -43,7 +43,7 @@ class Posed:
         """Return what is marked of its owner, (m, m), if anything is."""
         if self.marked is None:
             return None
-        return np.take_along_axis(self.marked, labels[None].astype(np.intp), axis=0)[0]
+        return joined_ink(self.marked, labels)
 
     def weight(self, lambda_s: float) -> float:
         """Return what the paper's lambda_S comes to on this canvas (see ``RemixProblem``)."""

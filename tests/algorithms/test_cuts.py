@@ -5,7 +5,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from iconstudio.algorithms.mincut.cuts import SOURCE, minimum_cut, new_trees
+from iconstudio.algorithms.mincut.cuts import minimum_cut
+from iconstudio.algorithms.mincut.trees import SOURCE, new_trees
 from tests.oracles import maxflow
 
 

@@ -12,6 +12,7 @@ import scipy
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.iconification.energy import Labels
+from iconstudio.algorithms.raster import Scalar
 from iconstudio.model import CANVAS
 
 Window = tuple[slice, slice]
@@ -38,7 +39,8 @@ class Share:
         here = blocks - _corner(self.window)
         size = [side.stop - side.start for side in self.window]
         rows = np.flatnonzero(((here >= 0) & (here < size)).all(axis=1))
-        return rows[self.touched[tuple(here[rows].T)]]
+        within: NDArray[np.intp] = rows[self.touched[tuple(here[rows].T)]]
+        return within
 
     def weights(self, blocks: Blocks, s: int) -> NDArray[np.float32]:
         """Return its share of each of the ``s`` x ``s`` pixels of ``blocks``, (b, s, s)."""
@@ -83,7 +85,7 @@ def enlarged(window: Window, s: int) -> Window:
     return ys, xs
 
 
-def in_blocks(picture: NDArray, s: int) -> NDArray:
+def in_blocks(picture: NDArray[Scalar], s: int) -> NDArray[Scalar]:
     """Return a view of a picture (n, n, ...) by blocks, (n/s, s, n/s, s, ...).
 
     It is to be indexed by ``at(blocks)``, which gives (b, s, s, ...).
@@ -116,4 +118,5 @@ def _bilinear(s: int) -> NDArray[np.float32]:
     """Return how the pixels of a block mix those of 3 x 3 blocks, (9, s * s)."""
     offset = (np.arange(s) + 0.5) / s - 0.5
     near = np.clip(1 - abs(np.array([-1, 0, 1])[:, None] - offset), 0, None)
-    return np.einsum("iy,jx->ijyx", near, near).reshape(9, s * s).astype(np.float32)
+    parts: NDArray[np.float64] = np.einsum("iy,jx->ijyx", near, near)
+    return parts.reshape(9, s * s).astype(np.float32)

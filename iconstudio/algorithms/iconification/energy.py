@@ -44,7 +44,8 @@ class RemixProblem:
     @property
     def side(self) -> int:
         """Sites in a row, m."""
-        return self.data.shape[-1]
+        side: int = self.data.shape[-1]
+        return side
 
     @cached_property
     def interior(self) -> NDArray[np.bool_]:
@@ -94,7 +95,8 @@ class RemixProblem:
 
 def joined_ink(ink: NDArray[np.bool_], labels: Labels) -> NDArray[np.bool_]:
     """Return the ink of a labelling (h, w); ``ink`` is that of the sources, (K, h, w)."""
-    return np.take_along_axis(ink, labels[None].astype(np.intp), axis=0)[0]
+    joined: NDArray[np.bool_] = np.take_along_axis(ink, labels[None].astype(np.intp), axis=0)[0]
+    return joined
 
 
 def lattice_edges(
@@ -146,7 +148,8 @@ def data_cost(sketch_field: NDArray[np.float32], filled: NDArray[np.bool_]) -> N
 
     ``sketch_field`` is the sketch's ``distance_field``, (m, m).
     """
-    return np.abs(sketch_field - distance_field(filled))
+    cost: NDArray[np.float32] = np.abs(sketch_field - distance_field(filled))
+    return cost
 
 
 def placed_sources(

@@ -36,7 +36,7 @@ def truncated_distance(marked: NDArray[np.bool_], reach: float) -> NDArray[np.fl
     """
     if not marked.any():
         return np.ones(marked.shape, dtype=np.float32)
-    distance = scipy.ndimage.distance_transform_edt(~marked)
+    distance: NDArray[np.float64] = scipy.ndimage.distance_transform_edt(~marked)
     return np.minimum(distance / reach, 1).astype(np.float32)
 
 

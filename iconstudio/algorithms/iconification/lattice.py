@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.iconification.energy import Labels, RemixProblem
 from iconstudio.algorithms.iconification.symmetry import mirrored
+from iconstudio.algorithms.raster import Scalar
 
 LAMBDAS = tuple(float(v) for v in np.geomspace(0.03, 0.75, 8))
 """The values of lambda_S that are tried on the paper's canvas (section 3.4)."""
@@ -116,7 +117,7 @@ class Lattice:
         """Return a labelling of the nodes on the sites, (m, m)."""
         return self.grid(labels).repeat(self.block, axis=0).repeat(self.block, axis=1)
 
-    def grid(self, values: NDArray) -> NDArray:
+    def grid(self, values: NDArray[Scalar]) -> NDArray[Scalar]:
         """Return values of the nodes on the blocks, (side, side)."""
         return values[self.node].reshape(self.side, self.side)
 

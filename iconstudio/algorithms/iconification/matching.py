@@ -85,7 +85,8 @@ def prepare(exemplar: Exemplar, scales: Sequence[float] = SCALES) -> PreparedExe
     """Compute an exemplar's blackness, and its distance field and spectra at all scales."""
     pad = padding(scales)
     inks = [scaled_ink(exemplar.coverage, scale, pad) for scale in scales]
-    squared = squared_distances(np.stack([solid(ink) for ink in inks]))
+    fields = squared_distances(np.stack([solid(ink) for ink in inks]))
+    squared = fields.astype(np.int8, copy=False)  # as it is, up to D_MAX
     spectra = spectra_of(Waves(squared.shape[-1]), distances(squared) - FAR)
     return PreparedExemplar(exemplar, blackness(exemplar.ink), tuple(scales), squared, spectra)
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.iconification.blending import spread
 from iconstudio.algorithms.iconification.energy import Labels, joined_ink
-from iconstudio.algorithms.raster import Bitmap
+from iconstudio.algorithms.raster import Bitmap, Scalar
 from iconstudio.model import CANVAS, MARGIN, Frame, Source
 
 FARTHEST = 384
@@ -97,7 +97,7 @@ def framed(coverage: NDArray[np.uint8], pad: int) -> Frame:
     return Frame(x, y, size)
 
 
-def cropped(picture: NDArray, pad: int, frame: Frame, fill: int = 0) -> NDArray:
+def cropped(picture: NDArray[Scalar], pad: int, frame: Frame, fill: int = 0) -> NDArray[Scalar]:
     """Return what a frame in whole canvas units shows of a picture (n, n) of the enlarged canvas.
 
     What lies beyond the picture has the value ``fill``.
@@ -118,10 +118,11 @@ def owned_throughout(labels: Labels, nobody: int) -> Labels:
     nearest = scipy.ndimage.distance_transform_edt(
         free, return_distances=False, return_indices=True
     )
-    return labels[tuple(nearest)]
+    owned: Labels = labels[tuple(nearest)]
+    return owned
 
 
-def seen(picture: NDArray, frame: Frame, size: int, fill: object = 0) -> NDArray:
+def seen(picture: NDArray[Scalar], frame: Frame, size: int, fill: object = 0) -> NDArray[Scalar]:
     """Return a picture (m, m) of the canvas as a frame shows it, (size, size).
 
     What lies beyond the canvas has the value ``fill``.

@@ -130,7 +130,7 @@ def _whole(
     marked: NDArray[np.bool_] | None,
 ) -> float:
     loose = fragments(labels, problem.ink, small=1.0, marked=marked)
-    return max(0.0, 1 - 3 * float(loose.sum()) / max(1, ink.sum()))
+    return max(0.0, 1 - 3 * float(loose.sum()) / max(1, int(ink.sum())))
 
 
 def _symmetry(problem: RemixProblem, labels: Labels, ink: NDArray[np.bool_]) -> float:
@@ -147,4 +147,5 @@ def evenness(shares: Sequence[float]) -> float:
 
 def _owned(problem: RemixProblem, labels: Labels, ink: NDArray[np.bool_]) -> list[float]:
     owned = np.bincount(labels[ink], minlength=len(problem.ink))
-    return (owned / max(1, owned.sum())).tolist()
+    shares: list[float] = (owned / max(1, owned.sum())).tolist()
+    return shares

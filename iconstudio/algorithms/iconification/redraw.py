@@ -139,7 +139,7 @@ def _faded(
     s = disagreed.shape[1]
     middle = s // 2
     mean = np.zeros(disagreed.shape, dtype=np.float32)
-    concerned = disagreed.any(axis=(1, 2))
+    concerned: NDArray[np.bool_] = np.logical_or.reduce(disagreed, axis=(1, 2))
     fields = []
     for voice in voices:
         here = concerned[voice.rows]
@@ -186,9 +186,11 @@ class SignedDistance:
 
     def at(self, points: NDArray[np.intp]) -> NDArray[np.float64]:
         """Return the distances at ``points`` (p, 2), rows of (y, x)."""
+        away: NDArray[np.float64]
         away, _ = self._contour.query(points, distance_upper_bound=self._far)
         away = np.minimum(away, self._far)
-        return np.where(self._ink[points[:, 0], points[:, 1]], -away, away)
+        inside: NDArray[np.bool_] = self._ink[points[:, 0], points[:, 1]]
+        return np.where(inside, -away, away)
 
 
 def _contour(coverage: NDArray[np.uint8]) -> NDArray[np.float64]:

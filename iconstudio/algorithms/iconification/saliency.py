@@ -39,7 +39,7 @@ class Region:
         return np.outer(self.down, self.across)
 
 
-def profile(offsets: NDArray[np.float64]) -> NDArray[np.float64]:
+def profile(offsets: NDArray[np.signedinteger | np.floating]) -> NDArray[np.float64]:
     """Return the mask's cross-section at ``offsets`` pixels from its centre.
 
     The mask M is separable: M(x, y) = profile(x) profile(y), 1 for an infinitely large square.
@@ -56,7 +56,8 @@ def exterior_angles(polygon: Polygon) -> NDArray[np.float64]:
     v = np.array(polygon.vertices)
     before, after = v - np.roll(v, 1, axis=0), np.roll(v, -1, axis=0) - v
     turn = np.arctan2(after[:, 1], after[:, 0]) - np.arctan2(before[:, 1], before[:, 0])
-    return np.abs((turn + np.pi) % (2 * np.pi) - np.pi)
+    angles: NDArray[np.float64] = np.abs((turn + np.pi) % (2 * np.pi) - np.pi)
+    return angles
 
 
 def saliency(
@@ -112,8 +113,9 @@ def salient_regions(score: NDArray[np.float64], count: int = REGIONS) -> tuple[R
     return tuple(regions)
 
 
-def _smooth(picture: NDArray[np.float64], outside: float) -> NDArray[np.float64]:
+def _smooth(picture: NDArray[np.floating], outside: float) -> NDArray[np.float64]:
     """Convolve with M; the picture goes on as ``outside`` beyond its borders."""
     across = np.arange(CANVAS, dtype=float)
     kernel = profile(across[:, None] - across) / profile(np.arange(-_REACH, _REACH + 1.0)).sum()
-    return kernel @ (picture - outside) @ kernel + outside
+    smooth: NDArray[np.float64] = kernel @ (picture - outside) @ kernel + outside
+    return smooth

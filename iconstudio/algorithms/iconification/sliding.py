@@ -76,11 +76,14 @@ class Waves:
     def back_along_y(self) -> NDArray[np.complex64]:
         """(steps, y waves): from y waves to translations."""
         k = np.arange(-self.highest, self.highest + 1)
-        return np.exp(2j * np.pi / self.period * np.outer(self.steps, k)).astype("c8")
+        turn: NDArray[np.complex128] = np.exp(2j * np.pi / self.period * np.outer(self.steps, k))
+        return turn.astype(np.complex64)
 
 
 @lru_cache(maxsize=8)
-def _kernels(period: int, highest: int, side: int) -> tuple[NDArray, NDArray]:
+def _kernels(
+    period: int, highest: int, side: int
+) -> tuple[NDArray[np.float32], NDArray[np.complex64]]:
     """Return the sums that make coefficients of a picture: real along x, complex along y."""
     places = np.arange(side) - (side - 1) / 2
     k = np.arange(-highest, highest + 1)

@@ -57,7 +57,7 @@ def blackness(ink: NDArray[np.bool_]) -> float:
         [np.stack([x, rows + dy], axis=1) for x in (left, right) for dy in (0, 1)]
     )
     try:
-        area = scipy.spatial.ConvexHull(corners).volume
+        area = float(scipy.spatial.ConvexHull(corners).volume)
     except scipy.spatial.QhullError:  # pragma: no cover - unit squares always span an area
         return 0.0
     return min(1.0, len(ys) / area)

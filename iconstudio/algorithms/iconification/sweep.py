@@ -39,20 +39,19 @@ from scipy import ndimage
 from iconstudio.algorithms.iconification.energy import EPSILON, F_INT, PATCH, Labels, RemixProblem
 from iconstudio.algorithms.iconification.lattice import LAMBDAS, Lattice
 from iconstudio.algorithms.iconification.symmetry import mirrored
-from iconstudio.algorithms.mincut.cuts import SOURCE, minimum_cut, new_trees
-from iconstudio.algorithms.mincut.networks import (
+from iconstudio.algorithms.mincut.cuts import minimum_cut
+from iconstudio.algorithms.mincut.grid import (
     FREE,
     HELD,
-    UNIT,
     Box,
     Grid,
     Network,
     Smoothness,
-    move,
     new_network,
     new_scratch,
-    update,
 )
+from iconstudio.algorithms.mincut.networks import UNIT, move, update
+from iconstudio.algorithms.mincut.trees import SOURCE, new_trees
 from iconstudio.model import CANVAS
 
 BLOCK = 2
@@ -109,7 +108,8 @@ class Level:
 
     def cheapest(self) -> Labels:
         """Return the labels of least data cost."""
-        return self.grid.data.argmin(axis=0).astype(np.uint8)
+        labels: Labels = self.grid.data.argmin(axis=0).astype(np.uint8)
+        return labels
 
     def reduced(self, labels: Labels) -> Labels:
         """Return the labels of the blocks' first sites; ``labels`` is (m, m)."""
@@ -121,7 +121,7 @@ class Level:
     def full(self, labels: Labels) -> Labels:
         """Return labels on the sites, (m, m)."""
         side, block = self.grid.side, self.grid.block
-        picture = labels[self._inside][self._image].reshape(side, side)
+        picture: Labels = labels[self._inside][self._image].reshape(side, side)
         return picture.repeat(block, axis=0).repeat(block, axis=1)
 
     def hold(self, labels: Labels) -> None:

@@ -7,14 +7,14 @@ which these are. Only the source *positions* are symmetric, not the pixels.
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.raster import overlap
+from iconstudio.algorithms.raster import Scalar, overlap
 from iconstudio.model import Axis
 
 NEARLY = 0.9
 """Overlap with the own mirror image from which on a shape counts as nearly symmetric."""
 
 
-def reflected(picture: NDArray, axis: Axis) -> NDArray:
+def reflected(picture: NDArray[Scalar], axis: Axis) -> NDArray[Scalar]:
     """Return the mirror image of a square picture (..., n, n), as a view."""
     match axis:
         case Axis.HORIZONTAL:

@@ -101,7 +101,8 @@ def least(
     middle = np.clip(y, 1, height - 2) * width + np.clip(x, 1, width - 2)
 
     def value(dy: int, dx: int) -> NDArray[np.float32]:
-        return surfaces[nth, middle + dy * width + dx]
+        there: NDArray[np.float32] = surfaces[nth, middle + dy * width + dx]
+        return there
 
     centre = value(0, 0)
     slope_x, slope_y = (value(0, 1) - value(0, -1)) / 2, (value(1, 0) - value(-1, 0)) / 2

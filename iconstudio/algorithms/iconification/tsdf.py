@@ -27,12 +27,11 @@ def tsdf(filled: NDArray[np.bool_], d_max: int = D_MAX) -> NDArray[np.float32]:
 def distances(squared: NDArray[np.signedinteger]) -> NDArray[np.float32]:
     """Return the TSDF of which ``squared`` are the signed squares, in pixels (any shape)."""
     signed = squared.astype(np.float32)
-    return np.copysign(np.sqrt(np.abs(signed)), signed) / np.float32(CANVAS)
+    pixels: NDArray[np.float32] = np.copysign(np.sqrt(np.abs(signed)), signed)
+    return pixels / np.float32(CANVAS)
 
 
-def squared_distances(
-    filled: NDArray[np.bool_], d_max: int = D_MAX
-) -> NDArray[np.int8] | NDArray[np.int16]:
+def squared_distances(filled: NDArray[np.bool_], d_max: int = D_MAX) -> NDArray[np.int8 | np.int16]:
     """Return the TSDF of ``filled`` (..., h, w) in a quarter of the room, or half of it.
 
     Each value is the square of the distance in pixels, negative inside: int8 up to a ``d_max`` of
@@ -45,7 +44,9 @@ def squared_distances(
     """
     outside, inside = _squared_distance(filled, d_max), _squared_distance(~filled, d_max)
     small = np.int8 if d_max <= 11 else np.int16
-    return outside.astype(small) - inside.astype(small)  # one of the two is 0 everywhere
+    # One of the two is 0 everywhere.
+    signed: NDArray[np.int8 | np.int16] = outside.astype(small) - inside.astype(small)
+    return signed
 
 
 def _squared_distance(target: NDArray[np.bool_], reach: int) -> NDArray[np.uint8]:

@@ -28,100 +28,33 @@ images are a second plane: each pair of sites stands for its mirror image too. E
 has four neighbours, and the energy is exactly that of ``energy.RemixProblem`` on such labellings.
 """
 
-from typing import NamedTuple
-
 import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.compiled import entry, inner, ones, part
-from iconstudio.algorithms.mincut.cuts import SOURCE
+from iconstudio.algorithms.mincut.grid import FREE, HELD, Box, Grid, Network, Scratch, Smoothness
+from iconstudio.algorithms.mincut.trees import SOURCE, Integers
 
 UNIT = 1 << 16
 """Whole numbers are energies times this."""
 
-HELD, FREE = 1, 2
-"""In ``Grid.kept``."""
 _BOUND = -(1 << 29)
 """The excess of a node that keeps its label: no flow outweighs it."""
 
 _PATCH_BITS = np.uint64((1 << 49) - 1)
 _LAST_BIT = np.uint64(63)
 
-Box = tuple[int, int, int, int]
-"""First row, last row + 1, first column, last column + 1."""
-Integers = NDArray[np.int32]
-
-
-class Grid(NamedTuple):
-    """What is cut. N counts the nodes with the border, row by row."""
-
-    words: NDArray[np.uint64]
-    """(planes, K, sites): the patch of each site, 49 bits; bit 63 says interior structure."""
-    data: Integers
-    """(K, N): data cost."""
-    kept: NDArray[np.int8]
-    """(N,): ``FREE`` for nodes that may change, ``HELD`` for neighbours of these that keep their
-    labels; 0 for all others, which are not looked at, and for what is no node of the grid."""
-    offset: Integers
-    """(4,): from a node to its right, left, lower and upper neighbour; d ^ 1 is the way back."""
-    side: int
-    """Nodes in a row, without the border."""
-    block: int
-
-
-class Smoothness(NamedTuple):
-    """lambda_S times the parts of F_S (equations 7 and 8)."""
-
-    root: Integers
-    """(50,): by the number of bits in which two patches differ."""
-    through: int
-    """f_int."""
-    least: int
-
-
-class Network(NamedTuple):
-    """The residual network of one label, kept from cut to cut."""
-
-    capacity: Integers
-    """(N, 4): what may still flow in each direction."""
-    whole: Integers
-    """(N, 2): the capacities to the right and down before anything flowed."""
-    excess: Integers
-    """(N,)"""
-
-
-class Scratch(NamedTuple):
-    """What ``update`` works with."""
-
-    site: Integers
-    """(3, planes, sites): the patch distance of each site's label and alpha; f_int if the label,
-    and if alpha shows interior structure there, else 0."""
-    row: Integers
-    """(2, sites in a row)"""
-    there: Integers
-    """(2, N): the capacities to the right and down."""
-    back: Integers
-    """(2, N): the opposite ones."""
-
-
-def new_scratch(planes: int, sites: int, size: int) -> Scratch:
-    """Return what ``update`` works with, for a row of ``sites``, and ``size`` nodes."""
-    return Scratch(
-        np.zeros((3, planes, sites * sites), np.int32),
-        np.zeros((2, sites), np.int32),
-        *np.zeros((2, 2, size), np.int32),
-    )
-
-
-def new_network(size: int) -> Network:
-    """Return a network of ``size`` nodes without any flow."""
-    return Network(
-        np.zeros((size, 4), np.int32), np.zeros((size, 2), np.int32), np.zeros(size, np.int32)
-    )
-
 
 @entry
-def update(grid, smoothness, network, scratch, labels, alpha, box):
+def update(
+    grid: Grid,
+    smoothness: Smoothness,
+    network: Network,
+    scratch: Scratch,
+    labels: NDArray[np.uint8],
+    alpha: int,
+    box: Box,
+) -> bool:
     """Bring the network of an expansion up to date in a box.
 
     Parameters
@@ -164,7 +97,9 @@ def update(grid, smoothness, network, scratch, labels, alpha, box):
 
 
 @entry
-def move(side, excess, tree, labels, alpha):
+def move(
+    side: int, excess: Integers, tree: NDArray[np.int8], labels: NDArray[np.uint8], alpha: int
+) -> tuple[int, Box]:
     """Give alpha to the source's side, in place; return the gain and the box of what changed.
 
     ``tree`` is that of the cut; the gain is in units.
@@ -183,7 +118,18 @@ def move(side, excess, tree, labels, alpha):
 
 
 @inner
-def _compare(words, root, through, kept, out, labels, alpha, side, block, box):
+def _compare(
+    words: NDArray[np.uint64],
+    root: Integers,
+    through: int,
+    kept: NDArray[np.int8],
+    out: Integers,
+    labels: NDArray[np.uint8],
+    alpha: int,
+    side: int,
+    block: int,
+    box: Box,
+) -> None:
     """Set ``Scratch.site`` in and around a box."""
     top, bottom, left, right = box
     for plane in range(words.shape[0]):
@@ -203,7 +149,17 @@ def _compare(words, root, through, kept, out, labels, alpha, side, block, box):
 
 
 @inner
-def _meet(site, row, least, kept, there, back, side, block, box):
+def _meet(
+    site: Integers,
+    row: Integers,
+    least: int,
+    kept: NDArray[np.int8],
+    there: Integers,
+    back: Integers,
+    side: int,
+    block: int,
+    box: Box,
+) -> None:
     """Set the capacities of all edges of a box as if both nodes had one label, but not alpha."""
     top, bottom, left, right = box
     top, left = max(top - 1, 0), max(left - 1, 0)
@@ -237,7 +193,9 @@ def _meet(site, row, least, kept, there, back, side, block, box):
 
 
 @part
-def _face(site, row, plane, first, across, count, least):
+def _face(
+    site: Integers, row: Integers, plane: int, first: int, across: int, count: int, least: int
+) -> None:
     """Set ``Scratch.row``: what ``count`` sites from the first and those across them cost."""
     # A view for each row, so that the loop becomes a few wide instructions.
     second = first + across
@@ -252,7 +210,21 @@ def _face(site, row, plane, first, across, count, least):
 
 
 @inner
-def _seams(words, root, through, least, kept, labels, alpha, there, back, excess, side, block, box):
+def _seams(
+    words: NDArray[np.uint64],
+    root: Integers,
+    through: int,
+    least: int,
+    kept: NDArray[np.int8],
+    labels: NDArray[np.uint8],
+    alpha: int,
+    there: Integers,
+    back: Integers,
+    excess: Integers,
+    side: int,
+    block: int,
+    box: Box,
+) -> None:
     """Correct the capacities where labels meet, or both are alpha; add to the excess."""
     top, bottom, left, right = box
     for axis in range(2):
@@ -283,7 +255,15 @@ def _seams(words, root, through, least, kept, labels, alpha, there, back, excess
 
 
 @inner
-def _carry(capacity, whole, there, back, excess, side, box):
+def _carry(
+    capacity: Integers,
+    whole: Integers,
+    there: Integers,
+    back: Integers,
+    excess: Integers,
+    side: int,
+    box: Box,
+) -> None:
     """Cut the old flow off at the new capacities and count it as excess.
 
     An edge across the border of the box is as it was, but its flow counts in the box.
@@ -312,7 +292,7 @@ def _carry(capacity, whole, there, back, excess, side, box):
 
 
 @inner
-def _layout(axis, side, block):
+def _layout(axis: int, side: int, block: int) -> tuple[int, int, int]:
     """Return the steps from a node to its neighbour, from a site across and along their edge."""
     if axis == 0:
         return 1, 1, side * block
@@ -320,7 +300,7 @@ def _layout(axis, side, block):
 
 
 @inner
-def _first(y, x, axis, side, block):
+def _first(y: int, x: int, axis: int, side: int, block: int) -> int:
     """Return the first of the sites of a node along its edge to the right or down."""
     row = side * block
     if axis == 0:
@@ -329,7 +309,16 @@ def _first(y, x, axis, side, block):
 
 
 @part
-def _costs(words, root, through, least, a, b, alpha, edge):
+def _costs(
+    words: NDArray[np.uint64],
+    root: Integers,
+    through: int,
+    least: int,
+    a: int,
+    b: int,
+    alpha: int,
+    edge: tuple[int, int, int, int],
+) -> tuple[int, int, int]:
     """Return F_S of an edge where a meets b, alpha meets b, and a meets alpha."""
     first, across, along, count = edge
     keep, i_moves, j_moves = 0, 0, 0
@@ -348,12 +337,12 @@ def _costs(words, root, through, least, a, b, alpha, edge):
 
 
 @inner
-def _bits(one, other):
+def _bits(one: np.uint64, other: np.uint64) -> np.uint64:
     """Return in how many pixels two patches differ."""
     return ones((one ^ other) & _PATCH_BITS)
 
 
 @inner
-def _inside(one, other):
+def _inside(one: np.uint64, other: np.uint64) -> np.int64:
     """Return 1 if either word says interior structure, else 0."""
     return np.int64((one | other) >> _LAST_BIT)

@@ -4,6 +4,7 @@ What lights the paper unevenly is divided out (flat-field correction), so that o
 (N. Otsu, 1979) serves all of it; it may be a coloured pen, chalk on a board, or transparent.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -28,6 +29,9 @@ _OPAQUE = 0.95
 """Opacity of ink, as part of the most that there is."""
 _PLAIN = 0.25
 """Colours that differ by no more are one."""
+
+_Seeing = Callable[[NDArray[np.float32]], NDArray[np.float32]]
+"""Tells how dark a picture is, of its colours."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -99,7 +103,7 @@ def ink_of(scan: Scan, threshold: int | None = None) -> NDArray[np.bool_]:
     return ink
 
 
-def _seen_through(small: NDArray[np.float32], inverted: bool | None):
+def _seen_through(small: NDArray[np.float32], inverted: bool | None) -> tuple[_Seeing, bool]:
     """Return how dark a transparent picture is as a function of its colours, and if inverted."""
     alpha = small[..., 3]
     solid = (alpha > 0.5) & ~_veil(alpha)
@@ -117,9 +121,9 @@ def _seen_through(small: NDArray[np.float32], inverted: bool | None):
     def see(picture: NDArray[np.float32]) -> NDArray[np.float32]:
         # As on paper: a bright colour is as good as black.
         colours, alpha = picture[..., :3], picture[..., 3]
-        return np.where(_veil(alpha), 0, alpha) * (
-            colours.max(axis=2) if inverted else 1 - colours.min(axis=2)
-        )
+        ink = colours.max(axis=2) if inverted else 1 - colours.min(axis=2)
+        dark: NDArray[np.float32] = np.where(_veil(alpha), 0, alpha) * ink
+        return dark
 
     return see, inverted
 
@@ -133,7 +137,8 @@ def _veil(alpha: NDArray[np.float32]) -> NDArray[np.bool_]:
     clear = (alpha > 0.05) & (alpha < _OPAQUE * most)
     high, low = scipy.ndimage.maximum_filter(alpha, 3), scipy.ndimage.minimum_filter(alpha, 3)
     even = clear & (high - low < 0.05)
-    return clear & scipy.ndimage.binary_dilation(even, np.ones((3, 3)))
+    veil: NDArray[np.bool_] = clear & scipy.ndimage.binary_dilation(even, np.ones((3, 3)))
+    return veil
 
 
 def _ground(
@@ -153,8 +158,9 @@ def _darkness(
     picture: NDArray[np.float32], ground: NDArray[np.float32], inverted: bool
 ) -> NDArray[np.float32]:
     """Return how much darker than the paper each pixel is, in the channel where it is most so."""
-    dark = 1 - ((1 - picture if inverted else picture) / ground).min(axis=2)
-    return np.clip(dark - np.median(dark[dark < LEAST]) if (dark < LEAST).any() else dark, 0, 1)
+    dark: NDArray[np.float32] = 1 - ((1 - picture if inverted else picture) / ground).min(axis=2)
+    paper = dark[dark < LEAST]
+    return np.clip(dark - np.median(paper) if paper.size else dark, 0, 1)
 
 
 def _bounds(dark: NDArray[np.float32]) -> tuple[int, int, int, int]:
@@ -208,11 +214,12 @@ def _cleaned(shape: NDArray[np.bool_], speck: int) -> NDArray[np.bool_]:
     labels, _ = scipy.ndimage.label(shape)
     large = np.bincount(labels.ravel()) > speck
     large[0] = False
-    return large[labels]
+    cleaned: NDArray[np.bool_] = large[labels]
+    return cleaned
 
 
 def _luminance(picture: NDArray[np.float32]) -> NDArray[np.float32]:
-    return picture[..., :3] @ np.float32([0.2126, 0.7152, 0.0722])
+    return picture[..., :3] @ np.array([0.2126, 0.7152, 0.0722], np.float32)
 
 
 def _shrunk(pixels: NDArray[np.uint8], step: int) -> NDArray[np.float32]:
@@ -223,11 +230,12 @@ def _shrunk(pixels: NDArray[np.uint8], step: int) -> NDArray[np.float32]:
     rows, columns = padded.shape[0] // step, padded.shape[1] // step
     blocks = padded.reshape(rows, step, columns, step, channels)
     if channels == 3 or step == 1:
-        return (blocks.mean(axis=(1, 3), dtype=np.float32) / 255).astype(np.float32)
+        means: NDArray[np.float32] = blocks.mean(axis=(1, 3), dtype=np.float32)
+        return means / np.float32(255)
     alpha = blocks[..., 3:].astype(np.float32)
     total = alpha.sum(axis=(1, 3))
     colours = (blocks[..., :3] * alpha).sum(axis=(1, 3)) / np.maximum(total, 1)
-    return np.concatenate([colours, total / step**2], axis=2, dtype=np.float32) / 255
+    return np.concatenate([colours, total / step**2], axis=2, dtype=np.float32) / np.float32(255)
 
 
 def _resized(values: NDArray[np.float32], shape: tuple[int, ...]) -> NDArray[np.float32]:
@@ -237,6 +245,7 @@ def _resized(values: NDArray[np.float32], shape: tuple[int, ...]) -> NDArray[np.
     if values.shape[:2] == tuple(shape):
         return values
     smaller = shape[0] < values.shape[0]
-    return resize(
+    resized: NDArray[np.float32] = resize(
         values, shape, order=1 if smaller else 3, mode="edge", anti_aliasing=smaller, clip=True
     ).astype(np.float32)
+    return resized

@@ -50,7 +50,9 @@ def page(light: NDArray[np.float32]) -> NDArray[np.bool_]:
     if _spread(light[largest]) < _FLAT and _spread(light[outside]) < _FLAT:
         return whole
     edge = max(2, round(_EDGE * min(light.shape) / 2))
-    return scipy.ndimage.binary_erosion(sheet, iterations=edge, border_value=1)
+    inner: NDArray[np.bool_]
+    inner = scipy.ndimage.binary_erosion(sheet, iterations=edge, border_value=1)
+    return inner
 
 
 def lighting(picture: NDArray[np.float32], valid: NDArray[np.bool_]) -> NDArray[np.float32]:
@@ -77,7 +79,8 @@ def lighting(picture: NDArray[np.float32], valid: NDArray[np.bool_]) -> NDArray[
         )
         surface = np.clip(terms @ fit, _DARKEST, 1.2)
         paper = valid & (abs(picture - surface) < _NEAR + 0.1 * surface).all(axis=-1)
-    return np.clip(surface + _smoothed(picture - surface, paper), _DARKEST, None)
+    lit: NDArray[np.float32] = surface + _smoothed(picture - surface, paper)
+    return np.clip(lit, _DARKEST, None)
 
 
 def _smoothed(rest: NDArray[np.float32], paper: NDArray[np.bool_]) -> NDArray[np.float32]:

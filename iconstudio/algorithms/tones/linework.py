@@ -20,7 +20,7 @@ import scipy
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.tones.alternation import Omission, Tones, decide
-from iconstudio.algorithms.tones.regions import GREY, Mask, Regions, nearest
+from iconstudio.algorithms.tones.regions import GREY, Mask, Regions, nearest, sums
 
 STRIKING = 35.0
 """Fills of a line drawing, and narrow regions, that differ by more are told apart."""
@@ -51,7 +51,7 @@ class _Shapes(NamedTuple):
 def outline(found: Regions) -> Mask | None:
     """Return the regions (k + 1,) that are the outline of a line drawing, or None."""
     for number in np.argsort(-found.lengths[0])[:3]:
-        line = abs(found.colours - found.colours[number]).max(axis=1) < 12
+        line: Mask = abs(found.colours - found.colours[number]).max(axis=1) < 12
         line[0] = False
         if found.lengths[0, number] > 0 and _is_outline(found, line, found.colours[number, 0]):
             return line
@@ -79,7 +79,7 @@ def _is_outline(found: Regions, line: Mask, lightness: float) -> bool:
     enclosed = _shapes(found, line).enclosed
     crossed = (enclosed > _OUT) & (enclosed < 1 - _OUT)
     crossed[0] = False
-    return around[line].sum() > 0.8 * around[~crossed].sum()
+    return bool(around[line].sum() > 0.8 * around[~crossed].sum())
 
 
 def line_drawing(found: Regions, line: Mask) -> Tones:
@@ -129,8 +129,9 @@ def _shapes(found: Regions, line: Mask) -> _Shapes:
     joined[0] = joined[:, 0] = False
     number, shape = scipy.sparse.csgraph.connected_components(joined, directed=False)
 
-    def total(values: NDArray) -> NDArray[np.float64]:
-        return np.bincount(shape, values, number)[shape]
+    def total(values: NDArray[np.integer | np.floating]) -> NDArray[np.float64]:
+        whole: NDArray[np.float64] = sums(shape, values, number)[shape]
+        return whole
 
     areas = np.maximum(total(found.areas), 1)
     inner = np.bincount(found.labels[_enclosed(at_line)], minlength=count)
@@ -147,4 +148,5 @@ def _enclosed(lines: Mask) -> Mask:
     margin = _GAP + 2
     away = scipy.ndimage.distance_transform_edt(~np.pad(lines, margin))
     filled = scipy.ndimage.binary_fill_holes(away <= _GAP)
-    return (scipy.ndimage.distance_transform_edt(filled) > _GAP)[margin:-margin, margin:-margin]
+    enclosed: Mask = scipy.ndimage.distance_transform_edt(filled) > _GAP
+    return enclosed[margin:-margin, margin:-margin]

@@ -12,6 +12,8 @@ import scipy
 from numpy.typing import NDArray
 
 Mask = NDArray[np.bool_]
+Places = tuple[NDArray[np.int32], NDArray[np.int32]]
+"""Rows and columns of pixels."""
 
 LEAP = 7.0
 """How much a channel of CIELAB differs within three pixels at an edge; in a gradient, less."""
@@ -58,19 +60,31 @@ class Regions:
     @property
     def around(self) -> NDArray[np.float64]:
         """(k + 1,): the lengths of their contours, in pixel sides, at least 1."""
-        return np.maximum(self.lengths.sum(axis=1), 1)
+        around: NDArray[np.float64] = np.maximum(self.lengths.sum(axis=1), 1)
+        return around
 
     def pieces(self) -> NDArray[np.intp]:
         """Return which separate piece of the drawing each region belongs to; 0 is one, too."""
         meet = self.lengths > 0
         meet[0] = meet[:, 0] = False
-        return scipy.sparse.csgraph.connected_components(meet)[1]
+        number: NDArray[np.intp]
+        _, number = scipy.sparse.csgraph.connected_components(meet)
+        return number
 
 
-def near_white(lab: NDArray) -> Mask:
+def sums(
+    number: NDArray[np.intp], values: NDArray[np.integer | np.floating], count: int = 0
+) -> NDArray[np.float64]:
+    """Return the sums of the values of each number, of ``count`` at least."""
+    found: NDArray[np.float64] = np.bincount(number, values, count)  # type: ignore[assignment]  # NumPy tells only of counts
+    return found
+
+
+def near_white(lab: NDArray[np.floating]) -> Mask:
     """Return which colours (..., 3), in CIELAB, are near white."""
     lightness, a, b = np.moveaxis(lab, -1, 0)
-    return (lightness > WHITE) & (np.hypot(a, b) < GREY)
+    white: Mask = (lightness > WHITE) & (np.hypot(a, b) < GREY)
+    return white
 
 
 def regions(lab: NDArray[np.float32], inside: Mask, contrast: float, smallest: float) -> Regions:
@@ -89,13 +103,11 @@ def regions(lab: NDArray[np.float32], inside: Mask, contrast: float, smallest: f
     labels = np.where(inside, extended, 0)
     lengths, differences = _meetings(labels, flat)
     areas = np.bincount(labels.ravel(), minlength=len(lengths)).astype(float)
-    sums = np.stack(
-        [np.bincount(labels.ravel(), flat[..., c].ravel(), len(areas)) for c in range(3)], axis=1
-    )
+    totals = [sums(labels.ravel(), flat[..., c].ravel(), len(areas)) for c in range(3)]
     root = _joined(lengths, differences, areas.copy(), contrast, smallest)
     kept, number = np.unique(root, return_inverse=True)
-    areas = np.bincount(number, areas)
-    colours = np.stack([np.bincount(number, sums[:, c]) for c in range(3)], axis=1)
+    areas = sums(number, areas)
+    colours = np.stack([sums(number, total) for total in totals], axis=1)
     colours /= np.maximum(areas, 1)[:, None]
     colours[0] = 100, 0, 0
     pairs = np.ix_(kept, kept)
@@ -114,7 +126,8 @@ def cielab(rgb: NDArray[np.uint8]) -> NDArray[np.float32]:
     packed = rgb.astype(np.uint32) @ np.array([1 << 16, 1 << 8, 1], np.uint32)
     found, number = np.unique(packed, return_inverse=True)
     colours = np.stack([found >> 16, found >> 8 & 255, found & 255], axis=1).astype(np.uint8)
-    return rgb2lab(colours).astype(np.float32)[number].reshape(rgb.shape)
+    lab: NDArray[np.float32] = rgb2lab(colours).astype(np.float32)
+    return lab[number].reshape(rgb.shape)
 
 
 def _cores(lab: NDArray[np.float32], inside: Mask) -> NDArray[np.intp]:
@@ -134,7 +147,7 @@ def _cores(lab: NDArray[np.float32], inside: Mask) -> NDArray[np.intp]:
 
 
 def _hairlines(
-    lab: NDArray[np.float32], inside: Mask, cores: NDArray[np.intp], at: tuple[NDArray, NDArray]
+    lab: NDArray[np.float32], inside: Mask, cores: NDArray[np.intp], at: Places
 ) -> NDArray[np.intp]:
     """Number the lines that are too thin for even colour; 0 elsewhere."""
     labels = np.where(inside, cores[at], 0)
@@ -156,7 +169,7 @@ def _largest(pieces: NDArray[np.intp], smallest: int) -> NDArray[np.intp]:
     return number[pieces]
 
 
-def nearest(marked: Mask) -> tuple[NDArray, NDArray]:
+def nearest(marked: Mask) -> Places:
     """Return rows and columns of the marked pixel that is nearest to each pixel."""
     rows, columns = scipy.ndimage.distance_transform_edt(
         ~marked, return_distances=False, return_indices=True
@@ -171,7 +184,7 @@ def _meetings(
     from skimage.color import deltaE_ciede2000
 
     count = labels.max() + 1
-    lengths, sums = np.zeros((2, count * count))
+    lengths, totals = np.zeros((2, count * count))
     framed = np.pad(labels, 1)
     colours = np.pad(lab, ((1, 1), (1, 1), (0, 0)))
     for one, other in (
@@ -182,9 +195,9 @@ def _meetings(
         pairs = framed[one][meet] * count + framed[other][meet]
         differences = deltaE_ciede2000(colours[one][meet], colours[other][meet])
         lengths += np.bincount(pairs, minlength=count * count)
-        sums += np.bincount(pairs, differences, count * count)
-    lengths, sums = lengths.reshape(count, count), sums.reshape(count, count)
-    return lengths + lengths.T, sums + sums.T
+        totals += np.bincount(pairs, differences, count * count)
+    lengths, totals = lengths.reshape(count, count), totals.reshape(count, count)
+    return lengths + lengths.T, totals + totals.T
 
 
 def _widths(labels: NDArray[np.intp], areas: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -193,12 +206,12 @@ def _widths(labels: NDArray[np.intp], areas: NDArray[np.float64]) -> NDArray[np.
     contour[[0, -1]] = contour[:, [0, -1]] = True
     depth = scipy.ndimage.distance_transform_edt(~contour)
     # Across a line of width w, the mean distance from its sides is w / 4.
-    return 4 * np.bincount(labels.ravel(), depth.ravel()) / np.maximum(areas, 1)
+    return 4 * sums(labels.ravel(), depth.ravel()) / np.maximum(areas, 1)
 
 
 def _joined(
     lengths: NDArray[np.float64],
-    sums: NDArray[np.float64],
+    differences: NDArray[np.float64],
     areas: NDArray[np.float64],
     contrast: float,
     smallest: float,
@@ -206,11 +219,11 @@ def _joined(
     """Join regions, in all three arrays, the most alike first; return which each belongs to."""
     root = np.arange(len(areas))
     mean = np.full(lengths.shape, np.inf)
-    np.divide(sums, lengths, out=mean, where=lengths > 0)
+    np.divide(differences, lengths, out=mean, where=lengths > 0)
     mean[0] = mean[:, 0] = np.inf
 
     def join(one: int, other: int) -> None:
-        for array in (lengths, sums):
+        for array in (lengths, differences):
             array[one] += array[other]
             array[:, one] += array[:, other]
             array[other] = array[:, other] = array[one, one] = 0
@@ -219,7 +232,7 @@ def _joined(
         root[root == other] = one
         mean[other] = mean[:, other] = np.inf
         row = np.full(len(areas), np.inf)
-        np.divide(sums[one], lengths[one], out=row, where=lengths[one] > 0)
+        np.divide(differences[one], lengths[one], out=row, where=lengths[one] > 0)
         row[0] = np.inf
         mean[one] = mean[:, one] = row
 

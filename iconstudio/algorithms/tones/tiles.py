@@ -22,7 +22,7 @@ _GLOSS = 0.6
 def rectangularity(found: Regions) -> float:
     """Return how much of its bounding box the silhouette fills."""
     height, width = _box(found.labels > 0)
-    return found.areas[1:].sum() / (height * width)
+    return float(found.areas[1:].sum() / (height * width))
 
 
 def tile(found: Regions) -> Mask:
@@ -65,7 +65,7 @@ def _is_bare_sign(found: Regions, content: Mask) -> bool:
 
     if len(found.areas) > 3:
         return False
-    return content.sum() > _CONVEX * convex_hull_image(content).sum()
+    return bool(content.sum() > _CONVEX * convex_hull_image(content).sum())
 
 
 def _gloss(found: Regions, number: int) -> Mask:
@@ -77,10 +77,11 @@ def _gloss(found: Regions, number: int) -> Mask:
     on_it = found.lengths[number] > 0.9 * found.around
     contrast = np.where(on_it, found.contrasts[number], 0)
     contrast[0] = 0
-    return same_hue & coloured & on_it & (contrast < _GLOSS * contrast.max())
+    gloss: Mask = same_hue & coloured & on_it & (contrast < _GLOSS * contrast.max())
+    return gloss
 
 
 def _box(inside: Mask) -> tuple[int, int]:
     """Return height and width of what is inside."""
     rows, columns = np.flatnonzero(inside.any(axis=1)), np.flatnonzero(inside.any(axis=0))
-    return rows[-1] - rows[0] + 1, columns[-1] - columns[0] + 1
+    return int(rows[-1] - rows[0]) + 1, int(columns[-1] - columns[0]) + 1

@@ -132,10 +132,11 @@ def _averaged(values: NDArray[np.float32]) -> NDArray[np.float32]:
     if n % SIDE:
         from skimage.transform import resize_local_mean
 
-        return resize_local_mean(values, (SIDE, SIDE), channel_axis=2)
+        means: NDArray[np.float32] = resize_local_mean(values, (SIDE, SIDE), channel_axis=2)
+        return means
     step = n // SIDE
     shifts = [values[row::step, column::step] for row in range(step) for column in range(step)]
-    return sum(shifts) / np.float32(step**2)
+    return sum(shifts[1:], shifts[0]) / np.float32(step**2)
 
 
 def _body(alpha: NDArray[np.float32]) -> float:
@@ -210,7 +211,8 @@ def _white_on_colour(found: Regions) -> Mask:
     # What is drawn on the white does not count. A narrow band sets other colours off.
     large = (found.areas > 0.05 * total) & (found.widths > THICK)
     part = large & (outer > 0.5 * found.lengths[:, at_outside].sum(axis=1))
-    return white & ~free & ~part
+    paper: Mask = white & ~free & ~part
+    return paper
 
 
 def _soft(rgb: NDArray[np.uint8], found: Regions, tones: Tones) -> NDArray[np.float32]:
@@ -268,8 +270,9 @@ def _without_crumbs(soft: NDArray[np.float32], inside: Mask) -> NDArray[np.float
     return soft
 
 
-def _smooth(values: NDArray, sigma: float) -> NDArray[np.float32]:
-    return scipy.ndimage.gaussian_filter(values.astype(np.float32), sigma)
+def _smooth(values: NDArray[np.floating], sigma: float) -> NDArray[np.float32]:
+    smooth: NDArray[np.float32] = scipy.ndimage.gaussian_filter(values.astype(np.float32), sigma)
+    return smooth
 
 
 def _enlarged(soft: NDArray[np.float32], n: int) -> NDArray[np.float32]:

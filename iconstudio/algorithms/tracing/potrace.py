@@ -1,7 +1,14 @@
 """Tracing black and white as smooth curves (P. Selinger, 2003): the adapter of potracer."""
 
+from typing import Any, Protocol
+
 import numpy as np
 from numpy.typing import NDArray
+
+
+class _Point(Protocol):
+    x: float
+    y: float
 
 
 def traced(ink: NDArray[np.bool_]) -> str:
@@ -15,7 +22,7 @@ def traced(ink: NDArray[np.bool_]) -> str:
     return "".join(_subpath(curve) for curve in Bitmap(~ink).trace(turdsize=0))
 
 
-def _subpath(curve) -> str:
+def _subpath(curve: Any) -> str:
     parts = [f"M{_said(curve.start_point)}"]
     for one in curve:
         if one.is_corner:
@@ -25,5 +32,5 @@ def _subpath(curve) -> str:
     return "".join([*parts, "Z"])
 
 
-def _said(point) -> str:
+def _said(point: _Point) -> str:
     return f"{float(point.x):.2f} {float(point.y):.2f}"

@@ -89,7 +89,8 @@ def _even(outline: Points) -> Points:
     """Space the points of an outline, whose last is its first, a pixel apart."""
     along = np.concatenate([[0], np.cumsum(abs(np.diff(outline)))])
     count = max(_FEWEST, round(along[-1]))
-    return np.interp(np.arange(count) * along[-1] / count, along, outline)
+    even: Points = np.interp(np.arange(count) * along[-1] / count, along, outline)
+    return even
 
 
 def _pieces(outline: Points, tolerance: float) -> list[_Piece]:
@@ -192,7 +193,9 @@ def _corners(outline: Points) -> list[int]:
     found = np.flatnonzero(peaks)
     rooms = np.diff(found, append=found[:1] + len(outline))
     corners = []
-    for corner, before, after in zip(found, np.roll(rooms, 1), rooms, strict=True):
+    for corner, before, after in zip(
+        map(int, found), map(int, np.roll(rooms, 1)), map(int, rooms), strict=True
+    ):
         p, way = _side(outline, corner, -1, before)
         q, back = _side(outline, corner, 1, after)
         at = _meeting(p, way, q, back)
@@ -203,7 +206,7 @@ def _corners(outline: Points) -> list[int]:
         # Pixels blunt a corner the more, the more pointed it is.
         meets = abs(at - near).min() < 0.5 + 0.6 * np.tan(whole / 2)
         if whole > _BENT and meets and turn[corner] > _AT_ONCE * min(whole, _REVERSED):
-            corners.append(int(corner))
+            corners.append(corner)
     return corners
 
 

@@ -95,10 +95,10 @@ class WordNet:
             _plain(line.partition(" ")[0]) for line in _lines(folder / "index.verb")
         )
         for line in _lines(folder / "index.sense"):
-            sense, key, _, times = line.split()
-            word, _, kind = sense.partition("%")
-            if kind.startswith(_NOUN) and int(times):
-                self.counts[_plain(word), int(key)] = int(times)
+            sense, number, _, times = line.split()
+            word, _, kinds = sense.partition("%")
+            if kinds.startswith(_NOUN) and int(times):
+                self.counts[_plain(word), int(number)] = int(times)
 
     @cached_property
     def children(self) -> dict[int, list[int]]:
