@@ -220,7 +220,7 @@ class _Lane:
 
     def _settled(self, task: Future[Any]) -> None:
         with self._changed:
-            self._unsettled.pop(task, None)  # type: ignore[call-overload]
+            self._unsettled.pop(task, None)  # type: ignore[call-overload]  # it is one of them
             if task is self._current and task.cancelled() and self._process is not None:
                 self._process.kill()
 

@@ -3,12 +3,15 @@
 import math
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.model import Point, Polygon
+
+if TYPE_CHECKING:
+    from shapely import STRtree
 
 Points = NDArray[np.float64]
 """(n, 2), rows of (x, y)."""
@@ -100,7 +103,7 @@ def _joined(pieces: NDArray[np.object_]) -> Points:
     return points[~first_again]
 
 
-def _boxes(starts: Points, ends: Points) -> tuple[NDArray[np.object_], Any]:
+def _boxes(starts: Points, ends: Points) -> "tuple[NDArray[np.object_], STRtree]":
     """Return the boxes of edges, and what finds those that overlap.
 
     All is turned so that long edges run along or across if they can, and have slim boxes.

@@ -9,7 +9,7 @@ from collections import Counter
 from collections.abc import Iterator
 from itertools import chain
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeGuard
 
 from iconstudio.algorithms.geometry import simplified, simplified_line
 from iconstudio.files import read_bytes, write_atomically
@@ -305,14 +305,14 @@ def _are_points(values: list[Any], largest: float) -> bool:
     return kinds and all(-largest <= number <= largest for number in numbers)
 
 
-def _is_number(value: object) -> bool:
+def _is_number(value: object) -> TypeGuard[float]:
     return isinstance(value, int | float) and not isinstance(value, bool)
 
 
 def _finite(value: object) -> float | None:
     """Return a number as float; None if it is none, or too large for one."""
     try:
-        number = float(value) if _is_number(value) else math.nan  # type: ignore[arg-type]
+        number = float(value) if _is_number(value) else math.nan
     except OverflowError:
         return None
     return number if math.isfinite(number) else None

@@ -147,9 +147,9 @@ def _one(name: str, arguments: list[str]) -> Matrix | None:
     ]
     if name.lower().startswith("scale"):
         values = [_factor(one) for one in arguments]
-    if not values or None in values:
+    v = [one for one in values if one is not None]
+    if not v or len(v) < len(values):
         return None
-    v: list[float] = values  # type: ignore[assignment]
     match name.lower(), len(v):
         case "matrix", 6:
             return v[0], v[1], v[2], v[3], v[4], v[5]

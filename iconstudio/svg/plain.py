@@ -138,20 +138,20 @@ def plain(
 def _page(root: ET.Element) -> tuple[Box | None, Matrix]:
     """Return what of user space the viewport shows, and by what all is stretched before that."""
     width, height = pixels(root.get("width")), pixels(root.get("height"))
-    sized = bool(width and height and width > 0 and height > 0)
+    size = (width, height) if width and height and width > 0 and height > 0 else None
     box = numbers(root.get("viewBox", ""))
     if len(box) != 4 or not (box[2] > 0 and box[3] > 0 and all(map(math.isfinite, box))):
-        return ((0.0, 0.0, width, height) if sized else None), IDENTITY  # type: ignore[return-value]
+        return ((0.0, 0.0, *size) if size else None), IDENTITY
     x, y, across, down = box
-    if not sized:
+    if size is None:
         return (x, y, across, down), IDENTITY
     align = root.get("preserveAspectRatio", "xMidYMid").strip()
-    scales = width / across, height / down  # type: ignore[operator]
+    scales = size[0] / across, size[1] / down
     if align.startswith("none"):
         stretch = scales[1] / scales[0]
         return (x, y, across, down * stretch), (1, 0, 0, stretch, 0, y - y * stretch)
     scale = max(scales) if "slice" in align else min(scales)
-    seen = width / scale, height / scale  # type: ignore[operator]
+    seen = size[0] / scale, size[1] / scale
     left = 0 if "xMin" in align else 1 if "xMax" in align else 0.5
     top = 0 if "YMin" in align else 1 if "YMax" in align else 0.5
     return (x + (across - seen[0]) * left, y + (down - seen[1]) * top, *seen), IDENTITY

@@ -105,7 +105,8 @@ def apply_styles(root: ET.Element, midway: bool = False) -> list[str]:
     for element, declared in matched:
         declared += _ends(declared, sheet, remarks, midway)
         own = {name: value for name, value, _ in declared if name.startswith("--")}
-        inherited = variables.get(parents.get(element), {})  # type: ignore[arg-type]
+        above = parents.get(element)
+        inherited = {} if above is None else variables.get(above, {})
         known = variables[element] = inherited | own if own else inherited
         _apply(element, _by_property(declared), known, page, remarks)
     return remarks

@@ -1,9 +1,12 @@
 """Tracing black and white as smooth curves (P. Selinger, 2003): the adapter of potracer."""
 
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from potrace import Curve
 
 
 class _Point(Protocol):
@@ -22,7 +25,7 @@ def traced(ink: NDArray[np.bool_]) -> str:
     return "".join(_subpath(curve) for curve in Bitmap(~ink).trace(turdsize=0))
 
 
-def _subpath(curve: Any) -> str:
+def _subpath(curve: "Curve") -> str:
     parts = [f"M{_said(curve.start_point)}"]
     for one in curve:
         if one.is_corner:
