@@ -23,7 +23,11 @@ _AT_ONCE = 64
 
 
 def crosses_itself(polygon: Polygon) -> bool:
-    """Whether two edges of a polygon cross; to touch is not to cross."""
+    """Whether two edges of a polygon cross; to touch is not to cross.
+
+    >>> crosses_itself(Polygon(((0, 0), (1, 1), (1, 0), (0, 1))))
+    True
+    """
     starts = np.array(polygon.vertices)
     count = len(starts)
     if count < 4:
@@ -55,7 +59,11 @@ def simplified(polygon: Polygon, stray: float) -> Polygon:
 
 
 def simplified_line(line: Points | Sequence[Point], stray: float) -> tuple[Point, ...]:
-    """Return a line with as few of its points as keep it within ``stray``, its ends among them."""
+    """Return a line with as few of its points as keep it within ``stray``, its ends among them.
+
+    >>> simplified_line([(0, 0), (1, 0.01), (2, 0), (2, 2)], 0.1)
+    ((0.0, 0.0), (2.0, 0.0), (2.0, 2.0))
+    """
     import shapely
 
     points = np.array(line, dtype=np.float64)
@@ -66,7 +74,11 @@ def simplified_line(line: Points | Sequence[Point], stray: float) -> tuple[Point
 
 
 def near(points: Points, line: Sequence[Point], reach: float) -> NDArray[np.bool_]:
-    """Return which of ``points`` are within ``reach`` of a line of one point or more, (n,)."""
+    """Return which of ``points`` are within ``reach`` of a line of one point or more, (n,).
+
+    >>> near(np.array([[5.0, 2.0], [5.0, 9.0]]), [(0, 0), (10, 0)], 3)
+    array([ True, False])
+    """
     import shapely
 
     # GEOS takes fright at numbers of 1e-313.

@@ -21,6 +21,10 @@ def solid(ink: Bitmap) -> Bitmap:
     """Return ``ink`` (h, w) bool with every hole filled: all that the exterior contour encloses.
 
     The outside is what is 4-connected to the border without crossing ink.
+
+    >>> ring = np.array([[1, 1, 1], [1, 0, 1], [1, 1, 1]], bool)
+    >>> int(solid(ring).sum())
+    9
     """
     background: NDArray[np.int32]
     background, _ = scipy.ndimage.label(np.pad(~ink, 1, constant_values=True))
@@ -29,7 +33,11 @@ def solid(ink: Bitmap) -> Bitmap:
 
 
 def overlap(first: Bitmap, second: Bitmap) -> float:
-    """Return the intersection over the union of two shapes; of two empty ones 1."""
+    """Return the intersection over the union of two shapes; of two empty ones 1.
+
+    >>> overlap(np.array([True, True, False]), np.array([False, True, True]))
+    0.3333333333333333
+    """
     either = (first | second).sum()
     return float((first & second).sum() / either) if either else 1.0
 
@@ -133,6 +141,10 @@ def shifted(
     """Return the central (size, size) window of a square picture moved by (dx, dy) pixels.
 
     What comes in from outside has the value ``fill``.
+
+    >>> shifted(np.array([[1, 2], [3, 4]]), 1, 0, 2)
+    array([[0, 1],
+           [0, 3]])
     """
     n = picture.shape[-1]
     out = np.full((*picture.shape[:-2], size, size), fill, dtype=picture.dtype)

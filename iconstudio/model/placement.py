@@ -31,6 +31,9 @@ class Placement:
 
         Rendering this frame, and mirroring the picture left to right if ``flip``,
         draws the pictogram at this placement at any resolution.
+
+        >>> Placement(scale=2).frame(Frame(0, 0, 24))  # twice as large: the middle half is seen
+        Frame(x=6.0, y=6.0, size=12.0)
         """
         unit = frame.size / CANVAS
         size = frame.size / self.scale

@@ -29,6 +29,11 @@ class Polygon:
         ------
         IconstudioError
             If a coordinate is no finite number, or a point is no pair.
+
+        Examples
+        --------
+        >>> Polygon.of([(0, 0), (0, 0), (4, 0), (4, 3), (0, 0)]).vertices
+        ((0.0, 0.0), (4.0, 0.0), (4.0, 3.0))
         """
         vertices: list[Point] = []
         for number, point in enumerate(points, start=1):
@@ -66,6 +71,11 @@ class Polygon:
         ------
         IconstudioError
             If there are fewer than three vertices, they enclose no area, or it is too slim.
+
+        Examples
+        --------
+        >>> Polygon(((0, 0), (2, 0), (2, 1))).fitted().bounds
+        (16.0, 72.0, 240.0, 184.0)
         """
         self.check_area()
         left, top, right, bottom = self.bounds

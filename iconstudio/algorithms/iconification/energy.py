@@ -102,7 +102,11 @@ def joined_ink(ink: NDArray[np.bool_], labels: Labels) -> NDArray[np.bool_]:
 def lattice_edges(
     side: int = CANVAS,
 ) -> tuple[tuple[NDArray[np.int64], NDArray[np.int64]], ...]:
-    """Return the edges of the 4-connected lattice: (left, right) and (upper, lower) sites."""
+    """Return the edges of the 4-connected lattice: (left, right) and (upper, lower) sites.
+
+    >>> [(first.tolist(), second.tolist()) for first, second in lattice_edges(2)]
+    [([0, 2], [1, 3]), ([0, 1], [2, 3])]
+    """
     site = np.arange(side * side).reshape(side, side)
     return (
         (site[:, :-1].ravel(), site[:, 1:].ravel()),

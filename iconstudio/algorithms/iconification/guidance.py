@@ -33,6 +33,9 @@ def truncated_distance(marked: NDArray[np.bool_], reach: float) -> NDArray[np.fl
     """Return the distance from the marked pixels (h, w) bool, cut off at ``reach``, from 0 to 1.
 
     Without a mark it is 1 everywhere.
+
+    >>> truncated_distance(np.array([[True, False, False, False]]), 2)
+    array([[0. , 0.5, 1. , 1. ]], dtype=float32)
     """
     if not marked.any():
         return np.ones(marked.shape, dtype=np.float32)
@@ -99,7 +102,11 @@ def scribble(strokes: Sequence[Stroke], side: int = CANVAS) -> NDArray[np.bool_]
 
 
 def carried(stroke: Stroke, before: Placement, after: Placement) -> Stroke:
-    """Return a stroke over an icon, after the icon was put elsewhere: over the same part of it."""
+    """Return a stroke over an icon, after the icon was put elsewhere: over the same part of it.
+
+    >>> carried(Stroke(4, ((128.0, 138.0),)), Placement(), Placement(scale=2, dx=5))
+    Stroke(width=8.0, points=((133.0, 148.0),))
+    """
     grown = after.scale / before.scale
     mirror = -1 if before.flip != after.flip else 1
     half = CANVAS / 2
@@ -175,7 +182,11 @@ def with_mirror_images(points: Sequence[Point], axis: Axis | None) -> tuple[Poin
 
 
 def mirror_image(point: Point, axis: Axis) -> Point:
-    """Return the mirror image of a point of the canvas."""
+    """Return the mirror image of a point of the canvas.
+
+    >>> mirror_image((10.0, 20.0), Axis.HORIZONTAL)
+    (246.0, 20.0)
+    """
     x, y = point
     match axis:
         case Axis.HORIZONTAL:

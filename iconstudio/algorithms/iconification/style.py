@@ -16,7 +16,11 @@ class Style:
     high: float
 
     def admits(self, blackness: float) -> bool:
-        """Whether a pictogram of this blackness belongs to the style."""
+        """Whether a pictogram of this blackness belongs to the style.
+
+        >>> [style.name for style in STYLES if style.admits(0.5)]
+        ['light', 'medium']
+        """
         return self.low <= blackness <= self.high
 
 
@@ -45,6 +49,9 @@ def blackness(ink: NDArray[np.bool_]) -> float:
 
     ``ink`` is (h, w) bool. Pixels are unit squares, so a filled rectangle measures exactly 1.
     Without ink the answer is 0.
+
+    >>> round(blackness(np.array([[True, False, True]])), 3)
+    0.667
     """
     ys, xs = np.nonzero(ink)
     if len(ys) == 0:

@@ -28,7 +28,11 @@ def reflected(picture: NDArray[Scalar], axis: Axis) -> NDArray[Scalar]:
 
 
 def mirrored(side: int, axis: Axis) -> NDArray[np.int64]:
-    """Return r_i, the mirror image of each site of a square, (side * side,)."""
+    """Return r_i, the mirror image of each site of a square, (side * side,).
+
+    >>> mirrored(2, Axis.HORIZONTAL)
+    array([1, 0, 3, 2])
+    """
     return reflected(np.arange(side * side).reshape(side, side), axis).ravel()
 
 

@@ -41,6 +41,11 @@ def squared_distances(filled: NDArray[np.bool_], d_max: int = D_MAX) -> NDArray[
     -----
     Only distances up to ``d_max`` are wanted, so a full distance transform would be waste: a row
     pass and a column pass over 2 d_max + 1 offsets in small integers are exact.
+
+    Examples
+    --------
+    >>> squared_distances(np.array([[False, False, False, True, True]]))
+    array([[ 9,  4,  1, -1, -4]], dtype=int8)
     """
     outside, inside = _squared_distance(filled, d_max), _squared_distance(~filled, d_max)
     small = np.int8 if d_max <= 11 else np.int16

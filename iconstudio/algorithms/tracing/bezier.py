@@ -36,6 +36,10 @@ def fit(
     ``start`` and ``end`` are the directions in which the curve leaves its first point and, looked
     at backwards, its last; None leaves them free, and the three points there out of account: they
     are a corner's, which pixels round. Where cubics join, the direction is continuous.
+
+    >>> half_circle = 30 * np.exp(1j * np.linspace(0, np.pi, 90))
+    >>> [len(fit(half_circle, 1j, 1j, tolerance)) for tolerance in (1, 0.1)]
+    [1, 2]
     """
     cubic, error = _fit_one(points, start, end, tolerance)
     if error < tolerance or len(points) < _SHORTEST:
@@ -55,7 +59,11 @@ def direction(points: Points) -> complex:
 
 
 def snapped(way: complex, margin: float) -> complex:
-    """Return the unit vector of ``way``, turned to the nearest axis within ``margin`` radians."""
+    """Return the unit vector of ``way``, turned to the nearest axis within ``margin`` radians.
+
+    >>> snapped(0.01 + 1j, 0.03)
+    1j
+    """
     quarter = np.angle(way) / (np.pi / 2)
     if abs(quarter - round(quarter)) * np.pi / 2 < margin:
         return (1, 1j, -1, -1j)[round(quarter) % 4]
