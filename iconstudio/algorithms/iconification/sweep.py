@@ -34,6 +34,7 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy import ndimage
 
 from iconstudio.algorithms.iconification.energy import EPSILON, F_INT, PATCH, Labels, RemixProblem
@@ -83,7 +84,7 @@ class Level:
     """
 
     def __init__(
-        self, problem: RemixProblem, block: int, words: np.ndarray, check: bool = False
+        self, problem: RemixProblem, block: int, words: NDArray[np.uint64], check: bool = False
     ) -> None:
         lattice = Lattice(problem, block)
         self._check = check
@@ -318,7 +319,7 @@ class Sweep:
         return data + min(lambda_s, LARGEST) * smoothness
 
 
-def plane_words(problem: RemixProblem) -> np.ndarray:
+def plane_words(problem: RemixProblem) -> NDArray[np.uint64]:
     """Return ``Grid.words`` of a problem."""
     inside = problem.interior.reshape(len(problem.data), -1)
     words = problem.patches | inside.astype(np.uint64) << np.uint64(63)
@@ -327,7 +328,7 @@ def plane_words(problem: RemixProblem) -> np.ndarray:
     return np.stack([words, words[:, mirrored(problem.side, problem.symmetry)]])
 
 
-def check_cut(grid: Grid, network: Network, tree: np.ndarray, total: int) -> None:
+def check_cut(grid: Grid, network: Network, tree: NDArray[np.int8], total: int) -> None:
     """Assert that a cut is minimum: its flow is feasible, and no more can be sent.
 
     ``total`` is the sum of the excess before: flow moves it, but nothing is lost.
