@@ -69,6 +69,54 @@ def test_colour_behind_lines_is_left_out_and_told(kind):
     assert omissions == {Omission.DECORATION}
 
 
+HOME = '<path d="M4 11l8-7 8 7v8H4zM10 19v-6h4v6"'
+SHADOWS = {
+    "below": '<ellipse cx="12" cy="22" rx="9" ry="1.8" fill="#e0e0e0"/>',
+    "touching": '<ellipse cx="12" cy="20.5" rx="10" ry="2.5" fill="#e0e0e0"/>',
+    "thrown": '<path d="M20 11l3 3v8H8l-3-2h15z" fill="#dde"/>',
+}
+
+
+@pytest.mark.parametrize("width", [0.8, 1.5])
+@pytest.mark.parametrize("kind", SHADOWS)
+def test_a_pale_shadow_beside_lines_without_fills_is_left_out_and_told(kind, width):
+    line = HOME + LINES.format(width)
+    coverage, omissions = pictogram(rgba(SHADOWS[kind] + line, SIDE))
+    assert amiss(coverage, ink(line, SIDE)) < 0.01
+    assert omissions == {Omission.DECORATION}
+
+
+BESIDE = {
+    "line of a second tone": '<path d="M2 22h20" stroke="#ccc" stroke-width="1.5"/>',
+    "pale shape within": '<rect x="8" y="8" width="8" height="7" fill="#ddd"/>',
+    "coloured shape": '<ellipse cx="12" cy="22" rx="9" ry="1.8" fill="#f90"/>',
+}
+
+
+@pytest.mark.parametrize("kind", BESIDE)
+def test_what_is_no_shadow_beside_lines_without_fills_is_ink(kind):
+    drawing = BESIDE[kind] + '<rect x="4" y="4" width="16" height="15"' + LINES.format(1.5)
+    coverage, omissions = pictogram(rgba(drawing, SIDE))
+    assert amiss(coverage, ink(drawing, SIDE)) < 0.01
+    assert not omissions
+
+
+SHADED = {
+    "hand": '<path d="M3 5h18v10H11l-3 5-5-3z" fill="#bb8c65"/>'
+    '<path d="M4 7v9.5l4 2.5 2.5-4.500h8M8 9l3 2-1 3" stroke="#5c3527" stroke-width=".9"'
+    ' fill="none"/>',
+    "castle": '<path d="M8 3h8v5H8zM7 11h10v5H7zM4 18h16l2 4H2z" fill="#dbd8ca"/>'
+    '<path d="M12 1l6 3-2 2H8L6 4zM3 8h18l-3 3H6zM1 15h22l-3 3H4z" fill="#263238"/>',
+}
+
+
+@pytest.mark.parametrize("kind", SHADED)
+def test_a_shape_that_dark_parts_border_here_and_there_is_ink(kind):
+    coverage, _ = pictogram(rgba(SHADED[kind], SIDE))
+    whole = ink(SHADED[kind], SIDE) > 127
+    assert (coverage[whole] > 127).mean() > 0.7
+
+
 FILLED = {
     "whole": '<path d="M4 5h16v14H4z" fill="#ffe082" stroke="#111" stroke-width="2"/>',
     "gap": '<path d="M4 5h16v14H4z" fill="#ffe082"/><path d="M12 5h8v14H4V5h4"' + WIDE,
