@@ -101,20 +101,17 @@ def test_what_is_no_shadow_beside_lines_without_fills_is_ink(kind):
     assert not omissions
 
 
-SHADED = {
-    "hand": '<path d="M3 5h18v10H11l-3 5-5-3z" fill="#bb8c65"/>'
-    '<path d="M4 7v9.5l4 2.5 2.5-4.500h8M8 9l3 2-1 3" stroke="#5c3527" stroke-width=".9"'
-    ' fill="none"/>',
-    "castle": '<path d="M8 3h8v5H8zM7 11h10v5H7zM4 18h16l2 4H2z" fill="#dbd8ca"/>'
-    '<path d="M12 1l6 3-2 2H8L6 4zM3 8h18l-3 3H6zM1 15h22l-3 3H4z" fill="#263238"/>',
-}
+HAND = '<path d="M3 5h18v10H11l-3 3-5-3z" fill="#bb8c65"/>'
+SHADE = '<path d="M3 5v10l5 3 3-3h10{}" fill="none" stroke="#5c3527" stroke-width="{}"/>'
 
 
-@pytest.mark.parametrize("kind", SHADED)
-def test_a_shape_that_dark_parts_border_here_and_there_is_ink(kind):
-    coverage, _ = pictogram(rgba(SHADED[kind], SIDE))
-    whole = ink(SHADED[kind], SIDE) > 127
-    assert (coverage[whole] > 127).mean() > 0.7
+@pytest.mark.parametrize("width", [0.8, 1.1])
+@pytest.mark.parametrize("more", ["M3 9h6v6", "M3 10h5v7", "M8 9h-3v5h5v-3"])
+def test_a_shape_with_lines_along_one_side_is_ink(more, width):
+    drawing = HAND + SHADE.format(more, width)
+    coverage, omissions = pictogram(rgba(drawing, SIDE))
+    assert (coverage[ink(drawing, SIDE) > 127] > 127).mean() > 0.8
+    assert not omissions
 
 
 FILLED = {

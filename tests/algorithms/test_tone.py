@@ -341,7 +341,7 @@ def test_a_paler_shade_behind_darker_ones_is_the_body_of_a_thing(kind, tones):
 
 
 @pytest.mark.parametrize("tones", [("#04a", "#dbeafe"), ("#fff", "#04a"), ("#04a", "#fc3")])
-def test_other_tiles_are_none(tones):
+def test_a_tile_of_another_colour_or_a_very_pale_one_is_left_out(tones):
     drawn, behind = tones
     body = f'<rect x="1" y="1" width="22" height="22" rx="5" fill="{behind}"/>'
     glyph = BODIES["picture"]
