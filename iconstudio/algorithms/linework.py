@@ -11,7 +11,8 @@ the outside
 
 A fill that reaches out of the lines and a backdrop are decoration, and left out. So is what is pale
 beside the lines, whether they are filled or not: a shadow, or a glow. Within the lines, all that
-stands out in a fill is ink.
+stands out in a fill is ink. A shape that has dark lines along one side, with little of it enclosed,
+is shaded by them; that is no line drawing.
 """
 
 from typing import NamedTuple
