@@ -3,6 +3,7 @@
 import ast
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -23,6 +24,7 @@ ADAPTERS = {
 }
 
 
+@cache
 def imported(path: Path) -> set[str]:
     """Top-level names of all modules that a file imports, also inside functions."""
     names = set()

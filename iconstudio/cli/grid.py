@@ -133,7 +133,8 @@ def run(
             f"No style has enough icons of “{wish.keyword}”. Try a more common word; "
             f"iconstudio search {wish.keyword!r} shows what there is."
         )
-    click.echo(f"{results} icons; see {click.format_filename(folder / 'grid.png')}")
+    icons = "1 icon" if results == 1 else f"{results} icons"
+    click.echo(f"{icons}; see {click.format_filename(folder / 'grid.png')}")
 
 
 def need_keyword(keyword: str) -> None:

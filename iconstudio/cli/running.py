@@ -9,7 +9,7 @@ import click
 
 from iconstudio.cli.progress import ProgressBar
 from iconstudio.cli.timing import Stopwatch
-from iconstudio.model import CANVAS, Pictogram
+from iconstudio.model import CANVAS, IconstudioError, Pictogram
 from iconstudio.output.folder import check_folder
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event, Progress, Result, Retrieved, StyleSkipped
@@ -82,14 +82,16 @@ def side_of(fine: bool) -> int:
 def output_folder(sheet: str) -> Callable[..., Any]:
     """Return the option that names the folder for everything; it is checked before any work."""
 
-    def checked(_: click.Context, __: click.Parameter, path: Path) -> Path:
-        check_folder(path)
-        return path
+    def checked(_: click.Context, __: click.Parameter, name: str) -> Path:
+        if not name:
+            raise IconstudioError("The name of the folder for the results is empty. Give one.")
+        check_folder(Path(name))
+        return Path(name)
 
     return click.option(
         "--out",
         "folder",
-        type=click.Path(path_type=Path),
+        type=click.Path(),
         required=True,
         metavar="DIR",
         callback=checked,

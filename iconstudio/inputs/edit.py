@@ -11,7 +11,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from iconstudio.inputs.fields import read, relative, write, written
+from iconstudio.inputs.fields import Kind, read, relative, write, written
 from iconstudio.model import Axis, Edit, Pictogram, Polygon
 
 
@@ -42,7 +42,7 @@ def read_edit(path: Path) -> EditFile:
     IconstudioError
         If the file cannot be read or does not hold an edit.
     """
-    fields = read(path)
+    fields = read(path, Kind.EDIT)
     return EditFile(
         fields.reference(),
         fields.text("keyword"),

@@ -7,6 +7,7 @@ import os
 import re
 from collections import Counter
 from collections.abc import Iterator
+from enum import Enum
 from itertools import chain
 from pathlib import Path
 from typing import Any, TypeGuard
@@ -227,13 +228,26 @@ class Fields:
         return os.path.realpath(self._path.parent / text)
 
 
-def read(path: Path) -> Fields:
-    """Read a JSON file.
+class Kind(Enum):
+    """What a file of the user's work holds: where it is opened, and the fields that tell."""
+
+    SKETCH = "sketch", "Sketch", "model", {"polygon"}
+    EDIT = "edit", "Edit", "edit", {"icon", "remove", "add"}
+    MIX = "mix", "Hybrids", "hybrids", {"icons", "draws", "seed", "pins"}
+    MONTAGE = "montage", "Montage", "montage", {"layers"}
+
+    def __init__(self, noun: str, workspace: str, command: str, telling: set[str]) -> None:
+        self.noun, self.workspace, self.command = noun, workspace, command
+        self.telling = telling
+
+
+def read(path: Path, kind: Kind | None = None) -> Fields:
+    """Read a JSON file of the user's work.
 
     Raises
     ------
     IconstudioError
-        If it cannot be read, or holds no JSON object.
+        If it cannot be read, holds no JSON object, or is plainly of another ``kind``.
     """
     try:
         text = read_bytes(path, MOST_BYTES)
@@ -248,7 +262,14 @@ def read(path: Path) -> Fields:
     except ValueError as error:
         reason = str(error)
     else:
-        return Fields(data, path)
+        fields = Fields(data, path)
+        for other in Kind if kind else ():
+            if not kind.telling & data.keys() and other.telling & data.keys():
+                raise fields.mistake(
+                    f"this is no {kind.noun}, but looks like a {other.noun}. Open it in "
+                    f"{other.workspace}, or with iconstudio {other.command}."
+                )
+        return fields
     raise IconstudioError(
         f"“{path.name}” is not valid JSON: {reason}. Save it again, or mend it in an editor."
     )

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from iconstudio.inputs.fields import read, relative, write, written
+from iconstudio.inputs.fields import Kind, read, relative, write, written
 from iconstudio.model import CANVAS, Axis, Mix, Pictogram, Seeds
 from iconstudio.workflows.hybrids import FEWEST, MOST, MOST_DRAWS
 
@@ -50,7 +50,7 @@ def read_hybrids(path: Path) -> HybridsFile:
     IconstudioError
         If the file cannot be read or does not say what to mix.
     """
-    fields = read(path)
+    fields = read(path, Kind.MIX)
     keyword = fields.text("keyword").strip()
     if fields.has("icons") == bool(keyword):
         raise fields.mistake(

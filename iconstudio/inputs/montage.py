@@ -13,7 +13,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from iconstudio.inputs.fields import Fields, read, relative, write, written
+from iconstudio.inputs.fields import Fields, Kind, read, relative, write, written
 from iconstudio.model import CANVAS, Layer, Montage, Pictogram, Placement, Point, Stroke
 from iconstudio.workflows.montage import LARGEST, SMALLEST
 
@@ -52,7 +52,7 @@ def read_montage(path: Path) -> MontageFile:
     IconstudioError
         If the file cannot be read or does not hold a montage.
     """
-    fields = read(path)
+    fields = read(path, Kind.MONTAGE)
     layers = tuple(map(_layer, fields.objects("layers", "layer")))
     return MontageFile(layers, fields.text("title"))
 

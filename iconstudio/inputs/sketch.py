@@ -10,7 +10,7 @@ import os
 from dataclasses import dataclass
 from pathlib import Path
 
-from iconstudio.inputs.fields import read, write, written
+from iconstudio.inputs.fields import Kind, read, write, written
 from iconstudio.model import IconstudioError, Sketch
 from iconstudio.resources import resource
 
@@ -48,7 +48,7 @@ def read_sketch(path: Path) -> SketchFile:
     IconstudioError
         If the file cannot be read or does not hold a sketch.
     """
-    fields = read(path)
+    fields = read(path, Kind.SKETCH)
     sketch = Sketch(
         fields.outline("polygon"),
         fields.text("keyword"),

@@ -18,8 +18,17 @@ _PATHS = {
     "fillAlpha": "fill-opacity",
     "strokeAlpha": "stroke-opacity",
 }
+_GRADIENTS = {
+    "linear": (
+        "linearGradient",
+        {"x1": "startX", "y1": "startY", "x2": "endX", "y2": "endY"},
+    ),
+    "radial": ("radialGradient", {"cx": "centerX", "cy": "centerY", "r": "gradientRadius"}),
+}
+_SPREAD = {"repeat": "repeat", "mirror": "reflect"}
 _numbers = itertools.count()
 LOOKED_UP = "Colours that the app looks up elsewhere were drawn in black."
+SWEEP = "Gradients that turn around a point (sweep) were drawn in their first colour."
 TRIMMED = "Paths that are drawn in part only (trimPath) were drawn whole."
 
 
@@ -70,7 +79,7 @@ def _convert(vector: ET.Element, parent: ET.Element, remarks: list[str]) -> None
             ET.SubElement(clip, "path", d=_said(child, "pathData", ""))
             parent = ET.SubElement(parent, "g", {"clip-path": f"url(#{clip.get('id')})"})
         elif child.tag == "path":
-            parent.append(_path(child, remarks))
+            _path(child, parent, remarks)
 
 
 def _placed(group: ET.Element) -> str:
@@ -86,33 +95,66 @@ def _placed(group: ET.Element) -> str:
     )
 
 
-def _path(path: ET.Element, remarks: list[str]) -> ET.Element:
+def _path(path: ET.Element, parent: ET.Element, remarks: list[str]) -> None:
+    """Add a path, and the gradients that it is painted with."""
     given = {
         svg: path.attrib[_ANDROID + name]
         for name, svg in _PATHS.items()
         if _ANDROID + name in path.attrib
     }
-    found = ET.Element("path", given)
     for name in ("fill", "stroke"):
-        found.set(name, _colour(path, f"{name}Color", remarks))
+        given[name] = _paint(path, f"{name}Color", parent, remarks)
     if _said(path, "fillType", "").lower() == "evenodd":
-        found.set("fill-rule", "evenodd")
+        given["fill-rule"] = "evenodd"
     if any(name.startswith(f"{_ANDROID}trimPath") for name in path.attrib):
         remarks.append(TRIMMED)
-    return found
+    ET.SubElement(parent, "path", given)
 
 
-def _colour(path: ET.Element, name: str, remarks: list[str]) -> str:
-    """Return a colour, which Android writes with its alpha in front."""
+def _paint(path: ET.Element, name: str, parent: ET.Element, remarks: list[str]) -> str:
+    """Return a colour, or the reference to a gradient, which is added."""
     value = path.get(_ANDROID + name)
-    if value is None:
-        gradient = any(one.get("name") == f"android:{name}" for one in path)
-        return "#000000" if gradient else "none"
+    if value is not None:
+        return _colour(value, remarks)
+    # What is no plain value stands in an element of its own: <aapt:attr name="android:fillColor">
+    inner = next((one for one in path if one.get("name", "").endswith(f":{name}")), None)
+    if inner is None:
+        return "none"
+    gradient = inner.find("gradient")
+    if gradient is None:
+        remarks.append(LOOKED_UP)
+        return "#000000"
+    stops = _stops(gradient, remarks)
+    kind = _said(gradient, "type", "linear")
+    if kind not in _GRADIENTS:
+        remarks.append(SWEEP)
+        return stops[0][1] if stops else "none"
+    tag, places = _GRADIENTS[kind]
+    given = {svg: _said(gradient, place, "0") for svg, place in places.items()}
+    given["spreadMethod"] = _SPREAD.get(_said(gradient, "tileMode", ""), "pad")
+    number = f"gradient-{next(_numbers)}"
+    found = ET.SubElement(parent, tag, id=number, gradientUnits="userSpaceOnUse", **given)
+    for offset, colour in stops:
+        ET.SubElement(found, "stop", {"offset": offset, "stop-color": colour})
+    return f"url(#{number})"
+
+
+def _stops(gradient: ET.Element, remarks: list[str]) -> list[tuple[str, str]]:
+    """Return the offsets and colours of a gradient."""
+    said = [(_said(one, "offset", "0"), one.get(f"{_ANDROID}color")) for one in gradient]
+    if not said:
+        ends = (("0", "start"), ("0.5", "center"), ("1", "end"))
+        said = [(offset, gradient.get(f"{_ANDROID}{end}Color")) for offset, end in ends]
+    return [(offset, _colour(value, remarks)) for offset, value in said if value is not None]
+
+
+def _colour(value: str, remarks: list[str]) -> str:
+    """Return a colour, which Android writes with its alpha in front."""
     match = _COLOUR.fullmatch(value.strip())
     if match is None:
         if not value.startswith("@android:color/black"):
             remarks.append(LOOKED_UP)
-        return "none" if value == "@android:color/transparent" else "#000000"
+        return "#00000000" if value == "@android:color/transparent" else "#000000"
     digits = match[1]
     if len(digits) in (3, 4):
         digits = "".join(2 * one for one in digits)

@@ -69,6 +69,51 @@ def test_colour_behind_lines_is_left_out_and_told(kind):
     assert omissions == {Omission.DECORATION}
 
 
+HOME = '<path d="M4 11l8-7 8 7v8H4zM10 19v-6h4v6"'
+SHADOWS = {
+    "below": '<ellipse cx="12" cy="22" rx="9" ry="1.8" fill="#e0e0e0"/>',
+    "touching": '<ellipse cx="12" cy="20.5" rx="10" ry="2.5" fill="#e0e0e0"/>',
+    "thrown": '<path d="M20 11l3 3v8H8l-3-2h15z" fill="#dde"/>',
+}
+
+
+@pytest.mark.parametrize("width", [0.8, 1.5])
+@pytest.mark.parametrize("kind", SHADOWS)
+def test_a_pale_shadow_beside_lines_without_fills_is_left_out_and_told(kind, width):
+    line = HOME + LINES.format(width)
+    coverage, omissions = pictogram(rgba(SHADOWS[kind] + line, SIDE))
+    assert amiss(coverage, ink(line, SIDE)) < 0.01
+    assert omissions == {Omission.DECORATION}
+
+
+BESIDE = {
+    "line of a second tone": '<path d="M2 22h20" stroke="#ccc" stroke-width="1.5"/>',
+    "pale shape within": '<rect x="8" y="8" width="8" height="7" fill="#ddd"/>',
+    "coloured shape": '<ellipse cx="12" cy="22" rx="9" ry="1.8" fill="#f90"/>',
+}
+
+
+@pytest.mark.parametrize("kind", BESIDE)
+def test_what_is_no_shadow_beside_lines_without_fills_is_ink(kind):
+    drawing = BESIDE[kind] + '<rect x="4" y="4" width="16" height="15"' + LINES.format(1.5)
+    coverage, omissions = pictogram(rgba(drawing, SIDE))
+    assert amiss(coverage, ink(drawing, SIDE)) < 0.01
+    assert not omissions
+
+
+HAND = '<path d="M3 5h18v10H11l-3 3-5-3z" fill="#bb8c65"/>'
+SHADE = '<path d="M3 5v10l5 3 3-3h10{}" fill="none" stroke="#5c3527" stroke-width="{}"/>'
+
+
+@pytest.mark.parametrize("width", [0.8, 1.1])
+@pytest.mark.parametrize("more", ["M3 9h6v6", "M3 10h5v7", "M8 9h-3v5h5v-3"])
+def test_a_shape_with_lines_along_one_side_is_ink(more, width):
+    drawing = HAND + SHADE.format(more, width)
+    coverage, omissions = pictogram(rgba(drawing, SIDE))
+    assert (coverage[ink(drawing, SIDE) > 127] > 127).mean() > 0.8
+    assert not omissions
+
+
 FILLED = {
     "whole": '<path d="M4 5h16v14H4z" fill="#ffe082" stroke="#111" stroke-width="2"/>',
     "gap": '<path d="M4 5h16v14H4z" fill="#ffe082"/><path d="M12 5h8v14H4V5h4"' + WIDE,

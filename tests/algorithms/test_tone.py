@@ -321,3 +321,30 @@ def test_rims_are_shades_of_a_disc():
     arrow = path("M11 6h2v6h4l-5 6-5-6h4z", "#fff")
     right = ink(disc.format(11, "#000")) * (ink(arrow) < 128)
     assert_alike(pictogram(rgba(rims + arrow)), right, 0.03)
+
+
+BODIES = {
+    "picture": '<circle cx="16" cy="8" r="2"/><path d="M5 14l4-3 5 6h5v2h-6l-4-5-4 3z"/>',
+    "speech": '<path d="M6 8h12v2H6zM6 13h9v2H6z"/>',
+}
+
+
+@pytest.mark.parametrize("tones", [("#000", "#7f7f7f"), ("#000", "#bfbfbf"), ("#04a", "#80a4d4")])
+@pytest.mark.parametrize("kind", BODIES)
+def test_a_paler_shade_behind_darker_ones_is_the_body_of_a_thing(kind, tones):
+    dark, pale = tones
+    body = f'<rect x="1" y="1" width="22" height="22" rx="5" fill="{pale}"/>'
+    coverage, omissions = tone.pictogram(rgba(body + f'<g fill="{dark}">{BODIES[kind]}</g>'))
+    right = np.where(ink(BODIES[kind]) > 127, 0, ink(body))
+    assert_alike(coverage, right)
+    assert not omissions
+
+
+@pytest.mark.parametrize("tones", [("#04a", "#dbeafe"), ("#fff", "#04a"), ("#04a", "#fc3")])
+def test_a_tile_of_another_colour_or_a_very_pale_one_is_left_out(tones):
+    drawn, behind = tones
+    body = f'<rect x="1" y="1" width="22" height="22" rx="5" fill="{behind}"/>'
+    glyph = BODIES["picture"]
+    coverage, omissions = tone.pictogram(rgba(body + f'<g fill="{drawn}">{glyph}</g>'))
+    assert_alike(coverage, ink(glyph), 0.02)
+    assert omissions == {Omission.TILE}

@@ -165,6 +165,25 @@ def test_an_output_folder_that_cannot_be_is_told_before_anything_is_read(
     assert not os.path.isfile(out) or out.read_text() == "mine"
 
 
+def test_an_output_folder_without_a_name(tmp_path, capsys, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert run(["model", "none.json", "--out", ""], None) == 2
+    assert "name of the folder" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("command", "data", "words"),
+    [
+        ("model", {"layers": [{"icon": ICON}]}, "looks like a montage. Open it in Montage"),
+        ("edit", {"keyword": "dog", "polygon": [[0, 0], [9, 0], [9, 9]]}, "like a sketch"),
+        ("montage", edit(), "with iconstudio edit"),
+        ("hybrids", {"layers": []}, "like a montage"),
+    ],
+)
+def test_files_of_another_command(tmp_path, capsys, command, data, words):
+    assert words in told(tmp_path, capsys, command, data)
+
+
 @pytest.mark.parametrize(
     ("command", "data"),
     [("edit", edit(icon="no:such")), ("montage", {"layers": [{"icon": ICON}]})],

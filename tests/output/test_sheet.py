@@ -91,7 +91,7 @@ def test_words_on_the_sheet(rows, drawn):
                   "40 icons", "2 icons", "The collection has too few icons."):  # fmt: skip
         assert words in said
     assert {"ring", "block"} <= set(said) and "disc" not in said  # the sources with ink
-    shares = [int(words.split()[0]) for words in said if words.endswith(" %")]
+    shares = [int(words[:-1]) for words in said if words.endswith("%")]
     assert shares == sorted(shares, reverse=True)
     assert sum(shares) == pytest.approx(100, abs=2)
 

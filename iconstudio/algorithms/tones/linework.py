@@ -10,7 +10,9 @@ the outside
 4. else is a part of the drawing, and ink; the lines over it are set off by paper.
 
 A fill that reaches out of the lines and a backdrop are decoration, and left out. So is what is pale
-beside the lines: a shadow, or a glow. Within the lines, all that stands out in a fill is ink.
+beside the lines, whether they are filled or not: a shadow, or a glow. Within the lines, all that
+stands out in a fill is ink. A shape that has dark lines along one side, with little of it enclosed,
+is shaded by them; that is no line drawing.
 """
 
 from typing import NamedTuple
@@ -33,6 +35,8 @@ _ALIKE = 14.0
 _AS_DARK, _DARK, _PALE = 18.0, 30.0, 75.0
 """Lightness: how much lighter than its lines the dark parts of a line drawing are at most, or how
 dark; and that of shadows."""
+_WIDER = 1.2
+"""How much wider than lines pale shadows are at least."""
 _OUT = 0.1
 """How much of a fill may reach out of its outline without being told."""
 
@@ -65,33 +69,62 @@ def _is_outline(found: Regions, line: Mask, lightness: float) -> bool:
     of_it[0] = False
     fills = of_it & ~line
     around, areas = found.lengths[0], found.areas
+    if lightness > 55 or not line.any():
+        return False
+    if _has_only_shadows(found, line):
+        return True
     if (
-        lightness > 55
-        or around[line].sum() <= 0.4 * around.sum()
+        around[line].sum() <= 0.4 * around.sum()
         or areas[line].sum() >= 0.6 * areas[of_it].sum()
         or np.average(found.colours[fills, 0], weights=areas[fills]) <= lightness + 20
-        or np.average(found.widths[line], weights=areas[line]) >= THICK
+        or _width(found, line) >= THICK
     ):
         return False
     if around[line].sum() > 0.6 * around[of_it].sum():
         return True
-    # A shape that the lines cross need have none around it, if there is nothing else without.
-    enclosed = _shapes(found, line).enclosed
-    crossed = (enclosed > _OUT) & (enclosed < 1 - _OUT)
+    # A fill that reaches out and a part that the lines cross need have none around them, if there
+    # is nothing else without; what has them along one side only is shaded by them.
+    shapes = _shapes(found, line)
+    crossed = (shapes.enclosed > _OUT) & (shapes.enclosed < 1 - _OUT)
+    crossed &= (shapes.enclosed > 0.5) | (shapes.free > 0.5)
     crossed[0] = False
     return bool(around[line].sum() > 0.8 * around[~crossed].sum())
 
 
+def _has_only_shadows(found: Regions, line: Mask) -> bool:
+    """Whether all beside lines that enclose much, and have no fills, is pale and outside."""
+    others = ~line
+    others[0] = False
+    if not others.any() or not (_pale(found) & ~found.white)[others].all():
+        return False
+    # Pale lines, which are as narrow, are lines of a second tone.
+    if _width(found, others) < _WIDER * _width(found, line):
+        return False
+    enclosed = _enclosed(line[found.labels])
+    within = (enclosed & others[found.labels]).sum() / found.areas[others].sum()
+    return bool(within < _OUT and enclosed.sum() > 1.5 * found.areas[line].sum())
+
+
+def _width(found: Regions, some: Mask) -> float:
+    """Return the mean width of some of the regions."""
+    return np.average(found.widths[some], weights=found.areas[some])
+
+
+def _pale(found: Regions) -> Mask:
+    lightness, *chromatic = found.colours.T
+    return (lightness > _PALE) & (np.hypot(*chromatic) < 3 * GREY)
+
+
 def line_drawing(found: Regions, line: Mask) -> Tones:
     """Return the tones of a drawing with that outline."""
-    lightness, *chromatic = found.colours.T
+    lightness = found.colours[:, 0]
     dark = lightness < max(lightness[line].max() + _AS_DARK, _DARK)
     piece = found.pieces()
     beside = ~np.isin(piece, piece[line])
-    pale = (lightness > _PALE) & (np.hypot(*chromatic) < 3 * GREY)
+    pale = _pale(found)
     shapes = _shapes(found, line)
     reaches_out = ~dark & ~beside & (shapes.free > 0)
-    thin = found.widths < 1.5 * np.average(found.widths[line], weights=found.areas[line])
+    thin = found.widths < np.where(pale, _WIDER, 1.5) * _width(found, line)
     strokes = reaches_out & thin & (found.lengths[0] > 0.7 * found.around)
     apart = reaches_out & (shapes.enclosed < 0.5) & (shapes.free > 0.5)
     part = apart & ~pale & ~strokes & (shapes.behind < 0.6)
@@ -100,7 +133,7 @@ def line_drawing(found: Regions, line: Mask) -> Tones:
     tone = np.where(dark | (beside & ~pale) | strokes | part, 1, 0)
     tone[within & (tone > 0)] = 0
     at_line = found.lengths[:, line].sum(axis=1) > found.around / 3
-    tone[(tone == 0) & ~within & (beside | at_line)] = -1
+    tone[(tone == 0) & ~within & (beside | at_line | (apart & pale))] = -1
     tone[0] = -1
     striking = found.contrasts > STRIKING
     # What differs little is as its neighbours are.

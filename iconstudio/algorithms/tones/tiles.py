@@ -3,7 +3,7 @@
 import numpy as np
 import scipy
 
-from iconstudio.algorithms.tones.regions import Mask, Regions
+from iconstudio.algorithms.tones.regions import GREY, Mask, Regions
 
 SHARP, _ROUNDED, _ROUND = 0.985, 0.9, 0.76
 """How much of its bounding box a rectangle fills, a rounded square, a circle."""
@@ -11,6 +11,10 @@ _ALIKE = 14.0
 """Colours, in CIELAB, that differ by less are alike."""
 _DARK = 30.0
 """Lightness of what is dark."""
+_PALE = 85.0
+"""Lightness of what is so pale that it is a mere background."""
+_DARKER = 15.0
+"""Difference in lightness of two tones of one colour."""
 _COLOURED = 30.0
 """Chroma of what is plainly coloured."""
 _CONVEX = 0.95
@@ -56,7 +60,9 @@ def _is_tile(found: Regions, number: int) -> bool:
     share = content.sum() / found.areas[1:].sum()
     if share >= 0.6 or span <= min(height, width) / 3:
         return False
-    return bool(white[number]) or not _is_bare_sign(found, content)
+    if white[number]:
+        return True
+    return not _is_bare_sign(found, content) and not _is_body(found, number)
 
 
 def _is_bare_sign(found: Regions, content: Mask) -> bool:
@@ -68,16 +74,42 @@ def _is_bare_sign(found: Regions, content: Mask) -> bool:
     return bool(content.sum() > _CONVEX * convex_hull_image(content).sum())
 
 
-def _gloss(found: Regions, number: int) -> Mask:
-    """Return the regions that are mere shades of a coloured tile, as gloss and shadows on it."""
+def _is_body(found: Regions, number: int) -> bool:
+    """Whether a tile is a shade, not too pale, of the darker tone of all that is on it.
+
+    So drawings in two tones of one colour show the body of a thing: a picture, a speech bubble.
+    """
+    lightness = found.colours[:, 0]
+    others = np.arange(len(lightness)) != number
+    others[0] = False
+    darker = lightness < lightness[number] - _DARKER
+    alike = _same_hue(found, number) | _grey(found) & _grey(found)[number]
+    return bool(lightness[number] < _PALE and (darker & alike)[others].all())
+
+
+def _grey(found: Regions) -> Mask:
+    grey: Mask = np.hypot(*found.colours[:, 1:].T) < GREY
+    return grey
+
+
+def _same_hue(found: Regions, number: int) -> Mask:
+    """Return the regions (k + 1,) whose hue is that of one of them."""
     a, b = found.colours[:, 1:].T
     chroma = np.hypot(a, b)
-    same_hue = a * a[number] + b * b[number] > 0.9 * chroma * chroma[number]
+    same: Mask = a * a[number] + b * b[number] > 0.9 * chroma * chroma[number]
+    return same
+
+
+def _gloss(found: Regions, number: int) -> Mask:
+    """Return the regions that are mere shades of a coloured tile, as gloss and shadows on it."""
+    chroma = np.hypot(*found.colours[:, 1:].T)
     coloured = (chroma > 0.3 * chroma[number]) & (chroma[number] > _COLOURED)
     on_it = found.lengths[number] > 0.9 * found.around
     contrast = np.where(on_it, found.contrasts[number], 0)
     contrast[0] = 0
-    gloss: Mask = same_hue & coloured & on_it & (contrast < _GLOSS * contrast.max())
+    gloss: Mask = (
+        _same_hue(found, number) & coloured & on_it & (contrast < _GLOSS * contrast.max())
+    )
     return gloss
 
 

@@ -10,7 +10,8 @@ into regions of even colour (``regions``). Of these,
 3. a *tile* behind the drawing is paper: a rectangle or a rounded square in which the drawing
    stands free, neither in small pieces (as a die's dots) nor filling it (as a screen). A disc is
    a badge or a face, and a tile only if it is near white. A bare sign, such as a triangle, keeps
-   its tile, for that is a button. Gloss goes with its tile (``tiles``);
+   its tile, for that is a button; and a paler shade of all that is on it is no tile but the body
+   of a thing in two tones. Gloss goes with its tile (``tiles``);
 4. *near white* on other colours is paper, unless it stands by itself or makes a large part of
    the silhouette (a cloud before the sun);
 5. of the others, what mainly borders on the outside is ink; what mainly borders on ink is paper

@@ -106,6 +106,52 @@ def test_what_browsers_forgive_is_read(kind):
     assert_shows(AS_THE_HOUSE[kind], PATH)
 
 
+def painted(path: str, paint: str) -> str:
+    """A drawing of Android whose one path is painted as an element within says."""
+    return (
+        '<vector xmlns:android="http://schemas.android.com/apk/res/android"'
+        ' xmlns:aapt="http://schemas.android.com/aapt"'
+        ' android:viewportWidth="24" android:viewportHeight="24">'
+        f'<path android:fillType="evenOdd" android:pathData="{path}">'
+        f'<aapt:attr name="android:fillColor">{paint}</aapt:attr></path></vector>'
+    )
+
+
+HALF = "".join(
+    f'<item android:offset="{offset}" android:color="{colour}"/>'
+    for offset, colour in (("0", "#f09"), ("0.5", "#F09"), ("0.5", "#00ff0099"))
+)
+PAINTED = {
+    "colours that flow": (
+        HOUSE,
+        '<gradient android:endX="24" android:startColor="#ff3366" android:endColor="#933"/>',
+        PATH,
+    ),
+    "linear": (
+        "M0 0h24v24H0z",
+        f'<gradient android:startX="4" android:endX="20">{HALF}</gradient>',
+        '<path d="M0 0h12v24H0z"/>',
+    ),
+    "radial": (
+        "M0 0h24v24H0z",
+        '<gradient android:type="radial" android:centerX="8" android:centerY="12"'
+        f' android:gradientRadius="12">{HALF}</gradient>',
+        '<circle cx="8" cy="12" r="6"/>',
+    ),
+    "mirrored": (
+        "M0 0h24v24H0z",
+        f'<gradient android:endX="12" android:tileMode="mirror">{HALF}</gradient>',
+        '<path d="M0 0h6v24H0zM18 0h6v24h-6z"/>',
+    ),
+}
+
+
+@pytest.mark.parametrize("kind", PAINTED)
+def test_gradients_of_android_are_gradients(kind):
+    path, gradient, expected = PAINTED[kind]
+    assert_shows(painted(path, gradient), expected)
+
+
 SAID = {
     "cut short after a shape": (svg(PATH).removesuffix("</svg>"), "cut short"),
     "cut short within a shape": (
@@ -131,6 +177,14 @@ SAID = {
         ' android:viewportWidth="24" android:viewportHeight="24">'
         '<path android:fillType="evenOdd" android:fillColor="?attr/colorControlNormal"'
         f' android:pathData="{HOUSE}"/></vector>',
+        "looks up elsewhere",
+    ),
+    "Android's sweeps": (
+        painted(HOUSE, '<gradient android:type="sweep" android:startColor="#ff3366"/>'),
+        "in their first colour",
+    ),
+    "Android's lists of colours": (
+        painted(HOUSE, "<selector><item android:color='#f00'/></selector>"),
         "looks up elsewhere",
     ),
     "sheet in another file": (
