@@ -263,12 +263,13 @@ def read(path: Path, kind: Kind | None = None) -> Fields:
         reason = str(error)
     else:
         fields = Fields(data, path)
-        for other in Kind if kind else ():
-            if not kind.telling & data.keys() and other.telling & data.keys():
-                raise fields.mistake(
-                    f"this is no {kind.noun}, but looks like a {other.noun}. Open it in "
-                    f"{other.workspace}, or with iconstudio {other.command}."
-                )
+        if kind is not None and not kind.telling & data.keys():
+            for other in Kind:
+                if other.telling & data.keys():
+                    raise fields.mistake(
+                        f"this is no {kind.noun}, but looks like a {other.noun}. Open it in "
+                        f"{other.workspace}, or with iconstudio {other.command}."
+                    )
         return fields
     raise IconstudioError(
         f"“{path.name}” is not valid JSON: {reason}. Save it again, or mend it in an editor."

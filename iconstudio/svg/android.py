@@ -133,7 +133,7 @@ def _paint(path: ET.Element, name: str, parent: ET.Element, remarks: list[str]) 
     given = {svg: _said(gradient, place, "0") for svg, place in places.items()}
     given["spreadMethod"] = _SPREAD.get(_said(gradient, "tileMode", ""), "pad")
     number = f"gradient-{next(_numbers)}"
-    found = ET.SubElement(parent, tag, id=number, gradientUnits="userSpaceOnUse", **given)
+    found = ET.SubElement(parent, tag, given | {"id": number, "gradientUnits": "userSpaceOnUse"})
     for offset, colour in stops:
         ET.SubElement(found, "stop", {"offset": offset, "stop-color": colour})
     return f"url(#{number})"

@@ -124,8 +124,8 @@ def soft_shape(seed, n):
 @pytest.fixture
 def small(monkeypatch):
     """A canvas of 32 pixels, on which the plain definition takes no minutes."""
-    for module in ("redraw", "sharing"):
-        monkeypatch.setattr(f"iconstudio.algorithms.{module}.CANVAS", 32)
+    for module in ("redraw", "blending"):
+        monkeypatch.setattr(f"iconstudio.algorithms.iconification.{module}.CANVAS", 32)
     monkeypatch.setitem(globals(), "CANVAS", 32)
 
 

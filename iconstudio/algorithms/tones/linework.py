@@ -107,12 +107,13 @@ def _has_only_shadows(found: Regions, line: Mask) -> bool:
 
 def _width(found: Regions, some: Mask) -> float:
     """Return the mean width of some of the regions."""
-    return np.average(found.widths[some], weights=found.areas[some])
+    return float(np.average(found.widths[some], weights=found.areas[some]))
 
 
 def _pale(found: Regions) -> Mask:
     lightness, *chromatic = found.colours.T
-    return (lightness > _PALE) & (np.hypot(*chromatic) < 3 * GREY)
+    pale: Mask = (lightness > _PALE) & (np.hypot(*chromatic) < 3 * GREY)
+    return pale
 
 
 def line_drawing(found: Regions, line: Mask) -> Tones:

@@ -107,9 +107,7 @@ def _gloss(found: Regions, number: int) -> Mask:
     on_it = found.lengths[number] > 0.9 * found.around
     contrast = np.where(on_it, found.contrasts[number], 0)
     contrast[0] = 0
-    gloss: Mask = (
-        _same_hue(found, number) & coloured & on_it & (contrast < _GLOSS * contrast.max())
-    )
+    gloss: Mask = _same_hue(found, number) & coloured & on_it & (contrast < _GLOSS * contrast.max())
     return gloss
 
 
