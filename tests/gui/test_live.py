@@ -13,7 +13,8 @@ from PySide6.QtTest import QTest
 from iconstudio.gui.main_window import MainWindow
 from iconstudio.gui.panels.cell import CellState
 from iconstudio.gui.preferences import preferred
-from iconstudio.model import CANVAS, Axis
+from iconstudio.gui.workspaces.sketching import page as edits
+from iconstudio.model import CANVAS, Axis, Polygon, Sketch
 from iconstudio.output.colours import significant_sources
 from iconstudio.session import ModelSettings
 from iconstudio.workflows.events import Recommended, StyleSkipped
@@ -664,3 +665,11 @@ def test_nothing_is_starred_where_nothing_was_made(drawn):
     style = drawn.board.results.pictures[0].result.composite.style
     drawn.board.show_event(Recommended(style, None))
     assert not any(drawn.board.results.cell(style, value).recommended for value in LAMBDAS)
+
+
+def test_what_cannot_be_remixed_says_why_without_being_asked(live, qtbot):
+    slim = Sketch(Polygon.of([(0, 0), (200, 0), (200, 1), (0, 1)]), "pencil")
+    edits.load_sketch(live.document, slim)
+    assert "too slim" in live.board.results.note.text()
+    edits.load_sketch(live.document, Sketch(Polygon.of(SQUARE), "box"))
+    assert live.board.results.note.text() == ""

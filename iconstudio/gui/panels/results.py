@@ -72,7 +72,7 @@ class ResultsPanel(QFrame):
         self.switch.changed.connect(self.set_coded)
         title = QLabel("Results")
         title.setProperty("title", True)
-        self.note = QLabel()
+        self.note = QLabel(wordWrap=True)
         self.note.setProperty("muted", True)
         top = QHBoxLayout()
         top.setSpacing(UNIT)

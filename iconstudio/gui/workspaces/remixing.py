@@ -97,6 +97,10 @@ class RemixWorkspace(Workspace, Wanting):
     def complete(self) -> None:
         """Finish what the user is still drawing."""
 
+    def finished(self) -> bool:
+        """Whether the user has given all that is needed; if it is no good, he should know."""
+        return bool(self.document.page.wish.keyword.strip())
+
     def help_out(self) -> None:
         """Put the focus where what is missing can be given."""
         if not self.document.page.wish.keyword.strip():
@@ -186,8 +190,11 @@ class RemixWorkspace(Workspace, Wanting):
         self.keyword_panel.set_sketch(wish.keyword, wish.exclude)
         self.preparation.want(Query.of(wish.keyword, wish.exclude))
         self.symmetry.set_axis(wish.symmetry)
-        stale = self.runs.stale and not self.runs.live
-        note = f"of an earlier {name} – press Remix to renew" if stale else ""
+        note = ""
+        if self.runs.live:
+            note = self.problem() if self.finished() else ""
+        elif self.runs.stale:
+            note = f"of an earlier {name} – press Remix to renew"
         self.board.results.note.setText(note)
 
     def hold_to(self, axis: object) -> None:

@@ -174,6 +174,10 @@ class EditWorkspace(RemixWorkspace):
         """Close an area that is still open."""
         self.outline.finish()
 
+    def finished(self) -> bool:
+        """Whether something is marked, and all areas are closed."""
+        return super().finished() and _outline(self.document.page) is not None
+
     def problem(self) -> str:
         """Return what is missing before the icon can be remixed."""
         page = self.document.page

@@ -147,6 +147,10 @@ class SketchWorkspace(RemixWorkspace):
                 "The outline crosses itself; everything that it encloses counts as inside."
             )
 
+    def finished(self) -> bool:
+        """Whether the outline is closed and has a name."""
+        return super().finished() and self.document.page.closed
+
     def problem(self) -> str:
         """Return what is missing before the sketch can be remixed."""
         page = self.document.page
