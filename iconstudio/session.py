@@ -220,7 +220,7 @@ class Session(AbstractContextManager["Session"]):
         """Return an icon drawn and traced as results are: crisp at any size."""
         whole = Source(exemplar, Placement())
         drawing = draw_whole(whole, exemplar.ink, self._workers, render_placed)
-        return answer(drawing, f"Drawing “{exemplar.id}”")
+        return answer(drawing, f"Drawing “{exemplar.name}”")
 
     def picture(self, exemplar: Exemplar, size: int) -> NDArray[np.uint8]:
         """Draw an icon on its canvas as it is: (size, size) uint8, 255 = ink.
@@ -234,7 +234,7 @@ class Session(AbstractContextManager["Session"]):
         drawing = self._readers.submit(
             render_placed, svg, frame, Placement(), size, timeout=SECONDS, memory=MEMORY
         )
-        return answer(drawing, f"Drawing “{exemplar.id}”", _SIMPLER)
+        return answer(drawing, f"Drawing “{exemplar.name}”", _SIMPLER)
 
     def keyword(self, pictogram: Pictogram) -> str:
         """Return what icons like this one are looked for by; empty if its name does not say."""

@@ -5,7 +5,16 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from iconstudio.model import CANVAS, MARGIN, Frame, IconstudioError, Placement, Polygon
+from iconstudio.model import (
+    CANVAS,
+    MARGIN,
+    Credit,
+    Frame,
+    IconstudioError,
+    Pictogram,
+    Placement,
+    Polygon,
+)
 
 coordinates = st.floats(-1e6, 1e6)
 
@@ -91,3 +100,22 @@ def test_numbers_of_numpy_become_plain_ones(scale, unit, shift, flip):
     assert placement == Placement(float(scale(0.9)), flip, shift, -shift)
     kinds = [type(value) for value in (placement.scale, placement.flip, placement.dx, frame.size)]
     assert kinds == [float, bool, int, float]
+
+
+CREDIT = Credit("my cat.svg", "an unnamed author", "MIT", "", "")
+
+
+@pytest.mark.parametrize(
+    ("identifier", "made_of", "name"),
+    [
+        ("mdi:cat", (), "mdi:cat"),
+        ("own:cat-fd22ec99", (), "my cat.svg"),
+        (
+            "made:cat-1",
+            (Pictogram("mdi:cat", "", Credit("cat", "A", "MIT", "", "")),),
+            "my cat.svg",
+        ),
+    ],
+)
+def test_what_is_the_users_own_is_called_by_its_title(identifier, made_of, name):
+    assert Pictogram(identifier, "<svg/>", CREDIT, made_of).name == name

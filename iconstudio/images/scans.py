@@ -8,6 +8,7 @@ from iconstudio.algorithms.scanning.binarisation import Scan, ink_of, scanned
 from iconstudio.algorithms.tracing.potrace import traced
 from iconstudio.images.reading import Image, awaited, read_image
 from iconstudio.model import Credit, IconstudioError, Pictogram
+from iconstudio.model.pictogram import OWN
 from iconstudio.svg.credits import UNLICENSED, UNNAMED
 from iconstudio.workers import Workers
 
@@ -43,7 +44,7 @@ def trace(
     digest = hashlib.sha256(svg.encode()).hexdigest()[:8]
     credit = Credit(name, UNNAMED, UNLICENSED, "", "")
     return Pictogram(
-        f"own:{Path(name).stem}-{digest}", svg, credit, remarks=tuple(filter(None, [remark]))
+        f"{OWN}{Path(name).stem}-{digest}", svg, credit, remarks=tuple(filter(None, [remark]))
     )
 
 

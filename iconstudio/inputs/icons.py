@@ -4,8 +4,9 @@ from pathlib import Path
 
 from iconstudio.files import write_atomically
 from iconstudio.model import IconstudioError, Pictogram
+from iconstudio.model.pictogram import OWN
 
-_ELSEWHERE = ("made:", "own:")
+_ELSEWHERE = ("made:", OWN)
 """Beginnings of the identifiers of icons that no collection has: results, and files."""
 
 

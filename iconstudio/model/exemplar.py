@@ -39,6 +39,11 @@ class Exemplar:
         """The pictogram's identifier, ``set:name``."""
         return self.pictogram.id
 
+    @property
+    def name(self) -> str:
+        """What to call the pictogram."""
+        return self.pictogram.name
+
     @cached_property
     def ink(self) -> NDArray[np.bool_]:
         """(CANVAS, CANVAS) bool: pixels that are more than half dark."""

@@ -2,6 +2,9 @@
 
 from dataclasses import dataclass
 
+OWN = "own:"
+"""How the identifiers of drawings of the user's own begin."""
+
 
 @dataclass(frozen=True, slots=True)
 class Credit:
@@ -34,6 +37,12 @@ class Pictogram:
     remarks: tuple[str, ...] = ()
     """What could not be read of its drawing, and what to do about it; a sentence for the user each.
     """
+
+    @property
+    def name(self) -> str:
+        """What to call it: the title of what is the user's own, else its identifier."""
+        own = self.made_of or self.id.startswith(OWN)
+        return (self.credit.title if own else "") or self.id
 
     @property
     def origins(self) -> tuple["Pictogram", ...]:

@@ -64,7 +64,7 @@ def changed(edit: Edit, change: Change) -> Wish:
     return Wish(
         edit.keyword,
         edit.symmetry,
-        f"{change.base.exemplar.id}, less red, plus green",
+        f"{change.base.exemplar.name}, less red, plus green",
         layers,
         change.target,
         change.base,

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from iconstudio.files import read_bytes
 from iconstudio.model import Credit, IconstudioError, Pictogram, SpriteError
+from iconstudio.model.pictogram import OWN
 from iconstudio.svg import credits
 from iconstudio.svg.animation import moves
 from iconstudio.svg.decode import MAX_BYTES, decode
@@ -81,7 +82,7 @@ def own_svg(data: bytes, name: str, symbol: str | None = None) -> Pictogram:
         ) from None
     digest = hashlib.sha256(data).hexdigest()[:8]
     called = "-".join(filter(None, (Path(name).stem, symbol, digest)))
-    return Pictogram(f"own:{called}", svg, credit, made_of, remarks)
+    return Pictogram(f"{OWN}{called}", svg, credit, made_of, remarks)
 
 
 def _read(

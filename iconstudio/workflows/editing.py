@@ -135,7 +135,7 @@ def edit_icon(
     def finish(result: Result) -> Result:
         return replace(
             result,
-            unchanged=change.unchanged(result.drawing, answer(own, f"Drawing “{edit.icon.id}”")),
+            unchanged=change.unchanged(result.drawing, answer(own, f"Drawing “{edit.icon.name}”")),
         )
 
     try:

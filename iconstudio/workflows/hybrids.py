@@ -79,7 +79,7 @@ def _check_pins(mix: Mix) -> None:
         own, images = (with_mirror_images(some, mix.symmetry) for some in (pins, theirs))
         if any(math.dist(p, q) < PIN for p in own for q in images):
             raise IconstudioError(
-                f"A pin on “{one.id}” and one on “{other.id}” hold the same place. "
+                f"A pin on “{one.name}” and one on “{other.name}” hold the same place. "
                 "Only one icon can be kept there: move or remove one of the pins."
             )
 
@@ -105,7 +105,7 @@ def mix_icons(
     for source, own in zip(sources, ink, strict=True):
         if not seen.add(own):
             raise IconstudioError(
-                f"“{source.exemplar.id}” looks the same as another of the icons. "
+                f"“{source.exemplar.name}” looks the same as another of the icons. "
                 "Choose different ones."
             )
     remixing = Remixing(workers, render, total=mix.draws)

@@ -164,14 +164,14 @@ def check(montage: Montage, side: int = CANVAS) -> NDArray[np.bool_]:
     for layer in layers:
         if not SMALLEST <= layer.placement.scale <= LARGEST:
             raise IconstudioError(
-                f"“{layer.icon.id}” is scaled to {layer.placement.scale:g} of its size. "
+                f"“{layer.icon.name}” is scaled to {layer.placement.scale:g} of its size. "
                 f"Give a scale between {SMALLEST:g} and {LARGEST:g}."
             )
     scribbles = np.stack([scribble(layer.strokes, side) for layer in layers])
     for layer, own in zip(layers, scribbles, strict=True):
         if layer.strokes and not own.any():
             raise IconstudioError(
-                f"The strokes over “{layer.icon.id}” lie outside the canvas. "
+                f"The strokes over “{layer.icon.name}” lie outside the canvas. "
                 f"Draw between 0 and {CANVAS}."
             )
     if not scribbles.any():
@@ -179,7 +179,7 @@ def check(montage: Montage, side: int = CANVAS) -> NDArray[np.bool_]:
     for first, second in combinations(range(len(layers)), 2):
         if (scribbles[first] & scribbles[second]).any():
             raise IconstudioError(
-                f"The strokes over “{layers[first].icon.id}” and “{layers[second].icon.id}” "
+                f"The strokes over “{layers[first].icon.name}” and “{layers[second].icon.name}” "
                 "overlap. A pixel can be kept from one icon only: shorten one of the strokes."
             )
     return scribbles

@@ -41,10 +41,12 @@ class ChoiceModel(ThumbnailModel):
         if role == Qt.ItemDataRole.ToolTipRole:
             credit = exemplar.pictogram.credit
             what = "take it away" if taken else "add it" if self.multiple else "use it"
-            text = f"{exemplar.id}\n{credit.author} · {credit.license}\nClick to {what}, or drag it"
+            text = (
+                f"{exemplar.name}\n{credit.author} · {credit.license}\nClick to {what}, or drag it"
+            )
             return text
         if role in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.AccessibleTextRole):
-            return f"{exemplar.id}, taken" if taken else exemplar.id
+            return f"{exemplar.name}, taken" if taken else exemplar.name
         return None
 
 

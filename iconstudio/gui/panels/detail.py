@@ -103,9 +103,9 @@ class SourceRow(QWidget):
     def __init__(self, picture: SourcePicture, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         icon = picture.source.exemplar.pictogram
-        title = ElidedLabel(icon.id, icon.credit.url)
+        title = ElidedLabel(icon.name, icon.credit.url)
         title.setProperty("heading", True)
-        title.setToolTip(f"{icon.id}: open {icon.credit.url}" if icon.credit.url else icon.id)
+        title.setToolTip(f"{icon.name}: open {icon.credit.url}" if icon.credit.url else icon.name)
         share = QLabel(f"{picture.share:.0%}")
         share.setProperty("heading", True)
         share.setFixedWidth(5 * UNIT)
@@ -129,7 +129,7 @@ class SourceRow(QWidget):
         row.addWidget(SourceThumbnail(picture))
         row.addLayout(words, 1)
         row.addWidget(share)
-        self.setAccessibleName(f"{icon.id}, {picture.share:.0%}")
+        self.setAccessibleName(f"{icon.name}, {picture.share:.0%}")
 
 
 class DetailPanel(QFrame):

@@ -50,9 +50,9 @@ class ThumbnailModel(QAbstractListModel):
         if role == Qt.ItemDataRole.ToolTipRole:
             credit = exemplar.pictogram.credit
             verb = "use it again" if out else "leave it out"
-            return f"{exemplar.id}\n{credit.author} · {credit.license}\nClick to {verb}"
+            return f"{exemplar.name}\n{credit.author} · {credit.license}\nClick to {verb}"
         if role in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.AccessibleTextRole):
-            return f"{exemplar.id}, left out" if out else exemplar.id
+            return f"{exemplar.name}, left out" if out else exemplar.name
         return None
 
     def show(self, exemplars: Sequence[Exemplar]) -> None:

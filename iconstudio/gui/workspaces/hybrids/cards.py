@@ -95,13 +95,13 @@ class IconCard(QWidget):
         self._ingredient, self._axis = ingredient, axis
         credit = ingredient.exemplar.pictogram.credit
         self.setToolTip(
-            f"{ingredient.id}\n{credit.author} · {credit.license}\n"
+            f"{ingredient.name}\n{credit.author} · {credit.license}\n"
             "Click a part that every hybrid should keep; click its pin to free it.\n"
             "Or move a mark there with the arrow keys, and press Space"
         )
-        self.setAccessibleName(f"{ingredient.id}, {len(ingredient.pins)} pins")
-        self.button.setToolTip(f"Do not mix {ingredient.id} (Delete)")
-        self.button.setAccessibleName(f"Do not mix {ingredient.id}")
+        self.setAccessibleName(f"{ingredient.name}, {len(ingredient.pins)} pins")
+        self.button.setToolTip(f"Do not mix {ingredient.name} (Delete)")
+        self.button.setAccessibleName(f"Do not mix {ingredient.name}")
         self.update()
 
     def changeEvent(self, event: QEvent) -> None:

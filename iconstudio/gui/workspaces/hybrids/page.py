@@ -32,6 +32,11 @@ class Ingredient:
         """The icon's identifier."""
         return self.exemplar.id
 
+    @property
+    def name(self) -> str:
+        """What to call the icon."""
+        return self.exemplar.name
+
 
 @dataclass(frozen=True, slots=True)
 class HybridsPage:

@@ -106,7 +106,7 @@ class LayerRow(QFrame):
             self._show_eye()
         self.picture.show_layer(layer)
         self.count.setText(_counted(len(layer.strokes)))
-        self.setToolTip(f"{layer.icon.pictogram.id}\nClick to scribble over it, drag to reorder")
+        self.setToolTip(f"{layer.icon.pictogram.name}\nClick to scribble over it, drag to reorder")
         self.setAccessibleName(f"{layer.title}, {self.count.text()}")
         if self.property("chosen") != chosen:
             self.setProperty("chosen", chosen)

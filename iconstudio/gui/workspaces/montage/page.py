@@ -59,8 +59,8 @@ class PlacedIcon:
     @property
     def title(self) -> str:
         """What to call it."""
-        icon = self.icon.pictogram
-        return icon.credit.title if icon.made_of else icon.id.partition(":")[2] or icon.id
+        name = self.icon.pictogram.name
+        return name.partition(":")[2] if name == self.icon.pictogram.id else name
 
     @property
     def color(self) -> QColor:
