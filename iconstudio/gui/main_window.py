@@ -21,6 +21,10 @@ from iconstudio.model import Pictogram
 from iconstudio.session import Session
 
 
+_FRAME, _TITLE = 16, 48
+"""What the system's frame around a window takes of the screen at most, in pixels."""
+
+
 class MainWindow(QMainWindow):
     """The switch and the recent results above, the workspace in use below.
 
@@ -65,7 +69,7 @@ class MainWindow(QMainWindow):
         layout.addWidget(self.desks, 1)
         self.setCentralWidget(centre)
         room = QGuiApplication.primaryScreen().availableSize()
-        self.resize(min(1360, room.width()), min(860, room.height()))
+        self.resize(min(1360, room.width() - _FRAME), min(860, room.height() - _TITLE))
 
     def _wire(self) -> None:
         self.modes.chosen.connect(self.show_workspace)
