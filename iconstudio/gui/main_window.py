@@ -20,7 +20,6 @@ from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.model import Pictogram
 from iconstudio.session import Session
 
-
 _FRAME, _TITLE = 16, 48
 """What the system's frame around a window takes of the screen at most, in pixels."""
 

@@ -162,7 +162,8 @@ class Runs(QObject):
         Whether it is.
         """
         page, before = self._page.document.page, self._ran_page
-        if before is None or not (page.empty or page.elsewhere(before)):
+        blank = page == type(page)()
+        if before is None or not (blank or page.elsewhere(before)):
             return False
         self.cancel()
         self.ran = self._ran_page = None

@@ -220,16 +220,13 @@ class RemixWorkspace(Workspace, Wanting):
         if self.runs.leave():
             self.board.clear()
         self.runs.renew()
-        self._show_stale()
-        self._rest()
-
-    def _show_stale(self) -> None:
         runs = self.runs
         self.board.results.set_stale(runs.live and runs.stale and not runs.running)
+        self._rest()
 
     def _begin_run(self, settings: ModelSettings, afresh: bool) -> None:
         self.board.begin(settings, afresh)
-        self._show_stale()
+        self.board.results.set_stale(False)
         if self.runs.live:
             self.rested.emit("Live")  # no progress to be seen yet
         self._allow_cancel(True)

@@ -29,11 +29,6 @@ class WishingPage(Page, Protocol):
     """A page with a wish."""
 
     @property
-    def empty(self) -> bool:
-        """Whether there is nothing on it yet."""
-        ...
-
-    @property
     def wish(self) -> Wish:
         """The wish."""
         ...
