@@ -41,7 +41,7 @@ _REST = 60
 """Milliseconds for which the slider rests before the drawing is traced."""
 _PATIENCE = 10_000
 _WORDS = "Move the slider until the icon is as it should be: to the right, fainter strokes count."
-_BY_HAND = "If there is one, move the slider until it is in sight."
+_BY_HAND = "If you see a drawing, move the slider until the icon is as it should be."
 _PATH = re.compile(r' d="([^"]*)"')
 _BOX = re.compile(r'viewBox="0 0 (\d+) (\d+)"')
 
