@@ -94,6 +94,40 @@ def on_a_desk(sheet, random):
     return _pixels(picture + random.normal(0, 0.02, picture.shape))
 
 
+def lit_from_one_side(sheet, random):
+    """Without noise, as a picture that was made up is."""
+    return _pixels(_grey(0.9 - 0.6 * sheet) * np.linspace(0.35, 1, sheet.shape[1])[:, None])
+
+
+def lit_by_a_lamp(sheet, random):
+    y, x = np.mgrid[: sheet.shape[0], : sheet.shape[1]]
+    far = np.hypot(y - 200, x - 500)
+    return _pixels(_grey((1 - 0.8 * sheet) * (1 - 0.65 * far / far.max())))
+
+
+def in_a_deep_shadow(sheet, random):
+    y, x = np.mgrid[: sheet.shape[0], : sheet.shape[1]]
+    shadow = 1 - 0.65 / (1 + np.exp(-(x + 0.3 * y - 0.6 * sheet.shape[1]) / 20))
+    return _pixels(_grey((1 - 0.8 * sheet) * shadow))
+
+
+def on_an_even_desk(sheet, random):
+    return laid_on(sheet, (0.24, 0.16, 0.12))
+
+
+def on_a_yellow_desk(sheet, random):
+    return laid_on(sheet, (0.9, 0.75, 0.2))
+
+
+def laid_on(sheet, colour, degrees=0):
+    """A white sheet on a desk of one colour, the drawing turned with it; without noise."""
+    paper = np.pad(np.ones(sheet.shape), ((30, 40), (50, 20)))
+    ink = np.pad(sheet, ((30, 40), (50, 20)))
+    if degrees:
+        paper, ink = (ndimage.rotate(one, degrees, order=1) for one in (paper, ink))
+    return _pixels((paper - 0.9 * ink)[..., None] + (1 - paper)[..., None] * np.array(colour))
+
+
 def transparent(sheet, random):
     return _on_nothing(sheet, (0, 0, 0))
 
@@ -127,7 +161,8 @@ def large(sheet, random):
 KINDS = (
     *(plain, blurred, noisy, unevenly_lit, half_in_shadow, yellow_pen, pencil, chalk, inverted),
     *(squeezed_as_jpeg, with_specks, on_a_desk, transparent, white_on_nothing, orange_on_nothing),
-    *(small, large),
+    *(small, large, lit_from_one_side, lit_by_a_lamp, in_a_deep_shadow),
+    *(on_an_even_desk, on_a_yellow_desk),
 )
 
 

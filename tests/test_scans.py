@@ -5,6 +5,7 @@ import json
 import numpy as np
 import pytest
 from PIL import Image
+from skimage.data import chelsea
 
 from iconstudio.algorithms.iconification.style import two_toned
 from iconstudio.inputs.edit import read_edit
@@ -80,6 +81,12 @@ def test_a_scan_can_be_named_in_a_work(session, tmp_path):
     area = [[[100, 100], [150, 100], [150, 150]]]
     work.write_text(json.dumps({"icon": "scan.webp", "keyword": "cup", "remove": area, "add": []}))
     assert read_edit(work).resolved(session.icon).icon.id.startswith("own:scan-")
+
+
+def test_a_photo_is_taken_with_a_remark(session, tmp_path):
+    path = tmp_path / "cat.png"
+    Image.fromarray(chelsea()[::2, ::2]).save(path)
+    assert "photo rather than a drawing" in session.icon(str(path)).remarks[0]
 
 
 def test_what_a_scan_lacks_is_told(session, tmp_path):

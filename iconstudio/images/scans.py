@@ -15,6 +15,8 @@ from iconstudio.workers import Workers
 _SECONDS = 30.0
 _MEMORY = 1 << 30
 """Bytes that scanning or tracing may take."""
+_NOT_FOUND = "No drawing can be made out on it."
+_PHOTO = "This looks like a photo rather than a drawing."
 
 
 def scan(image: Image, inverted: bool | None, workers: Workers) -> Generator[None, None, Scan]:
@@ -23,10 +25,16 @@ def scan(image: Image, inverted: bool | None, workers: Workers) -> Generator[Non
     Raises
     ------
     IconstudioError
-        If there is none.
+        If there is nothing to be seen.
     """
     future = workers.submit(_scan, image, inverted, timeout=_SECONDS, memory=_MEMORY)
     return (yield from awaited(future))
+
+
+def doubts(scan: Scan) -> str:
+    """Return why a scan may hold no drawing, for the user; empty if it does."""
+    said = (not scan.found and _NOT_FOUND, scan.shaded and _PHOTO)
+    return " ".join(filter(None, said))
 
 
 def trace(
@@ -37,15 +45,16 @@ def trace(
     Raises
     ------
     IconstudioError
-        If nothing is darker than the threshold.
+        If nothing is darker than the threshold, or none was chosen and no drawing made out.
     """
+    if threshold is None and not scan.found:
+        raise IconstudioError(doubts(scan))
     future = workers.submit(_trace, scan, threshold, timeout=_SECONDS, memory=_MEMORY)
     svg = yield from awaited(future)
     digest = hashlib.sha256(svg.encode()).hexdigest()[:8]
     credit = Credit(name, UNNAMED, UNLICENSED, "", "")
-    return Pictogram(
-        f"{OWN}{Path(name).stem}-{digest}", svg, credit, remarks=tuple(filter(None, [remark]))
-    )
+    remarks = tuple(filter(None, [remark, scan.shaded and _PHOTO]))
+    return Pictogram(f"{OWN}{Path(name).stem}-{digest}", svg, credit, remarks=remarks)
 
 
 def read_scan(path: Path, workers: Workers) -> Generator[None, None, Pictogram]:

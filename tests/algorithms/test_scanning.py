@@ -2,7 +2,8 @@
 
 import numpy as np
 import pytest
-from skimage.data import horse
+from scipy import ndimage
+from skimage.data import camera, chelsea, coffee, horse
 from skimage.draw import disk, polygon
 
 from iconstudio.algorithms.scanning.binarisation import SIDE, Scan, ink_of, scanned
@@ -28,9 +29,70 @@ def found(pixels, **options) -> np.ndarray:
 @pytest.mark.parametrize("kind", scans.KINDS, ids=lambda kind: kind.__name__)
 @pytest.mark.parametrize("seed", [0, 1])
 def test_a_drawing_is_found_on_every_kind_of_scan(kind, seed):
-    ink = found(scans.scan(house(), kind, seed))
+    scan = scanned(scans.scan(house(), kind, seed))
+    assert scan.found and not scan.shaded
+    ink = ink_of(scan).astype(float)
     assert max(ink.shape) == SIDE
     assert scans.iou(scans.fitted(ink), scans.fitted(house())) > 0.95
+
+
+WOOD = (0.45, 0.3, 0.18)
+
+
+@pytest.mark.parametrize("degrees", [8, -20])
+@pytest.mark.parametrize("colour", [(0.24, 0.16, 0.12), WOOD, (0.15, 0.25, 0.55)])
+def test_a_sheet_that_lies_askew_on_a_desk_is_cut_out(colour, degrees):
+    pixels = scans.laid_on(np.pad(house(), 40)[::2, ::2], colour, degrees)
+    turned = ndimage.rotate(house(), degrees, order=1)
+    scan = scanned(pixels)
+    assert not scan.inverted
+    assert scans.iou(scans.fitted(ink_of(scan).astype(float)), scans.fitted(turned)) > 0.93
+
+
+def test_a_sheet_on_veined_wood_is_cut_out():
+    y, x = np.mgrid[:240, :240]
+    veins = 0.1 * np.sin(y / 4 + 2 * np.sin(x / 40))[..., None]
+    picture = np.broadcast_to(np.array(WOOD), (240, 240, 3)) * (1 + veins)
+    picture[20:220, 30:230] = 1 - 0.9 * house()[::2, ::2, None]
+    lit = picture * np.linspace(0.6, 1, 240)[:, None]
+    ink = found((255 * lit).astype(np.uint8))
+    assert scans.iou(scans.fitted(ink), scans.fitted(house())) > 0.93
+
+
+@pytest.mark.parametrize("colour", [(0, 0, 0), (0.15, 0.25, 0.55)])
+@pytest.mark.parametrize("degrees", [0, 10])
+def test_a_white_card_that_shows_its_ground_is_no_sheet(colour, degrees):
+    """Drawn by a computer: what is cut out of the card is of the ground's very colour."""
+    card = np.pad(1 - house()[::2, ::2], 20, constant_values=1)
+    turned = ndimage.rotate(np.pad(card, 20), degrees, order=1)
+    pixels = (255 * (turned[..., None] + (1 - turned[..., None]) * colour)).astype(np.uint8)
+    scan = scanned(pixels)
+    assert scan.inverted
+    assert scans.iou(scans.fitted(ink_of(scan).astype(float)), scans.fitted(turned)) > 0.95
+
+
+def test_what_is_too_faint_to_be_told_can_be_chosen_by_hand():
+    pixels = np.repeat(250 - 20 * house()[..., None], 3, axis=2).astype(np.uint8)
+    scan = scanned(pixels)
+    assert not scan.found
+    with pytest.raises(IconstudioError, match="No drawing"):
+        ink_of(scan)
+    ink = ink_of(scan, scan.threshold).astype(float)
+    assert scans.iou(scans.fitted(ink), scans.fitted(house())) > 0.95
+
+
+@pytest.mark.parametrize("photo", [camera, chelsea, coffee])
+def test_a_photo_is_told_from_a_drawing(photo):
+    pixels = photo()[::2, ::2]
+    scan = scanned(np.repeat(pixels[..., None], 3, axis=2) if pixels.ndim == 2 else pixels)
+    assert scan.shaded
+
+
+def test_a_picture_that_changes_gradually_is_no_drawing():
+    y, x = np.mgrid[:200, :300]
+    waves = np.sin(x / 20) * np.cos(y / 30), 0.8 * np.sin(y / 15), x / 150 - 1
+    scan = scanned((128 + 100 * np.stack(waves, axis=-1)).astype(np.uint8))
+    assert scan.shaded or not scan.found
 
 
 def test_the_horse():

@@ -176,6 +176,24 @@ def test_a_page_without_a_drawing_is_told_in_the_dialog(window, qtbot, tmp_path)
     dialog.reject()
 
 
+def test_where_no_drawing_is_made_out_the_user_may_choose_what_is_ink(window, qtbot, tmp_path):
+    window.show_workspace(EDIT)
+    path = tmp_path / "faint.png"
+    picture = np.full((60, 80, 3), 250, np.uint8)
+    picture[20:40, 20:60] = 235
+    Image.fromarray(picture).save(path)
+    opener(window.workspace).open_mime(dropped(path))
+    qtbot.waitUntil(lambda: bool(dialogs(window.workspace)))
+    (dialog,) = dialogs(window.workspace)
+    qtbot.waitUntil(lambda: "No drawing" in dialog.caption.text())
+    assert "move the slider" in dialog.caption.text()
+    assert dialog.slider.isEnabled() and not dialog.automatic.isEnabled()
+    dialog.slider.setValue(dialog.slider.value() + 10)
+    qtbot.waitUntil(lambda: dialog.icon is not None)
+    dialog.accept()
+    qtbot.waitUntil(lambda: "own:faint.png" in str(window.workspace.document.page))
+
+
 def test_several_images_are_taken_together_without_asking(window, qtbot, scan_file, tmp_path):
     window.show_workspace(MONTAGE)
     place = window.workspace

@@ -11,7 +11,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.scanning.paper import lighting, page
+from iconstudio.algorithms.scanning.paper import lighting, page, trend
 from iconstudio.model import IconstudioError
 
 SIDE = 512
@@ -27,6 +27,12 @@ _MARGIN = 0.04
 """Air around a drawing, as part of its longer side."""
 _OPAQUE = 0.95
 """Opacity of ink, as part of the most that there is."""
+_FAINTEST = 0.02
+"""Less contrast than this is not made more."""
+_SHADED = 0.085
+"""So much of what is not paper is shading on a photo, and not on a drawing."""
+_GRADUAL, _SOFT = 0.01, 6
+"""Shading changes by so much from pixel to pixel, at so many pixels from the edge of ink."""
 _PLAIN = 0.25
 """Colours that differ by no more are one."""
 
@@ -44,6 +50,10 @@ class Scan:
     """What is darker is ink, if the user does not say otherwise."""
     inverted: bool
     """Whether the drawing was lighter than its ground."""
+    found: bool = True
+    """Whether a drawing was made out; if not, ``darkness`` is all of the picture, stretched."""
+    shaded: bool = False
+    """Whether much of it is neither ink nor paper, as on a photo of something else."""
 
 
 def scanned(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
@@ -59,7 +69,7 @@ def scanned(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
     Raises
     ------
     IconstudioError
-        If there is none.
+        If there is nothing to be seen.
     """
     step = -(-max(pixels.shape[:2]) // _COARSE)
     small = _shrunk(pixels, step)
@@ -69,7 +79,11 @@ def scanned(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
     else:
         ground, valid, inverted = _ground(small, inverted)
         coarse = np.where(valid, _darkness(small, ground, inverted), 0.0)
-    left, top, right, bottom = _bounds(coarse)
+    bounds = _bounds(coarse)
+    if bounds is None and small.shape[2] == 3:
+        # What is that faint was taken for paper.
+        ground = trend(1 - small if inverted else small, valid)
+    left, top, right, bottom = bounds or (0, 0, *coarse.shape[::-1])
     # Once more, only the drawing and in its own resolution.
     height, width = coarse.shape
     area = pixels[top * step : bottom * step, left * step : right * step]
@@ -85,7 +99,17 @@ def scanned(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
     scale = SIDE / max(dark.shape)
     dark = _resized(dark, tuple(max(1, round(side * scale)) for side in dark.shape))
     dark = np.clip(scipy.ndimage.gaussian_filter(dark, 1.0), 0, 1)
-    return Scan(np.rint(dark * 255).astype(np.uint8), round(_threshold(dark) * 255), inverted)
+    threshold = _threshold(dark) if bounds else None
+    if threshold is None:
+        low, high = np.percentile(dark, (1, 99.9))
+        dark = np.clip((dark - low) / max(high - low, _FAINTEST), 0, 1)
+    return Scan(
+        np.rint(dark * 255).astype(np.uint8),
+        round((0.5 if threshold is None else threshold) * 255),
+        inverted,
+        threshold is not None,
+        _shading(dark, threshold or 0.5, scale) > _SHADED,
+    )
 
 
 def ink_of(scan: Scan, threshold: int | None = None) -> NDArray[np.bool_]:
@@ -94,8 +118,10 @@ def ink_of(scan: Scan, threshold: int | None = None) -> NDArray[np.bool_]:
     Raises
     ------
     IconstudioError
-        If there is none.
+        If there is none, or no threshold was chosen and no drawing made out.
     """
+    if threshold is None and not scan.found:
+        raise IconstudioError("No drawing can be made out on it.")
     ink = scan.darkness > (scan.threshold if threshold is None else threshold)
     ink = ~_cleaned(~_cleaned(ink, _SPECK), _SPECK)
     if not ink.any():
@@ -145,7 +171,7 @@ def _ground(
     small: NDArray[np.float32], inverted: bool | None
 ) -> tuple[NDArray[np.float32], NDArray[np.bool_], bool]:
     """Return the paper without the drawing, where there is paper, and whether it is dark."""
-    valid = page(_luminance(small))
+    valid = page(small)
     ground = lighting(small, valid)
     if inverted is None:
         off = _luminance(small - ground)[valid]
@@ -163,20 +189,17 @@ def _darkness(
     return np.clip(dark - np.median(paper) if paper.size else dark, 0, 1)
 
 
-def _bounds(dark: NDArray[np.float32]) -> tuple[int, int, int, int]:
-    """Return left, top, right, bottom of the drawing with some air.
-
-    Raises
-    ------
-    IconstudioError
-        If there is none.
-    """
+def _bounds(dark: NDArray[np.float32]) -> tuple[int, int, int, int] | None:
+    """Return left, top, right, bottom of the drawing with some air; None if there is none."""
     soft = scipy.ndimage.gaussian_filter(dark, 0.7)
+    threshold = _threshold(soft)
+    if threshold is None:
+        return None
     # Also what is a little fainter than the rest: the user may want it.
-    ink = soft > 0.7 * _threshold(soft)
+    ink = soft > 0.7 * threshold
     ink = _cleaned(ink, ink.size // 20000)
     if not ink.any():
-        raise IconstudioError("No drawing can be made out on it.")
+        return None
     rows, columns = np.flatnonzero(ink.any(axis=1)), np.flatnonzero(ink.any(axis=0))
     top, bottom, left, right = rows[0], rows[-1] + 1, columns[0], columns[-1] + 1
     air = round(_MARGIN * max(bottom - top, right - left)) + 1
@@ -189,24 +212,34 @@ def _bounds(dark: NDArray[np.float32]) -> tuple[int, int, int, int]:
     )
 
 
-def _threshold(dark: NDArray[np.float32]) -> float:
-    """Return half the darkness of ink, where a blurred edge really runs.
-
-    Raises
-    ------
-    IconstudioError
-        If nothing is darker than the rest.
-    """
+def _threshold(dark: NDArray[np.float32]) -> float | None:
+    """Return half the darkness of ink, where a blurred edge really runs; None if there is none."""
     from skimage.filters import threshold_otsu
 
     if np.ptp(dark) < LEAST:
-        raise IconstudioError("No drawing can be made out on it.")
+        return None
     split = threshold_otsu(dark)
     paper, ink = dark[dark <= split], dark[dark > split]
     low, high = float(np.median(paper)), float(np.percentile(ink, 75))
     if high - low < LEAST:
-        raise IconstudioError("No drawing can be made out on it.")
+        return None
     return (low + high) / 2
+
+
+def _shading(dark: NDArray[np.float32], threshold: float, scale: float) -> float:
+    """Return how much of what is not paper is neither ink nor the edge of ink, from 0 to 1.
+
+    What was enlarged much by ``scale`` has wider edges.
+    """
+    ink = dark > threshold
+    width = round(_SOFT * max(1.0, scale / 2))
+    edge = scipy.ndimage.maximum_filter(ink, 2 * width + 1) & ~scipy.ndimage.minimum_filter(
+        ink, 2 * width + 1
+    )
+    even = scipy.ndimage.gaussian_filter(dark, 2.0)  # without noise
+    visible = even > LEAST
+    slope = np.hypot(*np.gradient(even))
+    return float((visible & ~edge & (slope > _GRADUAL)).sum() / max(1, visible.sum()))
 
 
 def _cleaned(shape: NDArray[np.bool_], speck: int) -> NDArray[np.bool_]:

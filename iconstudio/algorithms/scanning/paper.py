@@ -1,111 +1,143 @@
 """Where the paper lies on a photo, and how brightly each part of it is lit."""
 
+from collections.abc import Iterator
+
 import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.scanning.sheet import sheet_on_desk
+
 _EDGE = 1 / 30
 """Width of the edge of the paper, as part of the picture's shorter side; it holds no drawing."""
-_ROUNDS = 6
-_NEAR = 0.06
-"""By how much paper may differ from what its lighting is thought to be."""
-_REACH = 1 / 14
-"""How far paper tells of the lighting beside it, as part of the shorter side."""
+_ROUNDS = 3
+_NEAR = 0.15
+"""By how much paper may differ from what its lighting is thought to be, as part of that."""
+_BLUR = 1.5
+"""Pixels over which brightness is averaged before it is asked how steeply it falls."""
+_STEEP = 0.03
+"""Where the logarithm of brightness changes by more from pixel to pixel, paper ends."""
+_NOISY, _STEEPEST = 3.5, 0.1
+"""So many times what is usual on a picture is steep, too, but no more than this."""
+_DIM = 0.1
+"""Brightness below which logarithms would tell of noise alone."""
+_FEWEST = 20
+"""Pixels of the smallest piece of paper."""
+_ENOUGH = 0.3
+"""Where so much of the surroundings is paper, nothing farther away tells of the lighting."""
 _DARKEST = 0.04
 
-_LEAST_PAGE, _MOST_PAGE = 0.2, 0.995
-"""How much of a picture a sheet that lies on something darker may cover."""
-_STRAIGHT = 0.9
-"""How much of the smallest rectangle around it a sheet fills."""
-_CONTRAST = 0.15
-_GLINT = 3
-"""Half the width in pixels of what is too slim to be part of a sheet."""
-_FLAT = 1.5 / 255
-"""What was photographed varies by more."""
 
-
-def page(light: NDArray[np.float32]) -> NDArray[np.bool_]:
-    """Return (h, w) where the sheet lies that is drawn upon; everywhere if no desk is seen.
-
-    That is a light quadrangle with something darker around it. A picture that was not
-    photographed has no desk: what is around there belongs to the drawing.
-    """
-    from skimage.filters import threshold_otsu
-
-    whole = np.ones(light.shape, bool)
-    if np.ptp(light) < _CONTRAST:
-        return whole
-    # Without glints on the desk that touch the sheet.
-    bright = scipy.ndimage.binary_opening(light > threshold_otsu(light), iterations=_GLINT)
-    labels, count = scipy.ndimage.label(bright)
-    if not count:
-        return whole
-    largest = labels == 1 + int(np.argmax(np.bincount(labels.ravel())[1:]))
-    sheet = scipy.ndimage.binary_fill_holes(largest)
-    outside = ~sheet
-    if not _LEAST_PAGE < sheet.mean() < _MOST_PAGE or _rectangularity(sheet) < _STRAIGHT:
-        return whole
-    if np.median(light[largest]) - np.median(light[outside]) < _CONTRAST:
-        return whole
-    if _spread(light[largest]) < _FLAT and _spread(light[outside]) < _FLAT:
-        return whole
-    edge = max(2, round(_EDGE * min(light.shape) / 2))
-    inner: NDArray[np.bool_]
-    inner = scipy.ndimage.binary_erosion(sheet, iterations=edge, border_value=1)
-    return inner
+def page(picture: NDArray[np.float32]) -> NDArray[np.bool_]:
+    """Return (h, w) where the sheet lies that is drawn upon; everywhere if no desk is seen."""
+    sheet = sheet_on_desk(picture)
+    if sheet is None:
+        return np.ones(picture.shape[:2], bool)
+    width = max(2, round(_EDGE * min(sheet.shape) / 2))
+    return scipy.ndimage.binary_erosion(sheet, iterations=width, border_value=1)
 
 
 def lighting(picture: NDArray[np.float32], valid: NDArray[np.bool_]) -> NDArray[np.float32]:
     """Return (h, w, 3) the colour of the paper everywhere, also below a drawing darker than it.
 
-    A quadratic surface for each channel, fitted to the edge of the paper and then to all that is
-    near to it; and, where there is paper, how it differs from that, smoothed.
+    Light changes gradually, but where ink begins brightness falls steeply. So paper is what the
+    edge of the sheet is part of, up to such a fall; and other such pieces if they are as bright
+    as the paper around lets expect.
     """
-    height, width = valid.shape
+    labels, count = scipy.ndimage.label(valid & ~_steep(picture))
+    sizes = np.bincount(labels.ravel(), minlength=count + 1)
+    edge = _edge(valid)
+    at_edge = np.bincount(labels[edge], minlength=count + 1)
+    at_edge[0] = 0
+    paper = labels == np.argmax(at_edge)
+    if at_edge.max() < _FEWEST:
+        middle = np.clip(np.median(picture[edge], axis=0), _DARKEST, None)
+        return np.broadcast_to(middle, picture.shape).astype(np.float32)
+    pieces = 1 + np.flatnonzero(sizes[1:] >= _FEWEST)
+    for _ in range(_ROUNDS):
+        ground = _surface(picture, paper)
+        ratio = [
+            scipy.ndimage.mean(picture[..., c] / ground[..., c], labels, pieces) for c in range(3)
+        ]
+        alike = (abs(np.stack(ratio) - 1) < _NEAR).all(axis=0)
+        grown = paper | np.isin(labels, pieces[alike])
+        if (grown == paper).all():
+            break
+        paper = grown
+    return ground
+
+
+def _steep(picture: NDArray[np.float32]) -> NDArray[np.bool_]:
+    """Return (h, w) where brightness falls as light does not."""
+    logarithm = np.log(np.clip(picture, 0, None) + _DIM)
+    slopes = [
+        scipy.ndimage.gaussian_gradient_magnitude(logarithm[..., c], _BLUR, mode="nearest")
+        for c in range(3)
+    ]
+    slope = np.max(slopes, axis=0)
+    least = np.clip(_NOISY * np.median(slope), _STEEP, _STEEPEST)
+    return scipy.ndimage.binary_dilation(slope > least)
+
+
+def trend(picture: NDArray[np.float32], valid: NDArray[np.bool_]) -> NDArray[np.float32]:
+    """Return (h, w, 3) what the edge of the sheet alone lets expect of the paper's colour."""
+    return _quadratic(picture, _edge(valid))
+
+
+def _edge(valid: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    width = max(2, round(_EDGE * min(valid.shape)))
+    return valid & ~scipy.ndimage.binary_erosion(valid, iterations=width)
+
+
+def _quadratic(picture: NDArray[np.float32], paper: NDArray[np.bool_]) -> NDArray[np.float32]:
+    """Return (h, w, 3): the quadratic surface closest to the colours of the paper."""
+    height, width = paper.shape
     y, x = np.mgrid[-1 : 1 : height * 1j, -1 : 1 : width * 1j]
     terms = np.stack([np.ones_like(x), x, y, x * x, x * y, y * y], axis=-1).astype(np.float32)
-    edge = max(2, round(_EDGE * min(height, width)))
-    paper = valid & ~scipy.ndimage.binary_erosion(valid, iterations=edge)
-    middle = np.median(picture[paper], axis=0)
-    paper &= (abs(picture - middle) < 0.3).all(axis=-1)
-    surface = np.broadcast_to(middle, picture.shape).astype(np.float32)
-    for _ in range(_ROUNDS):
-        if paper.sum() < 50:
-            break
-        # Every few pixels will do.
-        some = np.flatnonzero(paper)[:: max(1, int(paper.sum()) // 20000)]
-        fit, *_ = np.linalg.lstsq(
-            terms.reshape(-1, 6)[some], picture.reshape(-1, 3)[some], rcond=None
-        )
-        surface = np.clip(terms @ fit, _DARKEST, 1.2)
-        paper = valid & (abs(picture - surface) < _NEAR + 0.1 * surface).all(axis=-1)
-    lit: NDArray[np.float32] = surface + _smoothed(picture - surface, paper)
-    return np.clip(lit, _DARKEST, None)
+    # Every few pixels will do.
+    some = np.flatnonzero(paper)[:: max(1, int(paper.sum()) // 20000)]
+    fit, *_ = np.linalg.lstsq(terms.reshape(-1, 6)[some], picture.reshape(-1, 3)[some], rcond=None)
+    return np.clip(terms @ fit, _DARKEST, 1.2)
 
 
-def _smoothed(rest: NDArray[np.float32], paper: NDArray[np.bool_]) -> NDArray[np.float32]:
-    """Return what paper differs by, averaged over paper near by; nothing where there is none."""
-    reach = _REACH * min(paper.shape)
-    known = scipy.ndimage.binary_erosion(paper, iterations=2, border_value=1).astype(np.float32)
-    weight = scipy.ndimage.gaussian_filter(known, reach) + 0.02
-    means = [scipy.ndimage.gaussian_filter(rest[..., c] * known, reach) / weight for c in range(3)]
-    return np.stack(means, axis=-1)
+def _surface(picture: NDArray[np.float32], paper: NDArray[np.bool_]) -> NDArray[np.float32]:
+    """Return (h, w, 3): the trend of the paper, and what differs from it near by."""
+    surface = _quadratic(picture, paper)
+    known = paper[..., None].astype(np.float32)
+    return np.clip(surface + _filled((picture - surface) * known, known), _DARKEST, None)
 
 
-def _spread(values: NDArray[np.float32]) -> float:
-    low, high = np.percentile(values, (20, 80))
-    return float(high - low)
+def _filled(sums: NDArray[np.float32], weights: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Return means of what is known near by, of ever larger surroundings where little is.
+
+    ``sums`` are (h, w, c) values times their ``weights``, (h, w, 1) (S. Gortler et al., The
+    Lumigraph, 1996: pull and push).
+    """
+    soft = [scipy.ndimage.gaussian_filter(one, (2, 2, 0)) for one in (sums, weights)]
+    mean = soft[0] / np.maximum(soft[1], 1e-6)
+    if min(weights.shape[:2]) < 4:
+        return mean * (soft[1] > 1e-6)
+    farther = _filled(*_halved(sums, weights))
+    height, width = weights.shape[:2]
+    farther = _doubled(farther)[:height, :width]
+    sure = np.clip(soft[1] / _ENOUGH, 0, 1)
+    return farther + sure * (mean - farther)
 
 
-def _rectangularity(shape: NDArray[np.bool_]) -> float:
-    """Return how much of the smallest rectangle around it a shape fills, from 0 to 1."""
-    from scipy.spatial import ConvexHull
+def _halved(*pictures: NDArray[np.float32]) -> Iterator[NDArray[np.float32]]:
+    for one in pictures:
+        even = np.pad(one, [(0, one.shape[0] % 2), (0, one.shape[1] % 2), (0, 0)])
+        yield (even[::2, ::2] + even[1::2, ::2] + even[::2, 1::2] + even[1::2, 1::2]) / 4
 
-    points = np.argwhere(shape ^ scipy.ndimage.binary_erosion(shape)).astype(float)
-    corners = points[ConvexHull(points).vertices]
-    sides = np.roll(corners, -1, axis=0) - corners
-    angles = np.unique(np.arctan2(sides[:, 0], sides[:, 1]) % (np.pi / 2))
-    sine, cosine = np.sin(angles), np.cos(angles)
-    turned = np.stack([sine, cosine]), np.stack([cosine, -sine])  # rows come first
-    areas = np.prod([np.ptp(corners @ axis, axis=0) + 1 for axis in turned], axis=0)
-    return float(shape.sum() / areas.min())
+
+def _doubled(values: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Return a picture at twice the resolution, between pixels linear."""
+    for axis in (0, 1):
+        first, last = np.take(values, [0], axis), np.take(values, [-1], axis)
+        before = np.concatenate([first, values], axis).take(range(values.shape[axis]), axis)
+        after = np.concatenate([values, last], axis).take(range(1, values.shape[axis] + 1), axis)
+        pair = np.stack([0.75 * values + 0.25 * before, 0.75 * values + 0.25 * after], axis + 1)
+        shape = list(values.shape)
+        shape[axis] *= 2
+        values = pair.reshape(shape)
+    return values

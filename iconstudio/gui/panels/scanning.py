@@ -5,7 +5,7 @@ from collections.abc import Generator
 from pathlib import Path
 
 import numpy as np
-from PySide6.QtCore import QRectF, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QRectF, QSignalBlocker, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QImage, QPainter, QPainterPath, QPaintEvent, QTransform
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -30,6 +30,7 @@ from iconstudio.gui.theme import UNIT
 from iconstudio.gui.vector import painter_path
 from iconstudio.gui.worker import Worker
 from iconstudio.images.reading import SUFFIXES, Image, is_image_file
+from iconstudio.images.scans import doubts
 from iconstudio.model import Pictogram
 from iconstudio.session import Session
 
@@ -40,6 +41,7 @@ _REST = 60
 """Milliseconds for which the slider rests before the drawing is traced."""
 _PATIENCE = 10_000
 _WORDS = "Move the slider until the icon is as it should be: to the right, fainter strokes count."
+_BY_HAND = "If you see a drawing, move the slider until the icon is as it should be."
 _PATH = re.compile(r' d="([^"]*)"')
 _BOX = re.compile(r'viewBox="0 0 (\d+) (\d+)"')
 
@@ -219,13 +221,14 @@ class ScanDialog(QDialog):
                 self._scan = found
                 self.inverted.setChecked(found.inverted)
                 self._enable(True)
+                self.automatic.setEnabled(found.found)
                 self.slider.setFocus()
                 self._show_scan(found)
             case Pictogram():
                 self.icon = found
                 self.preview.show_icon(found)
                 self.accept_button.setEnabled(True)
-                self.caption.say(self._image.remark or _WORDS)
+                self.caption.say(" ".join(found.remarks) or _WORDS)
                 self._tracing.enough()
             case None:
                 return
@@ -254,9 +257,19 @@ class ScanDialog(QDialog):
 
     def _show_scan(self, scan: Scan) -> None:
         value = DARKEST - scan.threshold
+        if not scan.found:
+            self._show_doubtful(scan, value)
+            return
         if self.slider.value() == value:
             self._move(value)
         self.slider.setValue(value)
+
+    def _show_doubtful(self, scan: Scan, value: int) -> None:
+        """Leave it to the user: nothing is traced before the slider is moved."""
+        with QSignalBlocker(self.slider):
+            self.slider.setValue(value)
+        self.preview.show_ink(scan.darkness > scan.threshold)
+        self.caption.say(f"{doubts(scan)} {_BY_HAND}", error=True)
 
     def _move(self, value: int) -> None:
         if self._scan is not None:

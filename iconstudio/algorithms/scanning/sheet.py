@@ -1,0 +1,119 @@
+"""A sheet of paper that lies on a desk is told from the desk."""
+
+from collections.abc import Iterator
+
+import numpy as np
+import scipy
+from numpy.typing import NDArray
+
+_LEAST, _MOST = 0.12, 0.995
+"""How much of a picture a sheet that lies on something darker may cover."""
+_STRAIGHT = 0.9
+"""How much of the smallest rectangle around it a sheet fills."""
+_CONTRAST = 0.15
+_SHARP = 0.3
+"""So much of the contrast between sheet and desk lies in the edge between them, not in light."""
+_ALL_BUT = 0.8
+"""The drawing may touch the edge of the sheet somewhere."""
+_BLUR = 1.5
+_GLINT = 3
+"""Half the width in pixels of what is too slim to be part of a sheet."""
+_FLAT = 1.5 / 255
+"""What was photographed varies by more."""
+_SAME = 0.03
+"""Colours that differ by no more are one."""
+
+
+def sheet_on_desk(picture: NDArray[np.float32]) -> NDArray[np.bool_] | None:
+    """Return (h, w) where a sheet lies, (h, w, 3) in sRGB from 0 to 1; None if no desk is seen.
+
+    A sheet is a light quadrangle with something darker or more colourful around it, and a sharp
+    edge between them. A white card on a drawing from a computer looks like that, too; but what is
+    cut out of a card shows the ground, and ink on a sheet does not.
+    """
+    best, found = 0.0, None
+    for light in (picture @ np.float32([0.2126, 0.7152, 0.0722]), picture.min(axis=2)):
+        if np.ptp(light) < _CONTRAST:
+            continue
+        for level in _levels(light):
+            sheet, straight = _sheet(light, level)
+            if straight > best and not _is_card(picture, light > level, sheet):
+                best, found = straight, sheet
+    return found
+
+
+def _levels(light: NDArray[np.float32]) -> Iterator[float]:
+    """Yield brightnesses that may part a sheet from a desk, or from a desk and from ink."""
+    from skimage.filters import threshold_multiotsu, threshold_otsu
+
+    yield float(threshold_otsu(light))
+    try:
+        yield from map(float, threshold_multiotsu(light, 3, nbins=64)[::-1])
+    except ValueError:
+        return  # fewer than three brightnesses
+
+
+def _sheet(light: NDArray[np.float32], level: float) -> tuple[NDArray[np.bool_], float]:
+    """Return what may be the sheet among what is brighter than a level, and how straight it is.
+
+    That is 0 if it is none.
+    """
+    # Without glints on the desk that touch the sheet.
+    bright = scipy.ndimage.binary_opening(light > level, iterations=_GLINT)
+    labels, count = scipy.ndimage.label(bright)
+    if not count:
+        return bright, 0.0
+    largest = labels == 1 + int(np.argmax(np.bincount(labels.ravel())[1:]))
+    sheet = scipy.ndimage.binary_fill_holes(largest)
+    if not _LEAST < sheet.mean() < _MOST:
+        return sheet, 0.0
+    straight = _rectangularity(sheet)
+    contrast = np.median(light[largest]) - np.median(light[~sheet])
+    usable = straight > _STRAIGHT and contrast > _CONTRAST
+    return sheet, straight if usable and _is_sharp(light, sheet, _SHARP * contrast) else 0.0
+
+
+def _is_sharp(light: NDArray[np.float32], sheet: NDArray[np.bool_], step: float) -> bool:
+    """Whether brightness falls at once by a step nearly everywhere around a sheet."""
+    slope = scipy.ndimage.gaussian_gradient_magnitude(light, _BLUR, mode="nearest")
+    steps = scipy.ndimage.maximum_filter(slope, 5) * (_BLUR * np.sqrt(2 * np.pi))
+    rim = sheet & ~scipy.ndimage.binary_erosion(sheet, border_value=1)
+    return bool(np.mean(steps[rim] > step) > _ALL_BUT)
+
+
+def _is_card(
+    picture: NDArray[np.float32], bright: NDArray[np.bool_], sheet: NDArray[np.bool_]
+) -> bool:
+    """Whether this was drawn by a computer, and what is cut out of the light shows its ground."""
+    outside, paper = ~sheet, sheet & bright
+    if not all(_is_flat(picture[part]) for part in (outside, paper)):
+        return False
+    ink = sheet & ~bright
+    ink[:_GLINT], ink[-_GLINT:], ink[:, :_GLINT], ink[:, -_GLINT:] = False, False, False, False
+    ink &= scipy.ndimage.binary_erosion(sheet, iterations=2 * _GLINT, border_value=1)
+    core = scipy.ndimage.binary_erosion(ink, iterations=2)
+    if not core.any():
+        core = ink
+    if not core.any():
+        return True
+    difference = np.median(picture[core], axis=0) - np.median(picture[outside], axis=0)
+    return bool((abs(difference) < _SAME).all())
+
+
+def _is_flat(colours: NDArray[np.float32]) -> bool:
+    low, high = np.percentile(colours, (20, 80), axis=0)
+    return bool((high - low < _FLAT).all())
+
+
+def _rectangularity(shape: NDArray[np.bool_]) -> float:
+    """Return how much of the smallest rectangle around it a shape fills, from 0 to 1."""
+    from scipy.spatial import ConvexHull
+
+    points = np.argwhere(shape ^ scipy.ndimage.binary_erosion(shape)).astype(float)
+    corners = points[ConvexHull(points).vertices]
+    sides = np.roll(corners, -1, axis=0) - corners
+    angles = np.unique(np.arctan2(sides[:, 0], sides[:, 1]) % (np.pi / 2))
+    sine, cosine = np.sin(angles), np.cos(angles)
+    turned = np.stack([sine, cosine]), np.stack([cosine, -sine])  # rows come first
+    areas = np.prod([np.ptp(corners @ axis, axis=0) + 1 for axis in turned], axis=0)
+    return float(shape.sum() / areas.min())
