@@ -33,7 +33,7 @@ def scan(image: Image, inverted: bool | None, workers: Workers) -> Generator[Non
 
 def doubts(scan: Scan) -> str:
     """Return why a scan may hold no drawing, for the user; empty if it does."""
-    said = (not scan.found and _NOT_FOUND, scan.shaded and _PHOTO)
+    said = ("" if scan.found else _NOT_FOUND, _PHOTO if scan.shaded else "")
     return " ".join(filter(None, said))
 
 
@@ -53,7 +53,7 @@ def trace(
     svg = yield from awaited(future)
     digest = hashlib.sha256(svg.encode()).hexdigest()[:8]
     credit = Credit(name, UNNAMED, UNLICENSED, "", "")
-    remarks = tuple(filter(None, [remark, scan.shaded and _PHOTO]))
+    remarks = tuple(filter(None, [remark, _PHOTO if scan.shaded else ""]))
     return Pictogram(f"{OWN}{Path(name).stem}-{digest}", svg, credit, remarks=remarks)
 
 

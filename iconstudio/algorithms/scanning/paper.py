@@ -34,7 +34,9 @@ def page(picture: NDArray[np.float32]) -> NDArray[np.bool_]:
     if sheet is None:
         return np.ones(picture.shape[:2], bool)
     width = max(2, round(_EDGE * min(sheet.shape) / 2))
-    return scipy.ndimage.binary_erosion(sheet, iterations=width, border_value=1)
+    inner: NDArray[np.bool_]
+    inner = scipy.ndimage.binary_erosion(sheet, iterations=width, border_value=1)
+    return inner
 
 
 def lighting(picture: NDArray[np.float32], valid: NDArray[np.bool_]) -> NDArray[np.float32]:
@@ -76,7 +78,8 @@ def _steep(picture: NDArray[np.float32]) -> NDArray[np.bool_]:
     ]
     slope = np.max(slopes, axis=0)
     least = np.clip(_NOISY * np.median(slope), _STEEP, _STEEPEST)
-    return scipy.ndimage.binary_dilation(slope > least)
+    steep: NDArray[np.bool_] = scipy.ndimage.binary_dilation(slope > least)
+    return steep
 
 
 def trend(picture: NDArray[np.float32], valid: NDArray[np.bool_]) -> NDArray[np.float32]:
@@ -86,7 +89,8 @@ def trend(picture: NDArray[np.float32], valid: NDArray[np.bool_]) -> NDArray[np.
 
 def _edge(valid: NDArray[np.bool_]) -> NDArray[np.bool_]:
     width = max(2, round(_EDGE * min(valid.shape)))
-    return valid & ~scipy.ndimage.binary_erosion(valid, iterations=width)
+    edge: NDArray[np.bool_] = valid & ~scipy.ndimage.binary_erosion(valid, iterations=width)
+    return edge
 
 
 def _quadratic(picture: NDArray[np.float32], paper: NDArray[np.bool_]) -> NDArray[np.float32]:
@@ -97,14 +101,16 @@ def _quadratic(picture: NDArray[np.float32], paper: NDArray[np.bool_]) -> NDArra
     # Every few pixels will do.
     some = np.flatnonzero(paper)[:: max(1, int(paper.sum()) // 20000)]
     fit, *_ = np.linalg.lstsq(terms.reshape(-1, 6)[some], picture.reshape(-1, 3)[some], rcond=None)
-    return np.clip(terms @ fit, _DARKEST, 1.2)
+    surface: NDArray[np.float32] = np.clip(terms @ fit, _DARKEST, 1.2)
+    return surface
 
 
 def _surface(picture: NDArray[np.float32], paper: NDArray[np.bool_]) -> NDArray[np.float32]:
     """Return (h, w, 3): the trend of the paper, and what differs from it near by."""
     surface = _quadratic(picture, paper)
     known = paper[..., None].astype(np.float32)
-    return np.clip(surface + _filled((picture - surface) * known, known), _DARKEST, None)
+    lit: NDArray[np.float32] = surface + _filled((picture - surface) * known, known)
+    return np.clip(lit, _DARKEST, None)
 
 
 def _filled(sums: NDArray[np.float32], weights: NDArray[np.float32]) -> NDArray[np.float32]:
@@ -114,20 +120,21 @@ def _filled(sums: NDArray[np.float32], weights: NDArray[np.float32]) -> NDArray[
     Lumigraph, 1996: pull and push).
     """
     soft = [scipy.ndimage.gaussian_filter(one, (2, 2, 0)) for one in (sums, weights)]
-    mean = soft[0] / np.maximum(soft[1], 1e-6)
+    mean: NDArray[np.float32] = soft[0] / np.maximum(soft[1], 1e-6)
     if min(weights.shape[:2]) < 4:
-        return mean * (soft[1] > 1e-6)
+        return np.where(soft[1] > 1e-6, mean, np.float32(0))
     farther = _filled(*_halved(sums, weights))
     height, width = weights.shape[:2]
     farther = _doubled(farther)[:height, :width]
-    sure = np.clip(soft[1] / _ENOUGH, 0, 1)
+    sure: NDArray[np.float32] = np.clip(soft[1] / _ENOUGH, 0, 1)
     return farther + sure * (mean - farther)
 
 
 def _halved(*pictures: NDArray[np.float32]) -> Iterator[NDArray[np.float32]]:
     for one in pictures:
         even = np.pad(one, [(0, one.shape[0] % 2), (0, one.shape[1] % 2), (0, 0)])
-        yield (even[::2, ::2] + even[1::2, ::2] + even[::2, 1::2] + even[1::2, 1::2]) / 4
+        four = even[::2, ::2] + even[1::2, ::2] + even[::2, 1::2] + even[1::2, 1::2]
+        yield four / np.float32(4)
 
 
 def _doubled(values: NDArray[np.float32]) -> NDArray[np.float32]:

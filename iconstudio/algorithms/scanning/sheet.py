@@ -32,7 +32,7 @@ def sheet_on_desk(picture: NDArray[np.float32]) -> NDArray[np.bool_] | None:
     cut out of a card shows the ground, and ink on a sheet does not.
     """
     best, found = 0.0, None
-    for light in (picture @ np.float32([0.2126, 0.7152, 0.0722]), picture.min(axis=2)):
+    for light in (picture @ np.array([0.2126, 0.7152, 0.0722], np.float32), picture.min(axis=2)):
         if np.ptp(light) < _CONTRAST:
             continue
         for level in _levels(light):
