@@ -92,7 +92,8 @@ def _is_darkened(found: Regions, number: int) -> bool:
 
 
 def _alike(found: Regions, number: int) -> Mask:
-    return np.linalg.norm(found.colours - found.colours[number], axis=1) < _ALIKE
+    alike: Mask = np.linalg.norm(found.colours - found.colours[number], axis=1) < _ALIKE
+    return alike
 
 
 def _grey(found: Regions) -> Mask:
