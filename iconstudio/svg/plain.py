@@ -128,7 +128,7 @@ def plain(
     return Plain(
         content,
         page,
-        bounds(content, page or (0, 0, 100, 100), ids),
+        bounds(content, page or (0, 0, 100, 100), ids, painted=True),
         texts,
         any(one.tag in ("filter", "pattern") for one in kept)
         or sum(one.tag in ("mask", "clipPath") for one in kept) > _MANY,
