@@ -17,6 +17,18 @@ _PROLOG = re.compile(
 )
 _ADDRESS = re.compile(r"data:(image/[\w.+-]+)((?:;[\w=.+-]*)*),([^\s\"'()<>]*)", re.IGNORECASE)
 
+_PART = re.compile(
+    r"<(?:path|rect|circle|ellipse|line|poly(?:gon|line))\s[^<>]*=|&lt;svg\s|%3csvg(?:%20|\+)"
+    r"|\\u003csvg|[\"']path[\"']\s*,|\bd[\"']?\s*[:=]\s*[\"'`][Mm]\s*[-+.\d]|\bImageVector\b",
+    re.IGNORECASE,
+)
+"""What only a part of a drawing has, or one in code."""
+
+
+def is_part(text: str) -> bool:
+    """Whether a text is a part of a drawing, or code that draws, which its reader may know."""
+    return _PART.search(text) is not None
+
 
 def drawings_in(text: str) -> tuple[bytes, ...]:
     """Return the SVG drawings in a text, in UTF-8, each with its document type if it has one.

@@ -10,7 +10,7 @@ from PySide6.QtCore import QMimeData, QUrl
 from PySide6.QtGui import QGuiApplication, QImage, QPixmap
 
 from iconstudio.gui.dragging import unpacked
-from iconstudio.gui.markup import data_images, drawings_in
+from iconstudio.gui.markup import data_images, drawings_in, is_part
 from iconstudio.images.pillow import is_image
 from iconstudio.model import Pictogram
 
@@ -135,7 +135,10 @@ def _drawings(data: QMimeData) -> tuple[Item, ...]:
     for text in (data.text(), data.html()):
         if found := drawings_in(text):
             return tuple(map(Drawing, found))
-    return tuple(one for one in _in_addresses(data.text(), data.html()) if isinstance(one, Drawing))
+    addressed = _in_addresses(data.text(), data.html())
+    if found := tuple(one for one in addressed if isinstance(one, Drawing)):
+        return found
+    return (Drawing(data.text().encode("utf-8", "replace")),) if is_part(data.text()) else ()
 
 
 def _images(data: QMimeData) -> tuple[Item, ...]:

@@ -3,9 +3,12 @@
 What goes on without end, and begins with nothing, is shown in the middle of its way.
 """
 
+import copy
 import re
 import xml.etree.ElementTree as ET
 from collections.abc import Sequence
+
+import numpy as np
 
 from iconstudio.svg.lengths import NUMBER, numbers
 
@@ -21,6 +24,8 @@ _NOTHING_IF_ZERO = (
 _NO_SCALE = re.compile(
     r"scale\(\s*0*\.?0*\s*[,)\s]|matrix\(\s*0[\s,]+0[\s,]+0[\s,]+0[\s,]", re.IGNORECASE
 )
+_SMALL = 4
+"""How many times larger something becomes that begins far too small."""
 _MOMENTS = (0.5, 0.25, 0.75, 0.1, 0.9, 0.0, 1.0)
 """Parts of the time that an animation takes, the best first."""
 MOVING = "The drawing moves; it is taken as it stands before it does."
@@ -47,7 +52,8 @@ def finish(root: ET.Element, midway: bool = False) -> list[str]:
     for target, animations in _animated(root).items():
         going_on = [one for one in animations if not _end(one, target)]
         chained = any(_CHAINED.search(one.get("begin", "")) for one in animations)
-        if (going_on or chained or midway) and vanishes(_state(target, animations)):
+        nothing = (going_on or chained or midway) and vanishes(_state(target, animations))
+        if nothing or _is_best_midway(target, [one for one in going_on if _is_endless(one)]):
             _show_midway(target, animations)
             remarks.append(MIDWAY)
         elif going_on:
@@ -74,6 +80,9 @@ def _is_zero(value: str) -> bool:
 def _animated(root: ET.Element) -> dict[ET.Element, list[ET.Element]]:
     """Take all animations out; return them by what they animate."""
     ids = {element.get("id"): element for element in root.iter() if element.get("id")}
+    for reference in root.iter("mpath"):
+        shape = ids.get(reference.get("href", "").removeprefix("#"))
+        reference.set("path", "" if shape is None else _outline(shape))
     found: dict[ET.Element, list[ET.Element]] = {}
     for parent in list(root.iter()):
         for animation in [child for child in parent if child.tag in _ANIMATIONS]:
@@ -82,6 +91,8 @@ def _animated(root: ET.Element) -> dict[ET.Element, list[ET.Element]]:
             target = ids.get(name) if name else parent
             if target is not None:
                 found.setdefault(target, []).append(animation)
+    for animations in found.values():
+        animations.sort(key=lambda one: one.tag == "animateMotion")  # around all other transforms
     return found
 
 
@@ -106,13 +117,39 @@ def _end(animation: ET.Element, target: ET.Element) -> bool:
     """Apply an animation's end to its target; false if it has none."""
     if _BY_HAND.search(animation.get("begin", "")):
         return True  # until someone does so, it stands still
-    endless = "indefinite" in (animation.get("repeatCount"), animation.get("repeatDur"))
     stays = animation.get("fill") == "freeze" or (
         animation.tag == "set" and not animation.get("dur") and not animation.get("end")
     )
-    if endless or not stays:
+    if _is_endless(animation) or not stays:
         return False
     return _apply(animation, target, 1.0)
+
+
+def _is_endless(animation: ET.Element) -> bool:
+    return "indefinite" in (animation.get("repeatCount"), animation.get("repeatDur"))
+
+
+def _is_best_midway(target: ET.Element, endless: Sequence[ET.Element]) -> bool:
+    """Whether what goes on without end is no good as it begins.
+
+    It is elsewhere, or it grows out of next to nothing, or into nothing.
+    """
+    if any(one.tag == "animateMotion" or _grows(one) for one in endless):
+        return True
+    names = {one.get("attributeName") for one in endless}
+    last = copy.copy(target)
+    last.attrib = dict(target.attrib)
+    for one in endless:
+        _apply(one, last, 1.0)
+    return len(names) > 1 and vanishes(_state(last, endless))
+
+
+def _grows(animation: ET.Element) -> bool:
+    """Whether something begins far smaller than it becomes."""
+    if animation.get("attributeName") not in _SIZES and animation.get("type") != "scale":
+        return False
+    sizes = [numbers(_at(animation, moment) or "")[:1] for moment in sorted(_MOMENTS)]
+    return [] not in sizes and abs(sizes[0][0]) * _SMALL < max(abs(one[0]) for one in sizes)
 
 
 def _show_midway(target: ET.Element, animations: Sequence[ET.Element]) -> None:
@@ -133,9 +170,11 @@ def _show_midway(target: ET.Element, animations: Sequence[ET.Element]) -> None:
 
 def _apply(animation: ET.Element, target: ET.Element, moment: float) -> bool:
     """Give a target the value at a moment from 0 to 1; false if that is not known."""
+    if animation.tag == "animateMotion":
+        return _move(animation, target, moment)
     value = _at(animation, moment)
     name = animation.get("attributeName", "")
-    if animation.tag == "animateMotion" or value is None:
+    if value is None:
         return False
     if animation.tag == "animateTransform":
         added = f"{animation.get('type', 'translate')}({value})"
@@ -147,6 +186,48 @@ def _apply(animation: ET.Element, target: ET.Element, moment: float) -> bool:
         # Above style sheets, as animations are.
         target.set("style", f"{target.get('style', '').rstrip('; ')};{name}:{value}".lstrip(";"))
     return True
+
+
+def _move(animation: ET.Element, target: ET.Element, moment: float) -> bool:
+    """Put a target where it is on its way at a moment; false if there is no way."""
+    from iconstudio.svg.geometry import along  # loads fontTools
+
+    points = numbers(animation.get("keyPoints", "").replace(";", " "))
+    times = numbers(animation.get("keyTimes", "").replace(";", " "))
+    if points:
+        times = times if len(times) == len(points) else list(np.linspace(0, 1, len(points)))
+        moment = float(np.interp(moment, times, points))
+    place = along(_way(animation), moment)
+    if place is None:
+        return False
+    x, y, angle = place
+    turned = animation.get("rotate", "0")
+    if turned.startswith("auto"):
+        angle += 180 if turned == "auto-reverse" else 0
+    else:
+        angle = (numbers(turned) or [0.0])[0]
+    before = target.get("transform", "")
+    target.set("transform", f"translate({x:.6g} {y:.6g}) rotate({angle:.6g}) {before}".strip())
+    return True
+
+
+def _way(animation: ET.Element) -> str:
+    """Return the path data of a motion (SVG 1.1, section 19.2.14)."""
+    referred = next((one.get("path", "") for one in animation.iter("mpath")), "")
+    if said := referred or animation.get("path", ""):
+        return said
+    places = [one for one in animation.get("values", "").split(";") if one.strip()]
+    if not places:
+        to = animation.get("to", animation.get("by"))
+        places = [animation.get("from", "0,0"), *([to] if to else [])]
+    pairs = (numbers(place) for place in places)
+    return "".join(f"{'L' if number else 'M'}{x} {y}" for number, (x, y) in enumerate(pairs))
+
+
+def _outline(shape: ET.Element) -> str:
+    from iconstudio.svg.geometry import path_data
+
+    return path_data(shape, (0.0, 0.0, 100.0, 100.0))
 
 
 def _at(animation: ET.Element, moment: float) -> str | None:

@@ -13,6 +13,8 @@ from iconstudio.svg import signatures
 MAX_BYTES = 32_000_000
 """Of a file, unpacked; most of a large one is private data of the program that wrote it."""
 
+_MOST_PACKED = 3
+"""How many times a file may be compressed: servers compress what is compressed already."""
 _GZIP = b"\x1f\x8b"
 _BYTE_ORDER_MARKS = (
     (codecs.BOM_UTF8, "utf-8"),
@@ -31,7 +33,11 @@ _FIRST_CHARACTERS = (
 _DECLARED = re.compile(rb"""<\?xml[^>]{0,200}?encoding\s*=\s*["']([A-Za-z][\w.:-]{0,40})["']""")
 _NOT_OF_FILES = ("idna", "punycode", "raw_unicode_escape", "undefined", "unicode_escape", "utf-7")
 """Python's encodings of text that no file is in."""
-_DATA_ADDRESS = re.compile(rb"\s*data:image/svg\+xml([^,]{0,99}),", re.IGNORECASE)
+_DATA_ADDRESS = re.compile(
+    rb"\s*data:(?:image/svg(?:\+xml)?|(?:text|application)/xml)\b([^,]{0,99}),", re.IGNORECASE
+)
+_OF_ADDRESSES = bytes.maketrans(b"-_", b"+/")
+"""The letters of base64 in addresses, and the usual ones."""
 _ROOT = re.compile(r"<([\w.-]+:)?svg[\s>/]", re.IGNORECASE)
 
 
@@ -47,8 +53,9 @@ def decode(data: bytes) -> str:
         If it is no text, cannot be unpacked, or is too large.
     """
     data = _unaddressed(data)
-    if data.startswith(_GZIP):
-        data = _unpacked(data)
+    for _ in range(_MOST_PACKED):
+        if data.startswith(_GZIP):
+            data = _unpacked(data)
     if len(data) > MAX_BYTES:
         raise _too_large()
     if not data.strip(b"\0 \t\r\n"):
@@ -67,8 +74,9 @@ def _unaddressed(data: bytes) -> bytes:
     content = unquote_to_bytes(data[match.end() :].strip())
     if b"base64" not in match[1].lower():
         return content
+    letters = b"".join(content.split()).rstrip(b"=").translate(_OF_ADDRESSES)
     try:
-        return base64.b64decode(content)
+        return base64.b64decode(letters + b"=" * (-len(letters) % 4), validate=True)
     except binascii.Error:
         raise IconstudioError("The data: address is cut short. Copy it again, whole.") from None
 

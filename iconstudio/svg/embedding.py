@@ -10,7 +10,7 @@ from iconstudio.svg.markup import markup_of
 from iconstudio.svg.parse import parse
 from iconstudio.svg.styles import INITIAL, apply_styles
 
-_ADDRESS = re.compile(r"\s*data:image/svg\+xml\b", re.IGNORECASE)
+_ADDRESS = re.compile(r"\s*data:(?:image/svg(?:\+xml)?|(?:text|application)/xml)\b", re.IGNORECASE)
 _URL = re.compile(r"url\(\s*[\"']?#")
 _DEEPEST = 3
 _MOST = 50
@@ -30,8 +30,10 @@ def embed(root: ET.Element, depth: int = 0) -> list[str]:
         try:
             markup, said = markup_of(decode(image.attrib["href"].encode()))
             inner, left_out = parse(markup)
-        except IconstudioError:
-            continue  # which is told as a bitmap is
+        except IconstudioError as error:
+            remarks.append(f"A drawing that is embedded in it was left out. {error}")
+            image.tag = "g"
+            continue
         remarks += [*said, *left_out, *finish(inner), *apply_styles(inner)]
         remarks += embed(inner, depth + 1)
         _rename(inner, f"{depth}-{number}-")

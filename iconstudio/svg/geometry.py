@@ -8,7 +8,9 @@ import xml.etree.ElementTree as ET
 from collections.abc import Callable, Iterable, Mapping
 from functools import lru_cache
 from pathlib import Path
+from typing import NamedTuple
 
+import numpy as np
 from fontTools.pens.boundsPen import ControlBoundsPen
 from fontTools.pens.perimeterPen import PerimeterPen
 from fontTools.pens.recordingPen import RecordingPen
@@ -30,6 +32,8 @@ from iconstudio.svg.lengths import (
 )
 
 SHAPES = ("path", "rect", "circle", "ellipse", "line", "polyline", "polygon")
+_STEPS = 24
+"""Into which curves are divided."""
 _KAPPA = 0.5522847498
 
 
@@ -112,6 +116,41 @@ def data_length(data: str) -> float:
     return float(pen.value)
 
 
+def along(data: str, part: float) -> tuple[float, float, float] | None:
+    """Return x, y and direction, in degrees, at a part of a path's length; None if it has none."""
+    points = np.array(_flattened(data))
+    if not len(points):
+        return None
+    steps = np.diff(points, axis=0, prepend=points[:1])
+    lengths = np.cumsum(np.hypot(steps[:, 0], steps[:, 1]))
+    x, y = (float(np.interp(part * lengths[-1], lengths, points[:, axis])) for axis in (0, 1))
+    here = min(max(int(np.searchsorted(lengths, part * lengths[-1])), 1), len(points) - 1)
+    return x, y, math.degrees(math.atan2(steps[here, 1], steps[here, 0]))
+
+
+def _flattened(data: str) -> list[tuple[float, float]]:
+    """Return the points of the polygon that a path nearly is; jumps are sides of it, too."""
+    points: list[tuple[float, float]] = []
+    start = (0.0, 0.0)
+    for name, ends in _recorded(data).value:
+        if name == "closePath":
+            points.append(start)
+        if not ends:
+            continue
+        if name == "moveTo":
+            start = ends[0]
+        if name in ("moveTo", "lineTo"):
+            points.append(ends[0])
+            continue
+        controls = np.array([points[-1], *ends])
+        degree = len(controls) - 1
+        t = np.linspace(0, 1, _STEPS + 1)[1:, None]
+        powers = [math.comb(degree, k) * t**k * (1 - t) ** (degree - k) for k in range(degree + 1)]
+        curve = sum(power * control for power, control in zip(powers, controls, strict=True))
+        points += map(tuple, curve)
+    return points
+
+
 @lru_cache(maxsize=512)
 def data_bounds(data: str) -> Box | None:
     """Return the bounding box of the control points; None if there are none."""
@@ -135,13 +174,18 @@ def _recorded(data: str) -> RecordingPen:
     return pen
 
 
-def bounds(element: ET.Element, page: Box, ids: Mapping[str, ET.Element]) -> Box | None:
+def bounds(
+    element: ET.Element, page: Box, ids: Mapping[str, ET.Element], painted: bool = False
+) -> Box | None:
     """Return a box that holds all that an element draws, in the space around it; None if nothing.
+
+    ``painted``, shapes without a fill or a stroke of any extent are not counted.
 
     It is that of the control points, with strokes; clips and masks are not counted.
     """
     found: list[Box] = []
-    _collect(element, IDENTITY, 1.0, False, page, ids, found.append, 0)
+    paint = _Paint(painted)
+    _collect(element, IDENTITY, paint, page, ids, found.append, 0)
     return union(found)
 
 
@@ -154,6 +198,29 @@ def union(boxes: list[Box]) -> Box | None:
     return left, top, right - left, bottom - top
 
 
+class _Paint(NamedTuple):
+    """How shapes are painted."""
+
+    only_painted: bool
+    filled: bool = True
+    stroked: bool = False
+    width: float = 1.0
+
+    def of(self, element: ET.Element, page: Box) -> "_Paint":
+        """Return that of an element, which it inherits unless it says otherwise."""
+        filled, stroked = (
+            before if (said := element.get(name, "inherit")) == "inherit" else said != "none"
+            for name, before in (("fill", self.filled), ("stroke", self.stroked))
+        )
+        width = length(element.get("stroke-width"), page[2], self.width)
+        return _Paint(self.only_painted, filled, stroked, width)
+
+    def shows(self, box: Box) -> bool:
+        """Whether a shape of these bounds is counted."""
+        stroked = self.stroked and self.width > 0
+        return not self.only_painted or stroked or (self.filled and box[2] > 0 and box[3] > 0)
+
+
 _UNDRAWN = (
     "defs", "symbol", "clipPath", "mask", "pattern", "marker", "linearGradient", "radialGradient",
     "filter",
@@ -162,20 +229,18 @@ _DEEPEST = 60
 
 
 def _collect(
-    element: ET.Element, outer: Matrix, stroke: float, stroked: bool, page: Box,
+    element: ET.Element, outer: Matrix, paint: "_Paint", page: Box,
     ids: Mapping[str, ET.Element], add: Callable[[Box], None], depth: int,
 ) -> None:  # fmt: skip
     if depth > _DEEPEST or element.get("display") == "none":
         return
     matrix = multiplied(outer, transform(element.get("transform")) or IDENTITY)
-    stroke = length(element.get("stroke-width"), page[2], stroke)
-    if "stroke" in element.attrib:
-        stroked = element.get("stroke") != "none"
+    paint = paint.of(element, page)
     if element.tag in SHAPES:
         box = data_bounds(path_data(element, page))
-        if box is not None:
+        if box is not None and paint.shows(box):
             box = mapped(matrix, box)
-            reach = stroke * scale_of(matrix) / 2 if stroked else 0.0
+            reach = paint.width * scale_of(matrix) / 2 if paint.stroked else 0.0
             add((box[0] - reach, box[1] - reach, box[2] + 2 * reach, box[3] + 2 * reach))
         return
     if element.tag in ("text", "image", "foreignObject"):
@@ -196,9 +261,9 @@ def _collect(
             )
             matrix = multiplied(matrix, viewport(target, page, size))
             for child in target:
-                _collect(child, matrix, stroke, stroked, page, ids, add, depth + 1)
+                _collect(child, matrix, paint, page, ids, add, depth + 1)
         else:
-            _collect(target, matrix, stroke, stroked, page, ids, add, depth + 1)
+            _collect(target, matrix, paint, page, ids, add, depth + 1)
         return
     if element.tag in _UNDRAWN:
         return
@@ -208,7 +273,7 @@ def _collect(
         size = element.get("width"), element.get("height")
         matrix = multiplied(matrix, viewport(element, page, size))
     for child in element:
-        _collect(child, matrix, stroke, stroked, page, ids, add, depth + 1)
+        _collect(child, matrix, paint, page, ids, add, depth + 1)
 
 
 def viewport(element: ET.Element, page: Box, size: tuple[str | None, str | None]) -> Matrix:

@@ -3,13 +3,19 @@
 import re
 
 from iconstudio.model import IconstudioError
-from iconstudio.svg import android, components, signatures
+from iconstudio.svg import android, components, quoting, signatures
 
 _ROOT = re.compile(r"<([\w.-]+:)?svg[\s>/]", re.IGNORECASE)
 _PROLOG = re.compile(
     r"\s*(?:<\?.*?\?>|<!--.*?-->|<!DOCTYPE\s+(?:[\w.-]+:)?svg\b[^>\[]*(?:\[.*?\]\s*)?>)",
     re.DOTALL,
 )
+_LONE = re.compile(
+    r"(?:\s|<!--.*?-->)*+<(?:path|rect|circle|ellipse|line|polyline|polygon|g|defs|symbol|text)"
+    r"(?=[\s/>])(?!.*<(?:[\w.-]+:)?svg[\s>/])",
+    re.DOTALL | re.IGNORECASE,
+)
+"""Elements of a drawing without its root."""
 
 
 def markup_of(text: str) -> tuple[str, list[str]]:
@@ -22,15 +28,19 @@ def markup_of(text: str) -> tuple[str, list[str]]:
     """
     if android.is_vector(text):
         return android.as_svg(text)
+    text, remarks = quoting.unquoted(text)
+    if _LONE.match(text):
+        text = f"<svg>{text}</svg>"
     if _ROOT.search(text) is None:
         what = signatures.text(text)
         if what is not None:
             raise IconstudioError(what)
-        return text, []
+        return text, remarks
     markup = _cut_out(text)
     if components.is_code(markup):
-        return components.without_code(markup, text.replace(markup, "", 1))
-    return markup, []
+        markup, said = components.without_code(markup, text.replace(markup, "", 1))
+        remarks += said
+    return markup, remarks
 
 
 def _cut_out(text: str) -> str:

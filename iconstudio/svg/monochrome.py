@@ -29,7 +29,7 @@ from iconstudio.svg.lengths import Box, mapped
 from iconstudio.svg.near import brought_near
 from iconstudio.svg.plain import Plain, document
 from iconstudio.svg.resvg import render_colours, render_coverage
-from iconstudio.svg.strokes import thickened
+from iconstudio.svg.strokes import coarsened, evened, thickened, widened
 
 _SIDE = 4 * CANVAS
 """Side of the picture that decides, unless the drawing has filters, masks or patterns."""
@@ -44,12 +44,17 @@ _SPECK = 0.5
 """Square canvas units of the smallest dot, as of an i."""
 _THIN = 1.2
 """Canvas units that the thickest lines must measure."""
+_EVEN = 1.8
+"""Canvas units of the thinnest line beside thicker ones."""
 _COLOUR = re.compile(r"#([0-9a-f]{6})|rgba\((\d+),(\d+),(\d+),([\d.e-]+)\)")
 _PAINTS = ("fill", "stroke", "color", "stop-color")
 _OPACITIES = ("opacity", "fill-opacity", "stroke-opacity", "stop-opacity")
 
 OFF_PAGE = "It lies outside of its page; all of it was taken."
 THIN = "Its lines are too thin to be seen at the size of an icon; they were drawn thicker."
+SOME_THIN = (
+    "Some of its lines are too thin to be seen at the size of an icon; they were drawn thicker."
+)
 FONTS = "Its text was drawn in Inter, whatever its font. To keep its look, turn text into shapes."
 UNKNOWN = "The font Inter has no “{}”, which was left out. Turn text into shapes."
 
@@ -94,7 +99,10 @@ def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ..
         remarks.append(UNKNOWN.format(missing[:20]) if missing else FONTS)
     if drawing.bounds is None or not max(drawing.bounds[2:]):
         raise _nothing(remarks)
-    content, matrix = brought_near(drawing.content, drawing.page, drawing.bounds)
+    shown = drawing.page or drawing.bounds
+    content, fine = coarsened(drawing.content, max(shown[2:]), shown)
+    remarks += fine
+    content, matrix = brought_near(content, drawing.page, drawing.bounds)
     drawn = mapped(matrix, drawing.bounds)
     box = drawn if drawing.page is None else mapped(matrix, drawing.page)
     frame = fitted(document(content, box), _common(box, drawn), fonts)
@@ -103,11 +111,18 @@ def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ..
         if frame is not None:
             box = drawn
             remarks.append(OFF_PAGE)
+    around = frame or square(drawn)
     picture = None
     if frame is not None:
         picture = _picture(document(content, box), frame, fonts, drawing.heavy)
+        even = evened(content, frame.size, box, _EVEN)
+        if even is not None and not _is_thin(picture.coverage):
+            content, frame = even, fitted(document(even, box), _common(box, drawn), fonts) or frame
+            picture = _picture(document(content, box), frame, fonts, drawing.heavy)
+            remarks.append(SOME_THIN)
     if frame is None or picture is None or _is_thin(picture.coverage):
-        content = thickened(content, (frame or square(drawn)).size, box)
+        content = thickened(content, around.size, box)
+        box = widened(box, around.size)
         frame = fitted(document(content, box), _common(box, drawn), fonts)
         if frame is None:
             raise _nothing(remarks)

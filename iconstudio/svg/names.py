@@ -61,5 +61,7 @@ def attribute_name(name: str) -> str:
     found = _ATTRIBUTE_OF.get(name.lower())
     if found is not None:
         return found
-    property_name = hyphenated(name)
-    return property_name if property_name in _PROPERTIES else name
+    property_name = name.lower() if name.isupper() else hyphenated(name)
+    if property_name in _PROPERTIES:
+        return property_name
+    return name.lower() if name[:1].isupper() else name  # of HTML, which knows no case

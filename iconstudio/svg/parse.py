@@ -31,6 +31,7 @@ SHEET_ELSEWHERE = (
     "A style sheet outside of the file was not read. If colours are wrong, save the "
     "drawing with its styles embedded."
 )
+_NAME = re.compile(r"[A-Za-z_][\w.-]*", re.ASCII)
 _CONTROL = re.compile("[\0-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff\ud800-\udfff]")
 
 
@@ -101,8 +102,6 @@ class _Builder:
     def __init__(self) -> None:
         self.root: ET.Element | None = None
         self.remarks: list[str] = []
-        self._respelled = False
-        """Whether elements have other names than SVG's: of React Native, or in capitals."""
         self._open: list[ET.Element] = []
         self._namespaces: list[dict[str, str]] = [{}]
         self._skipping = 0
@@ -150,9 +149,8 @@ class _Builder:
         if self.root is None:
             if local.lower() != "svg":
                 raise IconstudioError(f"It is not an SVG drawing: its root element is <{local}>.")
-            self._respelled = local != "svg"
             self._svg, local = space, "svg"
-        elif self._respelled:
+        else:
             local = tag_name(local)
         if local == "link" and "stylesheet" in attributes.get("rel", "").lower():
             self._elsewhere()
@@ -227,7 +225,7 @@ class _Builder:
         for name, value in attributes.items():
             prefix, colon, local = name.rpartition(":")
             if not colon:
-                if name != "xmlns":
+                if name != "xmlns" and _NAME.fullmatch(name):
                     kept.setdefault(attribute_name(name), value)
             elif local == "href" and spaces.get(prefix, prefix) in (_XLINK, "xlink"):
                 kept.setdefault("href", value)

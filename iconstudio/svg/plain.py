@@ -41,6 +41,7 @@ _UNKNOWN = {
     "canvas": "A bitmap",
     "audio": "A sound",
 }
+_OF_PIXELS = (".png", ".jpg", ".jpeg", ".gif", ".webp", ".bmp", ".avif", ".tif", ".tiff", ".ico")
 _CURE = {
     "A bitmap": "Trace it, or open it as a picture",
     "Flowed text": "Turn it into shapes",
@@ -131,7 +132,7 @@ def plain(
     return Plain(
         content,
         page,
-        bounds(content, page or (0, 0, 100, 100), ids),
+        bounds(content, page or (0, 0, 100, 100), ids, painted=True),
         texts,
         any(one.tag in ("filter", "pattern") for one in kept)
         or sum(one.tag in ("mask", "clipPath") for one in kept) > _MANY,
@@ -176,13 +177,21 @@ def _without_unknown(root: ET.Element, kept: set[ET.Element]) -> list[str]:
                 what = _UNKNOWN.get(child.tag, f"An element <{child.tag[:30]}>")
                 cure = _CURE.get(what, "Turn what it shows into shapes")
                 address = child.get("href", "").partition("#")[0].partition("?")[0]
-                if child.tag == "image" and address.lower().endswith((".svg", ".svgz")):
-                    what = f"A drawing in another file (“{address[-60:]}”)"
-                    cure = "Open that, or embed it"
+                if child.tag in ("image", "feImage") and address and address[:5] != "data:":
+                    what, cure = _elsewhere(address)
                 remarks.append(f"{what} was left out. {cure}.")
             for one in child.iter():
                 kept.discard(one)
     return remarks
+
+
+def _elsewhere(address: str) -> tuple[str, str]:
+    """Return what to call an image in another file, and what helps."""
+    called = f"in another file (“{address[-60:]}”)"
+    if address.lower().endswith(_OF_PIXELS):
+        return f"A bitmap {called}", "Trace it, or open it as a picture"
+    kind = "drawing" if address.lower().endswith((".svg", ".svgz")) else "picture"
+    return f"A {kind} {called}", "Open that, or embed it"
 
 
 def _texts(kept: set[ET.Element]) -> list[str]:

@@ -34,8 +34,13 @@ _HEAD = 4096
 _LFS = "version https://git-lfs"
 _PAGE = re.compile(r"\s*(?:<!--.*?-->\s*)*(?:<!DOCTYPE\s+html|<html[\s>])", re.I | re.S)
 _TITLE = re.compile(r"<(title|h1)[^>]*>(.*?)</\1>", re.I | re.S)
+_COMPOSE = re.compile(r"\bImageVector\b|\bmaterialPath\b|\bandroidx\.compose\b")
+_STYLES = re.compile(r"(?:\s|/\*.*?\*/)*(?:@[a-z-]+\b|[.#:*]?[\w.#:> -]+\{[^{}<]*:[^{}<]*\})", re.S)
 _CODE = re.compile(
-    r"^\s*(?:import\b|export\b|const\b|let\b|var\b|function\b|module\.exports|[\"']use \w+[\"'])"
+    r"^\s*(?:import\b|export\b|const\b|let\b|var\b|function\b|module\.exports|[\"']use \w+[\"']"
+    r"|package\s+[\w.]+;?\s*$|(?:public|private|internal|abstract|final)\s"
+    r"|(?:data )?(?:class|struct|object)\s+\w+"
+    r"|using\s+[\w.]+;|#include\b|def\s+\w+\(|from\s+\S+\s+import\b|va[lr]\s+\w+|fun\s+\w)"
     r"|\b(?:React\.createElement|createElement|_?jsxs?)\(",
     re.MULTILINE,
 )
@@ -67,6 +72,13 @@ def text(content: str) -> str | None:
         return _json(start)
     if start.startswith("<mxfile") or "<mxGraphModel" in start[:_HEAD]:
         return f"It is a file of draw.io. {_SAVE}"
+    if _COMPOSE.search(content):
+        return (
+            "It is the code of an app for Android (Compose) whose drawing cannot be read. "
+            "Save the SVG, or the drawing in XML (VectorDrawable), that it was made of."
+        )
+    if _STYLES.match(start):
+        return f"It is a style sheet (CSS) without a drawing. {_SAVE}"
     if _CODE.search(content):
         return (
             "It is the code of a program (React, say) whose drawing cannot be read. "

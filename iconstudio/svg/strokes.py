@@ -1,7 +1,8 @@
-"""Hairlines made thick enough to be seen."""
+"""Hairlines made thick enough to be seen, and dashes and patterns that are too fine, coarser."""
 
 import copy
 import xml.etree.ElementTree as ET
+from typing import NamedTuple
 
 from iconstudio.model import CANVAS
 from iconstudio.svg.geometry import SHAPES
@@ -11,32 +12,127 @@ from iconstudio.svg.lengths import (
     Matrix,
     length,
     multiplied,
+    numbers,
     scale_of,
     transform,
+    written,
 )
 
 _WIDTH = 3.7
-"""Canvas units of the thinnest stroke."""
+"""Canvas units of the thinnest stroke of a drawing of hairlines."""
+_FINE = 0.25
+"""Canvas units: what repeats more closely is no more than a tone."""
+_TILE = 1.0
+"""Canvas units of the smallest tile of a pattern."""
+
+FINE_DASHES = "Its dashes are too fine to be seen; the lines were drawn whole."
+FINE_PATTERNS = "A pattern in it is too fine to be seen; it was drawn coarser."
+
+
+class _Stroke(NamedTuple):
+    """What shapes inherit."""
+
+    fill: str = "#000000"
+    stroke: str = "none"
+    width: float = 1.0
+
+    def of(self, element: ET.Element, page: Box) -> "_Stroke":
+        said = (element.get(name, "inherit") for name in ("fill", "stroke"))
+        fill, stroke = (
+            before if now == "inherit" else now
+            for before, now in zip((self.fill, self.stroke), said, strict=True)
+        )
+        width = length(element.get("stroke-width"), max(page[2:]), self.width)
+        return _Stroke(fill, stroke, width)
 
 
 def thickened(content: ET.Element, size: float, page: Box) -> ET.Element:
-    """Return a drawing whose strokes measure at least 3.7 canvas units.
+    """Return a drawing whose strokes, and shapes, measure at least 3.7 canvas units.
 
     ``size`` is the side of the canvas in user space; ``page`` is what percentages refer to.
     """
     content = copy.deepcopy(content)
-    _thicken(content, IDENTITY, 1.0, _WIDTH * size / CANVAS, page)
+    _thicken(content, IDENTITY, _Stroke(), _WIDTH * size / CANVAS, page, fills=True)
     return content
 
 
-def _thicken(element: ET.Element, outer: Matrix, width: float, least: float, page: Box) -> None:
+def widened(page: Box, size: float) -> Box:
+    """Return a page that is high and wide enough for a stroke: a strip may be slimmer."""
+    x, y, width, height = page
+    least = 2 * _WIDTH * size / CANVAS
+    across, down = max(width, least), max(height, least)
+    return x - (across - width) / 2, y - (down - height) / 2, across, down
+
+
+def evened(content: ET.Element, size: float, page: Box, least: float) -> ET.Element | None:
+    """Return a drawing whose strokes measure at least ``least`` canvas units; None if they do."""
+    before, content = content, copy.deepcopy(content)
+    changed = _thicken(content, IDENTITY, _Stroke(), least * size / CANVAS, page, fills=False)
+    return content if changed and content is not before else None
+
+
+def _thicken(
+    element: ET.Element, outer: Matrix, inherited: _Stroke, least: float, page: Box, fills: bool
+) -> bool:
+    """Thicken strokes in place; return whether there were some to be."""
     matrix = multiplied(outer, transform(element.get("transform")) or IDENTITY)
-    width = length(element.get("stroke-width"), max(page[2:]), width)
-    if element.tag in SHAPES:
-        scale = scale_of(matrix)
-        if width and 0 < width * scale < least:
-            element.set("stroke-width", f"{least / scale:.6g}")
-            element.attrib.pop("stroke-dasharray", None)
-        return
-    for child in element:
-        _thicken(child, matrix, width, least, page)
+    own = inherited.of(element, page)
+    if element.tag not in SHAPES:
+        found = [_thicken(child, matrix, own, least, page, fills) for child in element]
+        return any(found)
+    scale = scale_of(matrix)
+    if own.stroke != "none" and own.width > 0:
+        if own.width * scale >= least or not scale:
+            return False
+        element.attrib.pop("stroke-dasharray", None)
+    elif fills and own.fill != "none" and scale:
+        element.set("stroke", own.fill)
+        element.set("stroke-dasharray", "none")
+        if "fill-opacity" in element.attrib:
+            element.set("stroke-opacity", element.attrib["fill-opacity"])
+    else:
+        return False
+    element.set("stroke-width", f"{least / scale:.6g}")
+    return True
+
+
+def coarsened(content: ET.Element, size: float, page: Box) -> tuple[ET.Element, list[str]]:
+    """Return a drawing without dashes and patterns that are too fine to be drawn, and remarks.
+
+    ``size`` is the side of the canvas in user space; ``page`` is what percentages refer to.
+    """
+    unit = size / CANVAS
+    coarse = copy.deepcopy(content)
+    dashes = _join_dashes(coarse, IDENTITY, None, _FINE * unit)
+    patterns = [_enlarge(one, size) for one in coarse.iter("pattern")]
+    remarks = [
+        said for said, found in ((FINE_DASHES, dashes), (FINE_PATTERNS, any(patterns))) if found
+    ]
+    return (coarse, remarks) if remarks else (content, [])
+
+
+def _join_dashes(element: ET.Element, outer: Matrix, dashes: str | None, least: float) -> bool:
+    matrix = multiplied(outer, transform(element.get("transform")) or IDENTITY)
+    dashes = element.get("stroke-dasharray", dashes)
+    if element.tag not in SHAPES:
+        return any([_join_dashes(child, matrix, dashes, least) for child in element])
+    period = sum(numbers(dashes or ""))
+    if not 0 < period * scale_of(matrix) < least:
+        return False
+    element.set("stroke-dasharray", "none")
+    return True
+
+
+def _enlarge(pattern: ET.Element, size: float) -> bool:
+    """Enlarge a pattern whose tiles are too small, in place; return whether they are."""
+    before = transform(pattern.get("patternTransform")) or IDENTITY
+    whole = 1.0 if pattern.get("patternUnits") == "userSpaceOnUse" else size
+    sides = [length(pattern.get(name), size) * whole for name in ("width", "height")]
+    tile = min(sides) * scale_of(before)
+    unit = size / CANVAS
+    if not 0 < tile < _FINE * unit:
+        return False
+    factor = _TILE * unit / tile
+    larger = multiplied(before, (factor, 0, 0, factor, 0, 0))
+    pattern.set("patternTransform", f"matrix({written(larger)})")
+    return True
