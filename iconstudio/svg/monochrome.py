@@ -40,6 +40,8 @@ _APART = 100
 """Grey levels by which ink and paper differ."""
 _ALIKE = 0.004
 """Part of the ink by which the shapes painted black may differ from the picture."""
+_SPECK = 0.5
+"""Square canvas units of the smallest dot, as of an i."""
 _THIN = 1.2
 """Canvas units that the thickest lines must measure."""
 _COLOUR = re.compile(r"#([0-9a-f]{6})|rgba\((\d+),(\d+),(\d+),([\d.e-]+)\)")
@@ -54,6 +56,7 @@ UNKNOWN = "The font Inter has no “{}”, which was left out. Turn text into sh
 
 OMITTED = {
     Omission.TILE: "The tile behind the drawing was left out.",
+    Omission.FAINT: "Parts that are hardly opaque, such as shadows, were left out.",
     Omission.DECORATION: "Colour that lies behind or beside its lines was left out.",
 }
 
@@ -116,7 +119,8 @@ def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ..
         remarks.append(THIN)
     remarks += [said for what, said in OMITTED.items() if what in picture.omissions]
     box = _common(box, (frame.x, frame.y, frame.size, frame.size))
-    own = None if fonts or drawing.heavy else _own_shapes(content, box, frame, picture)
+    changed = bool(fonts) or drawing.heavy or Omission.FAINT in picture.omissions
+    own = None if changed else _own_shapes(content, box, frame, picture)
     if own is None:
         own, box = _traced(picture.coverage), (0.0, 0.0, float(CANVAS), float(CANVAS))
     return document(own, box, rdf), tuple(dict.fromkeys(remarks))
@@ -214,7 +218,7 @@ def _tone(match: re.Match[str], choice: Paints, opaque: bool) -> str:
 
 
 def _traced(coverage: NDArray[np.uint8]) -> ET.Element:
-    path = trace(coverage)
+    path = trace(coverage, _SPECK)
     if not path:
         raise _nothing(())
     content = ET.Element("g")

@@ -9,7 +9,7 @@ import xml.etree.ElementTree as ET
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from iconstudio.svg import references, sprites
+from iconstudio.svg import references, shadows, sprites
 from iconstudio.svg.animation import finish
 from iconstudio.svg.check import check
 from iconstudio.svg.clipping import clip
@@ -115,6 +115,10 @@ def plain(
             page, stretch = _page(root)
             kept = references.drawn(root, ids)
     remarks += outside if kept else []
+    without = shadows.leave_out(kept)
+    if without:
+        remarks += without
+        kept = references.drawn(root, ids)
     remarks += _without_unknown(root, kept)
     texts = tuple(_texts(kept))
     references.prune(root, kept)

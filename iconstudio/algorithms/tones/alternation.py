@@ -13,6 +13,7 @@ class Omission(Enum):
     """What of a drawing is no part of its pictogram, though a part of its silhouette."""
 
     TILE = "the tile behind the drawing"
+    FAINT = "what is less than half as opaque as the drawing"
     DECORATION = "colour behind or beside the lines of a drawing"
 
 

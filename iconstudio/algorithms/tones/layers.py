@@ -8,6 +8,12 @@ _FAINT, _FULL = 0.2, 0.8
 """Opacities, as parts of the drawing's own, between which a layer is pale."""
 _EVEN = 6
 """Grey levels by which alpha may differ between neighbouring pixels of a layer."""
+_VISIBLE = 4
+"""Grey levels of alpha from which something is to be seen."""
+_FEW = 256
+"""Pixels that faint parts must have, on 1024 by 1024."""
+_EDGE = 12
+"""Pixels around a faint part in which are its edges and tips."""
 _SHARE = 0.02
 """Part of the drawing that its pale layers must make."""
 
@@ -19,7 +25,7 @@ def flattened(rgba: NDArray[np.uint8]) -> NDArray[np.uint8]:
     colour. A drawing that is pale all over stays as it is, and so do soft shadows and edges.
     """
     alpha = rgba[..., 3].astype(np.float32)
-    visible = alpha > 4
+    visible = alpha > _VISIBLE
     if not visible.any():
         return rgba
     body = float(np.quantile(alpha[visible], 0.99))
@@ -38,3 +44,21 @@ def flattened(rgba: NDArray[np.uint8]) -> NDArray[np.uint8]:
     )
     flat[..., :3] = flat[rows, columns, :3]
     return flat
+
+
+def without_faint(alpha: NDArray[np.float32], body: float) -> tuple[NDArray[np.float32], bool]:
+    """Return the alpha (n, n) of a drawing without its faint parts, and whether it has any.
+
+    These are even, or blurred, and less than half as opaque as its ``body``; edges and hairlines,
+    which are as pale, are not. What is more opaque keeps its edges.
+    """
+    square = np.ones((3, 3))
+    even = scipy.ndimage.maximum_filter(alpha, 3) - scipy.ndimage.minimum_filter(alpha, 3) <= _EVEN
+    faint = even & (alpha > _VISIBLE) & (alpha <= body / 2)
+    faint = scipy.ndimage.binary_opening(faint, square)
+    if faint.sum() * (1024 / len(alpha)) ** 2 < _FEW:
+        return alpha, False
+    away, (rows, columns) = scipy.ndimage.distance_transform_edt(~faint, return_indices=True)
+    level = np.where(away <= _EDGE, alpha[rows, columns], 0)
+    rest = np.maximum(alpha - level, 0) * (body / (body - level))
+    return np.where(alpha > body, alpha, rest).astype(np.float32), True

@@ -12,7 +12,7 @@ the outside
 A fill that reaches out of the lines and a backdrop are decoration, and left out. So is what is pale
 beside the lines, whether they are filled or not: a shadow, or a glow. Within the lines, all that
 stands out in a fill is ink. A shape that has dark lines along one side, with little of it enclosed,
-is shaded by them; that is no line drawing.
+is shaded by them; that is no line drawing. Around fills as pale as paper, lines need not be dark.
 """
 
 from typing import NamedTuple
@@ -22,7 +22,7 @@ import scipy
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.tones.alternation import Omission, Tones, decide
-from iconstudio.algorithms.tones.regions import GREY, Mask, Regions, nearest, sums
+from iconstudio.algorithms.tones.regions import GREY, Mask, Regions, nearest, pale, sums
 
 STRIKING = 35.0
 """Fills of a line drawing, and narrow regions, that differ by more are told apart."""
@@ -35,6 +35,10 @@ _ALIKE = 14.0
 _AS_DARK, _DARK, _PALE = 18.0, 30.0, 75.0
 """Lightness: how much lighter than its lines the dark parts of a line drawing are at most, or how
 dark; and that of shadows."""
+_LIGHT, _LIGHTER = 55.0, 78.0
+"""Lightness of the lightest lines, and of the lightest around fills that are all pale."""
+_MOSTLY = 0.8
+"""How much of fills is pale if they are."""
 _WIDER = 1.2
 """How much wider than lines pale shadows are at least."""
 _OUT = 0.1
@@ -69,14 +73,16 @@ def _is_outline(found: Regions, line: Mask, lightness: float) -> bool:
     of_it[0] = False
     fills = of_it & ~line
     around, areas = found.lengths[0], found.areas
-    if lightness > 55 or not line.any():
+    on_paper = _mostly_pale(found, fills)
+    if lightness > (_LIGHTER if on_paper else _LIGHT) or not line.any():
         return False
     if _has_only_shadows(found, line):
         return True
     if (
         around[line].sum() <= 0.4 * around.sum()
         or areas[line].sum() >= 0.6 * areas[of_it].sum()
-        or np.average(found.colours[fills, 0], weights=areas[fills]) <= lightness + 20
+        or _lightness(found, fills & (found.colours[:, 0] > lightness) if on_paper else fills)
+        <= lightness + 20
         or _width(found, line) >= THICK
     ):
         return False
@@ -91,11 +97,22 @@ def _is_outline(found: Regions, line: Mask, lightness: float) -> bool:
     return bool(around[line].sum() > 0.8 * around[~crossed].sum())
 
 
+def _lightness(found: Regions, some: Mask) -> float:
+    """Return the mean lightness of some of the regions."""
+    return float(np.average(found.colours[some, 0], weights=found.areas[some]))
+
+
+def _mostly_pale(found: Regions, fills: Mask) -> bool:
+    """Whether fills are as pale as paper, but for what is drawn on them."""
+    areas = found.areas
+    return bool(areas[fills & pale(found.colours)].sum() > _MOSTLY * areas[fills].sum())
+
+
 def _has_only_shadows(found: Regions, line: Mask) -> bool:
     """Whether all beside lines that enclose much, and have no fills, is pale and outside."""
     others = ~line
     others[0] = False
-    if not others.any() or not (_pale(found) & ~found.white)[others].all():
+    if not others.any() or not (_shady(found) & ~found.white)[others].all():
         return False
     # Pale lines, which are as narrow, are lines of a second tone.
     if _width(found, others) < _WIDER * _width(found, line):
@@ -110,7 +127,7 @@ def _width(found: Regions, some: Mask) -> float:
     return float(np.average(found.widths[some], weights=found.areas[some]))
 
 
-def _pale(found: Regions) -> Mask:
+def _shady(found: Regions) -> Mask:
     lightness, *chromatic = found.colours.T
     pale: Mask = (lightness > _PALE) & (np.hypot(*chromatic) < 3 * GREY)
     return pale
@@ -122,19 +139,19 @@ def line_drawing(found: Regions, line: Mask) -> Tones:
     dark = lightness < max(lightness[line].max() + _AS_DARK, _DARK)
     piece = found.pieces()
     beside = ~np.isin(piece, piece[line])
-    pale = _pale(found)
+    shady = _shady(found)
     shapes = _shapes(found, line)
     reaches_out = ~dark & ~beside & (shapes.free > 0)
-    thin = found.widths < np.where(pale, _WIDER, 1.5) * _width(found, line)
+    thin = found.widths < np.where(shady, _WIDER, 1.5) * _width(found, line)
     strokes = reaches_out & thin & (found.lengths[0] > 0.7 * found.around)
     apart = reaches_out & (shapes.enclosed < 0.5) & (shapes.free > 0.5)
-    part = apart & ~pale & ~strokes & (shapes.behind < 0.6)
+    part = apart & ~shady & ~strokes & (shapes.behind < 0.6)
     # What lies within such a part is as in drawings without lines.
     within = found.lengths[:, part].sum(axis=1) > 0.9 * found.around
-    tone = np.where(dark | (beside & ~pale) | strokes | part, 1, 0)
+    tone = np.where(dark | (beside & ~shady) | strokes | part, 1, 0)
     tone[within & (tone > 0)] = 0
     at_line = found.lengths[:, line].sum(axis=1) > found.around / 3
-    tone[(tone == 0) & ~within & (beside | at_line | (apart & pale))] = -1
+    tone[(tone == 0) & ~within & (beside | at_line | (apart & shady))] = -1
     tone[0] = -1
     striking = found.contrasts > STRIKING
     # What differs little is as its neighbours are.
@@ -143,7 +160,7 @@ def line_drawing(found: Regions, line: Mask) -> Tones:
     paper[0] = False
     decoration = reaches_out & (shapes.enclosed < 1 - _OUT)
     decoration &= (shapes.enclosed > 0.5) | (shapes.free > 0.4)
-    left_out = paper & ~found.white & ((beside & pale) | decoration)
+    left_out = paper & ~found.white & ((beside & shady) | decoration)
     fills = paper & ~left_out
     over = (tone > 0) & dark & (found.lengths[:, part].sum(axis=1) > 0)
     omissions = frozenset([Omission.DECORATION] if left_out.any() else [])

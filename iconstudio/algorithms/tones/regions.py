@@ -21,6 +21,8 @@ BLEND = 25.0
 """How far a pixel's colour is from that of the region beside it, if it is a line of its own."""
 WHITE, GREY = 92.0, 8.0
 """Near white is lighter than this, and has less chroma."""
+PALE, TINT = 85.0, 24.0
+"""Pale paper is lighter than this, and has less chroma."""
 MOST = 256
 """Regions that are told apart; where there are more, small ones join their neighbours."""
 _SMALLEST = 6
@@ -38,7 +40,7 @@ class Regions:
     extended: NDArray[np.intp]
     """(n, n): the region of each pixel, outside that of the nearest."""
     pure: Mask
-    """(n, n): the pixels that blend no colours."""
+    """(n, n): the pixels that blend no colours, and are no detail too small for a region."""
     colours: NDArray[np.float64]
     """(k + 1, 3): the mean colours, in CIELAB; the first is white."""
     areas: NDArray[np.float64]
@@ -87,24 +89,41 @@ def near_white(lab: NDArray[np.floating]) -> Mask:
     return white
 
 
-def regions(lab: NDArray[np.float32], inside: Mask, contrast: float, smallest: float) -> Regions:
+def pale(lab: NDArray[np.floating]) -> Mask:
+    """Return which colours (..., 3), in CIELAB, are those of paper: near white, or a mere tint."""
+    lightness, a, b = np.moveaxis(lab, -1, 0)
+    found: Mask = (lightness > PALE) & (np.hypot(a, b) < TINT)
+    return found
+
+
+def regions(
+    lab: NDArray[np.float32],
+    inside: Mask,
+    contrast: float,
+    smallest: float,
+    cores: NDArray[np.intp] | None = None,
+) -> Regions:
     """Divide what is ``inside`` (n, n) of a drawing (n, n, 3), in CIELAB, into regions.
 
     Neighbours whose colours differ by less than ``contrast`` are one region; a region of fewer
     than ``smallest`` pixels joins the neighbour that is most like it. Something must be inside.
+    The regions grow from ``cores`` (n, n), numbered from 1; by default, from what is of even colour
+    and from lines.
     """
-    cores = _cores(lab, inside)
-    at = nearest(cores > 0)
-    hairlines = _hairlines(lab, inside, cores, at)
-    if hairlines.any():
+    pure = inside
+    if cores is None:
+        cores = _cores(lab, inside)
+        pure = cores > 0
+        hairlines = _hairlines(lab, inside, cores, nearest(pure))
         cores = np.where(hairlines > 0, hairlines + cores.max(), cores)
-        at = nearest(cores > 0)
+    at = nearest(cores > 0)
     extended, flat = cores[at], lab[at]
     labels = np.where(inside, extended, 0)
     lengths, differences = _meetings(labels, flat)
     areas = np.bincount(labels.ravel(), minlength=len(lengths)).astype(float)
     totals = [sums(labels.ravel(), flat[..., c].ravel(), len(areas)) for c in range(3)]
-    root = _joined(lengths, differences, areas.copy(), contrast, smallest)
+    root, small = _joined(lengths, differences, areas.copy(), contrast, smallest)
+    pure = pure & ~small[labels]
     kept, number = np.unique(root, return_inverse=True)
     areas = sums(number, areas)
     colours = np.stack([sums(number, total) for total in totals], axis=1)
@@ -115,8 +134,19 @@ def regions(lab: NDArray[np.float32], inside: Mask, contrast: float, smallest: f
     labels = number[labels]
     widths = _widths(labels, areas)
     return Regions(
-        labels, number[extended], cores > 0, colours, areas, widths, lengths[pairs], contrasts
+        labels, number[extended], pure, colours, areas, widths, lengths[pairs], contrasts
     )
+
+
+def pieces(lab: NDArray[np.float32], inside: Mask, dark: Mask) -> Regions:
+    """Divide what is ``inside`` of a drawing into the pieces that are dark, and those that are not.
+
+    ``lab`` (2, 3) are the colours of the pale and of the dark ones.
+    """
+    found = scipy.ndimage.label(inside & dark, np.ones((3, 3)))[0]
+    pale = scipy.ndimage.label(inside & ~dark)[0]
+    cores = _largest(np.where(pale > 0, pale + found.max(), found), 1)
+    return regions(lab[dark.astype(np.intp)], inside, 0, 0, cores)
 
 
 def cielab(rgb: NDArray[np.uint8]) -> NDArray[np.float32]:
@@ -150,7 +180,7 @@ def _hairlines(
     lab: NDArray[np.float32], inside: Mask, cores: NDArray[np.intp], at: Places
 ) -> NDArray[np.intp]:
     """Number the lines that are too thin for even colour; 0 elsewhere."""
-    labels = np.where(inside, cores[at], 0)
+    labels = cores[at]
     size = 2 * _NEAR + 1
     alone = scipy.ndimage.maximum_filter(labels, size) == scipy.ndimage.minimum_filter(labels, size)
     thin = alone & inside & (cores == 0)
@@ -215,9 +245,12 @@ def _joined(
     areas: NDArray[np.float64],
     contrast: float,
     smallest: float,
-) -> NDArray[np.intp]:
-    """Join regions, in all three arrays, the most alike first; return which each belongs to."""
-    root = np.arange(len(areas))
+) -> tuple[NDArray[np.intp], Mask]:
+    """Join regions, in all three arrays, the most alike first.
+
+    Return which each belongs to, and which were too small to be one.
+    """
+    root, too_small = np.arange(len(areas)), np.zeros(len(areas), bool)
     mean = np.full(lengths.shape, np.inf)
     np.divide(differences, lengths, out=mean, where=lengths > 0)
     mean[0] = mean[:, 0] = np.inf
@@ -241,6 +274,7 @@ def _joined(
     while True:
         small = np.flatnonzero((areas > 0) & (areas < smallest) & np.isfinite(mean).any(axis=1))
         if not len(small):
-            return root
+            return root, too_small
         one = small[areas[small].argmin()]
+        too_small |= root == one
         join(int(mean[one].argmin()), int(one))

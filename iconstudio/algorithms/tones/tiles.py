@@ -3,7 +3,7 @@
 import numpy as np
 import scipy
 
-from iconstudio.algorithms.tones.regions import GREY, Mask, Regions
+from iconstudio.algorithms.tones.regions import GREY, PALE, Mask, Regions, pale
 
 SHARP, _ROUNDED, _ROUND = 0.985, 0.9, 0.76
 """How much of its bounding box a rectangle fills, a rounded square, a circle."""
@@ -11,8 +11,6 @@ _ALIKE = 14.0
 """Colours, in CIELAB, that differ by less are alike."""
 _DARK = 30.0
 """Lightness of what is dark."""
-_PALE = 85.0
-"""Lightness of what is so pale that it is a mere background."""
 _DARKER = 15.0
 """Difference in lightness of two tones of one colour."""
 _COLOURED = 30.0
@@ -46,21 +44,21 @@ def _is_tile(found: Regions, number: int) -> bool:
     sharp = fill > SHARP
     if white[number] and sharp:
         return True
-    alike = np.linalg.norm(found.colours - found.colours[number], axis=1) < _ALIKE
-    two_tones = (white | alike)[1:].all()
+    two_tones = (white | _alike(found, number))[1:].all()
     dark = found.colours[number, 0] < _DARK
     height, width = _box(found.labels > 0)
     square = max(height, width) < 1.1 * min(height, width)
     banner = sharp and dark and two_tones
-    if not banner and not (square and fill > (_ROUND if white[number] else _ROUNDED)):
+    page = sharp and pale(found.colours)[number] and _is_darkened(found, number)
+    if not (banner or page) and not (square and fill > (_ROUND if white[number] else _ROUNDED)):
         return False
     content = (found.labels > 0) & (found.labels != number)
     pieces = scipy.ndimage.find_objects(scipy.ndimage.label(content)[0])
     span = max(side.stop - side.start for piece in pieces for side in piece)
     share = content.sum() / found.areas[1:].sum()
-    if share >= 0.6 or span <= min(height, width) / 3:
+    if share >= 0.6 or (span <= min(height, width) / 3 and not page):
         return False
-    if white[number]:
+    if white[number] or page:
         return True
     return not _is_bare_sign(found, content) and not _is_body(found, number)
 
@@ -84,7 +82,18 @@ def _is_body(found: Regions, number: int) -> bool:
     others[0] = False
     darker = lightness < lightness[number] - _DARKER
     alike = _same_hue(found, number) | _grey(found) & _grey(found)[number]
-    return bool(lightness[number] < _PALE and (darker & alike)[others].all())
+    return bool(lightness[number] < PALE and (darker & alike)[others].all())
+
+
+def _is_darkened(found: Regions, number: int) -> bool:
+    """Whether all that is on a tile is darker, but for what is of its colour."""
+    darker = found.colours[:, 0] < found.colours[number, 0] - _DARKER
+    return bool((darker | _alike(found, number))[1:].all())
+
+
+def _alike(found: Regions, number: int) -> Mask:
+    alike: Mask = np.linalg.norm(found.colours - found.colours[number], axis=1) < _ALIKE
+    return alike
 
 
 def _grey(found: Regions) -> Mask:

@@ -17,7 +17,11 @@ into regions of even colour (``regions``). Of these,
 5. of the others, what mainly borders on the outside is ink; what mainly borders on ink is paper
    (eyes in a face, the door of a house), and what mainly borders on paper is ink;
 6. between two regions of ink runs a line of paper; in a line drawing, between fills that differ
-   strongly, one of ink.
+   strongly, one of ink;
+7. letters and lines that are too fine for regions stand out from what is around them (``details``).
+
+Of a drawing in two tones, dark on pale, regions only tell which of them is ink; what is drawn is as
+fine as its pixels (``two_tones``). What is faint beside the body is left out (``layers``).
 """
 
 from enum import Enum
@@ -27,11 +31,13 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.tones import regions
+from iconstudio.algorithms.tones import details, regions
 from iconstudio.algorithms.tones.alternation import Omission, Tones, decide
+from iconstudio.algorithms.tones.layers import without_faint
 from iconstudio.algorithms.tones.linework import STRIKING, THICK, line_drawing, outline
 from iconstudio.algorithms.tones.regions import Mask, Regions, cielab, nearest
 from iconstudio.algorithms.tones.tiles import SHARP, rectangularity, tile
+from iconstudio.algorithms.tones.two_tones import dark_is_ink, separated, two_tones
 
 SIDE = 512
 """Pixels to a side at which regions are found."""
@@ -43,6 +49,8 @@ SMALLEST = 60
 """Pixels of the smallest detail that reads."""
 LINE = 7.0
 """Width of the lines drawn between regions, in pixels: 3.5 on the canvas of 256."""
+_FINE = 5
+"""Half the width, in pixels, of the thickest lines that may have no even colour."""
 _ROUNDING = 3
 """Levels of sRGB by which pixels of one colour may differ."""
 _BLENDS = 4.0
@@ -59,6 +67,12 @@ class Paints(Enum):
     ALL = "all paints are ink"
     DARK = "near white is paper, all other paints are ink"
     LIGHT = "near white is ink, all other paints are paper"
+
+
+class _Share(NamedTuple):
+    ink: NDArray[np.float32]
+    """How much of each pixel is ink, from 0 to 1, were all inside."""
+    omissions: frozenset[Omission]
 
 
 class Inked(NamedTuple):
@@ -78,16 +92,58 @@ def pictogram(rgba: NDArray[np.uint8]) -> Inked:
     """
     rgb, alpha = _reduced(rgba)
     body = _body(alpha)
-    silhouette = np.minimum(rgba[..., 3] * (255 / body), 255)
+    opaque, faint = without_faint(rgba[..., 3].astype(np.float32), body)
+    silhouette = np.minimum(opaque * (255 / body), 255)
     inside = alpha > body / 2
     omissions: frozenset[Omission] = frozenset()
     if inside.any() and np.ptp(rgb[inside], axis=0).max() > _ROUNDING:
-        found = _regions(rgb, inside)
-        tones = _tones(found)
-        omissions = tones.omissions
-        if tones.lines.any() or not tones.ink[1:].all() or tones.over.any():
-            silhouette *= _enlarged(_soft(rgb, found, tones), len(rgba))
+        share, omissions = _in_two_tones(rgba, rgb, inside) or _in_colours(rgba, rgb, inside)
+        silhouette *= _enlarged(share, len(rgba))
+    if faint:
+        omissions |= {Omission.FAINT}
     return Inked((silhouette + 0.5).astype(np.uint8), omissions)
+
+
+def _in_two_tones(rgba: NDArray[np.uint8], rgb: NDArray[np.uint8], inside: Mask) -> _Share | None:
+    """Return how much of each pixel (n, n) is ink; None unless the drawing is in two tones."""
+    two = two_tones(rgb, inside)
+    if two is None:
+        return None
+    found = separated(two, rgb, inside)
+    tones = _tones(found)
+    dark = dark_is_ink(found, tones.ink)
+    if dark is None:
+        return None
+    share = two.darkness(rgba[..., :3])
+    return _Share(share if dark else 1 - share, tones.omissions)
+
+
+def _in_colours(rgba: NDArray[np.uint8], rgb: NDArray[np.uint8], inside: Mask) -> _Share:
+    """Return how much of each pixel (n, n) is ink."""
+    found = _regions(rgb, inside)
+    tones = _tones(found)
+    soft = np.ones(inside.shape, np.float32)
+    if tones.lines.any() or not tones.ink[1:].all() or tones.over.any():
+        soft = _soft(rgb, found, tones)
+    soft = _with_details(_enlarged(soft, len(rgba)), rgba, inside, found, tones)
+    return _Share(soft, tones.omissions)
+
+
+def _with_details(
+    soft: NDArray[np.float32],
+    rgba: NDArray[np.uint8],
+    inside: Mask,
+    found: Regions,
+    tones: Tones,
+) -> NDArray[np.float32]:
+    """Return how much of each pixel is ink, given that without letters and thin lines."""
+    n = len(rgba)
+    at = np.arange(n) * SIDE // n
+    within, pure, ink = (mask[at][:, at] for mask in (inside, found.pure, tones.ink[found.labels]))
+    levels = rgba[..., :3].astype(np.float32) @ np.array([0.299, 0.587, 0.114], np.float32)
+    grey = np.where(within, levels, np.float32(255))
+    reach = round(_FINE * n / SIDE)
+    return details.with_details(soft, grey, within, pure, ink, reach)
 
 
 def paints(rgba: NDArray[np.uint8], coverage: NDArray[np.uint8]) -> Paints | None:
@@ -279,4 +335,4 @@ def _smooth(values: NDArray[np.floating], sigma: float) -> NDArray[np.float32]:
 def _enlarged(soft: NDArray[np.float32], n: int) -> NDArray[np.float32]:
     from skimage.transform import resize
 
-    return soft if n == SIDE else resize(soft, (n, n), order=1)
+    return soft if n == len(soft) else resize(soft, (n, n), order=1)

@@ -68,11 +68,12 @@ class _Line(NamedTuple):
         return self.point + self.way * ((point - self.point) * self.way.conjugate()).real
 
 
-def trace(coverage: NDArray[np.uint8]) -> str:
+def trace(coverage: NDArray[np.uint8], speck: float = SPECK) -> str:
     """Return the outline of a drawing as the ``d`` attribute of one SVG path, in canvas units.
 
     ``coverage`` is (n, n) uint8, 255 = ink; n canvas pixels to CANVAS. Outlines run around ink,
-    holes the other way round. The path is empty if there is no ink.
+    holes the other way round. Those of less than ``speck`` square canvas units are left out. The
+    path is empty if there is no ink.
     """
     unit = CANVAS / coverage.shape[0]
     framed = np.pad(coverage, 1).astype(np.float32)
@@ -80,7 +81,7 @@ def trace(coverage: NDArray[np.uint8]) -> str:
     for rows in find_contours(framed, 127.5):
         outline = (rows[:, 1] - 0.5) + 1j * (rows[:, 0] - 0.5)
         area = abs((outline[:-1].conj() * outline[1:]).imag.sum()) / 2
-        if area * unit**2 >= SPECK:
+        if area * unit**2 >= speck:
             parts.append(_path(_pieces(_even(outline), TOLERANCE / unit), unit))
     return "".join(parts)
 

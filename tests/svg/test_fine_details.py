@@ -1,0 +1,69 @@
+"""Letters on boxes, and shadows, from the file to the picture."""
+
+import numpy as np
+import pytest
+
+from iconstudio.svg.monochrome import OMITTED
+from iconstudio.svg.rasterise import rasterise
+from iconstudio.svg.reading import own_svg
+from iconstudio.svg.shadows import LEFT_OUT
+
+SVG = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 100">{}</svg>'
+BOX = '<rect x="5" y="30" width="90" height="40" fill="{}" stroke="#000"/>'
+TEXT = '<text x="50" y="53" font-size="{}" text-anchor="middle">Signal</text>'
+
+
+def read(body: str):
+    return own_svg(SVG.format(body).encode(), "a.svg")
+
+
+def drawn(body: str) -> np.ndarray:
+    return rasterise(read(body).svg)[1].astype(int)
+
+
+@pytest.mark.parametrize("size", [12, 5])
+@pytest.mark.parametrize("paper", ["#fff", "#fde"])
+def test_a_box_keeps_its_label(size, paper):
+    label = TEXT.format(size)
+    assert abs(drawn(BOX.format(paper) + label) - drawn(BOX.format("none") + label)).max() < 64
+
+
+SHAPE = '<path d="M20 20h50v50h-50z" fill="#e33" {}/>'
+SHADOWS = {
+    "primitive": '<feDropShadow dx="4" dy="4" stdDeviation="2"/>',
+    "merged": '<feGaussianBlur in="SourceAlpha" stdDeviation="2"/><feOffset dx="4" result="o"/>'
+    '<feMerge><feMergeNode in="o"/><feMergeNode in="SourceGraphic"/></feMerge>',
+    "blended": '<feOffset in="SourceAlpha" dy="4"/><feGaussianBlur stdDeviation="2"/>'
+    '<feBlend in2="x" result="s"/><feBlend in="SourceGraphic" in2="s"/>',
+}
+
+
+@pytest.mark.parametrize("kind", SHADOWS)
+def test_a_shadow_is_left_out_and_told(kind):
+    described = f'<filter id="f">{SHADOWS[kind]}</filter>'
+    shadowed = read(described + SHAPE.format('filter="url(#f)"'))
+    assert LEFT_OUT in shadowed.remarks
+    assert shadowed.svg == read(SHAPE.format("")).svg
+
+
+def test_a_shadow_in_css_is_left_out_and_told():
+    shadowed = read(SHAPE.format('style="filter: drop-shadow(0 2px 3px rgba(0, 0, 0, .5))"'))
+    assert LEFT_OUT in shadowed.remarks
+    assert shadowed.svg == read(SHAPE.format("")).svg
+
+
+def test_a_filter_that_is_no_shadow_is_drawn():
+    dilated = '<filter id="f"><feMorphology operator="dilate" radius="9"/></filter>'
+    line = '<path d="M20 20h50v50h-50z" fill="none" stroke="#000" stroke-width="4" {}/>'
+    thick = read(dilated + line.format('filter="url(#f)"'))
+    assert LEFT_OUT not in thick.remarks
+    assert (rasterise(thick.svg)[1] > 127).sum() > 2 * (drawn(line.format("")) > 127).sum()
+
+
+def test_a_faint_part_is_no_grey():
+    faint = '<rect x="50" y="45" width="45" height="10" opacity=".2"/>'
+    icon = read('<circle cx="40" cy="50" r="35" fill="#3f51b5"/>' + faint)
+    assert set(OMITTED.values()) & set(icon.remarks)
+    grey = rasterise(icon.svg)[1]
+    assert ((grey > 20) & (grey < 120)).mean() < 0.02
+    assert "opacity" not in icon.svg
