@@ -89,11 +89,11 @@ def near_white(lab: NDArray[np.floating]) -> Mask:
     return white
 
 
-def pale(lab: NDArray[np.float32] | NDArray[np.float64]) -> Mask:
+def pale(lab: NDArray[np.floating]) -> Mask:
     """Return which colours (..., 3), in CIELAB, are those of paper: near white, or a mere tint."""
     lightness, a, b = np.moveaxis(lab, -1, 0)
-    like_paper: Mask = (lightness > PALE) & (np.hypot(a, b) < TINT)
-    return like_paper
+    found: Mask = (lightness > PALE) & (np.hypot(a, b) < TINT)
+    return found
 
 
 def regions(

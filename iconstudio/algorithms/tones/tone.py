@@ -140,9 +140,8 @@ def _with_details(
     n = len(rgba)
     at = np.arange(n) * SIDE // n
     within, pure, ink = (mask[at][:, at] for mask in (inside, found.pure, tones.ink[found.labels]))
-    grey = np.where(
-        within, rgba[..., :3] @ np.array([0.299, 0.587, 0.114], np.float32), np.float32(255)
-    )
+    levels = rgba[..., :3].astype(np.float32) @ np.array([0.299, 0.587, 0.114], np.float32)
+    grey = np.where(within, levels, np.float32(255))
     reach = round(_FINE * n / SIDE)
     return details.with_details(soft, grey, within, pure, ink, reach)
 
