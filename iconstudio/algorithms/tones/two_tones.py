@@ -31,11 +31,7 @@ class TwoTones(NamedTuple):
     pale: NDArray[np.float32]
     dark: NDArray[np.float32]
 
-<<<<<<< HEAD
     def darkness(self, rgb: NDArray[np.uint8] | NDArray[np.float32]) -> NDArray[np.float32]:
-=======
-    def darkness(self, rgb: NDArray[np.uint8 | np.float32]) -> NDArray[np.float32]:
->>>>>>> tone
         """Return how far each colour (..., 3) is on the way from pale to dark, 0 to 1."""
         way = self.dark - self.pale
         return np.clip((rgb - self.pale) @ (way / (way @ way)), 0, 1)
