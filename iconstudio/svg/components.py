@@ -212,9 +212,7 @@ class _Reader:
         if conjunction is not None:
             said = conjunction[1].strip()
             opposite = said[1:].strip() if said.startswith("!") else f"!{said}"
-            paired = re.search(
-                rf"(?<![!\w.]){re.escape(opposite)}\s*&&\s*\(?\s*<", self._markup
-            )
+            paired = re.search(rf"(?<![!\w.]){re.escape(opposite)}\s*&&\s*\(?\s*<", self._markup)
             if paired is None:
                 return None
             self.remarks.append(CHOSEN)

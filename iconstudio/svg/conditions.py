@@ -37,7 +37,9 @@ _AT = re.compile(
     r"(?<![\w.@])@(if|elseif|else|unless|for|foreach|forelse|while|switch|case|default|empty|break"
     r"|end[a-z]+)\b[ \t]*(?=(\()?)"
 )
-_NEXT_BRACE = re.compile(r"\s*(?:@?(else)(?:\s+(if)\s*(?=(\()))?|@(empty)|@(case|default)\s*(?=(\()?))")
+_NEXT_BRACE = re.compile(
+    r"\s*(?:@?(else)(?:\s+(if)\s*(?=(\()))?|@(empty)|@(case|default)\s*(?=(\()?))"
+)
 _LOOPS = ("for", "foreach", "forelse", "while", "each", "range", "do")
 _SELECTING = ("case", "switch")
 _COMPARED = re.compile(r"(.+?)\s*(==|!=)\s*(.+)")

@@ -1,4 +1,4 @@
-"""Drawings that other texts quote: data (JSON), strings of code, style sheets and escaped markup."""
+"""Drawings that other texts quote: JSON, strings of code, style sheets, escaped markup."""
 
 import html
 import json

@@ -38,7 +38,8 @@ _COMPOSE = re.compile(r"\bImageVector\b|\bmaterialPath\b|\bandroidx\.compose\b")
 _STYLES = re.compile(r"(?:\s|/\*.*?\*/)*(?:@[a-z-]+\b|[.#:*]?[\w.#:> -]+\{[^{}<]*:[^{}<]*\})", re.S)
 _CODE = re.compile(
     r"^\s*(?:import\b|export\b|const\b|let\b|var\b|function\b|module\.exports|[\"']use \w+[\"']"
-    r"|package\s+[\w.]+;?\s*$|(?:public|private|internal|abstract|final)\s|(?:data )?(?:class|struct|object)\s+\w+"
+    r"|package\s+[\w.]+;?\s*$|(?:public|private|internal|abstract|final)\s"
+    r"|(?:data )?(?:class|struct|object)\s+\w+"
     r"|using\s+[\w.]+;|#include\b|def\s+\w+\(|from\s+\S+\s+import\b|va[lr]\s+\w+|fun\s+\w)"
     r"|\b(?:React\.createElement|createElement|_?jsxs?)\(",
     re.MULTILINE,
