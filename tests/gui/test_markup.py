@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from iconstudio.gui.markup import data_images, drawings_in
+from iconstudio.gui.markup import data_images, drawings_in, is_part
 
 PLAIN = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M0 0h9v9z"/></svg>'
 NESTED = PLAIN.replace("<path", '<svg x="1"><g/></svg><svg/><path')
@@ -90,3 +90,9 @@ def test_data_addresses_are_read(address):
 def test_a_broken_address_is_no_image():
     assert data_images("data:image/png;base64,A") == (("image/png", b""),)
     assert data_images("data:text/plain,hello") == ()
+
+
+def test_a_part_of_a_drawing_is_known_from_words():
+    assert is_part('<path d="M12 2 L22 22 H2 Z"/>')
+    assert is_part('createLucideIcon("a", [["path", { d: "M1 2", key: 1 }]])')
+    assert not is_part("let it be: a path < here, d = 3")
