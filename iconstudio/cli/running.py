@@ -55,7 +55,7 @@ def tell_remarks(icons: Iterable[Pictogram]) -> None:
     """Say what could not be read of the drawings of icons: a line each, if there is anything."""
     for icon in dict.fromkeys(icons):
         if icon.remarks:
-            line = f"“{icon.name}”: {' '.join(icon.remarks)}"
+            line = f"“{icon.credit.title or icon.id}”: {' '.join(icon.remarks)}"
             click.echo(" ".join(line.split()), err=True)
 
 

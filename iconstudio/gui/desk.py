@@ -57,7 +57,7 @@ class Desk(QWidget):
         """Show the remarks on the icons of the page as it is now; messages are dealt with."""
         about: dict[tuple[str, ...], list[str]] = {}
         for icon in dict.fromkeys(self.workspace.icons):
-            about.setdefault(icon.remarks, []).append(icon.name)
+            about.setdefault(icon.remarks, []).append(icon.credit.title or icon.id)
         about.pop((), None)
         self.notice.clear()
         self.notice.remark(f"{named(one)}: {' '.join(remarks)}" for remarks, one in about.items())
