@@ -4,6 +4,8 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.tones.regions import Mask
+
 _FAINT, _FULL = 0.2, 0.8
 """Opacities, as parts of the drawing's own, between which a layer is pale."""
 _EVEN = 6
@@ -29,10 +31,12 @@ def flattened(rgba: NDArray[np.uint8]) -> NDArray[np.uint8]:
     if not visible.any():
         return rgba
     body = float(np.quantile(alpha[visible], 0.99))
-    even = scipy.ndimage.maximum_filter(alpha, 3) - scipy.ndimage.minimum_filter(alpha, 3) <= _EVEN
-    pale = even & (alpha > _FAINT * body) & (alpha < _FULL * body)
-    pale = scipy.ndimage.binary_opening(pale, np.ones((3, 3)))
-    if pale.sum() < _SHARE * visible.sum():
+    between = (alpha > _FAINT * body) & (alpha < _FULL * body)
+    least = _SHARE * visible.sum()
+    if _opened(between).sum() < least:  # nearly always, and sooner known than what is even
+        return rgba
+    even = _even(alpha)
+    if _opened(even & between).sum() < least:
         return rgba
     tint = np.clip(alpha / body, 0, 1)[..., None]
     flat = rgba.copy()
@@ -52,13 +56,27 @@ def without_faint(alpha: NDArray[np.float32], body: float) -> tuple[NDArray[np.f
     These are even, or blurred, and less than half as opaque as its ``body``; edges and hairlines,
     which are as pale, are not. What is more opaque keeps its edges.
     """
-    square = np.ones((3, 3))
-    even = scipy.ndimage.maximum_filter(alpha, 3) - scipy.ndimage.minimum_filter(alpha, 3) <= _EVEN
-    faint = even & (alpha > _VISIBLE) & (alpha <= body / 2)
-    faint = scipy.ndimage.binary_opening(faint, square)
-    if faint.sum() * (1024 / len(alpha)) ** 2 < _FEW:
+    between = (alpha > _VISIBLE) & (alpha <= body / 2)
+    least = _FEW * (len(alpha) / 1024) ** 2
+    if _opened(between).sum() < least:
+        return alpha, False
+    faint = _opened(_even(alpha) & between)
+    if faint.sum() < least:
         return alpha, False
     away, (rows, columns) = scipy.ndimage.distance_transform_edt(~faint, return_indices=True)
     level = np.where(away <= _EDGE, alpha[rows, columns], 0)
     rest = np.maximum(alpha - level, 0) * (body / (body - level))
     return np.where(alpha > body, alpha, rest).astype(np.float32), True
+
+
+def _even(alpha: NDArray[np.float32]) -> Mask:
+    """Return where alpha is as in the pixels around."""
+    high, low = scipy.ndimage.maximum_filter(alpha, 3), scipy.ndimage.minimum_filter(alpha, 3)
+    even: Mask = high - low <= _EVEN
+    return even
+
+
+def _opened(mask: Mask) -> Mask:
+    """Return a mask without what is narrower than three pixels."""
+    opened: Mask = scipy.ndimage.binary_opening(mask, np.ones((3, 3)))
+    return opened
