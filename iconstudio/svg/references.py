@@ -132,22 +132,30 @@ def _children(element: ET.Element) -> list[ET.Element]:
         return []
     if element.tag == "switch":
         return [child for child in element if _eligible(child)][:1]
-    return [child for child in element if child.tag not in _DEFINITIONS]
+    return [child for child in element if child.tag not in _DEFINITIONS and _is_english(child)]
+
+
+def _is_english(child: ET.Element) -> bool:
+    """Whether an element is for readers of English, as we are, or for all."""
+    languages = child.get("systemLanguage")
+    return languages is None or any(
+        one.strip().lower().startswith("en") for one in languages.split(",")
+    )
 
 
 def _eligible(child: ET.Element) -> bool:
     """Whether a ``switch`` may take this child."""
-    languages = child.get("systemLanguage")
-    english = languages is None or any(
-        one.strip().lower().startswith("en") for one in languages.split(",")
+    return (
+        _is_english(child) and not child.get("requiredExtensions") and child.tag != "foreignObject"
     )
-    return english and not child.get("requiredExtensions") and child.tag != "foreignObject"
 
 
 def prune(root: ET.Element, kept: set[ET.Element]) -> None:
     """Remove what is not ``kept`` and holds nothing that is."""
     for element in list(root):
         prune(element, kept)
+        if element in kept:
+            element.attrib.pop("systemLanguage", None)  # the renderer knows no language
         if element not in kept and not len(element):
             root.remove(element)
         elif element not in kept and element.tag not in _DEFINITIONS:

@@ -107,7 +107,7 @@ class StyleSheet:
 
     def _at(self, rule: Any) -> None:
         keyword, prelude = rule.lower_at_keyword, tinycss2.serialize(rule.prelude).strip()
-        if keyword in ("media", "supports", "layer", "container", "scope") and rule.content:
+        if keyword in ("media", "supports", "layer", "scope") and rule.content:
             if keyword != "media" or self._applies(prelude):
                 self._take(
                     tinycss2.parse_rule_list(rule.content, skip_comments=True, skip_whitespace=True)

@@ -215,6 +215,16 @@ AS_THE_HOUSE = {
     "symbol": svg(f'<symbol id="s" viewBox="0 0 24 24">{PATH}</symbol><use href="#s"/>'),
     "sprite of one": f'{ROOT}><symbol id="s" {BOX}>{PATH}</symbol></svg>',
     "inner svg": svg(f'<svg x="6" y="6" width="12" height="12" viewBox="0 0 24 24">{PATH}</svg>'),
+    "English among others": svg(
+        '<switch><path systemLanguage="fr" d="M0 0h9v9z"/>'
+        f'<g systemLanguage="en-GB">{PATH}</g><path d="M0 0h9v9z"/></switch>'
+    ),
+    "languages without a switch": svg(
+        f'<g systemLanguage="de, en">{PATH}</g><path systemLanguage="fr" d="M0 0h9v9z"/>'
+    ),
+    "container query": svg(
+        f"<style>@container a (width > 1px) {{ path {{ display: none }} }}</style>{PATH}"
+    ),
     "language": svg(f'<switch><path systemLanguage="xx" d="M0 0h9v9z"/>{PATH}</switch>'),
     "context's paint": svg(
         f'<path fill="context-fill" fill-opacity="context-fill-opacity" {EVENODD}/>'
