@@ -22,7 +22,7 @@ import scipy
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.tones.alternation import Omission, Tones, decide
-from iconstudio.algorithms.tones.regions import GREY, Mask, Regions, nearest, pale, sums
+from iconstudio.algorithms.tones.regions import ALIKE, GREY, Mask, Regions, nearest, pale, sums
 
 STRIKING = 35.0
 """Fills of a line drawing, and narrow regions, that differ by more are told apart."""
@@ -30,8 +30,6 @@ THICK = 512 / 10
 """Width in pixels of the thickest lines of a line drawing, and bands of white."""
 _GAP = 20
 """Half the width in pixels of the gaps that an outline may have."""
-_ALIKE = 14.0
-"""Colours, in CIELAB, that differ by less are those of one shape."""
 _AS_DARK, _DARK, _PALE = 18.0, 30.0, 75.0
 """Lightness: how much lighter than its lines the dark parts of a line drawing are at most, or how
 dark; and that of shadows."""
@@ -176,7 +174,7 @@ def _shapes(found: Regions, line: Mask) -> _Shapes:
     for one, other in ((np.s_[1:], np.s_[:-1]), (np.s_[:, 1:], np.s_[:, :-1])):
         meet[below[one], below[other]] = True
     difference = np.linalg.norm(found.colours[:, None] - found.colours, axis=2)
-    joined = meet & (difference < _ALIKE) & (found.white == found.white[:, None])
+    joined = meet & (difference < ALIKE) & (found.white == found.white[:, None])
     joined[0] = joined[:, 0] = False
     number, shape = scipy.sparse.csgraph.connected_components(joined, directed=False)
 

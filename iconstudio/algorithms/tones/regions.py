@@ -21,6 +21,8 @@ BLEND = 25.0
 """How far a pixel's colour is from that of the region beside it, if it is a line of its own."""
 WHITE, GREY = 92.0, 8.0
 """Near white is lighter than this, and has less chroma."""
+ALIKE = 14.0
+"""Colours that differ by less, by their distance in CIELAB, are alike."""
 PALE, TINT = 85.0, 24.0
 """Pale paper is lighter than this, and has less chroma."""
 MOST = 256

@@ -3,12 +3,10 @@
 import numpy as np
 import scipy
 
-from iconstudio.algorithms.tones.regions import GREY, PALE, Mask, Regions, pale
+from iconstudio.algorithms.tones.regions import ALIKE, GREY, PALE, Mask, Regions, pale
 
 SHARP, _ROUNDED, _ROUND = 0.985, 0.9, 0.76
 """How much of its bounding box a rectangle fills, a rounded square, a circle."""
-_ALIKE = 14.0
-"""Colours, in CIELAB, that differ by less are alike."""
 _DARK = 30.0
 """Lightness of what is dark."""
 _DARKER = 15.0
@@ -92,7 +90,7 @@ def _is_darkened(found: Regions, number: int) -> bool:
 
 
 def _alike(found: Regions, number: int) -> Mask:
-    alike: Mask = np.linalg.norm(found.colours - found.colours[number], axis=1) < _ALIKE
+    alike: Mask = np.linalg.norm(found.colours - found.colours[number], axis=1) < ALIKE
     return alike
 
 
