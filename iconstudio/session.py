@@ -37,6 +37,7 @@ from iconstudio.model import (
     Montage,
     Pictogram,
     Placement,
+    Remix,
     Sketch,
     Source,
 )
@@ -194,13 +195,13 @@ class Session(AbstractContextManager["Session"]):
         return (yield from read_image(source, self._readers))
 
     def scan(self, image: Image, inverted: bool | None = None) -> Generator[None, None, Scan]:
-        """Return the drawing on an image; see ``library.scans.scan``."""
+        """Return the drawing on an image; see ``images.scans.scan``."""
         return (yield from scans.scan(image, inverted, self._readers))
 
     def trace(
         self, scan: Scan, threshold: int | None, name: str, remark: str = ""
-    ) -> Generator[None, None, Pictogram]:
-        """Return the drawing on a scan as an icon; see ``library.scans.trace``."""
+    ) -> Generator[None, None, scans.Tracing]:
+        """Return the drawing on a scan as an icon; see ``images.scans.trace``."""
         return (yield from scans.trace(scan, threshold, name, self._readers, remark))
 
     def exemplar(self, pictogram: Pictogram) -> Exemplar:
@@ -346,10 +347,10 @@ class Session(AbstractContextManager["Session"]):
         """Pass on a run, with the time that remains; keep the result in focus for the next one."""
         with closing(estimated(events, self._workers.count)) as timed:
             for event in timed:
-                if isinstance(event, Result):
-                    one = event.composite
-                    if (one.style, one.lambda_s) == settings.focus:
-                        self._earlier = {name: one}
+                match event:
+                    case Result(icon=Remix(composite=one)):
+                        if (one.style, one.lambda_s) == settings.focus:
+                            self._earlier = {name: one}
                 yield event
 
     def close(self) -> None:

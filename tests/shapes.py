@@ -1,12 +1,26 @@
 """Small exemplars and problems that several tests share."""
 
+from collections.abc import Iterable
+
 import numpy as np
 from scipy import ndimage
 
 from iconstudio.algorithms.iconification.energy import RemixProblem
 from iconstudio.algorithms.iconification.saliency import Region, saliency, salient_regions
 from iconstudio.algorithms.raster import fill_polygon
-from iconstudio.model import CANVAS, Credit, Exemplar, Frame, Pictogram, Polygon
+from iconstudio.model import (
+    CANVAS,
+    Contour,
+    Credit,
+    Exemplar,
+    Frame,
+    Icon,
+    Path,
+    Pictogram,
+    Point,
+    Polygon,
+)
+from iconstudio.workflows.events import Event, Result
 
 CREDIT = Credit("shape", "A. Artist", "MIT", "https://example.org/mit", "https://example.org")
 
@@ -61,3 +75,14 @@ def saliency_of(polygon: Polygon) -> np.ndarray:
 def regions_of(polygon: Polygon) -> tuple[Region, ...]:
     """The salient regions of a polygon in canvas pixels."""
     return salient_regions(saliency_of(polygon))
+
+
+def outline(*contours: Iterable[Point]) -> Path:
+    """Closed contours of straight lines through these points."""
+    rows = [[(float(x), float(y)) for x, y in contour] for contour in contours]
+    return Path(tuple(Contour(start, tuple((point,) for point in rest)) for start, *rest in rows))
+
+
+def icons(events: Iterable[Event]) -> list[Icon]:
+    """What a run has made, previews too."""
+    return [event.icon for event in events if isinstance(event, Result)]

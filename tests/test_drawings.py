@@ -36,7 +36,7 @@ def test_the_traced_outline_covers_what_was_drawn(session, word, thin):
     found = [session.exemplar(pictogram) for pictogram in session.search(word)[:40]]
     by_ink = sorted(found, key=lambda one: one.ink.sum())
     coverage = joined(by_ink[:4] if thin else by_ink[-4:])
-    path = trace(coverage)
+    path = trace(coverage).svg()
     svg = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 256 256"><path d="{path}"/></svg>'
     again = render_coverage(svg, Frame(0, 0, CANVAS), N) > 127
     truth = coverage > 127

@@ -23,9 +23,9 @@ def finished(session, sketch, settings, enough=None):
     for event in events:
         if isinstance(event, Result):
             if not event.preview:
-                one = event.composite
-                said = svg_document(event.drawing, one, "x"), one.energy, one.iou, one.shares
-                found[one.lambda_s] = said, one.labels.tobytes(), event.drawing.coverage.tobytes()
+                icon, one = event.icon, event.icon.composite
+                said = svg_document(icon), one.energy, one.iou, one.shares
+                found[one.lambda_s] = said, one.labels.tobytes(), icon.drawing.coverage.tobytes()
             if enough is not None and (enough := enough - 1) <= 0:
                 break
     events.close()

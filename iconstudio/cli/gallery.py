@@ -9,8 +9,8 @@ from iconstudio.algorithms.iconification.lattice import LAMBDAS
 from iconstudio.cli.progress import ProgressBar
 from iconstudio.cli.timing import profile_option, profiled
 from iconstudio.inputs.fields import read
-from iconstudio.inputs.sketch import SketchFile, read_sketch
-from iconstudio.model import Composite, Drawing, IconstudioError
+from iconstudio.inputs.sketch import read_sketch
+from iconstudio.model import IconstudioError, Remix
 from iconstudio.output import png
 from iconstudio.output.sheet import Subject, gallery_sheet
 from iconstudio.resources import resource
@@ -68,15 +68,17 @@ def command(sketches: Path | None, out: Path, profile: bool) -> None:
     with profiled(profile) as stopwatch, Session() as session, ProgressBar() as bar:
         for number, path in enumerate(files):
             sketch, choice = read_sketch(path), Choice.read(path)
-            result = None
+            remix = None
             for event in session.model(sketch.sketch, _settings(choice)):
                 stopwatch.note(event)
-                if isinstance(event, Result):
-                    result = event  # the last one has the lambda_S that was chosen
-                elif isinstance(event, Progress):
-                    bar.show((number + event.done) / len(files), sketch.title)
-            picture = (result.composite, result.drawing) if result else None
-            subjects.append(_subject(sketch, choice, picture))
+                match event:
+                    case Result(icon=Remix() as icon):
+                        remix = icon  # the last one has the lambda_S that was chosen
+                    case Progress():
+                        bar.show((number + event.done) / len(files), sketch.title)
+            subjects.append(
+                Subject(sketch.title, sketch.sketch.polygon, remix, choice.remark, choice.failed)
+            )
         png.write(out, png.encoded(gallery_sheet(subjects)))
         stopwatch.wrote()
     click.echo(click.format_filename(out))
@@ -85,9 +87,3 @@ def command(sketches: Path | None, out: Path, profile: bool) -> None:
 def _settings(choice: Choice) -> ModelSettings:
     """Return the chosen style, and the lambda_S down to the chosen one: each starts the next."""
     return ModelSettings(styles=(choice.style,), lambdas=LAMBDAS[choice.column - 1 :])
-
-
-def _subject(
-    sketch: SketchFile, choice: Choice, picture: tuple[Composite, Drawing] | None
-) -> Subject:
-    return Subject(sketch.title, sketch.sketch.polygon, picture, choice.remark, choice.failed)

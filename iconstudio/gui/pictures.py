@@ -2,7 +2,7 @@
 
 from collections.abc import Generator
 from contextlib import closing
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -13,7 +13,7 @@ from PySide6.QtGui import QColor, QImage, QPainter, QPainterPath, QTransform
 
 from iconstudio.gui.mipmap import Mipmap
 from iconstudio.gui.vector import painter_path
-from iconstudio.model import CANVAS, Composite, Pictogram, Placement, Source
+from iconstudio.model import CANVAS, Composite, Icon, Pictogram, Placement, Remix, Source
 from iconstudio.workflows.events import Event, Result
 
 if TYPE_CHECKING:
@@ -25,36 +25,49 @@ COLOUR_CODE_SIZE = 512
 
 @dataclass(frozen=True, eq=False)
 class Picture:
-    """A result, ready to be drawn: as the icon (a vector) and coded by source (pixels)."""
+    """An icon, ready to be drawn: as it is (a vector) and coded by source (pixels)."""
 
-    result: Result
+    icon: Icon
     outline: QPainterPath
-    title: str = "icon"
-    """What it shows: the title of the saved icon, and the start of its file's name."""
     colours: "Palette | None" = None
     """The colours of its sources; None: those that its composite gives them."""
     coded_side: int = COLOUR_CODE_SIZE
     """Side of the colour-coded picture in pixels."""
+    preview: bool = False
+    """Whether a better one is to follow in its place."""
 
     @cached_property
-    def coded(self) -> Mipmap:
-        """The picture coded by source, made when it is first asked for: this takes some 15 ms."""
+    def coded(self) -> Mipmap | None:
+        """The picture coded by source, made when it is first asked for: this takes some 15 ms.
+
+        None if the icon is no remix.
+        """
         from iconstudio.output.colours import colour_code
 
-        result = self.result
-        pixels = colour_code(result.composite, result.drawing, self.coded_side, self.colours)
-        return Mipmap.of(rgba_image(pixels), 64)
+        match self.icon:
+            case Remix(composite=composite, drawing=drawing):
+                pixels = colour_code(composite, drawing, self.coded_side, self.colours)
+                return Mipmap.of(rgba_image(pixels), 64)
+        return None
+
+    @property
+    def title(self) -> str:
+        """What it shows."""
+        return self.icon.title
 
     @property
     def name(self) -> str:
         """What to call it beside others."""
-        return f"{self.title}, {self.result.composite.style}"
+        match self.icon:
+            case Remix(composite=composite):
+                return f"{self.title}, {composite.style}"
+        return self.title
 
     def pictogram(self) -> Pictogram:
         """Return the result as an icon like any other."""
         from iconstudio.output.svg import pictogram_of
 
-        return pictogram_of(self.result.composite, self.result.drawing, self.title)
+        return pictogram_of(self.icon)
 
     def image(self, side: int) -> QImage:
         """Return the icon in black on nothing, ``side`` pixels wide."""
@@ -70,7 +83,7 @@ class Picture:
         painter.setRenderHints(
             QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform
         )
-        if coded:
+        if coded and self.coded is not None:
             pixels = target.width() * painter.device().devicePixelRatioF()
             painter.drawImage(target, self.coded.at(pixels))
         else:
@@ -80,30 +93,28 @@ class Picture:
         painter.restore()
 
 
-def pictured(events: Generator[Event], title: str) -> Generator["Event | Picture"]:
-    """Pass ``events`` on, with a ``Picture`` of that title in place of each result.
+def pictured(events: Generator[Event], title: str = "") -> Generator["Event | Picture"]:
+    """Pass ``events`` on, with a ``Picture`` in place of each result, of that title if given.
 
     Runs where the events are made, so that the window's thread has nothing to compute.
     """
     with closing(events):
         for event in events:
             if isinstance(event, Result):
-                picture = Picture(event, painter_path(event.drawing.path), title)
+                icon = replace(event.icon, title=title) if title else event.icon
+                picture = Picture(icon, painter_path(icon.path), preview=event.preview)
                 yield picture
                 _ = picture.coded  # made for later, now that it is shown
             else:
                 yield event
 
 
-def picture_of(
-    result: Result, title: str, size: int | None = None, colours: "Palette | None" = None
-) -> Picture:
-    """Return the picture of a result; ``size`` is the side of the colour-coded one in pixels.
+def picture_of(icon: Icon, size: int | None = None, colours: "Palette | None" = None) -> Picture:
+    """Return the picture of an icon; ``size`` is the side of the colour-coded one in pixels.
 
     That one is made at once, for a thread that has nothing to do later.
     """
-    outline = painter_path(result.drawing.path)
-    picture = Picture(result, outline, title, colours, size or COLOUR_CODE_SIZE)
+    picture = Picture(icon, painter_path(icon.path), colours, size or COLOUR_CODE_SIZE)
     _ = picture.coded
     return picture
 
@@ -160,11 +171,11 @@ def source_pictures(composite: Composite, palette: "Palette | None" = None) -> l
 
     Each is drawn pale at its placement, with the part that it owns in its colour.
     """
-    from iconstudio.output.colours import significant_sources, source_colours
+    from iconstudio.output.colours import SIGNIFICANT, source_colours
 
     colours = source_colours(composite, palette)
     pictures = []
-    for label in significant_sources(composite):
+    for label in composite.owners(SIGNIFICANT):
         source = composite.sources[label]
         color = QColor(*(int(value) for value in colours[label][:3]))
         whole = placed(stencil(source.exemplar.coverage, color), source.placement)

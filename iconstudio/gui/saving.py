@@ -145,22 +145,21 @@ def _write(path: Path, content: bytes) -> None:
 def _svg(picture: Picture) -> bytes:
     from iconstudio.output.svg import svg_document
 
-    result = picture.result
-    return svg_document(result.drawing, result.composite, picture.title).encode()
+    return svg_document(picture.icon).encode()
 
 
 def _png(picture: Picture) -> bytes:
     from iconstudio.output import png
 
-    return png.encoded(png.drawing_pixels(picture.result.drawing, PNG_SIZE))
+    return png.encoded(png.icon_pixels(picture.icon.path, PNG_SIZE))
 
 
 def _code(picture: Picture) -> bytes:
     from iconstudio.output import png
     from iconstudio.output.colours import colour_code
 
-    result = picture.result
-    pixels = colour_code(result.composite, result.drawing, PNG_SIZE, picture.colours)
+    remix = picture.icon
+    pixels = colour_code(remix.composite, remix.drawing, PNG_SIZE, picture.colours)
     return png.encoded(pixels)
 
 
@@ -172,7 +171,7 @@ def _as_png(image: QImage) -> QByteArray:
 
 
 def _named(picture: Picture) -> str:
-    return f"{picture.title}-{picture.result.composite.style}"
+    return picture.name.replace(", ", "-")
 
 
 def _file_name(title: str) -> str:

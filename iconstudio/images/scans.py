@@ -2,12 +2,14 @@
 
 import hashlib
 from collections.abc import Generator
+from dataclasses import dataclass
 from pathlib import Path
 
 from iconstudio.algorithms.scanning.binarisation import Scan, ink_of, scanned
 from iconstudio.algorithms.tracing.potrace import traced
 from iconstudio.images.reading import Image, awaited, read_image
 from iconstudio.model import Credit, IconstudioError, Pictogram
+from iconstudio.model import Path as Outline
 from iconstudio.model.pictogram import OWN
 from iconstudio.svg.credits import UNLICENSED, UNNAMED
 from iconstudio.workers import Workers
@@ -17,6 +19,17 @@ _MEMORY = 1 << 30
 """Bytes that scanning or tracing may take."""
 _NOT_FOUND = "No drawing can be made out on it."
 _PHOTO = "This looks like a photo rather than a drawing."
+
+
+@dataclass(frozen=True, slots=True)
+class Tracing:
+    """The drawing on a scan as an icon, and its outline."""
+
+    pictogram: Pictogram
+    path: Outline
+    """In pixels of the scan, to be filled with the even-odd rule."""
+    width: int
+    height: int
 
 
 def scan(image: Image, inverted: bool | None, workers: Workers) -> Generator[None, None, Scan]:
@@ -39,7 +52,7 @@ def doubts(scan: Scan) -> str:
 
 def trace(
     scan: Scan, threshold: int | None, name: str, workers: Workers, remark: str = ""
-) -> Generator[None, None, Pictogram]:
+) -> Generator[None, None, Tracing]:
     """Return the drawing on a scan as an icon, ``own:name-digest``; yield now and then.
 
     Raises
@@ -50,11 +63,13 @@ def trace(
     if threshold is None and not scan.found:
         raise IconstudioError(doubts(scan))
     future = workers.submit(_trace, scan, threshold, timeout=_SECONDS, memory=_MEMORY)
-    svg = yield from awaited(future)
+    path, (height, width) = yield from awaited(future)
+    svg = _document(path, width, height)
     digest = hashlib.sha256(svg.encode()).hexdigest()[:8]
     credit = Credit(name, UNNAMED, UNLICENSED, "", "")
     remarks = tuple(filter(None, [remark, _PHOTO if scan.shaded else ""]))
-    return Pictogram(f"{OWN}{Path(name).stem}-{digest}", svg, credit, remarks=remarks)
+    pictogram = Pictogram(f"{OWN}{Path(name).stem}-{digest}", svg, credit, remarks=remarks)
+    return Tracing(pictogram, path, width, height)
 
 
 def read_scan(path: Path, workers: Workers) -> Generator[None, None, Pictogram]:
@@ -68,7 +83,8 @@ def read_scan(path: Path, workers: Workers) -> Generator[None, None, Pictogram]:
     image = yield from read_image(path, workers)
     try:
         found = yield from scan(image, None, workers)
-        return (yield from trace(found, None, path.name, workers, image.remark))
+        tracing = yield from trace(found, None, path.name, workers, image.remark)
+        return tracing.pictogram
     except IconstudioError as error:
         raise IconstudioError(f"“{path}” cannot be used. {error}") from None
 
@@ -77,11 +93,15 @@ def _scan(image: Image, inverted: bool | None) -> Scan:
     return scanned(image.pixels, inverted)
 
 
-def _trace(scan: Scan, threshold: int | None) -> str:
+def _trace(scan: Scan, threshold: int | None) -> tuple[Outline, tuple[int, int]]:
     ink = ink_of(scan, threshold)
     height, width = ink.shape
+    return traced(ink), (height, width)
+
+
+def _document(path: Outline, width: int, height: int) -> str:
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}"'
         f' viewBox="0 0 {width} {height}" fill="currentColor">\n'
-        f'<path fill-rule="evenodd" d="{traced(ink)}"/>\n</svg>\n'
+        f'<path fill-rule="evenodd" d="{path.svg()}"/>\n</svg>\n'
     )

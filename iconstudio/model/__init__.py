@@ -5,10 +5,13 @@ from iconstudio.model.composite import Composite, Drawing
 from iconstudio.model.edit import Edit
 from iconstudio.model.errors import IconstudioError, SpriteError
 from iconstudio.model.exemplar import Exemplar, Frame
+from iconstudio.model.icon import Icon, Remix
 from iconstudio.model.mix import Mix, Seeds
 from iconstudio.model.montage import Layer, Montage, Stroke
+from iconstudio.model.path import Contour, Path, PathPen
 from iconstudio.model.pictogram import Credit, Pictogram
 from iconstudio.model.placement import Placement, Source
+from iconstudio.model.score import Score
 from iconstudio.model.sketch import Point, Polygon, Sketch
 from iconstudio.model.symmetry import Axis
 
@@ -17,19 +20,25 @@ __all__ = [
     "MARGIN",
     "Axis",
     "Composite",
+    "Contour",
     "Credit",
     "Drawing",
     "Edit",
     "Exemplar",
     "Frame",
+    "Icon",
     "IconstudioError",
     "Layer",
     "Mix",
     "Montage",
+    "Path",
+    "PathPen",
     "Pictogram",
     "Placement",
     "Point",
     "Polygon",
+    "Remix",
+    "Score",
     "Seeds",
     "Sketch",
     "Source",

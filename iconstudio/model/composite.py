@@ -7,6 +7,8 @@ from numpy.typing import NDArray
 
 from iconstudio.model.canvas import CANVAS
 from iconstudio.model.exemplar import Frame
+from iconstudio.model.path import Path
+from iconstudio.model.pictogram import Credit, Pictogram
 from iconstudio.model.placement import Source
 
 WHOLE = Frame(0, 0, CANVAS)
@@ -36,17 +38,38 @@ class Composite:
     """Intersection over union of the filled drawing and the outline that was wanted; None if none
     was."""
 
+    def owners(self, least: float = 0.0) -> tuple[int, ...]:
+        """Return the labels that own ink, and at least the share ``least``, by falling share."""
+        some = [k for k, share in enumerate(self.shares) if share > 0 and share >= least]
+        return tuple(sorted(some, key=lambda k: -self.shares[k]))
+
+    @property
+    def contributors(self) -> tuple[Pictogram, ...]:
+        """The pictograms to thank for the ink, each once, from the largest part down.
+
+        The part of a source that is itself a result counts for its origins, in equal shares. Two
+        pictograms of the same name and credit are one, wherever their drawings were read from.
+        """
+        shares: dict[tuple[str, Credit], float] = {}
+        thanked: dict[tuple[str, Credit], Pictogram] = {}
+        for label in self.owners():
+            origins = self.sources[label].exemplar.pictogram.origins
+            for origin in origins:
+                key = origin.id, origin.credit
+                thanked.setdefault(key, origin)
+                shares[key] = shares.get(key, 0.0) + self.shares[label] / len(origins)
+        return tuple(thanked[key] for key in sorted(shares, key=shares.__getitem__, reverse=True))
+
 
 @dataclass(frozen=True, eq=False)
 class Drawing:
-    """A composite redrawn and traced: the icon itself.
+    """A composite redrawn and traced.
 
-    ``path`` is the ``d`` attribute of one SVG path in canvas units (0 to CANVAS), to be
-    filled with the nonzero rule. ``coverage`` is the same drawing, (n, n) uint8 with n a multiple
-    of CANVAS, 255 = ink.
+    ``coverage`` is the same drawing as ``path``, (n, n) uint8 with n a multiple of CANVAS,
+    255 = ink.
     """
 
-    path: str
+    path: Path
     coverage: NDArray[np.uint8]
     owners: NDArray[np.uint8] | None = None
     """(k, k): index of the source that owns each part of ``frame``; None: as the labels say."""

@@ -44,13 +44,6 @@ _NEAR = 2
 """How far from the staircase, in canvas pixels, the smooth border may run."""
 
 
-def significant_sources(composite: Composite, least: float = SIGNIFICANT) -> tuple[int, ...]:
-    """Return the labels that own ink, and at least the share ``least``, by falling share."""
-    shares = composite.shares
-    owners = [k for k, share in enumerate(shares) if share > 0 and share >= least]
-    return tuple(sorted(owners, key=lambda k: -shares[k]))
-
-
 def palette(composites: Sequence[Composite]) -> Palette:
     """Return one colour for each source of ``composites``, which share their sources.
 

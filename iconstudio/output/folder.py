@@ -11,11 +11,10 @@ from typing import Any
 from PIL import Image
 
 from iconstudio.files import read_bytes, replaceable
-from iconstudio.model import IconstudioError
+from iconstudio.model import Icon, IconstudioError, Remix
 from iconstudio.output import png
 from iconstudio.output.colours import Palette, colour_code
 from iconstudio.output.svg import svg_document
-from iconstudio.workflows.events import Result
 
 _REPORT = "results.json"
 _KINDS = (".svg", ".png", ".npz")
@@ -87,15 +86,13 @@ class Folder:
             with suppress(OSError):  # it is in nobody's way
                 (self._path / name).unlink()
 
-    def write_icon(
-        self, name: str, result: Result, title: str, colours: Palette | None = None
-    ) -> None:
-        """Write a result: ``NAME.svg``, ``NAME.png``, and coded by source ``NAME-sources.png``."""
-        composite, drawing = result.composite, result.drawing
-        self.write(f"{name}.svg", svg_document(drawing, composite, title).encode())
-        self.write(f"{name}.png", png.encoded(png.drawing_pixels(drawing, png.SIZE)))
-        code = colour_code(composite, drawing, png.SIZE // 2, colours)
-        self.write(f"{name}-sources.png", png.encoded(code))
+    def write_icon(self, name: str, icon: Icon, colours: Palette | None = None) -> None:
+        """Write an icon: ``NAME.svg``, ``NAME.png``; of a remix, by source ``NAME-sources.png``."""
+        self.write(f"{name}.svg", svg_document(icon).encode())
+        self.write(f"{name}.png", png.encoded(png.icon_pixels(icon.path, png.SIZE)))
+        if isinstance(icon, Remix):
+            code = colour_code(icon.composite, icon.drawing, png.SIZE // 2, colours)
+            self.write(f"{name}-sources.png", png.encoded(code))
 
 
 def _unwritable(path: Path, error: OSError) -> IconstudioError:

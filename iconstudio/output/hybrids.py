@@ -1,10 +1,11 @@
 """What hybrids leave in a folder: icons in rank order, ``sheet.png`` and ``results.json``."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from iconstudio.model import Axis
+from iconstudio.model import Axis, Remix
 from iconstudio.output import record
 from iconstudio.output.colours import palette
 from iconstudio.output.folder import Folder
@@ -34,22 +35,23 @@ class HybridsReport:
         self._draws = draws
         self._seed = seed
         self._symmetry = symmetry
-        self._results: list[Result] = []
+        self._remixes: list[Remix] = []
 
     def add(self, event: Event) -> None:
         """Note an event."""
-        if isinstance(event, Result):
-            self._results.append(event)
+        match event:
+            case Result(icon=Remix() as icon):
+                self._remixes.append(icon)
 
     def finish(self, timings: Mapping[str, float]) -> None:
         """Write the icons, ``sheet.png`` and ``results.json``."""
-        ranked = sorted(self._results, key=lambda result: (-result.score.total, result.draw))
-        colours = palette([result.composite for result in ranked])
+        ranked = sorted(self._remixes, key=lambda icon: (-icon.score.total, icon.draw))
+        colours = palette([icon.composite for icon in ranked])
         entries = []
-        for rank, result in enumerate(ranked, start=1):
+        for rank, icon in enumerate(ranked, start=1):
             name = f"hybrid-{rank:02d}"
-            self._folder.write_icon(name, result, self._title(rank), colours)
-            entries.append(_entry(rank, name, result))
+            self._folder.write_icon(name, replace(icon, title=self._title(rank)), colours)
+            entries.append(_entry(rank, name, icon))
         said = f"{self._draws} draws, {len(ranked)} kept, seed {self._seed}" + (
             f", {self._symmetry} symmetry" if self._symmetry else ""
         )
@@ -64,11 +66,11 @@ class HybridsReport:
 
     def _icons(self) -> list[str]:
         """Return the identifiers of the icons that were mixed."""
-        sources = self._results[0].composite.sources if self._results else ()
+        sources = self._remixes[0].composite.sources if self._remixes else ()
         return [source.exemplar.id for source in sources]
 
 
-def _entry(rank: int, name: str, result: Result) -> dict[str, Any]:
-    seeds = [[[float(x), float(y)] for x, y in points] for points in result.seeds]
-    drawn = {"rank": rank, "draw": result.draw, "seeds": seeds}
-    return drawn | record.of_result(name, result)
+def _entry(rank: int, name: str, icon: Remix) -> dict[str, Any]:
+    seeds = [[[float(x), float(y)] for x, y in points] for points in icon.seeds]
+    drawn = {"rank": rank, "draw": icon.draw, "seeds": seeds}
+    return drawn | record.of_remix(name, icon)

@@ -1,9 +1,10 @@
 """What a montage leaves in a folder: the icon, ``sheet.png`` and ``results.json``."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 
-from iconstudio.model import Montage
+from iconstudio.model import Montage, Remix
 from iconstudio.output import record
 from iconstudio.output.folder import Folder
 from iconstudio.output.plates import montage_plate
@@ -24,22 +25,24 @@ class MontageReport:
     def __init__(self, folder: Path, montage: Montage) -> None:
         self._folder = Folder(folder)
         self._montage = montage
-        self._results: list[Result] = []
+        self._remixes: list[Remix] = []
 
     def add(self, event: Event) -> None:
         """Note an event; write the files of a result."""
-        if isinstance(event, Result):
-            self._folder.write_icon(_NAME, event, _NAME)
-            self._results.append(event)
+        match event:
+            case Result(icon=Remix() as icon):
+                icon = replace(icon, title=_NAME)
+                self._folder.write_icon(_NAME, icon)
+                self._remixes.append(icon)
 
     def finish(self, timings: Mapping[str, float]) -> None:
         """Write ``sheet.png`` and ``results.json``; ``timings`` are seconds by stage."""
-        for result in self._results:
-            self._folder.write_picture("sheet.png", montage_plate(self._montage, result))
+        for icon in self._remixes:
+            self._folder.write_picture("sheet.png", montage_plate(self._montage, icon))
         layers = [
             record.of_placed(layer.icon.id, layer.placement) | {"strokes": len(layer.strokes)}
             for layer in self._montage.layers
         ]
-        results = [record.of_result(_NAME, result) for result in self._results]
+        results = [record.of_remix(_NAME, icon) for icon in self._remixes]
         head = record.head(None, timings)
         self._folder.write_report(head | {"layers": layers, "results": results})

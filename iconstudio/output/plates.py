@@ -6,11 +6,10 @@ from PIL import Image
 
 from iconstudio.algorithms.iconification.guidance import carried, scribble
 from iconstudio.algorithms.raster import placed_ink
-from iconstudio.model import Montage, Source
+from iconstudio.model import Montage, Remix, Source
 from iconstudio.output.colours import RGB, Palette, colour_code, key_of, palette
 from iconstudio.output.page import MUTED, PALE, Page
 from iconstudio.output.sheet import grey
-from iconstudio.workflows.events import Result
 
 _EDGE, _GAP = 40, 24
 _ACROSS, _SHOWN = 4, 12
@@ -22,46 +21,44 @@ _FINAL = 480
 _PER_LINE = 6
 
 
-def hybrids_plate(
-    title: str, said: str, results: Sequence[Result], colours: Palette
-) -> Image.Image:
+def hybrids_plate(title: str, said: str, remixes: Sequence[Remix], colours: Palette) -> Image.Image:
     """Return the icons in their colours, and beneath them the best hybrids, coded by these.
 
     Parameters
     ----------
-    results
+    remixes
         From the best down; all of the same icons.
     """
     cell = _LARGE + _CODE + 2 * _GAP
     width = 2 * _EDGE + _ACROSS * cell - _GAP
-    shown = results[:_SHOWN]
+    shown = remixes[:_SHOWN]
     lines = -(-len(shown) // _ACROSS)
     top = 300
     page = Page(width, top + _EDGE // 2 + lines * (_LARGE + 2 * _GAP))
     page.text(_EDGE, 32, title, 34, bold=True, width=width - 2 * _EDGE - 500)
     page.text(width - _EDGE, 44, said, 18, colour=MUTED, anchor="ra")
-    sources = results[0].composite.sources if results else ()
+    sources = remixes[0].composite.sources if remixes else ()
     step = min(_THUMB + 2 * _GAP, (width - 2 * _EDGE) / max(1, len(sources)))
     for number, source in enumerate(sources):
         _source(page, _EDGE + number * step, 100, source, colours[key_of(source)], step - 8)
     page.rule(top - 28, _EDGE, width - _EDGE)
-    for number, result in enumerate(shown):
+    for number, icon in enumerate(shown):
         x = _EDGE + number % _ACROSS * cell
         y = top + number // _ACROSS * (_LARGE + 2 * _GAP)
-        composite, drawing = result.composite, result.drawing
+        composite, drawing = icon.composite, icon.drawing
         page.stencil(x, y, _LARGE, drawing.coverage)
         beside = x + _LARGE + _GAP // 2
         page.text(beside, y + 8, str(number + 1), 24, bold=True)
-        page.text(beside, y + 40, f"score {result.score.total:.2f}", 14, colour=MUTED)
-        page.text(beside, y + 60, f"draw {result.draw}", 14, colour=MUTED)
+        page.text(beside, y + 40, f"score {icon.score.total:.2f}", 14, colour=MUTED)
+        page.text(beside, y + 60, f"draw {icon.draw}", 14, colour=MUTED)
         code = colour_code(composite, drawing, _CODE, colours)
         page.image(beside, y + _LARGE - _CODE - 8, code)
     return page.picture
 
 
-def montage_plate(montage: Montage, result: Result) -> Image.Image:
+def montage_plate(montage: Montage, icon: Remix) -> Image.Image:
     """Return the layers with their scribbles, and beneath them the result and its colour code."""
-    composite, drawing = result.composite, result.drawing
+    composite, drawing = icon.composite, icon.drawing
     colours = palette([composite])
     step = _LAYER + _GAP
     across = min(_PER_LINE, max(4, len(montage.layers)))

@@ -9,26 +9,27 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from iconstudio.files import replaceable, write_atomically
-from iconstudio.model import CANVAS, Drawing, Frame, IconstudioError
+from iconstudio.model import CANVAS, Frame, IconstudioError
+from iconstudio.model import Path as Outline
 from iconstudio.svg.resvg import render_coverage
 
 SIZE = 1024
 """Side in pixels of a result's picture."""
 
 
-def coverage(drawing: Drawing, size: int) -> NDArray[np.uint8]:
-    """Draw the path of a drawing at any size, (size, size) uint8, 255 = ink."""
+def coverage(path: Outline, size: int) -> NDArray[np.uint8]:
+    """Draw a path at any size, (size, size) uint8, 255 = ink."""
     svg = (
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {CANVAS} {CANVAS}">'
-        f'<path d="{drawing.path}"/></svg>'
+        f'<path d="{path.svg()}"/></svg>'
     )
     return render_coverage(svg, Frame(0, 0, CANVAS), size)
 
 
-def drawing_pixels(drawing: Drawing, size: int, white: bool = False) -> NDArray[np.uint8]:
+def icon_pixels(path: Outline, size: int, white: bool = False) -> NDArray[np.uint8]:
     """Return black (or white) ink on transparent ground, (size, size, 4) uint8 RGBA."""
     picture = np.full((size, size, 4), 255 if white else 0, np.uint8)
-    picture[..., 3] = coverage(drawing, size)
+    picture[..., 3] = coverage(path, size)
     return picture
 
 

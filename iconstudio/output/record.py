@@ -5,9 +5,7 @@ from dataclasses import asdict
 from typing import Any
 
 from iconstudio import __version__
-from iconstudio.model import CANVAS, Axis, Composite, Frame, Pictogram, Placement, Source
-from iconstudio.output.colours import significant_sources
-from iconstudio.workflows.events import Result
+from iconstudio.model import CANVAS, Axis, Composite, Frame, Pictogram, Placement, Remix, Source
 
 STAGES = ("search", "prepare", "match", "remix", "vectorize", "total")
 
@@ -28,9 +26,9 @@ def head(symmetry: Axis | None, timings: Mapping[str, float]) -> dict[str, Any]:
     }
 
 
-def of_result(name: str, result: Result) -> dict[str, Any]:
-    """Describe a result whose files are called ``name``."""
-    composite = result.composite
+def of_remix(name: str, icon: Remix) -> dict[str, Any]:
+    """Describe an icon whose files are called ``name``."""
+    composite = icon.composite
     return {
         "style": composite.style,
         "m": len(composite.labels),
@@ -39,15 +37,13 @@ def of_result(name: str, result: Result) -> dict[str, Any]:
         "data_cost": float(composite.data_cost),
         "smoothness_cost": float(composite.smoothness_cost),
         "iou": None if composite.iou is None else float(composite.iou),
-        "frame": _of_frame(result.drawing.frame),
-        "rank_score": float(result.score.total),
-        "rank_terms": {term: float(value) for term, value in asdict(result.score).items()},
+        "frame": _of_frame(icon.drawing.frame),
+        "rank_score": float(icon.score.total),
+        "rank_terms": {term: float(value) for term, value in asdict(icon.score).items()},
         "svg": f"{name}.svg",
         "png": f"{name}.png",
         "sources_png": f"{name}-sources.png",
-        "sources": [
-            _of_share(label, composite) for label in significant_sources(composite, least=0)
-        ],
+        "sources": [_of_share(label, composite) for label in composite.owners()],
     }
 
 

@@ -2,6 +2,7 @@
 
 import io
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -10,7 +11,7 @@ import numpy as np
 from iconstudio.algorithms.iconification.energy import placed_sources
 from iconstudio.algorithms.iconification.guidance import edit_penalty
 from iconstudio.algorithms.raster import interior, solid
-from iconstudio.model import CANVAS, Composite, Exemplar, Point
+from iconstudio.model import CANVAS, Composite, Exemplar, Point, Remix
 from iconstudio.output import record
 from iconstudio.output.folder import Folder
 from iconstudio.output.sheet import Row, grid_sheet
@@ -50,7 +51,7 @@ class GridReport:
         self._retrieved: tuple[Exemplar, ...] = ()
         self._centres: tuple[Point, ...] = ()
         self._styles: dict[str, StyleMatched | StyleSkipped] = {}
-        self._results: list[Result] = []
+        self._remixes: list[Remix] = []
         self._recommended: dict[str, float] = {}
 
     def add(self, event: Event) -> None:
@@ -62,10 +63,10 @@ class GridReport:
                 self._centres = event.centres
             case StyleMatched() | StyleSkipped():
                 self._styles[event.style] = event
-            case Result():
-                title = f"{self._wish.keyword} ({event.composite.style})"
-                self._folder.write_icon(self._name(event.composite), event, title)
-                self._results.append(event)
+            case Result(icon=Remix() as icon):
+                icon = replace(icon, title=f"{self._wish.keyword} ({icon.composite.style})")
+                self._folder.write_icon(self._name(icon.composite), icon)
+                self._remixes.append(icon)
             case Recommended():
                 if event.lambda_s is not None:
                     self._recommended[event.style] = event.lambda_s
@@ -83,16 +84,16 @@ class GridReport:
         distances = [abs(value - composite.lambda_s) for value in self._lambdas]
         return f"{composite.style}-{distances.index(min(distances)) + 1}"
 
-    def _of(self, style: str) -> list[Result]:
-        """Return the results of a style by rising lambda_S."""
-        found = [result for result in self._results if result.composite.style == style]
-        return sorted(found, key=lambda result: result.composite.lambda_s)
+    def _of(self, style: str) -> list[Remix]:
+        """Return the icons of a style by rising lambda_S."""
+        found = [icon for icon in self._remixes if icon.composite.style == style]
+        return sorted(found, key=lambda icon: icon.composite.lambda_s)
 
     def _row(self, style: str) -> Row:
         event = self._styles[style]
-        results = tuple((result.composite, result.drawing) for result in self._of(style))
+        remixes = tuple(self._of(style))
         reason = event.reason if isinstance(event, StyleSkipped) else ""
-        return Row(style, event.retrieved, results, reason, self._recommended.get(style))
+        return Row(style, event.retrieved, remixes, reason, self._recommended.get(style))
 
     def _json(self, timings: Mapping[str, float]) -> dict[str, Any]:
         wish = self._wish
@@ -104,26 +105,26 @@ class GridReport:
             "regions": [[float(x), float(y)] for x, y in self._centres],
             "styles": {style: _style_json(event) for style, event in self._styles.items()},
             "results": [
-                self._result_json(result) for style in self._styles for result in self._of(style)
+                self._remix_json(icon) for style in self._styles for icon in self._of(style)
             ],
         }
         return asked | record.head(wish.symmetry, timings) | found
 
-    def _result_json(self, result: Result) -> dict[str, Any]:
-        composite = result.composite
+    def _remix_json(self, icon: Remix) -> dict[str, Any]:
+        composite = icon.composite
         extra: dict[str, Any] = {
             "recommended": self._recommended.get(composite.style) == composite.lambda_s
         }
-        if result.unchanged is not None:
-            extra["unchanged"] = result.unchanged
-        return record.of_result(self._name(composite), result) | extra
+        if icon.unchanged is not None:
+            extra["unchanged"] = icon.unchanged
+        return record.of_remix(self._name(composite), icon) | extra
 
     def _dump(self, style: str) -> None:
         """Write all that is needed to check a style's results independently, as it was solved.
 
         The energy is the data cost plus lambda_S m / 256 times the smoothness cost.
         """
-        results = [result.composite for result in self._of(style)]
+        results = [icon.composite for icon in self._of(style)]
         if not results:
             return
         side = len(results[0].labels)

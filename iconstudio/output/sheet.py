@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from iconstudio.algorithms.raster import placed_ink
-from iconstudio.model import CANVAS, Composite, Drawing, Exemplar, Polygon, Source
+from iconstudio.model import CANVAS, Composite, Exemplar, Polygon, Remix, Source
 from iconstudio.output import png
 from iconstudio.output.colours import SIGNIFICANT, Palette, colour_code, key_of, palette
 from iconstudio.output.page import ACCENT, MUTED, PALE, WARNING, Page
@@ -40,7 +40,7 @@ class Row:
 
     style: str
     retrieved: int
-    results: tuple[tuple[Composite, Drawing], ...]
+    remixes: tuple[Remix, ...]
     skipped: str = ""
     recommended: float | None = None
     """lambda_S of the result to look at first."""
@@ -48,11 +48,11 @@ class Row:
 
 @dataclass(frozen=True, slots=True)
 class Subject:
-    """A cell of the gallery; without ``result`` it says why there is none."""
+    """A cell of the gallery; without ``remix`` it says why there is none."""
 
     name: str
     polygon: Polygon
-    result: tuple[Composite, Drawing] | None
+    remix: Remix | None
     remark: str = ""
     failed: bool = False
 
@@ -66,7 +66,7 @@ def grid_sheet(wish: Wish, lambdas: Sequence[float], rows: Sequence[Row]) -> Ima
     lambdas = sorted(lambdas)
     left = _EDGE + _SIDE + 2 * _GAP
     height = 2 * _CELL + 3 * _GAP + 52
-    heights = [height if row.results else 110 for row in rows]
+    heights = [height if row.remixes else 110 for row in rows]
     width = left + len(lambdas) * (_CELL + _GAP) + _EDGE
     page = Page(max(width, 900), _HEAD + sum(heights) + _EDGE)
     for bitmap, colour in wish.layers:
@@ -132,8 +132,8 @@ def gallery_sheet(subjects: Sequence[Subject], across: int = 4) -> Image.Image:
         page.text(x + 3 * side + 2 * _GAP, y + 4, subject.remark, 15, colour=MUTED,
                   width=3 * side - named, anchor="ra")  # fmt: skip
         page.polygon(x, y + 36, subject.polygon.fitted().vertices, side / CANVAS)
-        if subject.result is not None:
-            composite, drawing = subject.result
+        if subject.remix is not None:
+            composite, drawing = subject.remix.composite, subject.remix.drawing
             page.stencil(x + side + _GAP, y + 36, side, drawing.coverage)
             page.image(x + 2 * (side + _GAP), y + 36, colour_code(composite, drawing, side))
         colour, _ = _VERDICTS[_verdict(subject)]
@@ -146,9 +146,9 @@ def gallery_sheet(subjects: Sequence[Subject], across: int = 4) -> Image.Image:
 
 
 def _verdict(subject: Subject) -> str:
-    if subject.failed or subject.result is None:
+    if subject.failed or subject.remix is None:
         return "failed"
-    composite, _ = subject.result
+    composite = subject.remix.composite
     owned: defaultdict[str, float] = defaultdict(float)
     for source, share in zip(composite.sources, composite.shares, strict=True):
         owned[source.exemplar.id] += share
@@ -173,12 +173,13 @@ def _row(page: Page, row: Row, lambdas: Sequence[float], left: float, top: float
     page.text(_EDGE, top + 16, row.style.capitalize(), 24, bold=True)
     count = "1 icon" if row.retrieved == 1 else f"{row.retrieved} icons"
     page.text(_EDGE + _SIDE - 2 * _GAP, top + 22, count, 16, colour=MUTED, anchor="ra")
-    if not row.results:
+    if not row.remixes:
         page.paragraph(left, top + 22, row.skipped, 20, page.picture.width - left - _EDGE, MUTED)
         return
-    colours = palette([composite for composite, _ in row.results])
+    colours = palette([icon.composite for icon in row.remixes])
     _sources(page, row, colours, top + 58)
-    for composite, drawing in row.results:
+    for icon in row.remixes:
+        composite, drawing = icon.composite, icon.drawing
         number = min(range(len(lambdas)), key=lambda i: abs(lambdas[i] - composite.lambda_s))
         x = left + number * (_CELL + _GAP)
         if composite.lambda_s == row.recommended:
@@ -201,7 +202,7 @@ class _Used:
 
 def _sources(page: Page, row: Row, colours: Palette, top: float) -> None:
     """Draw the sources with most ink in the row where they lie, what they give in colour."""
-    used = _used([composite for composite, _ in row.results])
+    used = _used([icon.composite for icon in row.remixes])
     for number, one in enumerate(used[: 2 * _ACROSS]):
         x = _EDGE + number % _ACROSS * (_THUMB + _GAP)
         y = top + number // _ACROSS * (_THUMB + 62)

@@ -241,5 +241,5 @@ def _traced(coverage: NDArray[np.uint8]) -> ET.Element:
     if not path:
         raise _nothing(())
     content = ET.Element("g")
-    ET.SubElement(content, "path", d=path)
+    ET.SubElement(content, "path", d=path.svg())
     return content

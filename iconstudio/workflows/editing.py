@@ -31,11 +31,12 @@ from iconstudio.model import (
     IconstudioError,
     Placement,
     Polygon,
+    Remix,
     Source,
 )
 from iconstudio.workers import Workers, answer
 from iconstudio.workflows.drawing import Render, draw_whole
-from iconstudio.workflows.events import Event, Result
+from iconstudio.workflows.events import Event
 from iconstudio.workflows.grid import Matches, ModelSettings, remix_styles
 from iconstudio.workflows.solving import Posed
 
@@ -132,11 +133,9 @@ def edit_icon(
         posed = prepare_change(edit, change.base.exemplar, settings.side)
     own = draw_whole(change.base, change.ink, workers, render)  # what results are compared with
 
-    def finish(result: Result) -> Result:
-        return replace(
-            result,
-            unchanged=change.unchanged(result.drawing, answer(own, f"Drawing “{edit.icon.name}”")),
-        )
+    def finish(icon: Remix) -> Remix:
+        drawn = answer(own, f"Drawing “{edit.icon.name}”")
+        return replace(icon, unchanged=change.unchanged(icon.drawing, drawn))
 
     try:
         yield from remix_styles(
@@ -148,7 +147,7 @@ def edit_icon(
             always=(change.base,),
             pose=partial(posed.pose, edit.symmetry),
             finish=finish,
-            but=edit.icon.id,
+            without=edit.icon.id,
             workers=workers,
             render=render,
             earlier=earlier,

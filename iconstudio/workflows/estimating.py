@@ -12,6 +12,7 @@ from contextlib import closing
 from dataclasses import replace
 from time import perf_counter
 
+from iconstudio.model import Remix
 from iconstudio.workflows.events import Event, Progress, Recommended, Result, StyleMatched
 
 _GUESS = 0.15
@@ -86,10 +87,10 @@ class Estimate:
             case StyleMatched():
                 self._begin(now)
                 self._rows[event.style] += 0
-            case Result(preview=True):
-                self._previewed = event.composite.style
-            case Result():
-                row = event.composite.style
+            case Result(icon=Remix() as icon, preview=True):
+                self._previewed = icon.composite.style
+            case Result(icon=Remix() as icon):
+                row = icon.composite.style
                 nth = self._rows[row] - (row == self._previewed)
                 kind = self._hurried if nth < 0 else self._later if nth else self._first
                 kind.append(event.remix_seconds + event.vectorize_seconds)

@@ -4,8 +4,7 @@ from collections.abc import Generator
 from dataclasses import dataclass
 from typing import Literal, TypeVar
 
-from iconstudio.algorithms.iconification.ranking import Score
-from iconstudio.model import Composite, Drawing, Exemplar, Point, Seeds, Source
+from iconstudio.model import Exemplar, Icon, Point, Source
 
 T = TypeVar("T")
 
@@ -64,21 +63,13 @@ class StyleSkipped:
 
 @dataclass(frozen=True, slots=True)
 class Result:
-    """A finished icon, and the seconds that cutting and drawing it took a worker process."""
+    """A finished icon, and the seconds that making and drawing it took a worker process."""
 
-    composite: Composite
-    drawing: Drawing
-    score: Score
+    icon: Icon
     remix_seconds: float = 0.0
     vectorize_seconds: float = 0.0
-    seeds: Seeds = ()
-    """Of a hybrid: where each source was seeded."""
-    draw: int = -1
-    """Of a hybrid: the number of its draw."""
-    unchanged: float | None = None
-    """Of an edit: the part of the pixels well outside the change that equal the icon's own."""
     preview: bool = False
-    """Whether a better one of the same style and lambda_S is to follow."""
+    """Whether a better one is to follow in its place."""
 
 
 @dataclass(frozen=True, slots=True)

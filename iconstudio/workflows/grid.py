@@ -12,7 +12,7 @@ from iconstudio.algorithms.iconification.lattice import LAMBDAS
 from iconstudio.algorithms.iconification.matching import SCALES, Matcher, sources_of
 from iconstudio.algorithms.iconification.saliency import Region
 from iconstudio.algorithms.iconification.style import STYLES, Style
-from iconstudio.model import CANVAS, Composite, IconstudioError, Placement, Source
+from iconstudio.model import CANVAS, Composite, IconstudioError, Placement, Remix, Source
 from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import (
@@ -24,7 +24,7 @@ from iconstudio.workflows.events import (
     StyleSkipped,
     staged,
 )
-from iconstudio.workflows.remixing import Remixing
+from iconstudio.workflows.remixing import Finish, Remixing
 from iconstudio.workflows.solving import Job, Posed
 
 FINE = 2 * CANVAS
@@ -94,8 +94,8 @@ def remix_styles(
     workers: Workers,
     render: Render,
     always: tuple[Source, ...] = (),
-    finish: Callable[[Result], Result] = lambda result: result,
-    but: str = "",
+    finish: Finish = lambda icon: icon,
+    without: str = "",
     earlier: Composite | None = None,
 ) -> Generator[Event]:
     """Match exemplars to the salient regions of an outline, and remix them in every style.
@@ -121,8 +121,8 @@ def remix_styles(
     always
         Sources that every style has, before those that are matched.
     finish
-        What to add to each result.
-    but
+        What to add to each icon.
+    without
         Identifier of an exemplar that is left out.
     earlier
         A result of a similar run, for the preview to begin with.
@@ -138,7 +138,7 @@ def remix_styles(
             admitted = [
                 number
                 for number, one in enumerate(exemplars)
-                if style.admits(one.blackness) and one.exemplar.id != but
+                if style.admits(one.blackness) and one.exemplar.id != without
             ]
             rows: Matches | None = None
             reason = refusal(style, len(admitted), rows)
@@ -180,20 +180,21 @@ class Recommending:
 
     def __init__(self, count: int) -> None:
         self._count = count
-        self._results: dict[str, list[Result]] = {}
+        self._remixes: dict[str, list[Remix]] = {}
 
     def after(self, events: Iterable[Event]) -> Generator[Event]:
         """Pass events on, with a ``Recommended`` after the last result of a style."""
         for event in events:
             yield event
-            if isinstance(event, Result) and not event.preview:
-                row = self._results.setdefault(event.composite.style, [])
-                row.append(event)
-                if len(row) == self._count:
-                    made = [one for one in row if max(one.composite.shares) < UNTOUCHED]
-                    best = max(made, key=lambda one: one.score.total, default=None)
-                    lambda_s = None if best is None else best.composite.lambda_s
-                    yield Recommended(event.composite.style, lambda_s)
+            match event:
+                case Result(icon=Remix() as icon, preview=False):
+                    style = icon.composite.style
+                    row = self._remixes.setdefault(style, [])
+                    row.append(icon)
+                    if len(row) == self._count:
+                        made = [one for one in row if max(one.composite.shares) < UNTOUCHED]
+                        best = max(made, key=lambda one: one.score.total, default=None)
+                        yield Recommended(style, None if best is None else best.composite.lambda_s)
 
 
 def distinct(rows: Sequence[Sequence[Source]]) -> tuple[Source, ...]:

@@ -27,6 +27,7 @@ from iconstudio.model import (
     Mix,
     Placement,
     Point,
+    Remix,
     Seeds,
     Source,
     Stroke,
@@ -110,7 +111,7 @@ def mix_icons(
             )
     remixing = Remixing(workers, render, total=mix.draws)
     numbers = iter(range(mix.first, mix.first + mix.draws))
-    waiting: dict[int, Result] = {}
+    waiting: dict[int, tuple[Result, Remix]] = {}
     turn, finer = mix.first, side // CANVAS
     try:
         while turn < mix.first + mix.draws:
@@ -120,14 +121,15 @@ def mix_icons(
                 job = Job("hybrid", sources, pose, (LAMBDA_S,), sharing=True)
                 remixing.start(job, partial(replace, seeds=seeds, draw=number))
             for event in remixing.ready(wanted=True):
-                if isinstance(event, Result):
-                    waiting[event.draw] = event
-                else:
-                    yield Progress("remix", event.done, "Mixing")
+                match event:
+                    case Result(icon=Remix() as icon):
+                        waiting[icon.draw] = event, icon
+                    case Progress():
+                        yield Progress("remix", event.done, "Mixing")
             while turn in waiting:
-                result = waiting.pop(turn)
+                result, icon = waiting.pop(turn)
                 turn += 1
-                if seen.add(joined_ink(posed[0], result.composite.labels)[::finer, ::finer]):
+                if seen.add(joined_ink(posed[0], icon.composite.labels)[::finer, ::finer]):
                     yield result
     finally:
         remixing.cancel()

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from dataclasses import dataclass
 
-from iconstudio.model import Composite
+from iconstudio.model import Composite, Remix
 from iconstudio.workers import Workers, answer
 from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import Progress, Result
@@ -17,7 +17,7 @@ PIPELINED = 2
 PROMPT = 0.03
 """Seconds after which whoever waits for results looks whether they are still wanted."""
 
-Finish = Callable[[Result], Result]
+Finish = Callable[[Remix], Remix]
 
 
 class Remixing:
@@ -52,7 +52,7 @@ class Remixing:
         """Whether another job would keep the processes from running dry."""
         return not self._jobs
 
-    def start(self, job: Job, finish: Finish = lambda result: result) -> None:
+    def start(self, job: Job, finish: Finish = lambda icon: icon) -> None:
         """Begin a job as soon as a process is free.
 
         ``finish`` is what the workflow adds to each result.
@@ -76,7 +76,8 @@ class Remixing:
             solved = answer(future, "Joining the parts, or drawing the result,")
             self._feed()
             self._done += not task.step.preview
-            yield task.finish(result_of(task.job, task.step, solved))
+            icon = task.finish(remix_of(task.job, task.step, solved))
+            yield Result(icon, *solved.seconds, preview=task.step.preview)
         yield Progress("remix", self._done / max(1, self._total), "Joining parts")
 
     def cancel(self) -> None:
@@ -132,7 +133,7 @@ def _tasks(job: Job, finish: Finish, lane: int) -> list[_Task]:
     return [_Task(number, job, finish, step, lane) for step in job.steps]
 
 
-def result_of(job: Job, step: Step, solved: Solved) -> Result:
+def remix_of(job: Job, step: Step, solved: Solved) -> Remix:
     """Return the icon that a step of a job has come to."""
     data_cost, smoothness_cost = solved.costs
     composite = Composite(
@@ -146,4 +147,4 @@ def result_of(job: Job, step: Step, solved: Solved) -> Result:
         shares=solved.shares,
         iou=solved.iou,
     )
-    return Result(composite, solved.drawing, solved.score, *solved.seconds, preview=step.preview)
+    return Remix.of(composite, solved.drawing, solved.score)

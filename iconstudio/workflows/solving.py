@@ -14,12 +14,11 @@ import numpy as np
 from iconstudio.algorithms.iconification import ranking
 from iconstudio.algorithms.iconification.energy import Labels, RemixProblem, joined_ink
 from iconstudio.algorithms.iconification.overhang import seen
-from iconstudio.algorithms.iconification.ranking import Score
 from iconstudio.algorithms.iconification.redraw import SCALE
 from iconstudio.algorithms.iconification.warm_start import transferred
 from iconstudio.algorithms.raster import Bitmap, overlap, solid
 from iconstudio.limits import limited
-from iconstudio.model import CANVAS, Composite, Drawing, Frame, Placement, Source
+from iconstudio.model import CANVAS, Composite, Drawing, Frame, Placement, Score, Source
 from iconstudio.tasks import forget, remembered, stopped
 from iconstudio.workflows.drawing import MEMORY, PREVIEW, SECONDS, Render, draw
 

@@ -166,9 +166,8 @@ def test_what_is_traced_is_the_ink_not_the_paper():
     ink[10:50, 20:60] = True
     ink[20:30, 30:40] = False
     filled = np.zeros_like(ink)
-    for part in traced(ink).split("M")[1:]:
-        numbers = part.replace("L", " ").replace("C", " ").replace("Z", "").split()
-        points = np.array(numbers, float).reshape(-1, 2)
+    for contour in traced(ink).contours:
+        points = np.array(list(contour.points))
         inside = np.zeros_like(ink)
         inside[polygon(points[:, 1] - 0.5, points[:, 0] - 0.5, ink.shape)] = True
         filled ^= inside

@@ -94,9 +94,9 @@ def test_drag(benchmark, session, sketch):
             at, coarse = next(results)
             previews.append(at)
             for _, result in results:
-                composite = result.composite
+                composite = result.icon.composite
                 if not result.preview and (composite.style, composite.lambda_s) == FOCUS:
-                    ratios.append(coarse.composite.energy / composite.energy)
+                    ratios.append(coarse.icon.composite.energy / composite.energy)
                     return
 
     benchmark.pedantic(run, setup=drag, rounds=10, warmup_rounds=2)

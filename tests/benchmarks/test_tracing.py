@@ -3,8 +3,6 @@
 Run with ``pytest -n 0 tests/benchmarks --benchmark-only``; figures are medians.
 """
 
-import re
-
 import numpy as np
 import pytest
 from PIL import Image
@@ -58,13 +56,13 @@ def test_trace(benchmark, icons):
     benchmark.pedantic(trace, setup=lambda: ((next(coverages),), {}), rounds=len(icons))
     paths = [trace(coverage) for coverage, _ in icons]
     errors = [astray(path, truth) for path, (_, truth) in zip(paths, icons, strict=True)]
-    segments = [len(re.findall("[LHVC]", path)) for path in paths]
+    segments = [sum(len(contour.segments) for contour in path.contours) for path in paths]
     benchmark.extra_info["mean distance"] = round(float(np.mean([e.mean() for e in errors])), 4)
     benchmark.extra_info["worst distance, median"] = round(
         float(np.median([e.max() for e in errors])), 3
     )
     benchmark.extra_info["segments, mean"] = float(np.mean(segments))
-    benchmark.extra_info["bytes, mean"] = float(np.mean([len(path) for path in paths]))
+    benchmark.extra_info["bytes, mean"] = float(np.mean([len(path.svg()) for path in paths]))
     assert np.mean([e.mean() for e in errors]) < 0.03
 
 

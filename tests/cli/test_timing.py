@@ -28,8 +28,8 @@ def test_every_second_is_booked_once(clock):
         (2, Progress("prepare", 0.5, "")),
         (3, Retrieved("", ())),
         (4, Progress("match", 1, "")),
-        (5, Result(None, None, None, 6.0, 2.0)),
-        (3, Result(None, None, None, 0.5, 1.5)),
+        (5, Result(None, 6.0, 2.0)),
+        (3, Result(None, 0.5, 1.5)),
     ):
         clock.now += seconds
         stopwatch.note(event)
@@ -48,7 +48,7 @@ def test_the_table_names_what_took_place(clock, capsys):
         clock.now += 1.25
         stopwatch.note(Progress("search", 1, ""))
         clock.now += 3
-        stopwatch.note(Result(None, None, None, 4.0, 1.0))
+        stopwatch.note(Result(None, 4.0, 1.0))
     told = capsys.readouterr()
     assert told.out == ""
     rows = [re.split(r"  +", line) for line in told.err.splitlines()]

@@ -8,11 +8,11 @@ from pathlib import Path
 
 import numpy as np
 
-from iconstudio.algorithms.iconification.ranking import Score
 from iconstudio.algorithms.scanning.binarisation import Scan, ink_of, scanned
 from iconstudio.files import read_bytes
 from iconstudio.images.pillow import decode
 from iconstudio.images.reading import LONGEST, Image, is_image_file
+from iconstudio.images.scans import Tracing
 from iconstudio.model import (
     CANVAS,
     Composite,
@@ -27,6 +27,8 @@ from iconstudio.model import (
     Pictogram,
     Placement,
     Polygon,
+    Remix,
+    Score,
     Sketch,
     Source,
     SpriteError,
@@ -49,6 +51,7 @@ from iconstudio.workflows.events import (
 )
 from iconstudio.workflows.hybrids import check as check_mix
 from iconstudio.workflows.montage import check as check_montage
+from tests.shapes import outline
 
 RECOMMENDED = 2
 """The column that is recommended in every row."""
@@ -94,9 +97,7 @@ def drawing(sketch: Sketch, row: int, column: int) -> Drawing:
     if area < 0:
         inner.reverse()
     subpaths = [outer, [(middle + x, middle + y) for x, y in inner]]
-    path = "".join(
-        "M" + "L".join(f"{x:.2f} {y:.2f}" for x, y in subpath) + "Z" for subpath in subpaths
-    )
+    path = outline(*subpaths)
     coverage = np.zeros((CANVAS, CANVAS), np.uint8)
     coverage[40:216, 40:216] = 255
     return Drawing(path, coverage)
@@ -159,7 +160,7 @@ class FakeSession:
         self.calls.append(("icon", reference))
         if is_image_file(path := Path(reference)):
             image = returned(self.image(path))
-            return returned(self.trace(returned(self.scan(image)), None, path.name))
+            return returned(self.trace(returned(self.scan(image)), None, path.name)).pictogram
         path, symbol = file_and_symbol(reference)
         if path.endswith(".svg"):
             return read_simply(read_file(Path(path)), path, symbol)
@@ -197,13 +198,15 @@ class FakeSession:
         yield
         ink = ink_of(scan, threshold)
         (height, width), (ys, xs) = ink.shape, np.nonzero(ink)
-        path = f"M{xs.min()} {ys.min()}L{xs.max()} {ys.min()}L{xs.max()} {ys.max()}Z"
+        left, top, right, bottom = xs.min(), ys.min(), xs.max(), ys.max()
+        path = outline([(left, top), (right, top), (right, bottom)])
         svg = (
             f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}">'
-            f'<path d="{path}"/></svg>'
+            f'<path d="{path.svg()}"/></svg>'
         )
         credit = Credit(name, "an unnamed author", "licence not stated", "", "")
-        return Pictogram(f"own:{name}", svg, credit, remarks=(remark,) if remark else ())
+        remarks = (remark,) if remark else ()
+        return Tracing(Pictogram(f"own:{name}", svg, credit, remarks=remarks), path, width, height)
 
     def exemplar(self, pictogram: Pictogram) -> Exemplar:
         self.thread_ids.add(threading.get_ident())
@@ -218,7 +221,7 @@ class FakeSession:
         """The icon's bounding box."""
         ys, xs = np.nonzero(exemplar.ink)
         left, top, right, bottom = xs.min(), ys.min(), xs.max() + 1, ys.max() + 1
-        path = f"M{left} {top}L{right} {top}L{right} {bottom}L{left} {bottom}Z"
+        path = outline([(left, top), (right, top), (right, bottom), (left, bottom)])
         return Drawing(path, exemplar.coverage)
 
     def keyword(self, pictogram: Pictogram) -> str:
@@ -230,7 +233,9 @@ class FakeSession:
         frame = Polygon(((0, 0), (9, 0), (9, 9), (0, 9)))
         try:
             for event in self._model(Sketch(frame, edit.keyword, edit.exclude), settings):
-                yield replace(event, unchanged=0.9) if isinstance(event, Result) else event
+                if isinstance(event, Result):
+                    event = replace(event, icon=replace(event.icon, unchanged=0.9))
+                yield event
         finally:
             self.generators_closed += 1
 
@@ -288,7 +293,8 @@ class FakeSession:
             composite = Composite("montage", 3.0, sources, labels, 3.0, 2.0, 1.0, shares, None)
             side = 10 + scribbles.sum() / 1000
             shape = Sketch(Polygon(((0, 0), (100, 0), (100, side), (0, side))))
-            yield Result(composite, drawing(shape, 1, 1), Score(1.0, 1.0, 1.0, 1.0, 1.0))
+            score = Score(1.0, 1.0, 1.0, 1.0, 1.0)
+            yield Result(Remix.of(composite, drawing(shape, 1, 1), score))
         finally:
             self.generators_closed += 1
 
@@ -308,7 +314,8 @@ class FakeSession:
         side = 60 + looks % 40 + 0.01 * looks
         shape = Sketch(Polygon(((0, 0), (100, 0), (100, side), (0, side))))
         seeds = tuple(((float(draw), 9.0),) for _ in sources)
-        return Result(composite, drawing(shape, 1, 1), score, seeds=seeds, draw=draw)
+        icon = Remix.of(composite, drawing(shape, 1, 1), score)
+        return Result(replace(icon, seeds=seeds, draw=draw))
 
     def _model(self, sketch: Sketch, settings: ModelSettings) -> Iterator[Event]:
         exemplars = self._exemplars(sketch.exclude)
@@ -343,6 +350,7 @@ class FakeSession:
                         yield Progress("remix", column / 8, f"Remixing the {style} icons")
                 composite = Composite(style, lambda_s, sources, labels, 3.0, 2.0, 1.0, shares, 0.87)
                 score = Score(1.0, 1.0, 1.0, 1.0, self.fits.get(style, 0.87))
-                yield Result(composite, drawing(sketch, row, column), score, preview=preview)
+                icon = Remix.of(composite, drawing(sketch, row, column), score)
+                yield Result(icon, preview=preview)
                 preview = False
             yield Recommended(style, settings.lambdas[RECOMMENDED])

@@ -13,14 +13,12 @@ from PySide6.QtGui import QDragEnterEvent, QDropEvent, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from iconstudio.algorithms.iconification.ranking import Score
 from iconstudio.gui.dragging import packed
 from iconstudio.gui.mime import holds_words, items
 from iconstudio.gui.pictures import picture_of
-from iconstudio.model import Composite, Placement, Polygon, Sketch, Source
+from iconstudio.model import Composite, Placement, Polygon, Remix, Score, Sketch, Source
 from iconstudio.output.svg import svg_document
 from iconstudio.svg.decode import decode
-from iconstudio.workflows.events import Result
 
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M{0} 0h9v9z"/></svg>'
 OTHERS = {"Edit": 1, "Hybrids": 2, "Montage": 3}
@@ -219,11 +217,12 @@ def test_what_copy_put_there_is_pasted_with_its_credits(place, qtbot):
     labels = np.zeros((256, 256), np.uint8)
     composite = Composite("light", 0.1, sources, labels, 1.0, 1.0, 0.0, (1.0,), 0.9)
     drawn = drawing(Sketch(Polygon(tuple(SQUARE))), 1, 1)
-    picture = picture_of(Result(composite, drawn, Score(1, 1, 1, 1, 1)), "Motor cycle", 64)
+    icon = Remix.of(composite, drawn, Score(1, 1, 1, 1, 1), "Motor cycle")
+    picture = picture_of(icon, 64)
     place.saver.copy_svg(picture)
     place.actions_by_name["paste"].trigger()
+    document = svg_document(icon)
     (icon,) = there(place, qtbot, 1)
-    document = svg_document(drawn, composite, "Motor cycle")
     assert icon.svg == read_simply(document.encode(), "drawing").svg
     assert icon.credit.title == "Motor cycle"
     assert [one.credit for one in icon.origins] == [exemplar(0).pictogram.credit]

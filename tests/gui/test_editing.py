@@ -406,7 +406,7 @@ def test_remix_fills_the_rows_of_the_icons_own_styles(marked, qtbot, session):
     assert edit == marked.document.page.edit()
     assert settings.styles == ("medium", "dark"), "three quarters of a frame are black"
     assert len(marked.board.results.pictures) == 8
-    picked = marked.board.detail.picture.result.composite
+    picked = marked.board.detail.picture.icon.composite
     assert (picked.style, picked.lambda_s) == ("medium", LAMBDAS[RECOMMENDED])
     about = marked.board.detail._about.text()
     assert "fits the change by 87%" in about and "unchanged elsewhere 90%" in about

@@ -72,7 +72,7 @@ def rows(place):
 
 
 def totals(entries):
-    return [one.result.score.total for one in entries if isinstance(one, Picture)]
+    return [one.icon.score.total for one in entries if isinstance(one, Picture)]
 
 
 def middle(place, picture):
@@ -355,7 +355,7 @@ def test_scrolling_to_the_end_draws_on_and_drops_repeats_of_earlier_batches(mixe
 
 
 def test_the_same_seed_gives_the_same_sheet(mixed, qtbot):
-    before = [one.result.drawing.path for one in rows(mixed)[:-1]]
+    before = [one.icon.path for one in rows(mixed)[:-1]]
     QTest.mouseClick(mixed.column.seed.dice, LEFT)
     assert mixed.panel.note.text()
     other = mixed.document.page.seed
@@ -364,12 +364,12 @@ def test_the_same_seed_gives_the_same_sheet(mixed, qtbot):
     QTest.keyClicks(mixed.column.seed.field, "7x12")
     assert mixed.document.page.seed == 712
     run(mixed, qtbot)
-    assert [one.result.drawing.path for one in rows(mixed)[:-1]] != before
+    assert [one.icon.path for one in rows(mixed)[:-1]] != before
     mixed.document.undo_stack.undo()
     assert mixed.document.page.seed in (0, other), "digits typed are undone together"
     mixed.document.change("seed", type(mixed.document.page)(mixed.document.page.ingredients))
     run(mixed, qtbot)
-    assert [one.result.drawing.path for one in rows(mixed)[:-1]] == before
+    assert [one.icon.path for one in rows(mixed)[:-1]] == before
 
 
 def test_a_hybrid_at_which_the_user_points_stays_where_it_is(chosen, qtbot, session):
@@ -414,7 +414,7 @@ def test_cancel_keeps_what_is_there_and_going_on_misses_nothing(chosen, qtbot, s
     session.gate = None
     run(chosen, qtbot)
     assert session.calls[-1][1].first == 7
-    draws = [one.result.draw for one in rows(chosen) if isinstance(one, Picture)]
+    draws = [one.icon.draw for one in rows(chosen) if isinstance(one, Picture)]
     assert sorted(draws) == [n for n in range(47) if n % 10 != 9 or n == 9]
 
 
@@ -483,7 +483,7 @@ def test_more_like_this_has_a_section_of_its_own(mixed, qtbot, session):
     click(mixed, whole[9])
     QTest.keyClick(mixed.sheet, Qt.Key.Key_L)
     finish(mixed, qtbot)
-    assert session.calls[-1][1].like == whole[9].result.seeds
+    assert session.calls[-1][1].like == whole[9].icon.seeds
     heading, *found = rows(mixed)
     assert heading.text == f"More like {whole[9].title}"
     assert not set(map(id, found)) & set(map(id, whole))

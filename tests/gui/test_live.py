@@ -15,7 +15,7 @@ from iconstudio.gui.panels.cell import CellState
 from iconstudio.gui.preferences import preferred
 from iconstudio.gui.workspaces.sketching import page as edits
 from iconstudio.model import CANVAS, Axis, Polygon, Sketch
-from iconstudio.output.colours import significant_sources
+from iconstudio.output.colours import SIGNIFICANT
 from iconstudio.session import ModelSettings
 from iconstudio.workflows.events import Recommended, StyleSkipped
 from iconstudio.workflows.grid import FINE
@@ -86,7 +86,7 @@ def states(place):
 
 
 def picked(place):
-    composite = place.board.detail.picture.result.composite
+    composite = place.board.detail.picture.icon.composite
     return composite.style, composite.lambda_s
 
 
@@ -391,13 +391,13 @@ def test_a_preview_comes_first_and_the_finished_result_takes_its_place(drawn, qt
     session.gate.release()
     qtbot.waitUntil(lambda: cell.state is CellState.PREVIEW)
     preview = cell.picture
-    assert preview.result.preview
+    assert preview.preview
     assert drawn.board.detail.picture is preview
     assert "preview · fits the sketch" in drawn.board.detail._about.text()
-    composite = preview.result.composite
+    composite = preview.icon.composite
     named = [
         f"{composite.sources[k].exemplar.id}, {composite.shares[k]:.0%}"
-        for k in significant_sources(composite)
+        for k in composite.owners(SIGNIFICANT)
     ]
     shown = [rows.itemAt(number).widget().accessibleName() for number in range(rows.count())]
     assert shown == named, "the sources are those of the preview"
@@ -406,7 +406,7 @@ def test_a_preview_comes_first_and_the_finished_result_takes_its_place(drawn, qt
     looks = cell.grab().toImage()
     session.gate.release()
     qtbot.waitUntil(lambda: cell.state is CellState.READY)
-    assert not cell.picture.result.preview
+    assert not cell.picture.preview
     assert drawn.board.detail.picture is cell.picture
     assert "3 parts of 3 icons" in drawn.board.detail._about.text()
     assert drawn.board.results.finished == 1
@@ -520,7 +520,7 @@ def test_remix_takes_over_what_runs_already(drawn, qtbot, session, window):
     rest(drawn, qtbot, session)
     assert len(runs(session)) == 2
     (kept,) = window.recent.pictures
-    assert kept.result.composite.lambda_s == LAMBDAS[RECOMMENDED]
+    assert kept.icon.composite.lambda_s == LAMBDAS[RECOMMENDED]
 
 
 # -- progress and cancel -----------------------------------------------------------------------
@@ -643,26 +643,26 @@ def test_the_pick_stays_while_a_run_goes_on_and_is_the_best_in_the_end(drawn, qt
     qtbot.addWidget(board)
     settings = ModelSettings()
     scored = [
-        replace(one, result=replace(one.result, preview=False, score=replace(
-            one.result.score, seam=0.1 + 0.8 * number / len(results))))
+        replace(one, preview=False, icon=replace(one.icon, score=replace(
+            one.icon.score, seam=0.1 + 0.8 * number / len(results))))
         for number, one in enumerate(results)
     ]  # fmt: skip
     picks = []
-    board.picked.connect(lambda one: picks.append(one and one.result.composite))
+    board.picked.connect(lambda one: picks.append(one and one.icon.composite))
     board.begin(settings)
     picks.clear()
     for one in scored:
         board.show_event(one)
-        board.show_event(Recommended(one.result.composite.style, one.result.composite.lambda_s))
+        board.show_event(Recommended(one.icon.composite.style, one.icon.composite.lambda_s))
     assert {(c.style, c.lambda_s) for c in picks} == {
-        (scored[0].result.composite.style, scored[0].result.composite.lambda_s)
+        (scored[0].icon.composite.style, scored[0].icon.composite.lambda_s)
     }
     board.end()
     assert board.detail.picture is scored[-1]
 
 
 def test_nothing_is_starred_where_nothing_was_made(drawn):
-    style = drawn.board.results.pictures[0].result.composite.style
+    style = drawn.board.results.pictures[0].icon.composite.style
     drawn.board.show_event(Recommended(style, None))
     assert not any(drawn.board.results.cell(style, value).recommended for value in LAMBDAS)
 

@@ -292,7 +292,7 @@ def test_picking_shows_the_icon_and_its_sources(ready, qtbot):
 
 
 def picked(place):
-    composite = place.board.detail.picture.result.composite
+    composite = place.board.detail.picture.icon.composite
     return composite.style, composite.lambda_s
 
 
@@ -339,13 +339,11 @@ def test_the_grid_is_walked_with_the_arrow_keys(ready, qtbot):
     ready.board.results.cell("lightest", LAMBDAS[0]).setFocus()
     for key in (Qt.Key.Key_Right, Qt.Key.Key_Right, Qt.Key.Key_Down):
         QTest.keyClick(ready.window().focusWidget(), key)
-    picked = ready.board.detail.picture.result.composite
+    picked = ready.board.detail.picture.icon.composite
     assert (picked.style, picked.lambda_s) == ("light", LAMBDAS[2])
     for key in (Qt.Key.Key_Down, Qt.Key.Key_Down, Qt.Key.Key_Down):
         QTest.keyClick(ready.window().focusWidget(), key)
-    assert ready.board.detail.picture.result.composite.style == "medium", (
-        "the row below was skipped"
-    )
+    assert ready.board.detail.picture.icon.composite.style == "medium", "the row below was skipped"
 
 
 def test_colour_code_and_icon_are_switched(ready, qtbot):

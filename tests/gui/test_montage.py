@@ -258,7 +258,7 @@ def test_the_colour_of_the_strokes_is_that_of_the_part(two, qtbot):
     two.layers.chosen.emit(1)
     stroke(two, (160, 160), (160, 190))
     settled(two, qtbot)
-    composite = two.picture.result.composite
+    composite = two.picture.icon.composite
     colours = source_colours(composite, two.picture.colours)
     for source, colour in zip(composite.sources, colours, strict=True):
         (same,) = (

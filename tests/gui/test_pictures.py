@@ -13,7 +13,8 @@ from iconstudio.gui.canvas.tools.polygon import PolygonTool
 from iconstudio.gui.mipmap import Mipmap
 from iconstudio.gui.pictures import Picture, pictured, placed, stencil
 from iconstudio.gui.vector import painter_path
-from iconstudio.model import CANVAS, Placement, Polygon, Sketch
+from iconstudio.model import CANVAS, Contour, Icon, Path, Placement, Polygon, Sketch
+from tests.shapes import outline
 
 
 def test_the_comparer_can_fail():
@@ -38,27 +39,14 @@ def test_the_comparer_forgives_antialiasing():
     assert difference(first, second) < 0.25
 
 
-def test_path_data_become_the_same_outline():
-    path = painter_path("M10 10L90 10L90,90 L 10 90ZM30 30L70 30C70 70 30 70 30 30Z")
+def test_a_path_becomes_the_same_outline():
+    square = [(10, 10), (90, 10), (90, 90), (10, 90)]
+    bow = Contour((30, 30), (((70, 30),), ((70, 70), (30, 70), (30, 30))))
+    path = painter_path(Path((*outline(square).contours, bow)))
     assert path.boundingRect() == QRectF(10, 10, 80, 80)
     assert path.elementCount() == 5 + 5
     assert path.fillRule() == Qt.FillRule.WindingFill
     assert path.contains(QPointF(50, 40)), "filled with the nonzero rule"
-
-
-def test_numbers_may_be_written_in_any_way():
-    path = painter_path("M1e1-.5L+2.5,3.\n4 5Z")
-    assert [(path.elementAt(i).x, path.elementAt(i).y) for i in range(3)] == [
-        (10, -0.5),
-        (2.5, 3),
-        (4, 5),
-    ]
-
-
-def test_level_and_upright_lines_keep_the_other_coordinate():
-    assert painter_path("M1 2H9V8H1ZM3 4V6 7H5Z") == painter_path(
-        "M1 2L9 2L9 8L1 8ZM3 4L3 6L3 7L5 7Z"
-    )
 
 
 def test_a_stencil_has_the_colour_and_the_coverage():
@@ -93,7 +81,7 @@ def test_a_placement_moves_a_dot_as_its_definition_says(placement, expected):
 def test_an_icon_is_drawn_as_its_path_at_any_size():
     sketch = Sketch(Polygon(tuple(SQUARE)))
     icon = drawing(sketch, 1, 1)
-    picture = Picture(None, painter_path(icon.path))
+    picture = Picture(Icon(icon.path, "house"), painter_path(icon.path))
     small, large = blank(64, 64), blank(512, 512)
     for image in (small, large):
         with QPainter(image) as painter:

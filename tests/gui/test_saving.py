@@ -75,7 +75,7 @@ def test_an_icon_is_saved_as_svg_with_its_credits(done, qtbot, tmp_path, monkeyp
     assert asked == [("icon", "motor-cycle-lightest", "svg")]
     root = ET.fromstring(path.read_text("utf-8"))
     paths = root.findall(".//{http://www.w3.org/2000/svg}path")
-    assert [one.get("d") for one in paths] == [done.board.detail.picture.result.drawing.path]
+    assert [one.get("d") for one in paths] == [done.board.detail.picture.icon.path.svg()]
     assert "Ada Example" in path.read_text("utf-8")
 
 
@@ -118,15 +118,15 @@ def test_the_colour_code_of_a_recent_result_is_saved(done, qtbot, tmp_path, monk
 def test_an_icon_is_copied_as_svg_as_words_and_as_a_picture(done):
     done.board.results.set_coded(True)
     done.actions_by_name["copy"].trigger()
-    data, result = QApplication.clipboard().mimeData(), done.board.detail.picture.result
-    svg = svg_document(result.drawing, result.composite, "Motor cycle")
+    data, icon = QApplication.clipboard().mimeData(), done.board.detail.picture.icon
+    svg = svg_document(replace(icon, title="Motor cycle"))
     assert data.text() == svg
     assert data.data("image/svg+xml").data().decode() == svg
     shown = QImage.fromData(data.data("image/png"), "PNG")
     for image in (shown, QImage(data.imageData())):
         alpha = rgba(image)[..., 3]
         assert colours(image) == {(0, 0, 0)}
-        drawn = coverage(result.drawing, image.width())
+        drawn = coverage(icon.path, image.width())
         assert np.abs(alpha.astype(int) - drawn).mean() < 0.5
     assert "clipboard" in done.window().desk.strip.label.text()
 
@@ -139,7 +139,7 @@ def test_what_is_saved_is_read_back_the_same(done, qtbot, tmp_path, monkeypatch)
     own, made = own_svg(path.read_bytes(), str(path)), done.board.detail.picture.pictogram()
     plain = (
         '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 256 256">'
-        f'<path d="{done.board.detail.picture.result.drawing.path}"/></svg>'
+        f'<path d="{done.board.detail.picture.icon.path.svg()}"/></svg>'
     )
     frames, pictures = zip(*map(rasterise, (own.svg, plain)), strict=True)
     assert frames[0] == frames[1]
@@ -163,8 +163,10 @@ def test_several_results_never_share_a_name(done, qtbot, tmp_path, monkeypatch):
     (tmp_path / "motor-cycle-lightest.svg").write_text("mine")
     (tmp_path / "motor-cycle-lightest-3.svg").symlink_to("nowhere")
     monkeypatch.setattr(done.saver, "ask_folder", lambda: tmp_path)
-    pictures = [replace(done.board.detail.picture, title=one) for one in 3 * ("Motor cycle",)]
-    done.saver.save_svgs([*pictures, replace(pictures[0], title="很" * 300)])
+    picture = done.board.detail.picture
+    pictures = 3 * [replace(picture, icon=replace(picture.icon, title="Motor cycle"))]
+    other = replace(picture, icon=replace(picture.icon, title="很" * 300))
+    done.saver.save_svgs([*pictures, other])
     qtbot.waitUntil(lambda: len(list(tmp_path.iterdir())) == 6)
     numbers = ("", "-2", "-3", "-4", "-5")
     names = [f"motor-cycle-lightest{number}.svg" for number in numbers]

@@ -240,11 +240,11 @@ def test_a_recent_result_is_sent_saved_and_removed(house, done, qtbot, tmp_path,
     monkeypatch.setattr(house.saver, "ask_path", lambda *words: path)
     choose(house, 0, "Save SVG…")
     qtbot.waitUntil(path.exists)
-    assert picture.result.drawing.path in path.read_text("utf-8")
+    assert picture.icon.path.svg() in path.read_text("utf-8")
     choose(house, 0, "Add to pad")
     assert house.workspaces[1].taken == [picture.pictogram()]
     choose(house, 0, "Copy SVG")
-    assert picture.result.drawing.path in QApplication.clipboard().text()
+    assert picture.icon.path.svg() in QApplication.clipboard().text()
     choose(house, 0, "Remove")
     assert list(house.recent.pictures) == []
 

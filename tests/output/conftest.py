@@ -1,9 +1,9 @@
 import pytest
 
-from iconstudio.workflows.events import Result
+from iconstudio.model import Remix
 from tests.output.made import made, quarters
 
 
 @pytest.fixture(scope="session")
-def result() -> Result:
+def result() -> Remix:
     return made(quarters())

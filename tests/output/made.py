@@ -1,4 +1,4 @@
-"""A result made by hand: who owns what is known."""
+"""An icon made by hand: who owns what is known."""
 
 from dataclasses import replace
 
@@ -7,10 +7,19 @@ import numpy as np
 from iconstudio.algorithms.iconification.energy import remix_problem
 from iconstudio.algorithms.iconification.tsdf import tsdf
 from iconstudio.algorithms.raster import fill_polygon
-from iconstudio.model import CANVAS, Composite, Credit, Exemplar, Placement, Polygon, Sketch, Source
+from iconstudio.model import (
+    CANVAS,
+    Composite,
+    Credit,
+    Exemplar,
+    Placement,
+    Polygon,
+    Remix,
+    Sketch,
+    Source,
+)
 from iconstudio.svg.resvg import render_placed
-from iconstudio.workflows.events import Result
-from iconstudio.workflows.remixing import result_of
+from iconstudio.workflows.remixing import remix_of
 from iconstudio.workflows.solving import Job, Posed, Step, finished
 from tests.shapes import exemplar
 
@@ -48,12 +57,17 @@ def made(
     lambda_s: float = 0.1,
     style: str = "light",
     sources: tuple[Source, ...] = SOURCES,
-) -> Result:
-    """The result of a labelling, with its true energy."""
+) -> Remix:
+    """The icon of a labelling, with its true energy."""
     posed = Posed(remix_problem(tsdf(TARGET), sources), TARGET)
     job = Job(style, sources, lambda: posed, (lambda_s,))
     step = Step(lambda_s)
-    return result_of(job, step, finished(posed, job, step, labels, render_placed))
+    return remix_of(job, step, finished(posed, job, step, labels, render_placed))
+
+
+def titled(icon: Remix, title: str, composite: Composite | None = None) -> Remix:
+    """The icon of a drawing with another title, and perhaps other sources."""
+    return Remix.of(composite or icon.composite, icon.drawing, icon.score, title)
 
 
 def with_shares(one: Composite, *shares: float) -> Composite:

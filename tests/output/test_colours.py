@@ -12,10 +12,10 @@ from hypothesis import strategies as st
 from iconstudio.model import CANVAS, Placement, Source
 from iconstudio.output.colours import (
     HUES,
+    SIGNIFICANT,
     TINT,
     colour_code,
     palette,
-    significant_sources,
     source_colours,
 )
 from tests.output.made import BLOCK, SOURCES, with_shares
@@ -35,11 +35,11 @@ def twelve(composite, *shares):
     return replace(composite, sources=TWELVE, shares=tuple(shares))
 
 
-def test_significant_sources_are_the_large_ones_by_falling_share(result):
+def test_owners_are_the_large_ones_by_falling_share(result):
     shared = with_shares(result.composite, 0.019, 0.281, 0.7, 0.0)
-    assert significant_sources(shared) == (2, 1)
-    assert significant_sources(shared, least=0) == (2, 1, 0)
-    assert significant_sources(shared, least=0.5) == (2,)
+    assert shared.owners(SIGNIFICANT) == (2, 1)
+    assert shared.owners() == (2, 1, 0)
+    assert shared.owners(0.5) == (2,)
 
 
 def test_a_hue_a_pictogram_and_a_lightness_a_placement(result):
@@ -56,7 +56,7 @@ def test_the_ten_largest_pictograms_differ(result, order):
     shares = [(1 + rank) / 78 for rank in order]
     composite = twelve(result.composite, *shares)
     colours = source_colours(composite)
-    largest = significant_sources(composite)[: len(HUES)]
+    largest = composite.owners(SIGNIFICANT)[: len(HUES)]
     for a, b in combinations(largest, 2):
         assert np.abs(colours[a].astype(int) - colours[b]).max() >= 40
 

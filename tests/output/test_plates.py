@@ -9,13 +9,12 @@ import pytest
 from PIL import Image
 
 from iconstudio.algorithms.iconification.guidance import scribble
-from iconstudio.algorithms.iconification.ranking import Score
-from iconstudio.model import CANVAS, Axis, Layer, Montage, Stroke
+from iconstudio.model import CANVAS, Axis, Layer, Montage, Score, Stroke
 from iconstudio.output.colours import key_of, palette
 from iconstudio.output.hybrids import HybridsReport
 from iconstudio.output.montage import MontageReport
 from iconstudio.output.plates import hybrids_plate, montage_plate
-from iconstudio.workflows.events import Progress
+from iconstudio.workflows.events import Progress, Result
 from tests.output.made import SOURCES, made, quarters
 
 TIMINGS = {"remix": 1.0, "total": 1.5}
@@ -44,7 +43,7 @@ def folder(tmp_path_factory, hybrids):
     report = HybridsReport(out, "dog", 40, 7, Axis.HORIZONTAL)
     report.add(Progress("remix", 0.5, "Mixing"))
     for result in reversed(hybrids):
-        report.add(result)
+        report.add(Result(result))
     report.finish(TIMINGS)
     return out
 
@@ -63,7 +62,7 @@ def test_hybrids_are_numbered_from_the_best_down_and_ties_by_draw(folder, hybrid
     for entry, k in zip(entries, (1, 2, 0), strict=True):
         root = ET.fromstring((folder / entry["svg"]).read_bytes())
         path = root.find("{http://www.w3.org/2000/svg}path")
-        assert path.get("d") == hybrids[k].drawing.path
+        assert path.get("d") == hybrids[k].path.svg()
 
 
 def test_the_report_of_hybrids(folder):
@@ -121,7 +120,7 @@ def montage():
 
 def test_what_a_montage_leaves(tmp_path, montage):
     report = MontageReport(tmp_path, Montage(LAYERS))
-    report.add(montage)
+    report.add(Result(montage))
     assert (tmp_path / "montage.svg").is_file()  # at once
     report.finish(TIMINGS)
     names = {"montage.svg", "montage.png", "montage-sources.png", "sheet.png", "results.json"}

@@ -12,7 +12,7 @@ from iconstudio.output import png
 
 @pytest.mark.parametrize(("white", "value"), [(False, 0), (True, 255)])
 def test_ink_in_one_colour_on_transparent_ground(result, white, value):
-    pixels = png.drawing_pixels(result.drawing, 512, white)
+    pixels = png.icon_pixels(result.path, 512, white)
     assert (pixels[..., :3] == value).all()
     drawn, wanted = pixels[..., 3] > 127, result.drawing.coverage > 127
     assert (drawn & wanted).sum() / (drawn | wanted).sum() > 0.995
@@ -26,13 +26,13 @@ def test_large_pictures_are_drawn_anew(result):
         return ((picture > 5) & (picture < 250)).sum()
 
     enlarged = Image.fromarray(result.drawing.coverage).resize((2048, 2048))
-    drawn = png.coverage(result.drawing, 2048)
+    drawn = png.coverage(result.path, 2048)
     assert soft(drawn) < 0.4 * soft(np.asarray(enlarged))
     assert ((drawn > 127) != (np.asarray(enlarged) > 127)).mean() < 0.005
 
 
 def test_a_file_can_be_read_again(result, tmp_path):
-    pixels = png.drawing_pixels(result.drawing, 64)
+    pixels = png.icon_pixels(result.path, 64)
     png.write(tmp_path / "icon.png", png.encoded(pixels))
     with Image.open(tmp_path / "icon.png") as picture:
         assert np.array_equal(np.asarray(picture), pixels)

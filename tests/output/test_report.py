@@ -21,6 +21,7 @@ from iconstudio.workflows.events import (
     Progress,
     Recommended,
     RegionsFound,
+    Result,
     Retrieved,
     StyleMatched,
     StyleSkipped,
@@ -49,7 +50,7 @@ def folder(tmp_path_factory, results):
     report.add(StyleSkipped("lightest", 2, "Only two."))
     report.add(StyleMatched("light", (RING, BLOCK), (SOURCES[:3],) * 9))
     for result in results:
-        report.add(result)
+        report.add(Result(result))
         number = 2 if result.composite.lambda_s == 0.75 else 1
         assert (out / f"light-{number}.svg").is_file()  # at once
     report.add(Recommended("light", 0.05))
@@ -187,7 +188,7 @@ def test_the_disk_fills_up_on_the_way(tmp_path, monkeypatch, result):
     report = GridReport(tmp_path, WISH, (0.1,))
     monkeypatch.setattr("iconstudio.output.png.write_atomically", full)
     with pytest.raises(IconstudioError, match="No space left"):
-        report.add(result)
+        report.add(Result(result))
     assert list(tmp_path.iterdir()) == []
 
 
@@ -210,7 +211,7 @@ def edited(tmp_path_factory, results):
     change = prepare_change(edit, BLOCK)
     report = GridReport(out, changed(edit, change), (0.05,), dump=True)
     report.add(StyleMatched("light", (RING,), (SOURCES[:3],) * 9))
-    report.add(replace(results[1], unchanged=0.9975))
+    report.add(Result(replace(results[1], unchanged=0.9975)))
     report.finish({})
     with np.load(out / "light.npz", allow_pickle=False) as dump:
         return json.loads((out / "results.json").read_text("utf-8")), dict(dump), change
@@ -244,7 +245,7 @@ def test_sources_of_a_source_are_thanked(tmp_path, result):
     report = GridReport(tmp_path, WISH, (0.1,))
     report.add(StyleMatched("light", (RING,), (SOURCES[:3],) * 9))
     made_again = replace(composite, sources=(source, *composite.sources[1:]))
-    report.add(replace(result, composite=made_again))
+    report.add(Result(replace(result, composite=made_again)))
     report.finish({})
     (written,) = json.loads((tmp_path / "results.json").read_text("utf-8"))["results"]
     first = next(one for one in written["sources"] if one["label"] == 0)

@@ -24,9 +24,8 @@ WISH = sketched(Sketch(SQUARE, "dog"))
 @pytest.fixture(scope="module")
 def rows():
     whole = np.zeros((256, 256), np.uint8)
-    found = [made(quarters(), 0.05), made(whole, 0.75)]
-    pairs = tuple((one.composite, one.drawing) for one in found)
-    return [Row("light", 40, pairs), Row("dark", 2, (), "The collection has too few icons.")]
+    remixes = made(quarters(), 0.05), made(whole, 0.75)
+    return [Row("light", 40, remixes), Row("dark", 2, (), "The collection has too few icons.")]
 
 
 @pytest.fixture()
@@ -58,7 +57,7 @@ def pixels(picture):
 
 def test_every_cell_lies_in_its_column_above_its_colour_code(rows, drawn):
     sheet = grid_sheet(WISH, LAMBDAS, rows)
-    coverages = [drawing.coverage for _, drawing in rows[0].results]
+    coverages = [icon.drawing.coverage for icon in rows[0].remixes]
     icons = [(x, y) for kind, x, y, what in drawn
              if kind == "stencil" and any(what is one for one in coverages)]  # fmt: skip
     codes = [(x, y) for kind, x, y, _ in drawn if kind == "image"]
@@ -75,7 +74,7 @@ def test_the_cells_show_ink_and_colours(rows, drawn):
     sheet = pixels(grid_sheet(WISH, LAMBDAS, rows))
     (x, y) = next((round(x), round(y)) for kind, x, y, _ in drawn if kind == "image")
     code = sheet[y : y + 168, x : x + 168]
-    composites = [composite for composite, _ in rows[0].results]
+    composites = [icon.composite for icon in rows[0].remixes]
     colours = source_colours(composites[0], palette(composites)).astype(int)
     for label, (cy, cx) in {0: (84, 36), 1: (36, 120), 2: (120, 120)}.items():
         assert np.abs(code[cy, cx] - colours[label]).max() < 12
@@ -100,7 +99,7 @@ def test_sources_lie_in_place_with_their_part_in_colour(rows, drawn):
     sheet = pixels(grid_sheet(WISH, LAMBDAS, rows))
     thumbs = [(round(x), round(y), what) for kind, x, y, what in drawn
               if kind == "stencil" and what.shape == (256, 256)][1:]  # fmt: skip
-    composites = [composite for composite, _ in rows[0].results]
+    composites = [icon.composite for icon in rows[0].remixes]
     colours = palette(composites)
     shares = np.mean([composite.shares for composite in composites], axis=0)
     order = np.argsort(-shares)[:3]
@@ -171,7 +170,7 @@ def test_what_is_added_beyond_the_canvas_is_still_on_the_sheet():
 
 
 def test_a_sheet_of_one_column_and_of_none(rows):
-    one = grid_sheet(WISH, (0.1,), [Row("light", 40, rows[0].results[:1])])
+    one = grid_sheet(WISH, (0.1,), [Row("light", 40, rows[0].remixes[:1])])
     none = grid_sheet(WISH, (0.1,), [])
     assert one.height > none.height > 0 and one.width == none.width
 
@@ -197,7 +196,7 @@ def test_a_search_sheet_that_cannot_be_written(tmp_path):
 
 
 def test_the_gallery_frames_failures_red_and_single_icons_yellow(rows, drawn):
-    remixed, whole = rows[0].results
+    remixed, whole = rows[0].remixes
     subjects = [
         Subject("Dog", SQUARE, remixed),
         Subject("Cat", SQUARE, whole, "as drawn"),
@@ -219,7 +218,7 @@ def test_frames_have_the_colour_of_their_verdict(rows, monkeypatch):
     monkeypatch.setattr(
         Page, "frame", lambda self, *a: (colours.append(a[-1]), original(self, *a))[1]
     )
-    remixed, whole = rows[0].results
+    remixed, whole = rows[0].remixes
     subjects = [
         Subject("a", SQUARE, remixed),
         Subject("b", SQUARE, whole),

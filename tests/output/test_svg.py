@@ -8,12 +8,12 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from iconstudio.model import CANVAS, Credit, Drawing, Frame, Pictogram
-from iconstudio.output.svg import contributors, credits_text, pictogram_of, svg_document
+from iconstudio.model import CANVAS, Contour, Credit, Drawing, Frame, Path, Pictogram, Remix
+from iconstudio.output.svg import credits_text, pictogram_of, svg_document
 from iconstudio.svg.check import check
 from iconstudio.svg.rasterise import rasterise
 from iconstudio.svg.resvg import render_coverage
-from tests.output.made import RING, SOURCES, credited, with_shares
+from tests.output.made import RING, SOURCES, credited, titled, with_shares
 
 SVG = "{http://www.w3.org/2000/svg}"
 DC = "{http://purl.org/dc/elements/1.1/}"
@@ -22,7 +22,7 @@ RDF = "{http://www.w3.org/1999/02/22-rdf-syntax-ns#}"
 
 
 def parsed(result, title="A dog"):
-    return ET.fromstring(svg_document(result.drawing, result.composite, title))
+    return ET.fromstring(svg_document(titled(result, title)))
 
 
 def works(root):
@@ -36,12 +36,12 @@ def test_one_path_in_the_current_colour(result):
     assert (root.get("width"), root.get("height")) == ("256", "256")
     assert root.get("fill") == "currentColor"
     (path,) = root.iter(f"{SVG}path")
-    assert path.attrib == {"d": result.drawing.path}
+    assert path.attrib == {"d": result.path.svg()}
     assert root.findtext(f"{SVG}title") == "A dog"
 
 
 def test_it_shows_the_drawing(result):
-    document = svg_document(result.drawing, result.composite, "A dog")
+    document = svg_document(titled(result, "A dog"))
     check(document)
     shown = render_coverage(document, Frame(0, 0, CANVAS), 512) > 127
     drawn = result.drawing.coverage > 127
@@ -50,7 +50,7 @@ def test_it_shows_the_drawing(result):
 
 def test_every_contributor_is_credited_once(result):
     shared = with_shares(result.composite, 0.3, 0.25, 0.45, 0.0)
-    assert [one.id for one in contributors(shared)] == ["test:ring", "test:block"]
+    assert [one.id for one in shared.contributors] == ["test:ring", "test:block"]
     root = parsed(replace(result, composite=shared))
     assert [work.findtext(f"{DC}identifier") for work in works(root)] == ["test:ring", "test:block"]
 
@@ -65,7 +65,7 @@ def test_a_credit_names_title_author_licence_and_address(result):
     assert work.findtext(f"{DC}rights") == "CC-BY-4.0"
     assert work.find(f"{CC}license").get(f"{RDF}resource") == "https://example.org/by"
     assert work.find(f"{DC}source").get(f"{RDF}resource") == "https://a.org/r"
-    assert credits_text(one) == (
+    assert credits_text(titled(result, "x", one)) == (
         "Made of parts of:\n"
         "“Ring” by Ann Other, CC-BY-4.0 (https://example.org/by), https://a.org/r"
     )
@@ -77,14 +77,16 @@ def test_a_licence_without_address(result):
     one = replace(result.composite, sources=sources, shares=(1.0, 0.0, 0.0, 0.0))
     (work,) = works(parsed(replace(result, composite=one)))
     assert work.find(f"{CC}license") is None
-    assert credits_text(one).endswith("by Ann Other, MIT, https://a.org/r")
+    assert credits_text(titled(result, "x", one)).endswith("by Ann Other, MIT, https://a.org/r")
 
 
 def test_a_credit_leaves_out_what_nobody_knows(result):
     credit = Credit("logo.svg", "Ann Other", "licence not stated", "", "")
     sources = (replace(SOURCES[0], exemplar=credited(RING, credit)), *SOURCES[1:])
     one = replace(result.composite, sources=sources, shares=(1.0, 0.0, 0.0, 0.0))
-    assert credits_text(one).endswith("\n“logo.svg” by Ann Other, licence not stated")
+    assert credits_text(titled(result, "x", one)).endswith(
+        "\n“logo.svg” by Ann Other, licence not stated"
+    )
 
 
 def made_of(result, pictogram, *shares, label=0):
@@ -96,19 +98,19 @@ def made_of(result, pictogram, *shares, label=0):
 
 
 def test_a_result_is_a_pictogram_that_draws_itself(result):
-    one = pictogram_of(result.composite, result.drawing, "Dog & Cat!")
+    one = pictogram_of(titled(result, "Dog & Cat!"))
     assert one.id.startswith("made:dog-cat-")
     assert len(one.id) == len("made:dog-cat-") + 8
-    assert one.svg == svg_document(result.drawing, result.composite, "Dog & Cat!")
+    assert one.svg == svg_document(titled(result, "Dog & Cat!"))
     assert one.credit.title == "Dog & Cat!"
-    assert one.origins == one.made_of == contributors(result.composite)
+    assert one.origins == one.made_of == result.composite.contributors
     _, coverage = rasterise(one.svg)
     assert (coverage > 127).sum() > 1000
 
 
 def test_different_drawings_have_different_names(result):
-    other = Drawing("M0 0L9 0L9 9Z", result.drawing.coverage)
-    names = [pictogram_of(result.composite, one, "Dog").id for one in (result.drawing, other)]
+    other = replace(result, path=Path((Contour((0, 0), (((9, 0),), ((9, 9),))),)))
+    names = [pictogram_of(one).id for one in (result, other)]
     assert len(set(names)) == 2
 
 
@@ -116,9 +118,9 @@ def test_different_drawings_have_different_names(result):
     ("title", "words"), [("", "icon"), ("?!", "icon"), ("Straße_7", "strasse-7"), ("犬", "犬")]
 )
 def test_any_title_gives_a_name(result, title, words):
-    name = pictogram_of(result.composite, result.drawing, title).id
+    name = pictogram_of(titled(result, title)).id
     assert name.rpartition("-")[0] == f"made:{words}"
-    assert len(pictogram_of(result.composite, result.drawing, "long " * 99).id) < 60
+    assert len(pictogram_of(titled(result, "long " * 99)).id) < 60
 
 
 def test_a_made_icon_names_the_licences_of_its_parts(result):
@@ -127,26 +129,26 @@ def test_a_made_icon_names_the_licences_of_its_parts(result):
 
     parts = part("a:a", "MIT"), part("a:b", "CC-BY-4.0"), part("a:c", "MIT")
     first = Pictogram("made:x", "", Credit("x", "you", "", "", ""), parts)
-    one = pictogram_of(made_of(result, first, 1.0, 0, 0, 0), result.drawing, "Dog")
+    one = pictogram_of(titled(result, "Dog", made_of(result, first, 1.0, 0, 0, 0)))
     assert one.credit.license == "MIT, CC-BY-4.0"
 
 
 def test_what_was_made_of_results_credits_their_sources(result):
     """Twice over: a result of a result of a result."""
-    first = pictogram_of(with_shares(result.composite, 0.5, 0.1, 0.4, 0), result.drawing, "One")
+    first = pictogram_of(titled(result, "One", with_shares(result.composite, 0.5, 0.1, 0.4, 0)))
     assert [one.id for one in first.made_of] == ["test:ring", "test:block"]
-    second = pictogram_of(made_of(result, first, 0.2, 0, 0, 0.8), result.drawing, "Two")
+    second = pictogram_of(titled(result, "Two", made_of(result, first, 0.2, 0, 0, 0.8)))
     assert [one.id for one in second.made_of] == ["test:disc", "test:ring", "test:block"]
     # The block's own 0.3 and its third of 0.6 are more than the others' thirds.
     third = made_of(result, second, 0.6, 0.1, 0.3, 0)
-    assert [one.id for one in contributors(third)] == ["test:block", "test:ring", "test:disc"]
+    assert [one.id for one in third.contributors] == ["test:block", "test:ring", "test:disc"]
     root = parsed(replace(result, composite=third))
     assert [w.findtext(f"{DC}identifier") for w in works(root)] == [
         "test:block",
         "test:ring",
         "test:disc",
     ]
-    assert "made:" not in credits_text(third)
+    assert "made:" not in credits_text(titled(result, "x", third))
 
 
 def test_an_origin_read_from_credits_is_the_icon_itself(result):
@@ -154,14 +156,16 @@ def test_an_origin_read_from_credits_is_the_icon_itself(result):
     ring = replace(RING.pictogram, svg="")
     saved = Pictogram("own:saved", "<svg/>", Credit("saved", "you", "", "", ""), (ring,))
     both = made_of(result, saved, 0.4, 0, 0.6, 0, label=2)
-    assert [one.id for one in contributors(both)] == ["test:ring"]
+    assert [one.id for one in both.contributors] == ["test:ring"]
 
 
 def test_an_empty_drawing_credits_nobody(result):
-    empty = Drawing("", np.zeros((512, 512), np.uint8))
-    root = ET.fromstring(svg_document(empty, with_shares(result.composite, 0, 0, 0, 0), "Nothing"))
+    drawing = Drawing(Path(), np.zeros((512, 512), np.uint8))
+    nobody = with_shares(result.composite, 0, 0, 0, 0)
+    empty = Remix.of(nobody, drawing, result.score, "Nothing")
+    root = ET.fromstring(svg_document(empty))
     assert works(root) == []
-    assert credits_text(with_shares(result.composite, 0, 0, 0, 0)) == ""
+    assert credits_text(empty) == ""
 
 
 @example(title="a\r\n<b>", author="&amp; ]]>")

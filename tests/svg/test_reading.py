@@ -6,11 +6,11 @@ from dataclasses import replace
 import pytest
 
 from iconstudio.model import Credit, IconstudioError, Pictogram
-from iconstudio.output.svg import contributors, credits_text, svg_document
+from iconstudio.output.svg import credits_text, svg_document
 from iconstudio.session import Session
 from iconstudio.svg.check import check
 from iconstudio.svg.credits import UNLICENSED, UNNAMED
-from tests.output.made import BLOCK, RING, SOURCES, credited, made, quarters, with_shares
+from tests.output.made import BLOCK, RING, SOURCES, credited, made, quarters, titled, with_shares
 from tests.svg.pictures import ink, read
 from tests.svg.test_check import HARMLESS, HOSTILE, svg
 
@@ -114,7 +114,7 @@ def test_a_file_that_may_not_be_read(session, file):
 
 @pytest.fixture(scope="module")
 def saved():
-    """A result whose sources have all kinds of credits, as a composite and as a document."""
+    """A result whose sources have all kinds of credits, as an icon and as a document."""
     licensed = Credit("Ring & <co>", "Ann", "CC-BY-4.0", "https://example.org/by", "https://a.org")
     bare = Credit("Block", UNNAMED, UNLICENSED, "", "")
     sources = (
@@ -124,14 +124,14 @@ def saved():
         SOURCES[3],
     )
     result = made(quarters(), sources=sources)
-    return result.composite, svg_document(result.drawing, result.composite, "Dog")
+    return result, svg_document(titled(result, "Dog"))
 
 
 def test_the_credits_of_a_saved_result_are_read_back(file, saved):
-    composite, document = saved
+    remix, document = saved
     own = read(document)
     assert own.credit.title == "Dog"
-    assert own.made_of == tuple(replace(one, svg="") for one in contributors(composite))
+    assert own.made_of == tuple(replace(one, svg="") for one in remix.credits)
     assert [one.id for one in own.origins] == ["test:ring", "test:block"]
 
 
@@ -145,12 +145,15 @@ def test_the_credits_stay_in_the_drawing(saved):
 
 def test_the_credits_survive_being_used_again(file, saved):
     """Saved, opened, made part of another result, and that saved."""
-    composite, document = saved
+    remix, document = saved
     own = read(document)
     sources = (replace(SOURCES[0], exemplar=replace(RING, pictogram=own)), *SOURCES[1:])
-    again = with_shares(replace(composite, sources=sources), 0.8, 0.0, 0.0, 0.2)
-    assert [one.id for one in contributors(again)] == ["test:ring", "test:block", "test:disc"]
-    assert credits_text(composite).splitlines()[1:] == credits_text(again).splitlines()[1:3]
+    again = with_shares(replace(remix.composite, sources=sources), 0.8, 0.0, 0.0, 0.2)
+    assert [one.id for one in again.contributors] == ["test:ring", "test:block", "test:disc"]
+    assert (
+        credits_text(remix).splitlines()[1:]
+        == credits_text(titled(remix, "Dog", again)).splitlines()[1:3]
+    )
 
 
 RDF = 'xmlns:rdf="http://www.w3.org/1999/02/22-rdf-syntax-ns#"'

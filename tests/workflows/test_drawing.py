@@ -14,7 +14,7 @@ from iconstudio.algorithms.iconification.energy import placed_sources
 from iconstudio.algorithms.iconification.fragments import fragments
 from iconstudio.algorithms.iconification.redraw import SCALE, erase, redraw, two_tone
 from iconstudio.algorithms.raster import inked_tiles
-from iconstudio.model import CANVAS, Exemplar, Frame, Placement, Source
+from iconstudio.model import CANVAS, Exemplar, Frame, Path, Placement, Source
 from iconstudio.svg.rasterise import rasterise
 from iconstudio.svg.resvg import render_coverage, render_placed
 from iconstudio.workflows.drawing import PREVIEW, draw
@@ -52,8 +52,9 @@ def likeness(one: np.ndarray, other: np.ndarray) -> float:
     return (a & b).sum() / (a | b).sum()
 
 
-def again(path: str, size: int) -> np.ndarray:
-    svg = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 256 256"><path d="{path}"/></svg>'
+def again(path: Path, size: int) -> np.ndarray:
+    body = f'<path d="{path.svg()}"/>'
+    svg = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 256 256">{body}</svg>'
     return render_coverage(svg, Frame(0, 0, CANVAS), size)
 
 

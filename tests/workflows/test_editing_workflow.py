@@ -8,9 +8,9 @@ from iconstudio.model import CANVAS, Edit, IconstudioError, Polygon
 from iconstudio.svg.resvg import render_placed
 from iconstudio.workers import Workers
 from iconstudio.workflows.editing import edit_icon, own_styles, prepare_change
-from iconstudio.workflows.events import Recommended, Result, StyleMatched
+from iconstudio.workflows.events import Recommended, StyleMatched
 from iconstudio.workflows.grid import ModelSettings
-from tests.shapes import blob, exemplar
+from tests.shapes import blob, exemplar, icons
 
 YS, XS = np.mgrid[:CANVAS, :CANVAS] + 0.5
 
@@ -45,7 +45,7 @@ def of(kind, events):
 
 
 def test_a_part_that_another_icon_has_is_added(events):
-    for result in of(Result, events):
+    for result in icons(events):
         ink = result.drawing.coverage.reshape(CANVAS, 2, CANVAS, 2).mean(axis=(1, 3)) > 127
         assert (ink ^ (BODY | KNOB)).sum() < 0.01 * BODY.sum()
         assert result.composite.iou > 0.98
@@ -57,7 +57,7 @@ def test_the_icon_is_label_0_and_keeps_what_lies_beyond_the_change(events):
     assert ICON.id not in {one.id for one in matched.exemplars}
     assert all(source.exemplar.id != ICON.id for row in matched.matches for source in row)
     far = prepare_change(EDIT, ICON).mask >= 1
-    for result in of(Result, events):
+    for result in icons(events):
         assert result.composite.sources[0].exemplar is ICON
         assert result.unchanged >= 0.995
         assert (result.composite.labels[far] == 0).mean() > 0.95
@@ -65,7 +65,7 @@ def test_the_icon_is_label_0_and_keeps_what_lies_beyond_the_change(events):
 
 def test_the_row_ends_with_the_recommended_result(events):
     (recommended,) = of(Recommended, events)
-    best = max(of(Result, events), key=lambda one: one.score.total)
+    best = max(icons(events), key=lambda one: one.score.total)
     assert recommended == Recommended("dark", best.composite.lambda_s)
     assert isinstance(events[-1], Recommended) or isinstance(events[-2], Recommended)
 
@@ -97,10 +97,10 @@ def test_the_unchanged_part_by_hand():
 
 
 def of_drawing(ink):
-    from iconstudio.model import Drawing
+    from iconstudio.model import Drawing, Path
 
     large = np.where(ink, 255, 0).astype(np.uint8).repeat(2, axis=0).repeat(2, axis=1)
-    return Drawing("", large)
+    return Drawing(Path(), large)
 
 
 def test_what_is_added_beyond_the_canvas_makes_room_for_itself():

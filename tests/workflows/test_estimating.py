@@ -4,12 +4,13 @@ import heapq
 import json
 from dataclasses import replace
 from pathlib import Path
-from types import SimpleNamespace
 
+import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from iconstudio.model import Composite, Drawing, Remix, Score
 from iconstudio.workflows.estimating import Estimate, estimated, spoken
 from iconstudio.workflows.events import Progress, Recommended, Result, StyleMatched, StyleSkipped
 
@@ -25,8 +26,9 @@ class Clock:
 
 
 def result(row, cut, drawn=0.0, preview=False):
-    composite = SimpleNamespace(style=row)
-    return Result(composite, None, None, cut, drawn, preview=preview)
+    composite = Composite(row, 1.0, (), np.zeros((0, 0), np.uint8), 0.0, 0.0, 0.0, (), None)
+    icon = Remix.of(composite, Drawing(Path(), composite.labels), Score(1, 1, 1, 1, 1))
+    return Result(icon, cut, drawn, preview)
 
 
 def played(timed, clock):

@@ -8,9 +8,9 @@ from iconstudio.model import CANVAS, Axis, IconstudioError, Mix
 from iconstudio.svg.resvg import render_placed
 from iconstudio.workers import Workers
 from iconstudio.workflows.choosing import choose_icons, stroke_width
-from iconstudio.workflows.events import Progress, Result
+from iconstudio.workflows.events import Progress
 from iconstudio.workflows.hybrids import check, draw_seeds, mix_icons, pinned
-from tests.shapes import blob, exemplar
+from tests.shapes import blob, exemplar, icons
 
 YS, XS = np.mgrid[:CANVAS, :CANVAS] - CANVAS / 2 + 0.5
 
@@ -34,7 +34,7 @@ def workers():
 
 
 def results(mix, workers, exemplars=VASES):
-    return [e for e in mix_icons(mix, exemplars, workers, render_placed) if isinstance(e, Result)]
+    return icons(mix_icons(mix, exemplars, workers, render_placed))
 
 
 @pytest.fixture(scope="module")
@@ -60,7 +60,7 @@ def test_hybrids_are_symmetric_and_differ_from_each_other_and_the_sources(hybrid
 def test_results_come_in_the_order_of_the_draws_and_repeat_to_the_byte(hybrids, workers):
     assert [one.draw for one in hybrids] == sorted(one.draw for one in hybrids)
     again = results(MIX, workers)
-    assert [one.drawing.path for one in again] == [one.drawing.path for one in hybrids]
+    assert [one.path for one in again] == [one.path for one in hybrids]
     assert [one.seeds for one in again] == [one.seeds for one in hybrids]
     other = results(replace(MIX, seed=4), workers)
     assert [one.seeds for one in other] != [one.seeds for one in hybrids]
@@ -180,7 +180,7 @@ def test_a_pinned_detail_is_held_whole_and_drawn(workers):
     assert held[0][filament].all() and not held[0][ring].any() and not held[1].any()
     mix = Mix(tuple(one.pictogram for one in lamps), draws=6, pins=pins)
     run = mix_icons(mix, lamps, workers, render_placed)
-    for result in (event for event in run if isinstance(event, Result)):
+    for result in icons(run):
         ink = result.drawing.coverage.reshape(CANVAS, 2, CANVAS, 2).mean(axis=(1, 3)) > 127
         assert ink[filament].all()
 

@@ -15,7 +15,7 @@ from iconstudio.workflows.events import (
 )
 from iconstudio.workflows.grid import ModelSettings, distinct
 from iconstudio.workflows.modelling import FEWEST, model
-from tests.shapes import blob, exemplar
+from tests.shapes import blob, exemplar, icons
 
 HOUSE = Polygon.of([(16, 128), (128, 16), (240, 128), (210, 128), (210, 240), (46, 240), (46, 128)])
 
@@ -51,7 +51,7 @@ def of(kind, events):
 
 
 def test_an_exemplar_that_equals_the_sketch_comes_back_exactly(events):
-    results = of(Result, events)
+    results = icons(events)
     assert [round(result.composite.lambda_s, 3) for result in results] == [0.75, 0.05]
     for result in results:
         composite = result.composite
@@ -61,7 +61,7 @@ def test_an_exemplar_that_equals_the_sketch_comes_back_exactly(events):
         assert (owner.exemplar.id, owner.placement) == ("test:house", Placement())
         svg = (
             '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 256 256">'
-            f'<path d="{result.drawing.path}"/></svg>'
+            f'<path d="{result.path.svg()}"/></svg>'
         )
         drawn = render_coverage(svg, Frame(0, 0, CANVAS), CANVAS) > 127
         assert (drawn ^ house_ink()).sum() < 60
@@ -92,7 +92,7 @@ def test_three_sources_for_each_region(events):
 
 
 def test_a_result_adds_up(events):
-    composite = of(Result, events)[-1].composite
+    composite = icons(events)[-1].composite
     assert sum(composite.shares) == pytest.approx(1)
     assert composite.labels.shape == (CANVAS, CANVAS)
     assert composite.labels.max() < len(composite.sources)
@@ -132,7 +132,7 @@ def test_a_remix_of_two_halves_joins_them(workers):
     settings = ModelSettings(styles=("dark",), lambdas=(0.03,), scales=(1.0,))
     matcher = Matcher([prepare(one, (1.0,)) for one in shapes])
     run = model(Sketch(outline), matcher, settings, workers, render_placed)
-    (result,) = of(Result, list(run))
+    (result,) = icons(run)
     assert result.composite.iou > 0.93
     composite = result.composite
     corners = [(y, x) for y in (43, 212) for x in (44, 211)]

@@ -9,9 +9,9 @@ from iconstudio.algorithms.raster import placed_ink
 from iconstudio.model import CANVAS, IconstudioError, Layer, Montage, Placement, Stroke
 from iconstudio.svg.resvg import render_placed
 from iconstudio.workers import Workers
-from iconstudio.workflows.events import Progress, Result
+from iconstudio.workflows.events import Progress
 from iconstudio.workflows.montage import montage_icons
-from tests.shapes import exemplar
+from tests.shapes import exemplar, icons
 
 YS, XS = np.mgrid[:CANVAS, :CANVAS] + 0.5
 DISC = exemplar(np.hypot(XS - 128, YS - 128) < 80, "disc")
@@ -31,7 +31,7 @@ def workers():
 def result(montage, exemplars, workers):
     events = list(montage_icons(montage, exemplars, workers, render_placed))
     assert [e.done for e in events if isinstance(e, Progress)][-1] == 1
-    (one,) = (event for event in events if isinstance(event, Result))
+    (one,) = icons(events)
     return one
 
 

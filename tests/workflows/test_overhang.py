@@ -46,7 +46,8 @@ def likeness(one, other):
 
 
 def again(path, size=512):
-    svg = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 256 256"><path d="{path}"/></svg>'
+    body = f'<path d="{path.svg()}"/>'
+    svg = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 256 256">{body}</svg>'
     return render_coverage(svg, Frame(0, 0, CANVAS), size)
 
 

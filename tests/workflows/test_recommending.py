@@ -1,12 +1,12 @@
 from dataclasses import replace
 
-from iconstudio.workflows.events import Recommended
+from iconstudio.workflows.events import Recommended, Result
 from iconstudio.workflows.grid import Recommending
 from tests.output.made import made, quarters
 
 
-def recommended(results):
-    events = list(Recommending(len(results)).after(iter(results)))
+def recommended(icons):
+    events = list(Recommending(len(icons)).after(map(Result, icons)))
     (one,) = (event for event in events if isinstance(event, Recommended))
     return one
 

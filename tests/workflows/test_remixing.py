@@ -13,7 +13,7 @@ from iconstudio.workers import Workers
 from iconstudio.workflows.events import Progress, Recommended, Result
 from iconstudio.workflows.grid import FINE, ModelSettings
 from iconstudio.workflows.modelling import model
-from tests.shapes import blob, exemplar
+from tests.shapes import blob, exemplar, icons
 
 SKETCH = Sketch(Polygon.of([(30, 30), (220, 40), (200, 230), (60, 210)]), "blob")
 BOTH = ("medium", "dark")
@@ -36,7 +36,7 @@ def results(events):
 
 
 def cells(events):
-    return [(one.composite.style, one.composite.lambda_s) for one in results(events)]
+    return [(one.composite.style, one.composite.lambda_s) for one in icons(events)]
 
 
 def run(prepared, workers, **settings):
@@ -56,7 +56,7 @@ def test_the_result_in_focus_comes_first_then_its_row_then_the_others(prepared, 
     preview, finished, *_ = results(events)
     assert cells([preview, finished]) == [("dark", 0.2)] * 2
     assert (preview.preview, finished.preview) == (True, False)
-    assert finished.composite.energy <= preview.composite.energy
+    assert finished.icon.composite.energy <= preview.icon.composite.energy
     assert rows == sorted(rows, key=lambda style: style != "dark")
     assert sum(one.preview for one in results(events)) == 1
     done = [event.done for event in events if isinstance(event, Progress)]
@@ -80,10 +80,10 @@ def test_a_fine_result_is_of_the_same_shape(prepared, workers):
     (plain, *_), (fine, *_) = (
         results(run(prepared, workers, side=side, **settings)) for side in (CANVAS, FINE)
     )
-    assert fine.composite.labels.shape == (FINE, FINE)
-    assert fine.drawing.coverage.shape == plain.drawing.coverage.shape
-    assert fine.composite.iou == pytest.approx(plain.composite.iou, abs=0.05)
-    drawn = [one.drawing.coverage > 127 for one in (plain, fine)]
+    assert fine.icon.composite.labels.shape == (FINE, FINE)
+    assert fine.icon.drawing.coverage.shape == plain.icon.drawing.coverage.shape
+    assert fine.icon.composite.iou == pytest.approx(plain.icon.composite.iou, abs=0.05)
+    drawn = [one.icon.drawing.coverage > 127 for one in (plain, fine)]
     assert overlap(*drawn) > 0.85  # other joins, but the same parts in the same places
 
 

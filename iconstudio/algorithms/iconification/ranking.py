@@ -5,7 +5,6 @@ what the eye objects to; each lies between 0 and 1, and 1 is best.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 import scipy
@@ -19,7 +18,7 @@ from iconstudio.algorithms.iconification.energy import (
 )
 from iconstudio.algorithms.iconification.fragments import fragments
 from iconstudio.algorithms.iconification.symmetry import likeness
-from iconstudio.model import CANVAS
+from iconstudio.model import CANVAS, Score
 
 HARSH = 0.8
 """Cost of the visible seams, for each pixel of the contour, at which the term ``seam`` is 1/e."""
@@ -28,27 +27,6 @@ EVEN = 0.35
 SAME, STRAY = 3, 0.02
 """Two pictures repeat each other if at most the part STRAY of their ink lies further than SAME
 canvas pixels from the other's ink."""
-
-
-@dataclass(frozen=True, slots=True)
-class Score:
-    """The terms of a rank score."""
-
-    seam: float
-    """Low cost of the visible seams for the length of what is drawn."""
-    whole: float
-    """No pieces that float free where no source has them."""
-    symmetry: float
-    """As symmetric as the sources are; 1 without a constraint."""
-    sharing: float
-    """Ink that comes from several sources; 1 where that is not asked for."""
-    likeness: float
-    """Overlap with the outline that was wanted; 1 if none was."""
-
-    @property
-    def total(self) -> float:
-        """The rank score: the product of the terms."""
-        return self.seam * self.whole * self.symmetry * self.sharing * self.likeness
 
 
 def score(

@@ -5,6 +5,9 @@ from typing import TYPE_CHECKING, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from iconstudio.model import Point
+from iconstudio.model.path import Contour, Path, Segment
+
 if TYPE_CHECKING:
     from potrace import Curve
 
@@ -14,26 +17,26 @@ class _Point(Protocol):
     y: float
 
 
-def traced(ink: NDArray[np.bool_]) -> str:
-    """Return the outline of ``ink``, (h, w), as SVG path data in pixels.
+def traced(ink: NDArray[np.bool_]) -> Path:
+    """Return the outline of ``ink``, (h, w), in pixels.
 
     To be filled with the even-odd rule. It takes a second or so for 512 x 512 pixels.
     """
     from potrace import Bitmap  # pure Python, so slow to trace
 
     # A bitmap is told where the paper is, not the ink.
-    return "".join(_subpath(curve) for curve in Bitmap(~ink).trace(turdsize=0))
+    return Path(tuple(map(_contour, Bitmap(~ink).trace(turdsize=0))))
 
 
-def _subpath(curve: "Curve") -> str:
-    parts = [f"M{_said(curve.start_point)}"]
+def _contour(curve: "Curve") -> Contour:
+    segments: list[Segment] = []
     for one in curve:
         if one.is_corner:
-            parts.append(f"L{_said(one.c)}L{_said(one.end_point)}")
+            segments += (_pair(one.c),), (_pair(one.end_point),)
         else:
-            parts.append(f"C{_said(one.c1)} {_said(one.c2)} {_said(one.end_point)}")
-    return "".join([*parts, "Z"])
+            segments.append((_pair(one.c1), _pair(one.c2), _pair(one.end_point)))
+    return Contour(_pair(curve.start_point), tuple(segments))
 
 
-def _said(point: _Point) -> str:
-    return f"{float(point.x):.2f} {float(point.y):.2f}"
+def _pair(point: _Point) -> Point:
+    return float(point.x), float(point.y)

@@ -16,7 +16,8 @@ from scipy import ndimage
 from skimage.measure import find_contours
 
 from iconstudio.algorithms.tracing.bezier import Points, direction, fit, snapped
-from iconstudio.model import CANVAS
+from iconstudio.model import CANVAS, Point
+from iconstudio.model.path import Contour, Path, Segment
 
 SPECK = 2.0
 """Pieces and holes smaller than this many square canvas units are left out."""
@@ -27,7 +28,7 @@ _FEWEST = 12
 _TURN = 3
 """Points to each side between which a corner's turn shows."""
 _SHARP = np.radians(20)
-_BENT = np.radians(15)
+_CORNER = np.radians(15)
 """By how much the sides of a corner differ in direction at least."""
 _AT_ONCE = 0.6
 """How much of its turn a corner makes at once; a bend makes half as much."""
@@ -37,7 +38,7 @@ _ROUNDED = 3
 """Points to each side of a corner that pixels (and the smoothing) may have displaced."""
 _SIDE = 9
 """Points to each side of a corner that tell where the side is going."""
-_BENDS = 0.15
+_CURVED = 0.15
 """How far, in pixels, those points stray from a line if the side is bent."""
 _RUN = 48
 """Points that tell a straight side from a bow, unless it lies between two corners."""
@@ -68,8 +69,8 @@ class _Line(NamedTuple):
         return self.point + self.way * ((point - self.point) * self.way.conjugate()).real
 
 
-def trace(coverage: NDArray[np.uint8], speck: float = SPECK) -> str:
-    """Return the outline of a drawing as the ``d`` attribute of one SVG path, in canvas units.
+def trace(coverage: NDArray[np.uint8], speck: float = SPECK) -> Path:
+    """Return the outline of a drawing in canvas units, to a hundredth of one.
 
     ``coverage`` is (n, n) uint8, 255 = ink; n canvas pixels to CANVAS. Outlines run around ink,
     holes the other way round. Those of less than ``speck`` square canvas units are left out. The
@@ -77,13 +78,13 @@ def trace(coverage: NDArray[np.uint8], speck: float = SPECK) -> str:
     """
     unit = CANVAS / coverage.shape[0]
     framed = np.pad(coverage, 1).astype(np.float32)
-    parts = []
+    contours = []
     for rows in find_contours(framed, 127.5):
         outline = (rows[:, 1] - 0.5) + 1j * (rows[:, 0] - 0.5)
         area = abs((outline[:-1].conj() * outline[1:]).imag.sum()) / 2
         if area * unit**2 >= speck:
-            parts.append(_path(_pieces(_even(outline), TOLERANCE / unit), unit))
-    return "".join(parts)
+            contours.append(_contour(_pieces(_even(outline), TOLERANCE / unit), unit))
+    return Path(tuple(contours))
 
 
 def _even(outline: Points) -> Points:
@@ -206,7 +207,7 @@ def _corners(outline: Points) -> list[int]:
         near = outline.take(range(corner - 2, corner + 3), mode="wrap")
         # Pixels blunt a corner the more, the more pointed it is.
         meets = abs(at - near).min() < 0.5 + 0.6 * np.tan(whole / 2)
-        if whole > _BENT and meets and turn[corner] > _AT_ONCE * min(whole, _REVERSED):
+        if whole > _CORNER and meets and turn[corner] > _AT_ONCE * min(whole, _REVERSED):
             corners.append(corner)
     return corners
 
@@ -225,7 +226,7 @@ def _side(outline: Points, corner: int, step: int, room: int) -> tuple[complex, 
         powers = np.vander(s, degree + 1).astype(float)
         found = np.linalg.lstsq(powers, points, rcond=None)[0]
         # A parabola, drawn out, swings with every flaw: only where a line will not do.
-        if len(s) <= 5 or abs(powers @ found - points).max() < _BENDS:
+        if len(s) <= 5 or abs(powers @ found - points).max() < _CURVED:
             break
     return found[-1], snapped(found[-2], 0)
 
@@ -299,24 +300,19 @@ def _line(span: Points, first: int, last: int) -> tuple[_Line, float]:
     return _Line(first, last, middle, way), abs((spread * way.conjugate()).imag).max()
 
 
-def _path(pieces: list[_Piece], unit: float) -> str:
-    """Write a closed outline as SVG path data."""
-    x, y = _numbers(pieces[0][0] * unit)
-    parts = [f"M{x} {y}"]
+def _contour(pieces: list[_Piece], unit: float) -> Contour:
+    """Return a closed outline, a piece a segment, but for lines that are nothing once rounded."""
+    start = at = _rounded(pieces[0][0] * unit)
+    segments: list[Segment] = []
     for piece in pieces:
-        points = [_numbers(point * unit) for point in piece[1:]]
+        points = [_rounded(point * unit) for point in piece[1:]]
         if len(points) == 3:
-            parts.append("C" + " ".join(f"{a} {b}" for a, b in points))
-        elif points[0] != (x, y):
-            ((a, b),) = points
-            parts.append(f"V{b}" if a == x else f"H{a}" if b == y else f"L{a} {b}")
-        x, y = points[-1]
-    return "".join(parts) + "Z"
+            segments.append((points[0], points[1], points[2]))
+        elif points[0] != at:
+            segments.append((points[0],))
+        at = points[-1]
+    return Contour(start, tuple(segments))
 
 
-def _numbers(point: complex) -> tuple[str, str]:
-    return _number(point.real), _number(point.imag)
-
-
-def _number(value: float) -> str:
-    return f"{round(value, 2) + 0:.2f}".rstrip("0").rstrip(".")
+def _rounded(point: complex) -> Point:
+    return round(float(point.real), 2) + 0.0, round(float(point.imag), 2) + 0.0

@@ -126,7 +126,7 @@ class Board(QSplitter):
             self._best = picture
 
     def _pick(self, picture: Picture) -> None:
-        composite = picture.result.composite
+        composite = picture.icon.composite
         self.results.pick(composite.style, composite.lambda_s)
 
     def _pick_is_hidden(self) -> bool:
@@ -138,7 +138,7 @@ class Board(QSplitter):
         self._keep(picture)
 
     def _keep(self, picture: Picture) -> None:
-        self._owed = picture.result.preview
+        self._owed = picture.preview
         if not self._owed:
             self.made.emit(picture)
 
@@ -152,4 +152,4 @@ class Board(QSplitter):
 
 
 def _score(picture: Picture) -> float:
-    return picture.result.score.total
+    return picture.icon.score.total

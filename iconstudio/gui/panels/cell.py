@@ -81,7 +81,7 @@ class ResultCell(QAbstractButton):
         """Put a result into the cell."""
         self.picture = picture
         self.setEnabled(True)
-        self._turn(CellState.PREVIEW if picture.result.preview else CellState.READY)
+        self._turn(CellState.PREVIEW if picture.preview else CellState.READY)
 
     def set_stale(self, stale: bool) -> None:
         """Say whether the result is of something else than what is there now."""

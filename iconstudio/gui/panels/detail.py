@@ -24,8 +24,7 @@ from iconstudio.gui.panels.elided import ElidedLabel
 from iconstudio.gui.panels.sending import Destination, offer
 from iconstudio.gui.pictures import Picture, SourcePicture, source_pictures
 from iconstudio.gui.theme import UNIT
-from iconstudio.model import Credit
-from iconstudio.workflows.events import Result
+from iconstudio.model import Credit, Icon, Remix
 
 INVITATION = "Pick a result to see it large, with the icons that its parts come from."
 
@@ -207,17 +206,26 @@ class DetailPanel(QFrame):
         if picture is None:
             self._show_sources(())
             return
-        composite = picture.result.composite
+        match picture.icon:
+            case Remix() as icon:
+                self._show_remix(icon, picture)
+            case Icon() as icon:
+                self._title.setText(icon.title.capitalize())
+                self._about.setText("; ".join(_thanks(one.credit) for one in icon.credits))
+                self._show_sources(())
+
+    def _show_remix(self, icon: Remix, picture: Picture) -> None:
+        composite = icon.composite
         self._title.setText(composite.style.capitalize())
         sources = source_pictures(composite, picture.colours)
         self._show_sources(sources)
         icons = len({source.source.exemplar.id for source in sources})
         about = f"{_counted(len(sources), 'part')} of {_counted(icons, 'icon')}"
-        if picture.result.preview:
+        if picture.preview:
             about = "preview"
         # Of hybrids and montages, λ is always the same.
         weight = [] if composite.iou is None else [f"λ {composite.lambda_s:.2f}"]
-        self._about.setText(" · ".join((*weight, about, *_merits(picture.result))))
+        self._about.setText(" · ".join((*weight, about, *_merits(icon))))
 
     def _show_sources(self, sources: Sequence[SourcePicture]) -> None:
         while self._rows.count():
@@ -288,16 +296,16 @@ def _thanks(credit: Credit) -> str:
     return f"{credit.title}, by {credit.author}, {credit.license}"
 
 
-def _merits(result: Result) -> list[str]:
-    """Return how well a result does what was wanted."""
-    if result.unchanged is not None:
+def _merits(icon: Remix) -> list[str]:
+    """Return how well an icon does what was wanted."""
+    if icon.unchanged is not None:
         return [
-            f"fits the change by {result.score.likeness:.0%}",
-            f"unchanged elsewhere {_floor(100 * result.unchanged)}%",
+            f"fits the change by {icon.score.likeness:.0%}",
+            f"unchanged elsewhere {_floor(100 * icon.unchanged)}%",
         ]
-    if result.draw >= 0:
-        return [f"rank score {result.score.total:.2f}"]
-    iou = result.composite.iou
+    if icon.draw >= 0:
+        return [f"rank score {icon.score.total:.2f}"]
+    iou = icon.composite.iou
     return [] if iou is None else [f"fits the sketch by {iou:.0%}"]
 
 

@@ -218,9 +218,9 @@ class ResultsPanel(QFrame):
 
         A preview does not once the finished result is there.
         """
-        composite = picture.result.composite
+        composite = picture.icon.composite
         cell = self._cells[composite.style, composite.lambda_s]
-        if picture.result.preview and cell.state is CellState.READY:
+        if picture.preview and cell.state is CellState.READY:
             return False
         cell.show_picture(picture)
         if cell.isChecked():

@@ -1,6 +1,5 @@
 """A scan or a picture becomes an icon: what counts as ink is chosen while the icon is in sight."""
 
-import re
 from collections.abc import Generator
 from pathlib import Path
 
@@ -30,7 +29,7 @@ from iconstudio.gui.theme import UNIT
 from iconstudio.gui.vector import painter_path
 from iconstudio.gui.worker import Worker
 from iconstudio.images.reading import SUFFIXES, Image, is_image_file
-from iconstudio.images.scans import doubts
+from iconstudio.images.scans import Tracing, doubts
 from iconstudio.model import Pictogram
 from iconstudio.session import Session
 
@@ -42,8 +41,6 @@ _REST = 60
 _PATIENCE = 10_000
 _WORDS = "Move the slider until the icon is as it should be: to the right, fainter strokes count."
 _BY_HAND = "If you see a drawing, move the slider until the icon is as it should be."
-_PATH = re.compile(r' d="([^"]*)"')
-_BOX = re.compile(r'viewBox="0 0 (\d+) (\d+)"')
 
 Source = Path | bytes | QImage
 
@@ -57,7 +54,8 @@ def pictogram_of(session: Session, source: Source, name: str) -> Generator[None,
     """Return an image as an icon, without asking; yield now and then."""
     image = yield from _read(session, source)
     scan = yield from session.scan(image)
-    return (yield from session.trace(scan, None, name, image.remark))
+    tracing = yield from session.trace(scan, None, name, image.remark)
+    return tracing.pictogram
 
 
 class ScanView(QFrame):
@@ -86,13 +84,11 @@ class ScanView(QFrame):
         self._path, self._size = None, self._ink.size()
         self.update()
 
-    def show_icon(self, icon: Pictogram) -> None:
+    def show_tracing(self, tracing: Tracing) -> None:
         """Show an icon that was traced."""
-        path, box = _PATH.search(icon.svg), _BOX.search(icon.svg)
-        assert path and box
-        self._path = painter_path(path[1])
+        self._path = painter_path(tracing.path)
         self._path.setFillRule(Qt.FillRule.OddEvenFill)
-        self._ink, self._size = None, QSize(int(box[1]), int(box[2]))
+        self._ink, self._size = None, QSize(tracing.width, tracing.height)
         self.update()
 
     def clear(self) -> None:
@@ -224,11 +220,11 @@ class ScanDialog(QDialog):
                 self.automatic.setEnabled(found.found)
                 self.slider.setFocus()
                 self._show_scan(found)
-            case Pictogram():
-                self.icon = found
-                self.preview.show_icon(found)
+            case Tracing():
+                self.icon = found.pictogram
+                self.preview.show_tracing(found)
                 self.accept_button.setEnabled(True)
-                self.caption.say(" ".join(found.remarks) or _WORDS)
+                self.caption.say(" ".join(self.icon.remarks) or _WORDS)
                 self._tracing.enough()
             case None:
                 return

@@ -26,7 +26,7 @@ _Index = QModelIndex | QPersistentModelIndex
 
 def same(one: Picture, other: Picture) -> bool:
     """Whether two results look the same."""
-    return one is other or one.result.drawing.path == other.result.drawing.path
+    return one is other or one.icon.path == other.icon.path
 
 
 class PictureModel(QAbstractListModel):

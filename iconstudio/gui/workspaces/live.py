@@ -12,9 +12,10 @@ from iconstudio.gui.preparation import Preparation
 from iconstudio.gui.runner import Runner
 from iconstudio.gui.worker import Worker
 from iconstudio.gui.workspaces.wishes import WishingDocument, WishingPage
+from iconstudio.model import Remix
 from iconstudio.session import ModelSettings
 from iconstudio.workflows import grid
-from iconstudio.workflows.events import Event, Progress, Result, StyleSkipped
+from iconstudio.workflows.events import Event, Progress, StyleSkipped
 
 LIVE, FINE = "live", "fine"
 """Under which it is remembered whether live mode is on, and fine quality."""
@@ -205,7 +206,7 @@ class Runs(QObject):
         match event:
             case StyleSkipped(style) if self._focus and style == self._focus[0]:
                 self._focus = None
-            case Picture(result) if self._focus in (None, _place(result)):
+            case Picture(icon) if self._focus in (None, _place(icon)):
                 self.newest.enough()
 
     def _fail(self, message: str) -> None:
@@ -228,5 +229,5 @@ def _middle(settings: ModelSettings) -> tuple[str, float]:
     return styles[len(styles) // 2], lambdas[len(lambdas) // 2]
 
 
-def _place(result: Result) -> tuple[str, float]:
-    return result.composite.style, result.composite.lambda_s
+def _place(icon: Remix) -> tuple[str, float]:
+    return icon.composite.style, icon.composite.lambda_s

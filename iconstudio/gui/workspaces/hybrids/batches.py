@@ -38,7 +38,7 @@ class Seen:
         """Note a hybrid; return whether it is new."""
         shown, self._shown = self._shown, ()
         for picture in shown:  # only now: this takes a while
-            self._gallery.add(_ink(picture.result.composite))
+            self._gallery.add(_ink(picture.icon.composite))
         new = self._gallery.add(_ink(composite))
         self.count += new
         return new
@@ -53,9 +53,10 @@ def batch(session: Session, mix: Mix, title: str, seen: Seen) -> Generator[Event
         for event in events:
             if not isinstance(event, Result):
                 yield event
-            elif seen.add(event.composite):
-                small = replace(event, drawing=_reduced(event.drawing))
-                yield picture_of(small, f"{title} {seen.count}", CODED)
+            elif seen.add(event.icon.composite):
+                drawing = _reduced(event.icon.drawing)
+                icon = replace(event.icon, drawing=drawing, title=f"{title} {seen.count}")
+                yield picture_of(icon, CODED)
 
 
 def _ink(composite: Composite) -> NDArray[np.bool_]:

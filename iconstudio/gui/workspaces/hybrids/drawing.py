@@ -93,7 +93,7 @@ class Draws(QObject):
             self._model.show_alone(section)
         else:
             self.runner.cancel()
-            section = Section(title, replace(self._main.mix, like=picture.result.seeds))
+            section = Section(title, replace(self._main.mix, like=picture.icon.seeds))
             self._model.open(section)
             self._draw(section)
         self._show_section()
@@ -138,7 +138,7 @@ class Draws(QObject):
             section.drawn += section.mix.draws
             section.exhausted = not new
         else:
-            section.drawn = max([section.drawn, *(one.result.draw + 1 for one in new)])
+            section.drawn = max([section.drawn, *(one.icon.draw + 1 for one in new)])
             # What was drawn but not shown any more may come again.
             self._seen = Seen(self._model.pictures)
         if whole or new:

@@ -186,12 +186,12 @@ def rank(entry: Entry) -> tuple[bool, float, int]:
     """Return by what a batch is sorted: the best first, the rule at its end."""
     if isinstance(entry, Rule):
         return True, 0.0, 0
-    return False, -entry.result.score.total, entry.result.draw
+    return False, -entry.icon.score.total, entry.icon.draw
 
 
 def terms(picture: Picture) -> str:
     """Say what the rank score of a hybrid is made of."""
-    score = picture.result.score
+    score = picture.icon.score
     parts = {
         "smooth seams": score.seam,
         "in one piece": score.whole,

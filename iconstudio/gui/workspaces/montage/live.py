@@ -2,6 +2,7 @@
 
 from collections.abc import Generator
 from contextlib import closing
+from dataclasses import replace
 
 from PySide6.QtCore import QObject, Signal
 
@@ -9,7 +10,7 @@ from iconstudio.gui.newest import Newest
 from iconstudio.gui.pictures import Picture, picture_of
 from iconstudio.gui.runner import Runner
 from iconstudio.gui.worker import Worker
-from iconstudio.model import Montage
+from iconstudio.model import Montage, Remix
 from iconstudio.output.colours import Palette
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event, Result
@@ -83,7 +84,8 @@ class LiveResult(QObject):
         with closing(self._session.montage(montage)) as events:
             for event in events:
                 if isinstance(event, Result):
-                    yield picture_of(event, TITLE, colours=_coloured(montage, event, palette))
+                    icon = replace(event.icon, title=TITLE)
+                    yield picture_of(icon, colours=_coloured(montage, icon, palette))
                 else:
                     yield event
 
@@ -107,9 +109,9 @@ class LiveResult(QObject):
         self.rested.emit()
 
 
-def _coloured(montage: Montage, result: Result, palette: Palette) -> Palette:
-    """Return the colours of a result's sources, which may lie elsewhere than their layers."""
+def _coloured(montage: Montage, icon: Remix, palette: Palette) -> Palette:
+    """Return the colours of an icon's sources, which may lie elsewhere than their layers."""
     from iconstudio.output.colours import key_of
 
-    pairs = zip(result.composite.sources, montage.layers, strict=True)
+    pairs = zip(icon.composite.sources, montage.layers, strict=True)
     return {key_of(source): palette[layer.icon.id, layer.placement] for source, layer in pairs}

@@ -1,0 +1,51 @@
+"""An icon that the program made: its outline, its title, whom to thank, and how it was made."""
+
+from dataclasses import dataclass
+
+from iconstudio.model.composite import Composite, Drawing
+from iconstudio.model.mix import Seeds
+from iconstudio.model.path import Path
+from iconstudio.model.pictogram import Pictogram
+from iconstudio.model.score import Score
+
+
+@dataclass(frozen=True, eq=False)
+class Icon:
+    """What every workflow makes, and everything that shows, saves, sends or keeps icons takes."""
+
+    path: Path
+    """In canvas units, 0 to CANVAS."""
+    title: str
+    """What it shows."""
+    credits: tuple[Pictogram, ...] = ()
+    """The pictograms to thank, each once, from the largest part down."""
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Remix(Icon):
+    """An icon made by a graph cut (section 3.4)."""
+
+    composite: Composite
+    """The labelling, with lambda_S and energy."""
+    drawing: Drawing
+    score: Score
+    seeds: Seeds = ()
+    """Of a hybrid: where each source was seeded."""
+    draw: int = -1
+    """Of a hybrid: the number of its draw."""
+    unchanged: float | None = None
+    """Of an edit: the part of the pixels well outside the change that equal the icon's own."""
+
+    @classmethod
+    def of(
+        cls, composite: Composite, drawing: Drawing, score: Score, title: str = "icon"
+    ) -> "Remix":
+        """Return the icon of a drawing, which is thanks to all that own ink of it."""
+        return cls(
+            drawing.path,
+            title,
+            composite.contributors,
+            composite=composite,
+            drawing=drawing,
+            score=score,
+        )

@@ -1,0 +1,24 @@
+"""How good a remix looks, in terms that each lie between 0 and 1; 1 is best."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Score:
+    """The terms of a rank score."""
+
+    seam: float
+    """Low cost of the visible seams for the length of what is drawn."""
+    whole: float
+    """No pieces that float free where no source has them."""
+    symmetry: float
+    """As symmetric as the sources are; 1 without a constraint."""
+    sharing: float
+    """Ink that comes from several sources; 1 where that is not asked for."""
+    likeness: float
+    """Overlap with the outline that was wanted; 1 if none was."""
+
+    @property
+    def total(self) -> float:
+        """The rank score: the product of the terms."""
+        return self.seam * self.whole * self.symmetry * self.sharing * self.likeness
