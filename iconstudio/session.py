@@ -8,7 +8,7 @@ import os
 import threading
 from collections import OrderedDict
 from collections.abc import Generator, Iterator
-from contextlib import AbstractContextManager, closing
+from contextlib import AbstractContextManager
 from importlib import import_module
 from pathlib import Path
 from typing import TypeVar
@@ -26,34 +26,24 @@ from iconstudio.images import scans
 from iconstudio.images.reading import Image, is_image_file, read_image
 from iconstudio.library.collection import Collection, cache_folder
 from iconstudio.model import (
-    CANVAS,
     Axis,
     Composite,
     Drawing,
-    Edit,
     Exemplar,
     IconstudioError,
-    Mix,
-    Montage,
     Pictogram,
     Placement,
-    Remix,
-    Sketch,
     Source,
 )
 from iconstudio.svg.reading import file_and_symbol, own_svg, read_file
 from iconstudio.svg.resvg import render_placed
 from iconstudio.workers import Workers, answer
-from iconstudio.workflows.choosing import choose_icons
 from iconstudio.workflows.drawing import MEMORY, SECONDS, draw_whole
-from iconstudio.workflows.editing import edit_icon, own_styles, prepare_change
 from iconstudio.workflows.estimating import estimated
-from iconstudio.workflows.events import Event, Progress, Result, Retrieved
-from iconstudio.workflows.grid import ModelSettings
-from iconstudio.workflows.hybrids import mix_icons
-from iconstudio.workflows.modelling import model
-from iconstudio.workflows.montage import montage_icons
+from iconstudio.workflows.events import Event, Progress, Retrieved
+from iconstudio.workflows.hybrids.choosing import choose
 from iconstudio.workflows.solving import warm_up
+from iconstudio.workflows.workflow import Settings, Workflow
 
 _PLENTY = 8
 """With so many others, icons of two tones are left out: only their dark part could be used."""
@@ -75,6 +65,7 @@ _SLOW_TO_LOAD = (
 its parts when they are first named."""
 
 T = TypeVar("T")
+W = TypeVar("W")
 _Key = tuple[str, frozenset[str], tuple[float, ...]]
 
 
@@ -87,16 +78,17 @@ class Session(AbstractContextManager["Session"]):
 
     def __init__(self, cache: Path | None = None) -> None:
         self._cache = cache or cache_folder()
-        self._workers = Workers()
+        self.workers = Workers()
+        self.render = render_placed
         self._readers = Workers(1)  # files need not wait for cuts, nor for their compiling
-        self._rasters = RasterCache(self._cache / "rasters", self._workers)
+        self._rasters = RasterCache(self._cache / "rasters", self.workers)
         self._single = RasterCache(self._cache / "rasters", self._readers)
-        self._preparing = PreparingCache(self._cache / "prepared", self._workers)
+        self._preparing = PreparingCache(self._cache / "prepared", self.workers)
         self._collection: Collection | None = None
         self._opening = threading.Lock()
         self._cold = True
         self._prepared: OrderedDict[_Key, Matcher] = OrderedDict()
-        self._earlier: dict[str, Composite] = {}
+        self.earlier: dict[str, Composite] = {}
 
     def open(self) -> Iterator[Progress]:
         """Open the bundled collection, which the very first use unpacks."""
@@ -119,10 +111,10 @@ class Session(AbstractContextManager["Session"]):
         yield from self.open()
         cold, self._cold = self._cold, False
         if cold:
-            for lane in range(self._workers.count):
-                self._workers.submit(warm_up, render_placed, lane=lane)
+            for lane in range(self.workers.count):
+                self.workers.submit(warm_up, render_placed, lane=lane)
             for cache in ("rasters", "prepared"):
-                self._workers.submit(remove_abandoned, self._cache / cache)
+                self.workers.submit(remove_abandoned, self._cache / cache)
             for name in _SLOW_TO_LOAD:
                 import_module(name)
             gc.freeze()  # They stay: they need not be looked through for garbage.
@@ -220,7 +212,7 @@ class Session(AbstractContextManager["Session"]):
     def drawing(self, exemplar: Exemplar) -> Drawing:
         """Return an icon drawn and traced as results are: crisp at any size."""
         whole = Source(exemplar, Placement())
-        drawing = draw_whole(whole, exemplar.ink, self._workers, render_placed)
+        drawing = draw_whole(whole, exemplar.ink, self.workers, render_placed)
         return answer(drawing, f"Drawing “{exemplar.name}”")
 
     def picture(self, exemplar: Exemplar, size: int) -> NDArray[np.uint8]:
@@ -286,76 +278,27 @@ class Session(AbstractContextManager["Session"]):
             self._prepared.popitem(last=False)
         return self._prepared[key]
 
-    def model(self, sketch: Sketch, settings: ModelSettings | None = None) -> Generator[Event]:
-        """Run sketch-based modelling (section 4.1): see ``workflows.modelling.model``.
-
-        Raises
-        ------
-        IconstudioError
-            If the polygon or the keyword is no good; before any work is done.
-        """
-        settings = settings or ModelSettings()
-        settings.chosen_styles()
-        sketch.polygon.fitted()
-        matcher = yield from self.prepare(sketch.keyword, sketch.exclude, settings.scales)
-        events = model(
-            sketch, matcher, settings, self._workers, render_placed, self._earlier.get("model")
-        )
-        yield from self._remixed("model", events, settings)
-
-    def edit(self, edit: Edit, settings: ModelSettings | None = None) -> Generator[Event]:
-        """Run editing (section 4.2): see ``workflows.editing.edit_icon``.
-
-        Without settings, in the styles that the icon belongs to.
-
-        Raises
-        ------
-        IconstudioError
-            If the edit or the keyword is no good; before any work is done.
-        """
-        icon = self.exemplar(edit.icon)
-        change = prepare_change(edit, icon)
-        settings = settings or ModelSettings(own_styles(icon))
-        settings.chosen_styles()
-        matcher = yield from self.prepare(edit.keyword, edit.exclude, settings.scales)
-        earlier = self._earlier.get(edit.icon.id)
-        events = edit_icon(edit, change, matcher, settings, self._workers, render_placed, earlier)
-        yield from self._remixed(edit.icon.id, events, settings)
-
     def choose(
         self, keyword: str, count: int, symmetry: Axis | None = None, seed: int = 0
     ) -> Generator[Event, None, tuple[Pictogram, ...]]:
-        """Choose icons of a keyword that mix well: see ``workflows.choosing.choose_icons``."""
-        matcher = yield from self.prepare(keyword)
-        chosen = choose_icons([one.exemplar for one in matcher.exemplars], count, symmetry, seed)
-        return tuple(one.pictogram for one in chosen)
+        """Choose icons of a keyword that mix well: see ``workflows.hybrids.choosing``."""
+        return (yield from choose(self, keyword, count, symmetry, seed))
 
-    def mix(self, mix: Mix, side: int = CANVAS) -> Generator[Event]:
-        """Draw hybrids (section 4.3): see ``workflows.hybrids.mix_icons``."""
-        exemplars = map(self.exemplar, mix.icons)
-        events = mix_icons(mix, exemplars, self._workers, render_placed, side)
-        yield from estimated(events, self._workers.count)
-
-    def montage(self, montage: Montage, side: int = CANVAS) -> Generator[Event]:
-        """Make a montage (section 4.4): see ``workflows.montage.montage_icons``."""
-        exemplars = (self.exemplar(layer.icon) for layer in montage.layers)
-        yield from montage_icons(montage, exemplars, self._workers, render_placed, side)
-
-    def _remixed(
-        self, name: str, events: Generator[Event], settings: ModelSettings
+    def run(
+        self, workflow: Workflow[W], work: W, settings: Settings | None = None
     ) -> Generator[Event]:
-        """Pass on a run, with the time that remains; keep the result in focus for the next one."""
-        with closing(estimated(events, self._workers.count)) as timed:
-            for event in timed:
-                match event:
-                    case Result(icon=Remix(composite=one)):
-                        if (one.style, one.lambda_s) == settings.focus:
-                            self._earlier = {name: one}
-                yield event
+        """Run a workflow; yield its events, the progress with the time that remains.
+
+        Raises
+        ------
+        IconstudioError
+            If the work is no good; before any is done.
+        """
+        yield from estimated(workflow.run(self, work, settings), self.workers.count)
 
     def close(self) -> None:
         """End the worker processes and close the collection."""
-        self._workers.close()
+        self.workers.close()
         self._readers.close()
         if self._collection is not None:
             self._collection.close()

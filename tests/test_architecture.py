@@ -13,7 +13,7 @@ PACKAGE = ROOT / "iconstudio"
 ADAPTERS = {
     "numba": "algorithms/compiled.py",
     "resvg_py": "svg/resvg.py",
-    "fontTools": "svg/geometry.py",
+    "fontTools": {"svg/geometry.py", "model/path.py", "model/placement.py", "gui/vector.py"},
     "tinycss2": "svg/stylesheet.py",
     "cssselect2": "svg/stylesheet.py",
     "coloraide": "svg/colours.py",

@@ -5,12 +5,13 @@ from dataclasses import replace
 import pytest
 
 from iconstudio.algorithms.iconification.lattice import LAMBDAS
-from iconstudio.inputs.sketch import example
 from iconstudio.model import Polygon
 from iconstudio.output.svg import svg_document
 from iconstudio.session import Session
 from iconstudio.workflows.events import Result
 from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.modelling.file import example
+from iconstudio.workflows.modelling.spec import MODELLING
 
 STYLE = "medium"
 FEW = LAMBDAS[2:6]
@@ -19,7 +20,7 @@ FEW = LAMBDAS[2:6]
 def finished(session, sketch, settings, enough=None):
     """The files of all finished results, by lambda_S; ends after ``enough`` results of any kind."""
     found = {}
-    events = session.model(sketch, settings)
+    events = session.run(MODELLING, sketch, settings)
     for event in events:
         if isinstance(event, Result):
             if not event.preview:
@@ -35,7 +36,7 @@ def finished(session, sketch, settings, enough=None):
 def test_a_run_after_many_edits_equals_a_fresh_one_to_the_byte():
     sketch = example("shuttle").sketch
     fitted = sketch.polygon.fitted().vertices
-    plain = ModelSettings((STYLE,), FEW)
+    plain = ModelSettings(styles=(STYLE,), lambdas=FEW)
     with Session() as fresh:
         expected = finished(fresh, sketch, plain)
     assert len(expected) == len(FEW)
@@ -55,6 +56,6 @@ def test_what_else_is_asked_for_does_not_matter(asked):
     """All lambda_S of the paper's row are explored, whichever are asked for."""
     sketch = example("shuttle").sketch
     with Session() as session:
-        every = finished(session, sketch, ModelSettings((STYLE,), FEW))
-        some = finished(session, sketch, ModelSettings((STYLE,), asked))
+        every = finished(session, sketch, ModelSettings(styles=(STYLE,), lambdas=FEW))
+        some = finished(session, sketch, ModelSettings(styles=(STYLE,), lambdas=asked))
     assert some == {value: every[value] for value in asked}

@@ -8,10 +8,10 @@ from PIL import Image
 from skimage.data import chelsea
 
 from iconstudio.algorithms.iconification.style import two_toned
-from iconstudio.inputs.edit import read_edit
 from iconstudio.model import IconstudioError
 from iconstudio.session import Session
 from iconstudio.svg.resvg import render_coverage
+from iconstudio.workflows.editing.file import read_edit
 from tests import scans
 
 WORDS = ("dog", "house", "lamp", "camera", "bicycle", "tree", "key", "cup", "phone", "cloud")

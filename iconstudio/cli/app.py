@@ -26,29 +26,40 @@ class Window(Protocol):
 
 
 class _Commands(click.Group):
-    """Imports a command's module when it is asked for: ``--help`` and the window stay quick."""
+    """One command for each workflow, and some more.
 
-    helps: ClassVar[dict[str, str]] = {
+    A command's module is imported when it is asked for: ``--help`` and the window stay quick.
+    """
+
+    others: ClassVar[dict[str, str]] = {
         "demo": "Remix an example sketch, in the window if one can open.",
-        "edit": "Change one part of an icon, and keep the rest.",
         "gallery": "Draw sketches with their chosen results in one picture.",
-        "hybrids": "Mix icons at random, and rank what comes of it.",
         "library": "Build the collection of icons.",
-        "model": "Make icons in the shape of a sketch out of parts of real ones.",
-        "montage": "Join the parts of icons that are scribbled over.",
         "search": "List the icons that a word retrieves.",
         "show": "Say whose an icon is, and draw it on its canvas.",
     }
+
+    @property
+    def helps(self) -> dict[str, str]:
+        from iconstudio.workflows.registry import workflows
+
+        return dict(sorted((self.others | {one.name: one.help for one in workflows()}).items()))
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         return list(self.helps)
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
-        if cmd_name not in self.helps:
-            return None
-        from importlib import import_module
+        from iconstudio.workflows.registry import workflows
+        from iconstudio.workflows.workflow import named
 
-        command: click.Command = import_module(f"iconstudio.cli.{cmd_name}").command
+        for one in workflows():
+            if one.name == cmd_name and not one.command:
+                from iconstudio.cli.plain import command_of
+
+                return command_of(one)
+        own = {one.name: one.command for one in workflows()}
+        reference = own.get(cmd_name) or f"iconstudio.cli.{cmd_name}:command"
+        command: click.Command | None = named(reference) if cmd_name in self.helps else None
         return command
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import click
 
-from iconstudio.inputs.sketch import example
+from iconstudio.workflows.modelling.file import example
 
 
 @click.command("demo")

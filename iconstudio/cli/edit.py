@@ -2,10 +2,11 @@
 
 from iconstudio.cli import grid, running
 from iconstudio.cli.timing import profiled
-from iconstudio.inputs.edit import read_edit
 from iconstudio.output.wish import changed
 from iconstudio.session import Session
-from iconstudio.workflows.editing import own_styles, prepare_change
+from iconstudio.workflows.editing.editing import own_styles, prepare_change
+from iconstudio.workflows.editing.file import read_edit
+from iconstudio.workflows.editing.spec import EDITING
 
 
 @grid.grid_command("edit", "EDIT.json", "the icon's own")
@@ -20,5 +21,5 @@ def command(asked: grid.Asked) -> None:
         settings = asked.settings(own_styles(icon))
         settings.chosen_styles()
         grid.need_keyword(edit.keyword)
-        events = session.edit(edit, settings)
+        events = session.run(EDITING, edit, settings)
         grid.run(session, events, wish, settings, asked.folder, stopwatch, dump=asked.dump)

@@ -9,7 +9,6 @@ from iconstudio.algorithms.iconification.lattice import LAMBDAS
 from iconstudio.cli.progress import ProgressBar
 from iconstudio.cli.timing import profile_option, profiled
 from iconstudio.inputs.fields import read
-from iconstudio.inputs.sketch import read_sketch
 from iconstudio.model import IconstudioError, Remix
 from iconstudio.output import png
 from iconstudio.output.sheet import Subject, gallery_sheet
@@ -17,6 +16,8 @@ from iconstudio.resources import resource
 from iconstudio.session import Session
 from iconstudio.workflows.events import Progress, Result
 from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.modelling.file import read_sketch
+from iconstudio.workflows.modelling.spec import MODELLING
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,7 +70,7 @@ def command(sketches: Path | None, out: Path, profile: bool) -> None:
         for number, path in enumerate(files):
             sketch, choice = read_sketch(path), Choice.read(path)
             remix = None
-            for event in session.model(sketch.sketch, _settings(choice)):
+            for event in session.run(MODELLING, sketch.sketch, _settings(choice)):
                 stopwatch.note(event)
                 match event:
                     case Result(icon=Remix() as icon):

@@ -50,7 +50,12 @@ class Asked:
     def settings(self, styles: tuple[str, ...]) -> ModelSettings:
         """Return which results to make; ``styles`` are those made if none is named."""
         side = running.side_of(self.fine)
-        return ModelSettings(self.styles or styles, self.lambdas, self.scales, side=side)
+        return ModelSettings(
+            side=side,
+            styles=self.styles or styles,
+            lambdas=self.lambdas,
+            scales=self.scales,
+        )
 
 
 def grid_command(

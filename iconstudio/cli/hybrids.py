@@ -8,12 +8,14 @@ import click
 
 from iconstudio.cli import running
 from iconstudio.cli.timing import profile_option, profiled
-from iconstudio.inputs.hybrids import LARGEST_SEED, HybridsFile, read_hybrids
 from iconstudio.model import IconstudioError
 from iconstudio.output.hybrids import HybridsReport
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
-from iconstudio.workflows.hybrids import MOST_DRAWS
+from iconstudio.workflows.hybrids.file import LARGEST_SEED, HybridsFile, read_hybrids
+from iconstudio.workflows.hybrids.hybrids import MOST_DRAWS
+from iconstudio.workflows.hybrids.spec import HYBRIDS
+from iconstudio.workflows.workflow import Settings
 
 
 @click.command("hybrids")
@@ -61,9 +63,9 @@ def _mixing(session: Session, hybrids: HybridsFile, side: int) -> Generator[Even
     if not hybrids.keyword:
         mix = hybrids.resolved(session.icon)
         running.tell_remarks(mix.icons)
-        yield from session.mix(mix, side)
+        yield from session.run(HYBRIDS, mix, Settings(side))
         return
     icons = yield from session.choose(
         hybrids.keyword, hybrids.count, hybrids.symmetry, hybrids.seed
     )
-    yield from session.mix(hybrids.mix(icons), side)
+    yield from session.run(HYBRIDS, hybrids.mix(icons), Settings(side))

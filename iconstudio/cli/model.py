@@ -7,11 +7,12 @@ import click
 from iconstudio.algorithms.geometry import crosses_itself
 from iconstudio.cli import grid
 from iconstudio.cli.timing import Stopwatch, profiled
-from iconstudio.inputs.sketch import read_sketch
 from iconstudio.model import Sketch
 from iconstudio.output.wish import sketched
 from iconstudio.session import Session
 from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.modelling.file import read_sketch
+from iconstudio.workflows.modelling.spec import MODELLING
 
 
 @grid.grid_command("model", "SKETCH.json", "all four")
@@ -38,5 +39,5 @@ def run(
     grid.need_keyword(sketch.keyword)
     if crosses_itself(sketch.polygon):
         click.echo("The outline crosses itself: all that it encloses counts as inside.", err=True)
-    events = session.model(sketch, settings)
+    events = session.run(MODELLING, sketch, settings)
     grid.run(session, events, wish, settings, folder, stopwatch, dump=dump)

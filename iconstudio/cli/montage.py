@@ -6,9 +6,11 @@ import click
 
 from iconstudio.cli import running
 from iconstudio.cli.timing import profile_option, profiled
-from iconstudio.inputs.montage import read_montage
 from iconstudio.output.montage import MontageReport
 from iconstudio.session import Session
+from iconstudio.workflows.montage.file import read_montage
+from iconstudio.workflows.montage.spec import MONTAGE
+from iconstudio.workflows.workflow import Settings
 
 
 @click.command("montage")
@@ -23,6 +25,6 @@ def command(file: Path, folder: Path, fine: bool, profile: bool) -> None:
         montage = read.resolved(session.icon)
         running.tell_remarks(layer.icon for layer in montage.layers)
         report = MontageReport(folder, montage)
-        events = session.montage(montage, running.side_of(fine))
+        events = session.run(MONTAGE, montage, Settings(running.side_of(fine)))
         running.run(session, events, report, stopwatch)
     click.echo(f"1 icon; see {click.format_filename(folder / 'sheet.png')}")

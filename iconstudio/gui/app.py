@@ -9,9 +9,9 @@ from shiboken6.Shiboken import createdByPython
 
 from iconstudio.gui import theme
 from iconstudio.gui.main_window import MainWindow
-from iconstudio.gui.workspaces.sketching.workspace import SketchWorkspace
-from iconstudio.inputs.sketch import example as read_example
 from iconstudio.session import Session
+from iconstudio.workflows.modelling.file import example as read_example
+from iconstudio.workflows.modelling.spec import MODELLING
 
 _TURN = 0.001
 """Seconds after which a busy thread lets the window's go on. Each call of Qt gives the interpreter
@@ -71,7 +71,7 @@ def keep_going() -> None:
 
 def start(window: MainWindow, example: str) -> None:
     """Load an example and remix it as soon as it is there."""
-    sketching = window.workspace_of(SketchWorkspace.title)
+    sketching = window.workspace_of(MODELLING.title)
     sketching.demonstrate(read_example(example))
 
 

@@ -15,11 +15,14 @@ from iconstudio.gui.pictures import Picture
 from iconstudio.gui.saving import Saver
 from iconstudio.gui.theme import UNIT
 from iconstudio.gui.worker import Worker
-from iconstudio.gui.workspaces.all import WORKSPACES
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.model import Pictogram
 from iconstudio.session import Session
+from iconstudio.workflows import registry
+from iconstudio.workflows.workflow import Workflow, named
 
+_PLAIN = "iconstudio.gui.workspaces.plain.workspace:PlainWorkspace"
+"""The workspace of workflows that have none of their own."""
 _FRAME, _TITLE = 16, 48
 """What the system's frame around a window takes of the screen at most, in pixels."""
 
@@ -30,19 +33,17 @@ class MainWindow(QMainWindow):
     A workspace is made when it is first used, so that the window opens fast.
     """
 
-    def __init__(
-        self, session: Session, workspaces: Sequence[type[Workspace]] = WORKSPACES
-    ) -> None:
+    def __init__(self, session: Session, workflows: Sequence[Workflow] | None = None) -> None:
         super().__init__()
         self._session = session
-        self._kinds = tuple(workspaces)
+        self._workflows = tuple(registry.workflows() if workflows is None else workflows)
         self._made: dict[int, Desk] = {}
         self._files = Worker(self)
         self.saver = Saver(self._files, self)
         self._destinations = tuple(
-            Destination(one.title, one.invitation) for one in workspaces if one.invitation
+            Destination(one.title, one.invitation) for one in self._workflows if one.invitation
         )
-        self.modes = ModeSwitch([one.title for one in workspaces])
+        self.modes = ModeSwitch([one.title for one in self._workflows])
         self.recent = RecentStrip(self._destinations)
         self.desks = QStackedWidget()
         self.actions_by_name = Actions(
@@ -95,7 +96,7 @@ class MainWindow(QMainWindow):
     @property
     def workspaces(self) -> tuple[Workspace, ...]:
         """All workspaces, as they stand on the switch."""
-        return tuple(self._desk(number).workspace for number in range(len(self._kinds)))
+        return tuple(self._desk(number).workspace for number in range(len(self._workflows)))
 
     def workspace_of(self, title: str) -> Workspace:
         """Return the workspace of that title."""
@@ -115,12 +116,14 @@ class MainWindow(QMainWindow):
         return self.workspace.actions_by_name.get(name) or self.actions_by_name[name]
 
     def _number(self, title: str) -> int:
-        return next(n for n, kind in enumerate(self._kinds) if kind.title == title)
+        return next(n for n, one in enumerate(self._workflows) if one.title == title)
 
     def _desk(self, number: int) -> Desk:
         """Return a workspace's desk, made if it is the first time."""
         if number not in self._made:
-            workspace = self._kinds[number](self._session, self._files, self.saver)
+            workflow = self._workflows[number]
+            kind = named(workflow.workspace or _PLAIN)
+            workspace = kind(workflow, self._session, self._files, self.saver)
             workspace.set_destinations(self._destinations)
             workspace.made.connect(self.recent.keep)
             workspace.send.connect(self._send)

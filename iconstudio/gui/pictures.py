@@ -141,17 +141,11 @@ def stencil(coverage: NDArray[np.uint8], color: QColor) -> QImage:
 
 def placed(image: QImage, placement: Placement) -> QImage:
     """Return a picture of the canvas with ``image``, the size of the canvas, at its placement."""
-    half = CANVAS / 2
-    mirror = -1 if placement.flip else 1
-    transform = QTransform()
-    transform.translate(half + placement.dx, half + placement.dy)
-    transform.scale(placement.scale * mirror, placement.scale)
-    transform.translate(-half, -half)
     result = QImage(CANVAS, CANVAS, QImage.Format.Format_ARGB32_Premultiplied)
     result.fill(Qt.GlobalColor.transparent)
     with QPainter(result) as painter:
         painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
-        painter.setTransform(transform)
+        painter.setTransform(QTransform(*placement.transform))
         painter.drawImage(0, 0, image)
     return result
 

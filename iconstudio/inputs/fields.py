@@ -7,7 +7,6 @@ import os
 import re
 from collections import Counter
 from collections.abc import Iterator
-from enum import Enum
 from itertools import chain
 from pathlib import Path
 from typing import Any, TypeGuard
@@ -46,15 +45,21 @@ class Fields:
     """
 
     def __init__(self, data: object, path: Path, place: str = "") -> None:
-        self._path = path
+        self.path = path
+        """Of the file."""
         self._place = place
         if not isinstance(data, dict):
             raise self.mistake('An object such as {"key": "value"} is needed.')
         self._data = data
 
+    @property
+    def keys(self) -> frozenset[str]:
+        """The names of the fields that are there."""
+        return frozenset(self._data)
+
     def mistake(self, sentence: str) -> IconstudioError:
         """Return the error that says what is wrong, and where."""
-        return IconstudioError(f"In “{self._path.name}”{self._place}: {sentence}")
+        return IconstudioError(f"In “{self.path.name}”{self._place}: {sentence}")
 
     def has(self, key: str) -> bool:
         """Whether the field is there, and not null."""
@@ -158,11 +163,11 @@ class Fields:
         """Yield the objects of a list, each called ``name`` and its number in messages."""
         values = self._list(key, f"{name}s") if self.has(key) else []
         for number, value in enumerate(values, start=1):
-            yield Fields(value, self._path, f"{self._place}, {name} {number}")
+            yield Fields(value, self.path, f"{self._place}, {name} {number}")
 
     def object(self, key: str) -> "Fields":
         """Return an object; an empty one if there is none."""
-        return Fields(self._given(key, {}), self._path, f"{self._place}, {key}")
+        return Fields(self._given(key, {}), self.path, f"{self._place}, {key}")
 
     def _given(self, key: str, default: Any) -> Any:
         return self._data[key] if self.has(key) else default
@@ -225,29 +230,16 @@ class Fields:
             )
         if _OF_COLLECTION.fullmatch(text):
             return text
-        return os.path.realpath(self._path.parent / text)
+        return os.path.realpath(self.path.parent / text)
 
 
-class Kind(Enum):
-    """What a file of the user's work holds: where it is opened, and the fields that tell."""
-
-    SKETCH = "sketch", "Sketch", "model", {"polygon"}
-    EDIT = "edit", "Edit", "edit", {"icon", "remove", "add"}
-    MIX = "mix", "Hybrids", "hybrids", {"icons", "draws", "seed", "pins"}
-    MONTAGE = "montage", "Montage", "montage", {"layers"}
-
-    def __init__(self, noun: str, workspace: str, command: str, telling: set[str]) -> None:
-        self.noun, self.workspace, self.command = noun, workspace, command
-        self.telling = telling
-
-
-def read(path: Path, kind: Kind | None = None) -> Fields:
+def read(path: Path) -> Fields:
     """Read a JSON file of the user's work.
 
     Raises
     ------
     IconstudioError
-        If it cannot be read, holds no JSON object, or is plainly of another ``kind``.
+        If it cannot be read, or holds no JSON object.
     """
     try:
         text = read_bytes(path, MOST_BYTES)
@@ -262,15 +254,7 @@ def read(path: Path, kind: Kind | None = None) -> Fields:
     except ValueError as error:
         reason = str(error)
     else:
-        fields = Fields(data, path)
-        if kind is not None and not kind.telling & data.keys():
-            for other in Kind:
-                if other.telling & data.keys():
-                    raise fields.mistake(
-                        f"this is no {kind.noun}, but looks like a {other.noun}. Open it in "
-                        f"{other.workspace}, or with iconstudio {other.command}."
-                    )
-        return fields
+        return Fields(data, path)
     raise IconstudioError(
         f"“{path.name}” is not valid JSON: {reason}. Save it again, or mend it in an editor."
     )

@@ -4,6 +4,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Protocol
 
+from fontTools.misc.transform import Transform
+
 from iconstudio.model.sketch import Point
 
 Line = tuple[Point]
@@ -76,6 +78,23 @@ class Path:
             else:
                 pen.endPath()
 
+    def transformed(self, transform: Transform) -> "Path":
+        """Return the path moved by an affine map; a closed contour keeps its order.
+
+        >>> Path((Contour((1, 2), (((3, 4),),)),)).transformed(Transform(-1, 0, 0, 1, 8, 0)).svg()
+        'M7 2 5 4Z'
+        """
+        return Path(
+            tuple(
+                Contour(
+                    transform.transformPoint(one.start),
+                    tuple(_moved(segment, transform) for segment in one.segments),
+                    one.closed,
+                )
+                for one in self.contours
+            )
+        )
+
     def svg(self) -> str:
         """Return SVG path data, to a hundredth of a unit."""
         from fontTools.pens.svgPathPen import SVGPathPen
@@ -122,6 +141,13 @@ class PathPen:
 
     def _end(self, closed: bool) -> None:
         self._contours.append(Contour(self._start, tuple(self._segments), closed))
+
+
+def _moved(segment: Segment, transform: Transform) -> Segment:
+    if len(segment) == 1:
+        return (transform.transformPoint(segment[0]),)
+    first, second, end = map(transform.transformPoint, segment)
+    return first, second, end
 
 
 def _point(pt: Point) -> Point:

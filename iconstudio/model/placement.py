@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+from fontTools.misc.transform import Transform
+
 from iconstudio.model.canvas import CANVAS
 from iconstudio.model.exemplar import Exemplar, Frame
 
@@ -25,6 +27,17 @@ class Placement:
         object.__setattr__(self, "flip", bool(self.flip))
         object.__setattr__(self, "dx", round(self.dx))
         object.__setattr__(self, "dy", round(self.dy))
+
+    @property
+    def transform(self) -> Transform:
+        """The same as an affine map of canvas points, with the algebra of such maps.
+
+        >>> Placement(scale=2, flip=True, dx=5).transform.transformPoint((128, 138))
+        (133.0, 148.0)
+        """
+        half, mirror = CANVAS / 2, -1 if self.flip else 1
+        there = Transform().translate(half + self.dx, half + self.dy)
+        return there.scale(mirror * self.scale, self.scale).translate(-half, -half)
 
     def frame(self, frame: Frame) -> Frame:
         """Return the part of the pictogram that the canvas shows *before* mirroring.

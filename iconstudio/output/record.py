@@ -73,12 +73,13 @@ def _of_share(label: int, composite: Composite) -> dict[str, Any]:
     source = composite.sources[label]
     pictogram = source.exemplar.pictogram
     share = {"share": composite.shares[label], "label": label}
-    described = of_source(source) | _thanks(pictogram) | share
+    described = of_source(source) | thanks(pictogram) | share
     if pictogram.made_of:
-        described["made_of"] = [{"icon": one.id} | _thanks(one) for one in pictogram.made_of]
+        described["made_of"] = [{"icon": one.id} | thanks(one) for one in pictogram.made_of]
     return described
 
 
-def _thanks(pictogram: Pictogram) -> dict[str, str]:
+def thanks(pictogram: Pictogram) -> dict[str, str]:
+    """Describe whom to thank for a pictogram."""
     credit = pictogram.credit
     return {"author": credit.author, "license": credit.license, "url": credit.url}

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from iconstudio.algorithms.raster import Bitmap, fill_polygon
 from iconstudio.model import CANVAS, Axis, Edit, Sketch, Source
 from iconstudio.output.page import INK, MUTED, RGB
-from iconstudio.workflows.editing import Change, prepare_change
+from iconstudio.workflows.editing.editing import Change, prepare_change
 
 ADDED, REMOVED = (46, 148, 84), (206, 58, 48)
 _ADDED_GROUND, _REMOVED_GROUND = (150, 214, 172), (246, 200, 195)

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable, Generator, Iterable, Sequence
+from contextlib import closing
 from dataclasses import dataclass
 from functools import partial
 
@@ -12,7 +13,7 @@ from iconstudio.algorithms.iconification.lattice import LAMBDAS
 from iconstudio.algorithms.iconification.matching import SCALES, Matcher, sources_of
 from iconstudio.algorithms.iconification.saliency import Region
 from iconstudio.algorithms.iconification.style import STYLES, Style
-from iconstudio.model import CANVAS, Composite, IconstudioError, Placement, Remix, Source
+from iconstudio.model import Composite, IconstudioError, Placement, Remix, Source
 from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import (
@@ -26,9 +27,7 @@ from iconstudio.workflows.events import (
 )
 from iconstudio.workflows.remixing import Finish, Remixing
 from iconstudio.workflows.solving import Job, Posed
-
-FINE = 2 * CANVAS
-"""The side of fine results: seams run between half pixels of the canvas."""
+from iconstudio.workflows.workflow import Resources, Settings
 
 UNTOUCHED = 0.98
 """A source with this part of the ink is the result, but for crumbs."""
@@ -36,8 +35,8 @@ UNTOUCHED = 0.98
 Matches = tuple[tuple[Source, ...], ...]
 
 
-@dataclass(frozen=True, slots=True)
-class ModelSettings:
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ModelSettings(Settings):
     """Which results to make, and at which scales to try the exemplars."""
 
     styles: tuple[str, ...] = tuple(style.name for style in STYLES)
@@ -48,8 +47,6 @@ class ModelSettings:
     """Style and lambda_S of the result that is wanted first; then come others of its style."""
     previews: bool = False
     """Whether coarse results go ahead of the finished ones, for whoever waits."""
-    side: int = CANVAS
-    """m, the sites in a row of the graph cut: the paper's, or ``FINE``."""
 
     @property
     def explored(self) -> tuple[float, ...]:
@@ -170,6 +167,20 @@ def remix_styles(
             yield from recommending.after(remixing.ready(wanted=True))
     finally:
         remixing.cancel()
+
+
+def focused(
+    resources: Resources, subject: str, events: Generator[Event], settings: ModelSettings
+) -> Generator[Event]:
+    """Pass on a run, and keep its result in focus: the next run of that subject begins with it."""
+    with closing(events):
+        for event in events:
+            match event:
+                case Result(icon=Remix(composite=one)):
+                    if (one.style, one.lambda_s) == settings.focus:
+                        resources.earlier.clear()
+                        resources.earlier[subject] = one
+            yield event
 
 
 class Recommending:

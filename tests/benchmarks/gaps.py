@@ -26,8 +26,8 @@ from iconstudio.gui import theme
 from iconstudio.gui.app import application, keep_going
 from iconstudio.gui.main_window import MainWindow
 from iconstudio.gui.panels.cell import ResultCell
-from iconstudio.inputs.sketch import example
 from iconstudio.session import Session
+from iconstudio.workflows.modelling.file import example
 
 LIMIT = 0.05
 PATIENCE = 45.0

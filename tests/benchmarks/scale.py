@@ -26,12 +26,12 @@ from iconstudio.algorithms.iconification.style import STYLES
 from iconstudio.algorithms.iconification.sweep import Sweep
 from iconstudio.algorithms.iconification.tsdf import tsdf
 from iconstudio.algorithms.raster import fill_polygon
-from iconstudio.inputs.sketch import example
 from iconstudio.library.collection import Collection
 from iconstudio.model import CANVAS, Exemplar, IconstudioError, Polygon, Source
 from iconstudio.session import Session
 from iconstudio.svg.rasterise import rasterise
 from iconstudio.workflows.grid import distinct
+from iconstudio.workflows.modelling.file import example
 from tests.benchmarks.grown import write_collection
 from tests.benchmarks.readme import put
 from tests.shapes import regions_of

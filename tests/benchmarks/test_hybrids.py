@@ -16,12 +16,13 @@ from iconstudio.algorithms.iconification.energy import RemixProblem, placed_sour
 from iconstudio.algorithms.iconification.guidance import seed_cost
 from iconstudio.algorithms.iconification.lattice import Lattice
 from iconstudio.algorithms.iconification.sweep import Sweep
-from iconstudio.inputs.hybrids import read_hybrids
 from iconstudio.model import Placement, Source
 from iconstudio.resources import resource
 from iconstudio.session import Session
 from iconstudio.workflows.events import Result
-from iconstudio.workflows.hybrids import LAMBDA_S, draw_seeds
+from iconstudio.workflows.hybrids.file import read_hybrids
+from iconstudio.workflows.hybrids.hybrids import LAMBDA_S, draw_seeds
+from iconstudio.workflows.hybrids.spec import HYBRIDS
 from tests.oracles.expansion import minimise
 
 
@@ -65,7 +66,7 @@ def test_session(benchmark, session, mix):
         return (replace(mix, seed=next(numbers)),), {}
 
     def run(wanted):
-        return [event for event in session.mix(wanted) if isinstance(event, Result)]
+        return [event for event in session.run(HYBRIDS, wanted) if isinstance(event, Result)]
 
     results = benchmark.pedantic(run, setup=another, rounds=3, warmup_rounds=1)
     benchmark.extra_info["kept"] = len(results)

@@ -13,11 +13,12 @@ import numpy as np
 import pytest
 
 from iconstudio.algorithms.iconification.lattice import LAMBDAS
-from iconstudio.inputs.sketch import example
 from iconstudio.model import Polygon, Sketch
 from iconstudio.session import Session
 from iconstudio.workflows.events import Result
 from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.modelling.file import example
+from iconstudio.workflows.modelling.spec import MODELLING
 
 FOCUS = ("medium", LAMBDAS[4])
 LIVE = ModelSettings(previews=True, focus=FOCUS)
@@ -37,7 +38,11 @@ def sketch():
 def session(sketch):
     """Ready: the icons are prepared and the worker processes have worked before."""
     with Session() as session:
-        for steps in (session.get_ready(), session.prepare(sketch.keyword), session.model(sketch)):
+        for steps in (
+            session.get_ready(),
+            session.prepare(sketch.keyword),
+            session.run(MODELLING, sketch),
+        ):
             for _ in steps:
                 pass
         yield session
@@ -69,7 +74,7 @@ def test_full_grid(benchmark, session, sketch):
         return (moved(sketch, shaken),), {}
 
     def run(wanted):
-        times = [seconds for seconds, _ in timed(session.model(wanted, LIVE))]
+        times = [seconds for seconds, _ in timed(session.run(MODELLING, wanted, LIVE))]
         firsts.append(times[0])
 
     benchmark.pedantic(run, setup=another, rounds=5, warmup_rounds=1)
@@ -90,7 +95,7 @@ def test_drag(benchmark, session, sketch):
         return (moved(sketch, by),), {}
 
     def run(wanted):
-        with closing(timed(session.model(wanted, LIVE))) as results:
+        with closing(timed(session.run(MODELLING, wanted, LIVE))) as results:
             at, coarse = next(results)
             previews.append(at)
             for _, result in results:

@@ -13,9 +13,9 @@ from iconstudio.algorithms.iconification.matching import MATCHES, SCALES, Matche
 from iconstudio.algorithms.iconification.style import STYLES
 from iconstudio.algorithms.iconification.tsdf import tsdf
 from iconstudio.algorithms.raster import fill_polygon
-from iconstudio.inputs.sketch import example, read_sketch
 from iconstudio.resources import resource
 from iconstudio.session import Session
+from iconstudio.workflows.modelling.file import example, read_sketch
 from tests.oracles.exhaustive import exhaustive
 from tests.shapes import regions_of
 

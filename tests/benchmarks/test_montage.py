@@ -11,6 +11,7 @@ import pytest
 from iconstudio.model import Layer, Montage, Stroke
 from iconstudio.session import Session
 from iconstudio.workflows.events import Result
+from iconstudio.workflows.montage.spec import MONTAGE
 
 ICONS = ("glyphs:house", "bi:houses", "lucide:houses", "reicon:house-duotone")
 ROUNDS = 15
@@ -49,7 +50,7 @@ def test_session(benchmark, session, montage):
         return (Montage((*montage.layers[:-1], marked)),), {}
 
     def make(wanted):
-        return [event for event in session.montage(wanted) if isinstance(event, Result)]
+        return [event for event in session.run(MONTAGE, wanted) if isinstance(event, Result)]
 
     (result,) = benchmark.pedantic(make, setup=one_more_stroke, rounds=ROUNDS, warmup_rounds=4)
     benchmark.extra_info["cut, seconds"] = result.remix_seconds
@@ -66,10 +67,9 @@ def test_window(benchmark, session, montage, qtbot):
     from iconstudio.gui.main_window import MainWindow
     from iconstudio.gui.workspaces.montage.opening import page_of
     from iconstudio.gui.workspaces.montage.page import Icon
-    from iconstudio.gui.workspaces.montage.workspace import MontageWorkspace
 
     left = Qt.MouseButton.LeftButton
-    window = MainWindow(session, (MontageWorkspace,))
+    window = MainWindow(session, (MONTAGE,))
     window.resize(1280, 720)
     window.show()
     place = window.workspace

@@ -19,10 +19,10 @@ from iconstudio.algorithms.iconification.style import STYLES
 from iconstudio.algorithms.iconification.sweep import Sweep
 from iconstudio.algorithms.iconification.tsdf import tsdf
 from iconstudio.algorithms.raster import fill_polygon
-from iconstudio.inputs.sketch import read_sketch
 from iconstudio.resources import resource
 from iconstudio.session import Session
 from iconstudio.workflows.grid import distinct
+from iconstudio.workflows.modelling.file import read_sketch
 from tests.oracles.expansion import energy, minimise
 from tests.shapes import regions_of
 

@@ -13,12 +13,12 @@ from iconstudio.algorithms.iconification.style import STYLES
 from iconstudio.algorithms.iconification.sweep import Sweep
 from iconstudio.algorithms.iconification.tsdf import D_MAX, tsdf
 from iconstudio.algorithms.raster import fill_polygon
-from iconstudio.inputs.sketch import example
 from iconstudio.model import CANVAS
 from iconstudio.session import Session
 from iconstudio.svg.resvg import render_placed
 from iconstudio.workflows.drawing import draw
 from iconstudio.workflows.grid import distinct
+from iconstudio.workflows.modelling.file import example
 from tests.shapes import regions_of
 
 

@@ -14,13 +14,14 @@ from tests.benchmarks.memory import Peak
 CODE = """
 import time
 began = time.perf_counter()
+from iconstudio.workflows.modelling.spec import MODELLING
 from iconstudio.session import Session
-from iconstudio.inputs.sketch import example
+from iconstudio.workflows.modelling.file import example
 from iconstudio.workflows.events import Result
 first, count = None, 0
 if __name__ == "__main__":
     with Session() as session:
-        for event in session.model(example("motorbike").sketch):
+        for event in session.run(MODELLING, example("motorbike").sketch):
             if isinstance(event, Result):
                 first = first or time.perf_counter() - began
                 count += 1

@@ -17,9 +17,9 @@ from iconstudio.gui.dragging import packed
 from iconstudio.gui.workspaces.editing.page import EditPage, Kind
 from iconstudio.gui.workspaces.editing.tools import DrawTool, SelectTool
 from iconstudio.gui.workspaces.proposal import PAUSE
-from iconstudio.inputs.edit import read_edit
 from iconstudio.model import Axis
-from iconstudio.session import ModelSettings
+from iconstudio.workflows.editing.file import read_edit
+from iconstudio.workflows.grid import ModelSettings
 
 LAMBDAS = ModelSettings().lambdas
 RED = [(40.0, 40.0), (120.0, 45.0), (115.0, 120.0), (45.0, 110.0)]

@@ -18,9 +18,9 @@ from iconstudio.gui.main_window import MainWindow
 from iconstudio.gui.pictures import Picture
 from iconstudio.gui.workspaces.hybrids.cards import on_shape
 from iconstudio.gui.workspaces.hybrids.sheet_model import Rule
-from iconstudio.gui.workspaces.hybrids.workspace import HybridsWorkspace
 from iconstudio.model import Axis, IconstudioError
 from iconstudio.session import Session
+from iconstudio.workflows.hybrids.spec import HYBRIDS
 
 LEFT = Qt.MouseButton.LeftButton
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -603,7 +603,7 @@ def test_every_edit_is_one_step_and_undone_exactly(chosen):
 
 
 def test_from_nothing_to_a_saved_svg_with_real_icons(qtbot, tmp_path, monkeypatch):
-    window = MainWindow(Session(), (HybridsWorkspace,))
+    window = MainWindow(Session(), (HYBRIDS,))
     qtbot.addWidget(window)
     window.show()
     place = window.workspace

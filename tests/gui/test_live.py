@@ -16,9 +16,9 @@ from iconstudio.gui.preferences import preferred
 from iconstudio.gui.workspaces.sketching import page as edits
 from iconstudio.model import CANVAS, Axis, Polygon, Sketch
 from iconstudio.output.colours import SIGNIFICANT
-from iconstudio.session import ModelSettings
 from iconstudio.workflows.events import Recommended, StyleSkipped
-from iconstudio.workflows.grid import FINE
+from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.workflow import FINE
 
 STYLES = ModelSettings().styles
 LAMBDAS = ModelSettings().lambdas
@@ -614,7 +614,9 @@ def test_an_edit_follows_its_areas_and_the_styles(editing, qtbot, session):
     rest(editing, qtbot, session)
     ((edit, settings),) = runs(session)
     assert edit == editing.document.page.edit()
-    assert settings == ModelSettings(("medium", "dark"), focus=("dark", LAMBDAS[4]), previews=True)
+    assert settings == ModelSettings(
+        styles=("medium", "dark"), focus=("dark", LAMBDAS[4]), previews=True
+    )
     assert not editing.window().desk.notice.isVisible()
     drag(editing, points[2], (100, 100))
     rest(editing, qtbot, session)

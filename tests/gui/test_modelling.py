@@ -19,7 +19,7 @@ from iconstudio.gui.panels.detail import SourceRow
 from iconstudio.gui.panels.elided import ElidedLabel
 from iconstudio.gui.pictures import SourcePicture
 from iconstudio.model import Credit, Pictogram, Placement, Source
-from iconstudio.session import ModelSettings
+from iconstudio.workflows.grid import ModelSettings
 
 STYLES = ModelSettings().styles
 LAMBDAS = ModelSettings().lambdas

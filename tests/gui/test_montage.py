@@ -27,12 +27,12 @@ from iconstudio.gui.main_window import MainWindow
 from iconstudio.gui.workspaces.montage import pictures as montage_pictures
 from iconstudio.gui.workspaces.montage.pictures import LayerPainter
 from iconstudio.gui.workspaces.montage.scene import MontageScene
-from iconstudio.gui.workspaces.montage.workspace import MontageWorkspace
-from iconstudio.inputs.montage import read_montage
 from iconstudio.model import Placement
 from iconstudio.output.colours import source_colours
 from iconstudio.session import Session
 from iconstudio.svg.reading import own_svg
+from iconstudio.workflows.montage.file import read_montage
+from iconstudio.workflows.montage.spec import MONTAGE
 
 LEFT, RIGHT = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton
 ALT, CTRL, SHIFT = (
@@ -805,7 +805,7 @@ def test_undo_gives_back_every_page(two, qtbot):
 
 
 def test_from_an_empty_start_to_a_saved_icon_with_the_real_session(qtbot, tmp_path, monkeypatch):
-    window = MainWindow(Session(), (MontageWorkspace,))
+    window = MainWindow(Session(), (MONTAGE,))
     qtbot.addWidget(window)
     window.resize(1280, 720)
     window.show()

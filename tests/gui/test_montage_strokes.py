@@ -10,9 +10,9 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from iconstudio.algorithms.iconification.guidance import points_on, scribble
-from iconstudio.inputs.montage import LayerFile, MontageFile, read_montage, write_montage
 from iconstudio.model import CANVAS, IconstudioError, Placement, Stroke
-from iconstudio.workflows.montage import check
+from iconstudio.workflows.montage.file import LayerFile, MontageFile, read_montage, write_montage
+from iconstudio.workflows.montage.montage import check
 
 pytest.importorskip("PySide6.QtGui")
 

@@ -14,8 +14,8 @@ from iconstudio.gui.mipmap import Mipmap
 from iconstudio.gui.photo import image_of, photo_of, qt_image
 from iconstudio.images.reading import Image
 from iconstudio.inputs.examples import examples
-from iconstudio.inputs.sketch import example, read_sketch
 from iconstudio.model import IconstudioError
+from iconstudio.workflows.modelling.file import example, read_sketch
 
 
 @pytest.fixture

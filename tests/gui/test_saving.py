@@ -10,12 +10,12 @@ from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
 
 from iconstudio.gui import saving
-from iconstudio.inputs.sketch import example, read_sketch
 from iconstudio.model import IconstudioError
 from iconstudio.output.png import coverage
 from iconstudio.output.svg import svg_document
 from iconstudio.svg.rasterise import rasterise
 from iconstudio.svg.reading import own_svg
+from iconstudio.workflows.modelling.file import example, read_sketch
 
 
 def rgba(image):

@@ -1,6 +1,7 @@
 """Several workspaces in one window: each keeps its page and its work; icons go between them."""
 
 import threading
+from dataclasses import replace
 
 import pytest
 from fake_session import RECOMMENDED
@@ -19,7 +20,8 @@ from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.sketching.page import SketchPage
 from iconstudio.gui.workspaces.sketching.workspace import SketchWorkspace
 from iconstudio.gui.workspaces.wishes import set_keyword
-from iconstudio.session import ModelSettings
+from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.modelling.spec import MODELLING
 
 LAMBDAS = ModelSettings().lambdas
 LEFT = Qt.MouseButton.LeftButton
@@ -28,11 +30,8 @@ LEFT = Qt.MouseButton.LeftButton
 class Pad(Workspace):
     """A workspace that takes icons and does nothing with them."""
 
-    title = "Pad"
-    invitation = "Add to pad"
-
-    def __init__(self, session, files, saver):
-        super().__init__(session, files, saver, Document(SketchPage()))
+    def __init__(self, workflow, session, files, saver):
+        super().__init__(workflow, session, files, saver, Document(SketchPage()))
         self.taken = []
         own = {"&View": [Entry("dip", "Dip the pen", keys="D")]}
         self.make_actions({"dip": lambda: self.said.emit("dipped")}, own)
@@ -45,10 +44,15 @@ class Pad(Workspace):
         self.taken.append(pictogram)
 
 
+PAD = replace(
+    MODELLING, name="pad", title="Pad", invitation="Add to pad", workspace=f"{__name__}:Pad"
+)
+
+
 @pytest.fixture
 def house(qtbot, session):
     """A window with two workspaces."""
-    window = MainWindow(session, (SketchWorkspace, Pad))
+    window = MainWindow(session, (MODELLING, PAD))
     qtbot.addWidget(window)
     window.resize(1280, 720)
     window.show()

@@ -14,12 +14,12 @@ import pytest
 from iconstudio.algorithms.geometry import near
 from iconstudio.algorithms.iconification.guidance import scribble
 from iconstudio.inputs import fields
-from iconstudio.inputs.edit import read_edit
-from iconstudio.inputs.hybrids import read_hybrids
-from iconstudio.inputs.montage import read_montage
-from iconstudio.inputs.sketch import read_sketch
 from iconstudio.model import CANVAS, MARGIN, IconstudioError, Stroke
 from iconstudio.resources import resource
+from iconstudio.workflows.editing.file import read_edit
+from iconstudio.workflows.hybrids.file import read_hybrids
+from iconstudio.workflows.modelling.file import read_sketch
+from iconstudio.workflows.montage.file import read_montage
 
 READERS = {"": read_sketch, "edits": read_edit, "hybrids": read_hybrids, "montages": read_montage}
 SQUARE = [[10, 10], [90, 10], [90, 90], [10, 90]]

@@ -9,11 +9,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from iconstudio.inputs.edit import EditFile, read_edit, write_edit
-from iconstudio.inputs.hybrids import HybridsFile, read_hybrids, write_hybrids
-from iconstudio.inputs.montage import LayerFile, MontageFile, read_montage, write_montage
-from iconstudio.inputs.sketch import read_sketch, write_sketch
 from iconstudio.model import Axis, Edit, IconstudioError, Placement, Polygon, Sketch, Stroke
+from iconstudio.workflows.editing.file import EditFile, read_edit, write_edit
+from iconstudio.workflows.hybrids.file import HybridsFile, read_hybrids, write_hybrids
+from iconstudio.workflows.modelling.file import read_sketch, write_sketch
+from iconstudio.workflows.montage.file import LayerFile, MontageFile, read_montage, write_montage
 from tests.shapes import pictogram
 
 SQUARE = [[0, 0], [100, 0], [100, 80], [0, 80]]

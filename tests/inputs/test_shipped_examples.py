@@ -2,14 +2,14 @@
 
 import pytest
 
-from iconstudio.inputs.edit import read_edit
 from iconstudio.inputs.examples import examples
-from iconstudio.inputs.hybrids import read_hybrids
-from iconstudio.inputs.montage import read_montage
-from iconstudio.inputs.sketch import read_sketch
 from iconstudio.session import Session
 from iconstudio.workflows import hybrids, montage
-from iconstudio.workflows.editing import prepare_change
+from iconstudio.workflows.editing.editing import prepare_change
+from iconstudio.workflows.editing.file import read_edit
+from iconstudio.workflows.hybrids.file import read_hybrids
+from iconstudio.workflows.modelling.file import read_sketch
+from iconstudio.workflows.montage.file import read_montage
 
 
 @pytest.fixture(scope="module")

@@ -16,7 +16,7 @@ from iconstudio.model import CANVAS, Axis, Edit, IconstudioError, Polygon
 from iconstudio.output import png
 from iconstudio.output.report import GridReport
 from iconstudio.output.wish import changed, sketched
-from iconstudio.workflows.editing import prepare_change
+from iconstudio.workflows.editing.editing import prepare_change
 from iconstudio.workflows.events import (
     Progress,
     Recommended,

@@ -14,7 +14,7 @@ from iconstudio.output.colours import palette, source_colours
 from iconstudio.output.page import PAPER, Page, font, shortened
 from iconstudio.output.sheet import Row, Subject, gallery_sheet, grid_sheet, search_sheet
 from iconstudio.output.wish import changed, sketched
-from iconstudio.workflows.editing import prepare_change
+from iconstudio.workflows.editing.editing import prepare_change
 from tests.output.made import BLOCK, DISC, RING, SOURCES, SQUARE, made, quarters
 
 LAMBDAS = (0.05, 0.2, 0.75)

@@ -7,7 +7,7 @@ from iconstudio.algorithms.iconification.matching import Matcher, prepare
 from iconstudio.model import CANVAS, Edit, IconstudioError, Polygon
 from iconstudio.svg.resvg import render_placed
 from iconstudio.workers import Workers
-from iconstudio.workflows.editing import edit_icon, own_styles, prepare_change
+from iconstudio.workflows.editing.editing import edit_icon, own_styles, prepare_change
 from iconstudio.workflows.events import Recommended, StyleMatched
 from iconstudio.workflows.grid import ModelSettings
 from tests.shapes import blob, exemplar, icons
@@ -34,7 +34,7 @@ EDIT = Edit(ICON.pictogram, "body", add=(rectangle(60, 60, 110, 100),))
 def events():
     others = [exemplar(blob(seed), f"blob-{seed}") for seed in range(3)]
     prepared = Matcher([prepare(one) for one in (ICON, WITH_KNOB, *others)])
-    settings = ModelSettings(("dark",), (0.05, 0.3))
+    settings = ModelSettings(styles=("dark",), lambdas=(0.05, 0.3))
     with Workers() as workers:
         change = prepare_change(EDIT, ICON)
         return list(edit_icon(EDIT, change, prepared, settings, workers, render_placed))

@@ -7,9 +7,9 @@ from iconstudio.algorithms.iconification.symmetry import reflected
 from iconstudio.model import CANVAS, Axis, IconstudioError, Mix
 from iconstudio.svg.resvg import render_placed
 from iconstudio.workers import Workers
-from iconstudio.workflows.choosing import choose_icons, stroke_width
 from iconstudio.workflows.events import Progress
-from iconstudio.workflows.hybrids import check, draw_seeds, mix_icons, pinned
+from iconstudio.workflows.hybrids.choosing import choose_icons, stroke_width
+from iconstudio.workflows.hybrids.hybrids import check, draw_seeds, mix_icons, pinned
 from tests.shapes import blob, exemplar, icons
 
 YS, XS = np.mgrid[:CANVAS, :CANVAS] - CANVAS / 2 + 0.5

@@ -14,7 +14,7 @@ from iconstudio.workflows.events import (
     StyleSkipped,
 )
 from iconstudio.workflows.grid import ModelSettings, distinct
-from iconstudio.workflows.modelling import FEWEST, model
+from iconstudio.workflows.modelling.modelling import FEWEST, model
 from tests.shapes import blob, exemplar, icons
 
 HOUSE = Polygon.of([(16, 128), (128, 16), (240, 128), (210, 128), (210, 240), (46, 240), (46, 128)])

@@ -10,7 +10,7 @@ from iconstudio.model import CANVAS, IconstudioError, Layer, Montage, Placement,
 from iconstudio.svg.resvg import render_placed
 from iconstudio.workers import Workers
 from iconstudio.workflows.events import Progress
-from iconstudio.workflows.montage import montage_icons
+from iconstudio.workflows.montage.montage import montage_icons
 from tests.shapes import exemplar, icons
 
 YS, XS = np.mgrid[:CANVAS, :CANVAS] + 0.5

@@ -107,17 +107,11 @@ def carried(stroke: Stroke, before: Placement, after: Placement) -> Stroke:
     >>> carried(Stroke(4, ((128.0, 138.0),)), Placement(), Placement(scale=2, dx=5))
     Stroke(width=8.0, points=((133.0, 148.0),))
     """
-    grown = after.scale / before.scale
-    mirror = -1 if before.flip != after.flip else 1
-    half = CANVAS / 2
-    points = tuple(
-        (
-            half + mirror * grown * (x - half - before.dx) + after.dx,
-            half + grown * (y - half - before.dy) + after.dy,
-        )
-        for x, y in stroke.points
-    )
-    return Stroke(stroke.width * grown, points)
+    if before == after:
+        return stroke
+    moved = after.transform.transform(before.transform.inverse())
+    points = tuple(map(moved.transformPoint, stroke.points))
+    return Stroke(stroke.width * after.scale / before.scale, points)
 
 
 def points_on(stroke: Stroke) -> NDArray[np.float64]:

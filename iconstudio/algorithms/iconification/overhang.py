@@ -143,14 +143,7 @@ def _border(side: int) -> Bitmap:
 
 def _reach(source: Source) -> float:
     """Return how far a source's ink reaches past the canvas, in canvas units."""
-    placement = source.placement
     ys, xs = np.nonzero(source.exemplar.ink)
-    half, reaches = CANVAS / 2, []
-    for values, shift, mirror in (
-        (xs, placement.dx, -1 if placement.flip else 1),
-        (ys, placement.dy, 1),
-    ):
-        ends = np.array([values.min(), values.max() + 1]) - half
-        ends = half + mirror * placement.scale * ends + shift
-        reaches += [-ends.min(), ends.max() - CANVAS]
-    return float(max(reaches))
+    box = (xs.min(), ys.min()), (xs.max() + 1, ys.max() + 1)
+    corners = np.array(source.placement.transform.transformPoints(box))
+    return float(max(-corners.min(), corners.max() - CANVAS))

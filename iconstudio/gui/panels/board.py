@@ -10,8 +10,8 @@ from iconstudio.gui.panels.results import ResultsPanel
 from iconstudio.gui.panels.sending import Destination, offer
 from iconstudio.gui.pictures import Picture
 from iconstudio.gui.theme import UNIT
-from iconstudio.session import ModelSettings
 from iconstudio.workflows.events import Event, Recommended, StyleMatched, StyleSkipped
+from iconstudio.workflows.grid import ModelSettings
 
 
 class Board(QSplitter):

@@ -111,22 +111,36 @@ class PictureStrip(QListView):
     asked = Signal(object)
     changed = Signal()
 
-    def __init__(self, side: int, hint: str, advice: str, parent: QWidget | None = None) -> None:
+    def __init__(
+        self,
+        side: int,
+        hint: str,
+        advice: str,
+        parent: QWidget | None = None,
+        wrapping: bool = False,
+    ) -> None:
+        """``wrapping``: in as many rows as are needed."""
         super().__init__(parent)
+        self._wrapping = wrapping
         self._hint = hint
         self._model = PictureModel(self, advice)
         self.setModel(self._model)
         self.setItemDelegate(PictureDelegate(self, side))
         self.setFlow(QListView.Flow.LeftToRight)
         self.setUniformItemSizes(True)
-        self.setFixedHeight(side)
+        self.setWrapping(wrapping)
+        if wrapping:
+            self.setResizeMode(QListView.ResizeMode.Adjust)
+            self.setVerticalScrollMode(QListView.ScrollMode.ScrollPerPixel)
+        else:
+            self.setFixedHeight(side)
+            self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setMouseTracking(True)
         self.setDragEnabled(True)
         self.setDragDropMode(QListView.DragDropMode.DragOnly)
         self.setSelectionMode(QListView.SelectionMode.SingleSelection)
         self.setHorizontalScrollMode(QListView.ScrollMode.ScrollPerPixel)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setAccessibleDescription(hint)
         self.clicked.connect(self._choose)
 
@@ -175,7 +189,10 @@ class PictureStrip(QListView):
             self.asked.emit(self.pictures[index.row()])
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        """Scroll to the side, whichever way the wheel turns."""
+        """Scroll to the side, whichever way the wheel turns, if there is one row."""
+        if self._wrapping:
+            super().wheelEvent(event)
+            return
         delta = event.angleDelta()
         bar = self.horizontalScrollBar()
         bar.setValue(bar.value() - (delta.x() or delta.y()) // 2)

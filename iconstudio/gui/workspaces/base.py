@@ -1,7 +1,6 @@
 """What every workspace offers to the window."""
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import ClassVar
 
 from PySide6.QtCore import QMimeData, Signal
 from PySide6.QtWidgets import QMenu, QWidget
@@ -19,15 +18,15 @@ from iconstudio.gui.workspaces.opening import Opener
 from iconstudio.inputs.examples import examples
 from iconstudio.model import Pictogram
 from iconstudio.session import Session
+from iconstudio.workflows.workflow import Workflow
 
 
 class Workspace(QWidget):
     """One workflow of section 4: its page, its work and its results, all its own.
 
-    A subclass says its ``title``, calls ``make_actions`` in ``__init__``, and overrides what it
-    needs. It has a thread, ``worker``, for its runs, and may have more; ``files`` reads and writes
-    files without waiting for them, and ``saver`` asks where to. The window shows what the signals
-    tell.
+    A subclass calls ``make_actions`` in ``__init__``, and overrides what it needs. It has a
+    thread, ``worker``, for its runs, and may have more; ``files`` reads and writes files without
+    waiting for them, and ``saver`` asks where to. The window shows what the signals tell.
 
     Signals
     -------
@@ -47,10 +46,6 @@ class Workspace(QWidget):
         An icon is to go to the workspace of that title.
     """
 
-    title: ClassVar[str] = ""
-    invitation: ClassVar[str] = ""
-    """The words that offer to send an icon here; empty if this workspace takes none."""
-
     said = Signal(str)
     failed = Signal(str)
     progressed = Signal(object)
@@ -64,8 +59,16 @@ class Workspace(QWidget):
     """All that can be done here; see ``make_actions``. The menus show these, and their shortcuts
     work while this workspace is in sight. What makes no sense at the moment is disabled."""
 
-    def __init__(self, session: Session, files: Worker, saver: Saver, document: Document) -> None:
+    def __init__(
+        self,
+        workflow: Workflow,
+        session: Session,
+        files: Worker,
+        saver: Saver,
+        document: Document,
+    ) -> None:
         super().__init__()
+        self.workflow = workflow
         self.session = session
         self.files = files
         self.saver = saver

@@ -13,9 +13,9 @@ from iconstudio.gui.runner import Runner
 from iconstudio.gui.worker import Worker
 from iconstudio.gui.workspaces.wishes import WishingDocument, WishingPage
 from iconstudio.model import Remix
-from iconstudio.session import ModelSettings
-from iconstudio.workflows import grid
 from iconstudio.workflows.events import Event, Progress, StyleSkipped
+from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.workflow import FINE as FINE_SIDE
 
 LIVE, FINE = "live", "fine"
 """Under which it is remembered whether live mode is on, and fine quality."""
@@ -186,7 +186,7 @@ class Runs(QObject):
         focus = page.focus() if self.live and not afresh else None
         self._focus = focus if focus and focus[0] in settings.styles else None
         if self.fine:
-            settings = replace(settings, side=grid.FINE)
+            settings = replace(settings, side=FINE_SIDE)
         if self.live:
             settings = replace(settings, focus=self._focus or _middle(settings), previews=True)
         self.ran, self._ran_page, self._by_hand = wanted, sheet, by_hand

@@ -27,8 +27,10 @@ from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.live import FINE, LIVE, Runs, Wanting
 from iconstudio.gui.workspaces.proposal import SymmetryProposal
 from iconstudio.gui.workspaces.wishes import WishingPage
-from iconstudio.session import ModelSettings, Session
+from iconstudio.session import Session
 from iconstudio.workflows.events import Event
+from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.workflow import Workflow
 
 
 class RemixWorkspace(Workspace, Wanting):
@@ -41,9 +43,14 @@ class RemixWorkspace(Workspace, Wanting):
     view: CanvasView
 
     def __init__(
-        self, session: Session, files: Worker, saver: Saver, document: Document[WishingPage]
+        self,
+        workflow: Workflow,
+        session: Session,
+        files: Worker,
+        saver: Saver,
+        document: Document[WishingPage],
     ) -> None:
-        super().__init__(session, files, saver, document)
+        super().__init__(workflow, session, files, saver, document)
         self.preparation = Preparation(session, self.worker, self)
         self.runs = Runs(self, self.preparation, self.worker, self)
         self._opening = Runner(self.worker, self)

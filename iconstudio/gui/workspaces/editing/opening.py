@@ -5,8 +5,8 @@ from pathlib import Path
 
 from iconstudio.gui.workspaces.editing import page
 from iconstudio.gui.workspaces.opening import IconOpener
-from iconstudio.inputs.edit import read_edit
 from iconstudio.model import Edit, Exemplar, Pictogram
+from iconstudio.workflows.editing.file import read_edit
 
 
 class EditOpener(IconOpener):

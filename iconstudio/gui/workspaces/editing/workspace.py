@@ -19,12 +19,14 @@ from iconstudio.gui.workspaces.editing.scene import EditScene
 from iconstudio.gui.workspaces.editing.start import StartSheet
 from iconstudio.gui.workspaces.editing.tools import DrawTool, SelectTool
 from iconstudio.gui.workspaces.remixing import RemixWorkspace
-from iconstudio.inputs.edit import EditFile, write_edit
 from iconstudio.inputs.icons import reference_to
 from iconstudio.model import Edit, IconstudioError, Pictogram
-from iconstudio.session import ModelSettings, Session
-from iconstudio.workflows.editing import own_styles, prepare_change
+from iconstudio.session import Session
+from iconstudio.workflows.editing.editing import own_styles, prepare_change
+from iconstudio.workflows.editing.file import EditFile, write_edit
 from iconstudio.workflows.events import Event
+from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.workflow import Workflow
 
 OWN = {
     "&File": (
@@ -62,11 +64,8 @@ class Wanted(NamedTuple):
 class EditWorkspace(RemixWorkspace):
     """An icon is changed where the user marks it."""
 
-    title = "Edit"
-    invitation = "Edit this icon"
-
-    def __init__(self, session: Session, files: Worker, saver: Saver) -> None:
-        super().__init__(session, files, saver, Document(EditPage()))
+    def __init__(self, workflow: Workflow, session: Session, files: Worker, saver: Saver) -> None:
+        super().__init__(workflow, session, files, saver, Document(EditPage()))
         self.finder = Worker(self)
         """Looks icons up and draws them also while a run goes on."""
         self.opener = EditOpener(session, self.document, files, self)
@@ -113,7 +112,7 @@ class EditWorkspace(RemixWorkspace):
             OWN,
         )
         self.actions_by_name.choose_between("remove", "add", "select", "pan")
-        self.examples = self.add_examples("edits", self.opener.open_work)
+        self.examples = self.add_examples(self.workflow.examples, self.opener.open_work)
 
     def _lay_out(self) -> None:
         named = self.actions_by_name
@@ -168,7 +167,7 @@ class EditWorkspace(RemixWorkspace):
 
     def events(self, wanted: Wanted, settings: ModelSettings) -> Generator[Event]:
         """Return the run of an edit."""
-        return self.session.edit(wanted.edit, settings)
+        return self.session.run(self.workflow, wanted.edit, settings)
 
     def complete(self) -> None:
         """Close an area that is still open."""
@@ -257,9 +256,7 @@ class EditWorkspace(RemixWorkspace):
         edit = page.edit()
 
         def write(path: Path) -> None:
-            icon = reference_to(edit.icon, path)
-            file = EditFile(icon, edit.keyword, edit.remove, edit.add, edit.symmetry, edit.exclude)
-            write_edit(path, file)
+            write_edit(path, EditFile.of(edit, lambda icon: reference_to(icon, path)))
 
         self.saver.save_work("edit", page.keyword, write)
 

@@ -13,6 +13,7 @@ from iconstudio.gui.pictures import Picture, picture_of
 from iconstudio.model import CANVAS, Composite, Drawing, Mix
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event, Result
+from iconstudio.workflows.hybrids.spec import HYBRIDS
 
 SIDE = 2 * CANVAS
 """Side of what is kept of a hybrid's pixels: there may be hundreds."""
@@ -49,7 +50,7 @@ def batch(session: Session, mix: Mix, title: str, seen: Seen) -> Generator[Event
 
     Their titles have numbers, in the order of the draws.
     """
-    with closing(session.mix(mix)) as events:
+    with closing(session.run(HYBRIDS, mix)) as events:
         for event in events:
             if not isinstance(event, Result):
                 yield event

@@ -29,7 +29,7 @@ from iconstudio.gui.pictures import stencil
 from iconstudio.gui.theme import UNIT
 from iconstudio.gui.workspaces.hybrids.page import Ingredient
 from iconstudio.model import CANVAS, Axis, Exemplar, Point
-from iconstudio.workflows.hybrids import pinned
+from iconstudio.workflows.hybrids.hybrids import pinned
 
 SIDE = 9 * UNIT
 """Side of a card in device-independent pixels."""

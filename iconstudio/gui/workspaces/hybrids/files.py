@@ -4,11 +4,11 @@ from collections.abc import Generator
 from pathlib import Path
 
 from iconstudio.gui.workspaces.hybrids.page import Ask, HybridsPage, Ingredient
-from iconstudio.inputs.hybrids import HybridsFile, read_hybrids, write_hybrids
 from iconstudio.inputs.icons import reference_to
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
-from iconstudio.workflows.hybrids import check
+from iconstudio.workflows.hybrids.file import HybridsFile, read_hybrids, write_hybrids
+from iconstudio.workflows.hybrids.hybrids import check
 
 
 def read_page(session: Session, path: Path) -> Generator[Event, None, HybridsPage]:
@@ -46,14 +46,4 @@ def write_page(path: Path, page: HybridsPage) -> None:
     IconstudioError
         If a file cannot be written.
     """
-    mix = page.mix
-    icons = tuple(reference_to(icon, path) for icon in mix.icons)
-    file = HybridsFile(
-        icons,
-        draws=mix.draws,
-        seed=mix.seed,
-        symmetry=mix.symmetry,
-        pins=mix.pins,
-        title=page.name,
-    )
-    write_hybrids(path, file)
+    write_hybrids(path, HybridsFile.of(page.mix, lambda icon: reference_to(icon, path), page.name))

@@ -15,7 +15,7 @@ from iconstudio.gui.workspaces.together import Gathered, named
 from iconstudio.model import Exemplar
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
-from iconstudio.workflows.hybrids import MOST
+from iconstudio.workflows.hybrids.hybrids import MOST
 
 
 @dataclass(frozen=True, slots=True)

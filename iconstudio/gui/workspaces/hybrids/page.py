@@ -7,7 +7,7 @@ from functools import lru_cache
 from iconstudio.gui.document import Document
 from iconstudio.gui.pictures import Picture
 from iconstudio.model import Axis, Exemplar, IconstudioError, Mix, Point, Seeds
-from iconstudio.workflows.hybrids import FEWEST, MOST
+from iconstudio.workflows.hybrids.hybrids import FEWEST, MOST
 
 
 @dataclass(frozen=True, slots=True)

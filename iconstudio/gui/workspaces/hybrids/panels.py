@@ -24,9 +24,9 @@ from iconstudio.gui.theme import UNIT
 from iconstudio.gui.workspaces.hybrids.cards import COLUMNS, SIDE, Cards
 from iconstudio.gui.workspaces.hybrids.page import HybridsPage
 from iconstudio.gui.workspaces.hybrids.sheet import Sheet
-from iconstudio.inputs.hybrids import LARGEST_SEED
 from iconstudio.model import Axis
-from iconstudio.workflows.hybrids import FEWEST, MOST
+from iconstudio.workflows.hybrids.file import LARGEST_SEED
+from iconstudio.workflows.hybrids.hybrids import FEWEST, MOST
 
 WIDTH = COLUMNS * SIDE + (COLUMNS - 1) * UNIT // 2 + 4 * UNIT + 2
 """Of the column of icons: as many cards as stand in a row."""

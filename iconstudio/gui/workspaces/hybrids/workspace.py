@@ -24,6 +24,7 @@ from iconstudio.gui.workspaces.hybrids.panels import IconsColumn, SheetPanel
 from iconstudio.gui.workspaces.hybrids.sheet_model import terms
 from iconstudio.model import IconstudioError, Pictogram
 from iconstudio.session import Session
+from iconstudio.workflows.workflow import Workflow
 
 OWN = {
     "&File": (
@@ -44,11 +45,8 @@ OWN = {
 class HybridsWorkspace(Workspace):
     """Icons on the left; the sheet of hybrids, favourites and details on the right."""
 
-    title = "Hybrids"
-    invitation = "Mix with others"
-
-    def __init__(self, session: Session, files: Worker, saver: Saver) -> None:
-        super().__init__(session, files, saver, Document(HybridsPage()))
+    def __init__(self, workflow: Workflow, session: Session, files: Worker, saver: Saver) -> None:
+        super().__init__(workflow, session, files, saver, Document(HybridsPage()))
         self.finder = Worker(self)
         """Looks icons up also while hybrids are drawn."""
         self.gathering = Gathering(session, self.document, self.finder, self)
@@ -86,7 +84,9 @@ class HybridsWorkspace(Workspace):
         )
         for name in ("favourite", "like"):
             self.actions_by_name[name].setEnabled(False)
-        self.panel.start.setMenu(self.add_examples("hybrids", self.gathering.open_example))
+        self.panel.start.setMenu(
+            self.add_examples(self.workflow.examples, self.gathering.open_example)
+        )
 
     def _lay_out(self) -> None:
         upper = QWidget()
@@ -170,7 +170,7 @@ class HybridsWorkspace(Workspace):
 
     def set_destinations(self, destinations: tuple[Destination, ...]) -> None:
         """Say where hybrids can be sent to."""
-        self._destinations = tuple(one for one in destinations if one.title != self.title)
+        self._destinations = tuple(one for one in destinations if one.title != self.workflow.title)
         self.detail.set_destinations(self._destinations)
 
     def cancel(self) -> None:

@@ -14,6 +14,7 @@ from iconstudio.model import Montage, Remix
 from iconstudio.output.colours import Palette
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event, Result
+from iconstudio.workflows.montage.spec import MONTAGE
 
 TITLE = "montage"
 """What results are called in files."""
@@ -81,7 +82,7 @@ class LiveResult(QObject):
 
     def _made(self, montage: Montage, palette: Palette) -> Generator[Event | Picture]:
         """Pass the events of a run on, its result as a picture; in the worker's thread."""
-        with closing(self._session.montage(montage)) as events:
+        with closing(self._session.run(MONTAGE, montage)) as events:
             for event in events:
                 if isinstance(event, Result):
                     icon = replace(event.icon, title=TITLE)

@@ -8,9 +8,9 @@ from iconstudio.gui.workspaces.montage.page import Icon, MontagePage
 from iconstudio.gui.workspaces.opening import IconOpener
 from iconstudio.gui.workspaces.together import Gathered, named
 from iconstudio.inputs.icons import reference_to
-from iconstudio.inputs.montage import LayerFile, MontageFile, read_montage, write_montage
 from iconstudio.model import IconstudioError, Layer, Pictogram
-from iconstudio.workflows.montage import MOST
+from iconstudio.workflows.montage.file import MontageFile, read_montage, write_montage
+from iconstudio.workflows.montage.montage import MOST
 
 _OVERLAP = (
     "Where scribbles over two icons overlapped, those of the upper icon were kept: "
@@ -82,6 +82,5 @@ def write_page(path: Path, page: MontagePage) -> None:
     IconstudioError
         If a file cannot be written.
     """
-    layers = page.montage().layers
-    files = (LayerFile(reference_to(one.icon, path), one.placement, one.strokes) for one in layers)
-    write_montage(path, MontageFile(tuple(files)))
+    file = MontageFile.of(page.montage(), lambda icon: reference_to(icon, path))
+    write_montage(path, file)

@@ -21,7 +21,7 @@ from iconstudio.model import (
     Stroke,
 )
 from iconstudio.output.colours import Palette, numbered_colour
-from iconstudio.workflows.montage import MOST
+from iconstudio.workflows.montage.montage import MOST
 
 
 @dataclass(frozen=True, eq=False)
@@ -233,9 +233,4 @@ def choose(document: MontageDocument, number: int) -> None:
 
 def transform_of(placement: Placement) -> QTransform:
     """Return the mapping from an icon to the canvas (equation 4)."""
-    half = CANVAS / 2
-    transform = QTransform()
-    transform.translate(half + placement.dx, half + placement.dy)
-    transform.scale(-placement.scale if placement.flip else placement.scale, placement.scale)
-    transform.translate(-half, -half)
-    return transform
+    return QTransform(*placement.transform)

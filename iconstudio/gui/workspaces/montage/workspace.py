@@ -40,6 +40,7 @@ from iconstudio.gui.workspaces.montage.tools.arrange import ArrangeTool
 from iconstudio.gui.workspaces.montage.tools.scribble import Brush, ScribbleTool
 from iconstudio.model import Pictogram
 from iconstudio.session import Session
+from iconstudio.workflows.workflow import Workflow
 
 OWN = {
     "&File": (
@@ -69,11 +70,8 @@ _INVITATION = (
 class MontageWorkspace(Workspace):
     """Icons to choose from and layers on the left, the canvas, and the live result on the right."""
 
-    title = "Montage"
-    invitation = "Add to montage"
-
-    def __init__(self, session: Session, files: Worker, saver: Saver) -> None:
-        super().__init__(session, files, saver, Document(MontagePage()))
+    def __init__(self, workflow: Workflow, session: Session, files: Worker, saver: Saver) -> None:
+        super().__init__(workflow, session, files, saver, Document(MontagePage()))
         self.finder = Worker(self)
         """Looks icons up and draws them also while a montage is made."""
         self.opener = MontageOpener(session, self.document, self.finder, self)
@@ -127,7 +125,7 @@ class MontageWorkspace(Workspace):
             OWN,
         )
         self.actions_by_name.choose_between("brush", "arrange", "eraser", "pan")
-        self.examples = self.add_examples("montages", self.opener.open_work)
+        self.examples = self.add_examples(self.workflow.examples, self.opener.open_work)
 
     def _chooser_of(self, name: str) -> Callable[[bool], None]:
         return lambda on: on and self.view.set_tool(self.tools[name])

@@ -8,8 +8,8 @@ from iconstudio.gui.photo import Photo, image_of, photo_of
 from iconstudio.gui.workspaces.opening import Opener
 from iconstudio.gui.workspaces.sketching import page
 from iconstudio.images.reading import SUFFIXES
-from iconstudio.inputs.sketch import SketchFile, read_sketch
 from iconstudio.model import IconstudioError
+from iconstudio.workflows.modelling.file import SketchFile, read_sketch
 
 _PHOTOS = f"Photos ({' '.join(f'*.{one}' for one in SUFFIXES)})"
 

@@ -24,10 +24,12 @@ from iconstudio.gui.workspaces.sketching.opening import SketchOpener
 from iconstudio.gui.workspaces.sketching.overlay import DimSlider
 from iconstudio.gui.workspaces.sketching.page import SketchPage
 from iconstudio.gui.workspaces.sketching.scene import SketchScene
-from iconstudio.inputs.sketch import SketchFile, write_sketch
 from iconstudio.model import IconstudioError, Polygon, Sketch
-from iconstudio.session import ModelSettings, Session
+from iconstudio.session import Session
 from iconstudio.workflows.events import Event, RegionsFound
+from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.modelling.file import SketchFile, write_sketch
+from iconstudio.workflows.workflow import Workflow
 
 OWN = {
     "&File": (
@@ -51,10 +53,8 @@ OWN = {
 class SketchWorkspace(RemixWorkspace):
     """The outline of an object is traced, perhaps over a photo, and remixed."""
 
-    title = "Sketch"
-
-    def __init__(self, session: Session, files: Worker, saver: Saver) -> None:
-        super().__init__(session, files, saver, Document(SketchPage()))
+    def __init__(self, workflow: Workflow, session: Session, files: Worker, saver: Saver) -> None:
+        super().__init__(workflow, session, files, saver, Document(SketchPage()))
         self.opener = SketchOpener(session, self.document, files, self)
         self._regions: tuple = ()
 
@@ -93,7 +93,7 @@ class SketchWorkspace(RemixWorkspace):
             OWN,
         )
         self.actions_by_name.choose_between("trace", "pan")
-        self.examples = self.add_examples("", self.opener.open_work)
+        self.examples = self.add_examples(self.workflow.examples, self.opener.open_work)
 
     def _lay_out(self) -> None:
         named = self.actions_by_name
@@ -131,7 +131,7 @@ class SketchWorkspace(RemixWorkspace):
 
     def events(self, wanted: Sketch, settings: ModelSettings) -> Generator[Event]:
         """Return the run of a sketch."""
-        return self.session.model(wanted, settings)
+        return self.session.run(self.workflow, wanted, settings)
 
     def complete(self) -> None:
         """Close an outline that is still open."""

@@ -3,7 +3,7 @@
 The paper's users choose them by hand; its figures show what makes a good choice.
 """
 
-from collections.abc import Sequence
+from collections.abc import Generator, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,8 +11,10 @@ from numpy.typing import NDArray
 from iconstudio.algorithms.iconification.style import STYLES, blackness
 from iconstudio.algorithms.iconification.symmetry import likeness
 from iconstudio.algorithms.raster import solid
-from iconstudio.model import CANVAS, Axis, Exemplar, IconstudioError
-from iconstudio.workflows.hybrids import FEWEST, MOST
+from iconstudio.model import CANVAS, Axis, Exemplar, IconstudioError, Pictogram
+from iconstudio.workflows.events import Event
+from iconstudio.workflows.hybrids.hybrids import FEWEST, MOST
+from iconstudio.workflows.workflow import Resources
 
 SYMMETRIC = 0.85
 """Least overlap with the own mirror image, under a symmetry constraint."""
@@ -22,6 +24,15 @@ THICKER = 1.6
 """Greatest ratio of the stroke widths of two chosen icons."""
 CANDIDATES = 120
 """How many of the best exemplars of a keyword are considered."""
+
+
+def choose(
+    resources: Resources, keyword: str, count: int, symmetry: Axis | None = None, seed: int = 0
+) -> Generator[Event, None, tuple[Pictogram, ...]]:
+    """Choose icons of a keyword that mix well: see ``choose_icons``."""
+    matcher = yield from resources.prepare(keyword)
+    chosen = choose_icons([one.exemplar for one in matcher.exemplars], count, symmetry, seed)
+    return tuple(one.pictogram for one in chosen)
 
 
 def choose_icons(

@@ -37,6 +37,7 @@ from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import Event, Progress, Result
 from iconstudio.workflows.remixing import Remixing
 from iconstudio.workflows.solving import Job, Posed
+from iconstudio.workflows.workflow import Resources, Settings
 
 LAMBDA_S = 3.0
 FEWEST, MOST = 2, 12
@@ -83,6 +84,13 @@ def _check_pins(mix: Mix) -> None:
                 f"A pin on “{one.name}” and one on “{other.name}” hold the same place. "
                 "Only one icon can be kept there: move or remove one of the pins."
             )
+
+
+def run(resources: Resources, mix: Mix, settings: Settings | None = None) -> Generator[Event]:
+    """Draw hybrids: see ``mix_icons``."""
+    exemplars = map(resources.exemplar, mix.icons)
+    side = (settings or Settings()).side
+    yield from mix_icons(mix, exemplars, resources.workers, resources.render, side)
 
 
 def mix_icons(

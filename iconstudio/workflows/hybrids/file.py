@@ -7,12 +7,13 @@ points that every hybrid keeps. There may be a ``title``.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
-from iconstudio.inputs.fields import Kind, read, relative, write, written
+from iconstudio.inputs.fields import Fields, relative, write, written
 from iconstudio.model import CANVAS, Axis, Mix, Pictogram, Seeds
-from iconstudio.workflows.hybrids import FEWEST, MOST, MOST_DRAWS
+from iconstudio.workflows.files import open_file
+from iconstudio.workflows.hybrids.hybrids import FEWEST, MOST, MOST_DRAWS
 
 LARGEST_SEED = 2**63 - 1
 
@@ -33,6 +34,18 @@ class HybridsFile:
     """For each of the given icons, positions that every draw keeps; empty if there are none."""
     title: str = ""
 
+    @classmethod
+    def of(cls, mix: Mix, refer: Callable[[Pictogram], str], title: str = "") -> "HybridsFile":
+        """Return the file of a mix; ``refer`` returns the reference of an icon."""
+        return cls(
+            tuple(map(refer, mix.icons)),
+            draws=mix.draws,
+            seed=mix.seed,
+            symmetry=mix.symmetry,
+            pins=mix.pins,
+            title=title,
+        )
+
     def resolved(self, find: Callable[[str], Pictogram]) -> Mix:
         """Return the mix of the icons that are given, found by ``find``."""
         return self.mix(tuple(map(find, self.icons)))
@@ -50,7 +63,17 @@ def read_hybrids(path: Path) -> HybridsFile:
     IconstudioError
         If the file cannot be read or does not say what to mix.
     """
-    fields = read(path, Kind.MIX)
+    return hybrids_in(open_file(path, "hybrids"))
+
+
+def hybrids_in(fields: Fields) -> HybridsFile:
+    """Return what the fields of a HYBRIDS.json say.
+
+    Raises
+    ------
+    IconstudioError
+        If they are not what they must be.
+    """
     keyword = fields.text("keyword").strip()
     if fields.has("icons") == bool(keyword):
         raise fields.mistake(
@@ -78,8 +101,14 @@ def write_hybrids(path: Path, hybrids: HybridsFile) -> None:
     IconstudioError
         If the file cannot be written.
     """
+    icons = tuple(relative(reference, path) for reference in hybrids.icons)
+    write(path, hybrids_data(replace(hybrids, icons=icons)))
+
+
+def hybrids_data(hybrids: HybridsFile) -> dict[str, object]:
+    """Return what the file of a mix says."""
     picked: dict[str, object] = {"keyword": hybrids.keyword, "count": hybrids.count}
-    given = {"icons": [relative(reference, path) for reference in hybrids.icons]}
+    given: dict[str, object] = {"icons": list(hybrids.icons)}
     pins = [written(points) for points in hybrids.pins] or None
     data = {
         "draws": hybrids.draws,
@@ -88,4 +117,4 @@ def write_hybrids(path: Path, hybrids: HybridsFile) -> None:
         "pins": pins,
     }
     title = {"title": hybrids.title or None}
-    write(path, title | (given if hybrids.icons else picked) | data)
+    return title | (given if hybrids.icons else picked) | data

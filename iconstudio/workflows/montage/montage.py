@@ -32,11 +32,21 @@ from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.remixing import Remixing
 from iconstudio.workflows.solving import Job, Posed
+from iconstudio.workflows.workflow import Resources, Settings
 
 LAMBDA_S = 3.0
 MOST = 30
 SMALLEST, LARGEST = 0.02, 20.0
 """Least and greatest scale of a layer."""
+
+
+def run(
+    resources: Resources, montage: Montage, settings: Settings | None = None
+) -> Generator[Event]:
+    """Make a montage: see ``montage_icons``."""
+    exemplars = (resources.exemplar(layer.icon) for layer in montage.layers)
+    side = (settings or Settings()).side
+    yield from montage_icons(montage, exemplars, resources.workers, resources.render, side)
 
 
 def montage_icons(

@@ -37,8 +37,9 @@ from iconstudio.model import (
 from iconstudio.workers import Workers, answer
 from iconstudio.workflows.drawing import Render, draw_whole
 from iconstudio.workflows.events import Event
-from iconstudio.workflows.grid import Matches, ModelSettings, remix_styles
+from iconstudio.workflows.grid import Matches, ModelSettings, focused, remix_styles
 from iconstudio.workflows.solving import Posed
+from iconstudio.workflows.workflow import Resources
 
 
 @dataclass(frozen=True, eq=False)
@@ -111,6 +112,29 @@ def prepare_change(edit: Edit, icon: Exemplar, side: int = CANVAS) -> Change:
 def own_styles(icon: Exemplar) -> tuple[str, ...]:
     """Return the styles that an icon belongs to: parts of other styles would not suit it."""
     return tuple(style.name for style in STYLES if style.admits(blackness(icon.ink)))
+
+
+def run(
+    resources: Resources, edit: Edit, settings: ModelSettings | None = None
+) -> Generator[Event]:
+    """Retrieve the icons of an edit's keyword, and remix its icon with them: see ``edit_icon``.
+
+    Without settings, in the styles that the icon belongs to.
+
+    Raises
+    ------
+    IconstudioError
+        If the edit or the keyword is no good; before any work is done.
+    """
+    icon = resources.exemplar(edit.icon)
+    change = prepare_change(edit, icon)
+    settings = settings or ModelSettings(styles=own_styles(icon))
+    settings.chosen_styles()
+    matcher = yield from resources.prepare(edit.keyword, edit.exclude, settings.scales)
+    workers, render = resources.workers, resources.render
+    earlier = resources.earlier.get(edit.icon.id)
+    events = edit_icon(edit, change, matcher, settings, workers, render, earlier)
+    yield from focused(resources, edit.icon.id, events, settings)
 
 
 def edit_icon(
@@ -206,12 +230,9 @@ def _room(edit: Edit, icon: Exemplar) -> Placement:
 
 def _union(polygons: Sequence[Polygon], placement: Placement, side: int) -> Bitmap:
     """Return what polygons enclose once they are moved with the icon, (side, side) bool."""
-    half, scale = CANVAS / 2, placement.scale
+    transform = placement.transform
     inside = np.zeros((side, side), dtype=bool)
     for polygon in polygons:
-        moved = (
-            (half + scale * (x - half) + placement.dx, half + scale * (y - half) + placement.dy)
-            for x, y in polygon.vertices
-        )
-        inside |= fill_polygon(Polygon(tuple(moved)), side)
+        moved = tuple(map(transform.transformPoint, polygon.vertices))
+        inside |= fill_polygon(Polygon(moved), side)
     return inside

@@ -10,9 +10,10 @@ import os
 from dataclasses import dataclass
 from pathlib import Path
 
-from iconstudio.inputs.fields import Kind, read, write, written
+from iconstudio.inputs.fields import Fields, write, written
 from iconstudio.model import IconstudioError, Sketch
 from iconstudio.resources import resource
+from iconstudio.workflows.files import open_file
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,7 +49,17 @@ def read_sketch(path: Path) -> SketchFile:
     IconstudioError
         If the file cannot be read or does not hold a sketch.
     """
-    fields = read(path, Kind.SKETCH)
+    return sketch_in(open_file(path, "model"))
+
+
+def sketch_in(fields: Fields) -> SketchFile:
+    """Return what the fields of a SKETCH.json say.
+
+    Raises
+    ------
+    IconstudioError
+        If they are not what they must be.
+    """
     sketch = Sketch(
         fields.outline("polygon"),
         fields.text("keyword"),
@@ -56,9 +67,12 @@ def read_sketch(path: Path) -> SketchFile:
         fields.axis(),
     )
     photo = (
-        Path(os.path.realpath(path.parent / fields.text("photo"))) if fields.has("photo") else None
+        Path(os.path.realpath(fields.path.parent / fields.text("photo")))
+        if fields.has("photo")
+        else None
     )
-    return SketchFile(fields.text("title") or path.stem, sketch, photo)
+    title = fields.text("title") or fields.path.stem
+    return SketchFile(title, sketch, photo and Path(os.path.realpath(photo)))
 
 
 def write_sketch(path: Path, sketch: Sketch, photo: Path | None = None) -> None:
@@ -69,11 +83,14 @@ def write_sketch(path: Path, sketch: Sketch, photo: Path | None = None) -> None:
     IconstudioError
         If the file cannot be written.
     """
-    data = {
+    write(path, sketch_data(sketch) | {"photo": str(photo) if photo else None})
+
+
+def sketch_data(sketch: Sketch) -> dict[str, object]:
+    """Return what the file of a sketch says."""
+    return {
         "keyword": sketch.keyword,
         "polygon": written(sketch.polygon.vertices),
         "exclude": sorted(sketch.exclude),
         "symmetry": sketch.symmetry,
-        "photo": str(photo) if photo else None,
     }
-    write(path, data)

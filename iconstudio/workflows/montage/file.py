@@ -10,12 +10,13 @@ There may be a ``title``.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
-from iconstudio.inputs.fields import Fields, Kind, read, relative, write, written
+from iconstudio.inputs.fields import Fields, relative, write, written
 from iconstudio.model import CANVAS, Layer, Montage, Pictogram, Placement, Point, Stroke
-from iconstudio.workflows.montage import LARGEST, SMALLEST
+from iconstudio.workflows.files import open_file
+from iconstudio.workflows.montage.montage import LARGEST, SMALLEST
 
 FAR = 20.0 * CANVAS
 """No coordinate of a layer or a stroke is larger."""
@@ -37,6 +38,13 @@ class MontageFile:
     layers: tuple[LayerFile, ...]
     title: str = ""
 
+    @classmethod
+    def of(cls, montage: Montage, refer: Callable[[Pictogram], str]) -> "MontageFile":
+        """Return the file of a montage; ``refer`` returns the reference of an icon."""
+        return cls(
+            tuple(LayerFile(refer(one.icon), one.placement, one.strokes) for one in montage.layers)
+        )
+
     def resolved(self, find: Callable[[str], Pictogram]) -> Montage:
         """Return the montage, its icons found by ``find``."""
         return Montage(
@@ -52,7 +60,17 @@ def read_montage(path: Path) -> MontageFile:
     IconstudioError
         If the file cannot be read or does not hold a montage.
     """
-    fields = read(path, Kind.MONTAGE)
+    return montage_in(open_file(path, "montage"))
+
+
+def montage_in(fields: Fields) -> MontageFile:
+    """Return what the fields of a MONTAGE.json say.
+
+    Raises
+    ------
+    IconstudioError
+        If they are not what they must be.
+    """
     layers = tuple(map(_layer, fields.objects("layers", "layer")))
     return MontageFile(layers, fields.text("title"))
 
@@ -65,9 +83,15 @@ def write_montage(path: Path, montage: MontageFile) -> None:
     IconstudioError
         If the file cannot be written.
     """
+    layers = tuple(replace(one, icon=relative(one.icon, path)) for one in montage.layers)
+    write(path, montage_data(replace(montage, layers=layers)))
+
+
+def montage_data(montage: MontageFile) -> dict[str, object]:
+    """Return what the file of a montage says."""
     layers = [
         {
-            "icon": relative(layer.icon, path),
+            "icon": layer.icon,
             "scale": layer.placement.scale,
             "flip": layer.placement.flip,
             "dx": layer.placement.dx,
@@ -78,7 +102,7 @@ def write_montage(path: Path, montage: MontageFile) -> None:
         }
         for layer in montage.layers
     ]
-    write(path, {"title": montage.title or None, "layers": layers})
+    return {"title": montage.title or None, "layers": layers}
 
 
 def _line(points: tuple[Point, ...]) -> list[list[float]]:

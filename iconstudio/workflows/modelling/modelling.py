@@ -13,8 +13,9 @@ from iconstudio.model import Axis, Composite, Sketch, Source
 from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import Event
-from iconstudio.workflows.grid import Matches, ModelSettings, remix_styles
+from iconstudio.workflows.grid import Matches, ModelSettings, focused, remix_styles
 from iconstudio.workflows.solving import Posed
+from iconstudio.workflows.workflow import Resources
 
 FEWEST = 4
 """A style with fewer exemplars is skipped: all its regions would keep the same three."""
@@ -23,6 +24,25 @@ UNLIKE = 1.25
 """A style with fewer than FEW exemplars is skipped too if none of them resembles the sketch: if the
 least errors of equation 4, averaged over the regions, exceed UNLIKE. Chosen by eye over the styles
 of some forty sketches: those that it skips were beyond recognition."""
+
+
+def run(
+    resources: Resources, sketch: Sketch, settings: ModelSettings | None = None
+) -> Generator[Event]:
+    """Retrieve the icons of a sketch's keyword, and remix them in its shape: see ``model``.
+
+    Raises
+    ------
+    IconstudioError
+        If the polygon or the keyword is no good; before any work is done.
+    """
+    settings = settings or ModelSettings()
+    settings.chosen_styles()
+    sketch.polygon.fitted()
+    matcher = yield from resources.prepare(sketch.keyword, sketch.exclude, settings.scales)
+    workers, render, earlier = resources.workers, resources.render, resources.earlier
+    events = model(sketch, matcher, settings, workers, render, earlier.get("sketch"))
+    yield from focused(resources, "sketch", events, settings)
 
 
 def model(

@@ -8,11 +8,12 @@ the normalised icon. Of ``remove`` and ``add`` one may be left out; ``symmetry``
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
-from iconstudio.inputs.fields import Kind, read, relative, write, written
+from iconstudio.inputs.fields import Fields, relative, write, written
 from iconstudio.model import Axis, Edit, Pictogram, Polygon
+from iconstudio.workflows.files import open_file
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,6 +27,12 @@ class EditFile:
     symmetry: Axis | None = None
     exclude: frozenset[str] = frozenset()
     title: str = ""
+
+    @classmethod
+    def of(cls, edit: Edit, refer: Callable[[Pictogram], str]) -> "EditFile":
+        """Return the file of an edit; ``refer`` returns the reference of its icon."""
+        icon = refer(edit.icon)
+        return cls(icon, edit.keyword, edit.remove, edit.add, edit.symmetry, edit.exclude)
 
     def resolved(self, find: Callable[[str], Pictogram]) -> Edit:
         """Return the edit, its icon found by ``find``."""
@@ -42,7 +49,17 @@ def read_edit(path: Path) -> EditFile:
     IconstudioError
         If the file cannot be read or does not hold an edit.
     """
-    fields = read(path, Kind.EDIT)
+    return edit_in(open_file(path, "edit"))
+
+
+def edit_in(fields: Fields) -> EditFile:
+    """Return what the fields of an EDIT.json say.
+
+    Raises
+    ------
+    IconstudioError
+        If they are not what they must be.
+    """
     return EditFile(
         fields.reference(),
         fields.text("keyword"),
@@ -62,13 +79,17 @@ def write_edit(path: Path, edit: EditFile) -> None:
     IconstudioError
         If the file cannot be written.
     """
-    data = {
+    write(path, edit_data(replace(edit, icon=relative(edit.icon, path))))
+
+
+def edit_data(edit: EditFile) -> dict[str, object]:
+    """Return what the file of an edit says."""
+    return {
         "title": edit.title or None,
-        "icon": relative(edit.icon, path),
+        "icon": edit.icon,
         "keyword": edit.keyword,
         "remove": [written(polygon.vertices) for polygon in edit.remove],
         "add": [written(polygon.vertices) for polygon in edit.add],
         "symmetry": edit.symmetry,
         "exclude": sorted(edit.exclude),
     }
-    write(path, data)

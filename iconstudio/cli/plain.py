@@ -1,0 +1,43 @@
+"""The command of a workflow that has no options of its own: it reads, runs and writes."""
+
+from collections.abc import Generator
+from pathlib import Path
+from typing import Any
+
+import click
+
+from iconstudio.cli import running
+from iconstudio.cli.timing import profile_option, profiled
+from iconstudio.inputs.fields import Fields
+from iconstudio.output.icons import IconsReport
+from iconstudio.session import Session
+from iconstudio.workflows.events import Event
+from iconstudio.workflows.files import open_file
+from iconstudio.workflows.workflow import Settings, Workflow
+
+
+def command_of(workflow: Workflow[Any]) -> click.Command:
+    """Return the command of a workflow: a file in, a folder of icons out."""
+
+    @click.command(workflow.name, help=workflow.help)
+    @running.input_file(f"{workflow.name.upper()}.json")
+    @running.output_folder("sheet.png")
+    @running.fine_option
+    @profile_option
+    def command(file: Path, folder: Path, fine: bool, profile: bool) -> None:
+        fields = open_file(file, workflow.name)
+        with profiled(profile) as stopwatch, Session() as session:
+            events = _reading_and_running(session, workflow, fields, running.side_of(fine))
+            report = IconsReport(folder, workflow.name)
+            results = running.run(session, events, report, stopwatch)
+        icons = "1 icon" if results == 1 else f"{results} icons"
+        click.echo(f"{icons}; see {click.format_filename(folder / 'sheet.png')}")
+
+    return command
+
+
+def _reading_and_running(
+    session: Session, workflow: Workflow[Any], fields: Fields, side: int
+) -> Generator[Event]:
+    work = yield from workflow.read(fields, session)
+    yield from session.run(workflow, work, Settings(side))

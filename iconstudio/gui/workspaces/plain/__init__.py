@@ -1,0 +1,1 @@
+"""The workspace of workflows that have none of their own."""

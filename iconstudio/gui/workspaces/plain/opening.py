@@ -1,0 +1,88 @@
+"""Bring icons and files of work onto the page of any workflow."""
+
+from collections.abc import Generator, Sequence
+from contextlib import closing
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtWidgets import QWidget
+
+from iconstudio.gui.document import Document
+from iconstudio.gui.worker import Worker
+from iconstudio.gui.workspaces.opening import IconOpener
+from iconstudio.gui.workspaces.together import Gathered, named
+from iconstudio.model import Exemplar, IconstudioError
+from iconstudio.session import Session
+from iconstudio.workflows.events import Event
+from iconstudio.workflows.files import open_file
+from iconstudio.workflows.workflow import Workflow
+
+
+@dataclass(frozen=True, slots=True)
+class WorkPage:
+    """The work of a workflow, of which the window knows nothing else."""
+
+    work: Any
+
+    def elsewhere(self, before: "WorkPage") -> bool:
+        """Whether the view should be fitted anew; there is none."""
+        return False
+
+
+@dataclass(frozen=True, slots=True)
+class Read:
+    """Work from a file of that name."""
+
+    name: str
+    work: Any
+
+
+class WorkOpener(IconOpener):
+    """Adds icons to the work, or puts that of a file in place of it."""
+
+    most = 1000
+    limit = "there is no room for more"
+
+    def __init__(
+        self,
+        workflow: Workflow,
+        session: Session,
+        document: Document[WorkPage],
+        worker: Worker,
+        owner: QWidget,
+    ) -> None:
+        super().__init__(session, document, worker, owner)
+        self._workflow = workflow
+        self.question = f"Open a file with a {workflow.noun}"
+        self.kinds = f"{workflow.title} files"
+
+    def open_work(self, path: str) -> None:
+        """Put the work in a file in place of what is there."""
+        self.replace(lambda: self._read(Path(path)))
+
+    def put(self, found: Read) -> str:
+        """Show the work in a file."""
+        self.document.change(f"open {self._workflow.noun}", WorkPage(found.work))
+        return f"Opened “{found.name}”."
+
+    def put_all(self, gathered: Gathered) -> str:
+        """Add icons to the work."""
+        self.add_icons(gathered.found)
+        return f"Added {named(gathered.names)}."
+
+    def add_icons(self, icons: Sequence[Exemplar]) -> None:
+        """Add icons that are drawn already, in one step."""
+        take, page = self._workflow.take, self.document.page
+        if take is None:
+            raise IconstudioError(f"“{self._workflow.title}” takes no icons.")
+        for icon in icons:
+            page = replace(page, work=take(page.work, icon.pictogram))
+        self.document.change("add icon" if len(icons) == 1 else "add icons", page)
+
+    def _read(self, path: Path) -> Generator[Event | Read]:
+        with closing(
+            self._workflow.read(open_file(path, self._workflow.name), self.session)
+        ) as reading:
+            work = yield from reading
+        yield Read(path.stem, work)

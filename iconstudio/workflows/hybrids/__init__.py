@@ -1,0 +1,1 @@
+"""Hybrids (section 4.3): icons are mixed at random."""

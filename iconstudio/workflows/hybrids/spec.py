@@ -1,0 +1,44 @@
+"""What hybrids declare."""
+
+from collections.abc import Generator
+from dataclasses import replace
+from typing import Any
+
+from iconstudio.inputs.fields import Fields
+from iconstudio.model import Mix
+from iconstudio.workflows.events import Event
+from iconstudio.workflows.hybrids.file import HybridsFile, hybrids_data, hybrids_in
+from iconstudio.workflows.workflow import Refer, Resources, Workflow, lazily
+
+
+def _read(fields: Fields, resources: Resources) -> Generator[Event, None, Mix]:
+    file = hybrids_in(fields)
+    if not file.keyword:
+        return file.resolved(resources.icon)
+    from iconstudio.workflows.hybrids.choosing import choose
+
+    return file.mix(
+        (yield from choose(resources, file.keyword, file.count, file.symmetry, file.seed))
+    )
+
+
+def _write(mix: Mix, refer: Refer) -> dict[str, Any]:
+    return hybrids_data(HybridsFile.of(mix, refer))
+
+
+HYBRIDS = Workflow(
+    name="hybrids",
+    title="Hybrids",
+    noun="mix",
+    help="Mix icons at random, and rank what comes of it.",
+    invitation="Mix with others",
+    work=lambda: Mix(()),
+    read=_read,
+    write=_write,
+    keys=frozenset({"icons", "draws", "seed", "pins"}),
+    run=lazily("iconstudio.workflows.hybrids.hybrids:run"),
+    take=lambda mix, icon: replace(mix, icons=(*mix.icons, icon)),
+    examples="hybrids",
+    command="iconstudio.cli.hybrids:command",
+    workspace="iconstudio.gui.workspaces.hybrids.workspace:HybridsWorkspace",
+)

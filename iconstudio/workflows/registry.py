@@ -1,0 +1,35 @@
+"""All workflows, in the order of the switch: a new one is one more line."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+from iconstudio.workflows.editing.spec import EDITING
+from iconstudio.workflows.hybrids.spec import HYBRIDS
+from iconstudio.workflows.modelling.spec import MODELLING
+from iconstudio.workflows.montage.spec import MONTAGE
+from iconstudio.workflows.workflow import Workflow
+
+_workflows: tuple[Workflow[Any], ...] = (MODELLING, EDITING, HYBRIDS, MONTAGE)
+
+
+def workflows() -> tuple[Workflow[Any], ...]:
+    """Return all workflows."""
+    return _workflows
+
+
+def workflow_of(name: str) -> Workflow[Any]:
+    """Return the workflow of that name."""
+    return {one.name: one for one in _workflows}[name]
+
+
+@contextmanager
+def registered(workflow: Workflow[Any]) -> Iterator[None]:
+    """Have one more workflow for a while: for tests, and for trying one out."""
+    global _workflows
+    before = _workflows
+    _workflows = (*before, workflow)
+    try:
+        yield
+    finally:
+        _workflows = before

@@ -1,0 +1,121 @@
+"""What a workflow declares, once: command line, files, examples and window are made of that."""
+
+from collections.abc import Callable, Generator
+from dataclasses import dataclass
+from importlib import import_module
+from typing import Any, Generic, Protocol, TypeVar
+
+from iconstudio.algorithms.iconification.matching import Matcher
+from iconstudio.inputs.fields import Fields
+from iconstudio.model import CANVAS, Composite, Drawing, Exemplar, Pictogram
+from iconstudio.workers import Workers
+from iconstudio.workflows.drawing import Render
+from iconstudio.workflows.events import Event
+
+W = TypeVar("W")
+
+FINE = 2 * CANVAS
+"""The side of fine results: seams run between half pixels of the canvas."""
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """How results are made, whatever of."""
+
+    side: int = CANVAS
+    """m, the sites in a row of the graph cut: the paper's, or ``FINE``."""
+
+
+class Resources(Protocol):
+    """What a run works with: a ``Session``, as far as workflows know it."""
+
+    earlier: dict[str, Composite]
+    """The result in focus of the run before, by what it is of: a preview may begin with it."""
+
+    @property
+    def workers(self) -> Workers:
+        """The worker processes."""
+        ...
+
+    @property
+    def render(self) -> Render:
+        """Draws a source at its placement; can be pickled."""
+        ...
+
+    def icon(self, reference: str) -> Pictogram:
+        """Return an icon of the collection, ``set:name``, or of a file."""
+        ...
+
+    def exemplar(self, pictogram: Pictogram) -> Exemplar:
+        """Return an icon on the canvas."""
+        ...
+
+    def drawing(self, exemplar: Exemplar) -> Drawing:
+        """Return an icon drawn and traced as results are."""
+        ...
+
+    def prepare(
+        self, keyword: str, exclude: frozenset[str] = ..., scales: tuple[float, ...] = ...
+    ) -> Generator[Event, None, Matcher]:
+        """Retrieve a keyword's icons, and make them ready for matching."""
+        ...
+
+
+Read = Callable[[Fields, Resources], Generator[Event, None, W]]
+Refer = Callable[[Pictogram], str]
+"""Returns the reference of an icon for a file, once it can be found there."""
+Run = Callable[[Resources, W, Any], Generator[Event]]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Workflow(Generic[W]):
+    """A way to make icons. Its work is an immutable value: what the results depend on."""
+
+    name: str
+    """Of its command, and of its work in files of several workflows."""
+    title: str
+    """On the switch of the window."""
+    noun: str
+    """What its work is called: “sketch”."""
+    help: str
+    """What its command does, in a sentence."""
+    invitation: str = ""
+    """The words that offer to send an icon to it; empty if it takes none."""
+    work: Callable[[], W]
+    """Returns the work to begin with."""
+    read: Read[W]
+    """Returns the work in a file; yields progress."""
+    write: Callable[[W, Refer], dict[str, Any]]
+    """Returns what the file of some work says."""
+    keys: frozenset[str]
+    """Fields that tell its files from others'."""
+    run: Run[W]
+    """Makes icons of some work; yields events."""
+    take: Callable[[W, Pictogram], W] | None = None
+    """Returns the work with an icon that was sent to it; None if it takes none."""
+    examples: str | None = None
+    """Folder of its examples, in ``resources/examples``; None if there are none."""
+    command: str = ""
+    """``module:name`` of its command; empty: one that reads, runs and writes."""
+    workspace: str = ""
+    """``module:name`` of its class in the window; empty: one that collects icons and shows results.
+    """
+
+
+def named(reference: str) -> Any:
+    """Return what ``module:name`` names.
+
+    >>> named("math:hypot")(3, 4)
+    5.0
+    """
+    module, _, name = reference.partition(":")
+    return getattr(import_module(module), name)
+
+
+def lazily(reference: str) -> Callable[..., Any]:
+    """Return a function that calls what ``module:name`` names, imported when it is first called."""
+
+    def call(*args: Any) -> Any:
+        return named(reference)(*args)
+
+    return call

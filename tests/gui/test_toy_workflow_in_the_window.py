@@ -1,0 +1,108 @@
+"""A workflow without a workspace of its own: on the switch, in the menus, and in Send to."""
+
+import json
+
+import pytest
+from fake_session import exemplar
+from hands import trace, type_keyword
+
+from iconstudio.gui.main_window import MainWindow
+from iconstudio.workflows.registry import registered
+from tests.toy import MIRROR
+
+
+@pytest.fixture
+def registry():
+    with registered(MIRROR):
+        yield
+
+
+@pytest.fixture
+def window(qtbot, session, registry):
+    window = MainWindow(session)
+    qtbot.addWidget(window)
+    window.resize(1280, 720)
+    window.show()
+    qtbot.waitExposed(window)
+    yield window
+    window.close()
+    assert not window.threads_alive()
+
+
+@pytest.fixture
+def mirror(window):
+    window.show_workspace(4)
+    return window.workspace
+
+
+def titles(place):
+    return [one.title for one in place.results.pictures]
+
+
+def menu(window, title):
+    return [one.text().replace("&", "") for one in window._menus[title].actions()]
+
+
+def test_it_is_on_the_switch_and_in_the_menus(window):
+    assert menu(window, "&View")[:5] == ["Sketch", "Edit", "Hybrids", "Montage", "Mirror"]
+    window.show_workspace(4)
+    assert window.workspace.workflow is MIRROR
+    assert {"New mirror image", "Open mirror image…", "Save mirror image…"} <= set(
+        menu(window, "&File")
+    )
+    assert "Mirror" in menu(window, "&Edit")
+
+
+def test_a_chosen_icon_is_mirrored_at_once(mirror, qtbot):
+    mirror.chooser.chosen.emit(exemplar(1))
+    qtbot.waitUntil(lambda: titles(mirror) == ["mirrored frame 1"])
+    assert mirror.picture is mirror.results.pictures[0]
+    assert mirror.picture.icon.credits == (exemplar(1).pictogram,)
+    mirror.document.undo_stack.undo()
+    qtbot.waitUntil(lambda: titles(mirror) == [])
+    assert mirror.picture is None
+    mirror.document.undo_stack.redo()
+    qtbot.waitUntil(lambda: titles(mirror) == ["mirrored frame 1"])
+
+
+def test_results_of_others_are_sent_to_it_and_its_own_to_others(window, qtbot):
+    sketching = window.workspace
+    trace(sketching)
+    type_keyword(sketching, "motorcycle")
+    sketching.run()
+    qtbot.waitUntil(lambda: not sketching.runs.running, timeout=20000)
+    sketching.send_picture(sketching.picture, "Mirror")
+    mirror = window.workspace
+    assert mirror.workflow is MIRROR
+    qtbot.waitUntil(lambda: len(titles(mirror)) == 1)
+    icon = mirror.picture.icon
+    assert icon.credits == sketching.picture.icon.credits
+    mirror.send_picture(mirror.picture, "Edit")
+    assert window.workspace.workflow.title == "Edit"
+    qtbot.waitUntil(lambda: not window.workspace.document.page.empty)
+    assert window.workspace.document.page.icon.pictogram.credit.title == icon.title
+
+
+def test_its_files_are_saved_and_opened(mirror, qtbot, tmp_path, monkeypatch):
+    path = tmp_path / "mirror.json"
+    monkeypatch.setattr(mirror.saver, "ask_path", lambda *_: path)
+    for number in (1, 2):
+        mirror.chooser.chosen.emit(exemplar(number))
+    mirror.actions_by_name["save"].trigger()
+    qtbot.waitUntil(path.exists)
+    assert json.loads(path.read_text()) == {"mirrored": ["shapes:frame-1", "shapes:cross-2"]}
+    mirror.actions_by_name["new"].trigger()
+    qtbot.waitUntil(lambda: titles(mirror) == [])
+    mirror.opener.open_work(str(path))
+    qtbot.waitUntil(lambda: len(titles(mirror)) == 2)
+
+
+def test_its_results_are_saved_as_svg(mirror, qtbot, tmp_path, monkeypatch):
+    mirror.chooser.chosen.emit(exemplar(1))
+    qtbot.waitUntil(lambda: len(titles(mirror)) == 1)
+    path = tmp_path / "icon.svg"
+    monkeypatch.setattr(mirror.saver, "ask_path", lambda *_: path)
+    mirror.actions_by_name["svg"].trigger()
+    qtbot.waitUntil(path.exists)
+    assert "frame 1" in path.read_text("utf-8")
+    assert mirror.picture.icon.path.svg() in path.read_text("utf-8")

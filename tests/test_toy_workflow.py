@@ -1,0 +1,73 @@
+"""A workflow that is declared in one small file is at hand everywhere: see ``toy``."""
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+
+from iconstudio.cli.app import run
+from iconstudio.svg.reading import own_svg
+from iconstudio.workflows.registry import registered, workflows
+from tests.toy import MIRROR
+
+FEW_LINES = 60
+
+
+class NoWindow:
+    def obstacle(self):
+        return "There is no window here."
+
+    def open(self, example):
+        raise AssertionError(example)
+
+
+@pytest.fixture(autouse=True)
+def toy():
+    with registered(MIRROR):
+        yield
+    assert MIRROR not in workflows()
+
+
+@pytest.fixture
+def mirroring(tmp_path):
+    path = tmp_path / "cat.json"
+    path.write_text(json.dumps({"mirrored": ["mdi:cat", "mdi:coffee"]}))
+    return path
+
+
+def test_it_is_small():
+    lines = (Path(__file__).parent / "toy.py").read_text("utf-8").splitlines()
+    assert len(lines) < FEW_LINES
+
+
+def test_the_command_line_knows_it(capsys):
+    assert run(["--help"], NoWindow()) == 0
+    assert re.search(r"mirror +Mirror icons, left to right\.", capsys.readouterr().out)
+    assert run(["mirror", "--help"], NoWindow()) == 0
+    assert "MIRROR.json" in capsys.readouterr().out
+
+
+def test_its_command_makes_icons_with_their_credits(mirroring, tmp_path, capsys):
+    out = tmp_path / "out"
+    assert run(["mirror", str(mirroring), "--out", str(out)], NoWindow()) == 0
+    assert "2 icons" in capsys.readouterr().out
+    report = json.loads((out / "results.json").read_text("utf-8"))
+    assert [one["credits"][0]["icon"] for one in report["results"]] == ["mdi:cat", "mdi:coffee"]
+    assert set(report["files"]) == {
+        "mirror-1.svg", "mirror-1.png", "mirror-2.svg", "mirror-2.png", "sheet.png",
+    }  # fmt: skip
+    saved = own_svg((out / "mirror-1.svg").read_bytes(), "mirror-1.svg")
+    assert saved.credit.title.startswith("mirrored")
+    assert [one.id for one in saved.origins] == ["mdi:cat"]
+
+
+def test_its_files_are_told_from_others(mirroring, tmp_path, capsys):
+    out = str(tmp_path / "out")
+    assert run(["model", str(mirroring), "--out", out], NoWindow()) == 2
+    said = capsys.readouterr().err
+    assert "looks like a mirror image" in said and "iconstudio mirror" in said
+    montage = tmp_path / "montage.json"
+    montage.write_text(json.dumps({"layers": []}))
+    assert run(["mirror", str(montage), "--out", out], NoWindow()) == 2
+    assert "this is no mirror image, but looks like a montage" in capsys.readouterr().err

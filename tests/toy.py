@@ -1,0 +1,54 @@
+"""A workflow in under 60 lines: icons are mirrored. Nothing else in the program knows of it."""
+
+from collections.abc import Generator
+from dataclasses import dataclass, replace
+
+from fontTools.misc.transform import Transform
+
+from iconstudio.inputs.fields import Fields
+from iconstudio.model import Icon, Pictogram
+from iconstudio.workflows.events import Event, Progress, Result
+from iconstudio.workflows.workflow import Refer, Resources, Settings, Workflow
+
+
+@dataclass(frozen=True, slots=True)
+class Mirroring:
+    """Icons to mirror, left to right."""
+
+    icons: tuple[Pictogram, ...] = ()
+
+
+def read(fields: Fields, resources: Resources) -> Generator[Event, None, Mirroring]:
+    yield Progress("search", 0.5, "Looking for the icons")
+    return Mirroring(tuple(map(resources.icon, fields.references("mirrored"))))
+
+
+def write(work: Mirroring, refer: Refer) -> dict[str, object]:
+    return {"mirrored": [refer(icon) for icon in work.icons]}
+
+
+def run(
+    resources: Resources, work: Mirroring, settings: Settings | None = None
+) -> Generator[Event]:
+    for number, icon in enumerate(work.icons, start=1):
+        drawing = resources.drawing(resources.exemplar(icon))
+        yield Progress("remix", number / len(work.icons), "Mirroring")
+        path = drawing.path.transformed(LEFT_TO_RIGHT)
+        yield Result(Icon(path, f"mirrored {icon.credit.title}", icon.origins))
+
+
+LEFT_TO_RIGHT = Transform(-1, 0, 0, 1, 256, 0)
+
+MIRROR = Workflow(
+    name="mirror",
+    title="Mirror",
+    noun="mirror image",
+    help="Mirror icons, left to right.",
+    invitation="Mirror it",
+    work=Mirroring,
+    read=read,
+    write=write,
+    keys=frozenset({"mirrored"}),
+    run=run,
+    take=lambda work, icon: replace(work, icons=(*work.icons, icon)),
+)
