@@ -206,6 +206,8 @@ class PictureStrip(QListView):
         with QPainter(self.viewport()) as painter:
             painter.setPen(theme.current().color("muted"))
             how = Qt.AlignmentFlag.AlignVCenter | Qt.TextFlag.TextWordWrap
+            if self._wrapping:
+                how |= Qt.AlignmentFlag.AlignHCenter
             painter.drawText(self.viewport().rect(), how, self._hint)
 
     def changeEvent(self, event: QEvent) -> None:
