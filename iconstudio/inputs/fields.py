@@ -51,11 +51,8 @@ class Fields:
         if not isinstance(data, dict):
             raise self.mistake('An object such as {"key": "value"} is needed.')
         self._data = data
-
-    @property
-    def keys(self) -> frozenset[str]:
+        self.keys = frozenset(data)
         """The names of the fields that are there."""
-        return frozenset(self._data)
 
     def mistake(self, sentence: str) -> IconstudioError:
         """Return the error that says what is wrong, and where."""

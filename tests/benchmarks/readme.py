@@ -1,9 +1,9 @@
-"""Puts tables between their markers in the README."""
+"""Puts tables between their markers in the README of this folder."""
 
 import re
 from pathlib import Path
 
-README = Path(__file__).parents[2] / "README.md"
+README = Path(__file__).parent / "README.md"
 
 
 def put(name: str, text: str, readme: Path = README) -> None:
