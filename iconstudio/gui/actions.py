@@ -48,7 +48,16 @@ ENTRIES = {
         Entry("zoom_in", "Zoom &in", "", Key.ZoomIn),
         Entry("zoom_out", "Zoom &out", "", Key.ZoomOut),
         Entry("fit", "&Fit the page", "Show the whole page", "Ctrl+0", "fit"),
-        Entry("coded", "Colour &code", "Colour the results by source", "Ctrl+K", "", True),
+        Entry("plain", "&Icons", "Show the results as they are", checkable=True),
+        Entry(
+            "both",
+            "Icons and &colour code",
+            "Show results with their colour code",
+            "Ctrl+Shift+K",
+            "",
+            True,
+        ),
+        Entry("coded", "Colour co&de", "Colour the results by source", "Ctrl+K", "", True),
         Entry("about", "&About Iconstudio"),
     )
 }
@@ -64,6 +73,9 @@ def work_entries(noun: str) -> tuple[Entry, ...]:
     )
 
 
+DISPLAYS = "plain", "both", "coded"
+"""How results are shown: the values of ``pictures.Display``."""
+
 MODES, OWN = "modes", "own"
 """Places in the menus: of the switch between workspaces, and of a workspace's own actions."""
 
@@ -76,7 +88,7 @@ MENUS: dict[str, tuple[str, ...]] = {
         *("undo", "redo", "", "paste", "delete", "clear", OWN, ""),
         *("run", "live", "fine", "cancel"),
     ),
-    "&View": (MODES, "", OWN, "pan", "", "zoom_in", "zoom_out", "fit", "", "coded"),
+    "&View": (MODES, "", OWN, "pan", "", "zoom_in", "zoom_out", "fit", "", *DISPLAYS),
     "&Help": ("about",),
 }
 

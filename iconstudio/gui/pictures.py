@@ -3,12 +3,13 @@
 from collections.abc import Generator
 from contextlib import closing
 from dataclasses import dataclass, replace
+from enum import Enum
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QRectF, Qt
+from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPainterPath, QTransform
 
 from iconstudio.gui.mipmap import Mipmap
@@ -21,6 +22,18 @@ if TYPE_CHECKING:
 
 COLOUR_CODE_SIZE = 512
 """Side of a colour-coded picture in pixels: enough for the large view at two pixels a point."""
+
+
+_ICON, _TWIN = 0.76, 0.34
+"""Sides of an icon and of its colour code beside it, as parts of the square that both share."""
+
+
+class Display(Enum):
+    """What is shown of results: icons, their colour code, or both, as in the paper's figures."""
+
+    PLAIN = "plain"
+    BOTH = "both"
+    CODED = "coded"
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,26 +82,43 @@ class Picture:
 
         return pictogram_of(self.icon)
 
+    @property
+    def _awaits_code(self) -> bool:
+        """Whether the colour code is still being made: that of a preview need not be waited for."""
+        return self.preview and "coded" not in vars(self)
+
     def image(self, side: int) -> QImage:
         """Return the icon in black on nothing, ``side`` pixels wide."""
         image = QImage(side, side, QImage.Format.Format_ARGB32_Premultiplied)
         image.fill(Qt.GlobalColor.transparent)
         with QPainter(image) as painter:
-            self.paint(painter, QRectF(image.rect()), QColor("black"), coded=False)
+            self.paint(painter, QRectF(image.rect()), QColor("black"))
         return image
 
-    def paint(self, painter: QPainter, target: QRectF, ink: QColor, coded: bool) -> None:
-        """Draw into the square ``target``."""
+    def paint(
+        self,
+        painter: QPainter,
+        target: QRectF,
+        ink: QColor,
+        display: Display = Display.PLAIN,
+    ) -> None:
+        """Draw into the square ``target``; what has no colour code, as an icon."""
         painter.save()
         painter.setRenderHints(
             QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform
         )
-        if coded and self.coded is not None:
-            pixels = target.width() * painter.device().devicePixelRatioF()
-            painter.drawImage(target, self.coded.at(pixels))
-        else:
-            painter.translate(target.topLeft())
-            painter.scale(target.width() / CANVAS, target.height() / CANVAS)
+        if not isinstance(self.icon, Remix):
+            display = Display.PLAIN
+        side, icon, twin = target.width(), QRectF(target), QRectF(target)
+        if display is Display.BOTH:
+            icon.setSize(QSizeF(_ICON * side, _ICON * side))
+            twin.setTopLeft(target.bottomRight() - _TWIN * QPointF(side, side))
+        if display is Display.CODED or (display is Display.BOTH and not self._awaits_code):
+            pixels = twin.width() * painter.device().devicePixelRatioF()
+            painter.drawImage(twin, self.coded.at(pixels))
+        if display is not Display.CODED:
+            painter.translate(icon.topLeft())
+            painter.scale(icon.width() / CANVAS, icon.height() / CANVAS)
             painter.fillPath(self.outline, ink)
         painter.restore()
 
@@ -103,8 +133,10 @@ def pictured(events: Generator[Event], title: str = "") -> Generator["Event | Pi
             if isinstance(event, Result):
                 icon = replace(event.icon, title=title) if title else event.icon
                 picture = Picture(icon, painter_path(icon.path), preview=event.preview)
+                if not picture.preview:
+                    _ = picture.coded  # made here, as the window will show it at once
                 yield picture
-                _ = picture.coded  # made for later, now that it is shown
+                _ = picture.coded
             else:
                 yield event
 

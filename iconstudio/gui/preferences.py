@@ -1,17 +1,22 @@
 """What the user prefers, remembered from one time to the next."""
 
+from typing import TypeVar
+
 from PySide6.QtCore import QSettings
 
-
-def preferred(name: str, default: bool) -> bool:
-    """Return whether something is wanted."""
-    return bool(_settings().value(name, default, type=bool))
+T = TypeVar("T", bool, str)
 
 
-def prefer(name: str, wanted: bool) -> None:
+def preferred(name: str, default: T) -> T:
+    """Return what is preferred: a truth value, or a text."""
+    return type(default)(_settings().value(name, default, type=type(default)))
+
+
+def prefer(name: str, wanted: bool | str) -> None:
     """Remember whether something is wanted."""
-    if wanted != preferred(name, not wanted):
-        _settings().setValue(name, wanted)
+    settings = _settings()
+    if not settings.contains(name) or wanted != preferred(name, wanted):
+        settings.setValue(name, wanted)
 
 
 def _settings() -> QSettings:

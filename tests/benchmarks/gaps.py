@@ -166,7 +166,7 @@ def sketching(window: MainWindow, folder: Path) -> Stages:
         yield 30
     yield "colour code"
     for on in (True, False, True, False):
-        window.action("coded").setChecked(on)
+        window.action("coded" if on else "plain").setChecked(True)
         yield 150
     yield "zooming the sketch"
     for step in range(20):

@@ -357,12 +357,12 @@ def test_of_a_mixture_each_is_taken_or_told(place, qtbot, own, tmp_path, photo):
     web = QUrl("https://example.org/dog.svg")
     data = urls(*(tmp_path / one for one in others), photo, web, first, second)
     drop(place, data)
-    there(place, qtbot, 1 if place.title == "Edit" else 2)
+    there(place, qtbot, 1 if place.workflow.title == "Edit" else 2)
     for name in ("broken.svg", "work.json", "folder.svg", "gone.svg", "example.org/dog.svg"):
         assert name in told(place), name
     assert "is a folder" in told(place)
     assert "open it by itself" in told(place)
-    assert ("icon-1.svg" in told(place)) == (place.title == "Edit")
+    assert ("icon-1.svg" in told(place)) == (place.workflow.title == "Edit")
     assert place.document.undo_stack.count() == 1
 
 
@@ -425,7 +425,7 @@ def test_anything_can_be_dropped_anywhere(place, qtbot, own):
              "Montage": "layers detail view chooser"}[place.title].split()  # fmt: skip
     paths = own(len(parts))
     for part, path in zip(parts, paths, strict=True):
-        count = 1 if place.title == "Edit" else len(place.icons) + 1
+        count = 1 if place.workflow.title == "Edit" else len(place.icons) + 1
         widget = getattr(place, part)
         assert drop(getattr(widget, "viewport", lambda widget=widget: widget)(), urls(path))
         there(place, qtbot, count)

@@ -48,9 +48,9 @@ def test_what_fills_an_outline_is_loaded_while_the_window_idles(tmp_path):
 
 
 def test_a_workspace_is_made_when_it_is_first_used(window):
-    assert [one.title for one in window.findChildren(Workspace)] == ["Sketch"]
+    assert [one.workflow.title for one in window.findChildren(Workspace)] == ["Sketch"]
     window.show_workspace(3)
-    assert [one.title for one in window.findChildren(Workspace)] == ["Sketch", "Montage"]
+    assert [one.workflow.title for one in window.findChildren(Workspace)] == ["Sketch", "Montage"]
     window.show_workspace(0)
     window.show_workspace(3)
     assert len(window.findChildren(Workspace)) == 2

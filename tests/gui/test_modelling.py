@@ -6,18 +6,19 @@ import time
 from dataclasses import replace
 
 import pytest
-from fake_session import RECOMMENDED, exemplar
+from fake_session import RECOMMENDED, FakeSession, exemplar
 from hands import SQUARE, click, press, trace, type_keyword
 from images import blank
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
 
+from iconstudio.gui.main_window import MainWindow
 from iconstudio.gui.mipmap import Mipmap
 from iconstudio.gui.panels.cell import CellState
 from iconstudio.gui.panels.detail import SourceRow
 from iconstudio.gui.panels.elided import ElidedLabel
-from iconstudio.gui.pictures import SourcePicture
+from iconstudio.gui.pictures import Display, SourcePicture
 from iconstudio.model import Credit, Pictogram, Placement, Source
 from iconstudio.workflows.grid import ModelSettings
 
@@ -350,14 +351,30 @@ def test_colour_code_and_icon_are_switched(ready, qtbot):
     ready.run()
     finish(ready, qtbot)
     cell = ready.board.results.cell("light", LAMBDAS[1])
+    ready.actions_by_name["plain"].trigger()
     plain = cell.grab().toImage()
     ready.actions_by_name["coded"].trigger()
     coded = cell.grab().toImage()
     assert plain != coded
     assert any(coded.pixelColor(x, y).hsvSaturation() > 100 for x in range(70) for y in range(70))
-    QTest.mouseClick(ready.board.results.switch.icon, Qt.MouseButton.LeftButton)
+    QTest.mouseClick(ready.board.results.switch.segments[Display.PLAIN], Qt.MouseButton.LeftButton)
     assert cell.grab().toImage() == plain
     assert not ready.actions_by_name["coded"].isChecked()
+
+
+def test_how_results_are_shown_is_remembered_in_all_workspaces(ready):
+    window = ready.window()
+    assert ready.actions_by_name["both"].isChecked()
+    ready.actions_by_name["coded"].trigger()
+    window.show_workspace(3)
+    assert window.workspace.switch.segments[Display.CODED].isChecked()
+    window.workspace.actions_by_name["plain"].trigger()
+    window.show_workspace(0)
+    assert ready.board.results.switch.segments[Display.PLAIN].isChecked()
+    again = MainWindow(FakeSession())
+    again.show()
+    assert again.workspace.actions_by_name["plain"].isChecked()
+    again.close()
 
 
 def test_an_icon_is_left_out_and_taken_back(ready, qtbot, session):

@@ -24,6 +24,7 @@ from iconstudio.algorithms.iconification.guidance import scribble
 from iconstudio.gui import theme
 from iconstudio.gui.dragging import packed
 from iconstudio.gui.main_window import MainWindow
+from iconstudio.gui.pictures import Display
 from iconstudio.gui.workspaces.montage import pictures as montage_pictures
 from iconstudio.gui.workspaces.montage.pictures import LayerPainter
 from iconstudio.gui.workspaces.montage.scene import MontageScene
@@ -46,7 +47,7 @@ OWN = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 9 9'><path d='M1 1h7
 
 @pytest.fixture
 def place(window, qtbot):
-    window.show_workspace([one.title for one in window.workspaces].index("Montage"))
+    window.show_workspace([one.workflow.title for one in window.workspaces].index("Montage"))
     return window.workspace
 
 
@@ -682,12 +683,13 @@ def test_a_result_is_kept_when_it_is_used_or_left_but_not_at_every_stroke(two, q
 def test_the_colour_code_is_switched_by_button_and_key(two, qtbot):
     stroke(two, (60, 60), (90, 60))
     settled(two, qtbot)
+    two.actions_by_name["plain"].trigger()
     plain = two.detail.large.grab().toImage()
-    QTest.mouseClick(two.switch.code, LEFT)
+    QTest.mouseClick(two.switch.segments[Display.CODED], LEFT)
     assert two.actions_by_name["coded"].isChecked()
     assert two.detail.large.grab().toImage() != plain
-    two.actions_by_name["coded"].trigger()
-    assert two.switch.icon.isChecked()
+    two.actions_by_name["plain"].trigger()
+    assert two.switch.segments[Display.PLAIN].isChecked()
     assert two.detail.large.grab().toImage() == plain
 
 

@@ -11,9 +11,10 @@ from PySide6.QtGui import QColor, QIcon, QPainter
 from iconstudio.gui import icons, theme
 from iconstudio.gui.canvas.tools.polygon import PolygonTool
 from iconstudio.gui.mipmap import Mipmap
-from iconstudio.gui.pictures import Picture, pictured, placed, stencil
+from iconstudio.gui.pictures import Display, Picture, pictured, placed, stencil
 from iconstudio.gui.vector import painter_path
 from iconstudio.model import CANVAS, Contour, Icon, Path, Placement, Polygon, Sketch
+from iconstudio.workflows.grid import ModelSettings
 from tests.shapes import outline
 
 
@@ -85,7 +86,7 @@ def test_an_icon_is_drawn_as_its_path_at_any_size():
     small, large = blank(64, 64), blank(512, 512)
     for image in (small, large):
         with QPainter(image) as painter:
-            picture.paint(painter, QRectF(image.rect()), QColor("black"), coded=False)
+            picture.paint(painter, QRectF(image.rect()), QColor("black"))
     smooth = Qt.TransformationMode.SmoothTransformation
     ratio = Qt.AspectRatioMode.KeepAspectRatio
     assert_alike(small, large.scaled(64, 64, ratio, smooth))
@@ -93,15 +94,42 @@ def test_an_icon_is_drawn_as_its_path_at_any_size():
     assert pixels(large)[256, 100, 0] == 0, "the ink"
 
 
-def test_a_result_is_shown_before_its_colour_code_is_made():
-    events = FakeSession().model(Sketch(Polygon(tuple(SQUARE)), "bicycle"))
+def test_a_preview_is_shown_before_its_colour_code_is_made_and_a_result_with_it():
+    sketch = Sketch(Polygon(tuple(SQUARE)), "bicycle")
     shown = []
-    for event in pictured(events, "bicycle"):
+    for event in pictured(FakeSession().model(sketch, ModelSettings(previews=True)), "bicycle"):
         if isinstance(event, Picture):
-            assert "coded" not in vars(event)
+            assert ("coded" in vars(event)) != event.preview
             shown.append(event)
     assert shown
     assert all("coded" in vars(picture) for picture in shown)
+
+
+def painted(picture, display):
+    image = blank(100, 100)
+    with QPainter(image) as painter:
+        picture.paint(painter, QRectF(image.rect()), QColor("black"), display)
+    return pixels(image)
+
+
+def test_both_shows_the_icon_with_its_colour_code_small_beside_it():
+    sketch = Sketch(Polygon(tuple(SQUARE)), "bicycle")
+    events = pictured(FakeSession().model(sketch), "bicycle")
+    picture = next(event for event in events if isinstance(event, Picture))
+    plain, both, coded = (painted(picture, one) for one in Display)
+    colourful = [np.ptp(image[..., :3], axis=-1) > 0.25 for image in (plain, both, coded)]
+    assert not colourful[0].any()
+    assert colourful[1][66:, 66:].any() and not colourful[1][:66, :66].any()
+    assert colourful[2].sum() > 5 * colourful[1].sum()
+    black = [image[..., :3].max(axis=-1) < 0.25 for image in (plain, both)]
+    assert black[1][:76, :76].sum() == pytest.approx(0.76**2 * black[0].sum(), rel=0.1)
+
+
+def test_what_has_no_sources_is_shown_as_an_icon_in_any_case():
+    path = drawing(Sketch(Polygon(tuple(SQUARE))), 1, 1).path
+    picture = Picture(Icon(path, "house"), painter_path(path))
+    plain, *others = (painted(picture, one) for one in Display)
+    assert all(np.array_equal(plain, one) for one in others)
 
 
 @pytest.mark.parametrize("name", sorted(icons._SHAPES))

@@ -95,7 +95,7 @@ def test_remarks_are_those_of_the_workspace_in_sight(place, qtbot):
     window = place.window()
     window.show_workspace(0)
     assert told(place) == ""
-    window.show_workspace(PLACES[place.title])
+    window.show_workspace(PLACES[place.workflow.title])
     assert TEXT in told(place)
 
 

@@ -10,6 +10,7 @@ from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
 
 from iconstudio.gui import saving
+from iconstudio.gui.pictures import Display
 from iconstudio.model import IconstudioError
 from iconstudio.output.png import coverage
 from iconstudio.output.svg import svg_document
@@ -79,12 +80,12 @@ def test_an_icon_is_saved_as_svg_with_its_credits(done, qtbot, tmp_path, monkeyp
     assert "Ada Example" in path.read_text("utf-8")
 
 
-@pytest.mark.parametrize("coded", [False, True])
+@pytest.mark.parametrize("display", list(Display))
 def test_png_is_of_the_icon_and_the_colour_code_has_its_own(
-    done, qtbot, tmp_path, monkeypatch, coded
+    done, qtbot, tmp_path, monkeypatch, display
 ):
     """Whatever is shown."""
-    done.board.results.set_coded(coded)
+    done.board.show_display(display)
     images = []
     for name in ("png", "code_png"):
         path = tmp_path / f"{name}.png"
@@ -116,7 +117,7 @@ def test_the_colour_code_of_a_recent_result_is_saved(done, qtbot, tmp_path, monk
 
 
 def test_an_icon_is_copied_as_svg_as_words_and_as_a_picture(done):
-    done.board.results.set_coded(True)
+    done.board.show_display(Display.CODED)
     done.actions_by_name["copy"].trigger()
     data, icon = QApplication.clipboard().mimeData(), done.board.detail.picture.icon
     svg = svg_document(replace(icon, title="Motor cycle"))

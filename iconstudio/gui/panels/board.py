@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QMenu, QSplitter, QWidget
 from iconstudio.gui.panels.detail import DetailPanel
 from iconstudio.gui.panels.results import ResultsPanel
 from iconstudio.gui.panels.sending import Destination, offer
-from iconstudio.gui.pictures import Picture
+from iconstudio.gui.pictures import Display, Picture
 from iconstudio.gui.theme import UNIT
 from iconstudio.workflows.events import Event, Recommended, StyleMatched, StyleSkipped
 from iconstudio.workflows.grid import ModelSettings
@@ -58,8 +58,12 @@ class Board(QSplitter):
         results.picked.connect(self.picked)
         results.chosen.connect(self._choose)
         results.asked.connect(self._open_menu)
-        results.coded_changed.connect(detail.large.set_coded)
         detail.sent.connect(lambda title: self.sent.emit(detail.picture, title))
+
+    def show_display(self, display: Display) -> None:
+        """Show results as icons, by their colour code, or both."""
+        self.results.show_display(display)
+        self.detail.large.show_display(display)
 
     def set_destinations(self, destinations: Sequence[Destination]) -> None:
         """Say where results can be sent to."""

@@ -8,7 +8,7 @@ from PySide6.QtGui import QEnterEvent, QPainter, QPainterPath, QPaintEvent, QPen
 from PySide6.QtWidgets import QAbstractButton, QSizePolicy, QWidget
 
 from iconstudio.gui import theme
-from iconstudio.gui.pictures import Picture
+from iconstudio.gui.pictures import Display, Picture
 
 PALING = 700
 """Milliseconds after which a result that is out of date turns pale: not at once, so that one that
@@ -47,7 +47,7 @@ class ResultCell(QAbstractButton):
         self.picture: Picture | None = None
         self.state = CellState.BLANK
         self._name = name
-        self._coded = False
+        self._display = Display.BOTH
         self.recommended = ""
         self._paling = QTimer(self, singleShot=True, interval=PALING)
         self._paling.timeout.connect(self._turn_pale)
@@ -94,9 +94,9 @@ class ResultCell(QAbstractButton):
         self.recommended = reason
         self._turn(self.state)
 
-    def set_coded(self, coded: bool) -> None:
-        """Switch between icon and colour code."""
-        self._coded = coded
+    def show_display(self, display: Display) -> None:
+        """Show the icon, its colour code, or both."""
+        self._display = display
         self.update()
 
     def enterEvent(self, event: QEnterEvent) -> None:
@@ -128,7 +128,7 @@ class ResultCell(QAbstractButton):
                 target = QRectF(0, 0, side, side)
                 target.moveCenter(box.center())
                 painter.setOpacity(PALE if self._pale or self._stale else 1.0)
-                self.picture.paint(painter, target, look.color("text"), self._coded)
+                self.picture.paint(painter, target, look.color("text"), self._display)
                 if self.recommended:
                     self._paint_mark(painter, look, target)
                 if self.state is CellState.PREVIEW:

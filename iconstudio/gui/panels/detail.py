@@ -22,7 +22,7 @@ from PySide6.QtWidgets import (
 from iconstudio.gui import theme
 from iconstudio.gui.panels.elided import ElidedLabel
 from iconstudio.gui.panels.sending import Destination, offer
-from iconstudio.gui.pictures import Picture, SourcePicture, source_pictures
+from iconstudio.gui.pictures import Display, Picture, SourcePicture, source_pictures
 from iconstudio.gui.theme import UNIT
 from iconstudio.model import Credit, Icon, Remix
 
@@ -36,7 +36,7 @@ class LargePicture(QWidget):
         """``wide``: it fills what room there is, instead of growing with its height only."""
         super().__init__(parent)
         self._picture: Picture | None = None
-        self._coded = False
+        self._display = Display.BOTH
         self._wide = wide
         self.setMinimumSize(20 * UNIT, 20 * UNIT)
         across = QSizePolicy.Policy.Expanding if wide else QSizePolicy.Policy.Preferred
@@ -48,9 +48,9 @@ class LargePicture(QWidget):
         self._picture = picture
         self.update()
 
-    def set_coded(self, coded: bool) -> None:
-        """Switch between icon and colour code."""
-        self._coded = coded
+    def show_display(self, display: Display) -> None:
+        """Show the icon, its colour code, or both."""
+        self._display = display
         self.update()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -71,7 +71,7 @@ class LargePicture(QWidget):
             painter.drawRoundedRect(sheet, 8, 8)
             if self._picture is not None:
                 target = sheet.adjusted(UNIT, UNIT, -UNIT, -UNIT)
-                self._picture.paint(painter, target, look.color("text"), self._coded)
+                self._picture.paint(painter, target, look.color("text"), self._display)
 
 
 class SourceThumbnail(QWidget):

@@ -17,8 +17,8 @@ from PySide6.QtWidgets import (
 
 from iconstudio.gui.panels.axes import Grid, RowHead, Scale
 from iconstudio.gui.panels.cell import CellState, ResultCell
-from iconstudio.gui.panels.coding import CodeSwitch
-from iconstudio.gui.pictures import Picture
+from iconstudio.gui.panels.display_switch import DisplaySwitch
+from iconstudio.gui.pictures import Display, Picture
 from iconstudio.gui.theme import UNIT
 from iconstudio.workflows.events import StyleMatched, StyleSkipped
 
@@ -46,14 +46,11 @@ class ResultsPanel(QFrame):
         The user himself picked this one.
     asked(Picture, QPoint)
         The user wants to know, at this place of the screen, what can be done with a result.
-    coded_changed(bool)
-        Whether the results are colour-coded.
     """
 
     picked = Signal(object)
     chosen = Signal(object)
     asked = Signal(object, QPoint)
-    coded_changed = Signal(bool)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -66,10 +63,9 @@ class ResultsPanel(QFrame):
         self._group = QButtonGroup(self)
         self._group.setExclusive(True)
         self._group.buttonClicked.connect(self._pick)
-        self.coded = False
+        self.display = Display.BOTH
 
-        self.switch = CodeSwitch()
-        self.switch.changed.connect(self.set_coded)
+        self.switch = DisplaySwitch()
         title = QLabel("Results")
         title.setProperty("title", True)
         self.note = QLabel(wordWrap=True)
@@ -176,7 +172,7 @@ class ResultsPanel(QFrame):
             cells = []
             for column, value in enumerate(lambdas, start=1):
                 cell = ResultCell(f"{style.capitalize()}, λ {value:.2f}")
-                cell.set_coded(self.coded)
+                cell.show_display(self.display)
                 cell.customContextMenuRequested.connect(self._ask)
                 self._group.addButton(cell)
                 self._grid.addWidget(cell, row, column)
@@ -245,15 +241,12 @@ class ResultsPanel(QFrame):
         cell.setChecked(True)
         self.picked.emit(cell.picture)
 
-    def set_coded(self, coded: bool) -> None:
-        """Show the results as icons, or coded by source."""
-        if coded == self.coded:
-            return
-        self.coded = coded
-        self.switch.set_coded(coded)
+    def show_display(self, display: Display) -> None:
+        """Show the results as icons, by their colour code, or both."""
+        self.display = display
+        self.switch.show_display(display)
         for cell in self._cells.values():
-            cell.set_coded(coded)
-        self.coded_changed.emit(coded)
+            cell.show_display(display)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Go from result to result with the arrow keys."""

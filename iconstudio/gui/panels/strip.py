@@ -90,7 +90,7 @@ class PictureDelegate(QStyledItemDelegate):
         painter.setPen(QPen(look.color("accent" if focused else "border"), 1.5 if focused else 1))
         painter.setBrush(look.color("accent_soft" if hovered else "surface"))
         painter.drawRoundedRect(box, 6, 6)
-        picture.paint(painter, box.adjusted(2, 2, -2, -2), look.color("text"), coded=False)
+        picture.paint(painter, box.adjusted(2, 2, -2, -2), look.color("text"))
         painter.restore()
 
 

@@ -1,8 +1,10 @@
 """What every workspace offers to the window."""
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 
 from PySide6.QtCore import QMimeData, Signal
+from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QMenu, QWidget
 
 from iconstudio.gui.actions import ENTRIES, Actions, Entry
@@ -11,7 +13,8 @@ from iconstudio.gui.document import Document
 from iconstudio.gui.panels.board import Board
 from iconstudio.gui.panels.detail import DetailPanel
 from iconstudio.gui.panels.sending import Destination
-from iconstudio.gui.pictures import Picture
+from iconstudio.gui.pictures import Display, Picture
+from iconstudio.gui.preferences import prefer, preferred
 from iconstudio.gui.saving import Saver
 from iconstudio.gui.worker import Worker
 from iconstudio.gui.workspaces.opening import Opener
@@ -19,6 +22,9 @@ from iconstudio.inputs.examples import examples
 from iconstudio.model import Pictogram
 from iconstudio.session import Session
 from iconstudio.workflows.workflow import Workflow
+
+DISPLAY = "display"
+"""Under which it is remembered how results are shown."""
 
 
 class Workspace(QWidget):
@@ -123,19 +129,38 @@ class Workspace(QWidget):
         own: Mapping[str, Sequence[Entry]] | None = None,
     ) -> None:
         """Make ``actions_by_name``: ``slots`` (see ``Actions``), and what all workspaces have."""
+        shown = {one.value: partial(self._choose_display, one) for one in Display}
         common = {
             "svg": lambda: self._keep(self.saver.save_svg),
             "png": lambda: self._keep(self.saver.save_png),
             "code_png": lambda: self._keep(self.saver.save_code),
             "copy": lambda: self._keep(self.saver.copy_svg),
             "cancel": self.cancel,
+            **shown,
         }
         actions = self.actions_by_name = Actions(self, common | dict(slots), own)
         stack = self.document.undo_stack
         actions.add(ENTRIES["undo"], stack.createUndoAction(self, "&Undo"))
         actions.add(ENTRIES["redo"], stack.createRedoAction(self, "&Redo"))
+        actions.choose_between(*shown)
         self._show_picked(None)
         self.picked.connect(self._show_picked)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Show results as the user prefers by now, perhaps since another workspace."""
+        super().showEvent(event)
+        preference = preferred(DISPLAY, Display.BOTH.value)
+        if preference in [one.value for one in Display]:
+            self.actions_by_name[preference].setChecked(True)
+            self.show_display(Display(preference))
+
+    def show_display(self, display: Display) -> None:
+        """Show results as icons, by their colour code, or both."""
+
+    def _choose_display(self, display: Display, on: bool) -> None:
+        if on and self.isVisible():
+            prefer(DISPLAY, display.value)
+            self.show_display(display)
 
     def add_examples(self, folder: str, use: Callable[[str], object]) -> QMenu:
         """Return a menu of the examples in a folder; ``use`` is called with the path of one.
@@ -172,13 +197,16 @@ class Workspace(QWidget):
 
     def connect_board(self, board: Board) -> None:
         """Pass on what happens on a board of results."""
-        actions = self.actions_by_name
         board.picked.connect(self.picked)
         board.made.connect(self.made)
         board.counted.connect(self.counted)
         board.sent.connect(self.send_picture)
-        board.results.coded_changed.connect(actions["coded"].setChecked)
+        board.results.switch.chosen.connect(self.choose_display)
         self.connect_detail(board.detail)
+
+    def choose_display(self, display: Display) -> None:
+        """Show results in another way, as if the user had chosen it in the menu."""
+        self.actions_by_name[display.value].setChecked(True)
 
     def connect_detail(self, detail: DetailPanel) -> None:
         """Let the buttons of the details do what the menus do."""

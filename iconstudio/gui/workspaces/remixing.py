@@ -15,7 +15,7 @@ from iconstudio.gui.panels.canvas import CanvasPanel
 from iconstudio.gui.panels.keyword import KeywordPanel
 from iconstudio.gui.panels.sending import Destination
 from iconstudio.gui.panels.symmetry import SymmetryButton, SymmetryHint
-from iconstudio.gui.pictures import Picture
+from iconstudio.gui.pictures import Display, Picture
 from iconstudio.gui.preferences import preferred
 from iconstudio.gui.preparation import Preparation, Query
 from iconstudio.gui.runner import Runner
@@ -86,6 +86,10 @@ class RemixWorkspace(Workspace, Wanting):
         """Say where results can be sent to."""
         self.board.set_destinations(destinations)
 
+    def show_display(self, display: Display) -> None:
+        """Show results as icons, by their colour code, or both."""
+        self.board.show_display(display)
+
     def cancel(self) -> None:
         """Stop the run and the search; results that are finished stay."""
         self.preparation.cancel()
@@ -121,7 +125,6 @@ class RemixWorkspace(Workspace, Wanting):
             "run": self.run,
             "live": self._set_live,
             "fine": self._set_fine,
-            "coded": self.board.results.set_coded,
             **self.view_slots(self.view),
         }
 

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
 
 from iconstudio.gui import icons, theme
 from iconstudio.gui.panels.strip import same
-from iconstudio.gui.pictures import Picture
+from iconstudio.gui.pictures import Display, Picture
 from iconstudio.gui.theme import UNIT
 from iconstudio.gui.workspaces.hybrids.sheet_model import Index, Rule, Section, SheetModel
 
@@ -29,7 +29,7 @@ class SheetDelegate(QStyledItemDelegate):
 
     def __init__(self, parent: "Sheet") -> None:
         super().__init__(parent)
-        self.coded = False
+        self.display = Display.BOTH
         self.favourites: Sequence[Picture] = ()
         self.set_width(8 * CELL)
 
@@ -74,7 +74,7 @@ class SheetDelegate(QStyledItemDelegate):
             painter.drawRoundedRect(box, 6, 6)
         inner = QRectF(0, 0, CELL - 8, CELL - 8)
         inner.moveCenter(box.center())
-        picture.paint(painter, inner, look.color("text"), self.coded)
+        picture.paint(painter, inner, look.color("text"), self.display)
         if any(same(one, picture) for one in self.favourites):
             place = QRect(box.topRight().toPoint() - QPoint(19, -3), QSize(16, 16))
             icons.icon("star-full", "accent").paint(painter, place)
@@ -194,9 +194,9 @@ class Sheet(QListView):
         bar = self.verticalScrollBar()
         return bar.value() >= bar.maximum() - CELL
 
-    def set_coded(self, coded: bool) -> None:
-        """Switch between icons and colour code."""
-        self._delegate.coded = coded
+    def show_display(self, display: Display) -> None:
+        """Show hybrids as icons, by their colour code, or both."""
+        self._delegate.display = display
         self.viewport().update()
 
     def set_favourites(self, favourites: Sequence[Picture]) -> None:

@@ -10,7 +10,7 @@ from iconstudio.gui.panels.detail import DetailPanel
 from iconstudio.gui.panels.sending import Destination, offer
 from iconstudio.gui.panels.strip import same
 from iconstudio.gui.panels.tray import FavouritesTray
-from iconstudio.gui.pictures import Picture
+from iconstudio.gui.pictures import Display, Picture
 from iconstudio.gui.saving import Saver
 from iconstudio.gui.theme import UNIT
 from iconstudio.gui.worker import Worker
@@ -77,7 +77,6 @@ class HybridsWorkspace(Workspace):
                 "favourite": lambda: self.keep(self.picture),
                 "like": lambda: self.draw_like(self.picture),
                 "run": self.run,
-                "coded": self._set_coded,
                 **self.opener_slots(self.gathering),
             },
             OWN,
@@ -244,9 +243,10 @@ class HybridsWorkspace(Workspace):
         self.menu = menu
         menu.popup(spot)
 
-    def _set_coded(self, coded: bool) -> None:
-        self.sheet.set_coded(coded)
-        self.detail.large.set_coded(coded)
+    def show_display(self, display: Display) -> None:
+        """Show hybrids as icons, by their colour code, or both."""
+        self.sheet.show_display(display)
+        self.detail.large.show_display(display)
 
     # -- page ----------------------------------------------------------------------------------
 

@@ -22,10 +22,10 @@ from iconstudio.gui.document import Document
 from iconstudio.gui.mime import holds_something
 from iconstudio.gui.panels.canvas import CanvasPanel
 from iconstudio.gui.panels.chooser import IconChooser
-from iconstudio.gui.panels.coding import CodeSwitch
 from iconstudio.gui.panels.detail import DetailPanel
+from iconstudio.gui.panels.display_switch import DisplaySwitch
 from iconstudio.gui.panels.sending import Destination
-from iconstudio.gui.pictures import Picture
+from iconstudio.gui.pictures import Display, Picture
 from iconstudio.gui.saving import Saver
 from iconstudio.gui.theme import UNIT
 from iconstudio.gui.worker import Worker
@@ -93,7 +93,7 @@ class MontageWorkspace(Workspace):
         self.layers = LayerList()
         self.detail = DetailPanel(upright=True, invitation=_INVITATION)
         self.slider = BrushSlider(self.brush)
-        self.switch = CodeSwitch()
+        self.switch = DisplaySwitch()
 
         self._make_actions()
         self.start_buttons = StartButtons(
@@ -116,7 +116,6 @@ class MontageWorkspace(Workspace):
                 "mirror": self._mirror,
                 "wider": lambda: self.brush.step(1),
                 "narrower": lambda: self.brush.step(-1),
-                "coded": self._set_coded,
                 **self.opener_slots(self.opener),
                 **{name: self._chooser_of(name) for name in self.tools},
                 **self.view_slots(self.view),
@@ -166,7 +165,7 @@ class MontageWorkspace(Workspace):
         layers.moved.connect(
             lambda number, at: self._change("reorder icons", lambda page: page.ordered(number, at))
         )
-        self.switch.changed.connect(self.actions_by_name["coded"].setChecked)
+        self.switch.chosen.connect(self.choose_display)
         self.document.page_changed.connect(self._show_page)
         live.shown.connect(self._show_result)
         live.progress.connect(self.progressed)
@@ -221,9 +220,10 @@ class MontageWorkspace(Workspace):
     def _note_kept(self, picture: Picture) -> None:
         self._kept = picture
 
-    def _set_coded(self, coded: bool) -> None:
-        self.switch.set_coded(coded)
-        self.detail.large.set_coded(coded)
+    def show_display(self, display: Display) -> None:
+        """Show the result as an icon, by its colour code, or both."""
+        self.switch.show_display(display)
+        self.detail.large.show_display(display)
 
     # -- page ----------------------------------------------------------------------------------
 
