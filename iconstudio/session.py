@@ -41,7 +41,7 @@ from iconstudio.workers import Workers, answer
 from iconstudio.workflows.drawing import MEMORY, SECONDS, draw_whole
 from iconstudio.workflows.estimating import estimated
 from iconstudio.workflows.events import Event, Progress, Retrieved
-from iconstudio.workflows.hybrids.choosing import choose
+from iconstudio.workflows.hybrids.selection import select
 from iconstudio.workflows.solving import warm_up
 from iconstudio.workflows.workflow import Settings, Workflow
 
@@ -281,8 +281,8 @@ class Session(AbstractContextManager["Session"]):
     def choose(
         self, keyword: str, count: int, symmetry: Axis | None = None, seed: int = 0
     ) -> Generator[Event, None, tuple[Pictogram, ...]]:
-        """Choose icons of a keyword that mix well: see ``workflows.hybrids.choosing``."""
-        return (yield from choose(self, keyword, count, symmetry, seed))
+        """Choose icons of a keyword that mix well: see ``workflows.hybrids.selection``."""
+        return (yield from select(self, keyword, count, symmetry, seed))
 
     def run(
         self, workflow: Workflow[W], work: W, settings: Settings | None = None

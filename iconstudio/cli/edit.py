@@ -2,24 +2,24 @@
 
 from iconstudio.cli import grid, running
 from iconstudio.cli.timing import profiled
-from iconstudio.output.wish import changed
+from iconstudio.output.request import edit_request
 from iconstudio.session import Session
-from iconstudio.workflows.editing.editing import own_styles, prepare_change
+from iconstudio.workflows.editing.editing import own_styles, place_edit
 from iconstudio.workflows.editing.file import read_edit
 from iconstudio.workflows.editing.spec import EDITING
 
 
 @grid.grid_command("edit", "EDIT.json", "the icon's own")
 def command(asked: grid.Asked) -> None:
-    """Change the icon in EDIT.json: take parts off, and put parts of other icons on."""
+    """PlacedEdit the icon in EDIT.json: take parts off, and put parts of other icons on."""
     read = read_edit(asked.file)
     with profiled(asked.profile) as stopwatch, Session() as session:
         edit = asked.of(read.resolved(session.icon))
         running.tell_remarks([edit.icon])
         icon = session.exemplar(edit.icon)
-        wish = changed(edit, prepare_change(edit, icon))
+        request = edit_request(edit, place_edit(edit, icon))
         settings = asked.settings(own_styles(icon))
         settings.chosen_styles()
         grid.need_keyword(edit.keyword)
         events = session.run(EDITING, edit, settings)
-        grid.run(session, events, wish, settings, asked.folder, stopwatch, dump=asked.dump)
+        grid.run(session, events, request, settings, asked.folder, stopwatch, dump=asked.dump)

@@ -15,12 +15,12 @@ from iconstudio.cli.lists import ListCommand, Numbers, Words, flat, is_number
 from iconstudio.cli.timing import Stopwatch, profile_option
 from iconstudio.model import Edit, IconstudioError, Sketch
 from iconstudio.output.report import GridReport
-from iconstudio.output.wish import Wish
+from iconstudio.output.request import Request
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.grid import ModelSettings
 
-_Wish = TypeVar("_Wish", Sketch, Edit)
+_Work = TypeVar("_Work", Sketch, Edit)
 _STYLES = tuple(style.name for style in STYLES)
 
 
@@ -39,12 +39,12 @@ class Asked:
     fine: bool
     profile: bool
 
-    def of(self, wish: _Wish) -> _Wish:
-        """Return the wish in the file, as the options change it."""
+    def of(self, request: _Work) -> _Work:
+        """Return the request in the file, as the options change it."""
         return replace(
-            wish,
-            keyword=wish.keyword if self.keyword is None else self.keyword,
-            exclude=wish.exclude | frozenset(self.exclude),
+            request,
+            keyword=request.keyword if self.keyword is None else self.keyword,
+            exclude=request.exclude | frozenset(self.exclude),
         )
 
     def settings(self, styles: tuple[str, ...]) -> ModelSettings:
@@ -123,7 +123,7 @@ def grid_command(
 def run(
     session: Session,
     events: Generator[Event],
-    wish: Wish,
+    request: Request,
     settings: ModelSettings,
     folder: Path,
     stopwatch: Stopwatch,
@@ -131,12 +131,12 @@ def run(
     dump: bool = False,
 ) -> None:
     """Run a workflow that fills a grid, write everything into ``folder``, say what is there."""
-    report = GridReport(folder, wish, settings.lambdas, dump=dump)
+    report = GridReport(folder, request, settings.lambdas, dump=dump)
     results = running.run(session, events, report, stopwatch)
     if not results:
         raise IconstudioError(
-            f"No style has enough icons of “{wish.keyword}”. Try a more common word; "
-            f"iconstudio search {wish.keyword!r} shows what there is."
+            f"No style has enough icons of “{request.keyword}”. Try a more common word; "
+            f"iconstudio search {request.keyword!r} shows what there is."
         )
     icons = "1 icon" if results == 1 else f"{results} icons"
     click.echo(f"{icons}; see {click.format_filename(folder / 'grid.png')}")

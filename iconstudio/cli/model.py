@@ -8,7 +8,7 @@ from iconstudio.algorithms.geometry import crosses_itself
 from iconstudio.cli import grid
 from iconstudio.cli.timing import Stopwatch, profiled
 from iconstudio.model import Sketch
-from iconstudio.output.wish import sketched
+from iconstudio.output.request import sketch_request
 from iconstudio.session import Session
 from iconstudio.workflows.grid import ModelSettings
 from iconstudio.workflows.modelling.file import read_sketch
@@ -35,9 +35,9 @@ def run(
 ) -> None:
     """Model a sketch, write everything into ``folder``, and say what is there."""
     settings.chosen_styles()
-    wish = sketched(sketch)
+    request = sketch_request(sketch)
     grid.need_keyword(sketch.keyword)
     if crosses_itself(sketch.polygon):
         click.echo("The outline crosses itself: all that it encloses counts as inside.", err=True)
     events = session.run(MODELLING, sketch, settings)
-    grid.run(session, events, wish, settings, folder, stopwatch, dump=dump)
+    grid.run(session, events, request, settings, folder, stopwatch, dump=dump)

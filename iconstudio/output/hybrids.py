@@ -9,7 +9,7 @@ from iconstudio.model import Axis, Remix
 from iconstudio.output import record
 from iconstudio.output.colours import palette
 from iconstudio.output.folder import Folder
-from iconstudio.output.plates import hybrids_plate
+from iconstudio.output.overviews import hybrids_overview
 from iconstudio.workflows.events import Event, Result
 
 
@@ -55,8 +55,8 @@ class HybridsReport:
         said = f"{self._draws} draws, {len(ranked)} kept, seed {self._seed}" + (
             f", {self._symmetry} symmetry" if self._symmetry else ""
         )
-        plate = hybrids_plate(self._keyword or "Hybrids", said, ranked, colours)
-        self._folder.write_picture("sheet.png", plate)
+        overview = hybrids_overview(self._keyword or "Hybrids", said, ranked, colours)
+        self._folder.write_picture("sheet.png", overview)
         asked = {"keyword": self._keyword} | record.head(self._symmetry, timings)
         counted = {"seed": self._seed, "draws": self._draws, "kept": len(ranked)}
         self._folder.write_report(asked | counted | {"icons": self._icons(), "results": entries})

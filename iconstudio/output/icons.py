@@ -8,8 +8,8 @@ from PIL import Image
 
 from iconstudio.model import Icon
 from iconstudio.output import png, record
+from iconstudio.output.figure import MUTED, Figure
 from iconstudio.output.folder import Folder
-from iconstudio.output.page import MUTED, Page
 from iconstudio.workflows.events import Event, Result
 
 _EDGE, _GAP, _SIDE, _ACROSS = 40, 24, 240, 6
@@ -49,13 +49,13 @@ class IconsReport:
 def icons_sheet(title: str, icons: Sequence[Icon]) -> Image.Image:
     """Return icons side by side, each with its title beneath."""
     step, lines = _SIDE + _GAP, -(-len(icons) // _ACROSS)
-    page = Page(2 * _EDGE + _ACROSS * step - _GAP, 100 + lines * (step + _GAP) + _EDGE)
-    page.text(_EDGE, 32, title.capitalize(), 34, bold=True)
+    figure = Figure(2 * _EDGE + _ACROSS * step - _GAP, 100 + lines * (step + _GAP) + _EDGE)
+    figure.text(_EDGE, 32, title.capitalize(), 34, bold=True)
     for number, icon in enumerate(icons):
         x, y = _EDGE + number % _ACROSS * step, 100 + number // _ACROSS * (step + _GAP)
-        page.stencil(x, y, _SIDE, png.coverage(icon.path, 2 * _SIDE))
-        page.text(x, y + _SIDE + 4, icon.title, 16, colour=MUTED, width=_SIDE)
-    return page.picture
+        figure.stencil(x, y, _SIDE, png.coverage(icon.path, 2 * _SIDE))
+        figure.text(x, y + _SIDE + 4, icon.title, 16, colour=MUTED, width=_SIDE)
+    return figure.picture
 
 
 def _entry(name: str, icon: Icon) -> dict[str, Any]:

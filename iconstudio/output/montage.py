@@ -7,7 +7,7 @@ from pathlib import Path
 from iconstudio.model import Montage, Remix
 from iconstudio.output import record
 from iconstudio.output.folder import Folder
-from iconstudio.output.plates import montage_plate
+from iconstudio.output.overviews import montage_overview
 from iconstudio.workflows.events import Event, Result
 
 _NAME = "montage"
@@ -38,7 +38,7 @@ class MontageReport:
     def finish(self, timings: Mapping[str, float]) -> None:
         """Write ``sheet.png`` and ``results.json``; ``timings`` are seconds by stage."""
         for icon in self._remixes:
-            self._folder.write_picture("sheet.png", montage_plate(self._montage, icon))
+            self._folder.write_picture("sheet.png", montage_overview(self._montage, icon))
         layers = [
             record.of_placed(layer.icon.id, layer.placement) | {"strokes": len(layer.strokes)}
             for layer in self._montage.layers

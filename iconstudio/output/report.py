@@ -14,8 +14,8 @@ from iconstudio.algorithms.raster import interior, solid
 from iconstudio.model import CANVAS, Composite, Exemplar, Point, Remix
 from iconstudio.output import record
 from iconstudio.output.folder import Folder
+from iconstudio.output.request import Request
 from iconstudio.output.sheet import Row, grid_sheet
-from iconstudio.output.wish import Wish
 from iconstudio.workflows.events import (
     Event,
     Recommended,
@@ -42,10 +42,10 @@ class GridReport:
     """
 
     def __init__(
-        self, folder: Path, wish: Wish, lambdas: Iterable[float], *, dump: bool = False
+        self, folder: Path, request: Request, lambdas: Iterable[float], *, dump: bool = False
     ) -> None:
         self._folder = Folder(folder)
-        self._wish = wish
+        self._request = request
         self._lambdas = sorted(set(lambdas))
         self._dumping = dump
         self._retrieved: tuple[Exemplar, ...] = ()
@@ -64,7 +64,7 @@ class GridReport:
             case StyleMatched() | StyleSkipped():
                 self._styles[event.style] = event
             case Result(icon=Remix() as icon):
-                icon = replace(icon, title=f"{self._wish.keyword} ({icon.composite.style})")
+                icon = replace(icon, title=f"{self._request.keyword} ({icon.composite.style})")
                 self._folder.write_icon(self._name(icon.composite), icon)
                 self._remixes.append(icon)
             case Recommended():
@@ -76,7 +76,9 @@ class GridReport:
         if self._dumping:
             for style in self._styles:
                 self._dump(style)
-        sheet = grid_sheet(self._wish, self._lambdas, [self._row(style) for style in self._styles])
+        sheet = grid_sheet(
+            self._request, self._lambdas, [self._row(style) for style in self._styles]
+        )
         self._folder.write_picture("grid.png", sheet)
         self._folder.write_report(self._json(timings))
 
@@ -96,10 +98,10 @@ class GridReport:
         return Row(style, event.retrieved, remixes, reason, self._recommended.get(style))
 
     def _json(self, timings: Mapping[str, float]) -> dict[str, Any]:
-        wish = self._wish
-        asked: dict[str, Any] = {"keyword": wish.keyword}
-        if wish.base is not None:
-            asked["base"] = record.of_source(wish.base)
+        request = self._request
+        asked: dict[str, Any] = {"keyword": request.keyword}
+        if request.base is not None:
+            asked["base"] = record.of_source(request.base)
         found = {
             "retrieved": len(self._retrieved),
             "regions": [[float(x), float(y)] for x, y in self._centres],
@@ -108,7 +110,7 @@ class GridReport:
                 self._remix_json(icon) for style in self._styles for icon in self._of(style)
             ],
         }
-        return asked | record.head(wish.symmetry, timings) | found
+        return asked | record.head(request.symmetry, timings) | found
 
     def _remix_json(self, icon: Remix) -> dict[str, Any]:
         composite = icon.composite
@@ -129,7 +131,7 @@ class GridReport:
             return
         side = len(results[0].labels)
         ink, filled = placed_sources(results[0].sources, side)
-        wish = self._wish.on(side)
+        request = self._request.on(side)
         matched = self._styles[style]
         exemplars = matched.exemplars if isinstance(matched, StyleMatched) else ()
         whole = [solid(exemplar.ink) for exemplar in exemplars]
@@ -138,16 +140,16 @@ class GridReport:
             "solid": filled,
             "interior": interior(ink, filled),
             "m": np.array(side),
-            "sketch": wish.outline,
+            "sketch": request.outline,
             "labels": np.stack([composite.labels for composite in results]),
             "lambda_s": np.array([composite.lambda_s for composite in results]),
             "energy": np.array([composite.energy for composite in results]),
             "exemplar_solid": np.array(whole, dtype=bool).reshape(-1, CANVAS, CANVAS),
             "exemplar_id": np.array([exemplar.id for exemplar in exemplars], dtype=np.str_),
         }
-        if wish.mask is not None:
-            arrays["change"] = wish.mask == 0
-            arrays["penalty"] = edit_penalty(wish.mask, len(ink))
+        if request.mask is not None:
+            arrays["change"] = request.mask == 0
+            arrays["penalty"] = edit_penalty(request.mask, len(ink))
         buffer = io.BytesIO()
         np.savez_compressed(buffer, **arrays)  # type: ignore[arg-type]  # none is `allow_pickle`
         self._folder.write(f"{style}.npz", buffer.getvalue())

@@ -13,8 +13,8 @@ from iconstudio.algorithms.raster import placed_ink
 from iconstudio.model import CANVAS, Composite, Exemplar, Polygon, Remix, Source
 from iconstudio.output import png
 from iconstudio.output.colours import SIGNIFICANT, Palette, colour_code, key_of, palette
-from iconstudio.output.page import ACCENT, MUTED, PALE, WARNING, Page
-from iconstudio.output.wish import Wish
+from iconstudio.output.figure import ACCENT, MUTED, PALE, WARNING, Figure
+from iconstudio.output.request import Request
 
 _EDGE = 40
 _GAP = 12
@@ -57,7 +57,7 @@ class Subject:
     failed: bool = False
 
 
-def grid_sheet(wish: Wish, lambdas: Sequence[float], rows: Sequence[Row]) -> Image.Image:
+def grid_sheet(request: Request, lambdas: Sequence[float], rows: Sequence[Row]) -> Image.Image:
     """Return the contact sheet of a run as a picture.
 
     A row a style, a column a lambda_S, each result above its colour code; at the left what was
@@ -68,23 +68,23 @@ def grid_sheet(wish: Wish, lambdas: Sequence[float], rows: Sequence[Row]) -> Ima
     height = 2 * _CELL + 3 * _GAP + 52
     heights = [height if row.remixes else 110 for row in rows]
     width = left + len(lambdas) * (_CELL + _GAP) + _EDGE
-    page = Page(max(width, 900), _HEAD + sum(heights) + _EDGE)
-    for bitmap, colour in wish.layers:
-        page.stencil(_EDGE - 8, 24, 150, grey(bitmap), colour)
-    words = page.picture.width - 2 * _EDGE - 160
-    page.text(_EDGE + 160, 52, wish.keyword, 34, bold=True, width=words - 180)
-    page.text(_EDGE + 160, 98, wish.caption, 18, colour=MUTED, width=words)
-    _column_heads(page, lambdas, left)
+    figure = Figure(max(width, 900), _HEAD + sum(heights) + _EDGE)
+    for bitmap, colour in request.layers:
+        figure.stencil(_EDGE - 8, 24, 150, grey(bitmap), colour)
+    words = figure.picture.width - 2 * _EDGE - 160
+    figure.text(_EDGE + 160, 52, request.keyword, 34, bold=True, width=words - 180)
+    figure.text(_EDGE + 160, 98, request.caption, 18, colour=MUTED, width=words)
+    _column_heads(figure, lambdas, left)
     if any(row.recommended is not None for row in rows):
-        right = page.picture.width - _EDGE
-        said = page.text(right, 58, "recommended", 16, colour=MUTED, anchor="ra")
-        page.frame(right - said - 26, 58, 16, 16, ACCENT)
+        right = figure.picture.width - _EDGE
+        said = figure.text(right, 58, "recommended", 16, colour=MUTED, anchor="ra")
+        figure.frame(right - said - 26, 58, 16, 16, ACCENT)
     top = _HEAD
     for row, step in zip(rows, heights, strict=True):
-        page.rule(top, _EDGE, page.picture.width - _EDGE)
-        _row(page, row, lambdas, left, top)
+        figure.rule(top, _EDGE, figure.picture.width - _EDGE)
+        _row(figure, row, lambdas, left, top)
         top += step
-    return page.picture
+    return figure.picture
 
 
 def search_sheet(exemplars: Sequence[Exemplar], word: str, path: Path) -> None:
@@ -98,21 +98,21 @@ def search_sheet(exemplars: Sequence[Exemplar], word: str, path: Path) -> None:
     across, side = 10, 120
     step_x, step_y = side + 3 * _GAP, side + 64
     lines = -(-len(exemplars) // across)
-    page = Page(2 * _EDGE + across * step_x, 110 + lines * step_y + _EDGE)
-    page.text(_EDGE, 36, word, 34, bold=True, width=across * step_x - 200)
+    figure = Figure(2 * _EDGE + across * step_x, 110 + lines * step_y + _EDGE)
+    figure.text(_EDGE, 36, word, 34, bold=True, width=across * step_x - 200)
     count = "1 icon" if len(exemplars) == 1 else f"{len(exemplars)} icons"
-    page.text(page.picture.width - _EDGE, 48, count, 20, colour=MUTED, anchor="ra")
+    figure.text(figure.picture.width - _EDGE, 48, count, 20, colour=MUTED, anchor="ra")
     for number, exemplar in enumerate(exemplars):
         x = _EDGE + number % across * step_x
         y = 100 + number // across * step_y
-        page.stencil(x + _GAP, y, side, exemplar.coverage)
+        figure.stencil(x + _GAP, y, side, exemplar.coverage)
         collection, name = exemplar.id.split(":", 1)
         middle, width = x + _GAP + side / 2, step_x - 8
-        page.text(
+        figure.text(
             middle, y + side + 4, f"{collection}:", 13, colour=MUTED, width=width, anchor="ma"
         )
-        page.text(middle, y + side + 21, name, 13, width=width, anchor="ma")
-    png.write(path, png.encoded(page.picture))
+        figure.text(middle, y + side + 21, name, 13, width=width, anchor="ma")
+    png.write(path, png.encoded(figure.picture))
 
 
 def gallery_sheet(subjects: Sequence[Subject], across: int = 4) -> Image.Image:
@@ -124,25 +124,25 @@ def gallery_sheet(subjects: Sequence[Subject], across: int = 4) -> Image.Image:
     side = 150
     step_x, step_y = 3 * side + 5 * _GAP, side + 90
     lines = -(-len(subjects) // across)
-    page = Page(2 * _EDGE + across * step_x - 2 * _GAP, 2 * _EDGE + lines * step_y + 10)
+    figure = Figure(2 * _EDGE + across * step_x - 2 * _GAP, 2 * _EDGE + lines * step_y + 10)
     for number, subject in enumerate(subjects):
         x = _EDGE + number % across * step_x
         y = _EDGE + number // across * step_y
-        named = page.text(x, y, subject.name, 20, bold=True, width=3 * side)
-        page.text(x + 3 * side + 2 * _GAP, y + 4, subject.remark, 15, colour=MUTED,
+        named = figure.text(x, y, subject.name, 20, bold=True, width=3 * side)
+        figure.text(x + 3 * side + 2 * _GAP, y + 4, subject.remark, 15, colour=MUTED,
                   width=3 * side - named, anchor="ra")  # fmt: skip
-        page.polygon(x, y + 36, subject.polygon.fitted().vertices, side / CANVAS)
+        figure.polygon(x, y + 36, subject.polygon.fitted().vertices, side / CANVAS)
         if subject.remix is not None:
             composite, drawing = subject.remix.composite, subject.remix.drawing
-            page.stencil(x + side + _GAP, y + 36, side, drawing.coverage)
-            page.image(x + 2 * (side + _GAP), y + 36, colour_code(composite, drawing, side))
+            figure.stencil(x + side + _GAP, y + 36, side, drawing.coverage)
+            figure.image(x + 2 * (side + _GAP), y + 36, colour_code(composite, drawing, side))
         colour, _ = _VERDICTS[_verdict(subject)]
-        page.frame(x + side + _GAP // 2, y + 30, 2 * side + 2 * _GAP, side + _GAP, colour)
-    left, bottom = float(_EDGE), page.picture.height - _EDGE - 6
+        figure.frame(x + side + _GAP // 2, y + 30, 2 * side + 2 * _GAP, side + _GAP, colour)
+    left, bottom = float(_EDGE), figure.picture.height - _EDGE - 6
     for colour, meaning in _VERDICTS.values():
-        page.frame(left, bottom - 1, 16, 16, colour)
-        left += 26 + page.text(left + 26, bottom, meaning, 16, colour=MUTED) + 36
-    return page.picture
+        figure.frame(left, bottom - 1, 16, 16, colour)
+        left += 26 + figure.text(left + 26, bottom, meaning, 16, colour=MUTED) + 36
+    return figure.picture
 
 
 def _verdict(subject: Subject) -> str:
@@ -155,38 +155,40 @@ def _verdict(subject: Subject) -> str:
     return "existing" if max(owned.values()) >= _WHOLE else "remixed"
 
 
-def _column_heads(page: Page, lambdas: Sequence[float], left: float) -> None:
+def _column_heads(figure: Figure, lambdas: Sequence[float], left: float) -> None:
     if not lambdas:
         return
     right = left + len(lambdas) * (_CELL + _GAP) - _GAP
     y = _HEAD - 66
     if len(lambdas) > 2:
-        page.text(left, y, "closer to the sketch", 22, bold=True)
-        page.text(right, y, "smoother", 22, bold=True, anchor="ra")
-        page.arrow(left + 245, right - 125, y + 14)
+        figure.text(left, y, "closer to the sketch", 22, bold=True)
+        figure.text(right, y, "smoother", 22, bold=True, anchor="ra")
+        figure.arrow(left + 245, right - 125, y + 14)
     for number, value in enumerate(lambdas):
         x = left + number * (_CELL + _GAP) + _CELL / 2
-        page.text(x, _HEAD - 30, f"λ {value:.2g}", 16, colour=MUTED, anchor="ma")
+        figure.text(x, _HEAD - 30, f"λ {value:.2g}", 16, colour=MUTED, anchor="ma")
 
 
-def _row(page: Page, row: Row, lambdas: Sequence[float], left: float, top: float) -> None:
-    page.text(_EDGE, top + 16, row.style.capitalize(), 24, bold=True)
+def _row(figure: Figure, row: Row, lambdas: Sequence[float], left: float, top: float) -> None:
+    figure.text(_EDGE, top + 16, row.style.capitalize(), 24, bold=True)
     count = "1 icon" if row.retrieved == 1 else f"{row.retrieved} icons"
-    page.text(_EDGE + _SIDE - 2 * _GAP, top + 22, count, 16, colour=MUTED, anchor="ra")
+    figure.text(_EDGE + _SIDE - 2 * _GAP, top + 22, count, 16, colour=MUTED, anchor="ra")
     if not row.remixes:
-        page.paragraph(left, top + 22, row.skipped, 20, page.picture.width - left - _EDGE, MUTED)
+        figure.paragraph(
+            left, top + 22, row.skipped, 20, figure.picture.width - left - _EDGE, MUTED
+        )
         return
     colours = palette([icon.composite for icon in row.remixes])
-    _sources(page, row, colours, top + 58)
+    _sources(figure, row, colours, top + 58)
     for icon in row.remixes:
         composite, drawing = icon.composite, icon.drawing
         number = min(range(len(lambdas)), key=lambda i: abs(lambdas[i] - composite.lambda_s))
         x = left + number * (_CELL + _GAP)
         if composite.lambda_s == row.recommended:
-            page.frame(x - 4, top + 24, _CELL + 8, 2 * _CELL + _GAP + 8, ACCENT)
-        page.stencil(x, top + 28, _CELL, drawing.coverage)
+            figure.frame(x - 4, top + 24, _CELL + 8, 2 * _CELL + _GAP + 8, ACCENT)
+        figure.stencil(x, top + 28, _CELL, drawing.coverage)
         code = colour_code(composite, drawing, _CELL, colours)
-        page.image(x, top + 28 + _CELL + _GAP, code)
+        figure.image(x, top + 28 + _CELL + _GAP, code)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -200,20 +202,20 @@ class _Used:
     """(CANVAS, CANVAS): what it owns in any result."""
 
 
-def _sources(page: Page, row: Row, colours: Palette, top: float) -> None:
+def _sources(figure: Figure, row: Row, colours: Palette, top: float) -> None:
     """Draw the sources with most ink in the row where they lie, what they give in colour."""
     used = _used([icon.composite for icon in row.remixes])
     for number, one in enumerate(used[: 2 * _ACROSS]):
         x = _EDGE + number % _ACROSS * (_THUMB + _GAP)
         y = top + number // _ACROSS * (_THUMB + 62)
         ink, _ = placed_ink(one.source.exemplar, one.source.placement, len(one.own))
-        page.stencil(x, y, _THUMB, grey(ink), PALE)
-        page.stencil(x, y, _THUMB, grey(ink & one.own), colours[key_of(one.source)])
+        figure.stencil(x, y, _THUMB, grey(ink), PALE)
+        figure.stencil(x, y, _THUMB, grey(ink & one.own), colours[key_of(one.source)])
         collection, name = one.source.exemplar.id.split(":", 1)
         share = max(1, round(100 * one.share))
-        page.text(x, y + _THUMB + 4, name, 13, width=_THUMB)
-        number_width = page.text(x, y + _THUMB + 22, f"{share}%", 12, bold=True)
-        page.text(x + number_width + 6, y + _THUMB + 22, collection, 12, colour=MUTED,
+        figure.text(x, y + _THUMB + 4, name, 13, width=_THUMB)
+        number_width = figure.text(x, y + _THUMB + 22, f"{share}%", 12, bold=True)
+        figure.text(x + number_width + 6, y + _THUMB + 22, collection, 12, colour=MUTED,
                   width=_THUMB - number_width - 6)  # fmt: skip
 
 

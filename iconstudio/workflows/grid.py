@@ -26,7 +26,7 @@ from iconstudio.workflows.events import (
     staged,
 )
 from iconstudio.workflows.remixing import Finish, Remixing
-from iconstudio.workflows.solving import Job, Posed
+from iconstudio.workflows.solving import Posed, RemixJob
 from iconstudio.workflows.workflow import Resources, Settings
 
 UNTOUCHED = 0.98
@@ -151,7 +151,7 @@ def remix_styles(
                 continue
             yield StyleMatched(style.name, tuple(exemplars[i].exemplar for i in admitted), rows)
             sources = (*always, *distinct(rows))
-            job = Job(
+            job = RemixJob(
                 style.name,
                 sources,
                 partial(pose, sources),

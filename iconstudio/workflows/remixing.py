@@ -10,7 +10,7 @@ from iconstudio.model import Composite, Remix
 from iconstudio.workers import Workers, answer
 from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import Progress, Result
-from iconstudio.workflows.solving import Job, Solved, Step, solve
+from iconstudio.workflows.solving import RemixJob, Solved, Step, solve
 
 PIPELINED = 2
 """How many steps are sent to a process ahead, so that it need not wait for the next."""
@@ -38,7 +38,7 @@ class Remixing:
         self._total = total
         self._done = 0
         self._ticket = workers.ticket()
-        self._jobs: deque[tuple[Job, Finish]] = deque()
+        self._jobs: deque[tuple[RemixJob, Finish]] = deque()
         self._lanes: list[deque[_Task]] = [deque() for _ in range(workers.count)]
         self._running: dict[Future[Solved], _Task] = {}
 
@@ -52,7 +52,7 @@ class Remixing:
         """Whether another job would keep the processes from running dry."""
         return not self._jobs
 
-    def start(self, job: Job, finish: Finish = lambda icon: icon) -> None:
+    def start(self, job: RemixJob, finish: Finish = lambda icon: icon) -> None:
         """Begin a job as soon as a process is free.
 
         ``finish`` is what the workflow adds to each result.
@@ -119,7 +119,7 @@ class _Task:
     """A step of a job, in one of the processes."""
 
     number: int
-    job: Job
+    job: RemixJob
     finish: Finish
     step: Step
     lane: int
@@ -128,12 +128,12 @@ class _Task:
 _numbers = itertools.count()
 
 
-def _tasks(job: Job, finish: Finish, lane: int) -> list[_Task]:
+def _tasks(job: RemixJob, finish: Finish, lane: int) -> list[_Task]:
     number = next(_numbers)
     return [_Task(number, job, finish, step, lane) for step in job.steps]
 
 
-def remix_of(job: Job, step: Step, solved: Solved) -> Remix:
+def remix_of(job: RemixJob, step: Step, solved: Solved) -> Remix:
     """Return the icon that a step of a job has come to."""
     data_cost, smoothness_cost = solved.costs
     composite = Composite(

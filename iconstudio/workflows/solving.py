@@ -31,7 +31,7 @@ class Posed:
     """A problem on a canvas of any side m, and what its solutions are compared with."""
 
     problem: RemixProblem
-    target: Bitmap | None = None
+    silhouette: Bitmap | None = None
     """(m, m): the filled outline that is wanted, if there is one."""
     near: Bitmap | None = None
     """(m, m): where the likeness to it counts; everywhere if None."""
@@ -50,7 +50,7 @@ class Posed:
 
 
 @dataclass(frozen=True, eq=False)
-class Job:
+class RemixJob:
     """A problem to solve for several lambda_S. It goes to a worker process, so it can be pickled.
 
     The problem is posed there: it is many times as large as what it is made of.
@@ -102,7 +102,7 @@ class Solved:
     shares: tuple[float, ...]
     """Each source's part of the ink."""
     iou: float | None
-    """Overlap with the target, if there is one."""
+    """Overlap with the silhouette, if there is one."""
     score: Score
     drawing: Drawing
     seconds: tuple[float, float] = (0.0, 0.0)
@@ -119,7 +119,7 @@ class _Bench:
     """What the explored lambda_S come to on the canvas."""
 
 
-def solve(key: object, job: Job, step: Step, render: Render) -> Solved:
+def solve(key: object, job: RemixJob, step: Step, render: Render) -> Solved:
     """Cut, judge, redraw and trace: one result. Runs in a worker process.
 
     What is found is remembered under ``key`` for the other steps of the job.
@@ -146,7 +146,7 @@ def solve(key: object, job: Job, step: Step, render: Render) -> Solved:
     return replace(solved, seconds=(cut - began, perf_counter() - cut))
 
 
-def finished(posed: Posed, job: Job, step: Step, labels: Labels, render: Render) -> Solved:
+def finished(posed: Posed, job: RemixJob, step: Step, labels: Labels, render: Render) -> Solved:
     """Judge, redraw and trace a labelling (m, m) that a step has come to."""
     problem, kept = posed.problem, posed.kept(labels)
     scale = PREVIEW if step.preview else SCALE
@@ -179,7 +179,7 @@ def warm_up(render: Render) -> None:
     trace(render(dot, Frame(0, 0, 8), Placement(), CANVAS))
 
 
-def _begin(job: Job) -> _Bench:
+def _begin(job: RemixJob) -> _Bench:
     from iconstudio.algorithms.iconification.sweep import Sweep
 
     posed = job.pose()
@@ -215,12 +215,15 @@ def _compared(posed: Posed, drawing: Drawing) -> tuple[float | None, float]:
 
     The drawing is what the user sees: it may differ from the labelling.
     """
-    if posed.target is None:
+    if posed.silhouette is None:
         return None, 1.0
     size = len(drawing.coverage)
-    filled, target = solid(drawing.coverage > 127), seen(posed.target, drawing.frame, size, False)
-    iou = overlap(filled, target)
+    filled, silhouette = (
+        solid(drawing.coverage > 127),
+        seen(posed.silhouette, drawing.frame, size, False),
+    )
+    iou = overlap(filled, silhouette)
     if posed.near is None:
         return iou, iou
     near = seen(posed.near, drawing.frame, size, False)
-    return iou, overlap(filled[near], target[near])
+    return iou, overlap(filled[near], silhouette[near])

@@ -9,9 +9,9 @@ from hypothesis import strategies as st
 
 from iconstudio.algorithms.iconification import matching
 from iconstudio.algorithms.iconification.matching import FAR, Matcher, prepare, sources_of
+from iconstudio.algorithms.iconification.region_error import RegionError, least
 from iconstudio.algorithms.iconification.saliency import Region
 from iconstudio.algorithms.iconification.sliding import Waves
-from iconstudio.algorithms.iconification.target import Target, least
 from iconstudio.algorithms.iconification.tsdf import tsdf
 from iconstudio.algorithms.raster import placed_ink, scaled_ink, shifted, solid
 from iconstudio.model import CANVAS, Placement, Polygon
@@ -95,10 +95,10 @@ def test_matches_are_those_of_the_exhaustive_search_at_full_resolution(matcher, 
 def test_errors_are_equation_4(collection, scale, flip, dx, dy, number):
     field = sketch_of(exemplar(blob(77)))
     region, one = regions_of_a_square()[number], collection[number]
-    target = Target(field - FAR, region, Waves(CANVAS))
+    region_error = RegionError(field - FAR, region, Waves(CANVAS))
     placement = Placement(one.scales[scale], flip, dx, dy)
     expected = direct(field, region, one.exemplar, placement)
-    assert target.error(one.field(scale), flip, dx, dy) == pytest.approx(expected, rel=1e-4)
+    assert region_error.error(one.field(scale), flip, dx, dy) == pytest.approx(expected, rel=1e-4)
 
 
 def test_no_neighbouring_placement_is_better(matcher):
@@ -157,8 +157,8 @@ def test_closing_the_generator_ends_its_threads(collection, monkeypatch):
         time.sleep(0.1)
         return estimates(self, spectra)
 
-    estimates = Target.estimates
-    monkeypatch.setattr(Target, "estimates", slowly)
+    estimates = RegionError.estimates
+    monkeypatch.setattr(RegionError, "estimates", slowly)
     regions = regions_of_a_square() * 5
     run = Matcher(collection, threads=2).match(FIELDS[0], regions, EVERYONE)
     assert next(run) < 1
@@ -169,7 +169,7 @@ def test_closing_the_generator_ends_its_threads(collection, monkeypatch):
 
 
 def test_a_mistake_in_a_thread_is_not_hidden(matcher, monkeypatch):
-    monkeypatch.setattr(Target, "estimates", lambda self, spectra: 1 / 0)
+    monkeypatch.setattr(RegionError, "estimates", lambda self, spectra: 1 / 0)
     with pytest.raises(ZeroDivisionError):
         finished(matcher.match(FIELDS[0], regions_of_a_square(), EVERYONE))
     assert not threads_at_work()
@@ -203,8 +203,8 @@ def test_what_is_remembered_changes_no_answer(collection, data):
 def test_what_has_not_changed_is_not_estimated_again(matcher, monkeypatch):
     regions = regions_of_a_square()
     first = finished(matcher.match(FIELDS[0], regions, EVERYONE))
-    monkeypatch.setattr(Target, "estimates", None)
-    monkeypatch.setattr(Target, "follow", None)
+    monkeypatch.setattr(RegionError, "estimates", None)
+    monkeypatch.setattr(RegionError, "follow", None)
     assert finished(matcher.match(FIELDS[0].copy(), regions[::-1], EVERYONE)) == first[::-1]
     with pytest.raises(TypeError):
         finished(matcher.match(FIELDS[1], regions, EVERYONE))
@@ -217,7 +217,7 @@ def test_a_change_where_the_mask_is_zero_counts_for_nothing(matcher, monkeypatch
     finished(matcher.match(FIELDS[0], [region], EVERYONE))
     changed = FIELDS[0].copy()
     changed[100:] = FAR
-    monkeypatch.setattr(Target, "estimates", None)
+    monkeypatch.setattr(RegionError, "estimates", None)
     finished(matcher.match(changed, [region], EVERYONE))
 
 

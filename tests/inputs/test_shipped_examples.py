@@ -4,11 +4,12 @@ import pytest
 
 from iconstudio.inputs.examples import examples
 from iconstudio.session import Session
-from iconstudio.workflows import hybrids, montage
-from iconstudio.workflows.editing.editing import prepare_change
+from iconstudio.workflows.editing.editing import place_edit
 from iconstudio.workflows.editing.file import read_edit
+from iconstudio.workflows.hybrids import hybrids
 from iconstudio.workflows.hybrids.file import read_hybrids
 from iconstudio.workflows.modelling.file import read_sketch
+from iconstudio.workflows.montage import montage
 from iconstudio.workflows.montage.file import read_montage
 
 
@@ -46,7 +47,7 @@ def test_an_edit_changes_its_icon(example, session):
     assert file.title == example.title
     edit = file.resolved(session.icon)
     assert edit.keyword
-    change = prepare_change(edit, session.exemplar(edit.icon))
+    change = place_edit(edit, session.exemplar(edit.icon))
     assert (change.mask < 1).any()
 
 

@@ -20,7 +20,7 @@ from iconstudio.model import (
 )
 from iconstudio.svg.resvg import render_placed
 from iconstudio.workflows.remixing import remix_of
-from iconstudio.workflows.solving import Job, Posed, Step, finished
+from iconstudio.workflows.solving import Posed, RemixJob, Step, finished
 from tests.shapes import exemplar
 
 SQUARE = Polygon.of([(0, 0), (100, 0), (100, 100), (0, 100)])
@@ -60,7 +60,7 @@ def made(
 ) -> Remix:
     """The icon of a labelling, with its true energy."""
     posed = Posed(remix_problem(tsdf(TARGET), sources), TARGET)
-    job = Job(style, sources, lambda: posed, (lambda_s,))
+    job = RemixJob(style, sources, lambda: posed, (lambda_s,))
     step = Step(lambda_s)
     return remix_of(job, step, finished(posed, job, step, labels, render_placed))
 

@@ -15,8 +15,8 @@ from iconstudio.algorithms.raster import fill_polygon, placed_ink, solid
 from iconstudio.model import CANVAS, Axis, Edit, IconstudioError, Polygon
 from iconstudio.output import png
 from iconstudio.output.report import GridReport
-from iconstudio.output.wish import changed, sketched
-from iconstudio.workflows.editing.editing import prepare_change
+from iconstudio.output.request import edit_request, sketch_request
+from iconstudio.workflows.editing.editing import place_edit
 from iconstudio.workflows.events import (
     Progress,
     Recommended,
@@ -28,7 +28,7 @@ from iconstudio.workflows.events import (
 )
 from tests.output.made import BLOCK, DISC, RING, SKETCH, SOURCES, TARGET, made, quarters
 
-WISH = sketched(SKETCH)
+REQUEST = sketch_request(SKETCH)
 CENTRES = tuple((10.0 * k, 20.5) for k in range(9))
 TIMINGS = {"search": 0.25, "prepare": 1.0, "match": 2.0, "remix": 3.0, "total": 6.5}
 
@@ -43,7 +43,7 @@ def results():
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory, results):
     out = tmp_path_factory.mktemp("report") / "new" / "out"
-    report = GridReport(out, WISH, (0.75, 0.05), dump=True)
+    report = GridReport(out, REQUEST, (0.75, 0.05), dump=True)
     report.add(Progress("search", 0.5, "Looking"))
     report.add(Retrieved("dog & cat", (RING, DISC, BLOCK)))
     report.add(RegionsFound(CENTRES))
@@ -164,14 +164,14 @@ def test_a_folder_that_is_a_file(tmp_path):
     (tmp_path / "out").write_text("mine")
     for folder in (tmp_path / "out", tmp_path / "out" / "deeper"):
         with pytest.raises(IconstudioError, match="cannot be written"):
-            GridReport(folder, WISH, (0.1,))
+            GridReport(folder, REQUEST, (0.1,))
     assert (tmp_path / "out").read_text() == "mine"
 
 
 def test_results_json_is_a_folder(tmp_path):
     (tmp_path / "results.json").mkdir()
     with pytest.raises(IconstudioError, match="is a folder"):
-        GridReport(tmp_path, WISH, (0.1,))
+        GridReport(tmp_path, REQUEST, (0.1,))
 
 
 def full(*args, **kwargs):
@@ -181,11 +181,11 @@ def full(*args, **kwargs):
 def test_a_folder_without_room(tmp_path, monkeypatch):
     monkeypatch.setattr("iconstudio.output.folder.tempfile.TemporaryFile", full)
     with pytest.raises(IconstudioError, match="No space left"):
-        GridReport(tmp_path, WISH, (0.1,))
+        GridReport(tmp_path, REQUEST, (0.1,))
 
 
 def test_the_disk_fills_up_on_the_way(tmp_path, monkeypatch, result):
-    report = GridReport(tmp_path, WISH, (0.1,))
+    report = GridReport(tmp_path, REQUEST, (0.1,))
     monkeypatch.setattr("iconstudio.output.png.write_atomically", full)
     with pytest.raises(IconstudioError, match="No space left"):
         report.add(Result(result))
@@ -193,7 +193,7 @@ def test_the_disk_fills_up_on_the_way(tmp_path, monkeypatch, result):
 
 
 def test_a_run_of_nothing_but_skipped_styles(tmp_path):
-    report = GridReport(tmp_path, WISH, (0.1,), dump=True)
+    report = GridReport(tmp_path, REQUEST, (0.1,), dump=True)
     report.add(StyleSkipped("dark", 0, "None."))
     report.finish({})
     assert {path.name for path in tmp_path.iterdir()} == {"grid.png", "results.json"}
@@ -208,8 +208,8 @@ def edited(tmp_path_factory, results):
     """The report of an edit, its dump, and the change."""
     out = tmp_path_factory.mktemp("edit")
     edit = Edit(BLOCK.pictogram, "dog", remove=(REMOVED,), symmetry=Axis.VERTICAL)
-    change = prepare_change(edit, BLOCK)
-    report = GridReport(out, changed(edit, change), (0.05,), dump=True)
+    change = place_edit(edit, BLOCK)
+    report = GridReport(out, edit_request(edit, change), (0.05,), dump=True)
     report.add(StyleMatched("light", (RING,), (SOURCES[:3],) * 9))
     report.add(Result(replace(results[1], unchanged=0.9975)))
     report.finish({})
@@ -235,14 +235,14 @@ def test_the_dump_of_an_edit_holds_equation_11(edited):
     assert dump["penalty"][0] == pytest.approx(0.1 * (1 - mask), abs=1e-6)
     for other in dump["penalty"][1:]:
         assert other == pytest.approx(0.1 * mask, abs=1e-6)
-    assert np.array_equal(dump["sketch"], change.target)
+    assert np.array_equal(dump["sketch"], change.silhouette)
 
 
 def test_sources_of_a_source_are_thanked(tmp_path, result):
     composite = result.composite
     inner = replace(BLOCK.pictogram, made_of=(RING.pictogram, DISC.pictogram))
     source = replace(composite.sources[0], exemplar=replace(BLOCK, pictogram=inner))
-    report = GridReport(tmp_path, WISH, (0.1,))
+    report = GridReport(tmp_path, REQUEST, (0.1,))
     report.add(StyleMatched("light", (RING,), (SOURCES[:3],) * 9))
     made_again = replace(composite, sources=(source, *composite.sources[1:]))
     report.add(Result(replace(result, composite=made_again)))

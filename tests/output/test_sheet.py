@@ -8,17 +8,17 @@ from PIL import Image
 
 from iconstudio.algorithms.raster import placed_ink
 from iconstudio.model import Edit, IconstudioError, Polygon, Sketch
-from iconstudio.output import page as pages
-from iconstudio.output import wish
+from iconstudio.output import figure as pages
+from iconstudio.output import request
 from iconstudio.output.colours import palette, source_colours
-from iconstudio.output.page import PAPER, Page, font, shortened
+from iconstudio.output.figure import PAPER, Figure, font, shortened
+from iconstudio.output.request import edit_request, sketch_request
 from iconstudio.output.sheet import Row, Subject, gallery_sheet, grid_sheet, search_sheet
-from iconstudio.output.wish import changed, sketched
-from iconstudio.workflows.editing.editing import prepare_change
+from iconstudio.workflows.editing.editing import place_edit
 from tests.output.made import BLOCK, DISC, RING, SOURCES, SQUARE, made, quarters
 
 LAMBDAS = (0.05, 0.2, 0.75)
-WISH = sketched(Sketch(SQUARE, "dog"))
+REQUEST = sketch_request(Sketch(SQUARE, "dog"))
 
 
 @pytest.fixture(scope="module")
@@ -34,13 +34,13 @@ def drawn(monkeypatch):
     calls = []
 
     def watched(kind, what):
-        original = getattr(Page, kind)
+        original = getattr(Figure, kind)
 
         def method(self, x, y, *args, **options):
             calls.append((kind, x, y, args[what]))
             return original(self, x, y, *args, **options)
 
-        monkeypatch.setattr(pages.Page, kind, method)
+        monkeypatch.setattr(pages.Figure, kind, method)
 
     for kind, what in (("text", 0), ("paragraph", 0), ("stencil", 1), ("image", 0), ("frame", 2)):
         watched(kind, what)
@@ -56,7 +56,7 @@ def pixels(picture):
 
 
 def test_every_cell_lies_in_its_column_above_its_colour_code(rows, drawn):
-    sheet = grid_sheet(WISH, LAMBDAS, rows)
+    sheet = grid_sheet(REQUEST, LAMBDAS, rows)
     coverages = [icon.drawing.coverage for icon in rows[0].remixes]
     icons = [(x, y) for kind, x, y, what in drawn
              if kind == "stencil" and any(what is one for one in coverages)]  # fmt: skip
@@ -71,7 +71,7 @@ def test_every_cell_lies_in_its_column_above_its_colour_code(rows, drawn):
 
 
 def test_the_cells_show_ink_and_colours(rows, drawn):
-    sheet = pixels(grid_sheet(WISH, LAMBDAS, rows))
+    sheet = pixels(grid_sheet(REQUEST, LAMBDAS, rows))
     (x, y) = next((round(x), round(y)) for kind, x, y, _ in drawn if kind == "image")
     code = sheet[y : y + 168, x : x + 168]
     composites = [icon.composite for icon in rows[0].remixes]
@@ -84,7 +84,7 @@ def test_the_cells_show_ink_and_colours(rows, drawn):
 
 
 def test_words_on_the_sheet(rows, drawn):
-    grid_sheet(WISH, LAMBDAS, rows)
+    grid_sheet(REQUEST, LAMBDAS, rows)
     said = texts(drawn)
     for words in ("dog", "closer to the sketch", "smoother", "Light", "Dark", "λ 0.05", "λ 0.75",
                   "40 icons", "2 icons", "The collection has too few icons."):  # fmt: skip
@@ -96,7 +96,7 @@ def test_words_on_the_sheet(rows, drawn):
 
 
 def test_sources_lie_in_place_with_their_part_in_colour(rows, drawn):
-    sheet = pixels(grid_sheet(WISH, LAMBDAS, rows))
+    sheet = pixels(grid_sheet(REQUEST, LAMBDAS, rows))
     thumbs = [(round(x), round(y), what) for kind, x, y, what in drawn
               if kind == "stencil" and what.shape == (256, 256)][1:]  # fmt: skip
     composites = [icon.composite for icon in rows[0].remixes]
@@ -117,7 +117,7 @@ def test_sources_lie_in_place_with_their_part_in_colour(rows, drawn):
 
 
 def test_the_sketch_is_on_the_sheet(rows):
-    sheet = pixels(grid_sheet(WISH, LAMBDAS, rows))
+    sheet = pixels(grid_sheet(REQUEST, LAMBDAS, rows))
     corner = sheet[24:174, 32:182]
     share = (np.abs(corner - pages.MUTED).max(axis=-1) < 8).mean()
     assert share == pytest.approx((224 / 256) ** 2, abs=0.03)
@@ -125,7 +125,7 @@ def test_the_sketch_is_on_the_sheet(rows):
 
 def test_the_recommended_result_is_framed_with_its_colour_code(rows, drawn):
     light = replace(rows[0], recommended=0.75)
-    sheet = pixels(grid_sheet(WISH, LAMBDAS, [light, rows[1]]))
+    sheet = pixels(grid_sheet(REQUEST, LAMBDAS, [light, rows[1]]))
     assert "recommended" in texts(drawn)
     assert len([1 for kind, *_ in drawn if kind == "frame"]) == 1 + 1  # and the legend
     x, y = [(x, y) for kind, x, y, _ in drawn if kind == "image"][1]
@@ -136,7 +136,7 @@ def test_the_recommended_result_is_framed_with_its_colour_code(rows, drawn):
 
 
 def test_without_a_recommendation_nothing_is_framed(rows, drawn):
-    grid_sheet(WISH, LAMBDAS, rows)
+    grid_sheet(REQUEST, LAMBDAS, rows)
     assert not [1 for kind, *_ in drawn if kind == "frame"]
     assert "recommended" not in texts(drawn)
 
@@ -148,12 +148,12 @@ def test_an_edit_is_shown_as_red_and_green_on_its_icon(rows):
         remove=(Polygon.of([(48, 48), (128, 48), (128, 208), (48, 208)]),),
         add=(Polygon.of([(208, 100), (250, 100), (250, 150), (208, 150)]),),
     )
-    sheet = pixels(grid_sheet(changed(edit, prepare_change(edit, BLOCK)), LAMBDAS, rows))
+    sheet = pixels(grid_sheet(edit_request(edit, place_edit(edit, BLOCK)), LAMBDAS, rows))
 
     def at(x, y):
         return tuple(sheet[24 + y * 150 // 256, 32 + x * 150 // 256])
 
-    assert at(88, 128) == wish.REMOVED
+    assert at(88, 128) == request.REMOVED
     assert at(168, 128) == pages.INK
     assert at(230, 128)[1] > max(at(230, 128)[0], at(230, 128)[2]) + 20  # green
     assert at(20, 128) == PAPER
@@ -162,16 +162,16 @@ def test_an_edit_is_shown_as_red_and_green_on_its_icon(rows):
 def test_what_is_added_beyond_the_canvas_is_still_on_the_sheet():
     beyond = Polygon.of([(208, 100), (400, 100), (400, 150), (208, 150)])
     edit = Edit(BLOCK.pictogram, "dog", add=(beyond,))
-    change = prepare_change(edit, BLOCK)
-    asked = changed(edit, change)
+    change = place_edit(edit, BLOCK)
+    asked = edit_request(edit, change)
     (_, (added, _), *_) = asked.layers
     assert np.array_equal(added, asked.mask == 0)
     assert not added[:, -1].any()
 
 
 def test_a_sheet_of_one_column_and_of_none(rows):
-    one = grid_sheet(WISH, (0.1,), [Row("light", 40, rows[0].remixes[:1])])
-    none = grid_sheet(WISH, (0.1,), [])
+    one = grid_sheet(REQUEST, (0.1,), [Row("light", 40, rows[0].remixes[:1])])
+    none = grid_sheet(REQUEST, (0.1,), [])
     assert one.height > none.height > 0 and one.width == none.width
 
 
@@ -214,9 +214,9 @@ def test_the_gallery_frames_failures_red_and_single_icons_yellow(rows, drawn):
 
 def test_frames_have_the_colour_of_their_verdict(rows, monkeypatch):
     colours = []
-    original = Page.frame
+    original = Figure.frame
     monkeypatch.setattr(
-        Page, "frame", lambda self, *a: (colours.append(a[-1]), original(self, *a))[1]
+        Figure, "frame", lambda self, *a: (colours.append(a[-1]), original(self, *a))[1]
     )
     remixed, whole = rows[0].remixes
     subjects = [
@@ -240,9 +240,9 @@ def test_long_text_ends_in_an_ellipsis():
 
 
 def test_paragraphs_break_at_words():
-    page = Page(300, 200)
-    page.paragraph(10, 10, "several words that need more than one line", 20, 200, (0, 0, 0))
-    inked = (pixels(page.picture).min(axis=-1) < 128).nonzero()
+    figure = Figure(300, 200)
+    figure.paragraph(10, 10, "several words that need more than one line", 20, 200, (0, 0, 0))
+    inked = (pixels(figure.picture).min(axis=-1) < 128).nonzero()
     assert inked[1].max() <= 215
     assert inked[0].max() > 60
 

@@ -7,7 +7,7 @@ from iconstudio.algorithms.iconification.matching import Matcher, prepare
 from iconstudio.model import CANVAS, Edit, IconstudioError, Polygon
 from iconstudio.svg.resvg import render_placed
 from iconstudio.workers import Workers
-from iconstudio.workflows.editing.editing import edit_icon, own_styles, prepare_change
+from iconstudio.workflows.editing.editing import edit_icon, own_styles, place_edit
 from iconstudio.workflows.events import Recommended, StyleMatched
 from iconstudio.workflows.grid import ModelSettings
 from tests.shapes import blob, exemplar, icons
@@ -36,7 +36,7 @@ def events():
     prepared = Matcher([prepare(one) for one in (ICON, WITH_KNOB, *others)])
     settings = ModelSettings(styles=("dark",), lambdas=(0.05, 0.3))
     with Workers() as workers:
-        change = prepare_change(EDIT, ICON)
+        change = place_edit(EDIT, ICON)
         return list(edit_icon(EDIT, change, prepared, settings, workers, render_placed))
 
 
@@ -56,7 +56,7 @@ def test_the_icon_is_label_0_and_keeps_what_lies_beyond_the_change(events):
     (matched,) = of(StyleMatched, events)
     assert ICON.id not in {one.id for one in matched.exemplars}
     assert all(source.exemplar.id != ICON.id for row in matched.matches for source in row)
-    far = prepare_change(EDIT, ICON).mask >= 1
+    far = place_edit(EDIT, ICON).mask >= 1
     for result in icons(events):
         assert result.composite.sources[0].exemplar is ICON
         assert result.unchanged >= 0.995
@@ -72,20 +72,20 @@ def test_the_row_ends_with_the_recommended_result(events):
 
 def test_the_outline_that_is_wanted_is_less_red_plus_green():
     remove, add = rectangle(16, 100, 60, 200), rectangle(100, 50, 140, 110)
-    change = prepare_change(Edit(ICON.pictogram, "x", (remove,), (add,)), ICON)
+    change = place_edit(Edit(ICON.pictogram, "x", (remove,), (add,)), ICON)
     wanted = (BODY & ~box(16, 100, 60, 200)) | box(100, 50, 140, 110)
-    assert np.array_equal(change.target, wanted)
+    assert np.array_equal(change.silhouette, wanted)
     changed = box(16, 100, 60, 200) | box(100, 50, 140, 110)
     assert np.array_equal(change.mask == 0, changed)
 
 
 def test_what_is_taken_out_of_the_middle_leaves_the_outline():
-    change = prepare_change(Edit(ICON.pictogram, "x", (rectangle(100, 120, 150, 180),)), ICON)
-    assert np.array_equal(change.target, BODY)
+    change = place_edit(Edit(ICON.pictogram, "x", (rectangle(100, 120, 150, 180),)), ICON)
+    assert np.array_equal(change.silhouette, BODY)
 
 
 def test_the_unchanged_part_by_hand():
-    change = prepare_change(EDIT, ICON)
+    change = place_edit(EDIT, ICON)
     own = of_drawing(BODY)
     assert change.unchanged(own, own) == 1
     edited = BODY.copy()
@@ -106,9 +106,9 @@ def of_drawing(ink):
 def test_what_is_added_beyond_the_canvas_makes_room_for_itself():
     tall = exemplar(box(100, 16, 156, 240), "tall")
     edit = Edit(tall.pictogram, "x", add=(rectangle(110, -60, 146, 30),))
-    change = prepare_change(edit, tall)
+    change = place_edit(edit, tall)
     assert change.base.placement.scale < 1
-    ys, xs = np.nonzero(change.target)
+    ys, xs = np.nonzero(change.silhouette)
     assert ys.min() >= 15
     assert ys.max() <= CANVAS - 15
     # The proportions are those of the icon with its addition.
@@ -135,4 +135,4 @@ def test_styles_are_those_of_the_icon():
 )
 def test_bad_edits_are_refused(remove, add, words):
     with pytest.raises(IconstudioError, match=words):
-        prepare_change(replace(EDIT, remove=remove, add=add), ICON)
+        place_edit(replace(EDIT, remove=remove, add=add), ICON)

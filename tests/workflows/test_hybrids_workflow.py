@@ -8,8 +8,8 @@ from iconstudio.model import CANVAS, Axis, IconstudioError, Mix
 from iconstudio.svg.resvg import render_placed
 from iconstudio.workers import Workers
 from iconstudio.workflows.events import Progress
-from iconstudio.workflows.hybrids.choosing import choose_icons, stroke_width
 from iconstudio.workflows.hybrids.hybrids import check, draw_seeds, mix_icons, pinned
+from iconstudio.workflows.hybrids.selection import select_icons, stroke_width
 from tests.shapes import blob, exemplar, icons
 
 YS, XS = np.mgrid[:CANVAS, :CANVAS] - CANVAS / 2 + 0.5
@@ -143,14 +143,14 @@ def test_icons_that_are_chosen_are_alike_in_outline_style_and_stroke():
         for r in (70, 80, 90, 100, 110)
     ]
     solids = [exemplar((abs(XS) < a) & (abs(YS) < 110), f"slab-{a}") for a in (20, 45, 100)]
-    chosen = choose_icons([*solids, *rings], 3)
+    chosen = select_icons([*solids, *rings], 3)
     assert len({one.id.split("-")[0] for one in chosen}) == 1
-    assert choose_icons([*solids, *rings], 3) == chosen
-    assert choose_icons([*solids, *rings], 3, seed=1) != chosen
+    assert select_icons([*solids, *rings], 3) == chosen
+    assert select_icons([*solids, *rings], 3, seed=1) != chosen
     with pytest.raises(IconstudioError, match="no 7 icons"):
-        choose_icons([*solids, *rings], 7)
+        select_icons([*solids, *rings], 7)
     with pytest.raises(IconstudioError, match="ask for 2 to 12"):
-        choose_icons(rings, 13)
+        select_icons(rings, 13)
 
 
 def test_chosen_icons_hold_to_the_symmetry():
@@ -159,7 +159,7 @@ def test_chosen_icons_hold_to_the_symmetry():
         for a in (60, 90, 110)
     ]
     vases = [exemplar(vase(30 + 30 * n, 110 - 40 * n, 40), f"v-{n}") for n in range(3)]
-    chosen = choose_icons([*crooked, *vases], 2, Axis.HORIZONTAL)
+    chosen = select_icons([*crooked, *vases], 2, Axis.HORIZONTAL)
     assert all(one.id.startswith("test:v-") for one in chosen)
 
 

@@ -17,10 +17,10 @@ from dataclasses import field as made_by
 import numpy as np
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.iconification.region_error import ESTIMATE, RegionError
 from iconstudio.algorithms.iconification.saliency import Region
 from iconstudio.algorithms.iconification.sliding import Waves, spectra_of
 from iconstudio.algorithms.iconification.style import blackness
-from iconstudio.algorithms.iconification.target import ESTIMATE, Target
 from iconstudio.algorithms.iconification.tsdf import D_MAX, distances, squared_distances
 from iconstudio.algorithms.raster import scaled_ink, solid
 from iconstudio.model import CANVAS, MARGIN, Exemplar, Placement, Source
@@ -131,9 +131,11 @@ class Matcher:
             ``matches[region]``: the best placements of different exemplars, by rising error.
         """
         run = _Run(np.array(sorted(set(admitted)), dtype=int))
-        targets = [Target(field - FAR, region, self._waves) for region in regions]
+        region_errors = [RegionError(field - FAR, region, self._waves) for region in regions]
         with ThreadPoolExecutor(self._threads, "match") as threads:
-            futures = [threads.submit(self._matches, target, run) for target in targets]
+            futures = [
+                threads.submit(self._matches, region_error, run) for region_error in region_errors
+            ]
             pending = set(futures)
             try:
                 while pending:
@@ -144,16 +146,16 @@ class Matcher:
                 threads.shutdown(wait=False, cancel_futures=True)
         return [future.result() for future in futures]
 
-    def _matches(self, target: Target, run: "_Run") -> list[Match]:
+    def _matches(self, region_error: RegionError, run: "_Run") -> list[Match]:
         """Return the best matches of one region; nothing once the run is stopped."""
-        found = self._recall(target.key)
+        found = self._recall(region_error.key)
         for chunk in sorted({int(index) // CHUNK for index in run.chosen} - found.chunks):
             if run.stopped:
                 return []
             hits = found.hits[chunk * CHUNK : (chunk + 1) * CHUNK]
-            hits[:] = target.estimates(self._chunks[chunk]).reshape(hits.shape)
+            hits[:] = region_error.estimates(self._chunks[chunk]).reshape(hits.shape)
             found.chunks.add(chunk)
-        return self._best(target, found, run)
+        return self._best(region_error, found, run)
 
     def _recall(self, key: bytes) -> "_Found":
         """Return what is known of a region: at first nothing."""
@@ -167,7 +169,7 @@ class Matcher:
                 self._memory.popitem(last=False)
         return found
 
-    def _best(self, target: Target, found: "_Found", run: "_Run") -> list[Match]:
+    def _best(self, region_error: RegionError, found: "_Found", run: "_Run") -> list[Match]:
         """Follow the most promising estimates until no other can be among the best."""
         hits = found.hits[run.chosen]
         best: dict[int, Match] = {}
@@ -177,20 +179,20 @@ class Matcher:
                 break
             match = found.followed.get((index, variant))
             if match is None:
-                match = self._followed(target, index, variant, hit, run.fields)
+                match = self._followed(region_error, index, variant, hit, run.fields)
                 found.followed[index, variant] = match
             known = best.get(index, match)
             best[index] = min(known, match, key=lambda m: (m.error, m.placement))
         return sorted(best.values(), key=lambda m: (m.error, m.index))[:MATCHES]
 
     def _followed(
-        self, target: Target, index: int, variant: int, hit: np.void, fields: "_Fields"
+        self, region_error: RegionError, index: int, variant: int, hit: np.void, fields: "_Fields"
     ) -> Match:
         """Return the exact match of an estimate."""
         (scale, flip), one = divmod(variant, 2), self.exemplars[index]
         if (index, scale) not in fields:
             fields[index, scale] = one.field(scale)
-        error, dx, dy = target.follow(
+        error, dx, dy = region_error.follow(
             fields[index, scale], bool(flip), int(hit["dx"]), int(hit["dy"])
         )
         return Match(index, Placement(one.scales[scale], bool(flip), dx, dy), error)

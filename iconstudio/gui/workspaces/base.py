@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
+from typing import Any
 
 from PySide6.QtCore import QMimeData, Signal
 from PySide6.QtGui import QShowEvent
@@ -82,6 +83,8 @@ class Workspace(QWidget):
         document.setParent(self)
         self.worker = Worker(self)
         self._opener: Opener | None = None
+        self.displays: Sequence[Any] = ()
+        """What shows results; each has a method ``show_display``."""
         self.progressed.connect(lambda _: self._allow_cancel(True))
         self.rested.connect(lambda _: self._allow_cancel(False))
 
@@ -156,6 +159,8 @@ class Workspace(QWidget):
 
     def show_display(self, display: Display) -> None:
         """Show results as icons, by their colour code, or both."""
+        for one in self.displays:
+            one.show_display(display)
 
     def _choose_display(self, display: Display, on: bool) -> None:
         if on and self.isVisible():

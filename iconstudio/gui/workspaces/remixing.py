@@ -15,7 +15,7 @@ from iconstudio.gui.panels.canvas import CanvasPanel
 from iconstudio.gui.panels.keyword import KeywordPanel
 from iconstudio.gui.panels.sending import Destination
 from iconstudio.gui.panels.symmetry import SymmetryButton, SymmetryHint
-from iconstudio.gui.pictures import Display, Picture
+from iconstudio.gui.pictures import Picture
 from iconstudio.gui.preferences import preferred
 from iconstudio.gui.preparation import Preparation, Query
 from iconstudio.gui.runner import Runner
@@ -56,6 +56,7 @@ class RemixWorkspace(Workspace, Wanting):
         self._opening = Runner(self.worker, self)
         self.keyword_panel = KeywordPanel()
         self.board = Board()
+        self.displays = (self.board,)
         self.symmetry = SymmetryButton()
 
     # -- what the window asks for --------------------------------------------------------------
@@ -85,10 +86,6 @@ class RemixWorkspace(Workspace, Wanting):
     def set_destinations(self, destinations: tuple[Destination, ...]) -> None:
         """Say where results can be sent to."""
         self.board.set_destinations(destinations)
-
-    def show_display(self, display: Display) -> None:
-        """Show results as icons, by their colour code, or both."""
-        self.board.show_display(display)
 
     def cancel(self) -> None:
         """Stop the run and the search; results that are finished stay."""

@@ -43,7 +43,7 @@ from iconstudio.workflows.workflow import Resources
 
 
 @dataclass(frozen=True, eq=False)
-class Change:
+class PlacedEdit:
     """An edit on a canvas of any side m: what is wanted, and where.
 
     If something is added beyond the canvas, all is made smaller so that it fits.
@@ -56,16 +56,16 @@ class Change:
     removed: Bitmap
     added: Bitmap
     """(m, m): the red and the green areas."""
-    target: Bitmap
+    silhouette: Bitmap
     """(m, m): the outline that is wanted, filled."""
     mask: NDArray[np.float32]
     """D_E, (m, m): the distance from the changed area, from 0 to 1."""
 
     def pose(self, symmetry: Axis | None, sources: tuple[Source, ...]) -> Posed:
         """Pose the graph cut of ``sources``, the first of which is the icon itself."""
-        problem = remix_problem(distance_field(self.target), sources, symmetry)
+        problem = remix_problem(distance_field(self.silhouette), sources, symmetry)
         problem = replace(problem, data=problem.data + edit_penalty(self.mask, len(sources)))
-        return Posed(problem, self.target, near=self.mask < 1)
+        return Posed(problem, self.silhouette, near=self.mask < 1)
 
     def unchanged(self, edited: Drawing, own: Drawing) -> float:
         """Return the part of the pixels beyond the reach of the change that equal the icon's."""
@@ -75,7 +75,7 @@ class Change:
         return float(same[far].mean()) if far.any() else 1.0
 
 
-def prepare_change(edit: Edit, icon: Exemplar, side: int = CANVAS) -> Change:
+def place_edit(edit: Edit, icon: Exemplar, side: int = CANVAS) -> PlacedEdit:
     """Put an edit of ``icon`` on a canvas of that side.
 
     Raises
@@ -102,11 +102,11 @@ def prepare_change(edit: Edit, icon: Exemplar, side: int = CANVAS) -> Change:
             "What should be added is too small to be seen. Sketch it larger, in the "
             f"icon's canvas of {CANVAS} units."
         )
-    target = solid((filled & ~removed) | added)
-    if not target.any():
+    silhouette = solid((filled & ~removed) | added)
+    if not silhouette.any():
         raise IconstudioError("Nothing of the icon would be left. Remove less, or add something.")
     mask = truncated_distance(removed | added, EDIT_REACH * side / CANVAS)
-    return Change(Source(icon, placement), ink, removed, added, target, mask)
+    return PlacedEdit(Source(icon, placement), ink, removed, added, silhouette, mask)
 
 
 def own_styles(icon: Exemplar) -> tuple[str, ...]:
@@ -127,7 +127,7 @@ def run(
         If the edit or the keyword is no good; before any work is done.
     """
     icon = resources.exemplar(edit.icon)
-    change = prepare_change(edit, icon)
+    change = place_edit(edit, icon)
     settings = settings or ModelSettings(styles=own_styles(icon))
     settings.chosen_styles()
     matcher = yield from resources.prepare(edit.keyword, edit.exclude, settings.scales)
@@ -139,7 +139,7 @@ def run(
 
 def edit_icon(
     edit: Edit,
-    change: Change,
+    change: PlacedEdit,
     matcher: Matcher,
     settings: ModelSettings,
     workers: Workers,
@@ -148,13 +148,13 @@ def edit_icon(
 ) -> Generator[Event]:
     """Remix an icon with parts of the exemplars of ``matcher`` where it is to be changed.
 
-    ``change`` is the edit on the canvas, by ``prepare_change``. The events, and the other
+    ``change`` is the edit on the canvas, by ``place_edit``. The events, and the other
     parameters, are those of ``grid.remix_styles``. The icon itself is left out of matching.
     """
-    score = saliency(outlines(change.target), change.target, change.mask)
+    score = saliency(outlines(change.silhouette), change.silhouette, change.mask)
     posed = change
     if settings.side != CANVAS:
-        posed = prepare_change(edit, change.base.exemplar, settings.side)
+        posed = place_edit(edit, change.base.exemplar, settings.side)
     own = draw_whole(change.base, change.ink, workers, render)  # what results are compared with
 
     def finish(icon: Remix) -> Remix:
@@ -163,7 +163,7 @@ def edit_icon(
 
     try:
         yield from remix_styles(
-            tsdf(change.target),
+            tsdf(change.silhouette),
             salient_regions(score),
             matcher,
             settings,

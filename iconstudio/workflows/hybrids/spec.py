@@ -15,10 +15,10 @@ def _read(fields: Fields, resources: Resources) -> Generator[Event, None, Mix]:
     file = hybrids_in(fields)
     if not file.keyword:
         return file.resolved(resources.icon)
-    from iconstudio.workflows.hybrids.choosing import choose
+    from iconstudio.workflows.hybrids.selection import select
 
     return file.mix(
-        (yield from choose(resources, file.keyword, file.count, file.symmetry, file.seed))
+        (yield from select(resources, file.keyword, file.count, file.symmetry, file.seed))
     )
 
 

@@ -58,10 +58,10 @@ def model(
     The events, and the other parameters, are those of ``grid.remix_styles``.
     """
     polygon = sketch.polygon.fitted()
-    target = fill_polygon(polygon)
+    silhouette = fill_polygon(polygon)
     yield from remix_styles(
-        tsdf(target),
-        salient_regions(saliency([polygon], target)),
+        tsdf(silhouette),
+        salient_regions(saliency([polygon], silhouette)),
         matcher,
         settings,
         refusal=refusal,
@@ -72,8 +72,8 @@ def model(
     )
 
 
-def _pose(target: Bitmap, symmetry: Axis | None, sources: tuple[Source, ...]) -> Posed:
-    return Posed(remix_problem(distance_field(target), sources, symmetry), target)
+def _pose(silhouette: Bitmap, symmetry: Axis | None, sources: tuple[Source, ...]) -> Posed:
+    return Posed(remix_problem(distance_field(silhouette), sources, symmetry), silhouette)
 
 
 def refusal(style: Style, count: int, rows: Matches | None) -> str:

@@ -22,7 +22,7 @@ from iconstudio.gui.workspaces.remixing import RemixWorkspace
 from iconstudio.inputs.icons import reference_to
 from iconstudio.model import Edit, IconstudioError, Pictogram
 from iconstudio.session import Session
-from iconstudio.workflows.editing.editing import own_styles, prepare_change
+from iconstudio.workflows.editing.editing import own_styles, place_edit
 from iconstudio.workflows.editing.file import EditFile, write_edit
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.grid import ModelSettings
@@ -85,7 +85,7 @@ class EditWorkspace(RemixWorkspace):
         self.keyword_panel.set_words(
             "What is it? For example: camera", "Make the icon anew where it is marked (Ctrl+Return)"
         )
-        self.offer_symmetry(_outline, lambda page: prepare_change(page.edit(), page.icon).target)
+        self.offer_symmetry(_outline, lambda page: place_edit(page.edit(), page.icon).silhouette)
         self._make_actions()
         self.start_sheet = StartSheet(self.view, session, self.finder, self.examples)
         self._lay_out()
@@ -183,7 +183,7 @@ class EditWorkspace(RemixWorkspace):
         if page.icon is None:
             return "There is no icon yet. Look one up on the left, or open a drawing of your own."
         try:
-            prepare_change(page.edit(), page.icon)
+            place_edit(page.edit(), page.icon)
         except IconstudioError as error:
             return str(error)
         if not page.keyword.strip():

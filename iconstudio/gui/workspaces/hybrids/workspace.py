@@ -10,7 +10,7 @@ from iconstudio.gui.panels.detail import DetailPanel
 from iconstudio.gui.panels.sending import Destination, offer
 from iconstudio.gui.panels.strip import same
 from iconstudio.gui.panels.tray import FavouritesTray
-from iconstudio.gui.pictures import Display, Picture
+from iconstudio.gui.pictures import Picture
 from iconstudio.gui.saving import Saver
 from iconstudio.gui.theme import UNIT
 from iconstudio.gui.worker import Worker
@@ -56,6 +56,7 @@ class HybridsWorkspace(Workspace):
         self.draws = Draws(session, self.worker, self.sheet, self)
         self.tray = FavouritesTray("Press F at a hybrid to keep it")
         self.detail = DetailPanel()
+        self.displays = self.sheet, self.detail.large
         self.menu: QMenu | None = None
         self._destinations: tuple[Destination, ...] = ()
         self._make_actions()
@@ -242,11 +243,6 @@ class HybridsWorkspace(Workspace):
         menu.addAction(self.actions_by_name["svg"])
         self.menu = menu
         menu.popup(spot)
-
-    def show_display(self, display: Display) -> None:
-        """Show hybrids as icons, by their colour code, or both."""
-        self.sheet.show_display(display)
-        self.detail.large.show_display(display)
 
     # -- page ----------------------------------------------------------------------------------
 

@@ -25,7 +25,7 @@ from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.panels.detail import DetailPanel
 from iconstudio.gui.panels.display_switch import DisplaySwitch
 from iconstudio.gui.panels.sending import Destination
-from iconstudio.gui.pictures import Display, Picture
+from iconstudio.gui.pictures import Picture
 from iconstudio.gui.saving import Saver
 from iconstudio.gui.theme import UNIT
 from iconstudio.gui.worker import Worker
@@ -99,6 +99,7 @@ class MontageWorkspace(Workspace):
         self.start_buttons = StartButtons(
             self.view, "Open drawing…", self.actions_by_name["svg_in"], self.examples
         )
+        self.displays = self.switch, self.detail.large
         self._lay_out()
         self._wire()
         self._show_page(self.document.page)
@@ -219,11 +220,6 @@ class MontageWorkspace(Workspace):
 
     def _note_kept(self, picture: Picture) -> None:
         self._kept = picture
-
-    def show_display(self, display: Display) -> None:
-        """Show the result as an icon, by its colour code, or both."""
-        self.switch.show_display(display)
-        self.detail.large.show_display(display)
 
     # -- page ----------------------------------------------------------------------------------
 

@@ -45,6 +45,7 @@ class PlainWorkspace(Workspace):
             _SIDE, "The icons appear here", "Click to see it large", wrapping=True
         )
         self.detail = DetailPanel()
+        self.displays = (self.detail.large,)
         self._make_actions()
         self._lay_out()
         self._wire()

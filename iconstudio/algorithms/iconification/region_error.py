@@ -1,4 +1,4 @@
-"""A salient region of the sketch, with which exemplars are compared (equation 4)."""
+"""The error of exemplars in a salient region of the sketch (section 3.3, equation 4)."""
 
 import hashlib
 from functools import cached_property
@@ -14,8 +14,8 @@ ESTIMATE = np.dtype([("error", "f4"), ("dx", "i2"), ("dy", "i2")])
 """Least error of an exemplar at one scale, mirrored or not, and the translation it is at."""
 
 
-class Target:
-    """A region of the sketch: what exemplars are compared with.
+class RegionError:
+    """How far exemplars differ from the sketch in one region.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""A light page to draw sheets on: text in the bundled font, thumbnails of ink."""
+"""A light figure to draw sheets on: text in the bundled font, thumbnails of ink."""
 
 import io
 from collections.abc import Sequence
@@ -31,7 +31,7 @@ def font(size: int, bold: bool = False) -> ImageFont.FreeTypeFont:
     return ImageFont.truetype(data, size, layout_engine=ImageFont.Layout.BASIC)
 
 
-class Page:
+class Figure:
     """A white picture of a fixed size."""
 
     def __init__(self, width: int, height: int) -> None:

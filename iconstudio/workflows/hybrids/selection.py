@@ -1,4 +1,4 @@
-"""Choosing icons that mix well (section 4.3): one style, similar outlines, different drawings.
+"""Selecting icons that mix well (section 4.3): one style, similar outlines, different drawings.
 
 The paper's users choose them by hand; its figures show what makes a good choice.
 """
@@ -26,16 +26,16 @@ CANDIDATES = 120
 """How many of the best exemplars of a keyword are considered."""
 
 
-def choose(
+def select(
     resources: Resources, keyword: str, count: int, symmetry: Axis | None = None, seed: int = 0
 ) -> Generator[Event, None, tuple[Pictogram, ...]]:
-    """Choose icons of a keyword that mix well: see ``choose_icons``."""
+    """Choose icons of a keyword that mix well: see ``select_icons``."""
     matcher = yield from resources.prepare(keyword)
-    chosen = choose_icons([one.exemplar for one in matcher.exemplars], count, symmetry, seed)
+    chosen = select_icons([one.exemplar for one in matcher.exemplars], count, symmetry, seed)
     return tuple(one.pictogram for one in chosen)
 
 
-def choose_icons(
+def select_icons(
     exemplars: Sequence[Exemplar], count: int, symmetry: Axis | None = None, seed: int = 0
 ) -> tuple[Exemplar, ...]:
     """Return ``count`` icons of one style with similar outlines and different drawings.

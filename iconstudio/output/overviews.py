@@ -1,4 +1,4 @@
-"""Plates: hybrids with the icons that they mix, and a montage with its scribbles."""
+"""Overviews: hybrids with the icons that they mix, and a montage with its scribbles."""
 
 from collections.abc import Sequence
 
@@ -8,7 +8,7 @@ from iconstudio.algorithms.iconification.guidance import carried, scribble
 from iconstudio.algorithms.raster import placed_ink
 from iconstudio.model import Montage, Remix, Source
 from iconstudio.output.colours import RGB, Palette, colour_code, key_of, palette
-from iconstudio.output.page import MUTED, PALE, Page
+from iconstudio.output.figure import MUTED, PALE, Figure
 from iconstudio.output.sheet import grey
 
 _EDGE, _GAP = 40, 24
@@ -21,7 +21,9 @@ _FINAL = 480
 _PER_LINE = 6
 
 
-def hybrids_plate(title: str, said: str, remixes: Sequence[Remix], colours: Palette) -> Image.Image:
+def hybrids_overview(
+    title: str, said: str, remixes: Sequence[Remix], colours: Palette
+) -> Image.Image:
     """Return the icons in their colours, and beneath them the best hybrids, coded by these.
 
     Parameters
@@ -34,29 +36,29 @@ def hybrids_plate(title: str, said: str, remixes: Sequence[Remix], colours: Pale
     shown = remixes[:_SHOWN]
     lines = -(-len(shown) // _ACROSS)
     top = 300
-    page = Page(width, top + _EDGE // 2 + lines * (_LARGE + 2 * _GAP))
-    page.text(_EDGE, 32, title, 34, bold=True, width=width - 2 * _EDGE - 500)
-    page.text(width - _EDGE, 44, said, 18, colour=MUTED, anchor="ra")
+    figure = Figure(width, top + _EDGE // 2 + lines * (_LARGE + 2 * _GAP))
+    figure.text(_EDGE, 32, title, 34, bold=True, width=width - 2 * _EDGE - 500)
+    figure.text(width - _EDGE, 44, said, 18, colour=MUTED, anchor="ra")
     sources = remixes[0].composite.sources if remixes else ()
     step = min(_THUMB + 2 * _GAP, (width - 2 * _EDGE) / max(1, len(sources)))
     for number, source in enumerate(sources):
-        _source(page, _EDGE + number * step, 100, source, colours[key_of(source)], step - 8)
-    page.rule(top - 28, _EDGE, width - _EDGE)
+        _source(figure, _EDGE + number * step, 100, source, colours[key_of(source)], step - 8)
+    figure.rule(top - 28, _EDGE, width - _EDGE)
     for number, icon in enumerate(shown):
         x = _EDGE + number % _ACROSS * cell
         y = top + number // _ACROSS * (_LARGE + 2 * _GAP)
         composite, drawing = icon.composite, icon.drawing
-        page.stencil(x, y, _LARGE, drawing.coverage)
+        figure.stencil(x, y, _LARGE, drawing.coverage)
         beside = x + _LARGE + _GAP // 2
-        page.text(beside, y + 8, str(number + 1), 24, bold=True)
-        page.text(beside, y + 40, f"score {icon.score.total:.2f}", 14, colour=MUTED)
-        page.text(beside, y + 60, f"draw {icon.draw}", 14, colour=MUTED)
+        figure.text(beside, y + 8, str(number + 1), 24, bold=True)
+        figure.text(beside, y + 40, f"score {icon.score.total:.2f}", 14, colour=MUTED)
+        figure.text(beside, y + 60, f"draw {icon.draw}", 14, colour=MUTED)
         code = colour_code(composite, drawing, _CODE, colours)
-        page.image(beside, y + _LARGE - _CODE - 8, code)
-    return page.picture
+        figure.image(beside, y + _LARGE - _CODE - 8, code)
+    return figure.picture
 
 
-def montage_plate(montage: Montage, icon: Remix) -> Image.Image:
+def montage_overview(montage: Montage, icon: Remix) -> Image.Image:
     """Return the layers with their scribbles, and beneath them the result and its colour code."""
     composite, drawing = icon.composite, icon.drawing
     colours = palette([composite])
@@ -65,29 +67,29 @@ def montage_plate(montage: Montage, icon: Remix) -> Image.Image:
     lines = -(-len(montage.layers) // across)
     width = 2 * _EDGE + across * step - _GAP
     top = 100 + lines * (step + 24)
-    page = Page(width, top + _FINAL + 2 * _EDGE)
-    page.text(_EDGE, 32, "Montage", 34, bold=True)
+    figure = Figure(width, top + _FINAL + 2 * _EDGE)
+    figure.text(_EDGE, 32, "Montage", 34, bold=True)
     for number, (layer, source) in enumerate(zip(montage.layers, composite.sources, strict=True)):
         x, y = _EDGE + number % across * step, 100 + number // across * (step + 24)
         ink, _ = placed_ink(source.exemplar, source.placement)
-        page.stencil(x, y, _LAYER, grey(ink), PALE)
+        figure.stencil(x, y, _LAYER, grey(ink), PALE)
         strokes = [carried(one, layer.placement, source.placement) for one in layer.strokes]
-        page.stencil(x, y, _LAYER, grey(scribble(strokes)), colours[key_of(source)])
-        page.frame(x, y, _LAYER, _LAYER, PALE)
-        page.text(x, y + _LAYER + 6, layer.icon.id, 13, colour=MUTED, width=_LAYER)
-    page.rule(top, _EDGE, width - _EDGE)
+        figure.stencil(x, y, _LAYER, grey(scribble(strokes)), colours[key_of(source)])
+        figure.frame(x, y, _LAYER, _LAYER, PALE)
+        figure.text(x, y + _LAYER + 6, layer.icon.id, 13, colour=MUTED, width=_LAYER)
+    figure.rule(top, _EDGE, width - _EDGE)
     left = (width - 2 * _FINAL - _GAP) / 2
-    page.stencil(left, top + _EDGE, _FINAL, drawing.coverage)
+    figure.stencil(left, top + _EDGE, _FINAL, drawing.coverage)
     code = colour_code(composite, drawing, _FINAL, colours)
-    page.image(left + _FINAL + _GAP, top + _EDGE, code)
-    return page.picture
+    figure.image(left + _FINAL + _GAP, top + _EDGE, code)
+    return figure.picture
 
 
-def _source(page: Page, x: float, y: float, source: Source, colour: RGB, width: float) -> None:
+def _source(figure: Figure, x: float, y: float, source: Source, colour: RGB, width: float) -> None:
     """Draw an icon in its colour, with its name beneath."""
     ink, _ = placed_ink(source.exemplar, source.placement)
-    page.stencil(x, y, _THUMB, grey(ink), colour)
+    figure.stencil(x, y, _THUMB, grey(ink), colour)
     collection, name = source.exemplar.id.split(":", 1)
     middle = x + _THUMB / 2
-    page.text(middle, y + _THUMB + 6, name, 13, width=width, anchor="ma")
-    page.text(middle, y + _THUMB + 24, collection, 12, colour=MUTED, width=width, anchor="ma")
+    figure.text(middle, y + _THUMB + 6, name, 13, width=width, anchor="ma")
+    figure.text(middle, y + _THUMB + 24, collection, 12, colour=MUTED, width=width, anchor="ma")

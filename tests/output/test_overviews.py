@@ -13,7 +13,7 @@ from iconstudio.model import CANVAS, Axis, Layer, Montage, Score, Stroke
 from iconstudio.output.colours import key_of, palette
 from iconstudio.output.hybrids import HybridsReport
 from iconstudio.output.montage import MontageReport
-from iconstudio.output.plates import hybrids_plate, montage_plate
+from iconstudio.output.overviews import hybrids_overview, montage_overview
 from iconstudio.workflows.events import Progress, Result
 from tests.output.made import SOURCES, made, quarters
 
@@ -92,8 +92,8 @@ def test_no_hybrid_at_all(tmp_path):
 
 def test_sources_and_codes_on_the_plate_have_one_palette(hybrids):
     colours = palette([result.composite for result in hybrids])
-    plate = np.asarray(hybrids_plate("dog", "3 kept", hybrids, colours))
-    head, body = plate[:280].reshape(-1, 3).tolist(), plate[280:].reshape(-1, 3).tolist()
+    overview = np.asarray(hybrids_overview("dog", "3 kept", hybrids, colours))
+    head, body = overview[:280].reshape(-1, 3).tolist(), overview[280:].reshape(-1, 3).tolist()
     for source in SOURCES[:3]:
         assert list(colours[key_of(source)]) in head
         assert list(colours[key_of(source)]) in body
@@ -101,7 +101,9 @@ def test_sources_and_codes_on_the_plate_have_one_palette(hybrids):
 
 def test_at_most_twelve_hybrids_are_shown(hybrids):
     colours = palette([hybrids[0].composite])
-    heights = [hybrids_plate("dog", "", hybrids[:1] * n, colours).height for n in (1, 4, 5, 12, 40)]
+    heights = [
+        hybrids_overview("dog", "", hybrids[:1] * n, colours).height for n in (1, 4, 5, 12, 40)
+    ]
     assert heights[0] == heights[1] < heights[2] < heights[3] == heights[4]
 
 
@@ -138,10 +140,10 @@ def test_what_a_montage_leaves(tmp_path, montage):
 
 
 def test_scribbles_have_the_colour_of_what_they_keep(montage):
-    plate = np.asarray(montage_plate(Montage(LAYERS), montage))
+    overview = np.asarray(montage_overview(Montage(LAYERS), montage))
     colours = palette([montage.composite])
     for number, layer in enumerate(LAYERS[:2]):
         ys, xs = np.nonzero(scribble(layer.strokes))
         x = 40 + number * 264 + int(xs.mean() * 240 / 256)
         y = 100 + int(ys.mean() * 240 / 256)
-        assert tuple(plate[y, x]) == colours[key_of(SOURCES[number])]
+        assert tuple(overview[y, x]) == colours[key_of(SOURCES[number])]

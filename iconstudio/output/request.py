@@ -9,15 +9,15 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.raster import Bitmap, fill_polygon
 from iconstudio.model import CANVAS, Axis, Edit, Sketch, Source
-from iconstudio.output.page import INK, MUTED, RGB
-from iconstudio.workflows.editing.editing import Change, prepare_change
+from iconstudio.output.figure import INK, MUTED, RGB
+from iconstudio.workflows.editing.editing import PlacedEdit, place_edit
 
 ADDED, REMOVED = (46, 148, 84), (206, 58, 48)
 _ADDED_GROUND, _REMOVED_GROUND = (150, 214, 172), (246, 200, 195)
 
 
 @dataclass(frozen=True, eq=False)
-class Wish:
+class Request:
     """What was asked for, on the canvas."""
 
     keyword: str
@@ -31,29 +31,29 @@ class Wish:
     """Of an edit: the icon that is changed."""
     mask: NDArray[np.float32] | None = None
     """Of an edit: D_E, (CANVAS, CANVAS)."""
-    posed: Callable[[int], "Wish"] | None = None
-    """Poses the same wish on a canvas of another side m."""
+    posed: Callable[[int], "Request"] | None = None
+    """Poses the same request on a canvas of another side m."""
 
-    def on(self, side: int) -> "Wish":
-        """Return the wish on a canvas of side m: its outline and mask are (side, side)."""
+    def on(self, side: int) -> "Request":
+        """Return the request on a canvas of side m: its outline and mask are (side, side)."""
         return self if self.posed is None or side == len(self.outline) else self.posed(side)
 
 
-def sketched(sketch: Sketch, side: int = CANVAS) -> Wish:
-    """Return the wish of a sketch."""
+def sketch_request(sketch: Sketch, side: int = CANVAS) -> Request:
+    """Return the request of a sketch."""
     outline = fill_polygon(sketch.polygon.fitted(), side)
-    return Wish(
+    return Request(
         sketch.keyword,
         sketch.symmetry,
         "sketch and keyword",
         ((outline, MUTED),),
         outline,
-        posed=partial(sketched, sketch),
+        posed=partial(sketch_request, sketch),
     )
 
 
-def changed(edit: Edit, change: Change) -> Wish:
-    """Return the wish of an edit: red goes, green comes."""
+def edit_request(edit: Edit, change: PlacedEdit) -> Request:
+    """Return the request of an edit: red goes, green comes."""
     layers = (
         (change.removed, _REMOVED_GROUND),
         (change.added, _ADDED_GROUND),
@@ -61,13 +61,13 @@ def changed(edit: Edit, change: Change) -> Wish:
         (change.ink & change.removed, REMOVED),
         (change.ink & change.added, ADDED),
     )
-    return Wish(
+    return Request(
         edit.keyword,
         edit.symmetry,
         f"{change.base.exemplar.name}, less red, plus green",
         layers,
-        change.target,
+        change.silhouette,
         change.base,
         change.mask,
-        lambda side: changed(edit, prepare_change(edit, change.base.exemplar, side)),
+        lambda side: edit_request(edit, place_edit(edit, change.base.exemplar, side)),
     )
