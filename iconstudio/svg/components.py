@@ -22,7 +22,7 @@ from iconstudio.svg.syntax import UnknownError
 _CODE = re.compile(
     r"[\w:-]=\s*\{|\{\s*\.\.\.|\{/\*|=\"\{|\s[@*#][\w.:-]+=|\sv-[a-z]+[\s=:>]|\s:[a-z][\w:-]*=[\"']"
     r"|\s\[[\w.-]+\]=|\{[#@:/]\w|\{\{|>\s*\{\s*[`\"']|\{%|<%|<\?(?:php\b|=)|@(?:if|switch|for\w*|unless)\b"
-    r"|\sx-(?:for|if|show|bind|data)[=:]|</?>|/>\s*\{|</[\w.:]+>\s*\{|<(?:svg|g)\b[^>]*>\s*\{|<(?:motion|[aA]nimated)\.|<Animated[A-Z]|>\s*\{[^{}<]*[?&]\s*\(?\s*<"
+    r"|\sx-(?:for|if|show|bind|data)[=:]|</?>|=\"[^\"<>{]*\{|/>\s*\{|</[\w.:]+>\s*\{|<(?:svg|g)\b[^>]*>\s*\{|<(?:motion|[aA]nimated)\.|<Animated[A-Z]|>\s*\{[^{}<]*[?&]\s*\(?\s*<"
 )
 """What no SVG has, but code around it and within it."""
 _TOKEN = re.compile(
@@ -40,6 +40,7 @@ _TITLED = re.compile(r"<(?:title|desc|style)\b[^<]*$", re.IGNORECASE)
 _GIVEN = re.compile(r"(?:[\w$]+\.)*(?:children|slots?|title|titleId|desc|default)\b.*", re.DOTALL)
 """What others put into a drawing."""
 _DRAWN = re.compile(r"<(?:path|rect|circle|ellipse|line|poly\w+|use|g|text)\b", re.IGNORECASE)
+_SHAPE = re.compile(r"<(?:path|rect|circle|ellipse|line|poly\w+|use|text)\b", re.IGNORECASE)
 _CONDITION = re.compile(
     r"\s(v-if|v-else-if|v-else|v-show|x-if|x-show|\*ngIf|\[ngIf\]|\*ngSwitchCase|\[ngSwitchCase\]"
     r"|\*ngSwitchDefault|when)(?:\s*=\s*(\"[^\"]*\"|'[^']*'|\{))?(?=[\s>/\w(!])"
@@ -55,7 +56,7 @@ _WRAPPER = re.compile(
 )
 """Elements of code that draw but what is in them."""
 _ANIMATED = re.compile(r"(</?)(?:(?:motion|[aA]nimated)\.|Animated(?=[A-Z]))")
-_READ = 20
+_READ = 10
 """Steps for an element."""
 
 LEFT_OUT = "What its code draws by “{}” was left out. Save the SVG that it draws."
@@ -168,7 +169,7 @@ class _Reader:
             turns = loops.turns(loop, self._names)
         except UnknownError:
             found = self._read(element, loops.unknown_turn(loop, self._names))
-            if _DRAWN.search(found):
+            if _SHAPE.search(found):
                 self.remarks.append(REPEATED)
             return found
         return "".join(self._read(element, names) for names in turns)

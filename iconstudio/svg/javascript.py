@@ -39,7 +39,7 @@ from iconstudio.svg.syntax import (
     text_of,
 )
 
-_STEPS = 20 * MOST
+_STEPS = 10 * MOST
 _DEEPEST = 60
 _SCRIPT = re.compile(r"<script\b[^>]*>(.*?)</script\s*>", re.DOTALL | re.IGNORECASE)
 _DATA = re.compile(r"\sx-data\s*=\s*(?:\"([^\"]*)\"|'([^']*)')")
@@ -155,6 +155,17 @@ class Names:
             return _value(expression(code), self)
         except (ArithmeticError, IndexError, KeyError, TypeError, ValueError):
             raise UnknownError from None  # no drawing depends on what these are in JavaScript
+
+    def at(self, node: Node) -> Value:
+        """Return the value of what is written at a place of the code, counted for itself.
+
+        Raises
+        ------
+        UnknownError
+            If it is not written out.
+        """
+        self._steps[0] = 0
+        return _value(node, self)
 
     def _declare(self, root: Node) -> None:
         """Take down what is declared, and, of less weight, what something is by default."""

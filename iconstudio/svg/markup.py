@@ -32,6 +32,11 @@ def markup_of(text: str) -> tuple[str, list[str]]:
     if _LONE.match(text):
         text = f"<svg>{text}</svg>"
     if _ROOT.search(text) is None:
+        from iconstudio.svg import icondata  # loads tree-sitter
+
+        icons = icondata.markup(text)
+        if icons is not None:
+            return icons, remarks
         what = signatures.text(text)
         if what is not None:
             raise IconstudioError(what)
