@@ -15,9 +15,9 @@ from iconstudio.svg import loops
 from iconstudio.svg.attributes import Attributes, short
 from iconstudio.svg.conditions import CHOSEN, REPEATED, Choices, closing, first_branches, ternary
 from iconstudio.svg.geometry import SHAPES
-from iconstudio.svg.javascript import Element, Names, component
+from iconstudio.svg.javascript import Element, Names, called
 from iconstudio.svg.methods import said, truth
-from iconstudio.svg.syntax import UnknownError
+from iconstudio.svg.syntax import UnknownError, expression, text_of
 
 _CODE = re.compile(
     r"[\w:-]=\s*\{|\{\s*\.\.\.|\{/\*|=\"\{|\s[@*#][\w.:-]+=|\sv-[a-z]+[\s=:>]|\s:[a-z][\w:-]*=[\"']"
@@ -219,7 +219,7 @@ class _Reader:
             return end, self._text(f"({items}).map({inner[1:-1]})")
         if tag[0].isupper() and tag.isalnum():
             try:
-                return end, self._drawn(component(markup[start:end], self._names))
+                return end, self._drawn(_component(markup[start:end], self._names))
             except UnknownError:
                 return None
         return None
@@ -326,3 +326,31 @@ def _exhausted(pieces: Generator[str, None, int], into: list[str]) -> int:
 def _renamed(piece: str) -> str:
     """Return markup in which elements of code are those of SVG that draw the same."""
     return _ANIMATED.sub(r"\1", _WRAPPER.sub(r"\1g", piece))
+
+
+def _component(code: str, names: Names) -> Any:
+    """Return what an element draws whose name is that of a function in the file.
+
+    Raises
+    ------
+    UnknownError
+        If there is no such function, or it is not written out what it draws.
+    """
+    element = expression(code)
+    while element.type in ("expression_statement", "parenthesized_expression"):
+        element = element.named_children[0]
+    tag = element.child_by_field_name("open_tag") or element
+    function = names[text_of(tag.child_by_field_name("name"))]
+    properties: dict[str, Any] = {}
+    for one in tag.named_children:
+        if one.type == "jsx_attribute":
+            name, *values = map(text_of, one.named_children)
+            said = values[0] if values else "true"
+            try:
+                properties[name] = names.value(said[1:-1] if said.startswith("{") else said)
+            except UnknownError:
+                continue
+    if tag is not element:
+        inner = "".join(map(text_of, element.named_children[1:-1]))
+        properties["children"] = Element(f"<>{inner}</>", names)
+    return called(function, properties)

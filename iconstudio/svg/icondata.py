@@ -9,13 +9,11 @@ from collections.abc import Iterator
 from typing import Any
 from xml.sax.saxutils import quoteattr
 
-from tree_sitter import Node
-
 from iconstudio.svg.geometry import SHAPES, data_bounds
 from iconstudio.svg.javascript import Names
 from iconstudio.svg.methods import said
 from iconstudio.svg.names import attribute_name
-from iconstudio.svg.syntax import UnknownError, name_of, parsed, text_of
+from iconstudio.svg.syntax import Node, UnknownError, name_of, parsed, text_of
 
 _PATH = re.compile(
     r"\s*[Mm]\s*[-+.\d][\d\s,.eE+\-MmLlHhVvCcSsQqTtAaZz]*[HhVvLlCcSsQqTtAaZz][\d\s,.eE+-]*"
@@ -189,7 +187,7 @@ def _attributes(value: Any) -> dict[str, str]:
 
 def _below(value: Any) -> str:
     if isinstance(value, dict):
-        nodes = value.get("children", value.get("child", []))
+        nodes = value.get("children") or value.get("child") or []
     else:
         nodes = value[2] if len(value) > 2 else []
     return "".join(map(_element, nodes))

@@ -9,11 +9,7 @@ import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from tree_sitter import Node
-
 from iconstudio.svg.methods import (
-    ARITHMETIC,
-    COMPARISONS,
     MATH,
     MOST,
     Value,
@@ -27,7 +23,9 @@ from iconstudio.svg.methods import (
     truth,
     unary,
 )
+from iconstudio.svg.operators import binary, entries, listed
 from iconstudio.svg.syntax import (
+    Node,
     UnknownError,
     are_alike,
     below,
@@ -231,16 +229,16 @@ def _value(node: Node, names: Names, depth: int = 0) -> Value:
             name = text_of(node)
             return _CONSTANTS[name] if name in _CONSTANTS else names[name]
         case "array":
-            return _listed(node, value)
+            return listed(node, value)
         case "object":
-            return _object(node, names, value)
+            return entries(node, names, value)
         case "ternary_expression":
             holds = truth(value(field("condition")))
             return value(field("consequence" if holds else "alternative"))
         case "unary_expression":
             return unary(text_of(field("operator")), value(field("argument")))
         case "binary_expression":
-            return _binary(node, value)
+            return binary(node, value)
         case "member_expression":
             return _member(node, names, value)
         case "subscript_expression":
@@ -253,59 +251,6 @@ def _value(node: Node, names: Names, depth: int = 0) -> Value:
             return Function(node, names)
         case kind if kind in _ELEMENTS:
             return Element(text_of(node), names)
-    raise UnknownError
-
-
-def _listed(node: Node, value: Callable[[Node | None], Value]) -> list[Value]:
-    found: list[Value] = []
-    for one in node.named_children:
-        if one.type == "spread_element":
-            found += value(one.named_children[0])
-        elif one.type != "comment":
-            found.append(value(one))
-        if len(found) > MOST:
-            raise UnknownError
-    return found
-
-
-def _object(node: Node, names: Names, value: Callable[[Node | None], Value]) -> dict[str, Value]:
-    """Return an object; what is not written out in it is not there."""
-    found: dict[str, Value] = {}
-    for one in node.named_children:
-        try:
-            if one.type == "pair":
-                found[name_of(one)] = value(one.child_by_field_name("value"))
-            elif one.type == "shorthand_property_identifier":
-                found[text_of(one)] = names[text_of(one)]
-            elif one.type == "spread_element":
-                found |= value(one.named_children[0])
-        except UnknownError:
-            continue
-    return found
-
-
-def _binary(node: Node, value: Callable[[Node | None], Value]) -> Value:
-    left, right = node.child_by_field_name("left"), node.child_by_field_name("right")
-    operator = text_of(node.child_by_field_name("operator"))
-    if operator in ("||", "??"):
-        try:
-            found = value(left)
-        except UnknownError:  # a property that nobody gives
-            return value(right)
-        kept = truth(found) if operator == "||" else found is not None
-        return found if kept else value(right)
-    found = value(left)
-    if operator == "&&":
-        return value(right) if truth(found) else found
-    other = value(right)
-    if operator == "+":
-        if isinstance(found, str) or isinstance(other, str):
-            return shortened(said(found) + said(other))
-        return float(found) + float(other)
-    if operator in ARITHMETIC:
-        return float(ARITHMETIC[operator](float(found), float(other)))
-    if operator in COMPARISONS:
-        return COMPARISONS[operator](found, other)
     raise UnknownError
 
 
@@ -335,7 +280,7 @@ def _call(node: Node, names: Names, value: Callable[[Node | None], Value]) -> Va
     arguments = node.child_by_field_name("arguments")
     if function is None or arguments is None:
         raise UnknownError
-    given = _listed(arguments, value)
+    given = listed(arguments, value)
     owner, name = function.child_by_field_name("object"), text_of(function)
     if owner is not None:
         name = text_of(function.child_by_field_name("property"))
@@ -397,35 +342,6 @@ def within(function: Function, *given: Value) -> Names:
         value = given[place] if place < len(given) else UnknownError()
         values |= _matched(pattern, value, function.names)
     return function.names.bound(values)
-
-
-def component(code: str, names: Names) -> Value:
-    """Return what an element draws whose name is that of a function in the file.
-
-    Raises
-    ------
-    UnknownError
-        If there is no such function, or it is not written out what it draws.
-    """
-    element = expression(code)
-    while element.type in _TRANSPARENT:
-        element = element.named_children[0]
-    if element.type not in _ELEMENTS:
-        raise UnknownError
-    tag = element.child_by_field_name("open_tag") or element
-    properties: dict[str, Value] = {}
-    for one in tag.named_children:
-        if one.type == "jsx_attribute":
-            parts = one.named_children
-            try:
-                properties[text_of(parts[0])] = _value(parts[1], names) if parts[1:] else True
-            except UnknownError:
-                continue
-    if tag is not element:
-        inner = element.named_children[1:-1]
-        source = "".join(text_of(one) for one in inner)
-        properties["children"] = Element(f"<>{source}</>", names)
-    return called(names[text_of(tag.child_by_field_name("name"))], properties)
 
 
 def _matched(pattern: Node, value: Value, names: Names) -> dict[str, Value]:

@@ -9,6 +9,11 @@ from functools import cache
 import tree_sitter_typescript
 from tree_sitter import Language, Node, Parser
 
+__all__ = [
+    "Node", "UnknownError", "are_alike", "below", "by_default", "expression", "name_of", "parsed",
+    "piece", "text_of",
+]  # fmt: skip
+
 _ESCAPES = {"n": "\n", "t": "\t", "r": "\r", "b": "\b", "f": "\f", "v": "\v", "0": "\0"}
 
 
