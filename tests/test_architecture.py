@@ -15,6 +15,8 @@ ADAPTERS = {
     "numba": {"algorithms/compiled.py"},
     "resvg_py": {"svg/resvg.py"},
     "fontTools": {"svg/geometry.py", "model/path.py", "model/placement.py", "gui/vector.py"},
+    "tree_sitter": {"svg/syntax.py"},
+    "tree_sitter_typescript": {"svg/syntax.py"},
     "tinycss2": {"svg/stylesheet.py"},
     "cssselect2": {"svg/stylesheet.py"},
     "coloraide": {"svg/colours.py"},

@@ -6,7 +6,8 @@ import math
 import os
 import re
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from difflib import get_close_matches
 from itertools import chain
 from pathlib import Path
 from typing import Any, TypeGuard
@@ -32,6 +33,8 @@ MANY = 500
 _OF_COLLECTION = re.compile(r"[^:/\\]+:[^:/\\]+(?<!\.svg)", re.IGNORECASE)
 """``set:name``; anything else is the path of a file."""
 
+_NOTES = ("comment", "credit")
+"""Keys that say something to people only."""
 _ODD = re.compile("[\0\ud800-\udfff]")
 
 
@@ -57,6 +60,23 @@ class Fields:
     def mistake(self, sentence: str) -> IconstudioError:
         """Return the error that says what is wrong, and where."""
         return IconstudioError(f"In “{self.path.name}”{self._place}: {sentence}")
+
+    def check_keys(self, known: Sequence[str]) -> None:
+        """Refuse keys that mean nothing, as misspelt ones do; notes of the user's own are none.
+
+        These are ``comment``, ``credit``, and what begins with ``_`` or ``$``.
+        """
+        for key in self._data:
+            if key in known or key in _NOTES or key[:1] in ("_", "$"):
+                continue
+            near = get_close_matches(key.lower(), known, n=1)
+            cure = (
+                f"Write {json.dumps(near[0])} if you mean that."
+                if near
+                else f"There are {', '.join(map(json.dumps, known))}. Remove it, or mend its name."
+            )
+            said = json.dumps(key[:60], ensure_ascii=False)
+            raise self.mistake(f"{said} is not known here. {cure}")
 
     def has(self, key: str) -> bool:
         """Whether the field is there, and not null."""

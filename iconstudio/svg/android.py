@@ -26,10 +26,12 @@ _GRADIENTS = {
     "radial": ("radialGradient", {"cx": "centerX", "cy": "centerY", "r": "gradientRadius"}),
 }
 _SPREAD = {"repeat": "repeat", "mirror": "reflect"}
+_LONGEST = 60
 _numbers = itertools.count()
 LOOKED_UP = "Colours that the app looks up elsewhere were drawn in black."
 SWEEP = "Gradients that turn around a point (sweep) were drawn in their first colour."
 TRIMMED = "Paths that are drawn in part only (trimPath) were drawn whole."
+UNTINTED = "A tint that is mixed with the drawing's colours ({}) was left out."
 
 
 def is_vector(text: str) -> bool:
@@ -57,12 +59,51 @@ def as_svg(text: str) -> tuple[str, list[str]]:
         raise IconstudioError(
             "It is an animation of Android whose drawing lies in another file. Open that."
         )
-    remarks: list[str] = []
+    remarks = _without_references(vector)
     box = f"0 0 {_said(vector, 'viewportWidth', '24')} {_said(vector, 'viewportHeight', '24')}"
     root = ET.Element("svg", xmlns="http://www.w3.org/2000/svg", viewBox=box)
     root.set("opacity", _said(vector, "alpha", "1"))
     _convert(vector, root, remarks)
+    remarks += _tint(vector, root)
     return ET.tostring(root, encoding="unicode"), remarks
+
+
+def _without_references(vector: ET.Element) -> list[str]:
+    """Take out what says where else in the app a value lies; colours may be looked up later."""
+    remarks = []
+    for element in vector.iter():
+        for name, value in list(element.items()):
+            known = name.lower().endswith(("color", "tint")) or not name.startswith(_ANDROID)
+            if value[:1] in ("@", "?") and not known:
+                del element.attrib[name]
+                said = f"{name.removeprefix(_ANDROID)}: {value[:_LONGEST]}"
+                remarks.append(f"“{said}” lies elsewhere in the app, and was left out.")
+    return remarks
+
+
+def _tint(vector: ET.Element, root: ET.Element) -> list[str]:
+    """Give a drawing the colour of its tint, which keeps but its opacity."""
+    said = vector.get(f"{_ANDROID}tint")
+    mode = _said(vector, "tintMode", "src_in")
+    if said is None:
+        return []
+    if mode not in ("src_in", "src_atop", "multiply"):
+        return [UNTINTED.format(mode)]
+    tint = _colour(said, [])  # one that is looked up elsewhere is ink, whatever its colour
+    for element in root.iter():
+        for name in ("fill", "stroke", "stop-color"):
+            if element.get(name, "").startswith("#"):
+                element.set(name, _tinted(element.attrib[name], tint, mode == "multiply"))
+    return []
+
+
+def _tinted(colour: str, tint: str, multiplied: bool) -> str:
+    """Return ``#rrggbbaa``: a tint as opaque as a colour, or times it."""
+    one, other = (
+        [int(f"{code[1:]}ff"[at : at + 2], 16) for at in (0, 2, 4, 6)] for code in (colour, tint)
+    )
+    mixed = [a * b // 255 if multiplied else b for a, b in zip(one[:3], other[:3], strict=True)]
+    return "#" + "".join(f"{level:02x}" for level in (*mixed, one[3] * other[3] // 255))
 
 
 def _said(element: ET.Element, name: str, default: str) -> str:
@@ -151,7 +192,7 @@ def _stops(gradient: ET.Element, remarks: list[str]) -> list[tuple[str, str]]:
 def _colour(value: str, remarks: list[str]) -> str:
     """Return a colour, which Android writes with its alpha in front."""
     match = _COLOUR.fullmatch(value.strip())
-    if match is None:
+    if match is None or len(match[1]) in (5, 7):
         if not value.startswith("@android:color/black"):
             remarks.append(LOOKED_UP)
         return "#00000000" if value == "@android:color/transparent" else "#000000"

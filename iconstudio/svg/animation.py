@@ -69,6 +69,7 @@ def vanishes(state: dict[str, str]) -> bool:
         or state.get("visibility") in ("hidden", "collapse")
         or state.get("display") == "none"
         or _NO_SCALE.search(state.get("transform", "")) is not None
+        or (len(dashes) % 2 == 0 and bool(dashes) and not any(dashes[::2]))
         or (len(dashes) == 1 and bool(offset) and 0 < dashes[0] <= abs(offset[0]))
     )
 

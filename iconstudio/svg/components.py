@@ -1,19 +1,28 @@
 """Drawings in the code of web pages and apps (React, Vue, Svelte, Angular, React Native) as markup.
 
-Values that are written out are read, and so are the ones that a property has by default. Nothing
-of the code is run.
+Values that are written out are read, and so are the ones that a property has by default; lists
+that are written out are gone through. Nothing of the code is run.
 """
 
+import html
 import re
 from collections.abc import Generator, Iterator
-from xml.sax.saxutils import quoteattr
+from typing import Any
+from xml.sax.saxutils import escape
 
-from iconstudio.svg.conditions import CHOSEN, REPEATED, Choices, closing, first_branches
+from iconstudio.model import IconstudioError
+from iconstudio.svg import loops
+from iconstudio.svg.attributes import Attributes, short
+from iconstudio.svg.conditions import CHOSEN, REPEATED, Choices, closing, first_branches, ternary
+from iconstudio.svg.geometry import SHAPES
+from iconstudio.svg.javascript import Element, Names, called
+from iconstudio.svg.methods import said, truth
+from iconstudio.svg.syntax import UnknownError, expression, text_of
 
 _CODE = re.compile(
     r"[\w:-]=\s*\{|\{\s*\.\.\.|\{/\*|=\"\{|\s[@*#][\w.:-]+=|\sv-[a-z]+[\s=:>]|\s:[a-z][\w:-]*=[\"']"
     r"|\s\[[\w.-]+\]=|\{[#@:/]\w|\{\{|>\s*\{\s*[`\"']|\{%|<%|<\?(?:php\b|=)|@(?:if|switch|for\w*|unless)\b"
-    r"|</?>|<(?:motion|[aA]nimated)\.|<Animated[A-Z]|>\s*\{[^{}<]*[?&]\s*\(?\s*<"
+    r"|\sx-(?:for|if|show|bind|data)[=:]|</?>|=\"[^\"<>{]*\{|/>\s*\{|</[\w.:]+>\s*\{|<(?:svg|g)\b[^>]*>\s*\{|<(?:motion|[aA]nimated)\.|<Animated[A-Z]|>\s*\{[^{}<]*[?&]\s*\(?\s*<"
 )
 """What no SVG has, but code around it and within it."""
 _TOKEN = re.compile(
@@ -24,23 +33,17 @@ _TOKEN = re.compile(
 )
 _TEMPLATE = re.compile(r">\s*\{\s*`(.*)`\s*\}\s*</", re.DOTALL)
 """A style sheet that is written as a string."""
-_NAME = re.compile(r"[^\s=>{/\"']+")
-_QUOTED = re.compile(r"\s*=\s*(\"[^\"]*\"|'[^']*')")
-_BRACED = re.compile(r"\s*=\s*\{")
-_VALID = re.compile(r"[A-Za-z_][\w.:-]*")
-_BARE = re.compile(r"\s*=\s*([^\s>{\"']+)")
-_LITERAL = re.compile(r"[\"'`]([^\"'`$]*)[\"'`]|([+-]?[\d.]+(?:e[+-]?\d+)?)")
-_ALTERNATIVE = re.compile(r".*(?:\|\||\?\?)\s*([^|?:]+)", re.DOTALL)
-_WORD = re.compile(r"(?:\w+\.)?([A-Za-z_$][\w$]*)")
-_PAIR = re.compile(
-    r"[\"']?([\w-]+)[\"']?\s*:\s*(\"[^\"]*\"|'[^']*'|`[^`$]*`|[+-]?[\d.]+)\s*(?:,|$)"
-)
-_BOUND = re.compile(r"(?::|v-bind:|\[attr\.|\[)([A-Za-z][\w:-]*)\]?")
+_LOOP = re.compile(r"\s(?:v-for|x-for|\*ngFor)\s*=\s*(\"[^\"]*\"|'[^']*'|\{)")
+_WORD = re.compile(r"[\w$.?]+(?:\[.*\])?", re.DOTALL)
+_EACH = re.compile(r"\s(?:each|of)\s*=\s*\{")
+_TITLED = re.compile(r"<(?:title|desc|style)\b[^<]*$", re.IGNORECASE)
+_GIVEN = re.compile(r"(?:[\w$]+\.)*(?:children|slots?|title|titleId|desc|default)\b.*", re.DOTALL)
+"""What others put into a drawing."""
 _DRAWN = re.compile(r"<(?:path|rect|circle|ellipse|line|poly\w+|use|g|text)\b", re.IGNORECASE)
-_CHOSEN_LITERAL = re.compile(rf"[^?]+\?(?![.?])\s*({_LITERAL.pattern})\s*:.+", re.DOTALL)
+_SHAPE = re.compile(r"<(?:path|rect|circle|ellipse|line|poly\w+|use|text)\b", re.IGNORECASE)
 _CONDITION = re.compile(
     r"\s(v-if|v-else-if|v-else|v-show|x-if|x-show|\*ngIf|\[ngIf\]|\*ngSwitchCase|\[ngSwitchCase\]"
-    r"|\*ngSwitchDefault|when|\*ngFor|v-for)(?:\s*=\s*(\"[^\"]*\"|'[^']*'|\{))?(?=[\s>/\w(!])"
+    r"|\*ngSwitchDefault|when)(?:\s*=\s*(\"[^\"]*\"|'[^']*'|\{))?(?=[\s>/\w(!])"
 )
 _IS_ELSE = re.compile(r"\s*<[\w.-]+[^<>]*?\sv-else\b")
 _SWITCHED = re.compile(r"\[ngSwitch\]\s*=\s*[\"']([^\"']*)[\"']")
@@ -53,19 +56,11 @@ _WRAPPER = re.compile(
 )
 """Elements of code that draw but what is in them."""
 _ANIMATED = re.compile(r"(</?)(?:(?:motion|[aA]nimated)\.|Animated(?=[A-Z]))")
-_CAPITAL = re.compile(r"[A-Z]")
-_PAINTS = ("fill", "stroke", "color", "stop-color", "stopColor")
-_SHAPING = re.compile(
-    r"d|x|y|[xyr][12xy]|c[xy]|r|points|transform|viewBox|offset|href|xlink:?[hH]ref|clip-?[pP]ath"
-    r"|mask|(?:fill|stroke|clip)(?:-?[a-zA-Z]+)"
-)
-"""Names of attributes without which a drawing is another one."""
-_SIZES = ("width", "height")
-_QUOTES = "\"'`"
-_LONGEST = 60
+_READ = 10
+"""Steps for an element."""
 
-COMPUTED = "is computed by its code, and was left out."
-COLOURED = "Colours that its code chooses were drawn in black."
+LEFT_OUT = "What its code draws by “{}” was left out. Save the SVG that it draws."
+TOO_OFTEN = "Its code draws too many elements. Save the SVG that it draws, and simplify it."
 
 
 def is_code(markup: str) -> bool:
@@ -73,27 +68,42 @@ def is_code(markup: str) -> bool:
     return _CODE.search(markup) is not None
 
 
-def without_code(markup: str, around: str) -> tuple[str, list[str]]:
+def without_code(markup: str, text: str) -> tuple[str, list[str]]:
     """Return a drawing without the code in it, and what could not be read, in sentences.
 
-    ``around`` is the rest of the file, which may say what properties are by default.
+    ``text`` is the whole file, which may say what properties are by default.
+
+    Raises
+    ------
+    IconstudioError
+        If it repeats its elements without end.
     """
-    choices = Choices()
+    names = Names.of(text)
+    choices = Choices(lambda condition: _known(condition, names))
     markup, remarks = first_branches(markup, choices)
-    reader = _Reader(markup, around, choices)
+    reader = _Reader(markup, names, choices)
     return "".join(reader.parts()), list(dict.fromkeys([*remarks, *reader.remarks]))
 
 
+def _known(condition: str, names: Names) -> bool | None:
+    """Whether a condition holds; None if that is not written out."""
+    try:
+        return truth(names.value(condition))
+    except UnknownError:
+        return None
+
+
 class _Reader:
-    def __init__(self, markup: str, around: str, choices: Choices) -> None:
+    def __init__(self, markup: str, names: Names, choices: Choices, root: bool = True) -> None:
         self._markup = markup
-        self._around = around
+        self._names = names
         self._choices = choices
         self._chains: dict[int, bool] = {}
         """Where elements end that others may stand in for, and whether one of these was taken."""
-        self._conditional = _CONDITION.search(markup) is not None
-        self._root = True
+        self._conditional = bool(_CONDITION.search(markup) or _LOOP.search(markup))
+        self._root = root
         self.remarks: list[str] = []
+        self._attributes = Attributes(markup, names, choices, self.remarks)
 
     def parts(self) -> Iterator[str]:
         """Yield the markup, piece by piece."""
@@ -110,13 +120,59 @@ class _Reader:
                     yield instead
                     place = end
                     continue
-                yield _renamed(match[0])
-                place = yield from self._attributes(place, match[0][1:].lower())
+                place = yield from self._element(match[0], place)
             else:
                 end = closing(self._markup, place)
-                yield self._text(self._markup[place:end])
+                if not _TITLED.search(self._markup, max(0, place - 200), place - 1):
+                    yield self._text(self._markup[place:end])
                 place = end + 1
         yield _renamed(self._markup[place:])
+
+    def _element(self, head: str, place: int) -> Generator[str, None, int]:
+        """Yield an element's tag, up to its end; return where that is.
+
+        A shape whose place is not known is left out as a whole.
+        """
+        tag = head[1:].lower()
+        self._attributes.misplaced = False
+        attributes: list[str] = []
+        end = _exhausted(self._attributes.read(place, tag), attributes)
+        if self._attributes.misplaced and tag in SHAPES:
+            return self._end_of_element(head[1:], min(end + 1, len(self._markup)))
+        yield _renamed(head)
+        yield from attributes
+        return end
+
+    def _read(self, element: str, names: Names) -> str:
+        """Return what an element comes to where names mean something else."""
+        if not names.count(_READ):
+            raise IconstudioError(TOO_OFTEN)
+        reader = _Reader(element, names, self._choices, root=False)
+        found = "".join(reader.parts())
+        self.remarks += reader.remarks
+        return found
+
+    def _drawn(self, value: Any) -> str:
+        """Return the markup of what code has for a value."""
+        match value:
+            case Element():
+                return self._read(value.source, value.names)
+            case list():
+                return "".join(map(self._drawn, value))
+            case str() | float():
+                return escape(said(value)) if not isinstance(value, bool) else ""
+        return ""
+
+    def _repeated(self, element: str, loop: str) -> str:
+        """Return an element for every turn of a loop; once if its list is not written out."""
+        try:
+            turns = loops.turns(loop, self._names)
+        except UnknownError:
+            found = self._read(element, loops.unknown_turn(loop, self._names))
+            if _SHAPE.search(found):
+                self.remarks.append(REPEATED)
+            return found
+        return "".join(self._read(element, names) for names in turns)
 
     def _passed_over(self, start: int, tag: str, place: int) -> tuple[int, str]:
         """Return where an element ends whose condition does not hold, and what is there instead.
@@ -127,7 +183,11 @@ class _Reader:
         if self._root or (plain and not self._conditional):
             return 0, ""
         head_end = self._end_of_tag(place)
-        head = f" {self._markup[place:head_end].strip()}"
+        head = self._markup[place:head_end]
+        looped = self._looped(tag, start, place, head_end)
+        if looped is not None:
+            return looped
+        head = f" {head.strip()}"
         fallback = _FALLBACK.search(head)
         instead = "" if fallback is None else head[fallback.end() : closing(head, fallback.end())]
         found = _CONDITION.search(head[: fallback.start()] if fallback else head)
@@ -137,14 +197,32 @@ class _Reader:
             return end, ""
         if found is None or (found[1] == "when" and tag not in ("Show", "Match")):
             return 0, ""
-        if found[1] in ("*ngFor", "v-for"):
-            return 0, ""
         end = self._end_of_element(tag, head_end)
         if self._holds(tag, found, head, start, end):
             self._tell_choice(instead)
             return 0, ""
         self._tell_choice(self._markup[start:end])
         return end, self._branch(instead)
+
+    def _looped(self, tag: str, start: int, place: int, head_end: int) -> tuple[int, str] | None:
+        """Return where an element ends, and what is there instead, if code makes it several."""
+        markup, head = self._markup, self._markup[place:head_end]
+        end = self._end_of_element(tag, head_end)
+        if loop := _LOOP.search(head):
+            last = loop.end() if loop[1] != "{" else closing(head, loop.end()) + 1
+            list_ = loop[1][1:-1] if loop[1] != "{" else head[loop.end() : last - 1]
+            without = markup[start:place] + head[: loop.start()] + head[last:]
+            return end, self._repeated(without + markup[head_end:end], html.unescape(list_).strip())
+        if tag in ("For", "Index") and (each := _EACH.search(head)):
+            items = head[each.end() : closing(head, each.end())]
+            inner = markup[head_end:end].rpartition("</")[0].strip()
+            return end, self._text(f"({items}).map({inner[1:-1]})")
+        if tag[0].isupper() and tag.isalnum():
+            try:
+                return end, self._drawn(_component(markup[start:end], self._names))
+            except UnknownError:
+                return None
+        return None
 
     def _holds(self, tag: str, found: re.Match[str], head: str, start: int, end: int) -> bool:
         """Whether an element's condition is taken to hold."""
@@ -161,9 +239,10 @@ class _Reader:
             before = name.startswith("v-else")
         holds = not before and self._choices.takes(value)
         if holds and name == "v-if" and _IS_ELSE.match(self._markup[end : end + 2000]):
-            trial = _Reader(self._markup[start:end], self._around, Choices())
-            "".join(trial.parts())
-            holds = not any(COMPUTED in remark for remark in trial.remarks)
+            trial = _Reader(self._markup[start:end], self._names, Choices())
+            holds = _DRAWN.search("".join(trial.parts())) is not None and not any(
+                "computed" in remark for remark in trial.remarks
+            )
         self._chains[end] = before or holds
         return holds
 
@@ -178,21 +257,13 @@ class _Reader:
             code = code[1:-1].strip()
         if not code.startswith("<"):
             return self._text(code)
-        reader = _Reader(code, self._around, self._choices)
-        found = "".join(reader.parts())
-        self.remarks += reader.remarks
-        return found
+        return self._read(code, self._names)
 
     def _end_of_tag(self, place: int) -> int:
         """Return where the tag ends in which ``place`` is."""
-        remarks = self.remarks[:]
-        attributes = self._attributes(place, "")
-        while True:
-            try:
-                next(attributes)
-            except StopIteration as stop:
-                self.remarks = remarks
-                return min(int(stop.value) + 1, len(self._markup))
+        silent = Attributes(self._markup, self._names, self._choices, [])
+        end = _exhausted(silent.read(place, ""), [])
+        return min(end + 1, len(self._markup))
 
     def _end_of_element(self, tag: str, place: int) -> int:
         """Return where an element ends whose first tag ends at ``place``."""
@@ -217,7 +288,7 @@ class _Reader:
                 return None
             self.remarks.append(CHOSEN)
             return self._branch(conjunction[2]) if self._choices.takes(said) else ""
-        found = _ternary(code)
+        found = ternary(code)
         if found is None or not all(map(_DRAWN.search, found[1:])):
             return None
         self.remarks.append(CHOSEN)
@@ -225,108 +296,31 @@ class _Reader:
 
     def _text(self, code: str) -> str:
         """Return what code between elements comes to."""
-        literal = _LITERAL.fullmatch(code.strip())
-        if literal is not None:
-            return (literal[1] or literal[2] or "").replace("<", "&lt;")
-        if _DRAWN.search(code) and not code.lstrip().startswith("/*"):
+        code = code.strip()
+        if code.startswith("{") and code.endswith("}"):
+            code = code[1:-1].strip()
+        try:
+            return self._drawn(self._names.value(code))
+        except UnknownError:
+            pass
+        if code.startswith(("/*", "//")) or not code or _GIVEN.fullmatch(code):
+            return ""
+        if _DRAWN.search(code):
             chosen = self._choice(code)
             if chosen is not None:
                 return chosen
-            self.remarks.append(
-                "What its code draws, or does not, as the case may be, is left out."
-            )
+        if _DRAWN.search(code) or ("<" not in code and ("(" in code or _WORD.fullmatch(code))):
+            self.remarks.append(LEFT_OUT.format(short(code)))
         return ""
 
-    def _attributes(self, place: int, tag: str) -> Generator[str, None, int]:
-        """Yield the attributes of an element as SVG writes them; return where they end."""
-        markup = self._markup
-        while place < len(markup) and markup[place] != ">":
-            if markup[place] == "{":
-                place = closing(markup, place + 1) + 1  # {...props}
-                continue
-            name = _NAME.match(markup, place)
-            if name is None:
-                yield markup[place]
-                place += 1
-                continue
-            place = name.end()
-            if quoted := _QUOTED.match(markup, place):
-                place = quoted.end()
-                yield self._quoted(name[0], quoted[1], tag)
-            elif braced := _BRACED.match(markup, place):
-                end = closing(markup, braced.end())
-                yield self._computed(name[0], markup[braced.end() : end], tag)
-                place = end + 1
-            else:
-                bare = _BARE.match(markup, place)
-                if _VALID.fullmatch(name[0]):
-                    yield name[0] + (bare[0] if bare else "")
-                place = bare.end() if bare else place
-        return place
 
-    def _quoted(self, name: str, value: str, tag: str) -> str:
-        """Return an attribute with a value in quotes, which may be code, too."""
-        inner = value[1:-1].strip()
-        bound = _BOUND.fullmatch(name)
-        if bound is not None and not name.startswith("xml"):
-            return self._computed(bound[1], inner, tag)
-        if name[0] in "@(*#[:" or name.startswith("v-"):
-            if name == "v-for" or name.startswith("*ngFor"):
-                self.remarks.append(REPEATED)
-            return ""
-        if inner.startswith("{") and closing(inner, 1) == len(inner) - 1:
-            return self._computed(name, inner.strip("{}"), tag)
-        return f"{name}={value}"
-
-    def _computed(self, name: str, code: str, tag: str) -> str:
-        """Return an attribute whose value is code."""
-        code = code.strip()
-        if name == "style":
-            return self._style(code)
-        value = self._value(code, 0)
-        chosen = None if name in _PAINTS else _CHOSEN_LITERAL.fullmatch(code)
-        if value is None and chosen is not None:
-            value = self._value(chosen[1], 0)
-            self.remarks.append(CHOSEN)
-        if value is not None:
-            return f"{name}={quoteattr(value)}"
-        if name in _PAINTS:
-            self.remarks.append(COLOURED)
-            return f'{name}="currentColor"'
-        if _SHAPING.fullmatch(name) or (name in _SIZES and tag != "svg"):
-            said = " ".join(code.split())[:_LONGEST]
-            self.remarks.append(f"“{name}: {said}” {COMPUTED}")
-        return ""
-
-    def _value(self, code: str, depth: int) -> str | None:
-        """Return the value of a literal, or of a property that has one by default."""
-        literal = _LITERAL.fullmatch(code.strip())
-        if literal is not None:
-            return literal[1] if literal[1] is not None else literal[2]
-        if depth > 2:
-            return None
-        alternative = _ALTERNATIVE.fullmatch(code)
-        if alternative is not None:
-            return self._value(alternative[1], depth + 1)
-        word = _WORD.fullmatch(code.strip())
-        if word is None or word[1] in ("true", "false", "null", "undefined"):
-            return None
-        said = re.search(
-            rf"\b{re.escape(word[1])}\b[\"']?(?:\s*:\s*[\w\[\]|. ]+?)?\s*"
-            rf"(?:=(?![=>{{])|:|:\s*\{{[^}}]*?\bdefault\s*:)\s*({_LITERAL.pattern})",
-            self._around,
-        )
-        return None if said is None else self._value(said[1], depth + 1)
-
-    def _style(self, code: str) -> str:
-        """Return a style that is written as an object."""
-        inner = code.removeprefix("{").removesuffix("}").strip()
-        pairs = _PAIR.findall(inner)
-        literal = _LITERAL.fullmatch(code)
-        if not pairs and literal is not None and literal[1]:
-            return f"style={quoteattr(literal[1])}"
-        said = ";".join(f"{hyphenated(name)}:{value.strip(_QUOTES)}" for name, value in pairs)
-        return f"style={quoteattr(said)}" if said else ""
+def _exhausted(pieces: Generator[str, None, int], into: list[str]) -> int:
+    """Add what a generator yields to a list; return what it returns."""
+    while True:
+        try:
+            into.append(next(pieces))
+        except StopIteration as stop:
+            return int(stop.value)
 
 
 def _renamed(piece: str) -> str:
@@ -334,47 +328,29 @@ def _renamed(piece: str) -> str:
     return _ANIMATED.sub(r"\1", _WRAPPER.sub(r"\1g", piece))
 
 
-def _ternary(code: str) -> tuple[str, str, str] | None:
-    """Return condition and branches of ``a ? b : c``; None if it is nothing such."""
-    middle = _outside(code, "?", 0)
-    if middle < 0:
-        return None
-    last = _outside(code, ":", middle + 1)
-    return None if last < 0 else (code[:middle], code[middle + 1 : last], code[last + 1 :])
+def _component(code: str, names: Names) -> Any:
+    """Return what an element draws whose name is that of a function in the file.
 
-
-_TAG = re.compile(r"<(/?)[\w.-]*(?:[^<>\"'{]|\"[^\"]*\"|'[^']*'|\{(?:[^{}]|\{[^{}]*\})*\})*?(/?)>")
-
-
-def _outside(code: str, sign: str, place: int) -> int:
-    """Return where a sign is, outside of brackets, strings and elements; -1 if nowhere."""
-    depth = nested = 0
-    while place < len(code):
-        letter = code[place]
-        tag = _TAG.match(code, place) if letter == "<" else None
-        if tag is not None:
-            depth += -1 if tag[1] else not tag[2]
-            place = tag.end()
-            continue
-        if letter in "([{" or (letter in "\"'`" and not depth):
-            if letter in "\"'`":
-                place = code.find(letter, place + 1)
-                if place < 0:
-                    return -1
-            else:
-                place = closing(code, place + 1)
-        elif not depth and letter == "?" and code[place + 1 : place + 2] in (".", "?"):
-            place += 1
-        elif not depth and letter == "?" and sign == ":":
-            nested += 1
-        elif not depth and letter == sign:
-            if not nested:
-                return place
-            nested -= 1
-        place += 1
-    return -1
-
-
-def hyphenated(name: str) -> str:
-    """Return a property's name as CSS writes it: ``strokeWidth`` is ``stroke-width``."""
-    return _CAPITAL.sub(lambda match: f"-{match[0].lower()}", name)
+    Raises
+    ------
+    UnknownError
+        If there is no such function, or it is not written out what it draws.
+    """
+    element = expression(code)
+    while element.type in ("expression_statement", "parenthesized_expression"):
+        element = element.named_children[0]
+    tag = element.child_by_field_name("open_tag") or element
+    function = names[text_of(tag.child_by_field_name("name"))]
+    properties: dict[str, Any] = {}
+    for one in tag.named_children:
+        if one.type == "jsx_attribute":
+            name, *values = map(text_of, one.named_children)
+            said = values[0] if values else "true"
+            try:
+                properties[name] = names.value(said[1:-1] if said.startswith("{") else said)
+            except UnknownError:
+                continue
+    if tag is not element:
+        inner = "".join(map(text_of, element.named_children[1:-1]))
+        properties["children"] = Element(f"<>{inner}</>", names)
+    return called(function, properties)

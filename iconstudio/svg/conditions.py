@@ -5,9 +5,14 @@ are known. Conditions are not computed, but no two branches are taken that exclu
 """
 
 import re
+from collections.abc import Callable
 from dataclasses import dataclass
 
-CHOSEN = "Its code chooses between several drawings, of which the first was taken."
+from iconstudio.svg.loops import is_loop
+
+CHOSEN = (
+    "Its code chooses between several drawings, of which the first that its values allow was taken."
+)
 REPEATED = "What its code draws again and again was drawn once."
 
 _DIRECTIVE = re.compile(
@@ -49,8 +54,9 @@ _UNTOLD = re.compile(r"\s*(?:<(title|desc)\b[^>]*>.*</\1\s*>)?\s*", re.DOTALL)
 class Choices:
     """Which conditions were taken to hold."""
 
-    def __init__(self) -> None:
+    def __init__(self, known: Callable[[str], bool | None] = lambda _: None) -> None:
         self._held: list[str] = []
+        self._known = known
 
     def takes(self, condition: str) -> bool:
         """Whether a condition may hold beside those taken before; from now on it, or its opposite.
@@ -60,6 +66,9 @@ class Choices:
         said = _normal(condition)
         if not said:
             return True
+        known = self._known(said)
+        if known is not None:
+            return known
         holds = not any(_exclude(said, held) for held in self._held)
         self._held.append(said if holds else _opposite(said))
         return holds
@@ -102,6 +111,8 @@ class _Block:
     """Whether the branch at hand is taken."""
     taken: bool
     """Whether one was."""
+    loop: str = ""
+    """Over what it is repeated."""
 
 
 def first_branches(text: str, choices: Choices) -> tuple[str, list[str]]:
@@ -119,8 +130,13 @@ def first_branches(text: str, choices: Choices) -> tuple[str, list[str]]:
     for match in _DIRECTIVE.finditer(source):
         add(source[place : match.start()])
         place = match.end()
+        before = blocks[:]
         if not _follow(match, blocks, choices, remarks):
             add(_shown(match))
+        elif len(blocks) > len(before) and blocks[-1].loop:
+            add(f"<g v-for={{{blocks[-1].loop}}}>")
+        elif len(blocks) < len(before) and before[-1].loop:
+            add("</g>")
     add(source[place:])
     if blocks:
         return text, []  # it is no template, or one that is not understood
@@ -153,14 +169,19 @@ def _follow(
     condition = found["condition"] or ""
     if found.get("name"):
         condition = found["section"].replace("#", "").replace("^", "!") + word
+    loop = ""
     if word in _LOOPS:
-        remarks.append(REPEATED)
+        if kind in ("svelte", "percent") and is_loop(condition):
+            loop = condition.strip()
+        else:
+            remarks.append(REPEATED)
     if word == "unless":
         condition = f"!({condition})"
     asked = word in ("if", "unless") or bool(found.get("name"))
     reached = all(block.active for block in blocks)
     holds = not asked or (reached and choices.takes(condition))
-    blocks.append(_Block(word, _normal(condition), holds, holds and word not in _SELECTING))
+    taken = bool(loop) or (holds and word not in _SELECTING)
+    blocks.append(_Block(word, _normal(condition), holds, taken, loop))
     return True
 
 
@@ -249,3 +270,44 @@ def closing(code: str, place: int) -> int:
                 return place
         place += 1
     return len(code)
+
+
+def ternary(code: str) -> tuple[str, str, str] | None:
+    """Return condition and branches of ``a ? b : c``; None if it is nothing such."""
+    middle = _outside(code, "?", 0)
+    if middle < 0:
+        return None
+    last = _outside(code, ":", middle + 1)
+    return None if last < 0 else (code[:middle], code[middle + 1 : last], code[last + 1 :])
+
+
+_TAG = re.compile(r"<(/?)[\w.-]*(?:[^<>\"'{]|\"[^\"]*\"|'[^']*'|\{(?:[^{}]|\{[^{}]*\})*\})*?(/?)>")
+
+
+def _outside(code: str, sign: str, place: int) -> int:
+    """Return where a sign is, outside of brackets, strings and elements; -1 if nowhere."""
+    depth = nested = 0
+    while place < len(code):
+        letter = code[place]
+        tag = _TAG.match(code, place) if letter == "<" else None
+        if tag is not None:
+            depth += -1 if tag[1] else not tag[2]
+            place = tag.end()
+            continue
+        if letter in "([{" or (letter in "\"'`" and not depth):
+            if letter in "\"'`":
+                place = code.find(letter, place + 1)
+                if place < 0:
+                    return -1
+            else:
+                place = closing(code, place + 1)
+        elif not depth and letter == "?" and code[place + 1 : place + 2] in (".", "?"):
+            place += 1
+        elif not depth and letter == "?" and sign == ":":
+            nested += 1
+        elif not depth and letter == sign:
+            if not nested:
+                return place
+            nested -= 1
+        place += 1
+    return -1

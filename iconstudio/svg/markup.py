@@ -3,7 +3,7 @@
 import re
 
 from iconstudio.model import IconstudioError
-from iconstudio.svg import android, components, quoting, signatures
+from iconstudio.svg import android, quoting, signatures
 
 _ROOT = re.compile(r"<([\w.-]+:)?svg[\s>/]", re.IGNORECASE)
 _PROLOG = re.compile(
@@ -32,13 +32,20 @@ def markup_of(text: str) -> tuple[str, list[str]]:
     if _LONE.match(text):
         text = f"<svg>{text}</svg>"
     if _ROOT.search(text) is None:
+        from iconstudio.svg import icondata  # loads tree-sitter
+
+        icons = icondata.markup(text)
+        if icons is not None:
+            return icons, remarks
         what = signatures.text(text)
         if what is not None:
             raise IconstudioError(what)
         return text, remarks
+    from iconstudio.svg import components  # loads tree-sitter
+
     markup = _cut_out(text)
     if components.is_code(markup):
-        markup, said = components.without_code(markup, text.replace(markup, "", 1))
+        markup, said = components.without_code(markup, text)
         remarks += said
     return markup, remarks
 

@@ -3,10 +3,10 @@
 ``strokeWidth``, ``className``, ``viewbox`` and ``<LinearGradient>`` are read as pages read them.
 """
 
+import re
 from functools import lru_cache
 
-from iconstudio.svg.components import hyphenated
-
+_CAPITAL = re.compile(r"[A-Z]")
 _TAGS = (
     "linearGradient", "radialGradient", "clipPath", "textPath", "foreignObject", "animateMotion",
     "animateTransform", "animateColor", "feBlend", "feColorMatrix", "feComponentTransfer",
@@ -65,3 +65,8 @@ def attribute_name(name: str) -> str:
     if property_name in _PROPERTIES:
         return property_name
     return name.lower() if name[:1].isupper() else name  # of HTML, which knows no case
+
+
+def hyphenated(name: str) -> str:
+    """Return a property's name as CSS writes it: ``strokeWidth`` is ``stroke-width``."""
+    return _CAPITAL.sub(lambda match: f"-{match[0].lower()}", name)

@@ -84,6 +84,8 @@ def text(content: str) -> str | None:
             "It is the code of a program (React, say) whose drawing cannot be read. "
             "Save the SVG itself instead."
         )
+    if not start.startswith("<"):
+        return f"It is a text, not a drawing. {_SAVE}"
     return None
 
 

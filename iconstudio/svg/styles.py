@@ -123,19 +123,23 @@ def _ends(
     frames = [one for name in names for one in sheet.keyframes[name]]
     ends = "infinite" not in said and ("forwards" in said or "both" in said)
     end = [one for when, frame in frames if when == 1 for one in frame] if ends else []
-    if not (midway or not ends) or not vanishes(_animated([*declared, *end], frames)):
+    dashed = {one[0] for _, frame in frames for one in frame} & {"stroke-dasharray"}
+    whole = not ends and dashed and "stroke-dasharray" not in {one[0] for one in declared}
+    if (ends and not midway) or not (whole or vanishes(_animated([*declared, *end], frames))):
         if not ends:
             remarks.append(MOVING)
         return end
     remarks.append(MIDWAY)
     frames.sort(key=lambda frame: abs(frame[0] - 0.5))
-    middle = [frame for _, frame in frames if not vanishes(_animated(frame, frames))]
+    middle = [frame for _, frame in frames if not vanishes(_animated([*declared, *frame], frames))]
     return middle[0] if middle else []
 
 
 def _animated(declared: list[Declared], frames: Sequence[Frame]) -> dict[str, str]:
     """Return the values, of those declared, of what key frames animate."""
     names = {name for _, frame in frames for name, *_ in frame}
+    if "stroke-dashoffset" in names:
+        names.add("stroke-dasharray")
     return {name: value for name, value, _ in declared if name in names}
 
 

@@ -142,9 +142,9 @@ def test_what_is_no_file_is_refused_at_once(tmp_path, read):
 @pytest.mark.skipif(os.name != "posix", reason="needs symbolic links")
 def test_links_in_a_circle_are_no_crash(tmp_path):
     (tmp_path / "a.svg").symlink_to("a.svg")
-    data = {"polygon": SQUARE, "photo": "a.svg", "icon": "a.svg", "add": [SQUARE]}
-    path = saved(tmp_path, data)
-    assert read_sketch(path).photo.name == read_edit(path).icon.rpartition(os.sep)[2] == "a.svg"
+    sketch = read_sketch(saved(tmp_path, {"polygon": SQUARE, "photo": "a.svg"}))
+    edit = read_edit(saved(tmp_path, {"icon": "a.svg", "add": [SQUARE]}))
+    assert sketch.photo.name == edit.icon.rpartition(os.sep)[2] == "a.svg"
 
 
 def test_slim_is_said_to_be_slim(tmp_path):

@@ -124,6 +124,11 @@ def test_what_may_be_left_out(path):
     assert montage == MontageFile((LayerFile("mdi:dog", Placement()),))
 
 
+def test_notes_of_the_users_own_are_no_mistakes(path):
+    notes = {"comment": "Mine.", "credit": "Me", "$schema": "a", "_by": ["me"]}
+    assert read_sketch(saved(path, {"polygon": SQUARE} | notes)).sketch.polygon
+
+
 def test_shifts_are_rounded_to_whole_pixels(path):
     layer = {"icon": "mdi:dog", "dx": 3.6, "dy": -0.4, "scale": 2, "flip": True}
     (read,) = read_montage(saved(path, {"layers": [layer]})).layers
@@ -246,6 +251,14 @@ MISTAKES = [
     (read_montage, stroke(points=[[9, 9], [9, 1e8]]), "out of all scale"),
     (read_montage, stroke(points=[[-50, 9], [-20, 200]]), "outside the canvas"),
     (read_montage, stroke(points=[[9, 270], [90, 300]]), "outside the canvas"),
+    (read_sketch, {"polygn": SQUARE}, '"polygn" is not known here. Write "polygon" if you mean'),
+    (read_sketch, {"polygon": SQUARE, "Keyword": "dog"}, 'Write "keyword" if you mean that.'),
+    (read_sketch, {"polygon": SQUARE, "mirror": True}, '"symmetry"'),
+    (read_edit, edit(removed=[SQUARE]), 'Write "remove" if you mean that.'),
+    (read_hybrids, {"keyword": "dog", "draw": 9}, 'Write "draws" if you mean that.'),
+    (read_montage, layers(stroke=[]), 'layer 1: "stroke" is not known here. Write "strokes" if'),
+    (read_montage, layers(at=9), '"at" is not known here. There are "icon"'),
+    (read_montage, stroke(point=LINE), 'stroke 1: "point" is not known here.'),
 ]  # fmt: skip
 
 

@@ -110,6 +110,25 @@ MOVED = {
 }
 
 
+RING = '<circle cx="12" cy="12" r="9" fill="none" stroke="#000" stroke-width="2" {}'
+ARC = RING.format('stroke-dasharray="28 80"/>')
+DASHES = {
+    "SMIL, from nothing": RING.format('stroke-dasharray="0 80">')
+    + f'<animate attributeName="stroke-dasharray" values="0 80;28 80;0 80" {ENDLESS}/></circle>',
+    "CSS, without dashes before": "<style>@keyframes a{0%{stroke-dasharray:1,80}"
+    "50%{stroke-dasharray:28,80}100%{stroke-dasharray:56,80}}circle{animation:a 1s infinite}"
+    f"</style>{RING.format('/>')}",
+    "CSS, by an offset": "<style>@keyframes a{0%{stroke-dashoffset:57}50%{stroke-dashoffset:29}}"
+    "circle{animation:a 1s infinite;stroke-dasharray:57;stroke-dashoffset:57}"
+    f"</style>{RING.format('/>')}",
+}
+
+
+@pytest.mark.parametrize("kind", DASHES)
+def test_dashes_that_grow_are_neither_empty_nor_whole(kind):
+    assert_shows(svg(DASHES[kind]), ARC, least=0.95, remarks=("in the middle",))
+
+
 @pytest.mark.parametrize("kind", MOVED)
 def test_what_moves_is_where_it_ends_or_midway(kind):
     document, expected, remarks = MOVED[kind]

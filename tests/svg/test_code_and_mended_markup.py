@@ -152,7 +152,47 @@ def test_gradients_of_android_are_gradients(kind):
     assert_shows(painted(path, gradient), expected)
 
 
+def vector(body: str, attributes: str = "") -> str:
+    """A drawing of Android."""
+    return (
+        '<vector xmlns:android="http://schemas.android.com/apk/res/android"'
+        f' android:viewportWidth="24" android:viewportHeight="24" {attributes}>{body}</vector>'
+    )
+
+
+TWO_COLOURS = vector(
+    f'<path android:fillType="evenOdd" android:pathData="{BODY}{WINDOW}"'
+    ' android:fillColor="#fff"/>'
+    '<path android:pathData="M17 2h4v3h-4z" android:fillColor="#f00"/>'
+    '<path android:pathData="M0 0h24v24H0z" android:fillColor="#0f00"/>'
+)
+
+
+@pytest.mark.parametrize("tint", ["#123", "#ff112233", "?attr/colorControlNormal"])
+@pytest.mark.parametrize("mode", ["", "src_in", "src_atop", "multiply"])
+def test_a_tint_of_android_is_the_colour_of_all(tint, mode):
+    said = f'android:tint="{tint}"' + (f' android:tintMode="{mode}"' if mode else "")
+    document = TWO_COLOURS.replace(">", f" {said}>", 1)
+    if mode == "multiply":
+        document = document.replace("#f00", "#fff")
+    assert_shows(document, svg(PATH))
+    assert "<path" in read(document).svg and 'fill="#000000"' in read(document).svg
+
+
 SAID = {
+    "Android's tints": (
+        TWO_COLOURS.replace(">", ' android:tint="#000" android:tintMode="screen">', 1).replace(
+            "#fff", "#f00"
+        ),
+        "(screen) was left out",
+    ),
+    "Android's values elsewhere": (
+        vector(
+            '<group android:rotation="@integer/turn"><path android:fillType="evenOdd"'
+            f' android:fillColor="#000" android:pathData="{HOUSE}"/></group>'
+        ),
+        "“rotation: @integer/turn” lies elsewhere",
+    ),
     "cut short after a shape": (svg(PATH).removesuffix("</svg>"), "cut short"),
     "cut short within a shape": (
         svg(PATH + '<path d="M1 1h2v9').removesuffix("</svg>"),
@@ -209,6 +249,9 @@ def test_what_is_left_out_is_told(kind):
 
 
 REFUSED = {
+    "text": ("Dear all,\nthe icon is at a < b.\n", "a text, not a drawing"),
+    "table": ("name,width\nhouse,24\n", "a text, not a drawing"),
+    "Markdown": ("# Icons\n\nSee <b>there</b>, or [a](b.svg).\n", "a text, not a drawing"),
     "Git LFS": ("version https://git-lfs.github.com/spec/v1\noid sha256:a\nsize 9", "git lfs pull"),
     "web page": (
         "<!DOCTYPE html><html><head><title>404\n Not Found</title></head><p>a<br></html>",

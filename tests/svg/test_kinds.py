@@ -390,7 +390,7 @@ REFUSED = {
     ),
     "cut short": (svg(PATH)[:-9], "cut short"),
     "another language": ("<math><mi>x</mi></math>", "root element is <math>"),
-    "words": ("Dear dog,", "not well-formed XML"),
+    "words": ("Dear dog,", "a text, not a drawing"),
     "empty": ("", "is empty. Save"),
     "bitmap": (b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR\xff\xfe\x80", "no SVG drawing"),
     "bytes": (b"\1\2\xff\xfe\x80", "no SVG drawing"),

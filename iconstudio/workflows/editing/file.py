@@ -60,6 +60,7 @@ def edit_in(fields: Fields) -> EditFile:
     IconstudioError
         If they are not what they must be.
     """
+    fields.check_keys(("icon", "keyword", "remove", "add", "symmetry", "exclude", "title"))
     return EditFile(
         fields.reference(),
         fields.text("keyword"),

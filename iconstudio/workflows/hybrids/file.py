@@ -74,6 +74,7 @@ def hybrids_in(fields: Fields) -> HybridsFile:
     IconstudioError
         If they are not what they must be.
     """
+    fields.check_keys(("icons", "keyword", "count", "draws", "seed", "symmetry", "pins", "title"))
     keyword = fields.text("keyword").strip()
     if fields.has("icons") == bool(keyword):
         raise fields.mistake(

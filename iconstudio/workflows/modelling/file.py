@@ -60,6 +60,7 @@ def sketch_in(fields: Fields) -> SketchFile:
     IconstudioError
         If they are not what they must be.
     """
+    fields.check_keys(("polygon", "keyword", "exclude", "symmetry", "photo", "title", "best"))
     sketch = Sketch(
         fields.outline("polygon"),
         fields.text("keyword"),

@@ -71,6 +71,7 @@ def montage_in(fields: Fields) -> MontageFile:
     IconstudioError
         If they are not what they must be.
     """
+    fields.check_keys(("layers", "title"))
     layers = tuple(map(_layer, fields.objects("layers", "layer")))
     return MontageFile(layers, fields.text("title"))
 
@@ -113,6 +114,7 @@ def _line(points: tuple[Point, ...]) -> list[list[float]]:
 
 
 def _layer(fields: Fields) -> LayerFile:
+    fields.check_keys(("icon", "scale", "flip", "dx", "dy", "strokes"))
     placement = Placement(
         fields.number("scale", 1.0, SMALLEST, LARGEST),
         fields.flag("flip"),
@@ -127,6 +129,7 @@ def _layer(fields: Fields) -> LayerFile:
 
 
 def _stroke(fields: Fields) -> Stroke:
+    fields.check_keys(("width", "points"))
     width = fields.number("width", None, 0, 2 * CANVAS, above=True)
     points = fields.line("points", FAR)
     if len(set(points)) < 2:
