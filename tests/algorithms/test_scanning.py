@@ -71,6 +71,31 @@ def test_a_white_card_that_shows_its_ground_is_no_sheet(colour, degrees):
     assert scans.iou(scans.fitted(ink_of(scan).astype(float)), scans.fitted(turned)) > 0.95
 
 
+ASLANT = {
+    "from below": ("dark", [(120, 40), (530, 40), (620, 450), (20, 450)]),
+    "from the left": ("wood", [(40, 20), (600, 90), (590, 400), (50, 465)]),
+    "turned": ("striped", [(60, 150), (480, 30), (600, 330), (150, 450)]),
+    "a corner past the photo": ("checked", [(60, 60), (680, 30), (600, 440), (30, 420)]),
+    "a side past the photo": ("dark", [(40, 60), (600, 50), (660, 520), (-20, 510)]),
+}
+
+
+@pytest.mark.parametrize(("desk", "corners"), ASLANT.values(), ids=ASLANT)
+def test_a_sheet_photographed_aslant_is_cut_out(desk, corners):
+    sheet = np.pad(house(), ((60, 60), (120, 180)))
+    pixels, truth = scans.photographed(sheet, corners, desk)
+    scan = scanned(pixels)
+    assert not scan.inverted and not scan.shaded
+    assert scans.iou(scans.fitted(ink_of(scan).astype(float)), scans.fitted(truth)) > 0.9
+
+
+def test_a_drawing_out_of_focus_is_no_photo_of_something_else():
+    sheet = np.pad(house(), ((60, 60), (120, 180)))
+    pixels, _ = scans.photographed(sheet, ASLANT["from below"][1], "dark", blur=4, noise=8)
+    scan = scanned(pixels)
+    assert scan.found and not scan.shaded
+
+
 def test_what_is_too_faint_to_be_told_can_be_chosen_by_hand():
     pixels = np.repeat(250 - 20 * house()[..., None], 3, axis=2).astype(np.uint8)
     scan = scanned(pixels)
