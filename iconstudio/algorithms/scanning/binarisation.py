@@ -4,6 +4,7 @@ What lights the paper unevenly is divided out (flat-field correction), so that o
 (N. Otsu, 1979) serves all of it; it may be a coloured pen, chalk on a board, or transparent.
 """
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -253,7 +254,7 @@ def _spread(ink: NDArray[np.bool_], dark: NDArray[np.float32], slope: NDArray[np
     if not rim.any():
         return 0.0
     steepest = max(float(np.percentile(slope[rim], 90)), 1e-6)
-    return 3 * float(np.median(dark[ink])) / (np.sqrt(2 * np.pi) * steepest)
+    return 3 * float(np.median(dark[ink])) / (math.sqrt(2 * math.pi) * steepest)
 
 
 def _cleaned(shape: NDArray[np.bool_], speck: int) -> NDArray[np.bool_]:
