@@ -56,7 +56,7 @@ SOME_THIN = (
     "Some of its lines are too thin to be seen at the size of an icon; they were drawn thicker."
 )
 FONTS = "Its text was drawn in Inter, whatever its font. To keep its look, turn text into shapes."
-UNKNOWN = "The font Inter has no “{}”, which was left out. Turn text into shapes."
+UNKNOWN = "Inter has no “{}”, which was left out."
 
 
 OMITTED = {
@@ -95,8 +95,9 @@ def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ..
     if drawing.texts:
         files = [resource(f"fonts/Inter-{one}.otf") for one in ("Regular", "SemiBold")]
         fonts = list(map(str, files))
-        missing = missing_letters(drawing.texts, files[0])
-        remarks.append(UNKNOWN.format(missing[:20]) if missing else FONTS)
+        remarks.append(FONTS)
+        if missing := missing_letters(drawing.texts, files[0]):
+            remarks.append(UNKNOWN.format(missing[:20]))
     if drawing.bounds is None or not max(drawing.bounds[2:]):
         raise _nothing(remarks)
     shown = drawing.page or drawing.bounds

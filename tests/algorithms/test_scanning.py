@@ -89,6 +89,23 @@ def test_a_sheet_photographed_aslant_is_cut_out(desk, corners):
     assert scans.iou(scans.fitted(ink_of(scan).astype(float)), scans.fitted(truth)) > 0.9
 
 
+def test_a_shadow_with_a_sharp_edge_across_a_sheet_is_no_ink():
+    sheet = np.pad(house(), ((60, 60), (120, 180)))
+    pixels, truth = scans.photographed(sheet, ASLANT["from below"][1], "dark")
+    y, x = np.mgrid[: pixels.shape[0], : pixels.shape[1]]
+    shadow = 1 - 0.35 / (1 + np.exp(-(x + y / 2 - 430) / 5))
+    ink = found((pixels * shadow[..., None]).astype(np.uint8))
+    assert scans.iou(scans.fitted(ink), scans.fitted(truth)) > 0.9
+
+
+def test_another_sheet_beside_is_no_part_of_the_drawing():
+    sheet = np.pad(house(), ((60, 60), (120, 180)))
+    pixels, truth = scans.photographed(sheet, ASLANT["from below"][1], "dark")
+    pixels = pixels.copy()
+    pixels[:200, 560:] = 210
+    assert scans.iou(scans.fitted(found(pixels)), scans.fitted(truth)) > 0.9
+
+
 def test_a_drawing_out_of_focus_is_no_photo_of_something_else():
     sheet = np.pad(house(), ((60, 60), (120, 180)))
     pixels, _ = scans.photographed(sheet, ASLANT["from below"][1], "dark", blur=4, noise=8)

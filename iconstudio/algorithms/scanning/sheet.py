@@ -10,7 +10,7 @@ from iconstudio.algorithms.scanning.quadrangle import quadrangularity
 
 _LEAST, _MOST = 0.12, 0.995
 """How much of a picture a sheet that lies on something darker may cover."""
-_STRAIGHT = 0.94
+_STRAIGHT = 0.9
 """How much of the smallest quadrangle around it a sheet fills."""
 _CONTRAST = 0.15
 _SHARP = 0.3
