@@ -89,6 +89,15 @@ def test_a_photo_is_taken_with_a_remark(session, tmp_path):
     assert "photo rather than a drawing" in session.icon(str(path)).remarks[0]
 
 
+def test_of_a_faint_drawing_it_is_told_what_to_do(session, tmp_path):
+    path = tmp_path / "pencil.png"
+    pixels = np.full((300, 300, 3), 200, np.uint8)
+    pixels[100:200, 150:153] = 185
+    Image.fromarray(pixels).save(path)
+    with pytest.raises(IconstudioError, match="darker pen.*contrast.*threshold"):
+        session.icon(str(path))
+
+
 def test_what_a_scan_lacks_is_told(session, tmp_path):
     blank = tmp_path / "blank.png"
     Image.new("RGB", (50, 50), "white").save(blank)

@@ -18,6 +18,10 @@ _SECONDS = 30.0
 _MEMORY = 1 << 30
 """Bytes that scanning or tracing may take."""
 _NOT_FOUND = "No drawing can be made out on it."
+_DARKER = (
+    "If there is one, draw it with a darker pen, or scan it with more contrast; in the window, the "
+    "threshold can also be chosen by hand."
+)
 _PHOTO = "This looks like a photo rather than a drawing."
 
 
@@ -61,7 +65,7 @@ def trace(
         If nothing is darker than the threshold, or none was chosen and no drawing made out.
     """
     if threshold is None and not scan.found:
-        raise IconstudioError(doubts(scan))
+        raise IconstudioError(f"{doubts(scan)} {_DARKER}")
     future = workers.submit(_trace, scan, threshold, timeout=_SECONDS, memory=_MEMORY)
     path, (height, width) = yield from awaited(future)
     svg = _document(path, width, height)

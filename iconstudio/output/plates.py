@@ -9,6 +9,7 @@ from iconstudio.algorithms.raster import placed_ink
 from iconstudio.model import Montage, Remix, Source
 from iconstudio.output.colours import RGB, Palette, colour_code, key_of, palette
 from iconstudio.output.page import MUTED, PALE, Page
+from iconstudio.output.png import coverage
 from iconstudio.output.sheet import grey
 
 _EDGE, _GAP = 40, 24
@@ -19,6 +20,8 @@ _THUMB = 104
 _LAYER = 240
 _FINAL = 480
 _PER_LINE = 6
+_FINE = 4
+"""So many pixels of black and white, each way, make one with smooth edges."""
 
 
 def hybrids_plate(title: str, said: str, remixes: Sequence[Remix], colours: Palette) -> Image.Image:
@@ -46,7 +49,7 @@ def hybrids_plate(title: str, said: str, remixes: Sequence[Remix], colours: Pale
         x = _EDGE + number % _ACROSS * cell
         y = top + number // _ACROSS * (_LARGE + 2 * _GAP)
         composite, drawing = icon.composite, icon.drawing
-        page.stencil(x, y, _LARGE, drawing.coverage)
+        page.stencil(x, y, _LARGE, coverage(drawing, _LARGE))
         beside = x + _LARGE + _GAP // 2
         page.text(beside, y + 8, str(number + 1), 24, bold=True)
         page.text(beside, y + 40, f"score {icon.score.total:.2f}", 14, colour=MUTED)
@@ -69,15 +72,15 @@ def montage_plate(montage: Montage, icon: Remix) -> Image.Image:
     page.text(_EDGE, 32, "Montage", 34, bold=True)
     for number, (layer, source) in enumerate(zip(montage.layers, composite.sources, strict=True)):
         x, y = _EDGE + number % across * step, 100 + number // across * (step + 24)
-        ink, _ = placed_ink(source.exemplar, source.placement)
+        ink, _ = placed_ink(source.exemplar, source.placement, _FINE * _LAYER)
         page.stencil(x, y, _LAYER, grey(ink), PALE)
         strokes = [carried(one, layer.placement, source.placement) for one in layer.strokes]
-        page.stencil(x, y, _LAYER, grey(scribble(strokes)), colours[key_of(source)])
+        page.stencil(x, y, _LAYER, grey(scribble(strokes, _FINE * _LAYER)), colours[key_of(source)])
         page.frame(x, y, _LAYER, _LAYER, PALE)
         page.text(x, y + _LAYER + 6, layer.icon.id, 13, colour=MUTED, width=_LAYER)
     page.rule(top, _EDGE, width - _EDGE)
     left = (width - 2 * _FINAL - _GAP) / 2
-    page.stencil(left, top + _EDGE, _FINAL, drawing.coverage)
+    page.stencil(left, top + _EDGE, _FINAL, coverage(drawing, _FINAL))
     code = colour_code(composite, drawing, _FINAL, colours)
     page.image(left + _FINAL + _GAP, top + _EDGE, code)
     return page.picture
@@ -85,7 +88,7 @@ def montage_plate(montage: Montage, icon: Remix) -> Image.Image:
 
 def _source(page: Page, x: float, y: float, source: Source, colour: RGB, width: float) -> None:
     """Draw an icon in its colour, with its name beneath."""
-    ink, _ = placed_ink(source.exemplar, source.placement)
+    ink, _ = placed_ink(source.exemplar, source.placement, _FINE * _THUMB)
     page.stencil(x, y, _THUMB, grey(ink), colour)
     collection, name = source.exemplar.id.split(":", 1)
     middle = x + _THUMB / 2
