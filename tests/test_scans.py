@@ -94,7 +94,15 @@ def test_of_a_faint_drawing_it_is_told_what_to_do(session, tmp_path):
     pixels = np.full((300, 300, 3), 200, np.uint8)
     pixels[100:200, 150:153] = 185
     Image.fromarray(pixels).save(path)
-    with pytest.raises(IconstudioError, match="darker pen.*contrast.*threshold"):
+    with pytest.raises(IconstudioError, match=r"darker pen.*contrast.*threshold"):
+        session.icon(str(path))
+
+
+def test_of_an_animation_that_begins_with_nothing_it_is_told_what_was_read(session, tmp_path):
+    path = tmp_path / "blank first.gif"
+    blank, black = (Image.new("L", (60, 60), grey) for grey in (255, 0))
+    blank.save(path, save_all=True, append_images=[black])
+    with pytest.raises(IconstudioError, match=r"the first of 2 pictures.*No drawing"):
         session.icon(str(path))
 
 

@@ -90,7 +90,8 @@ def read_scan(path: Path, workers: Workers) -> Generator[None, None, Pictogram]:
         tracing = yield from trace(found, None, path.name, workers, image.remark)
         return tracing.pictogram
     except IconstudioError as error:
-        raise IconstudioError(f"“{path}” cannot be used. {error}") from None
+        said = " ".join(filter(None, [image.remark, str(error)]))
+        raise IconstudioError(f"“{path}” cannot be used. {said}") from None
 
 
 def _scan(image: Image, inverted: bool | None) -> Scan:

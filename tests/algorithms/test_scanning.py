@@ -187,10 +187,12 @@ def test_a_higher_threshold_leaves_less_ink():
     [
         np.full((50, 40, 3), 255, np.uint8),
         np.zeros((1, 1, 3), np.uint8),
+        np.zeros((1, 900, 3), np.uint8),
+        np.full((1200, 3, 3), 255, np.uint8),
         np.full((50, 40, 4), (255, 0, 0, 0), np.uint8),
         np.random.default_rng(0).normal(128, 4, (300, 300, 3)).astype(np.uint8),
     ],
-    ids=["blank", "a pixel", "transparent", "noise"],
+    ids=["blank", "a pixel", "a row", "a column", "transparent", "noise"],
 )
 def test_where_there_is_no_drawing_it_is_told(pixels):
     with pytest.raises(IconstudioError, match=r"No drawing|transparent all over|Nothing is"):

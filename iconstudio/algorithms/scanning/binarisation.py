@@ -235,7 +235,7 @@ def _shading(dark: NDArray[np.float32], threshold: float, scale: float) -> float
     """
     ink = dark > threshold
     even = scipy.ndimage.gaussian_filter(dark, 2.0)  # without noise
-    slope = np.hypot(*np.gradient(even))
+    slope = np.hypot(*np.gradient(np.pad(even, 1, mode="edge")))[1:-1, 1:-1]
     enlarged = max(1.0, scale / 2)
     width = round(np.clip(_spread(ink, dark, slope), _SOFT * enlarged, _SOFTEST * enlarged))
     edge = scipy.ndimage.maximum_filter(ink, 2 * width + 1) & ~scipy.ndimage.minimum_filter(
