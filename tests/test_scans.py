@@ -98,6 +98,17 @@ def test_of_a_faint_drawing_it_is_told_what_to_do(session, tmp_path):
         session.icon(str(path))
 
 
+@pytest.mark.parametrize(("pencil", "faint"), [(160, True), (60, False)])
+def test_of_a_faint_drawing_that_is_read_it_is_told_that_parts_may_be_missing(
+    session, tmp_path, pencil, faint
+):
+    path = tmp_path / "pencil.png"
+    pixels = np.full((300, 300, 3), 200, np.uint8)
+    pixels[100:200, 120:180] = pencil
+    Image.fromarray(pixels).save(path)
+    assert bool(session.icon(str(path)).remarks) == faint
+
+
 def test_of_an_animation_that_begins_with_nothing_it_is_told_what_was_read(session, tmp_path):
     path = tmp_path / "blank first.gif"
     blank, black = (Image.new("L", (60, 60), grey) for grey in (255, 0))

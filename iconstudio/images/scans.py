@@ -22,6 +22,12 @@ _DARKER = (
     "If there is one, draw it with a darker pen, or scan it with more contrast; in the window, the "
     "threshold can also be chosen by hand."
 )
+_FAINT = (
+    "The drawing is faint, and parts of it may be missing. Draw with a darker pen, scan with more "
+    "contrast, or choose the threshold in the window."
+)
+_FAINTEST = 32
+"""A threshold below which ink is hardly darker than paper: by less than a quarter."""
 _PHOTO = "This looks like a photo rather than a drawing."
 
 
@@ -71,7 +77,9 @@ def trace(
     svg = _document(path, width, height)
     digest = hashlib.sha256(svg.encode()).hexdigest()[:8]
     credit = Credit(name, UNNAMED, UNLICENSED, "", "")
-    remarks = tuple(filter(None, [remark, _PHOTO if scan.shaded else ""]))
+    faint = threshold is None and scan.threshold < _FAINTEST
+    said = remark, _PHOTO if scan.shaded else "", _FAINT if faint else ""
+    remarks = tuple(filter(None, said))
     pictogram = Pictogram(f"{OWN}{Path(name).stem}-{digest}", svg, credit, remarks=remarks)
     return Tracing(pictogram, path, width, height)
 
