@@ -117,6 +117,17 @@ def test_of_an_animation_that_begins_with_nothing_it_is_told_what_was_read(sessi
         session.icon(str(path))
 
 
+@pytest.mark.parametrize(("data", "said"), [(b"hello", "no picture"), (b"", "empty")])
+def test_what_is_only_called_an_image_is_no_svg(session, tmp_path, data, said):
+    path = tmp_path / "note.png"
+    path.write_bytes(data)
+    with pytest.raises(IconstudioError, match=said):
+        session.icon(str(path))
+    for encoding in ("utf-8-sig", "utf-16"):
+        path.write_text('<svg viewBox="0 0 9 9"><path d="M2 2h5v5H2z"/></svg>', encoding)
+        assert session.icon(str(path)).svg.count("<path") == 1
+
+
 def test_what_a_scan_lacks_is_told(session, tmp_path):
     blank = tmp_path / "blank.png"
     Image.new("RGB", (50, 50), "white").save(blank)

@@ -10,6 +10,7 @@ import copy
 import re
 import xml.etree.ElementTree as ET
 from collections.abc import Sequence
+from string import whitespace
 from time import perf_counter
 from typing import NamedTuple
 
@@ -56,7 +57,7 @@ SOME_THIN = (
     "Some of its lines are too thin to be seen at the size of an icon; they were drawn thicker."
 )
 FONTS = "Its text was drawn in Inter, whatever its font. To keep its look, turn text into shapes."
-UNKNOWN = "Inter has no “{}”, which was left out."
+UNKNOWN = "The font Inter has no “{}”, which was left out. Turn text into shapes."
 
 
 OMITTED = {
@@ -95,8 +96,10 @@ def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ..
     if drawing.texts:
         files = [resource(f"fonts/Inter-{one}.otf") for one in ("Regular", "SemiBold")]
         fonts = list(map(str, files))
-        remarks.append(FONTS)
-        if missing := missing_letters(drawing.texts, files[0]):
+        missing = missing_letters(drawing.texts, files[0])
+        if set("".join(drawing.texts)).difference(missing, whitespace):
+            remarks.append(FONTS)
+        if missing:
             remarks.append(UNKNOWN.format(missing[:20]))
     if drawing.bounds is None or not max(drawing.bounds[2:]):
         raise _nothing(remarks)
