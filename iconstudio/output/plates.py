@@ -49,7 +49,7 @@ def hybrids_plate(title: str, said: str, remixes: Sequence[Remix], colours: Pale
         x = _EDGE + number % _ACROSS * cell
         y = top + number // _ACROSS * (_LARGE + 2 * _GAP)
         composite, drawing = icon.composite, icon.drawing
-        page.stencil(x, y, _LARGE, coverage(drawing, _LARGE))
+        page.stencil(x, y, _LARGE, coverage(drawing.path, _LARGE))
         beside = x + _LARGE + _GAP // 2
         page.text(beside, y + 8, str(number + 1), 24, bold=True)
         page.text(beside, y + 40, f"score {icon.score.total:.2f}", 14, colour=MUTED)
@@ -80,7 +80,7 @@ def montage_plate(montage: Montage, icon: Remix) -> Image.Image:
         page.text(x, y + _LAYER + 6, layer.icon.id, 13, colour=MUTED, width=_LAYER)
     page.rule(top, _EDGE, width - _EDGE)
     left = (width - 2 * _FINAL - _GAP) / 2
-    page.stencil(left, top + _EDGE, _FINAL, coverage(drawing, _FINAL))
+    page.stencil(left, top + _EDGE, _FINAL, coverage(drawing.path, _FINAL))
     code = colour_code(composite, drawing, _FINAL, colours)
     page.image(left + _FINAL + _GAP, top + _EDGE, code)
     return page.picture
