@@ -17,6 +17,7 @@ import os
 import pickle
 import signal
 import threading
+import warnings
 from collections import deque
 from collections.abc import Callable
 from concurrent.futures import BrokenExecutor, CancelledError, Future, InvalidStateError
@@ -355,5 +356,7 @@ def _block_interrupts() -> None:
     if hasattr(signal, "pthread_sigmask"):
         from multiprocessing import resource_tracker
 
+        # Python's helper may have been killed; nothing of ours is in its care.
+        warnings.filterwarnings("ignore", "resource_tracker: process died unexpectedly")
         resource_tracker.ensure_running()  # its start would end the blocking
         signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})

@@ -5,6 +5,7 @@ import io
 import numpy as np
 from PIL import Image
 from scipy import ndimage
+from skimage.transform import ProjectiveTransform, warp
 
 SIDE = 400
 """Pixels of the icon on a scan."""
@@ -126,6 +127,45 @@ def laid_on(sheet, colour, degrees=0):
     if degrees:
         paper, ink = (ndimage.rotate(one, degrees, order=1) for one in (paper, ink))
     return _pixels((paper - 0.9 * ink)[..., None] + (1 - paper)[..., None] * np.array(colour))
+
+
+def photographed(sheet, corners, desk, blur=2.5, noise=12.0, seed=0):
+    """A photo of a sheet on a desk, aslant, unevenly lit, out of focus, noisy, as poor JPEG.
+
+    The desk is dark, wood, checked or striped. ``corners`` of the sheet are (4, 2), x and y from
+    the upper left on clockwise; they may lie past the photo. Returns the photo,
+    (h, w, 3) uint8, and where its ink is, (h, w) from 0 to 1.
+    """
+    random = np.random.default_rng(seed)
+    shape = (480, 640)
+    height, width = sheet.shape
+    to_sheet = _homography(corners, [(0, 0), (width, 0), (width, height), (0, height)])
+    paper, ink = (warp(one, to_sheet, output_shape=shape) for one in (np.ones_like(sheet), sheet))
+    picture = (0.9 * paper - 0.75 * ink)[..., None] + (1 - paper)[..., None] * _desk(desk, shape)
+    picture = picture * _unevenly_lit(shape, random)[..., None] / 0.9
+    picture = ndimage.gaussian_filter(picture, (blur, blur, 0))
+    file = io.BytesIO()
+    noisy = _pixels(picture + random.normal(0, noise / 255, picture.shape))
+    Image.fromarray(noisy).save(file, "JPEG", quality=40)
+    return np.asarray(Image.open(file)), ink
+
+
+def _homography(points, images) -> ProjectiveTransform:
+    rows = []
+    for (x, y), (u, v) in zip(points, images, strict=True):
+        rows += [(x, y, 1, 0, 0, 0, -u * x, -u * y), (0, 0, 0, x, y, 1, -v * x, -v * y)]
+    solved = np.linalg.solve(np.array(rows, float), np.ravel(images))
+    return ProjectiveTransform(matrix=np.append(solved, 1).reshape(3, 3))
+
+
+def _desk(kind: str, shape: tuple[int, int]) -> np.ndarray:
+    y, x = np.mgrid[: shape[0], : shape[1]]
+    if kind == "wood":
+        veins = 0.12 * np.sin(y / 4 + 2 * np.sin(x / 60))
+        return np.array([0.45, 0.3, 0.18]) * (1 + veins[..., None])
+    chosen = {"dark": 0 * x, "checked": (x // 45 + y // 45) % 2, "striped": (x + y) // 30 % 2}
+    colours = np.array([[0.15, 0.14, 0.17], [0.4, 0.36, 0.33]])
+    return colours[chosen[kind]]
 
 
 def transparent(sheet, random):

@@ -89,6 +89,45 @@ def test_a_photo_is_taken_with_a_remark(session, tmp_path):
     assert "photo rather than a drawing" in session.icon(str(path)).remarks[0]
 
 
+def test_of_a_faint_drawing_it_is_told_what_to_do(session, tmp_path):
+    path = tmp_path / "pencil.png"
+    pixels = np.full((300, 300, 3), 200, np.uint8)
+    pixels[100:200, 150:153] = 185
+    Image.fromarray(pixels).save(path)
+    with pytest.raises(IconstudioError, match=r"darker pen.*contrast.*threshold"):
+        session.icon(str(path))
+
+
+@pytest.mark.parametrize(("pencil", "faint"), [(160, True), (60, False)])
+def test_of_a_faint_drawing_that_is_read_it_is_told_that_parts_may_be_missing(
+    session, tmp_path, pencil, faint
+):
+    path = tmp_path / "pencil.png"
+    pixels = np.full((300, 300, 3), 200, np.uint8)
+    pixels[100:200, 120:180] = pencil
+    Image.fromarray(pixels).save(path)
+    assert bool(session.icon(str(path)).remarks) == faint
+
+
+def test_of_an_animation_that_begins_with_nothing_it_is_told_what_was_read(session, tmp_path):
+    path = tmp_path / "blank first.gif"
+    blank, black = (Image.new("L", (60, 60), grey) for grey in (255, 0))
+    blank.save(path, save_all=True, append_images=[black])
+    with pytest.raises(IconstudioError, match=r"the first of 2 pictures.*No drawing"):
+        session.icon(str(path))
+
+
+@pytest.mark.parametrize(("data", "said"), [(b"hello", "no picture"), (b"", "empty")])
+def test_what_is_only_called_an_image_is_no_svg(session, tmp_path, data, said):
+    path = tmp_path / "note.png"
+    path.write_bytes(data)
+    with pytest.raises(IconstudioError, match=said):
+        session.icon(str(path))
+    for encoding in ("utf-8-sig", "utf-16"):
+        path.write_text('<svg viewBox="0 0 9 9"><path d="M2 2h5v5H2z"/></svg>', encoding)
+        assert session.icon(str(path)).svg.count("<path") == 1
+
+
 def test_what_a_scan_lacks_is_told(session, tmp_path):
     blank = tmp_path / "blank.png"
     Image.new("RGB", (50, 50), "white").save(blank)

@@ -486,3 +486,16 @@ def test_an_error_of_the_task_is_no_sentence(workers):
     with pytest.raises(ValueError, match="no good") as caught:
         answer(workers.submit(fail, "no good"), "Drawing it")
     assert "in fail" in caught.value.__notes__[0]
+
+
+@pytest.mark.skipif(not hasattr(signal, "pthread_sigmask"), reason="only there it is started early")
+def test_nobody_hears_of_it_if_the_helper_of_python_is_killed(recwarn):
+    from multiprocessing import resource_tracker
+
+    with Workers(1) as workers:
+        resource_tracker.ensure_running()
+        os.kill(resource_tracker._resource_tracker._pid, signal.SIGKILL)
+        # Until it is dead, and still to be waited for.
+        os.waitid(os.P_PID, resource_tracker._resource_tracker._pid, os.WEXITED | os.WNOWAIT)
+        assert workers.submit(abs, -3).result() == 3
+    assert not recwarn.list

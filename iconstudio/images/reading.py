@@ -36,6 +36,8 @@ _START = 64
 _HEAD = 1 << 16
 """In so many bytes the root of an SVG file begins."""
 
+_MARKUP = re.compile(rb"(?:\xef\xbb\xbf|\xff\xfe|\xfe\xff)?[\s\0]*<|\x1f\x8b")
+"""How text with tags begins, or what is compressed."""
 _SVG = re.compile(rb"<(?:[\w.-]+:)?svg[\s/>]")
 
 
@@ -53,14 +55,19 @@ class Image:
 
 
 def is_image_file(path: Path) -> bool:
-    """Whether a file begins as that of an image does; false if it cannot be read."""
+    """Whether a file begins as that of an image does; false if it cannot be read.
+
+    Or is called one, and is no markup: it is damaged then.
+    """
     try:
         if not path.is_file():
             return False
         with path.open("rb") as file:
-            return is_image(file.read(_START), path.name)
+            start = file.read(_START)
     except (OSError, ValueError):
         return False
+    called = path.suffix.lower().lstrip(".") in SUFFIXES
+    return is_image(start, path.name) or (called and not _MARKUP.match(start))
 
 
 def read_image(source: Path | bytes, workers: Workers) -> Generator[None, None, Image]:

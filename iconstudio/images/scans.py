@@ -18,6 +18,16 @@ _SECONDS = 30.0
 _MEMORY = 1 << 30
 """Bytes that scanning or tracing may take."""
 _NOT_FOUND = "No drawing can be made out on it."
+_DARKER = (
+    "If there is one, draw it with a darker pen, or scan it with more contrast; in the window, the "
+    "threshold can also be chosen by hand."
+)
+_FAINT = (
+    "The drawing is faint, and parts of it may be missing. Draw with a darker pen, scan with more "
+    "contrast, or choose the threshold in the window."
+)
+_FAINTEST = 32
+"""A threshold below which ink is hardly darker than paper: by less than a quarter."""
 _PHOTO = "This looks like a photo rather than a drawing."
 
 
@@ -61,13 +71,15 @@ def trace(
         If nothing is darker than the threshold, or none was chosen and no drawing made out.
     """
     if threshold is None and not scan.found:
-        raise IconstudioError(doubts(scan))
+        raise IconstudioError(f"{doubts(scan)} {_DARKER}")
     future = workers.submit(_trace, scan, threshold, timeout=_SECONDS, memory=_MEMORY)
     path, (height, width) = yield from awaited(future)
     svg = _document(path, width, height)
     digest = hashlib.sha256(svg.encode()).hexdigest()[:8]
     credit = Credit(name, UNNAMED, UNLICENSED, "", "")
-    remarks = tuple(filter(None, [remark, _PHOTO if scan.shaded else ""]))
+    faint = threshold is None and scan.threshold < _FAINTEST
+    said = remark, _PHOTO if scan.shaded else "", _FAINT if faint else ""
+    remarks = tuple(filter(None, said))
     pictogram = Pictogram(f"{OWN}{Path(name).stem}-{digest}", svg, credit, remarks=remarks)
     return Tracing(pictogram, path, width, height)
 
@@ -86,7 +98,8 @@ def read_scan(path: Path, workers: Workers) -> Generator[None, None, Pictogram]:
         tracing = yield from trace(found, None, path.name, workers, image.remark)
         return tracing.pictogram
     except IconstudioError as error:
-        raise IconstudioError(f"“{path}” cannot be used. {error}") from None
+        said = " ".join(filter(None, [image.remark, str(error)]))
+        raise IconstudioError(f"“{path}” cannot be used. {said}") from None
 
 
 def _scan(image: Image, inverted: bool | None) -> Scan:

@@ -23,6 +23,12 @@ ITSELF = 2
 PLENTY = 120
 """With so many relevant drawings, those that differ little are left out."""
 
+_LIKE = 0.75
+"""So much of a word's letters is in its place if it is only misspelt: another word is no hint."""
+
+_BEHIND = 0.1
+"""Words that are less like it than the most like one, by more than this, are no hints either."""
+
 _BLOCK = 64
 """So many drawings are compared at once."""
 
@@ -81,7 +87,7 @@ def different(cells: NDArray[np.uint64], limit: int, alike: float = ALIKE) -> li
 
 def nearest(keyword: str, words: Sequence[str], count: int = 3) -> tuple[str, ...]:
     """Return the words that are spelt most nearly like ``keyword``."""
-    from difflib import get_close_matches
+    from difflib import SequenceMatcher, get_close_matches
 
     likely = [
         word
@@ -89,5 +95,8 @@ def nearest(keyword: str, words: Sequence[str], count: int = 3) -> tuple[str, ..
         if abs(len(word) - len(keyword)) <= 2
         and (word[:2] == keyword[:2] or word[-2:] == keyword[-2:] or word[:1] == keyword[1:2])
     ]
-    close = get_close_matches(keyword, likely, n=3 * count, cutoff=0.7)
+    close = get_close_matches(keyword, likely, n=3 * count, cutoff=_LIKE)
+    if close:
+        best = SequenceMatcher(None, close[0], keyword).ratio()
+        close = get_close_matches(keyword, close, n=len(close), cutoff=best - _BEHIND)
     return tuple(sorted(close, key=lambda word: word[:1] != keyword[:1])[:count])

@@ -9,6 +9,7 @@ from iconstudio.algorithms.raster import placed_ink
 from iconstudio.model import Montage, Remix, Source
 from iconstudio.output.colours import RGB, Palette, colour_code, key_of, palette
 from iconstudio.output.figure import MUTED, PALE, Figure
+from iconstudio.output.png import coverage
 from iconstudio.output.sheet import grey
 
 _EDGE, _GAP = 40, 24
@@ -19,6 +20,8 @@ _THUMB = 104
 _LAYER = 240
 _FINAL = 480
 _PER_LINE = 6
+_FINE = 4
+"""So many pixels of black and white, each way, make one with smooth edges."""
 
 
 def hybrids_overview(
@@ -48,7 +51,7 @@ def hybrids_overview(
         x = _EDGE + number % _ACROSS * cell
         y = top + number // _ACROSS * (_LARGE + 2 * _GAP)
         composite, drawing = icon.composite, icon.drawing
-        figure.stencil(x, y, _LARGE, drawing.coverage)
+        figure.stencil(x, y, _LARGE, coverage(drawing.path, _LARGE))
         beside = x + _LARGE + _GAP // 2
         figure.text(beside, y + 8, str(number + 1), 24, bold=True)
         figure.text(beside, y + 40, f"score {icon.score.total:.2f}", 14, colour=MUTED)
@@ -71,15 +74,17 @@ def montage_overview(montage: Montage, icon: Remix) -> Image.Image:
     figure.text(_EDGE, 32, "Montage", 34, bold=True)
     for number, (layer, source) in enumerate(zip(montage.layers, composite.sources, strict=True)):
         x, y = _EDGE + number % across * step, 100 + number // across * (step + 24)
-        ink, _ = placed_ink(source.exemplar, source.placement)
+        ink, _ = placed_ink(source.exemplar, source.placement, _FINE * _LAYER)
         figure.stencil(x, y, _LAYER, grey(ink), PALE)
         strokes = [carried(one, layer.placement, source.placement) for one in layer.strokes]
-        figure.stencil(x, y, _LAYER, grey(scribble(strokes)), colours[key_of(source)])
+        figure.stencil(
+            x, y, _LAYER, grey(scribble(strokes, _FINE * _LAYER)), colours[key_of(source)]
+        )
         figure.frame(x, y, _LAYER, _LAYER, PALE)
         figure.text(x, y + _LAYER + 6, layer.icon.id, 13, colour=MUTED, width=_LAYER)
     figure.rule(top, _EDGE, width - _EDGE)
     left = (width - 2 * _FINAL - _GAP) / 2
-    figure.stencil(left, top + _EDGE, _FINAL, drawing.coverage)
+    figure.stencil(left, top + _EDGE, _FINAL, coverage(drawing.path, _FINAL))
     code = colour_code(composite, drawing, _FINAL, colours)
     figure.image(left + _FINAL + _GAP, top + _EDGE, code)
     return figure.picture
@@ -87,7 +92,7 @@ def montage_overview(montage: Montage, icon: Remix) -> Image.Image:
 
 def _source(figure: Figure, x: float, y: float, source: Source, colour: RGB, width: float) -> None:
     """Draw an icon in its colour, with its name beneath."""
-    ink, _ = placed_ink(source.exemplar, source.placement)
+    ink, _ = placed_ink(source.exemplar, source.placement, _FINE * _THUMB)
     figure.stencil(x, y, _THUMB, grey(ink), colour)
     collection, name = source.exemplar.id.split(":", 1)
     middle = x + _THUMB / 2

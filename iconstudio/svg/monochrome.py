@@ -10,6 +10,7 @@ import copy
 import re
 import xml.etree.ElementTree as ET
 from collections.abc import Sequence
+from string import whitespace
 from time import perf_counter
 from typing import NamedTuple
 
@@ -96,7 +97,10 @@ def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ..
         files = [resource(f"fonts/Inter-{one}.otf") for one in ("Regular", "SemiBold")]
         fonts = list(map(str, files))
         missing = missing_letters(drawing.texts, files[0])
-        remarks.append(UNKNOWN.format(missing[:20]) if missing else FONTS)
+        if set("".join(drawing.texts)).difference(missing, whitespace):
+            remarks.append(FONTS)
+        if missing:
+            remarks.append(UNKNOWN.format(missing[:20]))
     if drawing.bounds is None or not max(drawing.bounds[2:]):
         raise _nothing(remarks)
     shown = drawing.page or drawing.bounds

@@ -71,6 +71,48 @@ def test_a_white_card_that_shows_its_ground_is_no_sheet(colour, degrees):
     assert scans.iou(scans.fitted(ink_of(scan).astype(float)), scans.fitted(turned)) > 0.95
 
 
+ASLANT = {
+    "from below": ("dark", [(120, 40), (530, 40), (620, 450), (20, 450)]),
+    "from the left": ("wood", [(40, 20), (600, 90), (590, 400), (50, 465)]),
+    "turned": ("striped", [(60, 150), (480, 30), (600, 330), (150, 450)]),
+    "a corner past the photo": ("checked", [(60, 60), (680, 30), (600, 440), (30, 420)]),
+    "a side past the photo": ("dark", [(40, 60), (600, 50), (660, 520), (-20, 510)]),
+}
+
+
+@pytest.mark.parametrize(("desk", "corners"), ASLANT.values(), ids=ASLANT)
+def test_a_sheet_photographed_aslant_is_cut_out(desk, corners):
+    sheet = np.pad(house(), ((60, 60), (120, 180)))
+    pixels, truth = scans.photographed(sheet, corners, desk)
+    scan = scanned(pixels)
+    assert not scan.inverted and not scan.shaded
+    assert scans.iou(scans.fitted(ink_of(scan).astype(float)), scans.fitted(truth)) > 0.9
+
+
+def test_a_shadow_with_a_sharp_edge_across_a_sheet_is_no_ink():
+    sheet = np.pad(house(), ((60, 60), (120, 180)))
+    pixels, truth = scans.photographed(sheet, ASLANT["from below"][1], "dark")
+    y, x = np.mgrid[: pixels.shape[0], : pixels.shape[1]]
+    shadow = 1 - 0.35 / (1 + np.exp(-(x + y / 2 - 430) / 5))
+    ink = found((pixels * shadow[..., None]).astype(np.uint8))
+    assert scans.iou(scans.fitted(ink), scans.fitted(truth)) > 0.9
+
+
+def test_another_sheet_beside_is_no_part_of_the_drawing():
+    sheet = np.pad(house(), ((60, 60), (120, 180)))
+    pixels, truth = scans.photographed(sheet, ASLANT["from below"][1], "dark")
+    pixels = pixels.copy()
+    pixels[:200, 560:] = 210
+    assert scans.iou(scans.fitted(found(pixels)), scans.fitted(truth)) > 0.9
+
+
+def test_a_drawing_out_of_focus_is_no_photo_of_something_else():
+    sheet = np.pad(house(), ((60, 60), (120, 180)))
+    pixels, _ = scans.photographed(sheet, ASLANT["from below"][1], "dark", blur=4, noise=8)
+    scan = scanned(pixels)
+    assert scan.found and not scan.shaded
+
+
 def test_what_is_too_faint_to_be_told_can_be_chosen_by_hand():
     pixels = np.repeat(250 - 20 * house()[..., None], 3, axis=2).astype(np.uint8)
     scan = scanned(pixels)
@@ -145,10 +187,12 @@ def test_a_higher_threshold_leaves_less_ink():
     [
         np.full((50, 40, 3), 255, np.uint8),
         np.zeros((1, 1, 3), np.uint8),
+        np.zeros((1, 900, 3), np.uint8),
+        np.full((1200, 3, 3), 255, np.uint8),
         np.full((50, 40, 4), (255, 0, 0, 0), np.uint8),
         np.random.default_rng(0).normal(128, 4, (300, 300, 3)).astype(np.uint8),
     ],
-    ids=["blank", "a pixel", "transparent", "noise"],
+    ids=["blank", "a pixel", "a row", "a column", "transparent", "noise"],
 )
 def test_where_there_is_no_drawing_it_is_told(pixels):
     with pytest.raises(IconstudioError, match=r"No drawing|transparent all over|Nothing is"):

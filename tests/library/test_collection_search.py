@@ -343,3 +343,13 @@ def test_a_title_says_what_icons_like_it_are_looked_for_by(opened, monkeypatch, 
     monkeypatch.setattr("iconstudio.library.collection._FEW", 3)
     names = [f"{thing}-{number}" for thing in ("camera", "police-dog") for number in (2, 3, 4)]
     assert opened(small(*names, "camera-plus")).keyword(title) == keyword
+
+
+@pytest.mark.parametrize(("foreign", "word"), [("ordinateur", "ringmaster"), ("Schuh", "church")])
+def test_another_word_is_no_hint_however_many_letters_it_shares(foreign, word):
+    assert search.nearest(foreign, [word, "computer"]) == ()
+
+
+def test_what_is_spelt_much_less_like_it_is_no_hint():
+    assert search.nearest("lampe", ["amp", "lap", "lamp", "clamp"]) == ("lamp",)
+    assert search.nearest("tabel", ["table", "label"]) == ("table", "label")

@@ -348,6 +348,12 @@ def test_nothing_is_left_out_in_silence(kind):
     assert remarks[0].endswith(".")
 
 
+def test_the_font_is_told_whether_or_not_it_lacks_letters():
+    remarks = read(svg(f'{PATH}<text y="9">P 中</text>')).remarks
+    assert len(remarks) == 2
+    assert "drawn in Inter" in remarks[0] and "no “中”" in remarks[1]
+
+
 def test_letters_may_be_bold():
     text = '<text y="18" font-size="18">P</text>'
     plain, bold = ink(svg(text)), ink(svg(f'<g style="font-weight:bold">{text}</g>'))

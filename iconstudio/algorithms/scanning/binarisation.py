@@ -4,6 +4,7 @@ What lights the paper unevenly is divided out (flat-field correction), so that o
 (N. Otsu, 1979) serves all of it; it may be a coloured pen, chalk on a board, or transparent.
 """
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -31,8 +32,9 @@ _FAINTEST = 0.02
 """Less contrast than this is not made more."""
 _SHADED = 0.085
 """So much of what is not paper is shading on a photo, and not on a drawing."""
-_GRADUAL, _SOFT = 0.01, 6
-"""Shading changes by so much from pixel to pixel, at so many pixels from the edge of ink."""
+_GRADUAL, _SOFT, _SOFTEST = 0.01, 6, 12
+"""Shading changes by so much from pixel to pixel, at so many pixels from the edge of ink; at more
+if that is out of focus, but no more than the last."""
 _PLAIN = 0.25
 """Colours that differ by no more are one."""
 
@@ -229,17 +231,30 @@ def _threshold(dark: NDArray[np.float32]) -> float | None:
 def _shading(dark: NDArray[np.float32], threshold: float, scale: float) -> float:
     """Return how much of what is not paper is neither ink nor the edge of ink, from 0 to 1.
 
-    What was enlarged much by ``scale`` has wider edges.
+    What was enlarged much by ``scale``, or is out of focus, has wider edges.
     """
     ink = dark > threshold
-    width = round(_SOFT * max(1.0, scale / 2))
+    even = scipy.ndimage.gaussian_filter(dark, 2.0)  # without noise
+    slope = np.hypot(*np.gradient(np.pad(even, 1, mode="edge")))[1:-1, 1:-1]
+    enlarged = max(1.0, scale / 2)
+    width = round(np.clip(_spread(ink, dark, slope), _SOFT * enlarged, _SOFTEST * enlarged))
     edge = scipy.ndimage.maximum_filter(ink, 2 * width + 1) & ~scipy.ndimage.minimum_filter(
         ink, 2 * width + 1
     )
-    even = scipy.ndimage.gaussian_filter(dark, 2.0)  # without noise
     visible = even > LEAST
-    slope = np.hypot(*np.gradient(even))
     return float((visible & ~edge & (slope > _GRADUAL)).sum() / max(1, visible.sum()))
+
+
+def _spread(ink: NDArray[np.bool_], dark: NDArray[np.float32], slope: NDArray[np.float32]) -> float:
+    """Return over how many pixels the sharpest edges of ink are spread: three of their sigmas.
+
+    All edges of a drawing out of focus are alike; of other photos, some are sharp.
+    """
+    rim = ink & ~scipy.ndimage.binary_erosion(ink)
+    if not rim.any():
+        return 0.0
+    steepest = max(float(np.percentile(slope[rim], 90)), 1e-6)
+    return 3 * float(np.median(dark[ink])) / (math.sqrt(2 * math.pi) * steepest)
 
 
 def _cleaned(shape: NDArray[np.bool_], speck: int) -> NDArray[np.bool_]:

@@ -6,10 +6,12 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.scanning.quadrangle import quadrangularity
+
 _LEAST, _MOST = 0.12, 0.995
 """How much of a picture a sheet that lies on something darker may cover."""
 _STRAIGHT = 0.9
-"""How much of the smallest rectangle around it a sheet fills."""
+"""How much of the smallest quadrangle around it a sheet fills."""
 _CONTRAST = 0.15
 _SHARP = 0.3
 """So much of the contrast between sheet and desk lies in the edge between them, not in light."""
@@ -67,7 +69,7 @@ def _sheet(light: NDArray[np.float32], level: float) -> tuple[NDArray[np.bool_],
     sheet = scipy.ndimage.binary_fill_holes(largest)
     if not _LEAST < sheet.mean() < _MOST:
         return sheet, 0.0
-    straight = _rectangularity(sheet)
+    straight = quadrangularity(sheet)
     contrast = np.median(light[largest]) - np.median(light[~sheet])
     usable = straight > _STRAIGHT and contrast > _CONTRAST
     return sheet, straight if usable and _is_sharp(light, sheet, _SHARP * contrast) else 0.0
@@ -103,17 +105,3 @@ def _is_card(
 def _is_flat(colours: NDArray[np.float32]) -> bool:
     low, high = np.percentile(colours, (20, 80), axis=0)
     return bool((high - low < _FLAT).all())
-
-
-def _rectangularity(shape: NDArray[np.bool_]) -> float:
-    """Return how much of the smallest rectangle around it a shape fills, from 0 to 1."""
-    from scipy.spatial import ConvexHull
-
-    points = np.argwhere(shape ^ scipy.ndimage.binary_erosion(shape)).astype(float)
-    corners = points[ConvexHull(points).vertices]
-    sides = np.roll(corners, -1, axis=0) - corners
-    angles = np.unique(np.arctan2(sides[:, 0], sides[:, 1]) % (np.pi / 2))
-    sine, cosine = np.sin(angles), np.cos(angles)
-    turned = np.stack([sine, cosine]), np.stack([cosine, -sine])  # rows come first
-    areas = np.prod([np.ptp(corners @ axis, axis=0) + 1 for axis in turned], axis=0)
-    return float(shape.sum() / areas.min())
