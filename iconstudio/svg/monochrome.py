@@ -50,6 +50,8 @@ _EVEN = 1.8
 _COLOUR = re.compile(r"#([0-9a-f]{6})|rgba\((\d+),(\d+),(\d+),([\d.e-]+)\)")
 _PAINTS = ("fill", "stroke", "color", "stop-color")
 _OPACITIES = ("opacity", "fill-opacity", "stroke-opacity", "stop-opacity")
+_EFFECTS = ("filter", "style")
+"""Filters, and the blending that is left in styles."""
 
 OFF_PAGE = "It lies outside of its page; all of it was taken."
 THIN = "Its lines are too thin to be seen at the size of an icon; they were drawn thicker."
@@ -201,32 +203,32 @@ def _own_shapes(
     side = 2 * CANVAS
     factor = len(picture.coverage) // side
     wanted = picture.coverage.reshape(side, factor, side, factor).mean(axis=(1, 3))
-    for opaque in (False, True):
-        painted = _painted(copy.deepcopy(content), choice, opaque)
-        drawn = render_coverage(document(painted, box), frame, side).astype(float)
-        # An edge may come out a shade lighter; ink and paper may not change places.
-        if (abs(drawn - wanted) > _APART).sum() <= _ALIKE * (wanted > 127).sum():
-            return painted
-    return None
+    painted = _painted(copy.deepcopy(content), choice)
+    drawn = render_coverage(document(painted, box), frame, side).astype(float)
+    # An edge may come out a shade lighter; ink and paper may not change places.
+    alike = (abs(drawn - wanted) > _APART).sum() <= _ALIKE * (wanted > 127).sum()
+    return painted if alike else None
 
 
-def _painted(element: ET.Element, choice: Paints, opaque: bool) -> ET.Element:
-    """Paint an element black and white, in place, and return it."""
+def _painted(element: ET.Element, choice: Paints) -> ET.Element:
+    """Paint an element black and white, opaque and by itself, in place, and return it."""
     if element.tag == "mask":
         return element  # whose colours say how much shows
     for name in _PAINTS:
         if name in element.attrib:
-            paint = _COLOUR.sub(lambda match: _tone(match, choice, opaque), element.attrib[name])
+            paint = _COLOUR.sub(lambda match: _tone(match, choice), element.attrib[name])
             element.set(name, paint)
-    for name in _OPACITIES if opaque else ():
+    for name in _OPACITIES:
         if element.get(name, "0") not in ("0", "inherit"):
             element.set(name, "1")
+    for name in _EFFECTS:
+        element.attrib.pop(name, None)
     for child in element:
-        _painted(child, choice, opaque)
+        _painted(child, choice)
     return element
 
 
-def _tone(match: re.Match[str], choice: Paints, opaque: bool) -> str:
+def _tone(match: re.Match[str], choice: Paints) -> str:
     """Return the black or white that takes the place of a colour."""
     if match[1]:
         rgb = [int(match[1][at : at + 2], 16) for at in (0, 2, 4)]
@@ -235,9 +237,9 @@ def _tone(match: re.Match[str], choice: Paints, opaque: bool) -> str:
     white = bool(near_white(np.array(rgb, dtype=np.uint8)))
     ink = choice is Paints.ALL or white == (choice is Paints.LIGHT)
     level = 0 if ink else 255
-    if match[5] is None or (opaque and float(match[5]) > 0):
-        return f"#{level:02x}{level:02x}{level:02x}"
-    return f"rgba({level},{level},{level},{match[5]})"
+    if match[5] is not None and float(match[5]) == 0:
+        return "rgba(0,0,0,0)"
+    return f"#{level:02x}{level:02x}{level:02x}"
 
 
 def _traced(coverage: NDArray[np.uint8]) -> ET.Element:

@@ -51,11 +51,13 @@ def place(root: ET.Element, page: Box | None, ids: Mapping[str, ET.Element]) -> 
 def _place(
     element: ET.Element, page: Box, ids: Mapping[str, ET.Element], remarks: list[str]
 ) -> None:
+    if element.tag.startswith("fe"):
+        return  # whose scale is that of a displacement
     rotate = element.get("rotate") if element.tag not in ("text", "tspan", "textPath") else None
     said = [
         _call("translate", element.get("translate")),
         _call("rotate", rotate),
-        _call("scale", element.get("scale") if not element.tag.startswith("fe") else None),
+        _call("scale", element.get("scale")),
         element.get("transform", ""),
     ]
     for name in _OF_SERVERS:

@@ -14,8 +14,10 @@ from iconstudio.svg.animation import finish
 from iconstudio.svg.check import check
 from iconstudio.svg.clipping import clip
 from iconstudio.svg.embedding import embed
+from iconstudio.svg.filters import leave_out_distortions
 from iconstudio.svg.geometry import SHAPES, bounds
 from iconstudio.svg.lengths import IDENTITY, Box, Matrix, numbers, pixels, written
+from iconstudio.svg.pathdata import cut_off_mistakes
 from iconstudio.svg.placing import place
 from iconstudio.svg.styles import ONLY_IN_STYLE, apply_styles
 
@@ -120,6 +122,8 @@ def plain(
     if without:
         remarks += without
         kept = references.drawn(root, ids)
+    remarks += leave_out_distortions(kept)
+    remarks += cut_off_mistakes(kept)
     remarks += _without_unknown(root, kept)
     texts = tuple(_texts(kept))
     references.prune(root, kept)
@@ -134,7 +138,7 @@ def plain(
         page,
         bounds(content, page or (0, 0, 100, 100), ids, painted=True),
         texts,
-        any(one.tag in ("filter", "pattern") for one in kept)
+        any(one.tag in ("filter", "pattern") or "blur" in one.get("filter", "") for one in kept)
         or sum(one.tag in ("mask", "clipPath") for one in kept) > _MANY,
         tuple(dict.fromkeys(remarks)),
     )

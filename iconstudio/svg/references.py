@@ -32,6 +32,8 @@ _TARGETS: Mapping[str, tuple[str, ...]] = {
 }
 """Which elements the ``href`` of each may name."""
 _URL = re.compile(r"url\(\s*[\"']?([^)\"']*)[\"']?\s*\)\s*(.*)", re.DOTALL)
+_EACH_URL = re.compile(r"url\(\s*[\"']?([^)\"']*)[\"']?\s*\)")
+_OWN_URL = re.compile(r"url\(#([^)]*)\)")
 
 Ids = Mapping[str, list[ET.Element]]
 
@@ -76,6 +78,9 @@ def _resolve(element: ET.Element, name_of: Callable[[str, tuple[str, ...]], str 
         elif element.tag != "image":
             del element.attrib["href"]
     for attribute, kinds in _KINDS.items():
+        if attribute == "filter" and attribute in element.attrib:
+            _resolve_filters(element, name_of)
+            continue
         match = _URL.match(element.get(attribute, ""))
         if match is None:
             continue
@@ -89,14 +94,28 @@ def _resolve(element: ET.Element, name_of: Callable[[str, tuple[str, ...]], str 
             del element.attrib[attribute]
 
 
+def _resolve_filters(
+    element: ET.Element, name_of: Callable[[str, tuple[str, ...]], str | None]
+) -> None:
+    """Give each reference of a list of filters its new id; those that lead nowhere are gone."""
+
+    def resolved(match: re.Match[str]) -> str:
+        name = name_of(match[1].strip(), _KINDS["filter"])
+        return "" if name is None else f"url(#{name})"
+
+    left = " ".join(_EACH_URL.sub(resolved, element.attrib.pop("filter")).split())
+    if left:
+        element.set("filter", left)
+
+
 def referred(element: ET.Element) -> Iterator[str]:
     """Yield the new ids to which an element refers where it shows."""
     if element.get("href", "").startswith("#"):
         yield element.attrib["href"][1:]
     for attribute in _KINDS:
         value = element.get(attribute, "")
-        if value.startswith("url(#") and element.get(f"{attribute}-opacity") != "0":
-            yield value[5 : value.index(")")]
+        if "url(#" in value and element.get(f"{attribute}-opacity") != "0":
+            yield from _OWN_URL.findall(value)
 
 
 def drawn(root: ET.Element, ids: Mapping[str, ET.Element]) -> set[ET.Element]:

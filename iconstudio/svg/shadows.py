@@ -19,8 +19,8 @@ def leave_out(drawn: Collection[ET.Element]) -> list[str]:
         said = element.get("filter")
         if said is None:
             continue
-        match = _REFERENCE.fullmatch(said)
-        left = "" if match and match[1] in shadows else _DROP_SHADOW.sub("", said).strip()
+        left = _REFERENCE.sub(lambda match: "" if match[1] in shadows else match[0], said)
+        left = _DROP_SHADOW.sub("", left).strip()
         if left == said.strip():
             continue
         found = True

@@ -8,6 +8,7 @@ import re
 import xml.etree.ElementTree as ET
 from collections.abc import Sequence
 
+from iconstudio.svg import filters
 from iconstudio.svg.animation import MIDWAY, MOVING, vanishes
 from iconstudio.svg.calculation import calculated
 from iconstudio.svg.clipping import is_basic_shape
@@ -60,9 +61,15 @@ _SHORTHANDS = {
     "mask-image": ("mask",),
     "-webkit-mask": ("mask",),
     "-webkit-mask-image": ("mask",),
+    "-webkit-filter": ("filter",),
 }
 ONLY_IN_STYLE = ("mix-blend-mode", "isolation")
 """Properties that are no attributes."""
+_BLEND_MODES = (
+    "normal", "multiply", "screen", "overlay", "darken", "lighten", "color-dodge", "color-burn",
+    "hard-light", "soft-light", "difference", "exclusion", "hue", "saturation", "color",
+    "luminosity",
+)  # fmt: skip
 _DROPPED = ("style", "class")
 
 _NUMBER = r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:e[+-]?\d+)?"
@@ -250,6 +257,8 @@ def _understood(name: str, value: str) -> str | None:
     if name == "d":
         match = _PATH.fullmatch(value)
         return match[2] if match else "" if word == "none" else value
+    if name == "mix-blend-mode" and word not in _BLEND_MODES:
+        return None
     if name in _KEYWORDS:
         return word
     return value
@@ -312,6 +321,4 @@ def _reference(name: str, value: str) -> str | None:
     match = _URL.match(value)
     if match is not None and (name != "filter" or not match[4].strip()):
         return f"url({_target(match)})"
-    if name == "filter" and "(" in value:
-        return value  # a list of filter functions
-    return None
+    return filters.written(value) if name == "filter" else None

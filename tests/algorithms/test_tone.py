@@ -348,3 +348,11 @@ def test_a_tile_of_another_colour_or_a_very_pale_one_is_left_out(tones):
     coverage, omissions = tone.pictogram(rgba(body + f'<g fill="{drawn}">{glyph}</g>'))
     assert_alike(coverage, ink(glyph), 0.02)
     assert omissions == {Omission.TILE}
+
+
+def test_a_body_that_shows_through_the_holes_of_what_is_on_it_stays_one():
+    body = '<rect x="1" y="1" width="22" height="22" rx="5" fill="#7f7f7f"/>'
+    letter = path("M7 6h7a3 3 0 0 1 2 5a3.5 3.5 0 0 1-2 7H7zM10 8.5h3v2h-3zM10 13h3.5v2.5H10z")
+    coverage, omissions = tone.pictogram(rgba(body + letter))
+    assert_alike(coverage, np.where(ink(letter) > 127, 0, ink(body)))
+    assert not omissions

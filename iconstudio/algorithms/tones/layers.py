@@ -6,8 +6,10 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.tones.regions import Mask
 
-_FAINT, _FULL = 0.2, 0.8
-"""Opacities, as parts of the drawing's own, between which a layer is pale."""
+_FAINT = 0.2
+"""Opacity, as part of the drawing's own, of the palest layer that is no shadow."""
+_SHARE = 0.02
+"""Part of the drawing that layers of less than half its opacity must make."""
 _EVEN = 6
 """Grey levels by which alpha may differ between neighbouring pixels of a layer."""
 _VISIBLE = 4
@@ -16,8 +18,6 @@ _FEW = 256
 """Pixels that faint parts must have, on 1024 by 1024."""
 _EDGE = 12
 """Pixels around a faint part in which are its edges and tips."""
-_SHARE = 0.02
-"""Part of the drawing that its pale layers must make."""
 
 
 def flattened(rgba: NDArray[np.uint8]) -> NDArray[np.uint8]:
@@ -31,23 +31,36 @@ def flattened(rgba: NDArray[np.uint8]) -> NDArray[np.uint8]:
     if not visible.any():
         return rgba
     body = float(np.quantile(alpha[visible], 0.99))
-    between = (alpha > _FAINT * body) & (alpha < _FULL * body)
-    least = _SHARE * visible.sum()
-    if _opened(between).sum() < least:  # nearly always, and sooner known than what is even
+    opaque = _palest(alpha, visible, body)
+    if opaque is None:
         return rgba
-    even = _even(alpha)
-    if _opened(even & between).sum() < least:
-        return rgba
-    tint = np.clip(alpha / body, 0, 1)[..., None]
-    flat = rgba.copy()
-    flat[..., :3] = (rgba[..., :3] * tint + 255 * (1 - tint) + 0.5).astype(np.uint8)
-    flat[..., 3] = np.clip(alpha * (255 / (_FAINT * body)), 0, 255)
     # An edge has the colour of the layer that it bounds.
-    rows, columns = scipy.ndimage.distance_transform_edt(
-        ~even & visible, return_distances=False, return_indices=True
+    layer = scipy.ndimage.distance_transform_edt(
+        ~(_even(alpha) & visible), return_distances=False, return_indices=True
     )
-    flat[..., :3] = flat[rows, columns, :3]
+    rows, columns = layer
+    level = np.where(visible, alpha[rows, columns], body)
+    shown = level > opaque * body
+    tint = np.clip(level / body, 0, 1)[..., None]
+    flat = rgba.copy()
+    flat[..., :3] = (rgba[rows, columns, :3] * tint + 255 * (1 - tint) + 0.5).astype(np.uint8)
+    flat[..., 3] = np.clip(alpha * (255 / np.where(shown, level, body)), 0, 255)
     return flat
+
+
+def _palest(alpha: NDArray[np.float32], visible: Mask, body: float) -> float | None:
+    """Return the opacity, as part of the body's, from which layers show; None if all are opaque."""
+    pale = (alpha > _FAINT * body) & (alpha < body - _EVEN)
+    half = pale & (alpha > body / 2)
+    few = _FEW * (len(alpha) / 1024) ** 2
+    share = _SHARE * visible.sum()
+    # Nearly always there are none, which is sooner known than what is even.
+    if _opened(pale).sum() < share and _opened(half).sum() < few:
+        return None
+    even = _even(alpha)
+    if _opened(even & pale).sum() >= share:
+        return _FAINT
+    return 0.5 if _opened(even & half).sum() >= few else None
 
 
 def without_faint(alpha: NDArray[np.float32], body: float) -> tuple[NDArray[np.float32], bool]:

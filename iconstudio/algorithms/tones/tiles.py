@@ -80,6 +80,7 @@ def _is_body(found: Regions, number: int) -> bool:
     others[0] = False
     darker = lightness < lightness[number] - _DARKER
     alike = _same_hue(found, number) | _grey(found) & _grey(found)[number]
+    others &= ~_alike(found, number)  # where it shows through
     return bool(lightness[number] < PALE and (darker & alike)[others].all())
 
 

@@ -13,7 +13,8 @@ into regions of even colour (``regions``). Of these,
    its tile, for that is a button; and a paler shade of all that is on it is no tile but the body
    of a thing in two tones. Gloss goes with its tile (``tiles``);
 4. *near white* on other colours is paper, unless it stands by itself or makes a large part of
-   the silhouette (a cloud before the sun);
+   the silhouette (a cloud before the sun); but not if it is pure white and takes a bite out of a
+   colour (a crescent, ``whites``);
 5. of the others, what mainly borders on the outside is ink; what mainly borders on ink is paper
    (eyes in a face, the door of a house), and what mainly borders on paper is ink;
 6. between two regions of ink runs a line of paper; in a line drawing, between fills that differ
@@ -21,7 +22,9 @@ into regions of even colour (``regions``). Of these,
 7. letters and lines that are too fine for regions stand out from what is around them (``details``).
 
 Of a drawing in two tones, dark on pale, regions only tell which of them is ink; what is drawn is as
-fine as its pixels (``two_tones``). What is faint beside the body is left out (``layers``).
+fine as its pixels (``two_tones``). Even layers that are less opaque than the body, down to half of
+it, or to a fifth if they make a part of the drawing, are as opaque, but paler; what is fainter is
+left out (``layers``).
 """
 
 from enum import Enum
@@ -34,10 +37,11 @@ from numpy.typing import NDArray
 from iconstudio.algorithms.tones import details, regions
 from iconstudio.algorithms.tones.alternation import Omission, Tones, decide
 from iconstudio.algorithms.tones.layers import without_faint
-from iconstudio.algorithms.tones.linework import STRIKING, THICK, line_drawing, outline
+from iconstudio.algorithms.tones.linework import STRIKING, line_drawing, outline
 from iconstudio.algorithms.tones.regions import Mask, Regions, cielab, nearest
-from iconstudio.algorithms.tones.tiles import SHARP, rectangularity, tile
+from iconstudio.algorithms.tones.tiles import tile
 from iconstudio.algorithms.tones.two_tones import dark_is_ink, separated, two_tones
+from iconstudio.algorithms.tones.whites import white_on_colour
 
 SIDE = 512
 """Pixels to a side at which regions are found."""
@@ -55,8 +59,6 @@ _ROUNDING = 3
 """Levels of sRGB by which pixels of one colour may differ."""
 _BLENDS = 4.0
 """Pixels on either side of an edge that may blend its colours."""
-_FREE = 0.9
-"""How much of its contour a shape that stands by itself shares with the outside."""
 _NARROW = 2 * LINE
 """Width of regions that no line sets off, unless their colour is striking."""
 
@@ -238,7 +240,7 @@ def _alternating(found: Regions, behind: Mask) -> Mask:
     weights[:, paper] = 120 * found.lengths[:, paper]
     tone = np.where(paper, -1, 0)
     if not behind.any():
-        tone[_white_on_colour(found)] = -1
+        tone[white_on_colour(found)] = -1
     # The shade along a contour is no outline of what it is the shade of.
     inner = found.contrasts[:, 1:].max(axis=1)
     shade = (tone == 0) & (found.widths < _NARROW) & (inner > 0) & (inner < STRIKING)
@@ -250,26 +252,6 @@ def _alternating(found: Regions, behind: Mask) -> Mask:
     weights[second] = -found.lengths[second]
     decide(tone, found, weights, shade)
     return tone > 0
-
-
-def _white_on_colour(found: Regions) -> Mask:
-    """Return the white regions that are paper, as they make no part of the silhouette."""
-    white = found.white
-    total = found.areas[1:].sum()
-    if found.areas[1:][~white[1:]].sum() < 0.05 * total:
-        return np.zeros_like(white)
-    page = white & (found.lengths[0] > 0.75 * found.lengths[0].sum())
-    if page.any() and rectangularity(found) > SHARP:
-        return white
-    outer = found.lengths[0]
-    free = outer > _FREE * found.lengths.sum(axis=1)
-    at_outside = outer > 0
-    at_outside[0] = True
-    # What is drawn on the white does not count. A narrow band sets other colours off.
-    large = (found.areas > 0.05 * total) & (found.widths > THICK)
-    part = large & (outer > 0.5 * found.lengths[:, at_outside].sum(axis=1))
-    paper: Mask = white & ~free & ~part
-    return paper
 
 
 def _soft(rgb: NDArray[np.uint8], found: Regions, tones: Tones) -> NDArray[np.float32]:

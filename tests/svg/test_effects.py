@@ -1,0 +1,116 @@
+"""Filters, blending and opacity: the picture is right, or it is said that it is not."""
+
+import pytest
+
+from iconstudio.svg.rasterise import rasterise
+from iconstudio.svg.styles import ONLY_IN_STYLE
+from tests.svg.pictures import assert_shows, overlap, read, svg
+
+DISC = '<circle cx="12" cy="12" r="10"/>'
+SQUARE = "M7 7h10v10H7z"
+HOLE = f'{DISC}<path fill="#fff" d="{SQUARE}"/>'
+LEFT, RIGHT = '<circle cx="9" cy="12" r="7"/>', '<circle cx="15" cy="12" r="7"{}/>'
+PAGE = '<path fill="#fff" d="M0 0h24v24H0z"/>'
+INVERTED = {
+    "attribute": 'filter="invert(1)"',
+    "per cent": 'style="filter: invert(100%)"',
+    "no number": 'style="filter: invert()"',
+    "capitals": 'style="filter: INVERT(1)"',
+    "older name": 'style="-webkit-filter: invert(1)"',
+    "class": 'class="i"',
+    "variable": 'style="filter: var(--f)"',
+    "list": 'style="filter: grayscale(1) invert(1)"',
+    "list with a reference": 'style="filter: url(#f) invert(1)"',
+    "list with a reference to nothing": 'style="filter: url(#g) invert(1)"',
+    "brightness": 'fill="#777" style="filter: brightness(5)"',
+}
+STYLE = "<style>:root { --f: invert(1) } .i { filter: invert(1) }</style>"
+STILL = '<filter id="f"><feOffset dx="0"/></filter>'
+
+
+@pytest.mark.parametrize("kind", INVERTED)
+def test_filters_of_css_are_drawn(kind):
+    assert_shows(svg(f'{STYLE}{STILL}{DISC}<path {INVERTED[kind]} d="{SQUARE}"/>'), HOLE)
+
+
+@pytest.mark.parametrize("value", ["frobnicate(2)", "invert(lots)", "invert(-1)", "url(#f) foo(1)"])
+def test_a_filter_that_is_not_understood_is_told(value):
+    document = svg(f'{STILL}{DISC}<path fill="#fff" style="filter: {value}" d="{SQUARE}"/>')
+    assert_shows(document, HOLE, remarks=[value])
+
+
+def test_a_distortion_is_left_out_and_told():
+    distort = (
+        '<filter id="d"><feTurbulence baseFrequency=".1" result="t"/>'
+        '<feDisplacementMap in="SourceGraphic" in2="t" scale="8"/></filter>'
+    )
+    assert_shows(svg(f'{distort}<g filter="url(#d)">{HOLE}</g>'), HOLE, remarks=["distorts"])
+
+
+XOR = (
+    '<path fill-rule="evenodd" d="M2 12a7 7 0 1 0 14 0a7 7 0 1 0-14 0z'
+    'M8 12a7 7 0 1 0 14 0a7 7 0 1 0-14 0z"/>'
+)
+CRESCENT = LEFT + RIGHT.format(' fill="#fff"')
+BLENDED = {
+    "difference on white": (PAGE + LEFT + RIGHT.format(' fill="#fff" style="{}:difference"'), XOR),
+    "exclusion on white": (PAGE + LEFT + RIGHT.format(' fill="#fff" style="{}:exclusion"'), XOR),
+    "difference": (LEFT + RIGHT.format(' fill="#fff" style="{}:difference"'), CRESCENT),
+    "screen": (LEFT + RIGHT.format(' fill="#fff" style="{}:screen"'), CRESCENT),
+    "multiply": (PAGE + LEFT + RIGHT.format(' fill="#fff" style="{}:multiply"'), LEFT),
+}
+
+
+@pytest.mark.parametrize("kind", BLENDED)
+def test_blending_is_drawn(kind):
+    drawing, right = BLENDED[kind]
+    document = svg(drawing.replace("{}", "mix-blend-mode"))
+    assert_shows(document, right, 0.97)
+    assert not any(name in read(document).svg for name in ONLY_IN_STYLE)
+
+
+def test_blending_that_is_not_drawn_is_told():
+    for mode in ("plus-lighter", "foo"):
+        document = svg(LEFT + RIGHT.format(f' fill="#fff" style="mix-blend-mode:{mode}"'))
+        assert_shows(document, CRESCENT, remarks=[mode])
+
+
+BAR = '<path d="M2 15h20v7H2z"/>'
+DOT = '<circle cx="12" cy="7" r="5"/>'
+PALE = {
+    "group": f'{BAR}<g opacity="OPACITY">{DOT}</g>',
+    "fill": f'{BAR}<g fill-opacity="OPACITY">{DOT}</g>',
+    "colour": f'{BAR}<g fill="rgb(0 0 0 / OPACITY)">{DOT}</g>',
+    "most of it": f'<g opacity="OPACITY">{BAR}</g>{DOT}',
+}
+
+
+@pytest.mark.parametrize(
+    ("kind", "opacity"),
+    [("group", 0.25), ("group", 0.8), ("fill", 0.65), ("colour", 0.95), ("most of it", 0.5)],
+)
+def test_what_is_half_opaque_beside_black_is_ink(kind, opacity):
+    drawn = read(svg(PALE[kind].replace("OPACITY", str(opacity))))
+    _, coverage = rasterise(drawn.svg)
+    _, right = rasterise(svg(BAR + DOT))
+    assert overlap(coverage > 127, right > 127) > 0.985
+    assert ((coverage > 16) & (coverage < 240)).mean() < 0.03  # but for edges, nothing is grey
+    assert not drawn.remarks
+
+
+def test_a_pale_stroke_leaves_the_shape_beside_it_filled():
+    ring = '<circle cx="12" cy="7" r="4" fill="none" stroke="#000" stroke-width="2"{}/>'
+    bar = '<path d="M2 14.4h20v6.3H2z"/>'
+    assert_shows(svg(bar + ring.format(' stroke-opacity=".6"')), bar + ring.format(""))
+
+
+def test_a_small_pale_dot_is_ink():
+    dot = '<circle cx="21" cy="3" r="1.2"{}/>'
+    body = '<path d="M2 8h16v14H2z"/>'
+    for opacity in (0.6, 0.8):
+        assert_shows(svg(body + dot.format(f' opacity="{opacity}"')), body + dot.format(""))
+
+
+def test_the_faint_layer_of_a_duotone_is_left_out_and_told():
+    document = svg(f'{BAR}<g opacity=".2">{DOT}</g>')
+    assert_shows(document, BAR, remarks=["hardly opaque"])
