@@ -9,6 +9,7 @@ import threading
 from collections import OrderedDict
 from collections.abc import Generator, Iterator
 from contextlib import AbstractContextManager
+from functools import lru_cache
 from importlib import import_module
 from pathlib import Path
 from typing import TypeVar
@@ -54,6 +55,10 @@ _SIMPLER = "Simplify the drawing, or save it as a PNG and open that."
 _KEPT = 3
 """How many keywords stay prepared: at most 70 MiB each."""
 
+_AT_HAND = 100
+"""How many icons stay drawn in memory, 64 KiB each: every stroke of a montage asks for all of its
+own."""
+
 _SLOW_TO_LOAD = (
     "scipy.ndimage",
     "scipy.spatial",
@@ -88,6 +93,7 @@ class Session(AbstractContextManager["Session"]):
         self._opening = threading.Lock()
         self._cold = True
         self._prepared: OrderedDict[_Key, Matcher] = OrderedDict()
+        self._drawn = lru_cache(_AT_HAND)(self._draw)
         self.earlier: dict[str, Composite] = {}
 
     def open(self) -> Iterator[Progress]:
@@ -204,6 +210,9 @@ class Session(AbstractContextManager["Session"]):
         IconstudioError
             If it has no dark ink, or cannot be drawn.
         """
+        return self._drawn(pictogram)
+
+    def _draw(self, pictogram: Pictogram) -> Exemplar:
         ((_, drawn),) = self._single.exemplars((pictogram,))
         if isinstance(drawn, IconstudioError):
             raise drawn
