@@ -10,9 +10,9 @@ from PySide6.QtCore import QMimeData, QUrl
 from PySide6.QtGui import QGuiApplication, QImage, QPixmap
 
 from iconstudio.gui.dragging import unpacked
-from iconstudio.gui.markup import data_images, drawings_in, is_part
 from iconstudio.images.pillow import is_image
 from iconstudio.model import Pictogram
+from iconstudio.svg.pasted import data_images, drawings_in, is_part
 
 SVG = "image/svg+xml"
 _SVG_TYPES = (SVG, "image/x-inkscape-svg", "application/svg+xml")

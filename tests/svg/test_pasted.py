@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from iconstudio.gui.markup import data_images, drawings_in, is_part
+from iconstudio.svg.pasted import data_images, drawings_in, is_part
 
 PLAIN = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M0 0h9v9z"/></svg>'
 NESTED = PLAIN.replace("<path", '<svg x="1"><g/></svg><svg/><path')
