@@ -63,9 +63,9 @@ def _mixing(session: Session, hybrids: HybridsFile, side: int) -> Generator[Even
     if not hybrids.keyword:
         mix = hybrids.resolved(session.icon)
         running.tell_remarks(mix.icons)
-        yield from session.run(HYBRIDS, mix, Settings(side))
+        yield from session.run(HYBRIDS, mix, Settings(side=side))
         return
     icons = yield from session.choose(
         hybrids.keyword, hybrids.count, hybrids.symmetry, hybrids.seed
     )
-    yield from session.run(HYBRIDS, hybrids.mix(icons), Settings(side))
+    yield from session.run(HYBRIDS, hybrids.mix(icons), Settings(side=side))

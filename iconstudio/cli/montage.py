@@ -25,6 +25,6 @@ def command(file: Path, folder: Path, fine: bool, profile: bool) -> None:
         montage = read.resolved(session.icon)
         running.tell_remarks(layer.icon for layer in montage.layers)
         report = MontageReport(folder, montage)
-        events = session.run(MONTAGE, montage, Settings(running.side_of(fine)))
+        events = session.run(MONTAGE, montage, Settings(side=running.side_of(fine)))
         running.run(session, events, report, stopwatch)
     click.echo(f"1 icon; see {click.format_filename(folder / 'sheet.png')}")

@@ -40,4 +40,4 @@ def _reading_and_running(
     session: Session, workflow: Workflow[Any], fields: Fields, side: int
 ) -> Generator[Event]:
     work = yield from workflow.read(fields, session)
-    yield from session.run(workflow, work, Settings(side))
+    yield from session.run(workflow, work, Settings(side=side))

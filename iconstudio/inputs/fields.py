@@ -136,11 +136,11 @@ class Fields:
         """Return the reference of an icon: ``set:name``, or the absolute path of a file."""
         if not self.has(key):
             raise self.mistake(f'"{key}" is missing: "set:name", or the path of an SVG or a scan.')
-        return self._resolved(self.text(key), key)
+        return _resolved(self, self.text(key), key)
 
     def references(self, key: str) -> tuple[str, ...]:
         """Return the references of several icons."""
-        return tuple(self._resolved(text, key) for text in self.texts(key))
+        return tuple(_resolved(self, text, key) for text in self.texts(key))
 
     def points(self, key: str, largest: float = LARGEST) -> tuple[Point, ...]:
         """Return a list of points; no coordinate may exceed ``largest``."""
@@ -239,15 +239,16 @@ class Fields:
             raise self.mistake(f"{name} is out of all scale: [{x:g}, {y:g}].")
         return x, y
 
-    def _resolved(self, text: str, key: str) -> str:
-        text = text.strip()
-        if not text:
-            raise self.mistake(
-                f'"{key}" is empty: write "set:name", or the path of an SVG or a scan.'
-            )
-        if _OF_COLLECTION.fullmatch(text):
-            return text
-        return os.path.realpath(self.path.parent / text)
+
+def _resolved(fields: Fields, text: str, key: str) -> str:
+    text = text.strip()
+    if not text:
+        raise fields.mistake(
+            f'"{key}" is empty: write "set:name", or the path of an SVG or a scan.'
+        )
+    if _OF_COLLECTION.fullmatch(text):
+        return text
+    return os.path.realpath(fields.path.parent / text)
 
 
 def read(path: Path) -> Fields:

@@ -18,7 +18,7 @@ FINE = 2 * CANVAS
 """The side of fine results: seams run between half pixels of the canvas."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Settings:
     """How results are made, whatever of."""
 

@@ -310,7 +310,7 @@ def test_of_several_files_an_edit_takes_one_and_says_so(edit, qtbot, own):
 
 
 def test_what_there_is_no_room_for_is_named(roomy, qtbot, own):
-    most = MOST[roomy.title]
+    most = MOST[roomy.workflow.title]
     drop(roomy, urls(*own(most - 1)))
     there(roomy, qtbot, most - 1)
     drop(roomy, urls(*own(3, first=most)))
@@ -325,7 +325,7 @@ def test_what_there_is_no_room_for_is_named(roomy, qtbot, own):
 
 
 def test_of_very_many_files_only_so_many_are_read(roomy, qtbot, own, session):
-    most = MOST[roomy.title]
+    most = MOST[roomy.workflow.title]
     drop(roomy, urls(*own(200)))
     there(roomy, qtbot, most)
     assert f"and {200 - most - 3} more were not added" in told(roomy)
@@ -422,7 +422,7 @@ def test_what_is_told_of_one_drop_is_not_lost_by_the_next(roomy, qtbot, tmp_path
 
 def test_anything_can_be_dropped_anywhere(place, qtbot, own):
     parts = {"Edit": "board keyword_panel view", "Hybrids": "sheet tray detail column",
-             "Montage": "layers detail view chooser"}[place.title].split()  # fmt: skip
+             "Montage": "layers detail view chooser"}[place.workflow.title].split()  # fmt: skip
     paths = own(len(parts))
     for part, path in zip(parts, paths, strict=True):
         count = 1 if place.workflow.title == "Edit" else len(place.icons) + 1

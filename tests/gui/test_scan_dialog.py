@@ -10,7 +10,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QFileDialog
 
 from iconstudio.gui.panels.scanning import DARKEST, ScanDialog, ScanView
+from iconstudio.images.scans import Tracing
 from iconstudio.model import IconstudioError
+from tests.shapes import outline
 
 EDIT, HYBRIDS, MONTAGE = 1, 2, 3
 
@@ -224,12 +226,12 @@ def test_all_is_read_in_another_thread(window, qtbot, scan_file, session):
 def test_a_traced_icon_is_drawn_with_its_holes(qtbot):
     from iconstudio.model import Credit, Pictogram
 
-    path = "M0 0L90 0L90 90L0 90ZM30 30L60 30L60 60L30 60Z"
-    svg = f'<svg viewBox="0 0 90 90"><path fill-rule="evenodd" d="{path}"/></svg>'
+    path = outline([(0, 0), (90, 0), (90, 90), (0, 90)], [(30, 30), (60, 30), (60, 60), (30, 60)])
+    pictogram = Pictogram("own:a", "", Credit("a", "", "", "", ""))
     view = ScanView("icon")
     qtbot.addWidget(view)
     view.resize(300, 300)
-    view.show_icon(Pictogram("own:a", svg, Credit("a", "", "", "", "")))
+    view.show_tracing(Tracing(pictogram, path, 90, 90))
     seen = pixels(view.grab().toImage())[..., 0]
     middle, beside = seen[150, 150], seen[150, 60]
     assert abs(middle - beside) > 0.5

@@ -163,7 +163,9 @@ class EditWorkspace(RemixWorkspace):
     def settings(self) -> ModelSettings:
         """Return the styles of the icon, or all."""
         every = self.actions_by_name["styles"].isChecked()
-        return ModelSettings() if every else ModelSettings(own_styles(self.document.page.icon))
+        return (
+            ModelSettings() if every else ModelSettings(styles=own_styles(self.document.page.icon))
+        )
 
     def events(self, wanted: Wanted, settings: ModelSettings) -> Generator[Event]:
         """Return the run of an edit."""
