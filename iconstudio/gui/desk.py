@@ -1,6 +1,6 @@
-"""A workspace with its messages above and its progress below."""
+"""A workspace with its progress below, and its messages floating over it."""
 
-from PySide6.QtGui import QDragEnterEvent, QDropEvent
+from PySide6.QtGui import QDragEnterEvent, QDropEvent, QResizeEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from iconstudio.gui.dragging import take_copy, unpacked
@@ -21,22 +21,32 @@ class Desk(QWidget):
     def __init__(self, workspace: Workspace) -> None:
         super().__init__()
         self.workspace = workspace
-        self.notice = Notice()
+        self.notice = Notice(self)
         self.strip = ProgressStrip()
         self.setAcceptDrops(True)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(UNIT, 0, UNIT, 0)
         layout.setSpacing(UNIT)
-        layout.addWidget(self.notice)
         layout.addWidget(workspace, 1)
         layout.addWidget(self.strip)
         workspace.said.connect(self.say)
         workspace.failed.connect(self.notice.say)
+        workspace.hinted.connect(self.notice.hint)
+        self.notice.resized.connect(self._place_notice)
         workspace.progressed.connect(self.strip.show_progress)
         workspace.counted.connect(self.strip.set_finished)
         workspace.rested.connect(self.strip.rest)
         workspace.document.page_changed.connect(self._show_remarks)
         self.strip.cancelled.connect(workspace.cancel)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Keep the messages in their place."""
+        super().resizeEvent(event)
+        self._place_notice()
+
+    def _place_notice(self) -> None:
+        place = self.workspace.geometry()
+        self.notice.place(place.adjusted(2 * UNIT, 0, -2 * UNIT, -UNIT))
 
     def say(self, remark: str) -> None:
         """Show a remark for a while; messages are dealt with."""

@@ -9,7 +9,7 @@ import pytest
 from fake_session import RECOMMENDED, FakeSession, exemplar
 from hands import SQUARE, click, press, trace, type_keyword
 from images import blank
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
 
@@ -121,6 +121,23 @@ def test_what_is_missing_is_said_in_the_window(sketching, session, points, keywo
     assert part in sketching.window().desk.notice.label.text()
     assert not sketching.runs.running
     assert not [call for call in session.calls if call[0] == "model"]
+
+
+def test_messages_move_nothing_and_hints_do_not_look_like_errors(sketching):
+    click(sketching, SQUARE[0])
+    pane, before = sketching.window().desk, sketching.view.mapToGlobal(QPoint(0, 0))
+    size = sketching.view.size()
+    sketching.run()
+    notice = pane.notice
+    assert notice.isVisible() and notice.property("hint")
+    assert sketching.view.mapToGlobal(QPoint(0, 0)) == before
+    assert sketching.view.size() == size
+    assert pane.rect().contains(notice.geometry())
+    assert not notice.geometry().intersects(pane.strip.geometry())
+    sketching.failed.emit("The disk is full. " * 40)
+    assert not notice.property("hint")
+    assert pane.rect().contains(notice.geometry())
+    assert sketching.view.size() == size
 
 
 def test_an_outline_that_crosses_itself_is_taken_and_told(sketching, qtbot):

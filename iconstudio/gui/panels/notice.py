@@ -1,31 +1,40 @@
-"""Messages that stay until they are read, and block nothing."""
+"""Messages that stay until they are read, and block nothing, and move nothing."""
 
 from collections.abc import Iterable
 
-from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtCore import QEvent, QObject, QRect, Qt, Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QScrollArea, QToolButton, QWidget
 
 from iconstudio.gui import icons
 from iconstudio.gui.theme import UNIT
 
+_WIDEST = 110 * UNIT
 _HIGHEST = 9 * UNIT
 """Where there is more to say than fits into so many pixels, it scrolls."""
 
 
 class Notice(QFrame):
-    """A bar with sentences, hidden while there is nothing to say.
+    """A bar with sentences that floats over what is below, hidden while there is nothing to say.
 
     Messages are about what has been tried; remarks about what lies on the page: they stay as long
-    as it does, unless they are dismissed.
+    as it does, unless they are dismissed. Hints say what to do next: no mistake was made.
+
+    Signals
+    -------
+    resized()
+        It has more or less to say: it should be placed anew.
     """
+
+    resized = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setProperty("notice", True)
-        self._messages: dict[str, None] = {}
+        self._messages: dict[str, bool] = {}
+        """Each with whether it is a hint."""
         self._remarks: dict[str, None] = {}
         self._dismissed: set[str] = set()
-        self._sign = icons.Sign("warning", "danger", 20)
+        self._signs = icons.Sign("warning", "danger", 20), icons.Sign("hint", "accent", 20)
         self.label = QLabel(wordWrap=True)
         self.label.setTextFormat(Qt.TextFormat.PlainText)
         self.label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
@@ -43,16 +52,30 @@ class Notice(QFrame):
         layout = QHBoxLayout(self)
         layout.setContentsMargins(UNIT * 3 // 2, UNIT // 2, UNIT // 2, UNIT // 2)
         layout.setSpacing(UNIT)
-        layout.addWidget(self._sign)
+        for sign in self._signs:
+            layout.addWidget(sign)
         layout.addWidget(self._scroll, 1)
         layout.addWidget(self._button)
         self.hide()
 
-    def say(self, message: str) -> None:
-        """Show a message below those that are there."""
+    def say(self, message: str, hint: bool = False) -> None:
+        """Show a message, or a hint, below those that are there."""
         self._messages.pop(message, None)
-        self._messages[message] = None
+        self._messages[message] = hint
         self._write()
+
+    def hint(self, message: str) -> None:
+        """Show a hint below the messages that are there."""
+        self.say(message, hint=True)
+
+    def place(self, room: QRect) -> None:
+        """Float at the lower end of ``room``."""
+        width = min(_WIDEST, room.width())
+        self.resize(width, self.height())
+        self._fit()
+        height = self.sizeHint().height()
+        self.setGeometry(room.center().x() - width // 2, room.bottom() + 1 - height, width, height)
+        self.raise_()
 
     def clear(self) -> None:
         """Take all messages away: they are dealt with."""
@@ -78,12 +101,19 @@ class Notice(QFrame):
     def _write(self) -> None:
         remarks = [one for one in self._remarks if one not in self._dismissed]
         text = "\n".join((*self._messages, *remarks))
+        hint = bool(self._messages) and all(self._messages.values()) and not remarks
+        if hint != bool(self.property("hint")):
+            self.setProperty("hint", hint)
+            self.style().unpolish(self)
+            self.style().polish(self)
+        for sign, shown in zip(self._signs, (not hint, hint), strict=True):
+            sign.setVisible(shown)
         self.setVisible(bool(text))
         if text and text != self.label.text():
             self.label.setText(text)
             self.setAccessibleName(text)
-            self._fit()
             self._scroll.verticalScrollBar().setValue(0)
+        self.resized.emit()
 
     def _fit(self) -> None:
         height = self.label.heightForWidth(self._scroll.viewport().width())

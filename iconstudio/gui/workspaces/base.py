@@ -41,6 +41,8 @@ class Workspace(QWidget):
         A remark for the status line; messages that were in sight are dealt with.
     failed(str)
         Something could not be done; a sentence for the user, which stays until it is read.
+    hinted(str)
+        What the user should do next, or know; no mistake was made.
     progressed(Progress), counted(int)
         How far the work is, and how many results are finished.
     rested(str)
@@ -55,6 +57,7 @@ class Workspace(QWidget):
 
     said = Signal(str)
     failed = Signal(str)
+    hinted = Signal(str)
     progressed = Signal(object)
     counted = Signal(int)
     rested = Signal(str)

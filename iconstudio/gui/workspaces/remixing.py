@@ -78,7 +78,7 @@ class RemixWorkspace(Workspace, Wanting):
         self.said.emit("")
         self.complete()
         if problem := self.problem():
-            self.failed.emit(problem)
+            self.hinted.emit(problem)
             self.help_out()
         else:
             self.runs.run()

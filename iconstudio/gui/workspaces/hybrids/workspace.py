@@ -185,7 +185,7 @@ class HybridsWorkspace(Workspace):
         page = self.document.page
         problem = edits.problem(page.mix)
         if problem:
-            self.failed.emit(problem)
+            self.hinted.emit(problem)
             return
         self.said.emit("")
         self.draws.start(page.mix, page.title)
@@ -206,7 +206,7 @@ class HybridsWorkspace(Workspace):
             self.said.emit("")
             self.gathering.pick(keyword, count)
         else:
-            self.failed.emit("Type what the icons should show, for example “lamp”.")
+            self.hinted.emit("Type what the icons should show, for example “lamp”.")
             self.column.chooser.setFocus()
 
     def _rest(self) -> None:

@@ -143,7 +143,7 @@ class SketchWorkspace(RemixWorkspace):
         """Remix for the sketch; an outline that is still open is closed first."""
         super().run()
         if self.runs.running and crosses_itself(self.document.page.sketch.polygon):
-            self.failed.emit(
+            self.hinted.emit(
                 "The outline crosses itself; everything that it encloses counts as inside."
             )
 
