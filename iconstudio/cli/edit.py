@@ -11,7 +11,7 @@ from iconstudio.workflows.editing.spec import EDITING
 
 @grid.grid_command("edit", "EDIT.json", "the icon's own")
 def command(asked: grid.Asked) -> None:
-    """PlacedEdit the icon in EDIT.json: take parts off, and put parts of other icons on."""
+    """Change the icon in EDIT.json: take parts off, and put parts of other icons on."""
     read = read_edit(asked.file)
     with profiled(asked.profile) as stopwatch, Session() as session:
         edit = asked.of(read.resolved(session.icon))
