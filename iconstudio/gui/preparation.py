@@ -6,8 +6,12 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from iconstudio.gui.runner import Runner
 from iconstudio.gui.worker import Worker
+from iconstudio.model import Exemplar
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event, Retrieved
+
+_KEPT = 3
+"""Icons of how many keywords are kept, as many as a session keeps ready."""
 
 DEBOUNCE = 300
 """Milliseconds without a keystroke after which a keyword counts as typed."""
@@ -55,6 +59,7 @@ class Preparation(QObject):
         self.runner = Runner(worker, self)
         """Does the work; its ``progress`` and ``ended`` may be listened to."""
         self._query = self._wanted = self._ready = Query()
+        self._known: dict[Query, tuple[Exemplar, ...]] = {}
         self._troubled = False
         self._timer = QTimer(self, singleShot=True, interval=DEBOUNCE)
         self._timer.timeout.connect(self._look_up)
@@ -91,6 +96,10 @@ class Preparation(QObject):
 
     def _show(self, event: Event) -> None:
         if isinstance(event, Retrieved):
+            self._known.pop(self._query, None)
+            self._known[self._query] = event.exemplars
+            while len(self._known) > _KEPT:
+                del self._known[next(iter(self._known))]
             self.retrieved.emit(event.exemplars)
 
     def _look_up(self) -> None:
@@ -98,6 +107,8 @@ class Preparation(QObject):
         if query.keyword != self._query.keyword:
             self.started.emit(query.keyword)
         self._query = query
+        if query in self._known:  # a run may keep the worker from saying so for long
+            self.retrieved.emit(self._known[query])
         if query.keyword:
             self.runner.start(lambda: self._session.prepare(query.keyword, query.exclude))
         else:

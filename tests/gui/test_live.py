@@ -180,6 +180,20 @@ def test_fine_quality_alone_waits_to_be_asked_for(sketching, qtbot, session):
     assert "press Remix to renew" in sketching.board.results.note.text()
 
 
+def test_the_icons_of_a_sketch_that_is_opened_again_are_shown_while_it_runs(drawn, qtbot, session):
+    """New lets go of the keyword; once it is back, the run keeps the thread from looking it up."""
+    page, caption = drawn.document.page, drawn.keyword_panel.caption
+    drawn.actions_by_name["new"].trigger()
+    qtbot.waitUntil(lambda: "60 icons" not in caption.text())
+    drawn.document.change("open", page)
+    qtbot.waitUntil(begun(session, 2))
+    qtbot.waitUntil(lambda: "60 icons" in caption.text())
+    assert drawn.runs.running
+    assert drawn.keyword_panel.thumbnails.sheet().rowCount() == 60
+    session.gate.release(100)
+    rest(drawn, qtbot, session)
+
+
 # -- when it runs ------------------------------------------------------------------------------
 
 
