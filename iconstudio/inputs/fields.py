@@ -35,7 +35,8 @@ _OF_COLLECTION = re.compile(r"[^:/\\]+:[^:/\\]+(?<!\.svg)", re.IGNORECASE)
 
 _NOTES = ("comment", "credit")
 """Keys that say something to people only."""
-_ODD = re.compile("[\0\ud800-\udfff]")
+ODD = re.compile("[\0\ud800-\udfff]")
+"""Characters that are none."""
 
 
 class Fields:
@@ -203,7 +204,7 @@ class Fields:
             raise self.mistake(
                 f'"{key}" has {len(text):,} characters; at most {LONGEST_TEXT:,} are read.'
             )
-        if _ODD.search(text):
+        if ODD.search(text):
             raise self.mistake(f'"{key}" holds characters that are none.')
         return text
 
@@ -263,6 +264,17 @@ def read(path: Path) -> Fields:
         text = read_bytes(path, MOST_BYTES)
     except IconstudioError as error:
         raise IconstudioError(f"“{path}” cannot be read. {error}") from None
+    return parsed(text, path)
+
+
+def parsed(text: bytes, path: Path) -> Fields:
+    """Return the fields of a JSON object; ``path`` names it in messages.
+
+    Raises
+    ------
+    IconstudioError
+        If it is none.
+    """
     try:
         data = json.loads(text, parse_int=_whole, object_pairs_hook=_object)
     except UnicodeDecodeError:

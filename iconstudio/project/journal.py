@@ -1,0 +1,159 @@
+"""The journal: a folder for each running window, in which its unsaved work outlives its end.
+
+A window holds a lock on its folder, which the system releases when the window ends, in whatever
+way; so a folder with work that can be locked was left behind.
+"""
+
+import os
+import secrets
+import shutil
+import time
+from collections.abc import Iterator, Mapping
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+
+from filelock import FileLock, Timeout
+
+from iconstudio.files import read_bytes, write_atomically
+from iconstudio.inputs import fields
+from iconstudio.inputs.fields import Fields
+from iconstudio.model import IconstudioError
+from iconstudio.project import archive
+from iconstudio.project.archive import INDEX, Project
+
+_LOCK = "lock"
+_PARTS = ("icons", "results", "photos")
+_NEW = 60.0
+"""Seconds in which a folder is given its first work."""
+
+
+def data_folder() -> Path:
+    """Return the folder in which the program keeps what it cannot make again."""
+    if named := os.environ.get("ICONSTUDIO_DATA"):
+        return Path(named)
+    from platformdirs import user_data_path
+
+    return user_data_path("iconstudio", appauthor=False)
+
+
+def journals_folder() -> Path:
+    """Return the folder of all journals."""
+    return data_folder() / "journals"
+
+
+class Journal:
+    """The unsaved work of one window. Its methods may be called from any thread, one at a time."""
+
+    def __init__(self, folder: Path) -> None:
+        """``folder`` has those of all windows."""
+        self.folder = folder / f"{os.getpid()}-{secrets.token_hex(6)}"
+        self._lock = _lock_of(self.folder)
+        self._there: set[str] = set()
+
+    def write(self, project: Project) -> None:
+        """Keep this work in place of what was kept.
+
+        Raises
+        ------
+        IconstudioError
+            If it cannot be written.
+        """
+        try:
+            self._write(project)
+        except (OSError, Timeout) as error:
+            raise IconstudioError(
+                f"The unsaved work cannot be kept in “{self.folder.parent}”: "
+                f"{getattr(error, 'strerror', None) or error}. Save it soon."
+            ) from None
+
+    def clear(self) -> None:
+        """Keep nothing any more: it is saved, or was let go."""
+        _remove(self.folder, self._lock)
+        self._there.clear()
+
+    def _write(self, project: Project) -> None:
+        if not self._lock.is_locked:
+            for kind in _PARTS:
+                (self.folder / kind).mkdir(parents=True, exist_ok=True)
+            self._lock.acquire(timeout=0)
+        for name in project.parts.keys() - self._there:  # a part never changes
+            write_atomically(self.folder / name, project.parts[name])
+        self._there |= project.parts.keys()
+        write_atomically(self.folder / INDEX, archive.index_text(project))
+        for name in self._there - project.parts.keys():
+            (self.folder / name).unlink(missing_ok=True)
+        self._there &= project.parts.keys()
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class LeftBehind:
+    """Work that a window left behind; nobody else is offered it as long as it is held."""
+
+    folder: Path
+    when: float
+    """Seconds since the epoch."""
+    lock: FileLock
+
+    def read(self) -> tuple[Fields, Mapping[str, bytes]]:
+        """Return what it says, and its parts.
+
+        Raises
+        ------
+        IconstudioError
+            If it cannot be read.
+        """
+        index = read_bytes(self.folder / INDEX, fields.MOST_BYTES)
+        parts = {
+            f"{kind}/{file.name}": read_bytes(file, archive.MOST_BYTES)
+            for kind in _PARTS
+            for file in sorted((self.folder / kind).glob("[!.]*"))
+        }
+        return archive.checked(index, Path(INDEX)), parts
+
+    def discard(self) -> None:
+        """Remove it for good."""
+        _remove(self.folder, self.lock)
+
+    def release(self) -> None:
+        """Leave it for the next start."""
+        self.lock.release()
+
+
+def left_behind(folder: Path) -> Iterator[LeftBehind]:
+    """Yield what windows that are no more have left in the folder of all journals, newest first."""
+    found = []
+    with suppress(OSError):
+        found = [one for one in folder.iterdir() if one.is_dir()]
+    dated = [(_changed(one / INDEX), one) for one in found]
+    for when, one in sorted(dated, reverse=True):
+        lock = _lock_of(one)
+        try:
+            if when == 0 and time.time() - _changed(one) < _NEW:
+                continue
+            lock.acquire(timeout=0)
+        except (Timeout, OSError):
+            continue
+        if _changed(one / INDEX):
+            yield LeftBehind(one, when, lock)
+        else:  # what was cleared, or never written
+            _remove(one, lock)
+
+
+def _lock_of(folder: Path) -> FileLock:
+    return FileLock(folder / _LOCK, thread_local=False)
+
+
+def _remove(folder: Path, lock: FileLock) -> None:
+    with suppress(OSError):
+        (folder / INDEX).unlink(missing_ok=True)  # first: half of it is nothing to offer
+    lock.release(force=True)
+    shutil.rmtree(folder, ignore_errors=True)
+
+
+def _changed(path: Path) -> float:
+    """Return when something was last written; 0 if it is not there."""
+    try:
+        return path.stat().st_mtime
+    except OSError:
+        return 0.0

@@ -1,0 +1,192 @@
+"""Icons, photos and picked results in a project: parts of their own, which pages refer to."""
+
+import itertools
+import re
+from collections.abc import Mapping
+from dataclasses import asdict, fields, replace
+from typing import Any, Protocol
+
+from iconstudio.inputs.fields import Fields
+from iconstudio.model import Credit, Exemplar, Icon, IconstudioError, Pictogram
+from iconstudio.model.pictogram import OWN
+from iconstudio.project import results
+from iconstudio.project.archive import part_name, plain_text
+
+_ELSEWHERE = ("made:", OWN)
+"""Beginnings of the identifiers of icons that no collection has."""
+_REFERENCE = re.compile(r"[^:/\\]+:[^:/\\]+")
+
+
+class Finder(Protocol):
+    """A ``Session``, as far as projects know it."""
+
+    def icon(self, reference: str) -> Pictogram:
+        """Return an icon of the collection."""
+        ...
+
+    def icon_from(self, data: bytes, name: str) -> Pictogram:
+        """Return an icon of SVG markup from outside, which may be hostile."""
+        ...
+
+    def exemplar(self, pictogram: Pictogram) -> Exemplar:
+        """Return an icon on the canvas."""
+        ...
+
+
+class Parts:
+    """Collects the parts of a project while its pages are written."""
+
+    def __init__(self) -> None:
+        self.contents: dict[str, bytes] = {}
+        """By the names of the parts."""
+        self.icons: dict[str, dict[str, Any]] = {}
+        """What is known of the icons, all but their drawings, by their references."""
+        self._pictograms: dict[str, Pictogram] = {}
+
+    def icon(self, pictogram: Pictogram) -> str:
+        """Take an icon in, and return the reference by which a page names it."""
+        wanted = _reference(pictogram.id)
+        names = itertools.chain([wanted], (f"{wanted}-{number}" for number in itertools.count(2)))
+        for name in names:
+            other = self._pictograms.setdefault(name, pictogram)
+            if other is pictogram or _alike(other, pictogram):
+                break
+        if name not in self.icons:
+            part = self._add("icons", pictogram.id, ".svg", pictogram.svg.encode(errors="replace"))
+            made_of = [_described(one) for one in pictogram.made_of]
+            remarks = [plain_text(one) for one in pictogram.remarks]
+            told = {"made_of": made_of, "remarks": remarks}
+            self.icons[name] = {"part": part} | _described(pictogram) | told
+        return name
+
+    def photo(self, data: bytes, suffix: str) -> str:
+        """Take the file of a photo in, and return the name of its part."""
+        return self._add("photos", "photo", suffix, data)
+
+    def result(self, icon: Icon) -> str:
+        """Take a picked result in, and return the name of its part."""
+        written = results.write(icon, self.icon)
+        self.contents |= written.parts
+        return written.name
+
+    def _add(self, folder: str, name: str, suffix: str, data: bytes) -> str:
+        part = part_name(folder, name, suffix, data)
+        self.contents[part] = data
+        return part
+
+
+class StoredParts:
+    """The parts of a project that is read.
+
+    Everything in them comes from outside: drawings go through the gate of ``session.icon_from``,
+    and photos through that of photos.
+    """
+
+    def __init__(self, index: Fields, contents: Mapping[str, bytes], session: Finder) -> None:
+        self.session = session
+        self._icons = index.object("icons")
+        self._contents = contents
+        self._found: dict[str, Pictogram] = {}
+        self._drawn: dict[str, Exemplar] = {}
+
+    def icon(self, reference: str) -> Pictogram:
+        """Return an icon that a page names: of the collection, or as it was stored.
+
+        Raises
+        ------
+        IconstudioError
+            If there is none, or it is no good.
+        """
+        if reference not in self._found:
+            self._found[reference] = self._read_icon(reference)
+        return self._found[reference]
+
+    def exemplar(self, pictogram: Pictogram) -> Exemplar:
+        """Return an icon on the canvas; the same one for the same icon.
+
+        Raises
+        ------
+        IconstudioError
+            If it cannot be drawn.
+        """
+        if pictogram.svg not in self._drawn:
+            self._drawn[pictogram.svg] = self.session.exemplar(pictogram)
+        drawn = self._drawn[pictogram.svg]
+        return drawn if drawn.pictogram == pictogram else replace(drawn, pictogram=pictogram)
+
+    def content(self, part: str) -> bytes:
+        """Return a part as it was stored.
+
+        Raises
+        ------
+        IconstudioError
+            If it is missing.
+        """
+        if part not in self._contents:
+            raise IconstudioError(f"“{part}” is missing in the file.")
+        return self._contents[part]
+
+    def drawn(self, part: str) -> Pictogram:
+        """Return an SVG of the file, which went through the gate.
+
+        Raises
+        ------
+        IconstudioError
+            If it is missing, or no good.
+        """
+        return self.session.icon_from(self.content(part), part)
+
+    def result(self, part: str) -> Icon:
+        """Return a result that was picked.
+
+        Raises
+        ------
+        IconstudioError
+            If it is missing, or no good.
+        """
+        return results.read(part, self)
+
+    def _read_icon(self, reference: str) -> Pictogram:
+        stored = reference in self._icons.keys
+        if not reference.startswith(_ELSEWHERE):
+            if not _REFERENCE.fullmatch(reference):
+                raise IconstudioError(f"“{reference}” is outside of the file, and is not opened.")
+            try:
+                return self.session.icon(reference)
+            except IconstudioError:
+                if not stored:
+                    raise
+        elif not stored:
+            raise IconstudioError(f"The icon “{reference}” is missing in the file.")
+        entry = self._icons.object(reference)
+        return replace(
+            self.drawn(entry.text("part")),
+            id=entry.text("id") or reference,
+            credit=_credit(entry),
+            made_of=tuple(map(_origin, entry.objects("made_of", "origin"))),
+            remarks=entry.texts("remarks"),
+        )
+
+
+def _reference(identifier: str) -> str:
+    """Return what a page may call an icon: what its fields read as it is, and take for no path."""
+    fits = identifier == plain_text(identifier).strip() and _REFERENCE.fullmatch(identifier)
+    return identifier if fits and not identifier.lower().endswith(".svg") else f"{OWN}drawing"
+
+
+def _alike(one: Pictogram, other: Pictogram) -> bool:
+    return (one.id, one.svg, one.credit) == (other.id, other.svg, other.credit)
+
+
+def _described(pictogram: Pictogram) -> dict[str, Any]:
+    """Describe an icon, and whom to thank for it."""
+    credit = {key: plain_text(text) for key, text in asdict(pictogram.credit).items()}
+    return {"id": plain_text(pictogram.id)} | credit
+
+
+def _origin(entry: Fields) -> Pictogram:
+    return Pictogram(entry.text("id"), "", _credit(entry))
+
+
+def _credit(entry: Fields) -> Credit:
+    return Credit(*(entry.text(one.name) for one in fields(Credit)))
