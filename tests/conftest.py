@@ -12,6 +12,7 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 # A cache of our own, also for the programs that tests start; the collection is unpacked once.
 CACHE = tempfile.mkdtemp(prefix="iconstudio-tests-")
 os.environ["ICONSTUDIO_CACHE"] = CACHE
+os.environ["ICONSTUDIO_DATA"] = os.path.join(CACHE, "data")  # nobody's work is kept or offered
 
 
 MISSING = missing_library()

@@ -26,11 +26,16 @@ class Entry:
 ENTRIES = {
     entry.name: entry
     for entry in (
-        Entry("new", "&New", "Start afresh", Key.New, "new"),
+        Entry("new_project", "&New project", "Start another project", Key.New),
+        Entry("open_project", "&Open…", "Open a project, or a file of work", Key.Open),
+        Entry("recent", "Open &recent", "Open a project of late"),
+        Entry("save_project", "&Save", "Save the project: the pages of all workflows", Key.Save),
+        Entry("save_project_as", "Save &as…", "Save the project in another file", "Ctrl+Shift+S"),
+        Entry("new", "Ne&w", "Start afresh", "Ctrl+Shift+N", "new"),
         Entry("examples", "E&xamples", "Start from an example", icon="examples"),
-        Entry("open", "&Open…", "Open a file", Key.Open, "open"),
+        Entry("open", "&Import…", "Read the work in a JSON file"),
         Entry("paste", "&Paste", "Use what is on the clipboard", Key.Paste),
-        Entry("save", "&Save…", "Save the work as JSON", Key.Save),
+        Entry("save", "&Export as JSON…", "Write the work into a JSON file"),
         Entry("svg", "Save icon as S&VG…", "Save the picked icon as SVG", "Ctrl+E"),
         Entry("png", "Save icon as PN&G…", "Save the picked icon as PNG", "Ctrl+Shift+E"),
         Entry("code_png", "Save colour co&de as PNG…", "Save what comes from where as PNG"),
@@ -67,9 +72,9 @@ ENTRIES = {
 def work_entries(noun: str) -> tuple[Entry, ...]:
     """Return what ENTRIES say of the user's work, in words for work that is called ``noun``."""
     return (
-        Entry("new", f"&New {noun}", "Start afresh", Key.New, "new"),
-        Entry("open", f"&Open {noun}…", f"Open a file with another {noun}", "Ctrl+Shift+O"),
-        Entry("save", f"&Save {noun}…", f"Save the {noun} as JSON", Key.Save),
+        Entry("new", f"Ne&w {noun}", "Start afresh", "Ctrl+Shift+N", "new"),
+        Entry("open", f"&Import {noun}…", f"Read the {noun} in a JSON file"),
+        Entry("save", f"&Export {noun} as JSON…", f"Write the {noun} into a JSON file"),
     )
 
 
@@ -81,6 +86,7 @@ MODES, OWN = "modes", "own"
 
 MENUS: dict[str, tuple[str, ...]] = {
     "&File": (
+        *("new_project", "open_project", "recent", "save_project", "save_project_as", ""),
         *("new", OWN, "examples", "", "open", "save", ""),
         *("svg", "png", "code_png", "copy", "", "quit"),
     ),

@@ -28,7 +28,7 @@ def new_gesture() -> int:
 
 
 class Document(QObject, Generic[P]):
-    """Holds a page; only changes on its undo stack replace it.
+    """Holds a page; only changes on its undo stack replace it, or another project.
 
     Signals
     -------
@@ -59,8 +59,13 @@ class Document(QObject, Generic[P]):
         """
         self.undo_stack.push(Change(self, text, after, gesture))
 
+    def load(self, page: P) -> None:
+        """Begin with another page. What was done to the one before is no step on the way here."""
+        self.undo_stack.clear()
+        self.show(page)
+
     def show(self, page: P) -> None:
-        """Put ``page`` on the canvas. For commands only: anything else could not be undone."""
+        """Put ``page`` on the canvas. For commands and ``load`` only: it cannot be undone."""
         before, self._page = self._page, page
         if page == before:
             return

@@ -1,17 +1,25 @@
 """The window: what all workspaces share, and the switch between them."""
 
 from collections.abc import Sequence
+from pathlib import Path
 
+from PySide6.QtCore import QTimer
 from PySide6.QtGui import QAction, QCloseEvent, QGuiApplication
 from PySide6.QtWidgets import QHBoxLayout, QMainWindow, QMenu, QStackedWidget, QVBoxLayout, QWidget
 
 from iconstudio.gui.about import show_about
-from iconstudio.gui.actions import MENUS, Actions, fill_menu
+from iconstudio.gui.actions import ENTRIES, MENUS, Actions, fill_menu
 from iconstudio.gui.desk import Desk
 from iconstudio.gui.panels.modes import ModeSwitch
 from iconstudio.gui.panels.recent import RecentStrip
 from iconstudio.gui.panels.sending import Destination
 from iconstudio.gui.pictures import Picture
+from iconstudio.gui.project import recents
+from iconstudio.gui.project.contents import PLAIN
+from iconstudio.gui.project.files import ProjectFiles, WorkFile
+from iconstudio.gui.project.journaling import Found
+from iconstudio.gui.project.recovery import RecoveryBar
+from iconstudio.gui.project.work import Work
 from iconstudio.gui.saving import Saver
 from iconstudio.gui.theme import UNIT
 from iconstudio.gui.worker import Worker
@@ -21,10 +29,12 @@ from iconstudio.session import Session
 from iconstudio.workflows import registry
 from iconstudio.workflows.workflow import Workflow, named
 
-_PLAIN = "iconstudio.gui.workspaces.plain.workspace:PlainWorkspace"
-"""The workspace of workflows that have none of their own."""
-_FRAME, _TITLE = 16, 48
+_FRAME, _BAR = 16, 48
 """What the system's frame around a window takes of the screen at most, in pixels."""
+
+_TITLE = "Iconstudio"
+_PATIENCE = 300
+"""Milliseconds after which what was left behind is looked for: first the window opens."""
 
 
 class MainWindow(QMainWindow):
@@ -46,16 +56,34 @@ class MainWindow(QMainWindow):
         self.modes = ModeSwitch([one.title for one in self._workflows])
         self.recent = RecentStrip(self._destinations)
         self.desks = QStackedWidget()
-        self.actions_by_name = Actions(
-            self, {"quit": self.close, "about": lambda: show_about(self)}
-        )
+        by_name = {one.name: one for one in self._workflows}
+        self.work = Work(by_name, self.recent, self._named, self._current, self._show_named, self)
+        self.project = ProjectFiles(session, self.work, self._files, self)
+        self.recovery = RecoveryBar(by_name)
+        self._make_actions()
         self._menus: dict[str, QMenu] = {title: self.menuBar().addMenu(title) for title in MENUS}
         self._lay_out()
         self._wire()
         self.show_workspace(0)
 
+    def _make_actions(self) -> None:
+        project = self.project
+        self.actions_by_name = Actions(
+            self,
+            {
+                "new_project": project.new,
+                "open_project": project.choose,
+                "save_project": lambda: project.save(),
+                "save_project_as": lambda: project.save_as(),
+                "quit": self.close,
+                "about": lambda: show_about(self),
+            },
+        )
+        menu = QMenu(ENTRIES["recent"].text, self)
+        menu.aboutToShow.connect(lambda: recents.fill(menu, project.open))
+        self.actions_by_name.add(ENTRIES["recent"], menu.menuAction())
+
     def _lay_out(self) -> None:
-        self.setWindowTitle("Iconstudio")
         top = QHBoxLayout()
         top.setContentsMargins(UNIT, 0, UNIT, 0)
         top.setSpacing(2 * UNIT)
@@ -66,15 +94,27 @@ class MainWindow(QMainWindow):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(UNIT // 2)
         layout.addLayout(top)
+        layout.addWidget(self.recovery)
         layout.addWidget(self.desks, 1)
         self.setCentralWidget(centre)
         room = QGuiApplication.primaryScreen().availableSize()
-        self.resize(min(1360, room.width() - _FRAME), min(860, room.height() - _TITLE))
+        self.resize(min(1360, room.width() - _FRAME), min(860, room.height() - _BAR))
 
     def _wire(self) -> None:
         self.modes.chosen.connect(self.show_workspace)
         self.saver.failed.connect(lambda message: self.desk.notice.say(message))
         self.saver.saved.connect(lambda remark: self.desk.say(remark))
+        project = self.project
+        project.changed.connect(self._show_title)
+        project.said.connect(lambda remark: self.desk.say(remark))
+        project.failed.connect(lambda message: self.desk.notice.say(message))
+        project.imported.connect(self._import)
+        project.restored.connect(self.recovery.withdraw)
+        project.journaling.found.connect(self.recovery.offer)
+        self.recovery.restore.connect(project.restore)
+        self.recovery.dismiss.connect(self._dismiss)
+        QTimer.singleShot(_PATIENCE, self, project.journaling.look)
+        self._show_title()
         self.recent.sent.connect(self._send_picture)
         self.recent.save_svg.connect(self.saver.save_svg)
         self.recent.save_png.connect(self.saver.save_png)
@@ -118,15 +158,29 @@ class MainWindow(QMainWindow):
     def _number(self, title: str) -> int:
         return next(n for n, one in enumerate(self._workflows) if one.title == title)
 
+    def _numbered(self, name: str) -> int:
+        return next(n for n, one in enumerate(self._workflows) if one.name == name)
+
+    def _named(self, name: str) -> Workspace:
+        return self._desk(self._numbered(name)).workspace
+
+    def _show_named(self, name: str) -> None:
+        self.show_workspace(self._numbered(name))
+
+    def _current(self) -> str:
+        return self.workspace.workflow.name if self.desks.count() else ""
+
     def _desk(self, number: int) -> Desk:
         """Return a workspace's desk, made if it is the first time."""
         if number not in self._made:
             workflow = self._workflows[number]
-            kind = named(workflow.workspace or _PLAIN)
+            kind = named(workflow.workspace or PLAIN)
             workspace = kind(workflow, self._session, self._files, self.saver)
             workspace.set_destinations(self._destinations)
             workspace.made.connect(self.recent.keep)
             workspace.send.connect(self._send)
+            workspace.project.connect(lambda path: self.project.open(Path(path)))
+            self.work.watch(workspace)
             desk = self._made[number] = Desk(workspace)
             self.desks.addWidget(desk)
         return self._made[number]
@@ -139,6 +193,24 @@ class MainWindow(QMainWindow):
         self.recent.keep(picture)
         self._send(picture.pictogram(), title)
 
+    # -- the project ---------------------------------------------------------------------------
+
+    def _show_title(self) -> None:
+        project = self.project
+        untitled = f"Untitled[*] – {_TITLE}" if project.modified else f"{_TITLE}[*]"
+        self.setWindowTitle(f"{project.name}[*] – {_TITLE}" if project.name else untitled)
+        self.setWindowFilePath("" if project.path is None else str(project.path))
+        self.setWindowModified(project.modified)
+
+    def _import(self, file: WorkFile) -> None:
+        if file.workflow:
+            self._show_named(file.workflow)
+        self.workspace.open_file(str(file.path))
+
+    def _dismiss(self, found: Found) -> None:
+        self.recovery.withdraw(found)
+        self.project.journaling.dismiss(found.left)
+
     # -- the window itself ---------------------------------------------------------------------
 
     def threads_alive(self) -> bool:
@@ -146,11 +218,15 @@ class MainWindow(QMainWindow):
         return any(worker.alive for worker in self.findChildren(Worker))
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Stop all work and wait until the threads have ended."""
+        """Ask about unsaved work; then stop all, and wait until the threads have ended."""
+        if not self.project.may_go(self.close):
+            event.ignore()
+            return
         for desk in self._made.values():
             desk.workspace.cancel()
         for desk in self._made.values():
             desk.workspace.close_work()
+        self.project.close()
         self._files.close(self._session.close)
         self._session.close()
         super().closeEvent(event)

@@ -12,6 +12,7 @@ from PySide6.QtGui import QGuiApplication, QImage, QPixmap
 from iconstudio.gui.dragging import unpacked
 from iconstudio.images.pillow import is_image
 from iconstudio.model import Pictogram
+from iconstudio.project.archive import SUFFIX
 from iconstudio.svg.pasted import data_images, drawings_in, is_part
 
 SVG = "image/svg+xml"
@@ -61,7 +62,7 @@ class File:
     @property
     def is_work(self) -> bool:
         """Whether it is a file of the program's own."""
-        return self.path.lower().endswith(".json")
+        return self.path.lower().endswith(".json") or is_project(self.path)
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,6 +95,11 @@ class Elsewhere:
 
 
 Item = Icon | Reference | File | Drawing | Image | Elsewhere
+
+
+def is_project(path: str) -> bool:
+    """Whether a file is called as projects are."""
+    return path.lower().endswith(SUFFIX)
 
 
 def holds_something(data: QMimeData) -> bool:

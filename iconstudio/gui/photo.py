@@ -1,6 +1,8 @@
 """Photos to trace over, and images of pixels as Qt has them. Nothing is decoded here."""
 
+import io
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,9 +10,13 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 
 from iconstudio.gui.mipmap import Mipmap
-from iconstudio.images.reading import LONGEST, Image
+from iconstudio.images.reading import LONGEST, SUFFIXES, Image
 from iconstudio.model import IconstudioError
 
+_LARGE = 64_000_000
+"""Of a file with more bytes, only the pixels that are shown are kept."""
+_HEADS = {".png": b"\x89PNG", ".jpg": b"\xff\xd8", ".webp": b"RIFF", ".gif": b"GIF8"}
+"""How files of images begin."""
 _SMALLEST = 256
 """A copy's shorter side has no fewer pixels."""
 
@@ -28,6 +34,10 @@ class Photo:
     picture: Mipmap
     remark: str = ""
     """What of it could not be read, or is not shown."""
+    data: bytes = b""
+    """A file of it, for a project."""
+    suffix: str = ".png"
+    """How the name of such a file ends."""
 
     @property
     def scaled_down(self) -> bool:
@@ -35,13 +45,35 @@ class Photo:
         return self.picture.width < self.width
 
 
-def photo_of(image: Image, path: str = "") -> Photo:
-    """Return an image that was read from the file ``path``, if any, as a photo."""
+def photo_of(image: Image, path: str = "", data: bytes = b"") -> Photo:
+    """Return an image as a photo.
+
+    Parameters
+    ----------
+    path, data
+        The file that it was read from, if any, and what is in it.
+    """
     # By NumPy, which lets the window's thread work on; Qt's conversions would hold it up.
     levels = [_premultiplied(image.pixels)]
     while min(levels[-1].shape[:2]) >= 2 * _SMALLEST:
         levels.append(_halved(levels[-1]))
-    return Photo(path, image.width, image.height, Mipmap(tuple(map(_packed, levels))), image.remark)
+    picture = Mipmap(tuple(map(_packed, levels)))
+    kept, suffix = _file_of(image, path, data)
+    return Photo(path, image.width, image.height, picture, image.remark, kept, suffix)
+
+
+def _file_of(image: Image, path: str, data: bytes) -> tuple[bytes, str]:
+    """Return a file of an image, and its suffix: the one it was in, unless that is huge."""
+    if 0 < len(data) <= _LARGE:
+        suffix = Path(path).suffix.lower()
+        if suffix[1:] not in SUFFIXES:
+            suffix = next((one for one, head in _HEADS.items() if data.startswith(head)), ".image")
+        return data, suffix
+    from PIL import Image as Pixels
+
+    file = io.BytesIO()
+    Pixels.fromarray(image.pixels).save(file, "PNG", compress_level=1)
+    return file.getvalue(), ".png"
 
 
 def _premultiplied(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:

@@ -19,6 +19,17 @@ def prefer(name: str, wanted: bool | str) -> None:
         settings.setValue(name, wanted)
 
 
+def remembered(name: str) -> list[str]:
+    """Return a list of texts that was kept; empty if there is none."""
+    found = _settings().value(name, [])
+    return [found] if isinstance(found, str) else [str(one) for one in found or []]
+
+
+def remember(name: str, texts: list[str]) -> None:
+    """Keep a list of texts."""
+    _settings().setValue(name, texts)
+
+
 def _settings() -> QSettings:
     scope = QSettings.Scope.UserScope
     return QSettings(QSettings.Format.IniFormat, scope, "iconstudio", "iconstudio")

@@ -95,6 +95,16 @@ class LeftBehind:
     """Seconds since the epoch."""
     lock: FileLock
 
+    def index(self) -> Fields:
+        """Return what it says, without its parts.
+
+        Raises
+        ------
+        IconstudioError
+            If it cannot be read.
+        """
+        return archive.checked(read_bytes(self.folder / INDEX, fields.MOST_BYTES), Path(INDEX))
+
     def read(self) -> tuple[Fields, Mapping[str, bytes]]:
         """Return what it says, and its parts.
 
@@ -103,13 +113,12 @@ class LeftBehind:
         IconstudioError
             If it cannot be read.
         """
-        index = read_bytes(self.folder / INDEX, fields.MOST_BYTES)
         parts = {
             f"{kind}/{file.name}": read_bytes(file, archive.MOST_BYTES)
             for kind in _PARTS
             for file in sorted((self.folder / kind).glob("[!.]*"))
         }
-        return archive.checked(index, Path(INDEX)), parts
+        return self.index(), parts
 
     def discard(self) -> None:
         """Remove it for good."""

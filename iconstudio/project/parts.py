@@ -2,10 +2,12 @@
 
 import itertools
 import re
-from collections.abc import Mapping
+from collections.abc import Generator, Mapping
 from dataclasses import asdict, fields, replace
+from pathlib import Path as FilePath
 from typing import Any, Protocol
 
+from iconstudio.images.reading import Image
 from iconstudio.inputs.fields import Fields
 from iconstudio.model import Credit, Exemplar, Icon, IconstudioError, Pictogram
 from iconstudio.model.pictogram import OWN
@@ -30,6 +32,10 @@ class Finder(Protocol):
 
     def exemplar(self, pictogram: Pictogram) -> Exemplar:
         """Return an icon on the canvas."""
+        ...
+
+    def image(self, source: FilePath | bytes) -> Generator[None, None, Image]:
+        """Return the image in a file, or in bytes."""
         ...
 
 
@@ -84,6 +90,8 @@ class StoredParts:
 
     def __init__(self, index: Fields, contents: Mapping[str, bytes], session: Finder) -> None:
         self.session = session
+        self.complaints: list[str] = []
+        """What could not be read, where the rest was; a sentence for the user each."""
         self._icons = index.object("icons")
         self._contents = contents
         self._found: dict[str, Pictogram] = {}

@@ -10,6 +10,7 @@ else:
         look,
         no_thread_is_left,
         no_warnings_of_qt,
+        own_journals,
         own_preferences,
         qapp_cls,
         session,

@@ -12,6 +12,8 @@ from iconstudio.gui import pictures
 from iconstudio.gui.app import application, leave_clipboard
 from iconstudio.gui.main_window import MainWindow
 from iconstudio.gui.preferences import prefer
+from iconstudio.gui.project import questions
+from iconstudio.gui.project.questions import Answer
 from iconstudio.gui.workspaces.live import LIVE
 
 _HARMLESS = tuple(
@@ -38,6 +40,13 @@ def own_preferences(tmp_path_factory):
     folder = str(tmp_path_factory.mktemp("preferences"))
     QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, folder)
     prefer(LIVE, False)
+
+
+@pytest.fixture(autouse=True)
+def own_journals(tmp_path_factory, monkeypatch):
+    """Nothing is found of other tests; and their windows close without a question."""
+    monkeypatch.setenv("ICONSTUDIO_DATA", str(tmp_path_factory.mktemp("data")))
+    monkeypatch.setattr(questions, "ask_about_unsaved", lambda *_: Answer.DISCARD)
 
 
 @pytest.fixture(autouse=True)

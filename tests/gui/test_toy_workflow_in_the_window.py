@@ -47,7 +47,7 @@ def test_it_is_on_the_switch_and_in_the_menus(window):
     assert menu(window, "&View")[:5] == ["Sketch", "Edit", "Hybrids", "Montage", "Mirror"]
     window.show_workspace(4)
     assert window.workspace.workflow is MIRROR
-    assert {"New mirror image", "Open mirror image…", "Save mirror image…"} <= set(
+    assert {"New mirror image", "Import mirror image…", "Export mirror image as JSON…"} <= set(
         menu(window, "&File")
     )
     assert "Mirror" in menu(window, "&Edit")

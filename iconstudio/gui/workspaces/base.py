@@ -8,9 +8,11 @@ from PySide6.QtCore import QMimeData, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QMenu, QWidget
 
+from iconstudio.gui import mime
 from iconstudio.gui.actions import ENTRIES, Actions, Entry
 from iconstudio.gui.canvas.view import CanvasView
-from iconstudio.gui.document import Document
+from iconstudio.gui.document import Document, Page
+from iconstudio.gui.pages import PageFormat
 from iconstudio.gui.panels.board import Board
 from iconstudio.gui.panels.detail import DetailPanel
 from iconstudio.gui.panels.sending import Destination
@@ -53,6 +55,8 @@ class Workspace(QWidget):
         A result worth keeping in sight.
     send(Pictogram, str)
         An icon is to go to the workspace of that title.
+    project(str)
+        The project in the file of that path is to be opened.
     """
 
     said = Signal(str)
@@ -64,6 +68,7 @@ class Workspace(QWidget):
     picked = Signal(object)
     made = Signal(object)
     send = Signal(object, str)
+    project = Signal(str)
 
     actions_by_name: Actions
     """All that can be done here; see ``make_actions``. The menus show these, and their shortcuts
@@ -83,6 +88,10 @@ class Workspace(QWidget):
         self.files = files
         self.saver = saver
         self.document = document
+        self.blank = document.page
+        """The page to begin with."""
+        self.pages = self.pages_of(workflow)
+        """The format of its pages in projects."""
         document.setParent(self)
         self.worker = Worker(self)
         self._opener: Opener | None = None
@@ -90,6 +99,11 @@ class Workspace(QWidget):
         """What shows results; each has a method ``show_display``."""
         self.progressed.connect(lambda _: self._allow_cancel(True))
         self.rested.connect(lambda _: self._allow_cancel(False))
+
+    @classmethod
+    def pages_of(cls, workflow: Workflow) -> PageFormat:
+        """Return the format of its pages in projects."""
+        raise NotImplementedError
 
     @property
     def picture(self) -> Picture | None:
@@ -106,6 +120,17 @@ class Workspace(QWidget):
 
     def take(self, pictogram: Pictogram) -> None:
         """Begin with an icon that was sent here, or add it."""
+
+    def load(self, page: Page) -> None:
+        """Put a page of a project in place of all that is here, results too, for good."""
+        self.cancel()
+        self.document.load(self.blank)
+        self.document.load(page)
+
+    def open_file(self, path: str) -> None:
+        """Open a file, of work or of anything else that can be used here."""
+        if self._opener is not None:
+            self._opener.open_item(mime.File(path))
 
     def open_mime(self, data: QMimeData) -> None:
         """Open what was dropped where nothing else is made of it."""
@@ -192,6 +217,7 @@ class Workspace(QWidget):
         opener.began.connect(lambda: self.said.emit(""))
         opener.failed.connect(self.failed)
         opener.opened.connect(self.said)
+        opener.project.connect(self.project)
 
     @staticmethod
     def view_slots(view: CanvasView) -> dict[str, Callable[..., object]]:

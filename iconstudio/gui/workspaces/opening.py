@@ -33,11 +33,14 @@ class Opener(QObject):
         Something could not be opened, or not all of it; a sentence for the user.
     opened(str)
         What is there now, for the status line.
+    project(str)
+        A project is to be opened, in the file of that path.
     """
 
     began = Signal()
     failed = Signal(str)
     opened = Signal(str)
+    project = Signal(str)
 
     question: ClassVar[str] = ""
     """Title of the dialog that asks for a file of this workspace's own, “Open a sketch”."""
@@ -149,7 +152,7 @@ class Opener(QObject):
             case mime.Icon(pictogram):
                 self.take(pictogram)
             case mime.File(path):
-                (self.open_work if item.is_work else self.open_file)(path)
+                (self._open_work if item.is_work else self.open_file)(path)
             case mime.Image():
                 self.open_image(item)
             case mime.Elsewhere():
@@ -167,12 +170,18 @@ class Opener(QObject):
         if others:
             start(lambda: self._gather(others))
         else:
-            self.open_work(works.pop(0).path)
+            self._open_work(works.pop(0).path)
         if works:
             self.complain(
                 f"{named(works)} {was(works)} not opened. What such a file holds takes the place "
                 "of all that is here: open it by itself."
             )
+
+    def _open_work(self, path: str) -> None:
+        if mime.is_project(path):
+            self.project.emit(path)
+        else:
+            self.open_work(path)
 
     def _gather(self, items: Sequence[mime.Item]) -> Generator[Gathered | Sprite | None]:
         return gathering(items, self.reading, self.most, self.no_room)

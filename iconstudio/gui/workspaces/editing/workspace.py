@@ -17,6 +17,7 @@ from iconstudio.gui.workspaces.editing.opening import EditOpener
 from iconstudio.gui.workspaces.editing.page import EditPage, Kind
 from iconstudio.gui.workspaces.editing.scene import EditScene
 from iconstudio.gui.workspaces.editing.start import StartSheet
+from iconstudio.gui.workspaces.editing.stored import EditPages
 from iconstudio.gui.workspaces.editing.tools import DrawTool, SelectTool
 from iconstudio.gui.workspaces.remixing import RemixWorkspace
 from iconstudio.inputs.icons import reference_to
@@ -31,7 +32,7 @@ from iconstudio.workflows.workflow import Workflow
 OWN = {
     "&File": (
         *work_entries("edit"),
-        Entry("icon", "Choose &icon…", "Choose another icon", Key.Open, "search"),
+        Entry("icon", "Choose &icon…", "Choose another icon", "Ctrl+Shift+O", "search"),
     ),
     "&Edit": (
         Entry("paste", "&Paste icon", "Use the drawing on the clipboard", Key.Paste),
@@ -63,6 +64,11 @@ class Wanted(NamedTuple):
 
 class EditWorkspace(RemixWorkspace):
     """An icon is changed where the user marks it."""
+
+    @classmethod
+    def pages_of(cls, workflow: Workflow) -> EditPages:
+        """Return the format of its pages in projects."""
+        return EditPages()
 
     def __init__(self, workflow: Workflow, session: Session, files: Worker, saver: Saver) -> None:
         super().__init__(workflow, session, files, saver, Document(EditPage()))

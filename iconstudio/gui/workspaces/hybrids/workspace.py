@@ -22,6 +22,7 @@ from iconstudio.gui.workspaces.hybrids.gathering import Gathering
 from iconstudio.gui.workspaces.hybrids.page import HybridsPage
 from iconstudio.gui.workspaces.hybrids.panels import IconsColumn, SheetPanel
 from iconstudio.gui.workspaces.hybrids.sheet_model import terms
+from iconstudio.gui.workspaces.hybrids.stored import HybridsPages
 from iconstudio.model import IconstudioError, Pictogram
 from iconstudio.session import Session
 from iconstudio.workflows.workflow import Workflow
@@ -29,7 +30,7 @@ from iconstudio.workflows.workflow import Workflow
 OWN = {
     "&File": (
         *work_entries("mix"),
-        Entry("svg_in", "Op&en drawing…", "Mix a drawing of your own", Key.Open, "open"),
+        Entry("svg_in", "Op&en drawing…", "Mix a drawing of your own", "Ctrl+Shift+O", "open"),
         Entry("save_all", "Save all &favourites…", "Save every favourite as SVG", "Ctrl+Alt+S"),
     ),
     "&Edit": (
@@ -44,6 +45,11 @@ OWN = {
 
 class HybridsWorkspace(Workspace):
     """Icons on the left; the sheet of hybrids, favourites and details on the right."""
+
+    @classmethod
+    def pages_of(cls, workflow: Workflow) -> HybridsPages:
+        """Return the format of its pages in projects."""
+        return HybridsPages()
 
     def __init__(self, workflow: Workflow, session: Session, files: Worker, saver: Saver) -> None:
         super().__init__(workflow, session, files, saver, Document(HybridsPage()))

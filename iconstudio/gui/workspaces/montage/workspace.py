@@ -36,6 +36,7 @@ from iconstudio.gui.workspaces.montage.opening import MontageOpener, write_page
 from iconstudio.gui.workspaces.montage.overlay import BrushSlider
 from iconstudio.gui.workspaces.montage.page import MontagePage, choose
 from iconstudio.gui.workspaces.montage.scene import MontageScene
+from iconstudio.gui.workspaces.montage.stored import MontagePages
 from iconstudio.gui.workspaces.montage.tools.arrange import ArrangeTool
 from iconstudio.gui.workspaces.montage.tools.scribble import Brush, ScribbleTool
 from iconstudio.model import Pictogram
@@ -45,7 +46,7 @@ from iconstudio.workflows.workflow import Workflow
 OWN = {
     "&File": (
         *work_entries("montage"),
-        Entry("svg_in", "Op&en drawing…", "Add a drawing of your own", Key.Open, "open"),
+        Entry("svg_in", "Op&en drawing…", "Add a drawing of your own", "Ctrl+Shift+O", "open"),
     ),
     "&Edit": (
         Entry("paste", "P&aste drawing", "Add the drawing on the clipboard", Key.Paste),
@@ -69,6 +70,11 @@ _INVITATION = (
 
 class MontageWorkspace(Workspace):
     """Icons to choose from and layers on the left, the canvas, and the live result on the right."""
+
+    @classmethod
+    def pages_of(cls, workflow: Workflow) -> MontagePages:
+        """Return the format of its pages in projects."""
+        return MontagePages()
 
     def __init__(self, workflow: Workflow, session: Session, files: Worker, saver: Saver) -> None:
         super().__init__(workflow, session, files, saver, Document(MontagePage()))

@@ -21,6 +21,7 @@ from iconstudio.gui.theme import UNIT
 from iconstudio.gui.worker import Worker
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.plain.opening import WorkOpener, WorkPage
+from iconstudio.gui.workspaces.plain.stored import WorkPages
 from iconstudio.inputs.fields import write
 from iconstudio.inputs.icons import reference_to
 from iconstudio.model import Exemplar
@@ -33,6 +34,11 @@ _SIDE = 112
 
 class PlainWorkspace(Workspace):
     """Icons are chosen, and a workflow runs over them as it declares."""
+
+    @classmethod
+    def pages_of(cls, workflow: Workflow) -> WorkPages:
+        """Return the format of its pages in projects."""
+        return WorkPages(workflow)
 
     def __init__(self, workflow: Workflow, session: Session, files: Worker, saver: Saver) -> None:
         super().__init__(workflow, session, files, saver, Document(WorkPage(workflow.work())))

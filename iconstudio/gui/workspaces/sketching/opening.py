@@ -3,11 +3,12 @@
 from collections.abc import Callable, Generator
 from pathlib import Path
 
+from iconstudio.files import read_bytes
 from iconstudio.gui.mime import Drawing, File, Image, Item
 from iconstudio.gui.photo import Photo, image_of, photo_of
 from iconstudio.gui.workspaces.opening import Opener
 from iconstudio.gui.workspaces.sketching import page
-from iconstudio.images.reading import SUFFIXES
+from iconstudio.images.reading import MAX_BYTES, SUFFIXES
 from iconstudio.model import IconstudioError
 from iconstudio.workflows.modelling.file import SketchFile, read_sketch
 
@@ -40,9 +41,9 @@ class SketchOpener(Opener):
         """Return a photo: of a file, or from the clipboard or a drop."""
         match item:
             case File(path):
-                return photo_of((yield from self.session.image(Path(path))), path)
+                return (yield from self._photo(Path(path)))
             case Image(bytes() as data):
-                return photo_of((yield from self.session.image(data)))
+                return photo_of((yield from self.session.image(data)), data=data)
             case Image(image):
                 return photo_of(image_of(image))
         raise IconstudioError(
@@ -59,6 +60,10 @@ class SketchOpener(Opener):
         page.load_sketch(self.document, file.sketch, photo, "open sketch")
         return f"Opened “{file.title}”."
 
+    def _photo(self, path: Path) -> Generator[None, None, Photo]:
+        image = yield from self.session.image(path)
+        return photo_of(image, str(path), read_bytes(path, MAX_BYTES))
+
     def _sketch_and_photo(
         self, read: Callable[[], SketchFile]
     ) -> Generator[tuple[SketchFile, Photo | None] | None]:
@@ -67,8 +72,7 @@ class SketchOpener(Opener):
         photo, trouble = None, None
         if file.photo is not None:
             try:
-                image = yield from self.session.image(file.photo)
-                photo = photo_of(image, str(file.photo))
+                photo = yield from self._photo(file.photo)
             except IconstudioError as error:
                 trouble = error
         yield file, photo

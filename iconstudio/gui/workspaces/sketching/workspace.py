@@ -24,6 +24,7 @@ from iconstudio.gui.workspaces.sketching.opening import SketchOpener
 from iconstudio.gui.workspaces.sketching.overlay import DimSlider
 from iconstudio.gui.workspaces.sketching.page import SketchPage
 from iconstudio.gui.workspaces.sketching.scene import SketchScene
+from iconstudio.gui.workspaces.sketching.stored import SketchPages
 from iconstudio.model import IconstudioError, Polygon, Sketch
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event, RegionsFound
@@ -34,7 +35,7 @@ from iconstudio.workflows.workflow import Workflow
 OWN = {
     "&File": (
         *work_entries("sketch"),
-        Entry("photo", "Open &photo…", "Open a photo to trace over", Key.Open, "photo"),
+        Entry("photo", "Open &photo…", "Open a photo to trace over", "Ctrl+Shift+O", "photo"),
     ),
     "&Edit": (
         Entry("paste", "P&aste photo", "Use the image on the clipboard", Key.Paste),
@@ -52,6 +53,11 @@ OWN = {
 
 class SketchWorkspace(RemixWorkspace):
     """The outline of an object is traced, perhaps over a photo, and remixed."""
+
+    @classmethod
+    def pages_of(cls, workflow: Workflow) -> SketchPages:
+        """Return the format of its pages in projects."""
+        return SketchPages()
 
     def __init__(self, workflow: Workflow, session: Session, files: Worker, saver: Saver) -> None:
         super().__init__(workflow, session, files, saver, Document(SketchPage()))

@@ -1,0 +1,255 @@
+"""Projects in files: new, open, save; and nothing is lost without a question."""
+
+from collections.abc import Callable, Generator
+from contextlib import closing
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QWidget
+
+from iconstudio.gui.project import questions, recents
+from iconstudio.gui.project.contents import Contents, Formats, reading
+from iconstudio.gui.project.journaling import Found, Journaling
+from iconstudio.gui.project.questions import Answer
+from iconstudio.gui.project.work import Work
+from iconstudio.gui.runner import Runner
+from iconstudio.gui.worker import Worker
+from iconstudio.inputs import fields
+from iconstudio.model import IconstudioError
+from iconstudio.project import archive
+from iconstudio.project.archive import SUFFIX, Project
+from iconstudio.session import Session
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Opened:
+    """What was read, and where."""
+
+    contents: Contents
+    path: Path | None
+    found: Found | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class WorkFile:
+    """A file of work of one workflow, or anything else that its workspace may know."""
+
+    path: Path
+    workflow: str
+    """The name of the workflow; empty if it is of none."""
+
+
+class ProjectFiles(QObject):
+    """The file that the window's work is in, if any, and whether it is as it is there.
+
+    Signals
+    -------
+    changed()
+        Another file, or what is in sight differs from it now, or no longer.
+    said(str), failed(str)
+        What was done, and what could not be; a sentence for the user.
+    imported(WorkFile)
+        A file was opened that is no project.
+    restored(Found)
+        All of the work that a window left behind is here.
+    """
+
+    changed = Signal()
+    said = Signal(str)
+    failed = Signal(str)
+    imported = Signal(object)
+    restored = Signal(object)
+
+    def __init__(self, session: Session, work: Work, files: Worker, window: QWidget) -> None:
+        super().__init__(window)
+        self._session = session
+        self._work = work
+        self._files = files
+        self._window = window
+        self._saved: Contents | None = work.contents()
+        """As it is in the file, or at the beginning; None if it never was like that."""
+        self._path: Path | None = None
+        self._modified = self._loading = False
+        self.journaling = Journaling(self._taken, self)
+        self._runner = Runner(files, self)
+        self._runner.event.connect(self._receive)
+        self._runner.failed.connect(self.failed)
+        self.journaling.failed.connect(self.failed)
+        work.changed.connect(self._compare)
+
+    @property
+    def path(self) -> Path | None:
+        """The file; None if the work has not been saved yet."""
+        return self._path
+
+    @property
+    def modified(self) -> bool:
+        """Whether there is work that is not in the file."""
+        return self._modified
+
+    @property
+    def name(self) -> str:
+        """What the project is called; empty if it has not been saved yet."""
+        return "" if self._path is None else self._path.name
+
+    # -- what the user does --------------------------------------------------------------------
+
+    def new(self) -> None:
+        """Start another project."""
+        self._replace(_Opened(Contents(), None))
+
+    def choose(self) -> None:
+        """Ask for a file, and open it."""
+        path = questions.ask_which(self._window)
+        if path is not None:
+            self.open(path)
+
+    def open(self, path: Path) -> None:
+        """Open a project in place of the one that is there, or import a file of something else."""
+        session, formats = self._session, self._work.formats
+        self.said.emit(f"Opening “{path.name}”…")
+        if path.suffix.lower() == SUFFIX:
+            self._runner.start(lambda: _opening(session, path, formats))
+        else:
+            self._runner.start(lambda: _workflow_of(path, formats))
+
+    def restore(self, found: Found) -> None:
+        """Open work that a window left behind, still unsaved."""
+        session, formats = self._session, self._work.formats
+        self._runner.start(lambda: _restoring(session, found, formats))
+
+    def save(self, then: Callable[[], object] | None = None) -> None:
+        """Save into the file, or ask for one; ``then`` is called once that is done."""
+        if self._path is None:
+            self.save_as(then)
+        else:
+            self._write(self._path, then)
+
+    def save_as(self, then: Callable[[], object] | None = None) -> None:
+        """Ask for a file, and save into it."""
+        try:
+            path = questions.ask_where(self._window, self.name or f"Untitled{SUFFIX}")
+        except IconstudioError as error:
+            self.failed.emit(str(error))
+            return
+        if path is not None:
+            self._write(path, then)
+
+    def may_go(self, again: Callable[[], object]) -> bool:
+        """Whether nothing is lost if the work goes from sight, or the user does not mind.
+
+        If it is to be saved first, ``again`` is called once that is done.
+        """
+        if not self._modified:
+            return True
+        answer = questions.ask_about_unsaved(self._window, self.name)
+        if answer is Answer.SAVE:
+            self.save(again)
+        return answer is Answer.DISCARD
+
+    def close(self) -> None:
+        """The window closes; what is not saved was let go."""
+        self._runner.cancel()
+        self.journaling.close()
+
+    # -- how it is done ------------------------------------------------------------------------
+
+    def _replace(self, opened: _Opened) -> None:
+        """Put another project in place, once it is certain that nothing is lost."""
+        if self.may_go(lambda: self._load(opened)):
+            self._load(opened)
+
+    def _write(self, path: Path, then: Callable[[], object] | None) -> None:
+        contents, formats = self._work.contents(), self._work.formats
+
+        def saving() -> Generator[Path]:
+            archive.save(path, contents.project(formats))
+            yield path
+
+        job = self._files.submit(saving)
+        job.event.connect(lambda _: self._note_saved(path, contents, then))
+        job.failed.connect(self.failed)
+
+    def _note_saved(
+        self, path: Path, contents: Contents, then: Callable[[], object] | None
+    ) -> None:
+        self._path, self._saved = path, contents
+        recents.note(path)
+        self._compare()
+        self.changed.emit()
+        self.said.emit(f"Saved “{path}”.")
+        if then is not None:
+            then()
+
+    def _receive(self, event: object) -> None:
+        match event:
+            case _Opened():
+                self._replace(event)
+            case WorkFile():
+                self.imported.emit(event)
+
+    def _load(self, opened: _Opened) -> None:
+        contents, found = opened.contents, opened.found
+        self._loading = True  # half of it is nothing to keep
+        self._work.load(contents)
+        self._loading = False
+        # What could not be read must not vanish from the file when the rest is saved.
+        whole = not contents.complaints
+        self._path = opened.path if whole else None
+        self._saved = self._work.contents() if whole and found is None else None
+        if opened.path is not None and found is None:
+            recents.note(opened.path)
+        if opened.path is not None:
+            self.said.emit(f"Opened “{opened.path.name}”.")
+        for complaint in contents.complaints:
+            self.failed.emit(complaint)
+        self._compare()
+        self.changed.emit()
+        if found is not None and whole:
+            self.journaling.restored(found.left)
+            self.restored.emit(found)
+
+    def _compare(self) -> None:
+        if self._loading:
+            return
+        now = self._work.contents()
+        saved, formats = self._saved, self._work.formats
+        modified = saved is None or not now.alike(saved, formats)
+        if modified:
+            self.journaling.note()
+        else:
+            self.journaling.clear()
+        if modified != self._modified:
+            self._modified = modified
+            self.changed.emit()
+
+    def _taken(self) -> Callable[[], Project]:
+        contents, formats = self._work.contents(), self._work.formats
+        file = "" if self._path is None else str(self._path.absolute())
+        return lambda: contents.project(formats, file=archive.plain_text(file))
+
+
+def _opening(session: Session, path: Path, formats: Formats) -> Generator[Any]:
+    index, parts = archive.read(path)
+    with closing(reading(session, index, parts, formats)) as steps:
+        for step in steps:
+            yield _Opened(step, path) if isinstance(step, Contents) else step
+
+
+def _restoring(session: Session, found: Found, formats: Formats) -> Generator[Any]:
+    index, parts = found.left.read()
+    path = Path(found.file) if found.file else None
+    with closing(reading(session, index, parts, formats)) as steps:
+        for step in steps:
+            yield _Opened(step, path, found) if isinstance(step, Contents) else step
+
+
+def _workflow_of(path: Path, formats: Formats) -> Generator[WorkFile]:
+    """Yield a file with the workflow that it is of, as its fields say."""
+    if path.suffix.lower() != ".json":
+        yield WorkFile(path, "")
+        return
+    keys = fields.read(path).keys
+    yield WorkFile(path, next((n for n, one in formats.workflows.items() if one.keys & keys), ""))

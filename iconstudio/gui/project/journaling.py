@@ -1,0 +1,155 @@
+"""Keeps unsaved work in the journal, edit by edit, and finds what other windows left there."""
+
+import time
+from collections.abc import Callable, Generator
+from dataclasses import dataclass
+
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from iconstudio.gui.worker import Worker
+from iconstudio.model import IconstudioError
+from iconstudio.project.archive import Project
+from iconstudio.project.journal import Journal, LeftBehind, journals_folder, left_behind
+
+GAP = 0.05
+"""Seconds from one writing to the next at least: a drag is many changes."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Found:
+    """Work that was left behind, and what it says of itself."""
+
+    left: LeftBehind
+    file: str
+    """The path of the file that it is of; empty if it was never saved."""
+    current: str
+    """The name of the workflow that was in sight."""
+
+
+class Journaling(QObject):
+    """Writes in a thread of its own, at once, so that no edit waits for anything else.
+
+    Parameters
+    ----------
+    take
+        Returns what returns the project as it is now; that is called in the thread.
+
+    Signals
+    -------
+    found(Found)
+        A window that is no more left work behind.
+    failed(str)
+        Work cannot be kept; a sentence for the user. Once, until it can be again.
+    """
+
+    found = Signal(object)
+    failed = Signal(str)
+
+    def __init__(self, take: Callable[[], Callable[[], Project]], parent: QObject) -> None:
+        super().__init__(parent)
+        self._take = take
+        self._journal = Journal(journals_folder())
+        self._worker = Worker(self)
+        self._writing = self._again = self._kept = self._told = False
+        self._began = 0.0
+        self._timer = QTimer(self, singleShot=True)
+        self._timer.timeout.connect(self._write)
+        self._held: list[LeftBehind] = []
+        self._restored: list[LeftBehind] = []
+
+    def look(self) -> None:
+        """Look for what was left behind."""
+        self._worker.submit(_looking).event.connect(self._find)
+
+    def note(self) -> None:
+        """Keep what is there now in place of what was kept."""
+        if self._writing:
+            self._again = True
+        elif not self._timer.isActive():
+            rest = self._began + GAP - time.monotonic()
+            if rest > 0:
+                self._timer.start(round(rest * 1000))
+            else:
+                self._write()
+
+    def clear(self) -> None:
+        """Keep nothing: all is saved, or as it was before."""
+        self._timer.stop()
+        self._again = False
+        restored, self._restored = self._restored, []
+        for left in restored:
+            self.dismiss(left)
+        if self._kept:
+            self._kept = False
+            journal = self._journal
+            self._worker.submit(lambda: _done(journal.clear))
+
+    def restored(self, left: LeftBehind) -> None:
+        """Remove what was left behind once the window's own journal has it."""
+        self._restored.append(left)
+        self.note()
+
+    def dismiss(self, left: LeftBehind) -> None:
+        """Remove what was left behind."""
+        self._held.remove(left)
+        self._worker.submit(lambda: _done(left.discard))
+
+    def close(self) -> None:
+        """The window closes, and nothing in it is to be kept."""
+        self._timer.stop()
+        self._worker.close()
+        self._journal.clear()
+        for left in self._held:
+            left.release()
+        self._held.clear()
+
+    def _find(self, found: Found) -> None:
+        self._held.append(found.left)
+        self.found.emit(found)
+
+    def _write(self) -> None:
+        self._writing = self._kept = True
+        self._again = False
+        self._began = time.monotonic()
+        make, journal = self._take(), self._journal
+        restored, self._restored = self._restored, []
+        for left in restored:
+            self._held.remove(left)
+
+        def write() -> None:
+            journal.write(make())
+            for left in restored:
+                left.discard()
+
+        job = self._worker.submit(lambda: _done(write))
+        job.event.connect(self._succeed)
+        job.failed.connect(self._fail)
+        job.finished.connect(self._end)
+
+    def _succeed(self) -> None:
+        self._told = False
+
+    def _fail(self, message: str) -> None:
+        if not self._told:
+            self._told = True
+            self.failed.emit(message)
+
+    def _end(self) -> None:
+        self._writing = False
+        if self._again:
+            self.note()
+
+
+def _done(work: Callable[[], object]) -> Generator[None]:
+    work()
+    yield
+
+
+def _looking() -> Generator[Found]:
+    for left in left_behind(journals_folder()):
+        try:
+            index = left.index()
+            found = Found(left, index.text("file"), index.text("current"))
+        except IconstudioError:  # it is told when it is to be restored
+            found = Found(left, "", "")
+        yield found

@@ -1,0 +1,78 @@
+"""Offers work that a window left behind, above the page: to restore it, or to let it go."""
+
+import time
+from collections.abc import Mapping
+from pathlib import Path
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QWidget
+
+from iconstudio.gui.project.journaling import Found
+from iconstudio.gui.theme import UNIT
+from iconstudio.workflows.workflow import Workflow
+
+
+class RecoveryBar(QFrame):
+    """Shows one offer at a time; hidden while there is none.
+
+    Signals
+    -------
+    restore(Found), dismiss(Found)
+        What the user wants to become of the work in sight.
+    """
+
+    restore = Signal(object)
+    dismiss = Signal(object)
+
+    def __init__(self, workflows: Mapping[str, Workflow], parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setProperty("notice", True)
+        self._workflows = workflows
+        self._offers: list[Found] = []
+        self.label = QLabel(wordWrap=True)
+        self.label.setTextFormat(Qt.TextFormat.PlainText)
+        self.restore_button = QPushButton("&Restore", toolTip="Open it here, still unsaved")
+        self.dismiss_button = QPushButton("&Dismiss", toolTip="Remove it for good")
+        self.restore_button.clicked.connect(lambda: self.restore.emit(self._offers[0]))
+        self.dismiss_button.clicked.connect(lambda: self.dismiss.emit(self._offers[0]))
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(UNIT * 3 // 2, UNIT // 2, UNIT, UNIT // 2)
+        layout.setSpacing(UNIT)
+        layout.addWidget(self.label, 1)
+        layout.addWidget(self.restore_button)
+        layout.addWidget(self.dismiss_button)
+        self.hide()
+
+    @property
+    def offers(self) -> tuple[Found, ...]:
+        """All that can be restored."""
+        return tuple(self._offers)
+
+    def offer(self, found: Found) -> None:
+        """Offer one more."""
+        self._offers.append(found)
+        self._show()
+
+    def withdraw(self, found: Found) -> None:
+        """Offer one no longer."""
+        if found in self._offers:
+            self._offers.remove(found)
+        self._show()
+
+    def _show(self) -> None:
+        self.setVisible(bool(self._offers))
+        if self._offers:
+            self.label.setText(self._words(self._offers[0]))
+            self.setAccessibleName(self.label.text())
+
+    def _words(self, found: Found) -> str:
+        day = time.strftime("%x", time.localtime(found.left.when))
+        when = "today" if day == time.strftime("%x") else f"on {day}"
+        clock = time.strftime("%H:%M", time.localtime(found.left.when))
+        known = self._workflows.get(found.current)
+        what = f"on “{Path(found.file).name}”" if found.file else ""
+        where = f"in {known.title}" if known is not None else ""
+        others = len(self._offers) - 1
+        more = f" ({others} more)" if others else ""
+        work = " ".join(filter(None, ("Unsaved work", what, where)))
+        return f"{work} was left when Iconstudio ended {when} at {clock}.{more}"

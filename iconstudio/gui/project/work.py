@@ -1,0 +1,71 @@
+"""All that a project holds, as it is in the window now."""
+
+from collections.abc import Callable, Mapping
+
+from PySide6.QtCore import QObject, Signal
+
+from iconstudio.gui.panels.recent import RecentStrip
+from iconstudio.gui.project.contents import Contents, Formats
+from iconstudio.gui.workspaces.base import Workspace
+from iconstudio.workflows.workflow import Workflow
+
+
+class Work(QObject):
+    """The pages of all workspaces that have been made, and the recent results.
+
+    Parameters
+    ----------
+    workspace_of
+        Returns the workspace of a workflow, made if need be.
+    current, show
+        Returns the name of the workflow in sight; brings another one into sight.
+
+    Signals
+    -------
+    changed()
+        An edit, an undo or a redo, or another recent result.
+    """
+
+    changed = Signal()
+
+    def __init__(
+        self,
+        workflows: Mapping[str, Workflow],
+        recent: RecentStrip,
+        workspace_of: Callable[[str], Workspace],
+        current: Callable[[], str],
+        show: Callable[[str], None],
+        parent: QObject,
+    ) -> None:
+        super().__init__(parent)
+        self.formats = Formats(workflows)
+        self._workflows = workflows
+        self._recent = recent
+        self._workspace_of = workspace_of
+        self._current = current
+        self._show = show
+        self._made: dict[str, Workspace] = {}
+        recent.changed.connect(self.changed)
+
+    def watch(self, workspace: Workspace) -> None:
+        """Count a workspace in that has been made."""
+        self._made[workspace.workflow.name] = workspace
+        workspace.document.page_changed.connect(self.changed)
+
+    def contents(self) -> Contents:
+        """Return what is there now."""
+        pages = {
+            name: one.document.page
+            for name, one in self._made.items()
+            if not one.pages.alike(one.document.page, one.blank)
+        }
+        return Contents(self._current(), pages, self._recent.pictures)
+
+    def load(self, contents: Contents) -> None:
+        """Put a project in place of all that is there."""
+        if contents.current in self._workflows:
+            self._show(contents.current)
+        for name in dict.fromkeys((*self._made, *contents.pages)):
+            workspace = self._workspace_of(name)
+            workspace.load(contents.pages.get(name, workspace.blank))
+        self._recent.show_pictures(contents.recent)
