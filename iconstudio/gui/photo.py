@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 
+from iconstudio.files import write_atomically
 from iconstudio.gui.mipmap import Mipmap
 from iconstudio.images.reading import LONGEST, SUFFIXES, Image
 from iconstudio.model import IconstudioError
@@ -60,6 +61,24 @@ def photo_of(image: Image, path: str = "", data: bytes = b"") -> Photo:
     picture = Mipmap(tuple(map(_packed, levels)))
     kept, suffix = _file_of(image, path, data)
     return Photo(path, image.width, image.height, picture, image.remark, kept, suffix)
+
+
+def file_beside(photo: Photo, path: Path) -> Path:
+    """Return the file of a photo; what was in none, pasted say, is written beside ``path``.
+
+    Raises
+    ------
+    IconstudioError
+        If it cannot be written.
+    """
+    if photo.path:
+        return Path(photo.path)
+    file = path.resolve().parent / f"{path.stem}-photo{photo.suffix}"
+    try:
+        write_atomically(file, photo.data)
+    except OSError as error:
+        raise IconstudioError(f"“{file}” cannot be written: {error.strerror}.") from None
+    return file
 
 
 def _file_of(image: Image, path: str, data: bytes) -> tuple[bytes, str]:

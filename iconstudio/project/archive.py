@@ -95,7 +95,7 @@ def packed(project: Project) -> bytes:
 def index_text(project: Project) -> bytes:
     """Return ``project.json``."""
     data = {"version": VERSION, **project.index}
-    return json.dumps(data, ensure_ascii=False, indent=1, allow_nan=False).encode(errors="replace")
+    return json.dumps(data, ensure_ascii=False, allow_nan=False).encode(errors="replace")
 
 
 def read(path: Path) -> tuple[Fields, Mapping[str, bytes]]:

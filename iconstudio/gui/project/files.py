@@ -232,7 +232,12 @@ class ProjectFiles(QObject):
 
 
 def _opening(session: Session, path: Path, formats: Formats) -> Generator[Any]:
-    index, parts = archive.read(path)
+    try:
+        index, parts = archive.read(path)
+    except IconstudioError:
+        if not path.exists():
+            recents.forget(path)
+        raise
     with closing(reading(session, index, parts, formats)) as steps:
         for step in steps:
             yield _Opened(step, path) if isinstance(step, Contents) else step

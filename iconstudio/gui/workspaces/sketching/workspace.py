@@ -15,6 +15,7 @@ from iconstudio.gui.canvas.tools.polygon import PolygonTool
 from iconstudio.gui.canvas.view import CanvasView
 from iconstudio.gui.document import Document
 from iconstudio.gui.mime import holds_something
+from iconstudio.gui.photo import file_beside
 from iconstudio.gui.pictures import Picture
 from iconstudio.gui.saving import Saver
 from iconstudio.gui.worker import Worker
@@ -208,9 +209,13 @@ class SketchWorkspace(RemixWorkspace):
 
     def _save(self) -> None:
         page = self.document.page
-        photo = Path(page.photo.path) if page.photo is not None and page.photo.path else None
         title = page.sketch.keyword
-        self.saver.save_work("sketch", title, lambda path: write_sketch(path, page.sketch, photo))
+
+        def write(path: Path) -> None:
+            photo = None if page.photo is None else file_beside(page.photo, path)
+            write_sketch(path, page.sketch, photo)
+
+        self.saver.save_work("sketch", title, write)
 
 
 def _filled(polygon: Polygon) -> NDArray[np.bool_]:

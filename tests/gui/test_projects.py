@@ -1,0 +1,382 @@
+"""Projects: what is in the window, in one file, and back."""
+
+import json
+import zipfile
+from dataclasses import replace
+
+import pytest
+from fake_session import exemplar
+from hands import SQUARE, click, trace, type_keyword
+from PySide6.QtCore import QMimeData, QUrl
+from PySide6.QtGui import QImage
+from PySide6.QtWidgets import QMessageBox
+
+from iconstudio.gui.main_window import MainWindow
+from iconstudio.gui.project import questions, recents
+from iconstudio.gui.project.questions import Answer
+from iconstudio.gui.workspaces.editing.page import Area, EditPage, Kind
+from iconstudio.gui.workspaces.hybrids.page import Ask, HybridsPage, Ingredient
+from iconstudio.gui.workspaces.montage.page import Icon, MontagePage
+from iconstudio.gui.workspaces.plain.opening import WorkPage
+from iconstudio.model import Axis, Placement, Stroke
+from iconstudio.svg.reading import own_svg
+from iconstudio.workflows.modelling.file import read_sketch
+from iconstudio.workflows.registry import registered
+from tests.toy import MIRROR, Mirroring
+
+OWN = own_svg(b'<svg viewBox="0 0 9 9"><path d="M1 1H8V5Z"/></svg>', "my: own.svg")
+
+
+@pytest.fixture
+def window(qtbot, session):
+    with registered(MIRROR):
+        window = MainWindow(session)
+        qtbot.addWidget(window)
+        window.resize(1280, 720)
+        window.show()
+        qtbot.waitExposed(window)
+        yield window
+        window.close()
+        assert not window.threads_alive()
+
+
+@pytest.fixture
+def another(qtbot, session, window):
+    """Makes one more window."""
+    made = []
+
+    def make():
+        window = MainWindow(session)
+        made.append(window)
+        qtbot.addWidget(window)
+        window.show()
+        return window
+
+    yield make
+    for window in made:
+        window.close()
+
+
+def icon(number, pictogram=None):
+    one = exemplar(number)
+    return one if pictogram is None else replace(one, pictogram=pictogram)
+
+
+def fill(window, qtbot, photo=None):
+    """Put something unfinished on the page of every workflow."""
+    sketching = window.workspace_of("Sketch")
+    if photo is not None:
+        data = QMimeData()
+        data.setImageData(photo)
+        sketching.opener.open_mime(data)
+        qtbot.waitUntil(lambda: sketching.document.page.photo is not None)
+    for point in SQUARE[:2]:
+        click(sketching, point)
+    type_keyword(sketching, "motorcycle")
+    areas = (
+        Area(Kind.ADD, ((1.0, 2.5), (9.0, 3.0), (5.0, 9.0))),
+        Area(Kind.REMOVE, ((3.0, 4.0),), False),
+    )
+    edit = EditPage(icon(1, OWN), "camera", areas, Axis.HORIZONTAL, frozenset({"shapes:ring-0"}))
+    window.workspace_of("Edit").document.change("edit", edit)
+    page = MontagePage().with_icons([Icon(icon(2)), Icon(icon(1, OWN))]).ordered(1, 0)
+    page = page.placed(0, Placement(1.25, True, 300, -7)).drawn(0, [Stroke(3.0, ((1.0, 2.0),))])
+    window.workspace_of("Montage").document.change("montage", page.hidden(1, True))
+    ask = Ask("lamp", 4, Axis.VERTICAL, 3)
+    mix = HybridsPage((Ingredient(icon(3), ((4.0, 5.0),)), Ingredient(icon(1, OWN))), ask, 5, 6)
+    window.workspace_of("Hybrids").document.change("mix", mix)
+    mirrored = WorkPage(Mirroring((icon(5).pictogram, OWN)))
+    window.workspace_of("Mirror").document.change("mirror", mirrored)
+
+
+def plain(page):
+    """A page as values that can be compared, but for its photo."""
+    match page:
+        case EditPage():
+            return replace(page, icon=page.icon and page.icon.pictogram)
+        case MontagePage():
+            return page.chosen, [replace(one, icon=one.icon.pictogram) for one in page.layers]
+        case HybridsPage():
+            icons = [(one.exemplar.pictogram, one.pins) for one in page.ingredients]
+            return icons, replace(page, ingredients=(), favourites=())
+    return replace(page, photo=None) if hasattr(page, "photo") else page
+
+
+def pages(window):
+    return {one.workflow.name: plain(one.document.page) for one in window.workspaces}
+
+
+def save(window, qtbot, path, monkeypatch):
+    monkeypatch.setattr(questions, "ask_where", lambda *_: path)
+    window.action("save_project").trigger()
+    qtbot.waitUntil(lambda: not window.project.modified)
+
+
+def open_project(window, qtbot, path):
+    window.project.open(path)
+    qtbot.waitUntil(lambda: window.project.path == path)
+
+
+def no_question(*_):
+    raise AssertionError("nothing is lost, and yet there is a question")
+
+
+def test_the_pages_of_all_workflows_are_read_back(window, another, qtbot, tmp_path, monkeypatch):
+    photo = QImage(30, 20, QImage.Format.Format_RGB32)
+    photo.fill(0x336699)
+    fill(window, qtbot, photo)
+    path = tmp_path / "dog.iconstudio"
+    save(window, qtbot, path, monkeypatch)
+    assert window.windowTitle() == "dog.iconstudio[*] – Iconstudio"
+    other = another()
+    open_project(other, qtbot, path)
+    assert pages(other) == pages(window)
+    there = other.workspace_of("Sketch").document.page.photo
+    assert (there.width, there.height) == (30, 20)
+    assert there.picture.levels[0].pixelColor(3, 3).name() == "#336699"
+    assert not other.project.modified
+    assert not other.isWindowModified()
+    assert all(one.document.undo_stack.count() == 0 for one in other.workspaces)
+    # Once more, it is the same file.
+    again = tmp_path / "again.iconstudio"
+    monkeypatch.setattr(questions, "ask_where", lambda *_: again)
+    other.action("save_project_as").trigger()
+    qtbot.waitUntil(lambda: other.project.path == again)
+    one, two = (zipfile.ZipFile(file) for file in (path, again))
+    assert sorted(one.namelist()) == sorted(two.namelist())
+    for name in one.namelist():
+        if name != "project.json":
+            assert one.read(name) == two.read(name), name
+    first, second = (json.loads(file.read("project.json")) for file in (one, two))
+    assert first["pages"] == second["pages"]
+
+
+def test_picked_results_and_favourites_are_read_back(window, another, qtbot, tmp_path, monkeypatch):
+    sketching = window.workspace
+    trace(sketching)
+    type_keyword(sketching, "motorcycle")
+    sketching.run()
+    qtbot.waitUntil(lambda: not sketching.runs.running, timeout=20000)
+    window.show_workspace(2)
+    hybrids = window.workspace
+    mix = HybridsPage((Ingredient(icon(3)), Ingredient(icon(4))))
+    hybrids.document.change("mix", mix)
+    hybrids.run()
+    qtbot.waitUntil(lambda: not hybrids.draws.runner.running, timeout=20000)
+    hybrids.keep(hybrids.sheet.hybrids.pictures[0])
+    path = tmp_path / "dog.iconstudio"
+    save(window, qtbot, path, monkeypatch)
+    other = another()
+    open_project(other, qtbot, path)
+    assert len(window.recent.pictures) == 2
+    kept = other.workspace_of("Hybrids").document.page.favourites
+    assert len(kept) == 1
+    found = [*kept, *other.recent.pictures]
+    for one, copy in zip(
+        [*hybrids.document.page.favourites, *window.recent.pictures], found, strict=True
+    ):
+        assert copy.icon.path == one.icon.path
+        assert copy.title == one.title
+        assert [p.credit for p in copy.icon.credits] == [p.credit for p in one.icon.credits]
+        assert copy.icon.composite.shares[:1] == one.icon.composite.shares[:1]
+        assert copy.icon.score == one.icon.score
+        assert copy.icon.seeds == one.icon.seeds
+    assert other.workspace is other.workspace_of("Hybrids")
+    other.workspace.run()
+    other.workspace.draw_like(kept[0])
+    qtbot.waitUntil(lambda: not other.workspace.draws.runner.running, timeout=20000)
+
+
+def test_a_star_stands_for_what_is_not_saved(window, qtbot, tmp_path, monkeypatch):
+    assert window.windowTitle() == "Iconstudio[*]"
+    assert not window.isWindowModified()
+    click(window.workspace, SQUARE[0])
+    assert window.isWindowModified()
+    assert "Untitled" in window.windowTitle()
+    window.action("undo").trigger()
+    assert not window.isWindowModified()
+    window.action("redo").trigger()
+    save(window, qtbot, tmp_path / "dog.iconstudio", monkeypatch)
+    assert not window.isWindowModified()
+    window.action("undo").trigger()
+    assert window.isWindowModified()
+
+
+def test_to_choose_a_layer_is_no_change(window, qtbot, tmp_path, monkeypatch):
+    fill(window, qtbot)
+    save(window, qtbot, tmp_path / "dog.iconstudio", monkeypatch)
+    window.workspace_of("Montage").layers.chosen.emit(0)
+    assert not window.project.modified
+
+
+@pytest.mark.parametrize("answer", Answer)
+def test_closing_asks_about_what_is_not_saved(window, qtbot, tmp_path, monkeypatch, answer):
+    path = tmp_path / "dog.iconstudio"
+    monkeypatch.setattr(questions, "ask_where", lambda *_: path)
+    asked = []
+    monkeypatch.setattr(questions, "ask_about_unsaved", lambda *_: asked.append(1) or answer)
+    trace(window.workspace)
+    window.action("quit").trigger()
+    assert asked == [1]
+    if answer is Answer.SAVE:
+        qtbot.waitUntil(lambda: not window.isVisible())
+        assert path.exists()
+    assert window.isVisible() == (answer is Answer.CANCEL)
+    assert window.threads_alive() == (answer is Answer.CANCEL)
+    monkeypatch.setattr(questions, "ask_about_unsaved", lambda *_: Answer.DISCARD)
+
+
+def test_nothing_is_asked_where_nothing_is_lost(window, qtbot, tmp_path, monkeypatch):
+    monkeypatch.setattr(questions, "ask_about_unsaved", no_question)
+    window.action("new_project").trigger()
+    trace(window.workspace)
+    save(window, qtbot, tmp_path / "dog.iconstudio", monkeypatch)
+    window.action("new_project").trigger()
+    assert window.project.path is None
+    assert window.workspace.document.page.empty
+
+
+def test_a_project_that_is_opened_asks_about_the_one_before(window, qtbot, tmp_path, monkeypatch):
+    trace(window.workspace)
+    path = tmp_path / "dog.iconstudio"
+    save(window, qtbot, path, monkeypatch)
+    window.action("new_project").trigger()
+    type_keyword(window.workspace, "cat")
+    asked = []
+    monkeypatch.setattr(questions, "ask_about_unsaved", lambda *_: asked.append(1) or Answer.CANCEL)
+    window.project.open(path)
+    qtbot.waitUntil(lambda: asked == [1])
+    assert window.workspace.document.page.sketch.keyword == "cat"
+    monkeypatch.setattr(questions, "ask_about_unsaved", lambda *_: Answer.DISCARD)
+    open_project(window, qtbot, path)
+    assert window.workspace.document.page.closed
+
+
+def test_a_dropped_project_is_opened(window, qtbot, tmp_path, monkeypatch):
+    trace(window.workspace)
+    path = tmp_path / "dog.iconstudio"
+    save(window, qtbot, path, monkeypatch)
+    window.action("new_project").trigger()
+    for number in range(5):
+        window.show_workspace(number)
+        data = QMimeData()
+        data.setUrls([QUrl.fromLocalFile(str(path))])
+        window.workspace.open_mime(data)
+        qtbot.waitUntil(lambda: window.project.path == path)
+        assert window.workspace.workflow.name == "model"
+        window.action("new_project").trigger()
+
+
+def test_files_of_work_are_opened_where_they_belong(window, qtbot, tmp_path):
+    path = tmp_path / "mirror.json"
+    path.write_text(json.dumps({"mirrored": ["shapes:frame-1"]}))
+    window.project.open(path)
+    qtbot.waitUntil(lambda: window.workspace.workflow is MIRROR)
+    qtbot.waitUntil(lambda: len(window.workspace.document.page.work.icons) == 1)
+    assert window.project.path is None
+    assert window.project.modified
+
+
+def test_recent_projects_are_offered_and_opened(window, qtbot, tmp_path, monkeypatch):
+    trace(window.workspace)
+    for name in ("a&b", "cat"):
+        path = tmp_path / f"{name}.iconstudio"
+        monkeypatch.setattr(questions, "ask_where", lambda *_, path=path: path)
+        window.action("save_project_as").trigger()
+        qtbot.waitUntil(lambda path=path: window.project.path == path)
+    menu = window.action("recent").menu()
+    menu.aboutToShow.emit()
+    texts = [one.text() for one in menu.actions()]
+    assert texts[0].startswith("&1  cat – ")
+    assert texts[1].startswith("&2  a&&b – ")
+    menu.actions()[1].trigger()
+    qtbot.waitUntil(lambda: window.project.name == "a&b.iconstudio")
+    (tmp_path / "cat.iconstudio").unlink()
+    menu.aboutToShow.emit()
+    menu.actions()[1].trigger()
+    qtbot.waitUntil(window.desk.notice.isVisible)
+    assert "There is no such file" in window.desk.notice.label.text()
+    assert not any("cat" in one for one in recents.recents())
+    menu.aboutToShow.emit()
+    menu.actions()[-1].trigger()
+    assert recents.recents() == []
+
+
+def test_a_page_that_cannot_be_read_is_told_and_the_file_is_safe(
+    window, another, qtbot, tmp_path, monkeypatch
+):
+    fill(window, qtbot)
+    path = tmp_path / "dog.iconstudio"
+    save(window, qtbot, path, monkeypatch)
+    with zipfile.ZipFile(path) as archive:
+        parts = {name: archive.read(name) for name in archive.namelist()}
+    index = json.loads(parts["project.json"])
+    index["pages"]["montage"]["layers"][0]["icon"] = "/etc/passwd"
+    index["pages"]["unheard-of"] = {}
+    parts["project.json"] = json.dumps(index).encode()
+    with zipfile.ZipFile(path, "w") as archive:
+        for name, data in parts.items():
+            archive.writestr(name, data)
+    other = another()
+    other.project.open(path)
+    qtbot.waitUntil(other.desk.notice.isVisible)
+    told = other.desk.notice.label.text()
+    assert "The page of Montage could not be read" in told
+    assert "no workflow “unheard-of”" in told
+    assert pages(other)["edit"] == pages(window)["edit"]
+    assert other.project.path is None
+    assert other.project.modified
+
+
+def test_what_cannot_be_saved_is_told_and_stays(window, qtbot, tmp_path, monkeypatch):
+    trace(window.workspace)
+    monkeypatch.setattr(questions, "ask_where", lambda *_: tmp_path / "gone" / "dog.iconstudio")
+    window.action("save_project").trigger()
+    qtbot.waitUntil(window.desk.notice.isVisible)
+    assert "cannot be written" in window.desk.notice.label.text()
+    assert window.project.modified
+    assert window.project.path is None
+
+
+def test_the_name_of_another_kind_gets_the_right_ending(tmp_path):
+    assert questions.named_as_project(tmp_path / "dog 1.2") == tmp_path / "dog 1.2.iconstudio"
+    assert questions.named_as_project(tmp_path / "DOG.IconStudio") == tmp_path / "DOG.IconStudio"
+    (tmp_path / "dog 1.2.iconstudio").touch()
+    with pytest.raises(Exception, match="is there already"):
+        questions.named_as_project(tmp_path / "dog 1.2")
+
+
+def test_the_question_has_three_answers(window):
+    for name in ("", "dog.iconstudio"):
+        box = questions.unsaved_box(window, name)
+        words = [one.text().replace("&", "") for one in box.buttons()]
+        assert sorted(words) == sorted(["Save" if name else "Save…", "Don’t save", "Cancel"])
+        assert box.defaultButton().text().startswith("&Save")
+        assert box.escapeButton() is not None
+        assert name in box.text()
+        assert isinstance(box, QMessageBox)
+        box.deleteLater()
+
+
+def test_a_pasted_photo_is_saved_beside_an_exported_sketch(window, qtbot, tmp_path, monkeypatch):
+    photo = QImage(30, 20, QImage.Format.Format_RGB32)
+    photo.fill(0x336699)
+    data = QMimeData()
+    data.setImageData(photo)
+    sketching = window.workspace
+    sketching.opener.open_mime(data)
+    qtbot.waitUntil(lambda: sketching.document.page.photo is not None)
+    for point in ((2, 2), (20, 3), (15, 15)):
+        click(sketching, point)
+    click(sketching, (2, 2))
+    path = tmp_path / "dog.json"
+    monkeypatch.setattr(sketching.saver, "ask_path", lambda *_: path)
+    sketching.actions_by_name["save"].trigger()
+    qtbot.waitUntil(path.exists)
+    file = read_sketch(path)
+    assert file.photo == (tmp_path / "dog-photo.png").resolve()
+    assert QImage(str(file.photo)).pixelColor(3, 3).name() == "#336699"
+    sketching.actions_by_name["new"].trigger()
+    sketching.opener.open_work(str(path))
+    qtbot.waitUntil(lambda: sketching.document.page.photo is not None)
+    assert sketching.document.page.photo.width == 30
