@@ -11,7 +11,7 @@ from iconstudio.model import IconstudioError
 from iconstudio.project.archive import Project
 from iconstudio.project.journal import Journal, LeftBehind, journals_folder, left_behind
 
-GAP = 0.05
+GAP = 0.02
 """Seconds from one writing to the next at least: a drag is many changes."""
 
 
