@@ -16,11 +16,18 @@ class _Window:
         return reason
 
     def open(self, example: str | None) -> int:
-        gc.disable()  # Nearly all that is made until the window is there stays.
-        from iconstudio.gui.app import run
+        return _run(example=example)
 
-        code: int = run(example)
-        return code
+    def open_project(self, path: str) -> int:
+        return _run(project=path)
+
+
+def _run(example: str | None = None, project: str | None = None) -> int:
+    gc.disable()  # Nearly all that is made until the window is there stays.
+    from iconstudio.gui.app import run
+
+    code: int = run(example, project=project)
+    return code
 
 
 def main() -> None:

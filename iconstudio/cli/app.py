@@ -1,6 +1,7 @@
 """The program's commands, and how they end."""
 
 import errno
+import os
 import sys
 from collections.abc import Sequence
 from typing import ClassVar, Protocol
@@ -23,6 +24,9 @@ class Window(Protocol):
 
     def open(self, example: str | None) -> int:
         """Show the window, with an example if named, until it is closed; return the exit code."""
+
+    def open_project(self, path: str) -> int:
+        """Show the window with a project until it is closed; return the exit code."""
 
 
 class _Commands(click.Group):
@@ -49,9 +53,12 @@ class _Commands(click.Group):
         return list(self.helps)
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        from iconstudio.project.archive import SUFFIX
         from iconstudio.workflows.registry import workflows
         from iconstudio.workflows.workflow import named
 
+        if cmd_name.lower().endswith(SUFFIX):
+            return _opening(cmd_name)
         for one in workflows():
             if one.name == cmd_name and not one.command:
                 from iconstudio.cli.plain import command_of
@@ -75,13 +82,40 @@ class _Commands(click.Group):
 @click.version_option(__version__, prog_name="iconstudio")
 @click.pass_context
 def commands(ctx: click.Context) -> None:
-    """Make new icons out of parts of real ones. Without a command, the window opens."""
+    """Make new icons out of parts of real ones. Without a command, the window opens.
+
+    A project, FILE.iconstudio, in place of the command is opened in it.
+    """
     if ctx.invoked_subcommand is None:
-        if (reason := ctx.obj.obstacle()) is not None:
-            raise IconstudioError(
-                f"{reason}\nWithout a window: iconstudio model SKETCH.json --out FOLDER"
-            )
-        ctx.exit(ctx.obj.open(None))
+        ctx.exit(_checked(ctx.obj).open(None))
+
+
+def _opening(path: str) -> click.Command:
+    """Return the command that opens a project in the window."""
+
+    @click.command(name=path, help="Open a project in the window.")
+    @click.pass_context
+    def command(ctx: click.Context) -> None:
+        if not os.path.isfile(path):
+            raise IconstudioError(f"There is no file “{path}”. Check its name and folder.")
+        ctx.exit(_checked(ctx.obj).open_project(path))
+
+    return command
+
+
+def _checked(window: Window) -> Window:
+    """Return a window that can open.
+
+    Raises
+    ------
+    IconstudioError
+        If it cannot.
+    """
+    if (reason := window.obstacle()) is not None:
+        raise IconstudioError(
+            f"{reason}\nWithout a window: iconstudio model SKETCH.json --out FOLDER"
+        )
+    return window
 
 
 def run(arguments: Sequence[str], window: Window) -> int:

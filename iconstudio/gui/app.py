@@ -2,6 +2,7 @@
 
 import gc
 import sys
+from pathlib import Path
 
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QApplication
@@ -38,7 +39,9 @@ def leave_clipboard() -> None:
         clipboard.setText(clipboard.text())
 
 
-def run(example: str | None = None, session: Session | None = None) -> int:
+def run(
+    example: str | None = None, session: Session | None = None, project: str | None = None
+) -> int:
     """Open the window and return the exit code once it is closed.
 
     Parameters
@@ -47,6 +50,8 @@ def run(example: str | None = None, session: Session | None = None) -> int:
         File name, without ``.json``, of an example sketch to load and remix at once.
     session
         The session to work with; by default one of its own.
+    project
+        The path of a project to open.
 
     Raises
     ------
@@ -57,6 +62,8 @@ def run(example: str | None = None, session: Session | None = None) -> int:
     window = MainWindow(session or Session())
     if example is not None:
         start(window, example)
+    if project is not None:
+        window.project.open(Path(project))
     window.show()
     keep_going()
     return app.exec()

@@ -185,3 +185,17 @@ def test_output_that_has_no_room_is_told_in_a_sentence():
         )
     assert done.returncode == 2
     assert done.stderr == "iconstudio: The disk is full. Make room, and run again.\n"
+
+
+def test_a_project_is_opened_in_the_window(tmp_path, capsys):
+    class Window(AWindow):
+        def open_project(self, path):
+            self.opened = path
+            return 7
+
+    window, path = Window(), tmp_path / "my dog.iconstudio"
+    assert run([str(path)], window) == 2
+    assert "There is no file" in capsys.readouterr().err
+    path.touch()
+    assert run([str(path)], window) == 7
+    assert window.opened == str(path)

@@ -26,7 +26,7 @@ class RecoveryBar(QFrame):
 
     def __init__(self, workflows: Mapping[str, Workflow], parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setProperty("notice", True)
+        self.setProperty("offer", True)
         self._workflows = workflows
         self._offers: list[Found] = []
         self.label = QLabel(wordWrap=True)
@@ -66,13 +66,13 @@ class RecoveryBar(QFrame):
             self.setAccessibleName(self.label.text())
 
     def _words(self, found: Found) -> str:
-        day = time.strftime("%x", time.localtime(found.left.when))
-        when = "today" if day == time.strftime("%x") else f"on {day}"
-        clock = time.strftime("%H:%M", time.localtime(found.left.when))
+        when = time.localtime(found.left.when)
+        day = "today" if when[:3] == time.localtime()[:3] else f"on {time.strftime('%d %B', when)}"
+        clock = time.strftime("%H:%M", when)
         known = self._workflows.get(found.current)
         what = f"on “{Path(found.file).name}”" if found.file else ""
         where = f"in {known.title}" if known is not None else ""
         others = len(self._offers) - 1
         more = f" ({others} more)" if others else ""
         work = " ".join(filter(None, ("Unsaved work", what, where)))
-        return f"{work} was left when Iconstudio ended {when} at {clock}.{more}"
+        return f"{work} was left when Iconstudio ended {day} at {clock}.{more}"
