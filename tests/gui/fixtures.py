@@ -43,10 +43,12 @@ def own_preferences(tmp_path_factory):
 
 
 @pytest.fixture(autouse=True)
-def own_journals(tmp_path_factory, monkeypatch):
+def own_journals(tmp_path_factory):
     """Nothing is found of other tests; and their windows close without a question."""
-    monkeypatch.setenv("ICONSTUDIO_DATA", str(tmp_path_factory.mktemp("data")))
-    monkeypatch.setattr(questions, "ask_about_unsaved", lambda *_: Answer.DISCARD)
+    with pytest.MonkeyPatch.context() as patch:  # of its own: a test may undo those of others
+        patch.setenv("ICONSTUDIO_DATA", str(tmp_path_factory.mktemp("data")))
+        patch.setattr(questions, "ask_about_unsaved", lambda *_: Answer.DISCARD)
+        yield
 
 
 @pytest.fixture(autouse=True)

@@ -152,7 +152,7 @@ class Opener(QObject):
             case mime.Icon(pictogram):
                 self.take(pictogram)
             case mime.File(path):
-                (self._open_work if item.is_work else self.open_file)(path)
+                (_way(self, path) if item.is_work else self.open_file)(path)
             case mime.Image():
                 self.open_image(item)
             case mime.Elsewhere():
@@ -170,18 +170,13 @@ class Opener(QObject):
         if others:
             start(lambda: self._gather(others))
         else:
-            self._open_work(works.pop(0).path)
+            path = works.pop(0).path
+            _way(self, path)(path)
         if works:
             self.complain(
                 f"{named(works)} {was(works)} not opened. What such a file holds takes the place "
                 "of all that is here: open it by itself."
             )
-
-    def _open_work(self, path: str) -> None:
-        if mime.is_project(path):
-            self.project.emit(path)
-        else:
-            self.open_work(path)
 
     def _gather(self, items: Sequence[mime.Item]) -> Generator[Gathered | Sprite | None]:
         return gathering(items, self.reading, self.most, self.no_room)
@@ -250,6 +245,11 @@ class Opener(QObject):
     def _rest(self) -> None:
         if not self._busy:
             self._complaints.clear()
+
+
+def _way(opener: Opener, path: str) -> Callable[[str], object]:
+    """Return how a file of the program's own is opened: a project is none of the page's."""
+    return opener.project.emit if mime.is_project(path) else opener.open_work
 
 
 class IconOpener(Opener):
