@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from pathlib import Path
 
-from PySide6.QtCore import QTimer
+from PySide6.QtCore import QMimeData, QTimer, QUrl
 from PySide6.QtGui import QAction, QCloseEvent, QGuiApplication
 from PySide6.QtWidgets import QHBoxLayout, QMainWindow, QMenu, QStackedWidget, QVBoxLayout, QWidget
 
@@ -208,7 +208,9 @@ class MainWindow(QMainWindow):
     def _import(self, file: WorkFile) -> None:
         if file.workflow:
             self._show_named(file.workflow)
-        self.workspace.open_file(str(file.path))
+        data = QMimeData()
+        data.setUrls([QUrl.fromLocalFile(str(file.path))])
+        self.workspace.open_mime(data)
 
     def _dismiss(self, found: Found) -> None:
         self.recovery.withdraw(found)

@@ -8,6 +8,7 @@ from iconstudio.gui.pictures import Picture, picture_of
 from iconstudio.inputs.fields import Fields
 from iconstudio.model import IconstudioError
 from iconstudio.project.parts import Parts, StoredParts
+from iconstudio.workflows.workflow import Workflow
 
 P = TypeVar("P", bound=Page)
 
@@ -17,6 +18,9 @@ class PageFormat(Generic[P]):
 
     Whatever can be on a page is read back as it was, be it unfinished or no good.
     """
+
+    def __init__(self, workflow: Workflow) -> None:
+        self.workflow = workflow
 
     def write(self, page: P, parts: Parts) -> dict[str, Any]:
         """Return a page as JSON; icons, photos and results go into ``parts``."""

@@ -29,7 +29,7 @@ class Formats(dict[str, PageFormat]):
 
     def __missing__(self, name: str) -> PageFormat:
         workflow = self.workflows[name]
-        self[name] = named(workflow.workspace or PLAIN).pages_of(workflow)
+        self[name] = named(workflow.workspace or PLAIN).page_format(workflow)
         return self[name]
 
 

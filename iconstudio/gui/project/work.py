@@ -67,5 +67,7 @@ class Work(QObject):
             self._show(contents.current)
         for name in dict.fromkeys((*self._made, *contents.pages)):
             workspace = self._workspace_of(name)
-            workspace.load(contents.pages.get(name, workspace.blank))
+            workspace.cancel()
+            workspace.document.load(workspace.blank)  # results of other work go from sight, too
+            workspace.document.load(contents.pages.get(name, workspace.blank))
         self._recent.show_pictures(contents.recent)

@@ -2,16 +2,15 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
-from typing import Any
+from typing import Any, ClassVar
 
 from PySide6.QtCore import QMimeData, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QMenu, QWidget
 
-from iconstudio.gui import mime
 from iconstudio.gui.actions import ENTRIES, Actions, Entry
 from iconstudio.gui.canvas.view import CanvasView
-from iconstudio.gui.document import Document, Page
+from iconstudio.gui.document import Document
 from iconstudio.gui.pages import PageFormat
 from iconstudio.gui.panels.board import Board
 from iconstudio.gui.panels.detail import DetailPanel
@@ -70,6 +69,8 @@ class Workspace(QWidget):
     send = Signal(object, str)
     project = Signal(str)
 
+    page_format: ClassVar[type[PageFormat]]
+    """How its pages are written into projects."""
     actions_by_name: Actions
     """All that can be done here; see ``make_actions``. The menus show these, and their shortcuts
     work while this workspace is in sight. What makes no sense at the moment is disabled."""
@@ -90,8 +91,7 @@ class Workspace(QWidget):
         self.document = document
         self.blank = document.page
         """The page to begin with."""
-        self.pages = self.pages_of(workflow)
-        """The format of its pages in projects."""
+        self.pages = self.page_format(workflow)
         document.setParent(self)
         self.worker = Worker(self)
         self._opener: Opener | None = None
@@ -99,11 +99,6 @@ class Workspace(QWidget):
         """What shows results; each has a method ``show_display``."""
         self.progressed.connect(lambda _: self._allow_cancel(True))
         self.rested.connect(lambda _: self._allow_cancel(False))
-
-    @classmethod
-    def pages_of(cls, workflow: Workflow) -> PageFormat:
-        """Return the format of its pages in projects."""
-        raise NotImplementedError
 
     @property
     def picture(self) -> Picture | None:
@@ -120,17 +115,6 @@ class Workspace(QWidget):
 
     def take(self, pictogram: Pictogram) -> None:
         """Begin with an icon that was sent here, or add it."""
-
-    def load(self, page: Page) -> None:
-        """Put a page of a project in place of all that is here, results too, for good."""
-        self.cancel()
-        self.document.load(self.blank)
-        self.document.load(page)
-
-    def open_file(self, path: str) -> None:
-        """Open a file, of work or of anything else that can be used here."""
-        if self._opener is not None:
-            self._opener.open_item(mime.File(path))
 
     def open_mime(self, data: QMimeData) -> None:
         """Open what was dropped where nothing else is made of it."""

@@ -65,10 +65,7 @@ class Wanted(NamedTuple):
 class EditWorkspace(RemixWorkspace):
     """An icon is changed where the user marks it."""
 
-    @classmethod
-    def pages_of(cls, workflow: Workflow) -> EditPages:
-        """Return the format of its pages in projects."""
-        return EditPages()
+    page_format = EditPages
 
     def __init__(self, workflow: Workflow, session: Session, files: Worker, saver: Saver) -> None:
         super().__init__(workflow, session, files, saver, Document(EditPage()))

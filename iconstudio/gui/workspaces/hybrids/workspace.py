@@ -46,10 +46,7 @@ OWN = {
 class HybridsWorkspace(Workspace):
     """Icons on the left; the sheet of hybrids, favourites and details on the right."""
 
-    @classmethod
-    def pages_of(cls, workflow: Workflow) -> HybridsPages:
-        """Return the format of its pages in projects."""
-        return HybridsPages()
+    page_format = HybridsPages
 
     def __init__(self, workflow: Workflow, session: Session, files: Worker, saver: Saver) -> None:
         super().__init__(workflow, session, files, saver, Document(HybridsPage()))

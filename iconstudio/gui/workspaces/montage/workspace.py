@@ -71,10 +71,7 @@ _INVITATION = (
 class MontageWorkspace(Workspace):
     """Icons to choose from and layers on the left, the canvas, and the live result on the right."""
 
-    @classmethod
-    def pages_of(cls, workflow: Workflow) -> MontagePages:
-        """Return the format of its pages in projects."""
-        return MontagePages()
+    page_format = MontagePages
 
     def __init__(self, workflow: Workflow, session: Session, files: Worker, saver: Saver) -> None:
         super().__init__(workflow, session, files, saver, Document(MontagePage()))

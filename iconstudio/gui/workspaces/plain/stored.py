@@ -9,22 +9,18 @@ from iconstudio.inputs.fields import Fields
 from iconstudio.model import Exemplar, Pictogram
 from iconstudio.project.parts import Parts, StoredParts
 from iconstudio.workflows.events import Event
-from iconstudio.workflows.workflow import Workflow
 
 
 class WorkPages(PageFormat[WorkPage]):
     """Work that the spec knows how to write and to read."""
 
-    def __init__(self, workflow: Workflow) -> None:
-        self._workflow = workflow
-
     def write(self, page: WorkPage, parts: Parts) -> dict[str, Any]:
         """Return a page as JSON."""
-        return self._workflow.write(page.work, parts.icon)
+        return self.workflow.write(page.work, parts.icon)
 
     def read(self, fields: Fields, parts: StoredParts) -> Generator[Event, None, WorkPage]:
         """Return the page that was written."""
-        return WorkPage((yield from self._workflow.read(fields, _Resources(parts))))
+        return WorkPage((yield from self.workflow.read(fields, _Resources(parts))))
 
 
 class _Resources:

@@ -35,10 +35,7 @@ _SIDE = 112
 class PlainWorkspace(Workspace):
     """Icons are chosen, and a workflow runs over them as it declares."""
 
-    @classmethod
-    def pages_of(cls, workflow: Workflow) -> WorkPages:
-        """Return the format of its pages in projects."""
-        return WorkPages(workflow)
+    page_format = WorkPages
 
     def __init__(self, workflow: Workflow, session: Session, files: Worker, saver: Saver) -> None:
         super().__init__(workflow, session, files, saver, Document(WorkPage(workflow.work())))

@@ -55,10 +55,7 @@ OWN = {
 class SketchWorkspace(RemixWorkspace):
     """The outline of an object is traced, perhaps over a photo, and remixed."""
 
-    @classmethod
-    def pages_of(cls, workflow: Workflow) -> SketchPages:
-        """Return the format of its pages in projects."""
-        return SketchPages()
+    page_format = SketchPages
 
     def __init__(self, workflow: Workflow, session: Session, files: Worker, saver: Saver) -> None:
         super().__init__(workflow, session, files, saver, Document(SketchPage()))
