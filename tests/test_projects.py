@@ -34,6 +34,7 @@ from iconstudio.model import (
     Source,
 )
 from iconstudio.model import Path as Outline
+from iconstudio.output.svg import svg_document
 from iconstudio.project import archive
 from iconstudio.project.archive import Project
 from iconstudio.project.journal import Journal, left_behind
@@ -115,6 +116,15 @@ def parts_of(parts, *icons):
     for one in icons:
         parts.icon(one)
     return parts
+
+
+def test_a_drawing_is_read_back_as_it_was():
+    svg = svg_document(Icon(SQUARE, "a", (CAT,)))
+    made = Pictogram("made:a-1", svg, CAT.credit, (CAT,))
+    assert again(parts_of(Parts(), made)).icon("made:a-1").svg == svg
+    coloured = svg.replace("<path", "<image href='http://example.org/x.png'/><path")
+    safe = again(parts_of(Parts(), Pictogram("made:a-1", coloured, CAT.credit))).icon("made:a-1")
+    assert "example.org" not in safe.svg and "<path" in safe.svg
 
 
 def test_an_icon_that_the_collection_has_lost_is_there_all_the_same():

@@ -4,6 +4,7 @@ import itertools
 import re
 from collections.abc import Generator, Mapping
 from dataclasses import asdict, fields, replace
+from functools import lru_cache
 from pathlib import Path as FilePath
 from typing import Any, Protocol
 
@@ -13,10 +14,15 @@ from iconstudio.model import Credit, Exemplar, Icon, IconstudioError, Pictogram
 from iconstudio.model.pictogram import OWN
 from iconstudio.project import results
 from iconstudio.project.archive import part_name, plain_text
+from iconstudio.svg.check import check
 
 _ELSEWHERE = ("made:", OWN)
 """Beginnings of the identifiers of icons that no collection has."""
 _REFERENCE = re.compile(r"[^:/\\]+:[^:/\\]+")
+
+
+_photo_name = lru_cache(1)(part_name)
+"""Each edit names the same photo again, which may be large."""
 
 
 class Finder(Protocol):
@@ -67,7 +73,9 @@ class Parts:
 
     def photo(self, data: bytes, suffix: str) -> str:
         """Take the file of a photo in, and return the name of its part."""
-        return self._add("photos", "photo", suffix, data)
+        part = _photo_name("photos", "photo", suffix, data)
+        self.contents[part] = data
+        return part
 
     def result(self, icon: Icon) -> str:
         """Take a picked result in, and return the name of its part."""
@@ -167,8 +175,9 @@ class StoredParts:
         elif not stored:
             raise IconstudioError(f"The icon “{reference}” is missing in the file.")
         entry = self._icons.object(reference)
+        part = entry.text("part")
         return replace(
-            self.drawn(entry.text("part")),
+            _as_stored(self.drawn(part), self.content(part)),
             id=entry.text("id") or reference,
             credit=_credit(entry),
             made_of=tuple(map(_origin, entry.objects("made_of", "origin"))),
@@ -180,6 +189,19 @@ def _reference(identifier: str) -> str:
     """Return what a page may call an icon: what its fields read as it is, and take for no path."""
     fits = identifier == plain_text(identifier).strip() and _REFERENCE.fullmatch(identifier)
     return identifier if fits and not identifier.lower().endswith(".svg") else f"{OWN}drawing"
+
+
+def _as_stored(drawn: Pictogram, data: bytes) -> Pictogram:
+    """Return a drawing as it was stored, if that is safe to draw, too.
+
+    The gate puts another box around it, which would move it by a part of a pixel.
+    """
+    try:
+        svg = data.decode()
+        check(svg)
+    except (UnicodeDecodeError, IconstudioError):
+        return drawn
+    return replace(drawn, svg=svg)
 
 
 def _alike(one: Pictogram, other: Pictogram) -> bool:

@@ -203,6 +203,9 @@ def _remix(
         if entry.has("owners")
         else None
     )
+    seeds = entry.point_lists("seeds", _FAR)
+    if seeds and len(seeds) != len(entries):
+        raise entry.mistake('"seeds" must be as many lists as there are sources.')
     side = entry.whole("side", CANVAS, CANVAS, LARGEST_SIDE)
     if side % CANVAS:
         raise entry.mistake(f'"side" must be a multiple of {CANVAS}.')
@@ -225,7 +228,7 @@ def _remix(
         composite=composite,
         drawing=Drawing(path, coverage(path, side), owners, Frame(*square)),
         score=_score(entry.object("score")),
-        seeds=entry.point_lists("seeds", _FAR),
+        seeds=seeds,
         draw=entry.whole("draw", -1, -1, 1 << 60),
         unchanged=entry.number("unchanged", None, 0.0, 1.0) if entry.has("unchanged") else None,
     )

@@ -98,6 +98,7 @@ class ProjectFiles(QObject):
 
     def new(self) -> None:
         """Start another project."""
+        self._runner.cancel()
         self._replace(_Opened(Contents(), None))
 
     def choose(self) -> None:

@@ -55,7 +55,11 @@ class Journaling(QObject):
         self._timer = QTimer(self, singleShot=True)
         self._timer.timeout.connect(self._write)
         self._held: list[LeftBehind] = []
+        """What was left behind, and nothing has become of it yet."""
         self._restored: list[LeftBehind] = []
+        """What goes once the window's own journal has it."""
+        self._gone: list[LeftBehind] = []
+        """What is to go."""
 
     def look(self) -> None:
         """Look for what was left behind."""
@@ -78,7 +82,7 @@ class Journaling(QObject):
         self._again = False
         restored, self._restored = self._restored, []
         for left in restored:
-            self.dismiss(left)
+            self._remove(left)
         if self._kept:
             self._kept = False
             journal = self._journal
@@ -86,22 +90,30 @@ class Journaling(QObject):
 
     def restored(self, left: LeftBehind) -> None:
         """Remove what was left behind once the window's own journal has it."""
+        self._held.remove(left)
         self._restored.append(left)
         self.note()
 
     def dismiss(self, left: LeftBehind) -> None:
         """Remove what was left behind."""
         self._held.remove(left)
-        self._worker.submit(lambda: _done(left.discard))
+        self._remove(left)
 
     def close(self) -> None:
         """The window closes, and nothing in it is to be kept."""
         self._timer.stop()
+        self._again = False
         self._worker.close()
         self._journal.clear()
+        for left in (*self._gone, *self._restored):  # its removal may not have had its turn
+            left.discard()
         for left in self._held:
             left.release()
         self._held.clear()
+
+    def _remove(self, left: LeftBehind) -> None:
+        self._gone.append(left)
+        self._worker.submit(lambda: _done(left.discard))
 
     def _find(self, found: Found) -> None:
         self._held.append(found.left)
@@ -113,8 +125,7 @@ class Journaling(QObject):
         self._began = time.monotonic()
         make, journal = self._take(), self._journal
         restored, self._restored = self._restored, []
-        for left in restored:
-            self._held.remove(left)
+        self._gone += restored
 
         def write() -> None:
             journal.write(make())

@@ -8,7 +8,7 @@ from iconstudio.gui.pages import PageFormat, pictures_in
 from iconstudio.gui.workspaces.hybrids.batches import CODED
 from iconstudio.gui.workspaces.hybrids.page import Ask, HybridsPage, Ingredient
 from iconstudio.inputs.fields import Fields
-from iconstudio.model import CANVAS
+from iconstudio.model import CANVAS, Remix
 from iconstudio.project.archive import plain_text
 from iconstudio.project.parts import Parts, StoredParts
 from iconstudio.workflows.hybrids.file import LARGEST_SEED
@@ -43,13 +43,14 @@ class HybridsPages(PageFormat[HybridsPage]):
         if len(mixed) > MOST:
             raise fields.mistake(f"At most {MOST} icons can be mixed.")
         favourites = yield from pictures_in(fields.texts("favourites"), parts, CODED)
+        hybrids = tuple(one for one in favourites if isinstance(one.icon, Remix))
         return HybridsPage(
             tuple(mixed.values()),
             _ask(fields.object("ask")) if fields.has("ask") else None,
             fields.whole("seed", 0, 0, LARGEST_SEED),
             fields.whole("draws", HybridsPage().draws, 1, MOST_DRAWS),
             fields.axis(),
-            favourites,
+            hybrids,
             fields.text("name"),
         )
 
