@@ -12,8 +12,7 @@ from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
-
-from filelock import FileLock, Timeout
+from typing import TYPE_CHECKING
 
 from iconstudio.files import read_bytes, write_atomically
 from iconstudio.inputs import fields
@@ -21,6 +20,9 @@ from iconstudio.inputs.fields import Fields
 from iconstudio.model import IconstudioError
 from iconstudio.project import archive
 from iconstudio.project.archive import INDEX, Project
+
+if TYPE_CHECKING:
+    from filelock import FileLock
 
 _LOCK = "lock"
 _PARTS = ("icons", "results", "photos")
@@ -48,7 +50,7 @@ class Journal:
     def __init__(self, folder: Path) -> None:
         """``folder`` has those of all windows."""
         self.folder = folder / f"{os.getpid()}-{secrets.token_hex(6)}"
-        self._lock = _lock_of(self.folder)
+        self._lock: FileLock | None = None
         self._there: set[str] = set()
 
     def write(self, project: Project) -> None:
@@ -61,22 +63,26 @@ class Journal:
         """
         try:
             self._write(project)
-        except (OSError, Timeout) as error:
+        except OSError as error:
             raise IconstudioError(
                 f"The unsaved work cannot be kept in “{self.folder.parent}”: "
-                f"{getattr(error, 'strerror', None) or error}. Save it soon."
+                f"{error.strerror or error}. Save it soon."
             ) from None
 
     def clear(self) -> None:
         """Keep nothing any more: it is saved, or was let go."""
-        _remove(self.folder, self._lock)
+        if self._lock is not None:
+            _remove(self.folder, self._lock)
+        self._lock = None
         self._there.clear()
 
     def _write(self, project: Project) -> None:
-        if not self._lock.is_locked:
+        if self._lock is None:
             for kind in _PARTS:
                 (self.folder / kind).mkdir(parents=True, exist_ok=True)
-            self._lock.acquire(timeout=0)
+            lock = _lock_of(self.folder)
+            lock.acquire(timeout=0)
+            self._lock = lock
         for name in project.parts.keys() - self._there:  # a part never changes
             write_atomically(self.folder / name, project.parts[name])
         self._there |= project.parts.keys()
@@ -93,7 +99,7 @@ class LeftBehind:
     folder: Path
     when: float
     """Seconds since the epoch."""
-    lock: FileLock
+    lock: "FileLock"
 
     def index(self) -> Fields:
         """Return what it says, without its parts.
@@ -141,7 +147,7 @@ def left_behind(folder: Path) -> Iterator[LeftBehind]:
             if when == 0 and time.time() - _changed(one) < _NEW:
                 continue
             lock.acquire(timeout=0)
-        except (Timeout, OSError):
+        except OSError:  # it lives
             continue
         if _changed(one / INDEX):
             yield LeftBehind(one, when, lock)
@@ -149,11 +155,13 @@ def left_behind(folder: Path) -> Iterator[LeftBehind]:
             _remove(one, lock)
 
 
-def _lock_of(folder: Path) -> FileLock:
+def _lock_of(folder: Path) -> "FileLock":
+    from filelock import FileLock  # it loads much that the window can open without
+
     return FileLock(folder / _LOCK, thread_local=False)
 
 
-def _remove(folder: Path, lock: FileLock) -> None:
+def _remove(folder: Path, lock: "FileLock") -> None:
     with suppress(OSError):
         (folder / INDEX).unlink(missing_ok=True)  # first: half of it is nothing to offer
     lock.release(force=True)

@@ -14,7 +14,7 @@ import iconstudio.gui.app
 print(*sys.modules)
 """
 
-LATER = {"PIL", "numba", "skimage", "scipy.ndimage", "scipy.spatial", "scipy.special"}
+LATER = {"PIL", "numba", "skimage", "scipy.ndimage", "scipy.spatial", "scipy.special", "filelock"}
 """Slow to load, and needed only once something is drawn or cut."""
 
 _FILLING = """

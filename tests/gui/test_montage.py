@@ -712,7 +712,7 @@ def test_a_montage_is_saved_with_foreign_icons_beside_it_and_opened_again(
     path = tmp_path / "work" / "scene.json"
     path.parent.mkdir()
     save_to(two, monkeypatch, path)
-    press(two, Qt.Key.Key_S, CTRL)
+    two.actions_by_name["save"].trigger()
     qtbot.waitUntil(path.exists)
     own.unlink()
     layers = json.loads(path.read_text())["layers"]
@@ -724,7 +724,7 @@ def test_a_montage_is_saved_with_foreign_icons_beside_it_and_opened_again(
     two.actions_by_name["new"].trigger()
     assert two.document.page.layers == ()
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *args: (str(path), ""))
-    press(two, Qt.Key.Key_O, CTRL | SHIFT)
+    two.actions_by_name["open"].trigger()
     qtbot.waitUntil(lambda: len(two.document.page.layers) == 3)
     for one, other in zip(before.layers, two.document.page.layers, strict=True):
         assert one.placement == other.placement

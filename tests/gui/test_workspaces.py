@@ -18,6 +18,7 @@ from iconstudio.gui.main_window import MainWindow
 from iconstudio.gui.panels import recent
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.sketching.page import SketchPage
+from iconstudio.gui.workspaces.sketching.stored import SketchPages
 from iconstudio.gui.workspaces.sketching.workspace import SketchWorkspace
 from iconstudio.gui.workspaces.wishes import set_keyword
 from iconstudio.workflows.grid import ModelSettings
@@ -29,6 +30,8 @@ LEFT = Qt.MouseButton.LeftButton
 
 class Pad(Workspace):
     """A workspace that takes icons and does nothing with them."""
+
+    page_format = SketchPages
 
     def __init__(self, workflow, session, files, saver):
         super().__init__(workflow, session, files, saver, Document(SketchPage()))
