@@ -170,7 +170,6 @@ QFrame[layer="true"] { border-radius: 6px; }
 QFrame[layer="true"]:hover { background: @sunken; }
 QFrame[layer="true"][chosen="true"] { background: @accent_soft; }
 QFrame[notice="true"] { background: @danger_soft; border: 1px solid @danger; border-radius: 8px; }
-QFrame[offer="true"] { background: @accent_soft; border: 1px solid @border; border-radius: 8px; }
 QFrame[notice="true"][hint="true"] { background: @accent_soft; border-color: @accent; }
 QLabel[heading="true"] { @strong; }
 QLabel[title="true"] { font-size: 16px; @strong; }

@@ -26,7 +26,8 @@ class RecoveryBar(QFrame):
 
     def __init__(self, workflows: Mapping[str, Workflow], parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setProperty("offer", True)
+        self.setProperty("notice", True)
+        self.setProperty("hint", True)
         self._workflows = workflows
         self._offers: list[Found] = []
         self.label = QLabel(wordWrap=True)
