@@ -133,9 +133,9 @@ def test_what_has_no_sources_is_shown_as_an_icon_in_any_case():
 
 
 @pytest.mark.parametrize("name", sorted(icons._SHAPES))
-@pytest.mark.parametrize("look", [theme.LIGHT, theme.DARK], ids=["light", "dark"])
-def test_every_small_icon_shows_something(name, look):
-    shown = pixels(icons.pixmap(name, look.color("text")).toImage())
+@pytest.mark.parametrize("colours", [theme.LIGHT, theme.DARK], ids=["light", "dark"])
+def test_every_small_icon_shows_something(name, colours):
+    shown = pixels(icons.pixmap(name, colours.color("text")).toImage())
     assert 0.02 < shown[..., 3].mean() < 0.6
     edge = np.concatenate([shown[0], shown[-1], shown[:, 0], shown[:, -1]])
     assert edge[..., 3].max() < 0.3, "nothing is cut off"
@@ -165,12 +165,12 @@ def test_a_disabled_icon_is_faint(qtbot):
     assert disabled == pytest.approx(0.35 * normal, abs=0.01)
 
 
-@pytest.mark.parametrize("look", [theme.LIGHT, theme.DARK], ids=["light", "dark"])
-def test_words_can_be_read_in_both_themes(look):
+@pytest.mark.parametrize("colours", [theme.LIGHT, theme.DARK], ids=["light", "dark"])
+def test_words_can_be_read_in_both_themes(colours):
     def luminance(token):
         channels = [
             c / 12.92 if c <= 0.03928 else ((c + 0.055) / 1.055) ** 2.4
-            for c in look.color(token).getRgbF()[:3]
+            for c in colours.color(token).getRgbF()[:3]
         ]
         return float(np.dot(channels, (0.2126, 0.7152, 0.0722)))
 
