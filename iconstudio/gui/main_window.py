@@ -9,9 +9,9 @@ from PySide6.QtWidgets import QHBoxLayout, QMainWindow, QMenu, QStackedWidget, Q
 
 from iconstudio.gui.about import show_about
 from iconstudio.gui.actions import ENTRIES, MENUS, Actions, fill_menu
-from iconstudio.gui.desk import Desk
+from iconstudio.gui.pane import WorkspacePane
 from iconstudio.gui.panels.modes import ModeSwitch
-from iconstudio.gui.panels.recent import RecentStrip
+from iconstudio.gui.panels.recent import RecentResults
 from iconstudio.gui.panels.sending import Destination
 from iconstudio.gui.pictures import Picture
 from iconstudio.gui.project import recents
@@ -47,15 +47,15 @@ class MainWindow(QMainWindow):
         super().__init__()
         self._session = session
         self._workflows = tuple(registry.workflows() if workflows is None else workflows)
-        self._made: dict[int, Desk] = {}
+        self._made: dict[int, WorkspacePane] = {}
         self._files = Worker(self)
         self.saver = Saver(self._files, self)
         self._destinations = tuple(
             Destination(one.title, one.invitation) for one in self._workflows if one.invitation
         )
         self.modes = ModeSwitch([one.title for one in self._workflows])
-        self.recent = RecentStrip(self._destinations)
-        self.desks = QStackedWidget()
+        self.recent = RecentResults(self._destinations)
+        self.panes = QStackedWidget()
         by_name = {one.name: one for one in self._workflows}
         self.work = Work(by_name, self.recent, self._named, self._current, self._show_named, self)
         self.project = ProjectFiles(session, self.work, self._files, self)
@@ -98,19 +98,19 @@ class MainWindow(QMainWindow):
         offers.setContentsMargins(UNIT, 0, UNIT, 0)
         offers.addWidget(self.recovery)
         layout.addLayout(offers)
-        layout.addWidget(self.desks, 1)
+        layout.addWidget(self.panes, 1)
         self.setCentralWidget(centre)
         room = QGuiApplication.primaryScreen().availableSize()
         self.resize(min(1360, room.width() - _FRAME), min(860, room.height() - _BAR))
 
     def _wire(self) -> None:
         self.modes.chosen.connect(self.show_workspace)
-        self.saver.failed.connect(lambda message: self.desk.notice.say(message))
-        self.saver.saved.connect(lambda remark: self.desk.say(remark))
+        self.saver.failed.connect(lambda message: self.pane.notice.say(message))
+        self.saver.saved.connect(lambda remark: self.pane.say(remark))
         project = self.project
         project.changed.connect(self._show_title)
-        project.said.connect(lambda remark: self.desk.say(remark))
-        project.failed.connect(lambda message: self.desk.notice.say(message))
+        project.remarked.connect(lambda remark: self.pane.say(remark))
+        project.failed.connect(lambda message: self.pane.notice.say(message))
         project.imported.connect(self._import)
         project.restored.connect(self.recovery.withdraw)
         project.journaling.found.connect(self.recovery.offer)
@@ -127,27 +127,27 @@ class MainWindow(QMainWindow):
     # -- workspaces ----------------------------------------------------------------------------
 
     @property
-    def desk(self) -> Desk:
+    def pane(self) -> WorkspacePane:
         """The desk in sight."""
-        return self.desks.currentWidget()
+        return self.panes.currentWidget()
 
     @property
     def workspace(self) -> Workspace:
         """The workspace in use."""
-        return self.desk.workspace
+        return self.pane.workspace
 
     @property
     def workspaces(self) -> tuple[Workspace, ...]:
         """All workspaces, as they stand on the switch."""
-        return tuple(self._desk(number).workspace for number in range(len(self._workflows)))
+        return tuple(self._pane(number).workspace for number in range(len(self._workflows)))
 
     def workspace_of(self, title: str) -> Workspace:
         """Return the workspace of that title."""
-        return self._desk(self._number(title)).workspace
+        return self._pane(self._number(title)).workspace
 
     def show_workspace(self, number: int) -> None:
         """Switch to a workspace; work that goes on elsewhere goes on."""
-        self.desks.setCurrentWidget(self._desk(number))
+        self.panes.setCurrentWidget(self._pane(number))
         self.modes.show_current(number)
         actions = self.workspace.actions_by_name
         for title, menu in self._menus.items():
@@ -165,27 +165,27 @@ class MainWindow(QMainWindow):
         return next(n for n, one in enumerate(self._workflows) if one.name == name)
 
     def _named(self, name: str) -> Workspace:
-        return self._desk(self._numbered(name)).workspace
+        return self._pane(self._numbered(name)).workspace
 
     def _show_named(self, name: str) -> None:
         self.show_workspace(self._numbered(name))
 
     def _current(self) -> str:
-        return self.workspace.workflow.name if self.desks.count() else ""
+        return self.workspace.workflow.name if self.panes.count() else ""
 
-    def _desk(self, number: int) -> Desk:
+    def _pane(self, number: int) -> WorkspacePane:
         """Return a workspace's desk, made if it is the first time."""
         if number not in self._made:
             workflow = self._workflows[number]
             kind = named(workflow.workspace or PLAIN)
             workspace = kind(workflow, self._session, self._files, self.saver)
             workspace.set_destinations(self._destinations)
-            workspace.made.connect(self.recent.keep)
+            workspace.kept.connect(self.recent.keep)
             workspace.send.connect(self._send)
             workspace.project.connect(lambda path: self.project.open(Path(path)))
             self.work.watch(workspace)
-            desk = self._made[number] = Desk(workspace)
-            self.desks.addWidget(desk)
+            pane = self._made[number] = WorkspacePane(workspace)
+            self.panes.addWidget(pane)
         return self._made[number]
 
     def _send(self, pictogram: Pictogram, title: str) -> None:
@@ -227,10 +227,10 @@ class MainWindow(QMainWindow):
         if not self.project.may_go(self.close):
             event.ignore()
             return
-        for desk in self._made.values():
-            desk.workspace.cancel()
-        for desk in self._made.values():
-            desk.workspace.close_work()
+        for pane in self._made.values():
+            pane.workspace.cancel()
+        for pane in self._made.values():
+            pane.workspace.close_work()
         self.project.close()
         self._files.close(self._session.close)
         self._session.close()

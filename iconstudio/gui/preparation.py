@@ -72,7 +72,7 @@ class Preparation(QObject):
         """Whether the icons of what was wanted last are ready for a run."""
         return bool(self._wanted.keyword) and self._wanted == self._ready
 
-    def want(self, query: Query) -> None:
+    def request(self, query: Query) -> None:
         """Look up ``query`` soon, unless it is the last one or yet another comes."""
         self._wanted = query
         if query == self._query:

@@ -157,11 +157,11 @@ def sketching(window: MainWindow, folder: Path) -> Stages:
     yield 200
     yield "run of the motorbike"
     place.demonstrate(example("motorbike"))
-    yield lambda: len(place.board.results.pictures) > 0
+    yield lambda: len(place.browser.results.pictures) > 0
     yield lambda: not (place.runs.running or place.preparation.runner.running)
     yield 200
     yield "picking cells"
-    for cell in place.board.results.findChildren(ResultCell):
+    for cell in place.browser.results.findChildren(ResultCell):
         QTest.mouseClick(cell, LEFT)
         yield 30
     yield "colour code"

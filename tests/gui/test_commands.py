@@ -10,7 +10,7 @@ from iconstudio.gui.canvas.outline import Outline
 from iconstudio.gui.document import Document
 from iconstudio.gui.mipmap import Mipmap
 from iconstudio.gui.photo import Photo
-from iconstudio.gui.workspaces import wishes
+from iconstudio.gui.workspaces import criteria
 from iconstudio.gui.workspaces.sketching import page as edits
 from iconstudio.gui.workspaces.sketching.page import SketchPage
 from iconstudio.model import Axis, Polygon, Sketch
@@ -49,12 +49,12 @@ makers = st.one_of(
     st.builds(lambda i: lambda d: on_a_vertex(Outline.delete)(d, i), st.integers(0, 9)),
     st.just(lambda d: Outline(d).close()),
     st.just(lambda d: Outline(d).clear()),
-    st.builds(lambda k: lambda d: wishes.set_keyword(d, k), st.text(max_size=5)),
+    st.builds(lambda k: lambda d: criteria.set_keyword(d, k), st.text(max_size=5)),
     st.builds(
-        lambda x: lambda d: wishes.exclude_icons(d, x),
+        lambda x: lambda d: criteria.exclude_icons(d, x),
         st.frozensets(st.sampled_from(["a:b", "c:d"])),
     ),
-    st.builds(lambda a: lambda d: wishes.set_symmetry(d, a), st.sampled_from([None, *Axis])),
+    st.builds(lambda a: lambda d: criteria.set_symmetry(d, a), st.sampled_from([None, *Axis])),
     st.builds(lambda p: lambda d: edits.set_photo(d, p), st.sampled_from([None, *PHOTOS])),
     st.builds(
         lambda v, k: lambda d: edits.load_sketch(d, Sketch(Polygon(tuple(v)), k)),
@@ -101,7 +101,7 @@ def test_only_moves_of_one_gesture_merge():
 def test_letters_typed_one_after_the_other_are_one_step():
     document = Document(SketchPage())
     for text in ("d", "do", "dog"):
-        wishes.set_keyword(document, text)
+        criteria.set_keyword(document, text)
     assert document.undo_stack.count() == 1
     document.undo_stack.undo()
     assert document.page.sketch.keyword == ""
@@ -127,7 +127,7 @@ def test_the_view_is_asked_to_fit_only_what_lies_elsewhere(qtbot):
     document = Document(SketchPage())
     with qtbot.assertNotEmitted(document.opened):
         Outline(document).add((1.0, 2.0))
-        wishes.set_keyword(document, "dog")
+        criteria.set_keyword(document, "dog")
     with qtbot.waitSignal(document.opened):
         edits.set_photo(document, PHOTOS[0])
     with qtbot.waitSignal(document.opened):
@@ -138,7 +138,7 @@ def test_changes_do_not_keep_their_document(qapp):
     """A document that nothing else holds goes at once; no cycle is left for the collector."""
     document = Document(SketchPage())
     Outline(document).add((1.0, 2.0))
-    wishes.set_keyword(document, "fish")
+    criteria.set_keyword(document, "fish")
     gone = weakref.ref(document)
     del document
     assert gone() is None

@@ -213,11 +213,11 @@ def test_a_disk_that_is_full_is_told_once(started, qtbot, monkeypatch):
     journals_folder().touch()
     window = started()
     click(window.workspace, SQUARE[0])
-    qtbot.waitUntil(window.desk.notice.isVisible)
-    assert "cannot be kept" in window.desk.notice.label.text()
+    qtbot.waitUntil(window.pane.notice.isVisible)
+    assert "cannot be kept" in window.pane.notice.label.text()
     click(window.workspace, SQUARE[1])
     qtbot.wait(200)
-    assert not window.desk.notice.isVisible()
+    assert not window.pane.notice.isVisible()
 
 
 def test_an_edit_is_journalled_within_a_second_while_files_are_read(started, qtbot, monkeypatch):

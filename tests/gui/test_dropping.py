@@ -114,12 +114,12 @@ def quiet(place, qtbot):
 
 
 def told(place):
-    notice = place.window().desk.notice
+    notice = place.window().pane.notice
     return notice.label.text() if notice.isVisible() else ""
 
 
 def status(place):
-    return place.window().desk.strip.label.text()
+    return place.window().pane.status.label.text()
 
 
 # -- markup ----------------------------------------------------------------------------------------
@@ -421,7 +421,8 @@ def test_what_is_told_of_one_drop_is_not_lost_by_the_next(roomy, qtbot, tmp_path
 
 
 def test_anything_can_be_dropped_anywhere(place, qtbot, own):
-    parts = {"Edit": "board keyword_panel view", "Hybrids": "sheet tray detail column",
+    parts = {"Edit": "browser keyword_panel view",
+             "Hybrids": "sheet favourites_panel detail column",
              "Montage": "layers detail view chooser"}[place.workflow.title].split()  # fmt: skip
     paths = own(len(parts))
     for part, path in zip(parts, paths, strict=True):
@@ -449,7 +450,7 @@ def test_several_files_on_the_chooser_are_the_workspaces(roomy, qtbot, own, wind
 def test_an_icon_of_the_window_goes_where_icons_are_only(window, qtbot):
     window.show_workspace(OTHERS["Hybrids"])
     place, data = window.workspace, packed(exemplar(3).pictogram)
-    assert drop(place.tray, data) is None, "that is where it may come from"
+    assert drop(place.favourites_panel, data) is None, "that is where it may come from"
     assert drop(place.column.cards.viewport(), data)
     there(place, qtbot, 1)
 
@@ -540,7 +541,7 @@ def test_a_reference_and_an_icon_are_no_photos(sketching, qtbot):
     for data in (words("shapes:ring-4"), packed(exemplar(3).pictogram)):
         drop(sketching.view, data)
         qtbot.waitUntil(lambda: "not over a drawing" in told(sketching))
-        sketching.window().desk.notice._button.click()
+        sketching.window().pane.notice._button.click()
 
 
 # -- reading ---------------------------------------------------------------------------------------

@@ -16,7 +16,7 @@ from PySide6.QtWidgets import QApplication, QFileDialog
 from iconstudio.gui.dragging import packed
 from iconstudio.gui.workspaces.editing.page import EditPage, Kind
 from iconstudio.gui.workspaces.editing.tools import DrawTool, SelectTool
-from iconstudio.gui.workspaces.proposal import PAUSE
+from iconstudio.gui.workspaces.symmetry import PAUSE
 from iconstudio.model import Axis
 from iconstudio.workflows.editing.file import read_edit
 from iconstudio.workflows.grid import ModelSettings
@@ -38,7 +38,7 @@ def empty(window):
 def settle(place, qtbot):
     """Wait until the icon is on the canvas, drawn crisply."""
     qtbot.waitUntil(lambda: place.document.page.icon is not None)
-    qtbot.waitUntil(lambda: place.crisp.outline(place.document.page.icon) is not None)
+    qtbot.waitUntil(lambda: place.outlines.outline(place.document.page.icon) is not None)
 
 
 @pytest.fixture
@@ -46,7 +46,7 @@ def editing(empty, qtbot):
     """The workspace with a frame (a square ring) on its canvas."""
     empty.take(exemplar(5).pictogram)
     settle(empty, qtbot)
-    assert not empty.start_sheet.isVisible()
+    assert not empty.start_panel.isVisible()
     return empty
 
 
@@ -77,7 +77,7 @@ def areas(place):
 
 
 def notice(place):
-    label = place.window().desk.notice
+    label = place.window().pane.notice
     return label.label.text() if label.isVisible() else ""
 
 
@@ -100,11 +100,11 @@ def drop(place, data):
 
 
 def test_an_empty_canvas_offers_to_choose_an_icon_and_the_cursor_is_there(empty, qtbot):
-    assert empty.start_sheet.isVisible()
-    assert empty.window().focusWidget() is empty.start_sheet.chooser.field
-    assert not empty.start_sheet.close_button.isVisible()
-    QTest.keyClicks(empty.start_sheet.chooser.field, "frames")
-    choices = empty.start_sheet.chooser.choices
+    assert empty.start_panel.isVisible()
+    assert empty.window().focusWidget() is empty.start_panel.chooser.field
+    assert not empty.start_panel.close_button.isVisible()
+    QTest.keyClicks(empty.start_panel.chooser.field, "frames")
+    choices = empty.start_panel.chooser.choices
     qtbot.waitUntil(lambda: choices.sheet().rowCount() == 60)
     spot = choices.visualRect(choices.sheet().index(1)).center()
     QTest.mouseClick(choices.viewport(), Qt.MouseButton.LeftButton, pos=spot)
@@ -112,7 +112,7 @@ def test_an_empty_canvas_offers_to_choose_an_icon_and_the_cursor_is_there(empty,
     assert empty.document.page.icon.id == "shapes:frame-1"
     assert empty.document.page.keyword == "frame", "named after the icon"
     assert empty.keyword_panel.field.text() == "frame"
-    assert not empty.start_sheet.isVisible()
+    assert not empty.start_panel.isVisible()
     assert empty.view.hasFocus()
     assert "Remove" in empty.view.tool.hint
 
@@ -121,15 +121,15 @@ def test_choosing_another_icon_starts_afresh_and_undo_brings_all_back(editing, q
     polygon(editing, RED)
     before = editing.document.page
     editing.actions_by_name["icon"].trigger()
-    assert editing.start_sheet.isVisible()
-    editing.start_sheet.chooser.search("ring")
-    choices = editing.start_sheet.chooser.choices
+    assert editing.start_panel.isVisible()
+    editing.start_panel.chooser.search("ring")
+    choices = editing.start_panel.chooser.choices
     qtbot.waitUntil(lambda: choices.sheet().rowCount() == 60)
     spot = choices.visualRect(choices.sheet().index(0)).center()
     QTest.mouseClick(choices.viewport(), Qt.MouseButton.LeftButton, pos=spot)
     qtbot.waitUntil(lambda: editing.document.page != before)
     assert areas(editing) == ()
-    assert not editing.start_sheet.isVisible()
+    assert not editing.start_panel.isVisible()
     editing.actions_by_name["undo"].trigger()
     assert editing.document.page == before
 
@@ -137,8 +137,8 @@ def test_choosing_another_icon_starts_afresh_and_undo_brings_all_back(editing, q
 def test_the_choice_is_given_up_with_escape(editing):
     before = editing.document.page
     editing.actions_by_name["icon"].trigger()
-    QTest.keyClick(editing.start_sheet.chooser.field, Qt.Key.Key_Escape)
-    assert not editing.start_sheet.isVisible()
+    QTest.keyClick(editing.start_panel.chooser.field, Qt.Key.Key_Escape)
+    assert not editing.start_panel.isVisible()
     assert editing.view.hasFocus()
     assert editing.document.page == before
 
@@ -405,19 +405,19 @@ def test_remix_fills_the_rows_of_the_icons_own_styles(marked, qtbot, session):
     ((_, edit, settings),) = [call for call in session.calls if call[0] == "edit"]
     assert edit == marked.document.page.edit()
     assert settings.styles == ("medium", "dark"), "three quarters of a frame are black"
-    assert len(marked.board.results.pictures) == 8
-    picked = marked.board.detail.picture.icon.composite
+    assert len(marked.browser.results.pictures) == 8
+    picked = marked.browser.detail.picture.icon.composite
     assert (picked.style, picked.lambda_s) == ("medium", LAMBDAS[RECOMMENDED])
-    about = marked.board.detail._about.text()
+    about = marked.browser.detail._about.text()
     assert "fits the change by 87%" in about and "unchanged elsewhere 90%" in about
-    assert marked.board.results.note.text() == ""
+    assert marked.browser.results.note.text() == ""
 
 
 def test_parts_of_all_styles_can_be_had(marked, qtbot, session):
     marked.run()
     finish(marked, qtbot)
     marked.actions_by_name["styles"].trigger()
-    assert "earlier edit" in marked.board.results.note.text()
+    assert "earlier edit" in marked.browser.results.note.text()
     marked.run()
     finish(marked, qtbot)
     assert session.calls[-1][2].styles == ModelSettings().styles
@@ -427,9 +427,9 @@ def test_results_of_an_earlier_edit_are_called_so(marked, qtbot):
     marked.run()
     finish(marked, qtbot)
     drag(marked, RED[2], (100, 100))
-    assert "earlier edit" in marked.board.results.note.text()
+    assert "earlier edit" in marked.browser.results.note.text()
     marked.actions_by_name["undo"].trigger()
-    assert marked.board.results.note.text() == ""
+    assert marked.browser.results.note.text() == ""
 
 
 def test_remix_closes_an_open_area(editing, qtbot, session):
@@ -472,33 +472,33 @@ def test_what_is_missing_is_said_and_the_results_stay(editing, qtbot, session):
     type_keyword(editing, "frame")
     editing.run()
     finish(editing, qtbot)
-    assert len(editing.board.results.pictures) == 8
+    assert len(editing.browser.results.pictures) == 8
     editing.actions_by_name["clear"].trigger()
     editing.run()
     assert "Nothing is changed" in notice(editing)
-    assert len(editing.board.results.pictures) == 8
+    assert len(editing.browser.results.pictures) == 8
 
 
 def test_without_an_icon_remix_says_what_to_do(empty):
     empty.run()
     assert "no icon yet" in notice(empty)
-    assert empty.start_sheet.chooser.field.hasFocus()
+    assert empty.start_panel.chooser.field.hasFocus()
 
 
 def test_cancel_keeps_what_is_finished(marked, qtbot, session):
     session.gate = threading.Semaphore(3)
     marked.run()
-    qtbot.waitUntil(lambda: len(marked.board.results.pictures) == 3)
+    qtbot.waitUntil(lambda: len(marked.browser.results.pictures) == 3)
     marked.actions_by_name["cancel"].trigger()
     assert not marked.runs.running
     session.gate.release(100)
-    assert len(marked.board.results.pictures) == 3
+    assert len(marked.browser.results.pictures) == 3
 
 
 def test_another_workspace_and_back_loses_nothing(marked, qtbot, session):
     session.gate = threading.Semaphore(2)
     marked.run()
-    qtbot.waitUntil(lambda: len(marked.board.results.pictures) == 2)
+    qtbot.waitUntil(lambda: len(marked.browser.results.pictures) == 2)
     before = marked.document.page
     window = marked.window()
     window.show_workspace(0)
@@ -506,7 +506,7 @@ def test_another_workspace_and_back_loses_nothing(marked, qtbot, session):
     finish(marked, qtbot)
     window.show_workspace(window.workspaces.index(marked))
     assert marked.document.page == before
-    assert len(marked.board.results.pictures) == 8
+    assert len(marked.browser.results.pictures) == 8
     assert marked.view.hasFocus()
 
 
@@ -514,7 +514,7 @@ def test_a_result_is_edited_further_with_its_credits(marked, qtbot):
     marked.run()
     finish(marked, qtbot)
     before = marked.document.page
-    marked.board.detail.sent.emit("Edit")
+    marked.browser.detail.sent.emit("Edit")
     qtbot.waitUntil(lambda: marked.document.page != before)
     page = marked.document.page
     assert page.icon.id.startswith("made:frame-")
@@ -551,12 +551,12 @@ def test_a_change_that_is_nearly_symmetric_can_be_held_to_symmetry(editing, qtbo
 )
 def test_no_symmetry_is_offered_for_what_has_none_or_is_no_good(editing, qtbot, area):
     looked = []
-    editing.proposal.found.connect(looked.append)
+    editing.symmetry_detection.found.connect(looked.append)
     polygon(editing, area)
     assert editing.document.page.open_area is None
     qtbot.wait(2 * PAUSE)
     assert set(looked) == {None}
-    assert editing.proposal._outline is not None, "it was looked at"
+    assert editing.symmetry_detection._outline is not None, "it was looked at"
     assert not editing.symmetry_hint.isVisible()
 
 
@@ -573,7 +573,7 @@ def test_an_edit_is_saved_and_opened_again(marked, qtbot, tmp_path, monkeypatch)
     qtbot.waitUntil(path.exists)
     before = marked.document.page.edit()
     marked.actions_by_name["new"].trigger()
-    assert marked.start_sheet.isVisible()
+    assert marked.start_panel.isVisible()
     assert not marked.actions_by_name["save"].isEnabled()
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(path), ""))
     marked.actions_by_name["open"].trigger()

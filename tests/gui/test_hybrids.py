@@ -53,7 +53,7 @@ def mixed(chosen, qtbot):
 def pick(place, qtbot, count):
     place.column.pick.count.setValue(count)
     QTest.mouseClick(place.column.pick.button, LEFT)
-    qtbot.waitUntil(lambda: not place.gathering.runner.running, timeout=20000)
+    qtbot.waitUntil(lambda: not place.opener.runner.running, timeout=20000)
 
 
 def run(place, qtbot):
@@ -193,13 +193,13 @@ def test_picking_again_brings_the_next_group_and_undo_the_last(chosen, qtbot, se
 
 def test_picking_needs_a_word(place):
     QTest.mouseClick(place.column.pick.button, LEFT)
-    assert "Type what the icons should show" in place.window().desk.notice.label.text()
+    assert "Type what the icons should show" in place.window().pane.notice.label.text()
 
 
 def test_what_cannot_be_picked_is_told(place, qtbot):
     place.column.chooser.search("zzz")
     pick(place, qtbot, 4)
-    assert "No icon is found" in place.window().desk.notice.label.text()
+    assert "No icon is found" in place.window().pane.notice.label.text()
     assert not names(place)
 
 
@@ -250,7 +250,7 @@ def test_a_thirteenth_icon_is_refused(place, qtbot):
     place.column.chooser.search("lamp")
     pick(place, qtbot, 12)
     place.take(exemplar(40).pictogram)
-    notice = place.window().desk.notice
+    notice = place.window().pane.notice
     qtbot.waitUntil(notice.isVisible)
     assert "At most 12" in notice.label.text()
     assert len(names(place)) == 12
@@ -337,7 +337,7 @@ def test_a_batch_is_in_rank_order_without_repeats_and_ends_with_a_rule(mixed, se
     assert len(pictures) == 40 - 3, "draws 19, 29 and 39 repeat the ninth"
     assert totals(pictures) == sorted(totals(pictures), reverse=True)
     assert threading.get_ident() not in session.thread_ids
-    assert mixed.window().desk.strip.label.text() == "37 hybrids"
+    assert mixed.window().pane.status.label.text() == "37 hybrids"
     assert sorted(int(one.title.split()[1]) for one in pictures) == list(range(1, 38))
 
 
@@ -409,7 +409,7 @@ def test_cancel_keeps_what_is_there_and_going_on_misses_nothing(chosen, qtbot, s
     session.gate = threading.Semaphore(7)
     QTest.mouseClick(chosen.column.run, LEFT)
     qtbot.waitUntil(lambda: len(totals(rows(chosen))) == 7)
-    QTest.mouseClick(chosen.window().desk.strip.button, LEFT)
+    QTest.mouseClick(chosen.window().pane.status.button, LEFT)
     assert not chosen.draws.runner.running
     session.gate = None
     run(chosen, qtbot)
@@ -451,17 +451,17 @@ def test_favourites_by_key_button_and_menu_and_undo(mixed):
     open_menu(mixed, third)
     mixed.menu.actions()[0].trigger()
     mixed.menu.close()
-    assert mixed.tray.pictures == (first, second, third)
+    assert mixed.favourites_panel.pictures == (first, second, third)
     assert mixed.window().recent.pictures == (third, second, first)
     mixed.document.undo_stack.undo()
-    assert mixed.tray.pictures == (first, second)
-    mixed.tray.strip.remove(first)
+    assert mixed.favourites_panel.pictures == (first, second)
+    mixed.favourites_panel.icon_list.remove(first)
     assert mixed.document.page.favourites == (second,)
     mixed.document.undo_stack.undo()
-    assert mixed.tray.pictures == (first, second)
+    assert mixed.favourites_panel.pictures == (first, second)
     click(mixed, first)
     QTest.keyClick(mixed.sheet, Qt.Key.Key_F)
-    assert mixed.tray.pictures == (second,)
+    assert mixed.favourites_panel.pictures == (second,)
 
 
 def test_all_favourites_are_saved_and_nothing_is_replaced(mixed, qtbot, tmp_path, monkeypatch):
@@ -470,11 +470,11 @@ def test_all_favourites_are_saved_and_nothing_is_replaced(mixed, qtbot, tmp_path
     title = rows(mixed)[0].title.replace(" ", "-")
     (tmp_path / f"{title}-hybrid.svg").write_text("mine")
     monkeypatch.setattr(mixed.saver, "ask_folder", lambda: tmp_path)
-    QTest.mouseClick(mixed.tray.button, LEFT)
+    QTest.mouseClick(mixed.favourites_panel.button, LEFT)
     qtbot.waitUntil(lambda: len(list(tmp_path.iterdir())) == 3)
     assert (tmp_path / f"{title}-hybrid.svg").read_text() == "mine"
     assert "Ada Example" in (tmp_path / f"{title}-hybrid-2.svg").read_text()
-    qtbot.waitUntil(lambda: "2 icons" in mixed.window().desk.strip.label.text())
+    qtbot.waitUntil(lambda: "2 icons" in mixed.window().pane.status.label.text())
 
 
 def test_more_like_this_has_a_section_of_its_own(mixed, qtbot, session):
@@ -516,7 +516,7 @@ def test_two_icons_that_are_the_same_are_told(chosen, qtbot, session, monkeypatc
 
     monkeypatch.setattr(session, "mix", refuse)
     run(chosen, qtbot)
-    assert "looks the same" in chosen.window().desk.notice.label.text()
+    assert "looks the same" in chosen.window().pane.notice.label.text()
 
 
 # -- files -----------------------------------------------------------------------------------------
@@ -538,7 +538,7 @@ def test_a_mix_is_saved_and_opened_again(chosen, qtbot, tmp_path, monkeypatch):
     assert json.loads(path.read_text())["seed"] == 2**62
     chosen.actions_by_name["new"].trigger()
     assert not names(chosen)
-    chosen.gathering.open_work(str(path))
+    chosen.opener.open_work(str(path))
     qtbot.waitUntil(lambda: len(names(chosen)) == 5)
     again = chosen.document.page
     assert (again.seed, again.symmetry) == (page.seed, page.symmetry)
@@ -552,7 +552,7 @@ def test_a_mix_is_saved_and_opened_again(chosen, qtbot, tmp_path, monkeypatch):
 def test_a_file_with_a_keyword_picks(place, qtbot, tmp_path, session):
     path = tmp_path / "mix.json"
     path.write_text('{"keyword": "lamp", "count": 3, "seed": 2, "draws": 5}')
-    place.gathering.open_work(str(path))
+    place.opener.open_work(str(path))
     qtbot.waitUntil(lambda: len(names(place)) == 3)
     assert ("choose", "lamp", 3, None, 2) in session.calls
     run(place, qtbot)
@@ -573,8 +573,8 @@ def test_a_bad_file_is_told_and_changes_nothing(chosen, qtbot, tmp_path, text, p
     before = chosen.document.page
     path = tmp_path / "mix.json"
     path.write_text(text)
-    chosen.gathering.open_work(str(path))
-    notice = chosen.window().desk.notice
+    chosen.opener.open_work(str(path))
+    notice = chosen.window().pane.notice
     qtbot.waitUntil(notice.isVisible)
     assert part in notice.label.text()
     assert chosen.document.page is before
@@ -610,7 +610,7 @@ def test_from_nothing_to_a_saved_svg_with_real_icons(qtbot, tmp_path, monkeypatc
     path = tmp_path / "lamps.json"
     icons = ["fluent-mdl2:lightbulb", "uil:lightbulb-alt", "lets-icons:lamp-light"]
     path.write_text(json.dumps({"icons": icons, "draws": 4}))
-    place.gathering.open_work(str(path))
+    place.opener.open_work(str(path))
     qtbot.waitUntil(lambda: names(place) == icons, timeout=60000)
     QTest.mouseClick(place.column.offer, LEFT)
     QTest.mouseClick(place.column.run, LEFT)
@@ -633,7 +633,7 @@ def test_a_new_mix_has_no_hybrids(mixed, qtbot):
     assert not mixed.sheet.hybrids.pictures
     assert mixed.picture is None
     assert not mixed.actions_by_name["svg"].isEnabled()
-    assert mixed.window().desk.strip.label.text() == ""
+    assert mixed.window().pane.status.label.text() == ""
     pick(mixed, qtbot, 4)
     run(mixed, qtbot)
     assert len(mixed.sheet.hybrids.pictures) == 37
@@ -644,7 +644,7 @@ def test_the_hybrids_in_sight_are_counted(mixed, qtbot):
     mixed.draw_like(mixed.sheet.hybrids.pictures[0])
     qtbot.waitUntil(lambda: not mixed.draws.runner.running, timeout=20000)
     alone = len(mixed.sheet.hybrids.alone.pictures)
-    label = mixed.window().desk.strip.label
+    label = mixed.window().pane.status.label
     assert label.text() == f"{alone} hybrids · {total + alone} with the others"
     mixed.draws.show_all()
     assert label.text() == f"{total + alone} hybrids"

@@ -32,7 +32,7 @@ def patient(place):
     """Switch live mode on; let each run show something, however long that takes."""
     place.actions_by_name["live"].trigger()
     assert place.runs.live
-    place.runs.newest.timer.setInterval(FOR_EVER)
+    place.runs.coalescing.timer.setInterval(FOR_EVER)
     return place
 
 
@@ -47,7 +47,7 @@ def drawn(live, qtbot, session):
     trace(live)
     type_keyword(live, "motorcycle")
     rest(live, qtbot, session)
-    assert len(live.board.results.pictures) == 24
+    assert len(live.browser.results.pictures) == 24
     session.gate = threading.Semaphore(0)
     return live
 
@@ -70,7 +70,7 @@ def rest(place, qtbot, session):
 
 
 def wish(place):
-    wanted = place.wanted()
+    wanted = place.inputs()
     return getattr(wanted, "edit", wanted)
 
 
@@ -79,19 +79,19 @@ def begun(session, count):
 
 
 def states(place):
-    cells = {(s, v): place.board.results.cell(s, v) for s in STYLES for v in LAMBDAS}
+    cells = {(s, v): place.browser.results.cell(s, v) for s in STYLES for v in LAMBDAS}
     return {
-        key: cell.state for key, cell in cells.items() if not place.board.results.skipped(key[0])
+        key: cell.state for key, cell in cells.items() if not place.browser.results.skipped(key[0])
     }
 
 
 def picked(place):
-    composite = place.board.detail.picture.icon.composite
+    composite = place.browser.detail.picture.icon.composite
     return composite.style, composite.lambda_s
 
 
 def pick(place, style, value):
-    QTest.mouseClick(place.board.results.cell(style, value), Qt.MouseButton.LeftButton)
+    QTest.mouseClick(place.browser.results.cell(style, value), Qt.MouseButton.LeftButton)
 
 
 def add_point(place):
@@ -106,7 +106,7 @@ def move(place, number=0, by=8.0):
 
 
 def strip(place):
-    return place.window().desk.strip
+    return place.window().pane.status
 
 
 # -- the switch --------------------------------------------------------------------------------
@@ -144,7 +144,7 @@ def test_when_off_nothing_runs_but_what_is_asked_for(drawn, qtbot, session):
     drawn.actions_by_name["live"].trigger()
     session.gate = None
     move(drawn)
-    assert "press Remix to renew" in drawn.board.results.note.text()
+    assert "press Remix to renew" in drawn.browser.results.note.text()
     qtbot.waitUntil(lambda: not drawn.preparation.runner.running)
     assert len(runs(session)) == 1
     drawn.run()
@@ -154,7 +154,7 @@ def test_when_off_nothing_runs_but_what_is_asked_for(drawn, qtbot, session):
     assert len(runs(session)) == 2
     drawn.actions_by_name["live"].trigger()
     qtbot.waitUntil(begun(session, 3))
-    assert drawn.board.results.note.text() == ""
+    assert drawn.browser.results.note.text() == ""
 
 
 def test_fine_quality_begins_anew_and_is_remembered(drawn, qtbot, session):
@@ -177,7 +177,7 @@ def test_fine_quality_alone_waits_to_be_asked_for(sketching, qtbot, session):
     rest(sketching, qtbot, session)
     sketching.actions_by_name["fine"].trigger()
     assert len(runs(session)) == 1
-    assert "press Remix to renew" in sketching.board.results.note.text()
+    assert "press Remix to renew" in sketching.browser.results.note.text()
 
 
 def test_the_icons_of_a_sketch_that_is_opened_again_are_shown_while_it_runs(drawn, qtbot, session):
@@ -211,7 +211,7 @@ def test_it_begins_as_soon_as_the_page_is_complete(live, qtbot, session):
     assert [call[0] for call in session.calls] == ["prepare", "model"], (
         "the icons are made ready once"
     )
-    assert live.board.results.finished == 24
+    assert live.browser.results.finished == 24
 
 
 def test_a_name_that_is_typed_last_starts_one_run(live, qtbot, session):
@@ -245,7 +245,7 @@ def test_a_page_that_is_no_good_yet_says_nothing(live, qtbot, session, points, c
         click(live, points[0])
     assert not live.runs.running
     assert not runs(session)
-    assert not live.window().desk.notice.isVisible()
+    assert not live.window().pane.notice.isVisible()
 
 
 def test_every_kind_of_change_starts_again(drawn, qtbot, session):
@@ -264,7 +264,7 @@ def test_every_kind_of_change_starts_again(drawn, qtbot, session):
         change()
         rest(drawn, qtbot, session)
         assert len(runs(session)) > count
-        assert len(drawn.board.results.pictures) == 24
+        assert len(drawn.browser.results.pictures) == 24
 
 
 def test_nothing_is_added_to_what_can_be_undone(drawn, qtbot, session):
@@ -279,7 +279,7 @@ def test_what_does_not_count_does_not_start_again(drawn, qtbot, session):
     drawn.dim.slider.setValue(90)
     drawn.view.zoom_in()
     pick(drawn, "light", LAMBDAS[1])
-    assert not drawn.runs.running and not drawn.runs.newest.waiting
+    assert not drawn.runs.running and not drawn.runs.coalescing.pending
 
 
 # -- while the hand moves ----------------------------------------------------------------------
@@ -305,7 +305,7 @@ def test_a_run_that_has_shown_its_preview_is_dropped_at_once(drawn, qtbot, sessi
     qtbot.waitUntil(begun(session, 2))
     session.gate.release(3)
     qtbot.waitUntil(lambda: CellState.READY in states(drawn).values())
-    assert not drawn.runs.newest.patient
+    assert not drawn.runs.coalescing.holding
     drawn.document.undo_stack.undo()
     qtbot.waitUntil(begun(session, 3))
     assert session.generators_closed == 2
@@ -315,25 +315,25 @@ def test_a_run_that_has_shown_its_preview_is_dropped_at_once(drawn, qtbot, sessi
 def test_what_is_not_looked_at_is_not_enough(drawn, qtbot, session):
     """The newest edit waits for the picked result, unless its style is skipped."""
     pick(drawn, "medium", LAMBDAS[3])
-    light = drawn.board.results.cell("light", LAMBDAS[0]).picture
+    light = drawn.browser.results.cell("light", LAMBDAS[0]).picture
     add_point(drawn)
     qtbot.waitUntil(begun(session, 2))
     drawn.runs.runner.event.emit(light)
-    assert drawn.runs.newest.patient
+    assert drawn.runs.coalescing.holding
     drawn.runs.runner.event.emit(StyleSkipped("dark", 1, "Too few."))
     drawn.runs.runner.event.emit(light)
-    assert drawn.runs.newest.patient
+    assert drawn.runs.coalescing.holding
     drawn.runs.runner.event.emit(StyleSkipped("medium", 1, "Too few."))
     drawn.runs.runner.event.emit(light)
-    assert not drawn.runs.newest.patient
+    assert not drawn.runs.coalescing.holding
 
 
 def test_a_run_that_shows_nothing_gives_way_after_a_while(drawn, qtbot, session):
     move(drawn)
     qtbot.waitUntil(begun(session, 2))
     move(drawn)
-    assert drawn.runs.newest.waiting
-    drawn.runs.newest.timer.timeout.emit()
+    assert drawn.runs.coalescing.pending
+    drawn.runs.coalescing.timer.timeout.emit()
     qtbot.waitUntil(begun(session, 3))
     assert runs(session)[-1][0] == drawn.document.page.sketch
 
@@ -342,9 +342,9 @@ def test_going_back_to_what_runs_lets_it_go_on(drawn, qtbot, session):
     drawn.hold_to(Axis.HORIZONTAL)
     qtbot.waitUntil(begun(session, 2))
     drawn.hold_to(Axis.VERTICAL)
-    assert drawn.runs.newest.waiting
+    assert drawn.runs.coalescing.pending
     drawn.document.undo_stack.undo()
-    assert not drawn.runs.newest.waiting
+    assert not drawn.runs.coalescing.pending
     session.gate.release(100)
     rest(drawn, qtbot, session)
     assert len(runs(session)) == 2
@@ -357,8 +357,8 @@ def test_a_page_that_becomes_incomplete_stops_the_run_and_keeps_what_is_there(
     qtbot.waitUntil(begun(session, 2))
     drawn.actions_by_name["clear"].trigger()
     assert not drawn.runs.running
-    assert len(drawn.board.results.pictures) == 24
-    assert not drawn.window().desk.notice.isVisible()
+    assert len(drawn.browser.results.pictures) == 24
+    assert not drawn.window().pane.notice.isVisible()
     drawn.document.undo_stack.undo()
     qtbot.waitUntil(begun(session, 3))
 
@@ -367,14 +367,14 @@ def test_a_page_that_becomes_incomplete_stops_the_run_and_keeps_what_is_there(
 
 
 def test_old_results_stay_until_they_are_replaced(drawn, qtbot, session):
-    before = drawn.board.results.pictures
-    shown = drawn.board.detail.picture
-    cell = drawn.board.results.cell(*picked(drawn))
+    before = drawn.browser.results.pictures
+    shown = drawn.browser.detail.picture
+    cell = drawn.browser.results.cell(*picked(drawn))
     fresh = cell.grab().toImage()
     add_point(drawn)
     qtbot.waitUntil(begun(session, 2))
-    assert drawn.board.results.pictures == before
-    assert drawn.board.detail.picture is shown
+    assert drawn.browser.results.pictures == before
+    assert drawn.browser.detail.picture is shown
     assert set(states(drawn).values()) == {CellState.OLD}
     assert "before the last change" in cell.accessibleName()
     assert cell.isEnabled()
@@ -384,21 +384,21 @@ def test_old_results_stay_until_they_are_replaced(drawn, qtbot, session):
     session.gate.release(2)
     qtbot.waitUntil(lambda: cell.state is CellState.READY)
     assert list(states(drawn).values()).count(CellState.OLD) == 23
-    assert len(drawn.board.results.pictures) == 24
+    assert len(drawn.browser.results.pictures) == 24
 
 
 def test_the_grid_is_built_once(drawn, qtbot, session):
-    cells = [drawn.board.results.cell(style, value) for style in STYLES for value in LAMBDAS]
+    cells = [drawn.browser.results.cell(style, value) for style in STYLES for value in LAMBDAS]
     session.gate = None
     move(drawn)
     rest(drawn, qtbot, session)
-    assert cells == [drawn.board.results.cell(s, v) for s in STYLES for v in LAMBDAS]
+    assert cells == [drawn.browser.results.cell(s, v) for s in STYLES for v in LAMBDAS]
 
 
 def test_a_preview_comes_first_and_the_finished_result_takes_its_place(drawn, qtbot, session):
     pick(drawn, "medium", LAMBDAS[3])
-    cell = drawn.board.results.cell("medium", LAMBDAS[3])
-    rows = drawn.board.detail._rows
+    cell = drawn.browser.results.cell("medium", LAMBDAS[3])
+    rows = drawn.browser.detail._rows
     add_point(drawn)
     qtbot.waitUntil(begun(session, 2))
     assert runs(session)[-1][1].focus == ("medium", LAMBDAS[3])
@@ -406,8 +406,8 @@ def test_a_preview_comes_first_and_the_finished_result_takes_its_place(drawn, qt
     qtbot.waitUntil(lambda: cell.state is CellState.PREVIEW)
     preview = cell.picture
     assert preview.preview
-    assert drawn.board.detail.picture is preview
-    assert "preview · fits the sketch" in drawn.board.detail._about.text()
+    assert drawn.browser.detail.picture is preview
+    assert "preview · fits the sketch" in drawn.browser.detail._about.text()
     composite = preview.icon.composite
     named = [
         f"{composite.sources[k].exemplar.id}, {composite.shares[k]:.0%}"
@@ -416,19 +416,19 @@ def test_a_preview_comes_first_and_the_finished_result_takes_its_place(drawn, qt
     shown = [rows.itemAt(number).widget().accessibleName() for number in range(rows.count())]
     assert shown == named, "the sources are those of the preview"
     assert "preview" in cell.accessibleName()
-    assert drawn.board.results.finished == 0
+    assert drawn.browser.results.finished == 0
     looks = cell.grab().toImage()
     session.gate.release()
     qtbot.waitUntil(lambda: cell.state is CellState.READY)
     assert not cell.picture.preview
-    assert drawn.board.detail.picture is cell.picture
-    assert "3 parts of 3 icons" in drawn.board.detail._about.text()
-    assert drawn.board.results.finished == 1
+    assert drawn.browser.detail.picture is cell.picture
+    assert "3 parts of 3 icons" in drawn.browser.detail._about.text()
+    assert drawn.browser.results.finished == 1
     assert cell.grab().toImage() != looks, "that it was a preview could be seen"
-    drawn.board.show_event(preview)
+    drawn.browser.show_event(preview)
     assert cell.state is CellState.READY
     assert cell.picture is not preview, "a preview never replaces a finished one"
-    assert drawn.board.detail.picture is cell.picture
+    assert drawn.browser.detail.picture is cell.picture
 
 
 def test_only_the_first_run_of_a_sketch_picks_the_best(drawn, qtbot, session):
@@ -439,8 +439,8 @@ def test_only_the_first_run_of_a_sketch_picks_the_best(drawn, qtbot, session):
     move(drawn)
     rest(drawn, qtbot, session)
     assert picked(drawn) == first
-    assert drawn.board.detail.picture is drawn.board.results.cell(*first).picture
-    stars = [key for key in states(drawn) if drawn.board.results.cell(*key).recommended]
+    assert drawn.browser.detail.picture is drawn.browser.results.cell(*first).picture
+    stars = [key for key in states(drawn) if drawn.browser.results.cell(*key).recommended]
     assert stars == [(style, LAMBDAS[RECOMMENDED]) for style in STYLES if style != "dark"]
 
 
@@ -457,7 +457,7 @@ def test_the_focus_follows_what_the_user_picks(drawn, qtbot, session):
 def test_another_sketch_begins_afresh(drawn, qtbot, session):
     pick(drawn, "medium", LAMBDAS[4])
     drawn.actions_by_name["new"].trigger()
-    assert not drawn.board.results.pictures
+    assert not drawn.browser.results.pictures
     session.gate = None
     type_keyword(drawn, "dog")
     trace(drawn, [(50, 60), (300, 70), (200, 300)])
@@ -468,7 +468,7 @@ def test_another_sketch_begins_afresh(drawn, qtbot, session):
 
 def test_a_skipped_style_says_why_and_comes_back(drawn, qtbot, session):
     session.gate, session.skip = None, "light"
-    results = drawn.board.results
+    results = drawn.browser.results
     pick(drawn, "light", LAMBDAS[2])
     move(drawn)
     rest(drawn, qtbot, session)
@@ -513,7 +513,7 @@ def test_only_what_the_user_picks_or_asks_for_is_kept(drawn, qtbot, session, win
 def test_of_a_preview_that_is_picked_the_finished_result_is_kept(drawn, qtbot, session, window):
     add_point(drawn)
     qtbot.waitUntil(begun(session, 2))
-    cell = drawn.board.results.cell(*picked(drawn))
+    cell = drawn.browser.results.cell(*picked(drawn))
     session.gate.release()
     qtbot.waitUntil(lambda: cell.state is CellState.PREVIEW)
     pick(drawn, *picked(drawn))
@@ -561,12 +561,12 @@ def test_cancel_stops_until_the_next_change(drawn, qtbot, session):
     add_point(drawn)
     qtbot.waitUntil(begun(session, 2))
     session.gate.release(2)
-    qtbot.waitUntil(lambda: drawn.board.results.finished == 1)
+    qtbot.waitUntil(lambda: drawn.browser.results.finished == 1)
     press(drawn, Qt.Key.Key_Period, CONTROL)
     qtbot.waitUntil(lambda: session.generators_closed == 2)
-    assert not drawn.runs.running and not drawn.runs.newest.waiting
-    assert len(drawn.board.results.pictures) == 24
-    assert drawn.board.results.finished == 1
+    assert not drawn.runs.running and not drawn.runs.coalescing.pending
+    assert len(drawn.browser.results.pictures) == 24
+    assert drawn.browser.results.finished == 1
     drawn.runs.renew()
     assert not drawn.runs.running
     drawn.document.undo_stack.undo()
@@ -582,13 +582,13 @@ def test_a_failure_is_told_and_the_next_change_tries_again(drawn, qtbot, session
     with monkeypatch.context() as patch:
         patch.setattr(session, "_model", broken)
         add_point(drawn)
-        qtbot.waitUntil(drawn.window().desk.notice.isVisible)
-    assert "no room" in drawn.window().desk.notice.label.text()
-    assert len(drawn.board.results.pictures) == 24
+        qtbot.waitUntil(drawn.window().pane.notice.isVisible)
+    assert "no room" in drawn.window().pane.notice.label.text()
+    assert len(drawn.browser.results.pictures) == 24
     drawn.document.undo_stack.undo()
     rest(drawn, qtbot, session)
-    assert not drawn.window().desk.notice.isVisible()
-    assert drawn.board.results.finished == 24
+    assert not drawn.window().pane.notice.isVisible()
+    assert drawn.browser.results.finished == 24
 
 
 @pytest.mark.parametrize("stuck", [False, True])
@@ -631,31 +631,31 @@ def test_an_edit_follows_its_areas_and_the_styles(editing, qtbot, session):
     assert settings == ModelSettings(
         styles=("medium", "dark"), focus=("dark", LAMBDAS[4]), previews=True
     )
-    assert not editing.window().desk.notice.isVisible()
+    assert not editing.window().pane.notice.isVisible()
     drag(editing, points[2], (100, 100))
     rest(editing, qtbot, session)
     assert runs(session)[-1][0] == editing.document.page.edit()
     assert runs(session)[-1][1].focus == ("medium", LAMBDAS[RECOMMENDED])
-    before = editing.board.results.pictures
+    before = editing.browser.results.pictures
     session.gate = threading.Semaphore(0)
     count = len(runs(session))
     editing.actions_by_name["styles"].trigger()
     qtbot.waitUntil(begun(session, count + 1))
     assert runs(session)[-1][1].styles == STYLES
-    assert editing.board.results.pictures == before, "those of the same styles stay in sight"
+    assert editing.browser.results.pictures == before, "those of the same styles stay in sight"
     assert picked(editing) == ("medium", LAMBDAS[RECOMMENDED])
     session.gate.release(100)
     rest(editing, qtbot, session)
     editing.actions_by_name["clear"].trigger()
     assert not editing.runs.running
-    assert not editing.window().desk.notice.isVisible()
+    assert not editing.window().pane.notice.isVisible()
 
 
 def test_the_pick_stays_while_a_run_goes_on_and_is_the_best_in_the_end(drawn, qtbot):
     """Rows come one after another, each with a better star; the pick moves once, at the end."""
-    from iconstudio.gui.panels.board import Board
+    from iconstudio.gui.panels.browser import ResultsBrowser
 
-    board, results = Board(), drawn.board.results.pictures
+    board, results = ResultsBrowser(), drawn.browser.results.pictures
     qtbot.addWidget(board)
     settings = ModelSettings()
     scored = [
@@ -678,14 +678,14 @@ def test_the_pick_stays_while_a_run_goes_on_and_is_the_best_in_the_end(drawn, qt
 
 
 def test_nothing_is_starred_where_nothing_was_made(drawn):
-    style = drawn.board.results.pictures[0].icon.composite.style
-    drawn.board.show_event(Recommended(style, None))
-    assert not any(drawn.board.results.cell(style, value).recommended for value in LAMBDAS)
+    style = drawn.browser.results.pictures[0].icon.composite.style
+    drawn.browser.show_event(Recommended(style, None))
+    assert not any(drawn.browser.results.cell(style, value).recommended for value in LAMBDAS)
 
 
 def test_what_cannot_be_remixed_says_why_without_being_asked(live, qtbot):
     slim = Sketch(Polygon.of([(0, 0), (200, 0), (200, 1), (0, 1)]), "pencil")
     edits.load_sketch(live.document, slim)
-    assert "too slim" in live.board.results.note.text()
+    assert "too slim" in live.browser.results.note.text()
     edits.load_sketch(live.document, Sketch(Polygon.of(SQUARE), "box"))
-    assert live.board.results.note.text() == ""
+    assert live.browser.results.note.text() == ""

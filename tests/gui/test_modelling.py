@@ -31,7 +31,7 @@ def cells(sketching, state):
         (style, value)
         for style in STYLES
         for value in LAMBDAS
-        if sketching.board.results.cell(style, value).state is state
+        if sketching.browser.results.cell(style, value).state is state
     ]
 
 
@@ -71,24 +71,25 @@ def test_a_run_fills_the_grid_cell_by_cell(ready, qtbot, session):
     assert len(cells(ready, CellState.PENDING)) == 32
     for count in (1, 2, 3):
         session.gate.release()
-        qtbot.waitUntil(lambda count=count: len(ready.board.results.pictures) == count)
-        assert ready.window().desk.strip.button.isVisible()
+        qtbot.waitUntil(lambda count=count: len(ready.browser.results.pictures) == count)
+        assert ready.window().pane.status.button.isVisible()
     assert cells(ready, CellState.READY) == [("lightest", value) for value in LAMBDAS[:3]]
-    assert f"{len(ready.board.results.pictures)} finished" in ready.window().desk.strip.label.text()
+    said = ready.window().pane.status.label.text()
+    assert f"{len(ready.browser.results.pictures)} finished" in said
     session.gate.release(100)
     finish(ready, qtbot)
-    assert len(ready.board.results.pictures) == 24
+    assert len(ready.browser.results.pictures) == 24
     assert not cells(ready, CellState.PENDING)
-    assert not ready.window().desk.strip.button.isVisible()
+    assert not ready.window().pane.status.button.isVisible()
 
 
 def test_a_style_that_is_skipped_says_why_in_its_row(ready, qtbot):
     ready.run()
     finish(ready, qtbot)
-    reason = ready.board.results._reasons["dark"]
+    reason = ready.browser.results._reasons["dark"]
     assert reason.isVisible()
     assert reason.text() == "Only 4 icons are dark; at least 9 are needed."
-    assert not ready.board.results.cell("dark", LAMBDAS[0]).isVisible()
+    assert not ready.browser.results.cell("dark", LAMBDAS[0]).isVisible()
 
 
 def test_a_run_closes_an_open_outline(sketching, qtbot, session):
@@ -117,15 +118,15 @@ def test_what_is_missing_is_said_in_the_window(sketching, session, points, keywo
         click(sketching, point)
     type_keyword(sketching, keyword)
     QTest.mouseClick(sketching.keyword_panel.button, Qt.MouseButton.LeftButton)
-    assert sketching.window().desk.notice.isVisible()
-    assert part in sketching.window().desk.notice.label.text()
+    assert sketching.window().pane.notice.isVisible()
+    assert part in sketching.window().pane.notice.label.text()
     assert not sketching.runs.running
     assert not [call for call in session.calls if call[0] == "model"]
 
 
 def test_messages_move_nothing_and_hints_do_not_look_like_errors(sketching):
     click(sketching, SQUARE[0])
-    pane, before = sketching.window().desk, sketching.view.mapToGlobal(QPoint(0, 0))
+    pane, before = sketching.window().pane, sketching.view.mapToGlobal(QPoint(0, 0))
     size = sketching.view.size()
     sketching.run()
     notice = pane.notice
@@ -144,25 +145,25 @@ def test_an_outline_that_crosses_itself_is_taken_and_told(sketching, qtbot):
     trace(sketching, [(100, 100), (400, 400), (400, 100), (100, 380)])
     type_keyword(sketching, "dog")
     sketching.run()
-    assert "crosses itself" in sketching.window().desk.notice.label.text()
+    assert "crosses itself" in sketching.window().pane.notice.label.text()
     finish(sketching, qtbot)
-    assert len(sketching.board.results.pictures) == 24
+    assert len(sketching.browser.results.pictures) == 24
 
 
 def test_cancel_keeps_what_is_finished(ready, qtbot, session):
     session.gate = threading.Semaphore(5)
     ready.run()
-    qtbot.waitUntil(lambda: len(ready.board.results.pictures) == 5)
-    QTest.mouseClick(ready.window().desk.strip.button, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: len(ready.browser.results.pictures) == 5)
+    QTest.mouseClick(ready.window().pane.status.button, Qt.MouseButton.LeftButton)
     assert not ready.runs.running
     assert len(cells(ready, CellState.BLANK)) == 27
     qtbot.waitUntil(lambda: session.generators_closed == 1)
     session.gate.release(100)
     qtbot.wait(50)
-    assert len(ready.board.results.pictures) == 5
+    assert len(ready.browser.results.pictures) == 5
     ready.run()
     finish(ready, qtbot)
-    assert len(ready.board.results.pictures) == 24
+    assert len(ready.browser.results.pictures) == 24
 
 
 def test_cancelling_a_search_does_not_leave_it_pending(sketching, qtbot, session):
@@ -180,28 +181,30 @@ def test_cancelling_a_search_does_not_leave_it_pending(sketching, qtbot, session
 def test_a_cache_that_cannot_be_written_is_told_once(sketching, qtbot, session):
     session.trouble = "The disk is full. Make room."
     type_keyword(sketching, "dog")
-    qtbot.waitUntil(sketching.window().desk.notice.isVisible)
-    assert sketching.window().desk.notice.label.text() == session.trouble
+    qtbot.waitUntil(sketching.window().pane.notice.isVisible)
+    assert sketching.window().pane.notice.label.text() == session.trouble
     type_keyword(sketching, "s")
     qtbot.waitUntil(
-        lambda: session.calls[-1][1] == "dogs" and not sketching.window().desk.strip.bar.isVisible()
+        lambda: (
+            session.calls[-1][1] == "dogs" and not sketching.window().pane.status.bar.isVisible()
+        )
     )
-    assert not sketching.window().desk.notice.isVisible()
+    assert not sketching.window().pane.notice.isVisible()
 
 
 def test_a_message_goes_with_the_next_edit(sketching):
     sketching.run()
-    assert sketching.window().desk.notice.isVisible()
+    assert sketching.window().pane.notice.isVisible()
     click(sketching, SQUARE[0])
-    assert not sketching.window().desk.notice.isVisible()
+    assert not sketching.window().pane.notice.isVisible()
 
 
 def test_pressing_remix_twice_does_not_begin_again(ready, qtbot, session):
     session.gate = threading.Semaphore(2)
     ready.run()
-    qtbot.waitUntil(lambda: len(ready.board.results.pictures) == 2)
+    qtbot.waitUntil(lambda: len(ready.browser.results.pictures) == 2)
     ready.run()
-    assert len(ready.board.results.pictures) == 2
+    assert len(ready.browser.results.pictures) == 2
     session.gate.release(100)
     finish(ready, qtbot)
     assert sum(call[0] == "model" for call in session.calls) == 1
@@ -210,14 +213,14 @@ def test_pressing_remix_twice_does_not_begin_again(ready, qtbot, session):
 def test_remix_after_an_edit_drops_the_run_under_way(ready, qtbot, session):
     session.gate = threading.Semaphore(2)
     ready.run()
-    qtbot.waitUntil(lambda: len(ready.board.results.pictures) == 2)
+    qtbot.waitUntil(lambda: len(ready.browser.results.pictures) == 2)
     click(ready, (250, 110))
-    assert "earlier sketch" in ready.board.results.note.text()
+    assert "earlier sketch" in ready.browser.results.note.text()
     session.gate.release(100)
     ready.run()
     finish(ready, qtbot)
-    assert ready.board.results.note.text() == ""
-    assert len(ready.board.results.pictures) == 24
+    assert ready.browser.results.note.text() == ""
+    assert len(ready.browser.results.pictures) == 24
     assert sum(call[0] == "model" for call in session.calls) == 2
 
 
@@ -229,13 +232,13 @@ def test_a_failure_on_the_way_is_told_and_the_window_goes_on(ready, qtbot, sessi
     monkeypatch.setattr(session, "_model", broken)
     ready.run()
     finish(ready, qtbot)
-    assert "MemoryError: no room" in ready.window().desk.notice.label.text()
+    assert "MemoryError: no room" in ready.window().pane.notice.label.text()
     assert not cells(ready, CellState.PENDING)
     monkeypatch.undo()
     ready.run()
     finish(ready, qtbot)
-    assert len(ready.board.results.pictures) == 24
-    assert not ready.window().desk.notice.isVisible()
+    assert len(ready.browser.results.pictures) == 24
+    assert not ready.window().pane.notice.isVisible()
 
 
 def stacked(scale, *cells):
@@ -248,7 +251,7 @@ def stacked(scale, *cells):
 
 def test_cells_are_no_higher_than_wide_and_begin_at_the_top(ready, qtbot):
     """Also after a run of fewer styles than before."""
-    results, window = ready.board.results, ready.window()
+    results, window = ready.browser.results, ready.window()
     window.resize(1280, 1400)
     for styles in (STYLES, STYLES[:2], STYLES[:1]):
         results.begin(styles, LAMBDAS)
@@ -293,39 +296,40 @@ def test_an_icon_that_was_made_thanks_all_that_it_was_made_of(sketching, qtbot):
 def test_picking_shows_the_icon_and_its_sources(ready, qtbot):
     ready.run()
     finish(ready, qtbot)
-    target = ready.board.results.cell("medium", LAMBDAS[3])
+    target = ready.browser.results.cell("medium", LAMBDAS[3])
     QTest.mouseClick(target, Qt.MouseButton.LeftButton)
-    assert ready.board.detail.picture is target.picture
+    assert ready.browser.detail.picture is target.picture
     rows = [
-        ready.board.detail._rows.itemAt(i).widget() for i in range(ready.board.detail._rows.count())
+        ready.browser.detail._rows.itemAt(i).widget()
+        for i in range(ready.browser.detail._rows.count())
     ]
     assert [row.accessibleName() for row in rows] == [
         "shapes:ring-0, 50%",
         "shapes:frame-1, 30%",
         "shapes:cross-2, 20%",
     ]
-    assert ready.board.detail._about.text() == (
+    assert ready.browser.detail._about.text() == (
         f"λ {LAMBDAS[3]:.2f} · 3 parts of 3 icons · fits the sketch by 87%"
     )
 
 
 def picked(place):
-    composite = place.board.detail.picture.icon.composite
+    composite = place.browser.detail.picture.icon.composite
     return composite.style, composite.lambda_s
 
 
 def test_the_first_recommended_result_takes_the_place_of_the_very_first(ready, qtbot, session):
     session.gate = threading.Semaphore(1)
     ready.run()
-    qtbot.waitUntil(lambda: ready.board.detail.picture is not None)
+    qtbot.waitUntil(lambda: ready.browser.detail.picture is not None)
     assert picked(ready) == ("lightest", LAMBDAS[0])
     session.gate.release(100)
     finish(ready, qtbot)
     assert picked(ready) == ("lightest", LAMBDAS[RECOMMENDED])
-    cell = ready.board.results.cell("medium", LAMBDAS[RECOMMENDED])
+    cell = ready.browser.results.cell("medium", LAMBDAS[RECOMMENDED])
     assert "Look here first" in cell.toolTip()
     assert "recommended" in cell.accessibleName()
-    unmarked = ready.board.results.cell("medium", LAMBDAS[RECOMMENDED + 1])
+    unmarked = ready.browser.results.cell("medium", LAMBDAS[RECOMMENDED + 1])
     assert "Look here" not in unmarked.toolTip()
     plain = cell.grab().toImage()
     cell.recommended = False
@@ -337,14 +341,14 @@ def test_the_best_of_the_recommended_results_is_picked_in_the_end(ready, qtbot, 
     ready.run()
     finish(ready, qtbot)
     assert picked(ready) == ("light", LAMBDAS[RECOMMENDED])
-    assert list(window.recent.pictures) == [ready.board.detail.picture]
+    assert list(window.recent.pictures) == [ready.browser.detail.picture]
 
 
 def test_a_recommendation_does_not_take_away_what_the_user_picked(ready, qtbot, session):
     session.gate = threading.Semaphore(2)
     ready.run()
-    qtbot.waitUntil(lambda: len(ready.board.results.pictures) == 2)
-    target = ready.board.results.cell("lightest", LAMBDAS[1])
+    qtbot.waitUntil(lambda: len(ready.browser.results.pictures) == 2)
+    target = ready.browser.results.cell("lightest", LAMBDAS[1])
     QTest.mouseClick(target, Qt.MouseButton.LeftButton)
     session.gate.release(100)
     finish(ready, qtbot)
@@ -354,27 +358,29 @@ def test_a_recommendation_does_not_take_away_what_the_user_picked(ready, qtbot, 
 def test_the_grid_is_walked_with_the_arrow_keys(ready, qtbot):
     ready.run()
     finish(ready, qtbot)
-    ready.board.results.cell("lightest", LAMBDAS[0]).setFocus()
+    ready.browser.results.cell("lightest", LAMBDAS[0]).setFocus()
     for key in (Qt.Key.Key_Right, Qt.Key.Key_Right, Qt.Key.Key_Down):
         QTest.keyClick(ready.window().focusWidget(), key)
-    picked = ready.board.detail.picture.icon.composite
+    picked = ready.browser.detail.picture.icon.composite
     assert (picked.style, picked.lambda_s) == ("light", LAMBDAS[2])
     for key in (Qt.Key.Key_Down, Qt.Key.Key_Down, Qt.Key.Key_Down):
         QTest.keyClick(ready.window().focusWidget(), key)
-    assert ready.board.detail.picture.icon.composite.style == "medium", "the row below was skipped"
+    picked = ready.browser.detail.picture.icon.composite
+    assert picked.style == "medium", "the row below was skipped"
 
 
 def test_colour_code_and_icon_are_switched(ready, qtbot):
     ready.run()
     finish(ready, qtbot)
-    cell = ready.board.results.cell("light", LAMBDAS[1])
+    cell = ready.browser.results.cell("light", LAMBDAS[1])
     ready.actions_by_name["plain"].trigger()
     plain = cell.grab().toImage()
     ready.actions_by_name["coded"].trigger()
     coded = cell.grab().toImage()
     assert plain != coded
     assert any(coded.pixelColor(x, y).hsvSaturation() > 100 for x in range(70) for y in range(70))
-    QTest.mouseClick(ready.board.results.switch.segments[Display.PLAIN], Qt.MouseButton.LeftButton)
+    plainly = ready.browser.results.switch.segments[Display.PLAIN]
+    QTest.mouseClick(plainly, Qt.MouseButton.LeftButton)
     assert cell.grab().toImage() == plain
     assert not ready.actions_by_name["coded"].isChecked()
 
@@ -387,7 +393,7 @@ def test_how_results_are_shown_is_remembered_in_all_workspaces(ready):
     assert window.workspace.switch.segments[Display.CODED].isChecked()
     window.workspace.actions_by_name["plain"].trigger()
     window.show_workspace(0)
-    assert ready.board.results.switch.segments[Display.PLAIN].isChecked()
+    assert ready.browser.results.switch.segments[Display.PLAIN].isChecked()
     again = MainWindow(FakeSession())
     again.show()
     assert again.workspace.actions_by_name["plain"].isChecked()

@@ -148,8 +148,8 @@ def test_a_file_that_is_no_good_is_told_in_a_sentence(place, qtbot, tmp_path, wi
     file = tmp_path / "empty.svg"
     file.write_text("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 9 9'/>")
     place.opener.open_file(str(file))
-    qtbot.waitUntil(window.desk.notice.isVisible)
-    assert "nothing to be seen" in window.desk.notice.label.text()
+    qtbot.waitUntil(window.pane.notice.isVisible)
+    assert "nothing to be seen" in window.pane.notice.label.text()
     assert place.document.page.layers == ()
 
 
@@ -171,7 +171,7 @@ def test_icons_kept_as_pictures_look_as_if_they_were_painted_anew(
     bring(place, qtbot, RING, FRAME, CROSS, TRIANGLE)
     view, stack = place.view, place.document.undo_stack
     qtbot.waitUntil(
-        lambda: all(place.crisp.outline(one.icon.exemplar) for one in place.document.page.layers)
+        lambda: all(place.outlines.outline(one.icon.exemplar) for one in place.document.page.layers)
     )
 
     def settled_picture(scene):
@@ -201,7 +201,7 @@ def test_icons_kept_as_pictures_look_as_if_they_were_painted_anew(
     for step in steps:
         step()
         seen.append(settled_picture(place.scene))
-        assert seen[-1] == settled_picture(MontageScene(place.document, place.crisp))
+        assert seen[-1] == settled_picture(MontageScene(place.document, place.outlines))
     assert sum(one != other for one, other in pairwise(seen)) > len(steps) - 4
 
 
@@ -228,8 +228,8 @@ def test_the_thirty_first_icon_is_refused_in_a_sentence(place, qtbot, window):
     page = place.document.page
     place.document.change("many", page.with_icons([page.current.icon] * 29))
     place.take(icon)
-    qtbot.waitUntil(window.desk.notice.isVisible)
-    assert "at most 30 icons" in window.desk.notice.label.text()
+    qtbot.waitUntil(window.pane.notice.isVisible)
+    assert "at most 30 icons" in window.pane.notice.label.text()
     assert len(place.document.page.layers) == 30
 
 
@@ -611,7 +611,7 @@ def test_of_many_strokes_only_the_newest_is_made_and_the_old_result_stays(two, q
 
 
 def test_a_run_that_hangs_gives_way_to_a_newer_one(two, qtbot, session):
-    two.live.newest.timer.setInterval(50)
+    two.live.coalescing.timer.setInterval(50)
     session.gate = threading.Semaphore(0)
     stroke(two, (60, 60), (90, 60))
     stroke(two, (60, 80), (90, 80))
@@ -628,7 +628,7 @@ def test_without_a_mark_the_result_goes_and_comes_back_with_undo(two, qtbot):
     two.actions_by_name["clear"].trigger()
     assert two.picture is None
     assert not two.actions_by_name["svg"].isEnabled()
-    assert not two.window().desk.notice.isVisible()
+    assert not two.window().pane.notice.isVisible()
     two.document.undo_stack.undo()
     qtbot.waitUntil(lambda: two.picture is not None)
 
@@ -643,18 +643,18 @@ def test_a_failure_is_told_and_the_next_stroke_tries_again(two, qtbot, session, 
     with monkeypatch.context() as patch:
         patch.setattr(session, "montage", fail)
         stroke(two, (60, 60), (90, 60))
-        qtbot.waitUntil(two.window().desk.notice.isVisible)
-    assert "cannot be done" in two.window().desk.notice.label.text()
+        qtbot.waitUntil(two.window().pane.notice.isVisible)
+    assert "cannot be done" in two.window().pane.notice.label.text()
     stroke(two, (60, 80), (90, 80))
     qtbot.waitUntil(lambda: two.picture is not None)
-    assert not two.window().desk.notice.isVisible()
+    assert not two.window().pane.notice.isVisible()
 
 
 def test_long_work_can_be_cancelled(two, qtbot, session):
-    two.live.newest.timer.setInterval(50)
+    two.live.coalescing.timer.setInterval(50)
     session.gate = threading.Semaphore(0)
     stroke(two, (60, 60), (90, 60))
-    strip = two.window().desk.strip
+    strip = two.window().pane.status
     qtbot.waitUntil(strip.button.isVisible)
     QTest.mouseClick(strip.button, LEFT)
     assert not two.live.busy
@@ -741,7 +741,7 @@ def test_a_montage_with_overlapping_strokes_opens_without_the_overlap(place, qtb
     place.opener.open_work(str(path))
     qtbot.waitUntil(lambda: place.picture is not None)
     assert [len(one.strokes) for one in place.document.page.layers] == [0, 1]
-    notice = place.window().desk.notice
+    notice = place.window().pane.notice
     qtbot.waitUntil(notice.isVisible)
     assert "those of the upper icon were kept" in notice.label.text()
 
@@ -763,8 +763,8 @@ def test_every_example_of_the_menu_opens_as_it_is(place, qtbot, session, monkeyp
         qtbot.waitUntil(lambda before=before: place.document.page is not before)
         settled(place, qtbot)
         assert place.picture is not None
-        assert f"“{action.text()}”" in place.window().desk.strip.label.text()
-        assert not place.window().desk.notice.isVisible()
+        assert f"“{action.text()}”" in place.window().pane.status.label.text()
+        assert not place.window().pane.notice.isVisible()
 
 
 def test_a_montage_is_drawn_of_outlines_once_they_are_traced(place, qtbot, session, monkeypatch):
@@ -774,7 +774,7 @@ def test_a_montage_is_drawn_of_outlines_once_they_are_traced(place, qtbot, sessi
     ring = place.document.page.current.icon.exemplar
     pixels = place.view.grab().toImage()
     gate.set()
-    qtbot.waitUntil(lambda: place.crisp.outline(ring) is not None)
+    qtbot.waitUntil(lambda: place.outlines.outline(ring) is not None)
     assert place.view.grab().toImage() != pixels, "the drawing of the test is the icon's box"
 
 
@@ -783,8 +783,8 @@ def test_a_file_that_is_no_montage_leaves_the_page_as_it_is(two, qtbot, tmp_path
     path.write_text('{"layers": 3}')
     before = two.document.page
     two.opener.open_work(str(path))
-    qtbot.waitUntil(window.desk.notice.isVisible)
-    assert "none.json" in window.desk.notice.label.text()
+    qtbot.waitUntil(window.pane.notice.isVisible)
+    assert "none.json" in window.pane.notice.label.text()
     assert two.document.page is before
 
 

@@ -16,7 +16,7 @@ def drawn(sketching, qtbot):
 
 
 def shown(place):
-    return len(place.board.results.pictures)
+    return len(place.browser.results.pictures)
 
 
 @pytest.mark.parametrize("live", [False, True])
@@ -27,8 +27,8 @@ def test_a_new_sketch_has_no_results(drawn, live):
     assert shown(drawn) == 0
     assert drawn.picture is None
     assert not drawn.actions_by_name["svg"].isEnabled()
-    assert not drawn.board.results._welcome.isHidden()
-    assert "24" not in drawn.window().desk.strip.label.text()
+    assert not drawn.browser.results._welcome.isHidden()
+    assert "24" not in drawn.window().pane.status.label.text()
 
 
 def test_what_was_undone_is_remixed_again(drawn, qtbot):
@@ -40,11 +40,11 @@ def test_what_was_undone_is_remixed_again(drawn, qtbot):
 
 def test_results_of_a_name_that_was_taken_away_are_pale_until_it_is_back(drawn, qtbot):
     drawn.actions_by_name["live"].trigger()
-    cell = next(iter(drawn.board.results._cells.values()))
+    cell = next(iter(drawn.browser.results._cells.values()))
     assert cell.state is CellState.READY
-    drawn.document.change("take the name away", drawn.document.page.wishing(keyword=""))
+    drawn.document.change("take the name away", drawn.document.page.with_criteria(keyword=""))
     assert shown(drawn) == 24
     assert "from before the last change" in cell.accessibleName()
-    assert "24" not in drawn.window().desk.strip.label.text()
+    assert "24" not in drawn.window().pane.status.label.text()
     drawn.actions_by_name["undo"].trigger()
     assert "before" not in cell.accessibleName()

@@ -43,7 +43,7 @@ def test_a_photo_is_opened_from_the_menu(sketching, qtbot, photo_file, monkeypat
     photo = sketching.document.page.photo
     assert (photo.width, photo.height) == (300, 200)
     assert sketching.dim.slider.isVisible()
-    assert "300 × 200" in sketching.window().desk.strip.label.text()
+    assert "300 × 200" in sketching.window().pane.status.label.text()
     sketching.document.undo_stack.undo()
     assert sketching.document.page.empty
 
@@ -72,7 +72,7 @@ def test_a_photo_on_the_clipboard_is_pasted(sketching, qtbot, picture):
 def test_pasting_words_says_what_to_do(sketching):
     QApplication.clipboard().setText("dog")
     sketching.actions_by_name["paste"].trigger()
-    assert "no photo to paste" in sketching.window().desk.notice.label.text()
+    assert "no photo to paste" in sketching.window().pane.notice.label.text()
 
 
 def test_a_file_that_is_no_photo_is_told_and_nothing_is_lost(sketching, qtbot, tmp_path):
@@ -81,8 +81,8 @@ def test_a_file_that_is_no_photo_is_told_and_nothing_is_lost(sketching, qtbot, t
     path = tmp_path / "letter.png"
     path.write_text("Dear dog")
     sketching.opener.open_file(str(path))
-    qtbot.waitUntil(sketching.window().desk.notice.isVisible)
-    assert "“letter.png” cannot be opened" in sketching.window().desk.notice.label.text()
+    qtbot.waitUntil(sketching.window().pane.notice.isVisible)
+    assert "“letter.png” cannot be opened" in sketching.window().pane.notice.label.text()
     assert sketching.document.page == before
 
 
@@ -91,8 +91,8 @@ def test_an_svg_opened_as_a_photo_reaches_no_reader(sketching, qtbot, tmp_path, 
     path = tmp_path / name
     path.write_text('<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"/>')
     sketching.opener.open_file(str(path))
-    qtbot.waitUntil(sketching.window().desk.notice.isVisible)
-    assert "cannot be opened" in sketching.window().desk.notice.label.text()
+    qtbot.waitUntil(sketching.window().pane.notice.isVisible)
+    assert "cannot be opened" in sketching.window().pane.notice.label.text()
     assert sketching.document.page.empty
 
 
@@ -143,7 +143,7 @@ def test_a_photo_that_is_cut_short_is_shown_with_a_remark(sketching, qtbot, tmp_
     path.write_bytes(path.read_bytes()[: path.stat().st_size * 2 // 3])
     sketching.opener.open_file(str(path))
     qtbot.waitUntil(has_photo(sketching))
-    assert "cut short" in sketching.window().desk.strip.label.text()
+    assert "cut short" in sketching.window().pane.status.label.text()
 
 
 def test_the_dim_slider_fades_the_photo(sketching, qtbot, photo_file):
@@ -192,7 +192,7 @@ def test_a_sketch_without_its_photo_is_opened_all_the_same(sketching, qtbot, tmp
     sketching.opener.open_mime(data)
     qtbot.waitUntil(lambda: sketching.document.page.closed)
     assert sketching.document.page.photo is None
-    assert "without its photo" in sketching.window().desk.notice.label.text()
+    assert "without its photo" in sketching.window().pane.notice.label.text()
 
 
 @pytest.mark.parametrize("text", ["", "{", "[]", '{"polygon": 3}', '{"polygon": [[1, "a"]]}'])
@@ -202,6 +202,6 @@ def test_a_broken_sketch_is_told_and_nothing_is_lost(sketching, qtbot, tmp_path,
     path = tmp_path / "broken.json"
     path.write_text(text)
     sketching.opener.open_work(str(path))
-    qtbot.waitUntil(sketching.window().desk.notice.isVisible)
-    assert sketching.window().desk.notice.label.text()
+    qtbot.waitUntil(sketching.window().pane.notice.isVisible)
+    assert sketching.window().pane.notice.label.text()
     assert sketching.document.page == before

@@ -294,8 +294,8 @@ def test_recent_projects_are_offered_and_opened(window, qtbot, tmp_path, monkeyp
     (tmp_path / "cat.iconstudio").unlink()
     menu.aboutToShow.emit()
     menu.actions()[1].trigger()
-    qtbot.waitUntil(window.desk.notice.isVisible)
-    assert "There is no such file" in window.desk.notice.label.text()
+    qtbot.waitUntil(window.pane.notice.isVisible)
+    assert "There is no such file" in window.pane.notice.label.text()
     assert not any("cat" in one for one in recents.recents())
     menu.aboutToShow.emit()
     menu.actions()[-1].trigger()
@@ -319,8 +319,8 @@ def test_a_page_that_cannot_be_read_is_told_and_the_file_is_safe(
             archive.writestr(name, data)
     other = another()
     other.project.open(path)
-    qtbot.waitUntil(other.desk.notice.isVisible)
-    told = other.desk.notice.label.text()
+    qtbot.waitUntil(other.pane.notice.isVisible)
+    told = other.pane.notice.label.text()
     assert "The page of Montage could not be read" in told
     assert "no workflow “unheard-of”" in told
     assert pages(other)["edit"] == pages(window)["edit"]
@@ -332,8 +332,8 @@ def test_what_cannot_be_saved_is_told_and_stays(window, qtbot, tmp_path, monkeyp
     trace(window.workspace)
     monkeypatch.setattr(questions, "ask_where", lambda *_: tmp_path / "gone" / "dog.iconstudio")
     window.action("save_project").trigger()
-    qtbot.waitUntil(window.desk.notice.isVisible)
-    assert "cannot be written" in window.desk.notice.label.text()
+    qtbot.waitUntil(window.pane.notice.isVisible)
+    assert "cannot be written" in window.pane.notice.label.text()
     assert window.project.modified
     assert window.project.path is None
 

@@ -51,7 +51,7 @@ def paste(place, qtbot, text, count):
 
 
 def told(place):
-    notice = place.window().desk.notice
+    notice = place.window().pane.notice
     return notice.label.text() if notice.isVisible() else ""
 
 
@@ -72,13 +72,13 @@ def test_remarks_of_several_icons_are_all_there(roomy, qtbot):
     QApplication.clipboard().setText("dog")
     roomy.actions_by_name["paste"].trigger()
     assert told(roomy).splitlines()[1:] == lines, "beside another message"
-    roomy.window().desk.say("")
+    roomy.window().pane.say("")
     assert told(roomy).splitlines() == lines
 
 
 def test_what_is_dismissed_comes_back_with_its_icon_only(roomy, qtbot):
     paste(roomy, qtbot, "shapes:ring-0", 1)
-    roomy.window().desk.notice._button.click()
+    roomy.window().pane.notice._button.click()
     assert told(roomy) == ""
     paste(roomy, qtbot, "shapes:frame-1", 2)
     assert told(roomy) == ""
@@ -121,7 +121,7 @@ def test_an_icon_that_is_sent_keeps_its_remarks(place, qtbot):
 
 def test_a_long_remark_scrolls_and_leaves_room_for_the_work(place, qtbot):
     svg = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M0 0h9v9z"/></svg>'
-    notice = place.window().desk.notice
+    notice = place.window().pane.notice
     paste(place, qtbot, "shapes:ring-0", 1)
     qtbot.waitUntil(lambda: 0 < notice.height() < 50)
     short = notice.height()

@@ -58,7 +58,7 @@ def test_a_saved_sketch_is_read_back_the_same(sketching, qtbot, tmp_path, monkey
     saved = read_sketch(path)
     assert saved.sketch == shown.sketch
     assert saved.photo == shown.photo
-    qtbot.waitUntil(lambda: str(path) in sketching.window().desk.strip.label.text())
+    qtbot.waitUntil(lambda: str(path) in sketching.window().pane.status.label.text())
 
 
 def test_nothing_is_written_if_the_user_thinks_better_of_it(done, tmp_path, monkeypatch):
@@ -76,7 +76,7 @@ def test_an_icon_is_saved_as_svg_with_its_credits(done, qtbot, tmp_path, monkeyp
     assert asked == [("icon", "motor-cycle-lightest", "svg")]
     root = ET.fromstring(path.read_text("utf-8"))
     paths = root.findall(".//{http://www.w3.org/2000/svg}path")
-    assert [one.get("d") for one in paths] == [done.board.detail.picture.icon.path.svg()]
+    assert [one.get("d") for one in paths] == [done.browser.detail.picture.icon.path.svg()]
     assert "Ada Example" in path.read_text("utf-8")
 
 
@@ -85,7 +85,7 @@ def test_png_is_of_the_icon_and_the_colour_code_has_its_own(
     done, qtbot, tmp_path, monkeypatch, display
 ):
     """Whatever is shown."""
-    done.board.show_display(display)
+    done.browser.show_display(display)
     images = []
     for name in ("png", "code_png"):
         path = tmp_path / f"{name}.png"
@@ -117,9 +117,9 @@ def test_the_colour_code_of_a_recent_result_is_saved(done, qtbot, tmp_path, monk
 
 
 def test_an_icon_is_copied_as_svg_as_words_and_as_a_picture(done):
-    done.board.show_display(Display.CODED)
+    done.browser.show_display(Display.CODED)
     done.actions_by_name["copy"].trigger()
-    data, icon = QApplication.clipboard().mimeData(), done.board.detail.picture.icon
+    data, icon = QApplication.clipboard().mimeData(), done.browser.detail.picture.icon
     svg = svg_document(replace(icon, title="Motor cycle"))
     assert data.text() == svg
     assert data.data("image/svg+xml").data().decode() == svg
@@ -129,7 +129,7 @@ def test_an_icon_is_copied_as_svg_as_words_and_as_a_picture(done):
         assert colours(image) == {(0, 0, 0)}
         drawn = coverage(icon.path, image.width())
         assert np.abs(alpha.astype(int) - drawn).mean() < 0.5
-    assert "clipboard" in done.window().desk.strip.label.text()
+    assert "clipboard" in done.window().pane.status.label.text()
 
 
 def test_what_is_saved_is_read_back_the_same(done, qtbot, tmp_path, monkeypatch):
@@ -137,10 +137,10 @@ def test_what_is_saved_is_read_back_the_same(done, qtbot, tmp_path, monkeypatch)
     save_to(done, monkeypatch, path)
     done.actions_by_name["svg"].trigger()
     qtbot.waitUntil(path.exists)
-    own, made = own_svg(path.read_bytes(), str(path)), done.board.detail.picture.pictogram()
+    own, made = own_svg(path.read_bytes(), str(path)), done.browser.detail.picture.pictogram()
     plain = (
         '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 256 256">'
-        f'<path d="{done.board.detail.picture.icon.path.svg()}"/></svg>'
+        f'<path d="{done.browser.detail.picture.icon.path.svg()}"/></svg>'
     )
     frames, pictures = zip(*map(rasterise, (own.svg, plain)), strict=True)
     assert frames[0] == frames[1]
@@ -155,7 +155,7 @@ def test_no_file_gets_the_name_of_another_kind(done, qtbot, tmp_path, monkeypatc
     qtbot.waitUntil(saved.exists)
     saved.write_text("mine")
     done.actions_by_name["svg"].trigger()
-    assert "is there already" in done.window().desk.notice.label.text()
+    assert "is there already" in done.window().pane.notice.label.text()
     assert saved.read_text() == "mine"
 
 
@@ -164,7 +164,7 @@ def test_several_results_never_share_a_name(done, qtbot, tmp_path, monkeypatch):
     (tmp_path / "motor-cycle-lightest.svg").write_text("mine")
     (tmp_path / "motor-cycle-lightest-3.svg").symlink_to("nowhere")
     monkeypatch.setattr(done.saver, "ask_folder", lambda: tmp_path)
-    picture = done.board.detail.picture
+    picture = done.browser.detail.picture
     pictures = 3 * [replace(picture, icon=replace(picture.icon, title="Motor cycle"))]
     other = replace(picture, icon=replace(picture.icon, title="很" * 300))
     done.saver.save_svgs([*pictures, other])
@@ -175,7 +175,7 @@ def test_several_results_never_share_a_name(done, qtbot, tmp_path, monkeypatch):
     assert {one.name for one in tmp_path.iterdir()} == set(names)
     assert (tmp_path / names[0]).read_text() == "mine"
     assert (tmp_path / names[2]).is_symlink()
-    qtbot.waitUntil(lambda: "4 icons" in done.window().desk.strip.label.text())
+    qtbot.waitUntil(lambda: "4 icons" in done.window().pane.status.label.text())
 
 
 def test_a_disk_that_fills_up_is_told_with_what_is_saved(done, qtbot, tmp_path, monkeypatch):
@@ -188,16 +188,16 @@ def test_a_disk_that_fills_up_is_told_with_what_is_saved(done, qtbot, tmp_path, 
 
     monkeypatch.setattr(saving, "_write", full)
     monkeypatch.setattr(done.saver, "ask_folder", lambda: tmp_path)
-    done.saver.save_svgs([done.board.detail.picture] * 3)
-    qtbot.waitUntil(done.window().desk.notice.isVisible)
-    assert done.window().desk.notice.label.text() == "1 icon of 3 saved. The disk is full."
+    done.saver.save_svgs([done.browser.detail.picture] * 3)
+    qtbot.waitUntil(done.window().pane.notice.isVisible)
+    assert done.window().pane.notice.label.text() == "1 icon of 3 saved. The disk is full."
 
 
 def test_a_folder_that_cannot_be_written_is_told(done, qtbot, tmp_path, monkeypatch):
     save_to(done, monkeypatch, tmp_path / "gone" / "icon.svg")
     done.actions_by_name["svg"].trigger()
-    qtbot.waitUntil(done.window().desk.notice.isVisible)
-    assert "cannot be written" in done.window().desk.notice.label.text()
+    qtbot.waitUntil(done.window().pane.notice.isVisible)
+    assert "cannot be written" in done.window().pane.notice.label.text()
 
 
 def test_nothing_can_be_saved_before_there_is_something(sketching):

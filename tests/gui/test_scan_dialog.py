@@ -35,7 +35,7 @@ def place(request, window):
 
 
 def opener(place):
-    return getattr(place, "opener", None) or place.gathering
+    return getattr(place, "opener", None) or place.opener
 
 
 def dialogs(place):
@@ -152,7 +152,7 @@ def test_a_file_that_only_looks_like_an_image_is_opened_as_what_it_is(window, qt
     path = tmp_path / "letter.png"
     path.write_text("Dear dog")
     opener(place).open_mime(dropped(path))
-    qtbot.waitUntil(window.desk.notice.isVisible)
+    qtbot.waitUntil(window.pane.notice.isVisible)
     assert not dialogs(place)
 
 
@@ -161,8 +161,8 @@ def test_a_broken_image_is_told(window, qtbot, tmp_path, scan_file):
     path = tmp_path / "broken.png"
     path.write_bytes(scan_file.read_bytes()[:50])
     opener(window.workspace).open_mime(dropped(path))
-    qtbot.waitUntil(window.desk.notice.isVisible)
-    assert "“broken.png” cannot be opened" in window.desk.notice.label.text()
+    qtbot.waitUntil(window.pane.notice.isVisible)
+    assert "“broken.png” cannot be opened" in window.pane.notice.label.text()
     assert not dialogs(window.workspace)
 
 
@@ -205,7 +205,7 @@ def test_several_images_are_taken_together_without_asking(window, qtbot, scan_fi
     opener(place).open_mime(data)
     qtbot.waitUntil(lambda: len(place.document.page.layers) == 1)
     assert not dialogs(place)
-    assert "gone.png" in window.desk.notice.label.text()
+    assert "gone.png" in window.pane.notice.label.text()
 
 
 def test_closing_the_window_ends_a_dialog(window, qtbot, scan_file):

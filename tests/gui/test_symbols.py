@@ -43,7 +43,7 @@ def shown(owner, qtbot) -> SymbolDialog:
 
 
 def opener(place):
-    return getattr(place, "opener", None) or place.gathering
+    return getattr(place, "opener", None) or place.opener
 
 
 @pytest.mark.parametrize("number", [EDIT, HYBRIDS, MONTAGE], ids=["Edit", "Hybrids", "Montage"])

@@ -60,7 +60,7 @@ def test_symmetry_is_offered_for_what_is_nearly_symmetric(sketching, qtbot):
 
 
 def test_nothing_is_offered_for_what_is_not(sketching, qtbot):
-    with qtbot.waitSignals([sketching.proposal.found] * 2):
+    with qtbot.waitSignals([sketching.symmetry_detection.found] * 2):
         trace(sketching, [(100, 100), (420, 130), (300, 200), (180, 420)])
     qtbot.wait(400)
     assert not sketching.symmetry_hint.isVisible()

@@ -74,9 +74,9 @@ def test_about_names_licence_and_credits(window):
 
 def test_a_message_is_dismissed(sketching):
     sketching.run()
-    assert sketching.window().desk.notice.isVisible()
-    sketching.window().desk.notice._button.click()
-    assert not sketching.window().desk.notice.isVisible()
+    assert sketching.window().pane.notice.isVisible()
+    sketching.window().pane.notice._button.click()
+    assert not sketching.window().pane.notice.isVisible()
 
 
 def test_the_window_follows_the_system_into_the_dark(window, monkeypatch, request):
@@ -98,7 +98,7 @@ def test_the_window_fits_a_small_screen(window):
 
 def test_the_demonstration_loads_an_example_and_remixes_it(window, qtbot, session):
     app.start(window, "motorbike")
-    qtbot.waitUntil(lambda: len(window.workspace.board.results.pictures) == 24, timeout=20000)
+    qtbot.waitUntil(lambda: len(window.workspace.browser.results.pictures) == 24, timeout=20000)
     assert window.workspace.document.page.sketch.keyword == "motorcycle"
 
 

@@ -17,10 +17,10 @@ from iconstudio.gui.dragging import unpacked
 from iconstudio.gui.main_window import MainWindow
 from iconstudio.gui.panels import recent
 from iconstudio.gui.workspaces.base import Workspace
+from iconstudio.gui.workspaces.criteria import set_keyword
 from iconstudio.gui.workspaces.sketching.page import SketchPage
 from iconstudio.gui.workspaces.sketching.stored import SketchPages
 from iconstudio.gui.workspaces.sketching.workspace import SketchWorkspace
-from iconstudio.gui.workspaces.wishes import set_keyword
 from iconstudio.workflows.grid import ModelSettings
 from iconstudio.workflows.modelling.spec import MODELLING
 
@@ -37,7 +37,7 @@ class Pad(Workspace):
         super().__init__(workflow, session, files, saver, Document(SketchPage()))
         self.taken = []
         own = {"&View": [Entry("dip", "Dip the pen", keys="D")]}
-        self.make_actions({"dip": lambda: self.said.emit("dipped")}, own)
+        self.make_actions({"dip": lambda: self.remarked.emit("dipped")}, own)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
 
     def enter(self):
@@ -136,24 +136,24 @@ def test_menus_and_keys_are_those_of_the_workspace_in_sight(house):
     assert "&Trace outline" not in items(view)
     assert "Dip the pen" in items(view)
     QTest.keyClick(house.workspace, Qt.Key.Key_D)
-    assert house.desk.strip.label.text() == "dipped"
+    assert house.pane.status.label.text() == "dipped"
     switch(house, 0)
     assert "Dip the pen" not in items(view)
     QTest.keyClick(house.workspace.view, Qt.Key.Key_D)
-    assert house.desk.strip.label.text() != "dipped"
+    assert house.pane.status.label.text() != "dipped"
 
 
 def test_a_run_goes_on_while_the_user_is_elsewhere(house, sketch, qtbot, session):
     session.gate = threading.Semaphore(1)
     sketch.run()
-    qtbot.waitUntil(lambda: len(sketch.board.results.pictures) == 1)
+    qtbot.waitUntil(lambda: len(sketch.browser.results.pictures) == 1)
     switch(house, 1)
-    assert not house.desk.strip.button.isVisible(), "the progress is that of the other workspace"
+    assert not house.pane.status.button.isVisible(), "the progress is that of the other workspace"
     session.gate.release(100)
     qtbot.waitUntil(lambda: not sketch.runs.running, timeout=20000)
     switch(house, 0)
-    assert len(sketch.board.results.pictures) == 24
-    assert house.desk.strip.label.text() == "24 icons"
+    assert len(sketch.browser.results.pictures) == 24
+    assert house.pane.status.label.text() == "24 icons"
 
 
 def test_what_went_wrong_elsewhere_is_told_there(house, sketch, qtbot, session, monkeypatch):
@@ -165,14 +165,14 @@ def test_what_went_wrong_elsewhere_is_told_there(house, sketch, qtbot, session, 
     sketch.run()
     switch(house, 1)
     qtbot.waitUntil(lambda: not sketch.runs.running)
-    assert not house.desk.notice.isVisible()
+    assert not house.pane.notice.isVisible()
     switch(house, 0)
-    assert "no room" in house.desk.notice.label.text()
-    assert house.desk.notice.isVisible()
+    assert "no room" in house.pane.notice.label.text()
+    assert house.pane.notice.isVisible()
 
 
 def test_a_picked_result_is_sent_from_the_details(house, done):
-    send = next(b for b in done.board.detail.findChildren(QPushButton) if b.text() == "Send to")
+    send = next(b for b in done.browser.detail.findChildren(QPushButton) if b.text() == "Send to")
     assert send.isVisible()
     items(send.menu())["Add to pad"].trigger()
     pad = house.workspace
@@ -185,11 +185,11 @@ def test_a_picked_result_is_sent_from_the_details(house, done):
 
 
 def test_any_result_is_sent_from_its_context_menu(house, done):
-    cell = done.board.results.cell("medium", LAMBDAS[5])
+    cell = done.browser.results.cell("medium", LAMBDAS[5])
     spot = cell.rect().center()
     reason = QContextMenuEvent.Reason.Mouse
     QApplication.sendEvent(cell, QContextMenuEvent(reason, spot, cell.mapToGlobal(spot)))
-    items(done.board.menu)["Add to pad"].trigger()
+    items(done.browser.menu)["Add to pad"].trigger()
     assert house.workspaces[1].taken == [cell.picture.pictogram()]
     assert house.recent.pictures[0] is cell.picture
 
@@ -200,12 +200,12 @@ def test_alone_there_is_nowhere_to_send_to(window, qtbot):
 
 
 def test_the_strip_keeps_the_recommended_result_and_what_the_user_picks(house, done):
-    recommended = done.board.results.cell("lightest", LAMBDAS[RECOMMENDED]).picture
+    recommended = done.browser.results.cell("lightest", LAMBDAS[RECOMMENDED]).picture
     assert list(house.recent.pictures) == [recommended]
-    other = done.board.results.cell("medium", LAMBDAS[0])
+    other = done.browser.results.cell("medium", LAMBDAS[0])
     QTest.mouseClick(other, LEFT)
     assert list(house.recent.pictures) == [other.picture, recommended]
-    QTest.mouseClick(done.board.results.cell("lightest", LAMBDAS[RECOMMENDED]), LEFT)
+    QTest.mouseClick(done.browser.results.cell("lightest", LAMBDAS[RECOMMENDED]), LEFT)
     assert list(house.recent.pictures) == [recommended, other.picture], (
         "each once, the latest in front"
     )
@@ -214,23 +214,23 @@ def test_the_strip_keeps_the_recommended_result_and_what_the_user_picks(house, d
 def test_a_run_that_recommends_nothing_leaves_its_first_result(house, sketch, qtbot, session):
     session.gate = threading.Semaphore(3)
     sketch.run()
-    qtbot.waitUntil(lambda: len(sketch.board.results.pictures) == 3)
+    qtbot.waitUntil(lambda: len(sketch.browser.results.pictures) == 3)
     assert list(house.recent.pictures) == []
     sketch.cancel()
     assert list(house.recent.pictures) == [
-        sketch.board.results.cell("lightest", LAMBDAS[0]).picture
+        sketch.browser.results.cell("lightest", LAMBDAS[0]).picture
     ]
 
 
 def test_the_strip_keeps_so_many_and_no_more(house, done, monkeypatch):
     monkeypatch.setattr(recent, "MOST", 5)
     empty = house.recent.grab().toImage()
-    for picture in done.board.results.pictures:
+    for picture in done.browser.results.pictures:
         house.recent.keep(picture)
     assert len(house.recent.pictures) == 5
     assert house.recent.grab().toImage() != empty
     newest = house.recent.pictures[0]
-    assert newest is done.board.results.pictures[-1]
+    assert newest is done.browser.results.pictures[-1]
     assert house.recent.model().index(0, 0).data() == newest.name == "motorcycle, medium"
 
 
@@ -257,7 +257,7 @@ def test_a_recent_result_is_sent_saved_and_removed(house, done, qtbot, tmp_path,
 
 
 def test_the_strip_is_worked_by_keys(house, done):
-    QTest.mouseClick(done.board.results.cell("medium", LAMBDAS[0]), LEFT)
+    QTest.mouseClick(done.browser.results.cell("medium", LAMBDAS[0]), LEFT)
     first, second = house.recent.pictures
     house.recent.setFocus()
     house.recent.setCurrentIndex(house.recent.model().index(0, 0))
@@ -282,7 +282,7 @@ def test_a_recent_result_is_dragged_as_an_icon_and_as_svg(house, done):
 def test_the_bar_above_is_slim(house):
     assert house.recent.height() <= 48
     assert house.modes.height() <= 48
-    assert house.desks.y() + house.desks.parentWidget().y() <= 28 + 48
+    assert house.panes.y() + house.panes.parentWidget().y() <= 28 + 48
 
 
 def test_closing_stops_the_work_of_every_workspace(house, sketch, qtbot, session):

@@ -93,16 +93,16 @@ class CanvasView(CameraView):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """Draw the layers from back to front."""
-        look, area = theme.current(), QRectF(self.rect())
+        scheme, area = theme.current(), QRectF(self.rect())
         with QPainter(self) as painter:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-            painter.drawPixmap(0, 0, self._backdrop(look))
-            self._scene.paint(painter, self._camera, self.devicePixelRatioF(), look)
+            painter.drawPixmap(0, 0, self._backdrop(scheme))
+            self._scene.paint(painter, self._camera, self.devicePixelRatioF(), scheme)
             if self._scene.empty:
-                painters.paint_welcome(painter, area, *self._scene.welcome, look)
-            self._tool.paint(painter, self._camera, look)
+                painters.paint_welcome(painter, area, *self._scene.welcome, scheme)
+            self._tool.paint(painter, self._camera, scheme)
             if not self._scene.empty and self.tool.hint:
-                painters.paint_hint(painter, area, self.tool.hint, look)
+                painters.paint_hint(painter, area, self.tool.hint, scheme)
 
     # -- pointer and keys ----------------------------------------------------------------------
 
@@ -178,16 +178,16 @@ class CanvasView(CameraView):
 
     # -- helpers -------------------------------------------------------------------------------
 
-    def _backdrop(self, look: theme.Theme) -> QPixmap:
+    def _backdrop(self, scheme: theme.Theme) -> QPixmap:
         """Return the empty canvas, painted anew only if it is seen in another way."""
         ratio = self.devicePixelRatioF()
-        seen = self.size(), self._camera, ratio, look
+        seen = self.size(), self._camera, ratio, scheme
         if self._backdrop_seen != seen:
             pixmap = QPixmap((self.size().toSizeF() * ratio).toSize())
             pixmap.setDevicePixelRatio(ratio)
             with QPainter(pixmap) as painter:
                 painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-                painters.paint_backdrop(painter, QRectF(self.rect()), self._camera, look)
+                painters.paint_backdrop(painter, QRectF(self.rect()), self._camera, scheme)
             self._backdrop_pixmap, self._backdrop_seen = pixmap, seen
         return self._backdrop_pixmap
 

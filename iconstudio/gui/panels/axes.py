@@ -39,7 +39,7 @@ class Scale(QWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """Draw names, arrow and numbers."""
-        look = theme.current()
+        scheme = theme.current()
         with QPainter(self) as painter:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             font = painter.font()
@@ -48,20 +48,20 @@ class Scale(QWidget):
             left, right = self.nearer, "Smoother"
             metrics = painter.fontMetrics()
             line = QRectF(2, 0, self.width() - 4, 18)
-            painter.setPen(look.color("text"))
+            painter.setPen(scheme.color("text"))
             painter.drawText(line, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, left)
             painter.drawText(
                 line, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, right
             )
             start = line.left() + metrics.horizontalAdvance(left) + UNIT
             end = line.right() - metrics.horizontalAdvance(right) - UNIT
-            painter.setPen(QPen(look.color("muted", 0.6), 1.2))
+            painter.setPen(QPen(scheme.color("muted", 0.6), 1.2))
             painter.drawLine(int(start), 10, int(end), 10)
             painter.drawLine(int(end) - 4, 6, int(end), 10)
             painter.drawLine(int(end) - 4, 14, int(end), 10)
             font.setPixelSize(11)
             painter.setFont(font)
-            painter.setPen(look.color("muted"))
+            painter.setPen(scheme.color("muted"))
             width = self.width() / max(1, len(self._lambdas))
             for column, value in enumerate(self._lambdas):
                 box = QRectF(column * width, 18, width, 16)

@@ -111,28 +111,28 @@ class ResultCell(QAbstractButton):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """Draw the result, or where it is going to be."""
-        look = theme.current()
+        scheme = theme.current()
         with QPainter(self) as painter:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             box = QRectF(self.rect()).adjusted(2, 2, -2, -2)
             side = min(box.width(), box.height())
             if self.state is CellState.PENDING:
                 painter.setPen(Qt.PenStyle.NoPen)
-                painter.setBrush(look.color("sunken"))
+                painter.setBrush(scheme.color("sunken"))
                 painter.drawRoundedRect(box, 6, 6)
             elif self.state is CellState.BLANK:
-                painter.setPen(QPen(look.color("border"), 1, Qt.PenStyle.DotLine))
+                painter.setPen(QPen(scheme.color("border"), 1, Qt.PenStyle.DotLine))
                 painter.drawRoundedRect(box, 6, 6)
             else:
-                self._paint_frame(painter, look, box)
+                self._paint_frame(painter, scheme, box)
                 target = QRectF(0, 0, side, side)
                 target.moveCenter(box.center())
                 painter.setOpacity(PALE if self._pale or self._stale else 1.0)
-                self.picture.paint(painter, target, look.color("text"), self._display)
+                self.picture.paint(painter, target, scheme.color("text"), self._display)
                 if self.recommended:
-                    self._paint_mark(painter, look, target)
+                    self._paint_mark(painter, scheme, target)
                 if self.state is CellState.PREVIEW:
-                    self._paint_dots(painter, look, target)
+                    self._paint_dots(painter, scheme, target)
 
     def _turn(self, state: CellState) -> None:
         """Enter a state; say in words what it is."""
@@ -151,26 +151,27 @@ class ResultCell(QAbstractButton):
         self._pale = True
         self.update()
 
-    def _paint_frame(self, painter: QPainter, look: theme.Theme, box: QRectF) -> None:
+    def _paint_frame(self, painter: QPainter, scheme: theme.Theme, box: QRectF) -> None:
         if self.isChecked():
-            painter.setPen(QPen(look.color("accent"), 2))
-            painter.setBrush(look.color("accent_soft"))
+            painter.setPen(QPen(scheme.color("accent"), 2))
+            painter.setBrush(scheme.color("accent_soft"))
         elif self.underMouse() or self.hasFocus():
-            painter.setPen(QPen(look.color("accent"), 1) if self.hasFocus() else Qt.PenStyle.NoPen)
-            painter.setBrush(look.color("sunken"))
+            framed = QPen(scheme.color("accent"), 1)
+            painter.setPen(framed if self.hasFocus() else Qt.PenStyle.NoPen)
+            painter.setBrush(scheme.color("sunken"))
         else:
             return
         painter.drawRoundedRect(box, 6, 6)
 
-    def _paint_mark(self, painter: QPainter, look: theme.Theme, icon: QRectF) -> None:
+    def _paint_mark(self, painter: QPainter, scheme: theme.Theme, icon: QRectF) -> None:
         painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(look.color("accent"))
+        painter.setBrush(scheme.color("accent"))
         painter.drawPath(_star(icon.topRight() + QPointF(-8, 8), 6.0))
 
-    def _paint_dots(self, painter: QPainter, look: theme.Theme, icon: QRectF) -> None:
+    def _paint_dots(self, painter: QPainter, scheme: theme.Theme, icon: QRectF) -> None:
         """Say “to be continued”."""
         painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(look.color("muted"))
+        painter.setBrush(scheme.color("muted"))
         for number in range(3):
             painter.drawEllipse(icon.bottomRight() + QPointF(-6 * number - 6, -5), 1.5, 1.5)
 

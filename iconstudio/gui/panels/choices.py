@@ -61,17 +61,17 @@ class ChoiceDelegate(ThumbnailDelegate):
         """Draw one icon."""
         model: ChoiceModel = index.model()
         taken = model.is_taken(model.exemplar(index))
-        look = theme.current()
+        scheme = theme.current()
         box = QRectF(option.rect).adjusted(2, 2, -2, -2)
         painter.save()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         if taken:
-            painter.setPen(QPen(look.color("accent"), 1.5))
-            painter.setBrush(look.color("accent_soft"))
+            painter.setPen(QPen(scheme.color("accent"), 1.5))
+            painter.setBrush(scheme.color("accent_soft"))
             painter.drawRoundedRect(box, 6, 6)
         super().paint(painter, option, index)
         if taken:
-            _paint_tick(painter, box.topRight() + QPointF(-UNIT, UNIT), look)
+            _paint_tick(painter, box.topRight() + QPointF(-UNIT, UNIT), scheme)
         painter.restore()
 
 
@@ -106,11 +106,11 @@ class Choices(Thumbnails):
                 drag(self.sheet().exemplar(index).pictogram, picture, self)
 
 
-def _paint_tick(painter: QPainter, centre: QPointF, look: theme.Theme) -> None:
+def _paint_tick(painter: QPainter, centre: QPointF, scheme: theme.Theme) -> None:
     painter.setPen(Qt.PenStyle.NoPen)
-    painter.setBrush(look.color("accent"))
+    painter.setBrush(scheme.color("accent"))
     painter.drawEllipse(centre, 7, 7)
-    pen = QPen(look.color("on_accent"), 1.6)
+    pen = QPen(scheme.color("on_accent"), 1.6)
     pen.setCapStyle(Qt.PenCapStyle.RoundCap)
     pen.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
     painter.setPen(pen)

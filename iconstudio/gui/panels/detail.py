@@ -60,18 +60,18 @@ class LargePicture(QWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """Draw the sheet and the icon."""
-        look = theme.current()
+        scheme = theme.current()
         with QPainter(self) as painter:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             side = min(self.width(), self.height())
             sheet = QRectF(0, 0, side, side)
             sheet.moveCenter(QRectF(self.rect()).center())
             painter.setPen(Qt.PenStyle.NoPen)
-            painter.setBrush(look.color("window"))
+            painter.setBrush(scheme.color("window"))
             painter.drawRoundedRect(sheet, 8, 8)
             if self._picture is not None:
                 target = sheet.adjusted(UNIT, UNIT, -UNIT, -UNIT)
-                self._picture.paint(painter, target, look.color("text"), self._display)
+                self._picture.paint(painter, target, scheme.color("text"), self._display)
 
 
 class SourceThumbnail(QWidget):

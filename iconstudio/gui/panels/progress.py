@@ -11,7 +11,7 @@ REMARK = 6000
 """Milliseconds for which a remark stays."""
 
 
-class ProgressStrip(QWidget):
+class StatusStrip(QWidget):
     """One line at the bottom of the window.
 
     Signals

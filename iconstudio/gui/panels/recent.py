@@ -5,8 +5,8 @@ from collections.abc import Sequence
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QMenu, QWidget
 
+from iconstudio.gui.panels.icon_list import IconList, same
 from iconstudio.gui.panels.sending import Destination, offer
-from iconstudio.gui.panels.strip import PictureStrip, same
 from iconstudio.gui.pictures import Picture
 
 SIDE = 38
@@ -18,7 +18,7 @@ MOST = 24
 EMPTY = "Results that you pick are kept here"
 
 
-class RecentStrip(PictureStrip):
+class RecentResults(IconList):
     """One row of results; a click, Enter or the context menu says what can be done with one.
 
     Signals

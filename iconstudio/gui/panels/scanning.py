@@ -20,8 +20,8 @@ from PySide6.QtWidgets import (
 
 from iconstudio.algorithms.scanning.binarisation import Scan
 from iconstudio.gui import theme
+from iconstudio.gui.coalescing import Coalescing
 from iconstudio.gui.mipmap import Mipmap
-from iconstudio.gui.newest import Newest
 from iconstudio.gui.panels.caption import Caption
 from iconstudio.gui.photo import image_of, qt_image
 from iconstudio.gui.runner import Runner
@@ -103,7 +103,7 @@ class ScanView(QFrame):
         size = self._size.scaled(room.size(), Qt.AspectRatioMode.KeepAspectRatio)
         box = QRectF(0, 0, size.width(), size.height())
         box.moveCenter(QRectF(room).center())
-        look = theme.current()
+        scheme = theme.current()
         painter = QPainter(self)
         painter.setRenderHints(
             QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform
@@ -111,11 +111,11 @@ class ScanView(QFrame):
         if self._image is not None:
             painter.drawImage(box, self._image.at(box.width() * self.devicePixelRatioF()))
         if self._ink is not None:
-            painter.drawImage(box, _tinted(self._ink, look))
+            painter.drawImage(box, _tinted(self._ink, scheme))
         if self._path is not None:
             scale = box.width() / self._size.width()
             onto = QTransform.fromTranslate(box.x(), box.y()).scale(scale, scale)
-            painter.fillPath(onto.map(self._path), look.color("text"))
+            painter.fillPath(onto.map(self._path), scheme.color("text"))
         painter.end()
 
 
@@ -151,9 +151,9 @@ class ScanDialog(QDialog):
         self.runner = Runner(worker, self)
         self.runner.event.connect(self._receive)
         self.runner.failed.connect(self._fail)
-        self._tracing = Newest(self.runner, self._trace, _PATIENCE)
+        self._tracing = Coalescing(self.runner, self._trace, _PATIENCE)
         self._rest = QTimer(self, singleShot=True, interval=_REST)
-        self._rest.timeout.connect(self._tracing.want)
+        self._rest.timeout.connect(self._tracing.request)
         self._lay_out()
         self.finished.connect(self._end)
         self.runner.start(lambda: _opened(session, source))
@@ -225,7 +225,7 @@ class ScanDialog(QDialog):
                 self.preview.show_tracing(found)
                 self.accept_button.setEnabled(True)
                 self.caption.say(" ".join(self.icon.remarks) or _WORDS)
-                self._tracing.enough()
+                self._tracing.release()
             case None:
                 return
             case _:
@@ -290,7 +290,7 @@ class ScanDialog(QDialog):
 
     def _end(self) -> None:
         self._rest.stop()
-        self._tracing.forget()
+        self._tracing.discard()
         self.runner.cancel()
 
 
@@ -320,10 +320,10 @@ def _answer(steps: Generator[None, None, object]) -> Generator[object]:
     yield (yield from steps)
 
 
-def _tinted(ink: QImage, look: theme.Theme) -> QImage:
+def _tinted(ink: QImage, scheme: theme.Theme) -> QImage:
     """Return ink in the colour of text."""
     image = QImage(ink.size(), QImage.Format.Format_ARGB32_Premultiplied)
-    image.fill(look.color("text"))
+    image.fill(scheme.color("text"))
     painter = QPainter(image)
     painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_DestinationIn)
     painter.drawImage(0, 0, ink)

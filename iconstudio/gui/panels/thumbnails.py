@@ -92,7 +92,7 @@ class ThumbnailDelegate(QStyledItemDelegate):
 
     def paint(self, painter: QPainter, option, index: _Index) -> None:
         """Draw one thumbnail."""
-        look = theme.current()
+        scheme = theme.current()
         model: ThumbnailModel = index.model()
         exemplar = model.exemplar(index)
         out = exemplar.id in model.excluded
@@ -102,16 +102,16 @@ class ThumbnailDelegate(QStyledItemDelegate):
         hovered = bool(option.state & QStyle.StateFlag.State_MouseOver)
         focused = bool(option.state & QStyle.StateFlag.State_HasFocus)
         if hovered or focused:
-            painter.setPen(QPen(look.color("accent"), 1.5) if focused else Qt.PenStyle.NoPen)
-            painter.setBrush(look.color("sunken"))
+            painter.setPen(QPen(scheme.color("accent"), 1.5) if focused else Qt.PenStyle.NoPen)
+            painter.setBrush(scheme.color("sunken"))
             painter.drawRoundedRect(box, 6, 6)
         painter.setOpacity(0.25 if out else 1.0)
         ratio = painter.device().devicePixelRatio()
         inner = box.adjusted(4, 4, -4, -4)
-        painter.drawImage(inner, self._image(exemplar, look.text, round(inner.width() * ratio)))
+        painter.drawImage(inner, self._image(exemplar, scheme.text, round(inner.width() * ratio)))
         painter.setOpacity(1.0)
         if out:
-            painter.setPen(QPen(look.color("danger"), 1.8))
+            painter.setPen(QPen(scheme.color("danger"), 1.8))
             painter.drawLine(inner.bottomLeft(), inner.topRight())
         painter.restore()
 

@@ -7,7 +7,7 @@ from typing import Any
 
 from iconstudio.gui.document import Page
 from iconstudio.gui.pages import PageFormat, pictures_in
-from iconstudio.gui.panels.strip import same
+from iconstudio.gui.panels.icon_list import same
 from iconstudio.gui.pictures import Picture
 from iconstudio.inputs.fields import Fields
 from iconstudio.model import IconstudioError

@@ -57,7 +57,7 @@ class ProjectFiles(QObject):
     """
 
     changed = Signal()
-    said = Signal(str)
+    remarked = Signal(str)
     failed = Signal(str)
     imported = Signal(object)
     restored = Signal(object)
@@ -110,7 +110,7 @@ class ProjectFiles(QObject):
     def open(self, path: Path) -> None:
         """Open a project in place of the one that is there, or import a file of something else."""
         session, formats = self._session, self._work.formats
-        self.said.emit(f"Opening “{path.name}”…")
+        self.remarked.emit(f"Opening “{path.name}”…")
         if path.suffix.lower() == SUFFIX:
             self._runner.start(lambda: _opening(session, path, formats))
         else:
@@ -180,7 +180,7 @@ class ProjectFiles(QObject):
         recents.note(path)
         self._compare()
         self.changed.emit()
-        self.said.emit(f"Saved “{path}”.")
+        self.remarked.emit(f"Saved “{path}”.")
         if then is not None:
             then()
 
@@ -203,7 +203,7 @@ class ProjectFiles(QObject):
         if opened.path is not None and found is None:
             recents.note(opened.path)
         if opened.path is not None:
-            self.said.emit(f"Opened “{opened.path.name}”.")
+            self.remarked.emit(f"Opened “{opened.path.name}”.")
         for complaint in contents.complaints:
             self.failed.emit(complaint)
         self._compare()
@@ -237,7 +237,7 @@ def _opening(session: Session, path: Path, formats: Formats) -> Generator[Any]:
         index, parts = archive.read(path)
     except IconstudioError:
         if not path.exists():
-            recents.forget(path)
+            recents.discard(path)
         raise
     with closing(reading(session, index, parts, formats)) as steps:
         for step in steps:

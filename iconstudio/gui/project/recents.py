@@ -24,7 +24,7 @@ def note(path: Path) -> None:
     remember(_NAME, [name, *(one for one in recents() if one != name)][:MOST])
 
 
-def forget(path: Path) -> None:
+def discard(path: Path) -> None:
     """Take a project out: it is gone."""
     remember(_NAME, [one for one in recents() if one != str(path)])
 

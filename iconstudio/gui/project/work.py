@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 
 from PySide6.QtCore import QObject, Signal
 
-from iconstudio.gui.panels.recent import RecentStrip
+from iconstudio.gui.panels.recent import RecentResults
 from iconstudio.gui.project.contents import Contents, Formats
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.workflows.workflow import Workflow
@@ -31,7 +31,7 @@ class Work(QObject):
     def __init__(
         self,
         workflows: Mapping[str, Workflow],
-        recent: RecentStrip,
+        recent: RecentResults,
         workspace_of: Callable[[str], Workspace],
         current: Callable[[], str],
         show: Callable[[str], None],

@@ -12,7 +12,7 @@ from iconstudio.gui.actions import ENTRIES, Actions, Entry
 from iconstudio.gui.canvas.view import CanvasView
 from iconstudio.gui.document import Document
 from iconstudio.gui.pages import PageFormat
-from iconstudio.gui.panels.board import Board
+from iconstudio.gui.panels.browser import ResultsBrowser
 from iconstudio.gui.panels.detail import DetailPanel
 from iconstudio.gui.panels.sending import Destination
 from iconstudio.gui.pictures import Display, Picture
@@ -58,14 +58,14 @@ class Workspace(QWidget):
         The project in the file of that path is to be opened.
     """
 
-    said = Signal(str)
+    remarked = Signal(str)
     failed = Signal(str)
     hinted = Signal(str)
     progressed = Signal(object)
     counted = Signal(int)
-    rested = Signal(str)
+    idle = Signal(str)
     picked = Signal(object)
-    made = Signal(object)
+    kept = Signal(object)
     send = Signal(object, str)
     project = Signal(str)
 
@@ -98,7 +98,7 @@ class Workspace(QWidget):
         self.displays: Sequence[Any] = ()
         """What shows results; each has a method ``show_display``."""
         self.progressed.connect(lambda _: self._allow_cancel(True))
-        self.rested.connect(lambda _: self._allow_cancel(False))
+        self.idle.connect(lambda _: self._allow_cancel(False))
 
     @property
     def picture(self) -> Picture | None:
@@ -198,9 +198,9 @@ class Workspace(QWidget):
     def connect_opener(self, opener: Opener) -> None:
         """Let an opener open what is dropped, and pass on what it tells."""
         self._opener = opener
-        opener.began.connect(lambda: self.said.emit(""))
+        opener.began.connect(lambda: self.remarked.emit(""))
         opener.failed.connect(self.failed)
-        opener.opened.connect(self.said)
+        opener.opened.connect(self.remarked)
         opener.project.connect(self.project)
 
     @staticmethod
@@ -213,14 +213,14 @@ class Workspace(QWidget):
             "fit": view.fit,
         }
 
-    def connect_board(self, board: Board) -> None:
+    def connect_browser(self, browser: ResultsBrowser) -> None:
         """Pass on what happens on a board of results."""
-        board.picked.connect(self.picked)
-        board.made.connect(self.made)
-        board.counted.connect(self.counted)
-        board.sent.connect(self.send_picture)
-        board.results.switch.chosen.connect(self.choose_display)
-        self.connect_detail(board.detail)
+        browser.picked.connect(self.picked)
+        browser.kept.connect(self.kept)
+        browser.counted.connect(self.counted)
+        browser.sent.connect(self.send_picture)
+        browser.results.switch.chosen.connect(self.choose_display)
+        self.connect_detail(browser.detail)
 
     def choose_display(self, display: Display) -> None:
         """Show results in another way, as if the user had chosen it in the menu."""
@@ -234,12 +234,12 @@ class Workspace(QWidget):
 
     def send_picture(self, picture: Picture, title: str) -> None:
         """Send a result to the workspace of that title."""
-        self.made.emit(picture)
+        self.kept.emit(picture)
         self.send.emit(picture.pictogram(), title)
 
     def _keep(self, save: Callable[[Picture], None]) -> None:
         if self.picture is not None:
-            self.made.emit(self.picture)
+            self.kept.emit(self.picture)
             save(self.picture)
 
     def _show_picked(self, picture: Picture | None) -> None:

@@ -5,13 +5,13 @@ from dataclasses import replace
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from iconstudio.gui.newest import Newest
+from iconstudio.gui.coalescing import Coalescing
 from iconstudio.gui.pictures import Picture, pictured
 from iconstudio.gui.preferences import prefer, preferred
 from iconstudio.gui.preparation import Preparation
 from iconstudio.gui.runner import Runner
 from iconstudio.gui.worker import Worker
-from iconstudio.gui.workspaces.wishes import WishingDocument, WishingPage
+from iconstudio.gui.workspaces.criteria import CriteriaDocument, CriteriaPage
 from iconstudio.model import Remix
 from iconstudio.workflows.events import Event, Progress, StyleSkipped
 from iconstudio.workflows.grid import ModelSettings
@@ -28,12 +28,12 @@ CALM = 800
 movement of the hand puts an end to are shorter."""
 
 
-class Wanting:
+class LiveSource:
     """A workspace, as far as it says what its page wants."""
 
-    document: WishingDocument
+    document: CriteriaDocument
 
-    def wanted(self) -> object:
+    def inputs(self) -> object:
         """Return what the results depend on, to be compared."""
         raise NotImplementedError
 
@@ -83,20 +83,20 @@ class Runs(QObject):
     ended = Signal(bool, bool)
 
     def __init__(
-        self, page: Wanting, preparation: Preparation, worker: Worker, parent: QObject
+        self, page: LiveSource, preparation: Preparation, worker: Worker, parent: QObject
     ) -> None:
         super().__init__(parent)
         self._page = page
         self._preparation = preparation
         self.runner = Runner(worker, self)
-        self.newest = Newest(self.runner, self._follow, PATIENCE)
+        self.coalescing = Coalescing(self.runner, self._follow, PATIENCE)
         self.live = preferred(LIVE, True)
         """Whether results follow by themselves."""
         self.fine = preferred(FINE, False)
         """Whether results are joined on a finer canvas."""
         self.ran: object = None
         """What the results are of."""
-        self._ran_page: WishingPage | None = None
+        self._ran_page: CriteriaPage | None = None
         self._ran_fine = self.fine
         self._focus: tuple[str, float] | None = None
         self._by_hand = False
@@ -115,14 +115,14 @@ class Runs(QObject):
     @property
     def stale(self) -> bool:
         """Whether the results are of something else than what is wanted."""
-        same = self.ran == self._page.wanted() and self._ran_fine == self.fine
+        same = self.ran == self._page.inputs() and self._ran_fine == self.fine
         return self.ran is not None and not same
 
     def set_live(self, on: bool) -> None:
         """Let results follow by themselves, or not; remember which."""
         self.live = on
         prefer(LIVE, on)
-        self.newest.forget()
+        self.coalescing.discard()
         self.renew()
 
     def set_fine(self, on: bool) -> None:
@@ -139,7 +139,7 @@ class Runs(QObject):
 
     def run(self) -> None:
         """Remix what the page says, which has no problem, because the user asks for it."""
-        self.newest.forget()
+        self.coalescing.discard()
         self._calm.stop()
         self._preparation.hurry()
         self._begin(by_hand=True)
@@ -149,9 +149,9 @@ class Runs(QObject):
         if not self.live:
             return
         if self.ran is not None and not self.stale:
-            self.newest.forget()
+            self.coalescing.discard()
         elif self._preparation.ready and not self._page.problem():
-            self.newest.want()
+            self.coalescing.request()
         else:
             self._drop()
 
@@ -172,7 +172,7 @@ class Runs(QObject):
 
     def cancel(self) -> None:
         """Stop; in live mode, until the next change."""
-        self.newest.forget()
+        self.coalescing.discard()
         self.runner.cancel()
 
     def _follow(self) -> None:
@@ -181,7 +181,7 @@ class Runs(QObject):
 
     def _begin(self, by_hand: bool) -> None:
         page, sheet, before = self._page, self._page.document.page, self._ran_page
-        wanted, settings, title = page.wanted(), page.settings(), sheet.wish.keyword.strip()
+        wanted, settings, title = page.inputs(), page.settings(), sheet.criteria.keyword.strip()
         afresh = not self.live or before is None or sheet.elsewhere(before)
         focus = page.focus() if self.live and not afresh else None
         self._focus = focus if focus and focus[0] in settings.styles else None
@@ -196,7 +196,7 @@ class Runs(QObject):
 
     def _drop(self) -> None:
         """Stop a run that is out of date, though nothing can take its place."""
-        self.newest.forget()
+        self.coalescing.discard()
         if self.running:
             self.ran = None
             self.runner.cancel()
@@ -207,10 +207,10 @@ class Runs(QObject):
             case StyleSkipped(style) if self._focus and style == self._focus[0]:
                 self._focus = None
             case Picture(icon) if self._focus in (None, _place(icon)):
-                self.newest.enough()
+                self.coalescing.release()
 
     def _fail(self, message: str) -> None:
-        if not self.newest.waiting:
+        if not self.coalescing.pending:
             self.failed.emit(message)
 
     def _tell(self, progress: Progress) -> None:

@@ -13,7 +13,7 @@ from iconstudio.gui.panels.scanning import ScanDialog, Source, may_be_scan, pict
 from iconstudio.gui.panels.symbols import SymbolDialog
 from iconstudio.gui.runner import Runner
 from iconstudio.gui.worker import Worker
-from iconstudio.gui.workspaces.together import Gathered, Sprite, gathering, named, was
+from iconstudio.gui.workspaces.together import ReadTogether, Sprite, named, read_together, was
 from iconstudio.model import IconstudioError, Pictogram
 from iconstudio.session import Session
 
@@ -110,7 +110,7 @@ class Opener(QObject):
         """
         raise NotImplementedError
 
-    def put_all(self, gathered: Gathered) -> str:
+    def put_all(self, gathered: ReadTogether) -> str:
         """Put all that was read on the page; see ``put``."""
         return self.put(gathered.found[0])
 
@@ -178,8 +178,8 @@ class Opener(QObject):
                 "of all that is here: open it by itself."
             )
 
-    def _gather(self, items: Sequence[mime.Item]) -> Generator[Gathered | Sprite | None]:
-        return gathering(items, self.reading, self.most, self.no_room)
+    def _gather(self, items: Sequence[mime.Item]) -> Generator[ReadTogether | Sprite | None]:
+        return read_together(items, self.reading, self.most, self.no_room)
 
     def no_room(self, taken: Sequence[str], left: Sequence[mime.Item | str]) -> str:
         """Return the sentence that says for what there was no room."""
@@ -210,13 +210,13 @@ class Opener(QObject):
         if isinstance(found, Sprite):
             self.choose_symbol(found)
             return
-        if isinstance(found, Gathered):
+        if isinstance(found, ReadTogether):
             for complaint in found.complaints:
                 self.complain(complaint)
             if not found.found:
                 return
         try:
-            done = self.put_all(found) if isinstance(found, Gathered) else self.put(found)
+            done = self.put_all(found) if isinstance(found, ReadTogether) else self.put(found)
         except IconstudioError as error:
             self.complain(str(error))
             return

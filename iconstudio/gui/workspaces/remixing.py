@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QHBoxLayout, QSplitter, QWidget
 
 from iconstudio.gui.canvas.view import CanvasView
 from iconstudio.gui.document import Document
-from iconstudio.gui.panels.board import Board
+from iconstudio.gui.panels.browser import ResultsBrowser
 from iconstudio.gui.panels.canvas import CanvasPanel
 from iconstudio.gui.panels.keyword import KeywordPanel
 from iconstudio.gui.panels.sending import Destination
@@ -22,18 +22,18 @@ from iconstudio.gui.runner import Runner
 from iconstudio.gui.saving import Saver
 from iconstudio.gui.theme import UNIT
 from iconstudio.gui.worker import Worker
-from iconstudio.gui.workspaces import wishes
+from iconstudio.gui.workspaces import criteria as edits
 from iconstudio.gui.workspaces.base import Workspace
-from iconstudio.gui.workspaces.live import FINE, LIVE, Runs, Wanting
-from iconstudio.gui.workspaces.proposal import SymmetryProposal
-from iconstudio.gui.workspaces.wishes import WishingPage
+from iconstudio.gui.workspaces.criteria import CriteriaPage
+from iconstudio.gui.workspaces.live import FINE, LIVE, LiveSource, Runs
+from iconstudio.gui.workspaces.symmetry import SymmetryDetection
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.grid import ModelSettings
 from iconstudio.workflows.workflow import Workflow
 
 
-class RemixWorkspace(Workspace, Wanting):
+class RemixWorkspace(Workspace, LiveSource):
     """Canvas and keyword on the left, results and details on the right.
 
     A subclass makes a ``view`` and its actions, calls ``lay_out`` and ``wire``, and says what its
@@ -48,15 +48,15 @@ class RemixWorkspace(Workspace, Wanting):
         session: Session,
         files: Worker,
         saver: Saver,
-        document: Document[WishingPage],
+        document: Document[CriteriaPage],
     ) -> None:
         super().__init__(workflow, session, files, saver, document)
         self.preparation = Preparation(session, self.worker, self)
         self.runs = Runs(self, self.preparation, self.worker, self)
         self._opening = Runner(self.worker, self)
         self.keyword_panel = KeywordPanel()
-        self.board = Board()
-        self.displays = (self.board,)
+        self.browser = ResultsBrowser()
+        self.displays = (self.browser,)
         self.symmetry = SymmetryButton()
 
     # -- what the window asks for --------------------------------------------------------------
@@ -64,7 +64,7 @@ class RemixWorkspace(Workspace, Wanting):
     @property
     def picture(self) -> Picture | None:
         """The picked result."""
-        return self.board.detail.picture
+        return self.browser.detail.picture
 
     def enter(self) -> None:
         """Begin on the canvas, and in the modes that were switched to elsewhere."""
@@ -75,7 +75,7 @@ class RemixWorkspace(Workspace, Wanting):
         """Remix what lies on the canvas; an outline that is still open is closed first."""
         if self.runs.adopt():
             return
-        self.said.emit("")
+        self.remarked.emit("")
         self.complete()
         if problem := self.problem():
             self.hinted.emit(problem)
@@ -85,7 +85,7 @@ class RemixWorkspace(Workspace, Wanting):
 
     def set_destinations(self, destinations: tuple[Destination, ...]) -> None:
         """Say where results can be sent to."""
-        self.board.set_destinations(destinations)
+        self.browser.set_destinations(destinations)
 
     def cancel(self) -> None:
         """Stop the run and the search; results that are finished stay."""
@@ -96,7 +96,7 @@ class RemixWorkspace(Workspace, Wanting):
 
     def focus(self) -> tuple[str, float] | None:
         """Return style and lambda_S of the picked result."""
-        return self.board.results.focus
+        return self.browser.results.focus
 
     def show_page(self) -> None:
         """Show what the page says."""
@@ -107,11 +107,11 @@ class RemixWorkspace(Workspace, Wanting):
 
     def finished(self) -> bool:
         """Whether the user has given all that is needed; if it is no good, he should know."""
-        return bool(self.document.page.wish.keyword.strip())
+        return bool(self.document.page.criteria.keyword.strip())
 
     def help_out(self) -> None:
         """Put the focus where what is missing can be given."""
-        if not self.document.page.wish.keyword.strip():
+        if not self.document.page.criteria.keyword.strip():
             self.keyword_panel.field.setFocus()
 
     # -- for subclasses ------------------------------------------------------------------------
@@ -136,7 +136,7 @@ class RemixWorkspace(Workspace, Wanting):
         left.setSizes([440, 190])
         both = QSplitter(Qt.Orientation.Horizontal)
         both.addWidget(left)
-        both.addWidget(self.board)
+        both.addWidget(self.browser)
         both.setSizes([460, 800])
         for splitter, shares in ((left, (3, 1)), (both, (1, 2))):
             splitter.setHandleWidth(UNIT)
@@ -149,22 +149,22 @@ class RemixWorkspace(Workspace, Wanting):
 
     def offer_symmetry(
         self,
-        outline: Callable[[WishingPage], object],
+        outline: Callable[[CriteriaPage], object],
         filled: Callable[[object], NDArray[np.bool_]],
     ) -> None:
         """Offer on the canvas to hold to a symmetry: see ``SymmetryProposal``."""
         self.symmetry_hint = SymmetryHint(self.view)
         self.symmetry_hint.accepted.connect(self.hold_to)
-        self.proposal = SymmetryProposal(self.document, outline, filled, self)
-        self.proposal.found.connect(self.symmetry_hint.offer)
+        self.symmetry_detection = SymmetryDetection(self.document, outline, filled, self)
+        self.symmetry_detection.found.connect(self.symmetry_hint.offer)
 
     def wire(self) -> None:
         """Connect the panels with the page and with the work, and open the collection."""
-        document, panel, board = self.document, self.keyword_panel, self.board
-        panel.edited.connect(lambda text: wishes.set_keyword(document, text))
+        document, panel, browser = self.document, self.keyword_panel, self.browser
+        panel.edited.connect(lambda text: edits.set_keyword(document, text))
         panel.run.connect(self.run)
-        panel.toggled.connect(lambda icon: wishes.toggle_icon(document, icon))
-        panel.restored.connect(lambda: wishes.exclude_icons(document, frozenset()))
+        panel.toggled.connect(lambda icon: edits.toggle_icon(document, icon))
+        panel.restored.connect(lambda: edits.exclude_icons(document, frozenset()))
         self.symmetry.chosen.connect(self.hold_to)
         preparation = self.preparation
         preparation.started.connect(panel.set_searching)
@@ -182,32 +182,32 @@ class RemixWorkspace(Workspace, Wanting):
         runs.progressed.connect(self.progressed)
         runs.failed.connect(self.failed)
         runs.ended.connect(self._end_run)
-        self.connect_board(board)
+        self.connect_browser(browser)
         self._show_modes()
         self._rest()
         self._opening.start(self.session.get_ready)
 
     def show_event(self, event: Event | Picture) -> None:
         """Show what a run has come to."""
-        self.board.show_event(event)
+        self.browser.show_event(event)
 
-    def show_wish(self, name: str) -> None:
+    def show_criteria(self, name: str) -> None:
         """Show the wish of the page; results of another ``name`` of work are called so."""
-        wish = self.document.page.wish
-        self.keyword_panel.set_sketch(wish.keyword, wish.exclude)
-        self.preparation.want(Query.of(wish.keyword, wish.exclude))
-        self.symmetry.set_axis(wish.symmetry)
+        criteria = self.document.page.criteria
+        self.keyword_panel.set_sketch(criteria.keyword, criteria.exclude)
+        self.preparation.request(Query.of(criteria.keyword, criteria.exclude))
+        self.symmetry.set_axis(criteria.symmetry)
         note = ""
         if self.runs.live:
             note = self.problem() if self.finished() else ""
         elif self.runs.stale:
             note = f"of an earlier {name} – press Remix to renew"
-        self.board.results.note.setText(note)
+        self.browser.results.note.setText(note)
 
     def hold_to(self, axis: object) -> None:
         """Hold the results to a symmetry, or to none."""
-        if axis != self.document.page.wish.symmetry:
-            wishes.set_symmetry(self.document, axis)
+        if axis != self.document.page.criteria.symmetry:
+            edits.set_symmetry(self.document, axis)
 
     def _set_live(self, on: bool) -> None:
         self.runs.set_live(on)
@@ -225,27 +225,27 @@ class RemixWorkspace(Workspace, Wanting):
     def _renew(self) -> None:
         """Follow a change of the page; results of something else have nothing to do here."""
         if self.runs.leave():
-            self.board.clear()
+            self.browser.clear()
         self.runs.renew()
         runs = self.runs
-        self.board.results.set_stale(runs.live and runs.stale and not runs.running)
+        self.browser.results.set_stale(runs.live and runs.stale and not runs.running)
         self._rest()
 
     def _begin_run(self, settings: ModelSettings, afresh: bool) -> None:
-        self.board.begin(settings, afresh)
-        self.board.results.set_stale(False)
+        self.browser.begin(settings, afresh)
+        self.browser.results.set_stale(False)
         if self.runs.live:
-            self.rested.emit("Live")  # no progress to be seen yet
+            self.idle.emit("Live")  # no progress to be seen yet
         self._allow_cancel(True)
         self.show_page()
 
     def _end_run(self, whole: bool, by_hand: bool) -> None:
-        self.board.end(whole, by_hand)
+        self.browser.end(whole, by_hand)
         self._rest()
 
     def _rest(self) -> None:
         busy = self.runs.running, self.preparation.runner.running, self._opening.running
         if not any(busy):
-            count = 0 if self.runs.stale else self.board.results.finished
+            count = 0 if self.runs.stale else self.browser.results.finished
             parts = "Live" if self.runs.live else "", f"{count} icons" if count else ""
-            self.rested.emit(" · ".join(part for part in parts if part))
+            self.idle.emit(" · ".join(part for part in parts if part))

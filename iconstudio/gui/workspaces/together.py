@@ -18,7 +18,7 @@ _TOLD = 8
 
 
 @dataclass(frozen=True, slots=True)
-class Gathered:
+class ReadTogether:
     """What was read: names, what is put on the page, and what could not be opened."""
 
     names: tuple[str, ...]
@@ -34,12 +34,12 @@ class Sprite:
     names: tuple[str, ...]
 
 
-def gathering(
+def read_together(
     items: Sequence[Item],
     read: Callable[[Item], Generator[None, None, Any]],
     most: int,
     no_room: Callable[[Sequence[str], Sequence[Item]], str],
-) -> Generator[Gathered | Sprite | None]:
+) -> Generator[ReadTogether | Sprite | None]:
     """Read things, ``most`` at most, and yield them together; None in between.
 
     A single sprite sheet is yielded as such.
@@ -71,7 +71,7 @@ def gathering(
         complaints[_TOLD:] = [f"{len(complaints) - _TOLD} more could not be opened."]
     if left:
         complaints.append(no_room(names, left))
-    yield Gathered(tuple(names), tuple(found), tuple(complaints))
+    yield ReadTogether(tuple(names), tuple(found), tuple(complaints))
 
 
 def named(things: Sequence[Item | str]) -> str:

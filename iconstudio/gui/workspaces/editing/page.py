@@ -49,11 +49,11 @@ class EditPage:
         return len(self.areas) - 1 if self.areas and not self.areas[-1].closed else None
 
     @property
-    def wish(self) -> "EditPage":
+    def criteria(self) -> "EditPage":
         """The page itself says what is wanted."""
         return self
 
-    def wishing(self, **values: object) -> "EditPage":
+    def with_criteria(self, **values: object) -> "EditPage":
         """Return the page with another keyword, symmetry, or icons left out."""
         return replace(self, **values)
 

@@ -6,7 +6,7 @@ from PySide6.QtGui import QPainter, QPainterPath, QPen
 from iconstudio.gui.canvas import painters
 from iconstudio.gui.canvas.camera import Camera
 from iconstudio.gui.canvas.scene import Scene
-from iconstudio.gui.crisp import CrispIcons
+from iconstudio.gui.outlines import IconOutlines
 from iconstudio.gui.pictures import stencil
 from iconstudio.gui.theme import UNIT, Theme
 from iconstudio.gui.workspaces.editing.page import Area, EditDocument, Kind
@@ -20,10 +20,10 @@ _BODY = _SHEET.adjusted(MARGIN, MARGIN, -MARGIN, -MARGIN)
 class EditScene(Scene):
     """Paints the icon under the areas: of pixels until its outline is there."""
 
-    def __init__(self, document: EditDocument, crisp: CrispIcons) -> None:
+    def __init__(self, document: EditDocument, outlines: IconOutlines) -> None:
         super().__init__(document)
-        self._crisp = crisp
-        crisp.changed.connect(self.changed)
+        self._crisp = outlines
+        outlines.changed.connect(self.changed)
 
     def bounds(self) -> QRectF:
         """Return the area to show: the icon's canvas, and room below for the hint."""

@@ -20,7 +20,7 @@ from iconstudio.gui.worker import Worker
 from iconstudio.session import Session
 
 
-class StartSheet(QFrame):
+class StartPanel(QFrame):
     """Covers a canvas while an icon is chosen; can be closed if there is one already.
 
     Signals

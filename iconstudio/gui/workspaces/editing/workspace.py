@@ -6,9 +6,9 @@ from typing import NamedTuple
 
 from iconstudio.gui.actions import Entry, Key, work_entries
 from iconstudio.gui.canvas.view import CanvasView
-from iconstudio.gui.crisp import CrispIcons
 from iconstudio.gui.document import Document
 from iconstudio.gui.mime import holds_something
+from iconstudio.gui.outlines import IconOutlines
 from iconstudio.gui.saving import Saver
 from iconstudio.gui.worker import Worker
 from iconstudio.gui.workspaces.editing import page as edits
@@ -16,7 +16,7 @@ from iconstudio.gui.workspaces.editing.areas import AreaOutline
 from iconstudio.gui.workspaces.editing.opening import EditOpener
 from iconstudio.gui.workspaces.editing.page import EditPage, Kind
 from iconstudio.gui.workspaces.editing.scene import EditScene
-from iconstudio.gui.workspaces.editing.start import StartSheet
+from iconstudio.gui.workspaces.editing.start import StartPanel
 from iconstudio.gui.workspaces.editing.stored import EditPages
 from iconstudio.gui.workspaces.editing.tools import DrawTool, SelectTool
 from iconstudio.gui.workspaces.remixing import RemixWorkspace
@@ -72,8 +72,8 @@ class EditWorkspace(RemixWorkspace):
         self.finder = Worker(self)
         """Looks icons up and draws them also while a run goes on."""
         self.opener = EditOpener(session, self.document, files, self)
-        self.crisp = CrispIcons(session, self.finder, self)
-        self.scene = EditScene(self.document, self.crisp)
+        self.outlines = IconOutlines(session, self.finder, self)
+        self.scene = EditScene(self.document, self.outlines)
         self.scene.setParent(self)
         self.outline = AreaOutline(self.document)
         self.tools = {
@@ -84,13 +84,13 @@ class EditWorkspace(RemixWorkspace):
         self.tool = self.tools["remove"]
         self.view = CanvasView(self.scene, self.tool, holds_something)
         self.view.setAccessibleDescription("Mark what should go and what should come here")
-        self.board.results.set_words(WELCOME, "Closer to the drawing")
+        self.browser.results.set_words(WELCOME, "Closer to the drawing")
         self.keyword_panel.set_words(
             "What is it? For example: camera", "Make the icon anew where it is marked (Ctrl+Return)"
         )
         self.offer_symmetry(_outline, lambda page: place_edit(page.edit(), page.icon).silhouette)
         self._make_actions()
-        self.start_sheet = StartSheet(self.view, session, self.finder, self.examples)
+        self.start_panel = StartPanel(self.view, session, self.finder, self.examples)
         self._lay_out()
         self._wire()
         self.show_page()
@@ -132,9 +132,9 @@ class EditWorkspace(RemixWorkspace):
         self.document.page_changed.connect(self.show_page)
         self.wire()
         self.connect_opener(self.opener)
-        chooser = self.start_sheet.chooser
+        chooser = self.start_panel.chooser
         chooser.chosen.connect(self.opener.take_exemplar)
-        self.start_sheet.closed.connect(lambda: self._show_start(False))
+        self.start_panel.closed.connect(lambda: self._show_start(False))
         self.document.opened.connect(lambda: self._show_start(self.document.page.empty))
         self.view.dropped.connect(lambda data, _: self.opener.open_mime(data))
         self.opener.opened.connect(self._begin)
@@ -150,8 +150,8 @@ class EditWorkspace(RemixWorkspace):
     def enter(self) -> None:
         """Begin on the canvas, or choose an icon."""
         super().enter()
-        if self.start_sheet.isVisibleTo(self):
-            self.start_sheet.setFocus()
+        if self.start_panel.isVisibleTo(self):
+            self.start_panel.setFocus()
 
     def take(self, pictogram: Pictogram) -> None:
         """Begin with an icon that was sent here."""
@@ -159,7 +159,7 @@ class EditWorkspace(RemixWorkspace):
 
     # -- editing -------------------------------------------------------------------------------
 
-    def wanted(self) -> Wanted:
+    def inputs(self) -> Wanted:
         """Return the edit and the mode."""
         return Wanted(self.document.page.edit(), self.actions_by_name["styles"].isChecked())
 
@@ -198,7 +198,7 @@ class EditWorkspace(RemixWorkspace):
     def help_out(self) -> None:
         """Put the focus where an icon can be chosen or named."""
         if self.document.page.icon is None:
-            self.start_sheet.setFocus()
+            self.start_panel.setFocus()
         else:
             super().help_out()
 
@@ -207,11 +207,11 @@ class EditWorkspace(RemixWorkspace):
     def show_page(self) -> None:
         """Show what the page says."""
         page = self.document.page
-        self.show_wish("edit")
+        self.show_criteria("edit")
         if page.empty:
             self._show_start(True)
         else:
-            self.crisp.want(page.icon)
+            self.outlines.request(page.icon)
         there = {
             "save": not page.empty,
             "clear": bool(page.areas),
@@ -225,9 +225,9 @@ class EditWorkspace(RemixWorkspace):
         self.runs.renew()
 
     def _show_start(self, shown: bool) -> None:
-        self.start_sheet.close_button.setVisible(not self.document.page.empty)
-        was = self.start_sheet.isVisibleTo(self)
-        self.start_sheet.setVisible(shown)
+        self.start_panel.close_button.setVisible(not self.document.page.empty)
+        was = self.start_panel.isVisibleTo(self)
+        self.start_panel.setVisible(shown)
         if was and not shown and self.isVisible():
             self.view.setFocus()
 
@@ -238,7 +238,7 @@ class EditWorkspace(RemixWorkspace):
 
     def _choose_icon(self) -> None:
         self._show_start(True)
-        self.start_sheet.setFocus()
+        self.start_panel.setFocus()
 
     def _use(self, name: str, on: bool) -> None:
         if not on:

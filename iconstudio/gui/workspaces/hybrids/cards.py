@@ -176,11 +176,11 @@ class IconCard(QWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """Draw the icon, its pins and their mirror images."""
-        look = theme.current()
+        scheme = theme.current()
         if self._ingredient is None:
             return
         if self._image is None:
-            ink = stencil(self._ingredient.exemplar.coverage, look.color("text"))
+            ink = stencil(self._ingredient.exemplar.coverage, scheme.color("text"))
             self._image = Mipmap.of(ink, 32)
         with QPainter(self) as painter:
             painter.setRenderHints(
@@ -188,22 +188,22 @@ class IconCard(QWidget):
             )
             frame = QRectF(self.rect()).adjusted(1, 1, -1, -1)
             colour = "accent" if self.hasFocus() else "border"
-            painter.setPen(QPen(look.color(colour), 1.5 if self.hasFocus() else 1))
-            painter.setBrush(look.color("sunken" if self.underMouse() else "surface"))
+            painter.setPen(QPen(scheme.color(colour), 1.5 if self.hasFocus() else 1))
+            painter.setBrush(scheme.color("sunken" if self.underMouse() else "surface"))
             painter.drawRoundedRect(frame, 6, 6)
             box = self._box()
             painter.drawImage(box, self._image.at(box.width() * self.devicePixelRatioF()))
             if self._held is not None:
                 ink = np.where(self._held, self._ingredient.exemplar.coverage, 0).astype(np.uint8)
-                painter.drawImage(box, stencil(ink, look.color("accent")))
+                painter.drawImage(box, stencil(ink, scheme.color("accent")))
             for pin in self._ingredient.pins:
                 if self._axis is not None:
-                    _paint_pin(painter, self.at(mirror_image(pin, self._axis)), look, faint=True)
-                _paint_pin(painter, self.at(pin), look)
+                    _paint_pin(painter, self.at(mirror_image(pin, self._axis)), scheme, faint=True)
+                _paint_pin(painter, self.at(pin), scheme)
             if self._mark is not None:
                 painter.setBrush(Qt.BrushStyle.NoBrush)
                 for colour, width in (("surface", 4), ("accent", 1.5)):
-                    painter.setPen(QPen(look.color(colour), width))
+                    painter.setPen(QPen(scheme.color(colour), width))
                     painter.drawEllipse(self._mark, 6.5, 6.5)
 
     def _box(self) -> QRectF:
@@ -309,7 +309,9 @@ def on_shape(exemplar: Exemplar, point: Point) -> Point:
     return float(xs[nearest]) + 0.5, float(ys[nearest]) + 0.5
 
 
-def _paint_pin(painter: QPainter, centre: QPointF, look: theme.Theme, faint: bool = False) -> None:
-    painter.setPen(QPen(look.color("surface"), 1.5))
-    painter.setBrush(look.color("accent", 0.4 if faint else 1))
+def _paint_pin(
+    painter: QPainter, centre: QPointF, scheme: theme.Theme, faint: bool = False
+) -> None:
+    painter.setPen(QPen(scheme.color("surface"), 1.5))
+    painter.setBrush(scheme.color("accent", 0.4 if faint else 1))
     painter.drawEllipse(centre, 4.5, 4.5)

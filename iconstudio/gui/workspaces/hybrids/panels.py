@@ -86,11 +86,11 @@ class PickRow(QWidget):
 
     Signals
     -------
-    wanted(int)
+    requested(int)
         So many icons are to be picked.
     """
 
-    wanted = Signal(int)
+    requested = Signal(int)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -107,7 +107,7 @@ class PickRow(QWidget):
         row.addWidget(self.button)
         row.addWidget(self.count)
         row.addWidget(words, 1)
-        self.button.clicked.connect(lambda: self.wanted.emit(self.count.value()))
+        self.button.clicked.connect(lambda: self.requested.emit(self.count.value()))
 
 
 class IconsColumn(QWidget):

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import (
 )
 
 from iconstudio.gui import icons, theme
-from iconstudio.gui.panels.strip import same
+from iconstudio.gui.panels.icon_list import same
 from iconstudio.gui.pictures import Display, Picture
 from iconstudio.gui.theme import UNIT
 from iconstudio.gui.workspaces.hybrids.sheet_model import Index, Rule, Section, SheetModel
@@ -47,20 +47,20 @@ class SheetDelegate(QStyledItemDelegate):
 
     def paint(self, painter: QPainter, option, index: Index) -> None:
         """Draw one entry."""
-        look = theme.current()
+        scheme = theme.current()
         entry = index.model().entry(index)
         painter.save()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         if isinstance(entry, Rule):
             last = index.row() == index.model().rowCount() - 1
             text = entry.text + (entry.more if last else "")
-            _paint_rule(painter, QRectF(option.rect), text, entry.heading, look)
+            _paint_rule(painter, QRectF(option.rect), text, entry.heading, scheme)
         else:
-            self._paint_picture(painter, option, entry, look)
+            self._paint_picture(painter, option, entry, scheme)
         painter.restore()
 
     def _paint_picture(
-        self, painter: QPainter, option, picture: Picture, look: theme.Theme
+        self, painter: QPainter, option, picture: Picture, scheme: theme.Theme
     ) -> None:
         box = QRectF(option.rect).adjusted(2, 2, -2, -2)
         state = option.state
@@ -68,13 +68,13 @@ class SheetDelegate(QStyledItemDelegate):
         focused = bool(state & QStyle.StateFlag.State_HasFocus)
         if picked or focused or state & QStyle.StateFlag.State_MouseOver:
             width = 2 if picked else 1
-            framed = QPen(look.color("accent"), width)
+            framed = QPen(scheme.color("accent"), width)
             painter.setPen(framed if picked or focused else Qt.PenStyle.NoPen)
-            painter.setBrush(look.color("accent_soft" if picked else "sunken"))
+            painter.setBrush(scheme.color("accent_soft" if picked else "sunken"))
             painter.drawRoundedRect(box, 6, 6)
         inner = QRectF(0, 0, CELL - 8, CELL - 8)
         inner.moveCenter(box.center())
-        picture.paint(painter, inner, look.color("text"), self.display)
+        picture.paint(painter, inner, scheme.color("text"), self.display)
         if any(same(one, picture) for one in self.favourites):
             place = QRect(box.topRight().toPoint() - QPoint(19, -3), QSize(16, 16))
             icons.icon("star-full", "accent").paint(painter, place)
@@ -335,15 +335,15 @@ class Sheet(QListView):
 
 
 def _paint_rule(
-    painter: QPainter, box: QRectF, text: str, heading: bool, look: theme.Theme
+    painter: QPainter, box: QRectF, text: str, heading: bool, scheme: theme.Theme
 ) -> None:
     font = theme.strong(painter.font()) if heading else painter.font()
     font.setPixelSize(13 if heading else 11)
     painter.setFont(font)
-    painter.setPen(look.color("text" if heading else "muted"))
+    painter.setPen(scheme.color("text" if heading else "muted"))
     where = box.adjusted(UNIT / 2, 0, 0, 0)
     painter.drawText(where, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, text)
     words = painter.fontMetrics().horizontalAdvance(text)
-    painter.setPen(QPen(look.color("border"), 1))
+    painter.setPen(QPen(scheme.color("border"), 1))
     y = box.center().y()
     painter.drawLine(int(where.left() + words + UNIT), int(y), int(box.right() - UNIT), int(y))

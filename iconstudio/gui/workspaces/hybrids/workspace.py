@@ -7,9 +7,9 @@ from iconstudio.gui.actions import Entry, Key, work_entries
 from iconstudio.gui.document import Document
 from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.panels.detail import DetailPanel
+from iconstudio.gui.panels.favourites import FavouritesPanel
+from iconstudio.gui.panels.icon_list import same
 from iconstudio.gui.panels.sending import Destination, offer
-from iconstudio.gui.panels.strip import same
-from iconstudio.gui.panels.tray import FavouritesTray
 from iconstudio.gui.pictures import Picture
 from iconstudio.gui.saving import Saver
 from iconstudio.gui.theme import UNIT
@@ -18,7 +18,7 @@ from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.hybrids import files
 from iconstudio.gui.workspaces.hybrids import page as edits
 from iconstudio.gui.workspaces.hybrids.drawing import Draws
-from iconstudio.gui.workspaces.hybrids.gathering import Gathering
+from iconstudio.gui.workspaces.hybrids.opening import HybridsOpener
 from iconstudio.gui.workspaces.hybrids.page import HybridsPage
 from iconstudio.gui.workspaces.hybrids.panels import IconsColumn, SheetPanel
 from iconstudio.gui.workspaces.hybrids.sheet_model import terms
@@ -52,12 +52,12 @@ class HybridsWorkspace(Workspace):
         super().__init__(workflow, session, files, saver, Document(HybridsPage()))
         self.finder = Worker(self)
         """Looks icons up also while hybrids are drawn."""
-        self.gathering = Gathering(session, self.document, self.finder, self)
+        self.opener = HybridsOpener(session, self.document, self.finder, self)
         self.column = IconsColumn(IconChooser(session, self.finder, multiple=True))
         self.panel = SheetPanel()
         self.sheet = self.panel.sheet
         self.draws = Draws(session, self.worker, self.sheet, self)
-        self.tray = FavouritesTray("Press F at a hybrid to keep it")
+        self.favourites_panel = FavouritesPanel("Press F at a hybrid to keep it")
         self.detail = DetailPanel()
         self.displays = self.sheet, self.detail.large
         self.menu: QMenu | None = None
@@ -81,14 +81,14 @@ class HybridsWorkspace(Workspace):
                 "favourite": lambda: self.keep(self.picture),
                 "like": lambda: self.draw_like(self.picture),
                 "run": self.run,
-                **self.opener_slots(self.gathering),
+                **self.opener_slots(self.opener),
             },
             OWN,
         )
         for name in ("favourite", "like"):
             self.actions_by_name[name].setEnabled(False)
         self.panel.start.setMenu(
-            self.add_examples(self.workflow.examples, self.gathering.open_example)
+            self.add_examples(self.workflow.examples, self.opener.open_example)
         )
 
     def _lay_out(self) -> None:
@@ -97,7 +97,7 @@ class HybridsWorkspace(Workspace):
         above.setContentsMargins(0, 0, 0, 0)
         above.setSpacing(UNIT)
         above.addWidget(self.panel, 1)
-        above.addWidget(self.tray)
+        above.addWidget(self.favourites_panel)
         right = QSplitter(Qt.Orientation.Vertical)
         right.addWidget(upper)
         right.addWidget(self.detail)
@@ -114,40 +114,41 @@ class HybridsWorkspace(Workspace):
     def _wire_page(self) -> None:
         document, column, cards = self.document, self.column, self.column.cards
         document.page_changed.connect(self._show_page)
-        column.chooser.chosen.connect(self.gathering.receive)
+        column.chooser.chosen.connect(self.opener.receive)
         column.chooser.released.connect(lambda one: edits.remove_icon(document, one.id))
-        column.pick.wanted.connect(self.pick)
+        column.pick.requested.connect(self.pick)
         cards.pinned.connect(lambda icon, pins: edits.set_pins(document, icon, pins))
         cards.removed.connect(lambda icon: edits.remove_icon(document, icon))
-        cards.dropped.connect(self.gathering.open_mime)
+        cards.dropped.connect(self.opener.open_mime)
         column.symmetry.chosen.connect(lambda axis: edits.set_symmetry(document, axis))
         column.offer.clicked.connect(
             lambda: edits.set_symmetry(document, edits.shared_axis(document.page))
         )
         column.seed.changed.connect(lambda seed: edits.set_seed(document, seed))
         column.run.clicked.connect(self.run)
-        self.tray.changed.connect(lambda: edits.set_favourites(document, self.tray.pictures))
-        self.tray.save_all.connect(self.actions_by_name["save_all"].trigger)
+        panel = self.favourites_panel
+        panel.changed.connect(lambda: edits.set_favourites(document, panel.pictures))
+        panel.save_all.connect(self.actions_by_name["save_all"].trigger)
 
     def _wire_work(self) -> None:
         sheet, panel, detail = self.sheet, self.panel, self.detail
-        for runner in (self.draws.runner, self.gathering.runner):
+        for runner in (self.draws.runner, self.opener.runner):
             runner.progress.connect(self.progressed)
             runner.ended.connect(self._rest)
         self.draws.runner.failed.connect(self.failed)
         self.draws.counted.connect(self.counted)
         self.draws.section_changed.connect(panel.show_section)
         self.draws.section_changed.connect(lambda _: self._rest())
-        self.connect_opener(self.gathering)
-        self.gathering.shown.connect(self.run)
+        self.connect_opener(self.opener)
+        self.opener.shown.connect(self.run)
         sheet.picked.connect(self._look_at)
-        sheet.chosen.connect(self.made)
+        sheet.chosen.connect(self.kept)
         sheet.favourite.connect(self.keep)
         sheet.like.connect(self.draw_like)
         sheet.asked.connect(self._open_menu)
         panel.back.connect(self.draws.show_all)
-        self.tray.picked.connect(self._look_at)
-        self.tray.picked.connect(self.made)
+        self.favourites_panel.picked.connect(self._look_at)
+        self.favourites_panel.picked.connect(self.kept)
         detail.sent.connect(lambda title: self.send_picture(detail.picture, title))
         self.connect_detail(detail)
 
@@ -169,7 +170,7 @@ class HybridsWorkspace(Workspace):
 
     def take(self, pictogram: Pictogram) -> None:
         """Mix an icon that was sent or dropped here."""
-        self.gathering.take(pictogram)
+        self.opener.take(pictogram)
 
     def set_destinations(self, destinations: tuple[Destination, ...]) -> None:
         """Say where hybrids can be sent to."""
@@ -178,7 +179,7 @@ class HybridsWorkspace(Workspace):
 
     def cancel(self) -> None:
         """Stop drawing and picking; hybrids that are finished stay."""
-        self.gathering.runner.cancel()
+        self.opener.runner.cancel()
         self.draws.runner.cancel()
 
     # -- mixing --------------------------------------------------------------------------------
@@ -190,7 +191,7 @@ class HybridsWorkspace(Workspace):
         if problem:
             self.hinted.emit(problem)
             return
-        self.said.emit("")
+        self.remarked.emit("")
         self.draws.start(page.mix, page.title)
         self.panel.show_welcome(False)
         self._show_page(page)
@@ -206,18 +207,18 @@ class HybridsWorkspace(Workspace):
         """Let the program pick icons of the word that is looked up; once more, the next best."""
         keyword = self.column.chooser.field.text().strip()
         if keyword:
-            self.said.emit("")
-            self.gathering.pick(keyword, count)
+            self.remarked.emit("")
+            self.opener.pick(keyword, count)
         else:
             self.hinted.emit("Type what the icons should show, for example “lamp”.")
             self.column.chooser.setFocus()
 
     def _rest(self) -> None:
         hybrids = self.sheet.hybrids
-        if not (self.draws.runner.running or self.gathering.runner.running):
+        if not (self.draws.runner.running or self.opener.runner.running):
             count, total = (len(some) for some in (hybrids.in_sight, hybrids.pictures))
             others = f" · {total} with the others" if total > count else ""
-            self.rested.emit(f"{count} hybrids{others}" if count else "")
+            self.idle.emit(f"{count} hybrids{others}" if count else "")
 
     # -- looking at results --------------------------------------------------------------------
 
@@ -228,7 +229,7 @@ class HybridsWorkspace(Workspace):
         added = left == favourites
         edits.set_favourites(self.document, (*left, picture) if added else left)
         if added:
-            self.made.emit(picture)
+            self.kept.emit(picture)
 
     def _look_at(self, picture: Picture) -> None:
         self.detail.show_picture(picture)
@@ -253,8 +254,8 @@ class HybridsWorkspace(Workspace):
         if not page.ids and self.draws.ran is not None:
             self._clear_sheet()
         self.column.show_page(page, edits.shared_axis(page) if page.symmetry is None else None)
-        if self.tray.pictures != page.favourites:
-            self.tray.strip.show_pictures(page.favourites)
+        if self.favourites_panel.pictures != page.favourites:
+            self.favourites_panel.icon_list.show_pictures(page.favourites)
         self.sheet.set_favourites(page.favourites)
         mix = page.mix
         stale = self.draws.ran is not None and self.draws.ran != mix

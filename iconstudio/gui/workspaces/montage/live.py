@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from PySide6.QtCore import QObject, Signal
 
-from iconstudio.gui.newest import Newest
+from iconstudio.gui.coalescing import Coalescing
 from iconstudio.gui.pictures import Picture, picture_of
 from iconstudio.gui.runner import Runner
 from iconstudio.gui.worker import Worker
@@ -41,14 +41,14 @@ class LiveResult(QObject):
     shown = Signal(object)
     progress = Signal(object)
     failed = Signal(str)
-    rested = Signal()
+    idle = Signal()
 
     def __init__(self, session: Session, worker: Worker, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._session = session
         self._wanted: tuple[Montage, Palette] | None = None
         self.runner = Runner(worker, self)
-        self.newest = Newest(self.runner, self._begin, PATIENCE)
+        self.coalescing = Coalescing(self.runner, self._begin, PATIENCE)
         self.runner.event.connect(self._show)
         self.runner.progress.connect(self._tell)
         self.runner.failed.connect(self._fail)
@@ -59,21 +59,21 @@ class LiveResult(QObject):
         """Whether the result of what was wanted last is still to come."""
         return self.runner.running
 
-    def want(self, montage: Montage, palette: Palette) -> None:
+    def request(self, montage: Montage, palette: Palette) -> None:
         """Make this one, as soon as the run under way, if there is one, is over."""
         if self._wanted is not None and self._wanted[0] == montage:
             return
         self._wanted = montage, palette
-        self.newest.want()
+        self.coalescing.request()
 
-    def forget(self) -> None:
+    def discard(self) -> None:
         """Want nothing: a run under way is of no interest."""
         self._wanted = None
-        self.newest.forget()
+        self.coalescing.discard()
 
     def cancel(self) -> None:
         """Stop at once."""
-        self.forget()
+        self.discard()
         self.runner.cancel()
 
     def _begin(self) -> None:
@@ -95,11 +95,11 @@ class LiveResult(QObject):
             self.shown.emit(event)
 
     def _fail(self, message: str) -> None:
-        if not self.newest.waiting:
+        if not self.coalescing.pending:
             self.failed.emit(message)
 
     def _tell(self, progress: object) -> None:
-        if not self.newest.patient:
+        if not self.coalescing.holding:
             self.progress.emit(progress)
 
     def _go_on(self, whole: bool) -> None:
@@ -107,7 +107,7 @@ class LiveResult(QObject):
             return
         if not whole:
             self._wanted = None
-        self.rested.emit()
+        self.idle.emit()
 
 
 def _coloured(montage: Montage, icon: Remix, palette: Palette) -> Palette:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from iconstudio.gui.workspaces.montage.page import Icon, MontagePage
 from iconstudio.gui.workspaces.opening import IconOpener
-from iconstudio.gui.workspaces.together import Gathered, named
+from iconstudio.gui.workspaces.together import ReadTogether, named
 from iconstudio.inputs.icons import reference_to
 from iconstudio.model import IconstudioError, Layer, Pictogram
 from iconstudio.workflows.montage.file import MontageFile, read_montage, write_montage
@@ -47,7 +47,7 @@ class MontageOpener(IconOpener):
         self.document.change("open montage", found.page)
         return f"Opened “{found.title}”."
 
-    def put_all(self, gathered: Gathered) -> str:
+    def put_all(self, gathered: ReadTogether) -> str:
         """Add icons on top, as many as there is room for."""
         page, icons = self.document.page, gathered.found
         room = max(1, MOST - len(page.layers))  # with no room at all, the page itself says so

@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, QPoint, QPointF, QRect, QRectF, Qt, QTimer, 
 from PySide6.QtGui import QColor, QImage, QPainter
 
 from iconstudio.gui.canvas.camera import Camera
-from iconstudio.gui.crisp import CrispIcons
+from iconstudio.gui.outlines import IconOutlines
 from iconstudio.gui.pictures import stencil
 from iconstudio.gui.workspaces.montage.page import PlacedIcon
 
@@ -111,9 +111,9 @@ class LayerPainter(QObject):
 
     sharpened = Signal()
 
-    def __init__(self, crisp: CrispIcons, parent: QObject | None = None) -> None:
+    def __init__(self, outlines: IconOutlines, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._crisp = crisp
+        self._crisp = outlines
         self._shown: dict[str, _Picture] = {}
         self._begun: dict[str, _Picture] = {}
         self._timer = QTimer(self, singleShot=True)

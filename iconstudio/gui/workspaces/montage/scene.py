@@ -7,7 +7,7 @@ from PySide6.QtGui import QPainter, QPainterPath, QPainterPathStroker, QPen, QPo
 
 from iconstudio.gui.canvas.camera import Camera
 from iconstudio.gui.canvas.scene import Scene
-from iconstudio.gui.crisp import CrispIcons
+from iconstudio.gui.outlines import IconOutlines
 from iconstudio.gui.theme import Theme
 from iconstudio.gui.workspaces.montage.page import MontageDocument, MontagePage, PlacedIcon
 from iconstudio.gui.workspaces.montage.pictures import LayerPainter
@@ -31,11 +31,11 @@ class MontageScene(Scene):
         "each that you want to keep: they are joined at once.",
     )
 
-    def __init__(self, document: MontageDocument, crisp: CrispIcons) -> None:
+    def __init__(self, document: MontageDocument, outlines: IconOutlines) -> None:
         super().__init__(document)
-        self.icons = LayerPainter(crisp, self)
+        self.icons = LayerPainter(outlines, self)
         self._draft: MontagePage | None = None
-        crisp.changed.connect(self.changed)
+        outlines.changed.connect(self.changed)
         self.icons.sharpened.connect(self.changed)
 
     @property

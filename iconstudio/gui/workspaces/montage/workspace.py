@@ -17,9 +17,9 @@ from PySide6.QtWidgets import (
 from iconstudio.gui.actions import Entry, Key, work_entries
 from iconstudio.gui.canvas.start import StartButtons
 from iconstudio.gui.canvas.view import CanvasView
-from iconstudio.gui.crisp import CrispIcons
 from iconstudio.gui.document import Document
 from iconstudio.gui.mime import holds_something
+from iconstudio.gui.outlines import IconOutlines
 from iconstudio.gui.panels.canvas import CanvasPanel
 from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.panels.detail import DetailPanel
@@ -78,11 +78,11 @@ class MontageWorkspace(Workspace):
         self.finder = Worker(self)
         """Looks icons up and draws them also while a montage is made."""
         self.opener = MontageOpener(session, self.document, self.finder, self)
-        self.crisp = CrispIcons(session, self.finder, self)
+        self.outlines = IconOutlines(session, self.finder, self)
         self.live = LiveResult(session, self.worker, self)
         self._kept: Picture | None = None
 
-        self.scene = MontageScene(self.document, self.crisp)
+        self.scene = MontageScene(self.document, self.outlines)
         self.scene.setParent(self)
         self.brush = Brush(self)
         self.tools = {
@@ -174,10 +174,10 @@ class MontageWorkspace(Workspace):
         live.shown.connect(self._show_result)
         live.progress.connect(self.progressed)
         live.failed.connect(self.failed)
-        live.rested.connect(lambda: self.rested.emit(""))
+        live.idle.connect(lambda: self.idle.emit(""))
         self.detail.sent.connect(lambda title: self.send_picture(self.picture, title))
         self.connect_detail(self.detail)
-        self.made.connect(self._note_kept)
+        self.kept.connect(self._note_kept)
 
     # -- what the window asks for --------------------------------------------------------------
 
@@ -211,7 +211,7 @@ class MontageWorkspace(Workspace):
         """Keep the result in sight when the user goes elsewhere."""
         super().hideEvent(event)
         if not event.spontaneous() and self.picture is not None and self.picture is not self._kept:
-            self.made.emit(self.picture)
+            self.kept.emit(self.picture)
 
     # -- result --------------------------------------------------------------------------------
 
@@ -228,15 +228,15 @@ class MontageWorkspace(Workspace):
 
     def _show_page(self, page: MontagePage) -> None:
         if page.marked:
-            self.live.want(page.montage(), page.palette)
+            self.live.request(page.montage(), page.palette)
         else:
-            self.live.forget()
+            self.live.discard()
             if self.picture is not None:
                 self.detail.show_picture(None)
                 self.picked.emit(None)
         self.layers.show_page(page)
         for one in page.layers:
-            self.crisp.want(one.icon.exemplar)
+            self.outlines.request(one.icon.exemplar)
         self.start_buttons.setVisible(not page.layers)
         self.actions_by_name["clear"].setEnabled(any(one.strokes for one in page.layers))
         for name in ("delete", "mirror", "save"):

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QWidget
 from iconstudio.gui.document import Document
 from iconstudio.gui.worker import Worker
 from iconstudio.gui.workspaces.opening import IconOpener
-from iconstudio.gui.workspaces.together import Gathered, named
+from iconstudio.gui.workspaces.together import ReadTogether, named
 from iconstudio.model import Exemplar, IconstudioError
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
@@ -66,7 +66,7 @@ class WorkOpener(IconOpener):
         self.document.change(f"open {self._workflow.noun}", WorkPage(found.work))
         return f"Opened “{found.name}”."
 
-    def put_all(self, gathered: Gathered) -> str:
+    def put_all(self, gathered: ReadTogether) -> str:
         """Add icons to the work."""
         self.add_icons(gathered.found)
         return f"Added {named(gathered.names)}."

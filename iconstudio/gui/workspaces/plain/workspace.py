@@ -12,8 +12,8 @@ from iconstudio.gui.actions import Entry, work_entries
 from iconstudio.gui.document import Document
 from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.panels.detail import DetailPanel
+from iconstudio.gui.panels.icon_list import IconList
 from iconstudio.gui.panels.sending import Destination
-from iconstudio.gui.panels.strip import PictureStrip
 from iconstudio.gui.pictures import Picture, pictured
 from iconstudio.gui.runner import Runner
 from iconstudio.gui.saving import Saver
@@ -44,7 +44,7 @@ class PlainWorkspace(Workspace):
         self.opener = WorkOpener(workflow, session, self.document, self.finder, self)
         self.chooser = IconChooser(session, self.finder)
         self.runner = Runner(self.worker, self)
-        self.results = PictureStrip(
+        self.results = IconList(
             _SIDE, "The icons appear here", "Click to see it large", wrapping=True
         )
         self.detail = DetailPanel()
@@ -158,12 +158,12 @@ class PlainWorkspace(Workspace):
         self.detail.show_picture(picture)
         self.picked.emit(picture)
         if made:
-            self.made.emit(picture)
+            self.kept.emit(picture)
 
     def _rest(self) -> None:
         if not (self.runner.running or self.opener.runner.running):
             count = len(self.results.pictures)
-            self.rested.emit("1 icon" if count == 1 else f"{count} icons" if count else "")
+            self.idle.emit("1 icon" if count == 1 else f"{count} icons" if count else "")
 
     def _save(self) -> None:
         workflow, work = self.workflow, self.document.page.work

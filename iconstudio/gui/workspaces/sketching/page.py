@@ -32,11 +32,11 @@ class SketchPage:
         return not self.vertices and self.photo is None
 
     @property
-    def wish(self) -> Sketch:
+    def criteria(self) -> Sketch:
         """What is wanted beside the outline."""
         return self.sketch
 
-    def wishing(self, **values: object) -> "SketchPage":
+    def with_criteria(self, **values: object) -> "SketchPage":
         """Return the page with another keyword, symmetry, or icons left out."""
         return replace(self, sketch=replace(self.sketch, **values))
 

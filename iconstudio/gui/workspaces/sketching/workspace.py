@@ -125,7 +125,7 @@ class SketchWorkspace(RemixWorkspace):
 
     # -- modelling -----------------------------------------------------------------------------
 
-    def wanted(self) -> Sketch:
+    def inputs(self) -> Sketch:
         """Return the sketch."""
         return self.document.page.sketch
 
@@ -184,7 +184,7 @@ class SketchWorkspace(RemixWorkspace):
     def show_page(self) -> None:
         """Show what the page says."""
         page = self.document.page
-        self.show_wish("sketch")
+        self.show_criteria("sketch")
         self.start_buttons.setVisible(page.empty)
         self.dim.setVisible(page.photo is not None)
         if not page.vertices:

@@ -6,13 +6,13 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 from iconstudio.gui.dragging import take_copy, unpacked
 from iconstudio.gui.mime import holds_something
 from iconstudio.gui.panels.notice import Notice
-from iconstudio.gui.panels.progress import ProgressStrip
+from iconstudio.gui.panels.progress import StatusStrip
 from iconstudio.gui.theme import UNIT
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.together import named
 
 
-class Desk(QWidget):
+class WorkspacePane(QWidget):
     """Shows what a workspace tells, also what it told while another one was in sight.
 
     What is dropped from other programs beside the workspace's canvas is for it, too.
@@ -22,22 +22,22 @@ class Desk(QWidget):
         super().__init__()
         self.workspace = workspace
         self.notice = Notice(self)
-        self.strip = ProgressStrip()
+        self.status = StatusStrip()
         self.setAcceptDrops(True)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(UNIT, 0, UNIT, 0)
         layout.setSpacing(UNIT)
         layout.addWidget(workspace, 1)
-        layout.addWidget(self.strip)
-        workspace.said.connect(self.say)
+        layout.addWidget(self.status)
+        workspace.remarked.connect(self.say)
         workspace.failed.connect(self.notice.say)
         workspace.hinted.connect(self.notice.hint)
         self.notice.resized.connect(self._place_notice)
-        workspace.progressed.connect(self.strip.show_progress)
-        workspace.counted.connect(self.strip.set_finished)
-        workspace.rested.connect(self.strip.rest)
+        workspace.progressed.connect(self.status.show_progress)
+        workspace.counted.connect(self.status.set_finished)
+        workspace.idle.connect(self.status.rest)
         workspace.document.page_changed.connect(self._show_remarks)
-        self.strip.cancelled.connect(workspace.cancel)
+        self.status.cancelled.connect(workspace.cancel)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Keep the messages in their place."""
@@ -51,7 +51,7 @@ class Desk(QWidget):
     def say(self, remark: str) -> None:
         """Show a remark for a while; messages are dealt with."""
         self.notice.clear()
-        self.strip.say(remark)
+        self.status.say(remark)
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         """Let anything of other programs be dropped; what cannot be used is told."""

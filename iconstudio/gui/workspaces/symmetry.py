@@ -6,14 +6,14 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from iconstudio.gui.workspaces.wishes import WishingDocument, WishingPage
+from iconstudio.gui.workspaces.criteria import CriteriaDocument, CriteriaPage
 from iconstudio.model import Axis, IconstudioError
 
 PAUSE = 250
 """Milliseconds without an edit after which the outline is looked at."""
 
 
-class SymmetryProposal(QObject):
+class SymmetryDetection(QObject):
     """Looks at the outline that is wanted when the user pauses.
 
     Parameters
@@ -33,8 +33,8 @@ class SymmetryProposal(QObject):
 
     def __init__(
         self,
-        document: WishingDocument,
-        outline: Callable[[WishingPage], object],
+        document: CriteriaDocument,
+        outline: Callable[[CriteriaPage], object],
         filled: Callable[[object], NDArray[np.bool_]],
         parent: QObject | None = None,
     ) -> None:
@@ -48,9 +48,9 @@ class SymmetryProposal(QObject):
         self._timer.timeout.connect(self._look)
         document.page_changed.connect(self._page_changed)
 
-    def _page_changed(self, page: WishingPage) -> None:
+    def _page_changed(self, page: CriteriaPage) -> None:
         outline = self._outline_of(page)
-        if outline is None or page.wish.symmetry is not None:
+        if outline is None or page.criteria.symmetry is not None:
             self._timer.stop()
             self.found.emit(None)
         elif outline == self._outline:

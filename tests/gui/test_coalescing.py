@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtCore import QObject, Signal
 
-from iconstudio.gui.newest import Newest
+from iconstudio.gui.coalescing import Coalescing
 
 
 class Hand(QObject):
@@ -14,14 +14,14 @@ class Hand(QObject):
     def __init__(self):
         super().__init__()
         self.running = False
-        self.wanted = 0
+        self.inputs = 0
         self.begun = []
 
     def begin(self):
         if self.running:
             self.ended.emit(False)  # as a runner does for the run that is replaced
         self.running = True
-        self.begun.append(self.wanted)
+        self.begun.append(self.inputs)
 
     def end(self):
         self.running = False
@@ -35,33 +35,33 @@ def hand(qapp):
 
 @pytest.fixture
 def newest(hand):
-    return Newest(hand, hand.begin, 10**6)
+    return Coalescing(hand, hand.begin, 10**6)
 
 
 def move(hand, newest, to):
-    hand.wanted = to
-    newest.want()
+    hand.inputs = to
+    newest.request()
 
 
 def test_the_first_begins_at_once(hand, newest):
     move(hand, newest, 1)
     assert hand.begun == [1]
-    assert newest.patient and not newest.waiting
+    assert newest.holding and not newest.pending
 
 
 def test_of_those_that_wait_only_the_newest_begins_once_something_is_shown(hand, newest):
     for number in (1, 2, 3, 4):
         move(hand, newest, number)
     assert hand.begun == [1]
-    newest.enough()
+    newest.release()
     assert hand.begun == [1, 4]
-    newest.enough()
+    newest.release()
     assert hand.begun == [1, 4]
 
 
 def test_a_run_that_has_shown_something_gives_way_at_once(hand, newest):
     move(hand, newest, 1)
-    newest.enough()
+    newest.release()
     move(hand, newest, 2)
     assert hand.begun == [1, 2]
     move(hand, newest, 3)
@@ -81,7 +81,7 @@ def test_a_run_that_shows_nothing_for_too_long_gives_way(hand, newest):
 def test_the_end_of_a_run_lets_the_newest_begin(hand, newest):
     move(hand, newest, 1)
     hand.end()
-    assert hand.begun == [1] and not newest.patient
+    assert hand.begun == [1] and not newest.holding
     move(hand, newest, 2)
     move(hand, newest, 3)
     hand.end()
@@ -91,7 +91,7 @@ def test_the_end_of_a_run_lets_the_newest_begin(hand, newest):
 def test_what_is_forgotten_never_begins(hand, newest):
     move(hand, newest, 1)
     move(hand, newest, 2)
-    newest.forget()
-    newest.enough()
+    newest.discard()
+    newest.release()
     hand.end()
     assert hand.begun == [1]

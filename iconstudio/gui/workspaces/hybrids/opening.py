@@ -11,7 +11,7 @@ from iconstudio.gui.workspaces.hybrids import files
 from iconstudio.gui.workspaces.hybrids import page as edits
 from iconstudio.gui.workspaces.hybrids.page import Ask, HybridsPage
 from iconstudio.gui.workspaces.opening import IconOpener
-from iconstudio.gui.workspaces.together import Gathered, named
+from iconstudio.gui.workspaces.together import ReadTogether, named
 from iconstudio.model import Exemplar
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
@@ -34,7 +34,7 @@ class Opened:
     example: bool
 
 
-class Gathering(IconOpener):
+class HybridsOpener(IconOpener):
     """Adds icons, or puts others in place of all that are there; favourites stay.
 
     Signals
@@ -81,7 +81,7 @@ class Gathering(IconOpener):
                     self.shown.emit()
                 return f"Opened “{page.title}”."
 
-    def put_all(self, gathered: Gathered) -> str:
+    def put_all(self, gathered: ReadTogether) -> str:
         """Add icons, as many as there is room for."""
         return self._add(gathered.found)
 

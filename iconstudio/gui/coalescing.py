@@ -7,7 +7,7 @@ from PySide6.QtCore import QObject, QTimer
 from iconstudio.gui.runner import Runner
 
 
-class Newest(QObject):
+class Coalescing(QObject):
     """Says when to run again while what is wanted changes faster than it can be made.
 
     A run that has become out of date is still owed something to show: were it dropped at once, a
@@ -25,38 +25,38 @@ class Newest(QObject):
         super().__init__(runner)
         self._runner = runner
         self._begin = begin
-        self.waiting = False
+        self.pending = False
         """Whether something newer is wanted than what runs."""
         self.timer = QTimer(self, singleShot=True, interval=patience)
         self.timer.timeout.connect(self._go_on)
         runner.ended.connect(self._end)
 
     @property
-    def patient(self) -> bool:
+    def holding(self) -> bool:
         """Whether the run under way is still waited for."""
         return self.timer.isActive()
 
-    def want(self) -> None:
+    def request(self) -> None:
         """Run again as soon as may be."""
-        self.waiting = True
-        if not self.patient:
+        self.pending = True
+        if not self.holding:
             self._go_on()
 
-    def enough(self) -> None:
+    def release(self) -> None:
         """The run under way has shown something: whatever is newer need not wait for it."""
         self.timer.stop()
         self._go_on()
 
-    def forget(self) -> None:
+    def discard(self) -> None:
         """Want nothing else than what runs."""
-        self.waiting = False
+        self.pending = False
 
     def _go_on(self) -> None:
-        if self.waiting:
-            self.waiting = False
+        if self.pending:
+            self.pending = False
             self.timer.start()
             self._begin()
 
     def _end(self) -> None:
         if not self._runner.running:
-            self.enough()
+            self.release()

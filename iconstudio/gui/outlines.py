@@ -11,7 +11,7 @@ from iconstudio.model import Exemplar, IconstudioError
 from iconstudio.session import Session
 
 
-class CrispIcons(QObject):
+class IconOutlines(QObject):
     """The outlines of icons, in canvas units; each is traced once.
 
     Signals
@@ -32,7 +32,7 @@ class CrispIcons(QObject):
         """Return the outline of an icon; None as long as it is not traced."""
         return self._paths.get(icon.pictogram.svg)
 
-    def want(self, icon: Exemplar) -> None:
+    def request(self, icon: Exemplar) -> None:
         """Have an icon traced."""
         if icon.pictogram.svg not in self._paths:
             self._paths[icon.pictogram.svg] = None

@@ -10,7 +10,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
 from iconstudio.gui.dragging import unpacked
-from iconstudio.gui.panels.tray import FavouritesTray
+from iconstudio.gui.panels.favourites import FavouritesPanel
 from iconstudio.gui.pictures import Picture, pictured
 from iconstudio.model import Polygon, Sketch
 
@@ -27,7 +27,7 @@ def pictures():
 
 @pytest.fixture
 def tray(qtbot):
-    tray = FavouritesTray("Press F to keep a result.")
+    tray = FavouritesPanel("Press F to keep a result.")
     qtbot.addWidget(tray)
     tray.heard = []
     tray.picked.connect(lambda picture: tray.heard.append(picture))
@@ -48,23 +48,23 @@ def full(tray, pictures):
 
 
 def place(tray, number):
-    return tray.strip.visualRect(tray.strip.model().index(number, 0)).center()
+    return tray.icon_list.visualRect(tray.icon_list.model().index(number, 0)).center()
 
 
 def click(tray, number):
-    QTest.mouseClick(tray.strip.viewport(), LEFT, pos=place(tray, number))
+    QTest.mouseClick(tray.icon_list.viewport(), LEFT, pos=place(tray, number))
 
 
 def ink(tray):
     """Return how many different colours the strip shows."""
-    image = tray.strip.grab().toImage()
+    image = tray.icon_list.grab().toImage()
     size = image.size()
     return len({image.pixel(x, y) for x in range(size.width()) for y in range(size.height())})
 
 
 def test_an_empty_tray_says_how_to_fill_it(tray, pictures):
     assert ink(tray) > 5
-    assert tray.strip.accessibleDescription() == "Press F to keep a result."
+    assert tray.icon_list.accessibleDescription() == "Press F to keep a result."
     assert not tray.button.isEnabled()
     tray.add(pictures[0])
     assert tray.button.isEnabled()
@@ -94,16 +94,16 @@ def test_a_click_picks(full, pictures):
 
 
 def test_the_keyboard_picks_and_removes(full, pictures):
-    full.strip.setFocus()
-    full.strip.setCurrentIndex(full.strip.model().index(0, 0))
-    QTest.keyClick(full.strip, Qt.Key.Key_Right)
-    QTest.keyClick(full.strip, Qt.Key.Key_Return)
-    QTest.keyClick(full.strip, Qt.Key.Key_Delete)
+    full.icon_list.setFocus()
+    full.icon_list.setCurrentIndex(full.icon_list.model().index(0, 0))
+    QTest.keyClick(full.icon_list, Qt.Key.Key_Right)
+    QTest.keyClick(full.icon_list, Qt.Key.Key_Return)
+    QTest.keyClick(full.icon_list, Qt.Key.Key_Delete)
     assert full.pictures == (pictures[0], pictures[2])
-    QTest.keyClick(full.strip, Qt.Key.Key_Space)
+    QTest.keyClick(full.icon_list, Qt.Key.Key_Space)
     assert full.heard == [pictures[1], "changed", pictures[2]]
     for _ in range(3):
-        QTest.keyClick(full.strip, Qt.Key.Key_Delete)
+        QTest.keyClick(full.icon_list, Qt.Key.Key_Delete)
     assert full.pictures == ()
     assert not full.button.isEnabled()
 
@@ -111,8 +111,8 @@ def test_the_keyboard_picks_and_removes(full, pictures):
 def test_the_context_menu_removes(full, pictures, monkeypatch):
     monkeypatch.setattr(QMenu, "popup", lambda *_: None)  # nor can it be seen offscreen
     pos = place(full, 2)
-    event = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, pos, full.strip.mapToGlobal(pos))
-    QApplication.sendEvent(full.strip.viewport(), event)
+    event = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, pos, full.icon_list.mapToGlobal(pos))
+    QApplication.sendEvent(full.icon_list.viewport(), event)
     (action,) = full.menu.actions()
     assert action.text() == "Remove from the favourites"
     action.trigger()
@@ -120,11 +120,13 @@ def test_the_context_menu_removes(full, pictures, monkeypatch):
 
 
 def test_nothing_beside_the_favourites_reacts(full):
-    beside = QPoint(full.strip.width() - 5, 20)
-    QTest.mouseClick(full.strip.viewport(), LEFT, pos=beside)
+    beside = QPoint(full.icon_list.width() - 5, 20)
+    QTest.mouseClick(full.icon_list.viewport(), LEFT, pos=beside)
     QApplication.sendEvent(
-        full.strip.viewport(),
-        QContextMenuEvent(QContextMenuEvent.Reason.Mouse, beside, full.strip.mapToGlobal(beside)),
+        full.icon_list.viewport(),
+        QContextMenuEvent(
+            QContextMenuEvent.Reason.Mouse, beside, full.icon_list.mapToGlobal(beside)
+        ),
     )
     assert full.heard == []
     assert full.menu is None
@@ -133,11 +135,11 @@ def test_nothing_beside_the_favourites_reacts(full):
 def test_many_favourites_are_scrolled(tray, pictures):
     for picture in pictures:
         tray.add(picture)
-    bar = tray.strip.horizontalScrollBar()
+    bar = tray.icon_list.horizontalScrollBar()
     assert bar.maximum() - 2 <= bar.value() > 0, "the newest is in sight"
     wheel = QWheelEvent(
         QPointF(20, 20),
-        QPointF(tray.strip.mapToGlobal(QPoint(20, 20))),
+        QPointF(tray.icon_list.mapToGlobal(QPoint(20, 20))),
         QPoint(),
         QPoint(0, 120),
         Qt.MouseButton.NoButton,
@@ -145,15 +147,15 @@ def test_many_favourites_are_scrolled(tray, pictures):
         Qt.ScrollPhase.NoScrollPhase,
         False,
     )
-    QApplication.sendEvent(tray.strip.viewport(), wheel)
+    QApplication.sendEvent(tray.icon_list.viewport(), wheel)
     assert bar.value() < bar.maximum()
 
 
 def test_a_favourite_is_dragged_away_as_an_icon(full, pictures):
-    index = full.strip.model().index(1, 0)
-    assert full.strip.dragEnabled()
+    index = full.icon_list.model().index(1, 0)
+    assert full.icon_list.dragEnabled()
     assert index.flags() & Qt.ItemFlag.ItemIsDragEnabled
-    data = full.strip.model().mimeData([index])
+    data = full.icon_list.model().mimeData([index])
     icon = unpacked(data)
     assert icon == pictures[1].pictogram()
     assert icon.svg.encode() == data.data("image/svg+xml").data()
@@ -168,7 +170,7 @@ def test_save_all(full):
 
 def test_screen_readers_know_them(full, pictures):
     role = Qt.ItemDataRole
-    model = full.strip.model()
+    model = full.icon_list.model()
     assert model.data(model.index(0, 0), role.AccessibleTextRole) == pictures[0].name
     assert pictures[0].name in model.data(model.index(0, 0), role.ToolTipRole)
-    assert full.strip.accessibleName() == "Favourites"
+    assert full.icon_list.accessibleName() == "Favourites"

@@ -14,7 +14,7 @@ from iconstudio.workflows.events import Event, Recommended, StyleMatched, StyleS
 from iconstudio.workflows.grid import ModelSettings
 
 
-class Board(QSplitter):
+class ResultsBrowser(QSplitter):
     """Shows the events of a run as they come: results by style and lambda_S.
 
     The first result of an object is picked, and stays so while the run goes on; when its first run
@@ -33,7 +33,7 @@ class Board(QSplitter):
     """
 
     picked = Signal(object)
-    made = Signal(object)
+    kept = Signal(object)
     counted = Signal(int)
     sent = Signal(object, str)
 
@@ -110,7 +110,7 @@ class Board(QSplitter):
             self._pick(best)
         self._settled = self._settled or (whole and best is not None)
         if keep and self.results.finished:
-            self.made.emit(best or self.detail.picture)
+            self.kept.emit(best or self.detail.picture)
 
     def _add(self, picture: Picture) -> None:
         if not self.results.add(picture):
@@ -144,7 +144,7 @@ class Board(QSplitter):
     def _keep(self, picture: Picture) -> None:
         self._owed = picture.preview
         if not self._owed:
-            self.made.emit(picture)
+            self.kept.emit(picture)
 
     def _open_menu(self, picture: Picture, spot: QPoint) -> None:
         if not self._destinations:

@@ -29,7 +29,7 @@ def same(one: Picture, other: Picture) -> bool:
     return one is other or one.icon.path == other.icon.path
 
 
-class PictureModel(QAbstractListModel):
+class IconListModel(QAbstractListModel):
     """Results in a row; ``advice`` tells in their tool tips what can be done with them."""
 
     def __init__(self, parent: QWidget, advice: str) -> None:
@@ -67,7 +67,7 @@ class PictureModel(QAbstractListModel):
         self.endResetModel()
 
 
-class PictureDelegate(QStyledItemDelegate):
+class IconListDelegate(QStyledItemDelegate):
     """Draws a result on a sheet of its own, ``side`` device-independent pixels wide."""
 
     def __init__(self, parent: QWidget, side: int) -> None:
@@ -80,21 +80,21 @@ class PictureDelegate(QStyledItemDelegate):
 
     def paint(self, painter: QPainter, option, index: _Index) -> None:
         """Draw one result."""
-        look = theme.current()
+        scheme = theme.current()
         picture = index.model().pictures[index.row()]
         box = QRectF(option.rect).adjusted(1.5, 1.5, -1.5, -1.5)
         hovered = bool(option.state & QStyle.StateFlag.State_MouseOver)
         focused = bool(option.state & QStyle.StateFlag.State_HasFocus)
         painter.save()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.setPen(QPen(look.color("accent" if focused else "border"), 1.5 if focused else 1))
-        painter.setBrush(look.color("accent_soft" if hovered else "surface"))
+        painter.setPen(QPen(scheme.color("accent" if focused else "border"), 1.5 if focused else 1))
+        painter.setBrush(scheme.color("accent_soft" if hovered else "surface"))
         painter.drawRoundedRect(box, 6, 6)
-        picture.paint(painter, box.adjusted(2, 2, -2, -2), look.color("text"))
+        picture.paint(painter, box.adjusted(2, 2, -2, -2), scheme.color("text"))
         painter.restore()
 
 
-class PictureStrip(QListView):
+class IconList(QListView):
     """One row of results; ``hint`` is shown as long as there is none.
 
     Signals
@@ -123,9 +123,9 @@ class PictureStrip(QListView):
         super().__init__(parent)
         self._wrapping = wrapping
         self._hint = hint
-        self._model = PictureModel(self, advice)
+        self._model = IconListModel(self, advice)
         self.setModel(self._model)
-        self.setItemDelegate(PictureDelegate(self, side))
+        self.setItemDelegate(IconListDelegate(self, side))
         self.setFlow(QListView.Flow.LeftToRight)
         self.setUniformItemSizes(True)
         self.setWrapping(wrapping)

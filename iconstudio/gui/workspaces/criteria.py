@@ -6,7 +6,7 @@ from iconstudio.gui.document import Document, Page
 from iconstudio.model import Axis
 
 
-class Wish(Protocol):
+class Criteria(Protocol):
     """What the icons that lend parts must be, and the results."""
 
     @property
@@ -25,40 +25,40 @@ class Wish(Protocol):
         ...
 
 
-class WishingPage(Page, Protocol):
+class CriteriaPage(Page, Protocol):
     """A page with a wish."""
 
     @property
-    def wish(self) -> Wish:
+    def criteria(self) -> Criteria:
         """The wish."""
         ...
 
-    def wishing(self, **values: object) -> Self:
+    def with_criteria(self, **values: object) -> Self:
         """Return the page with some values of the wish changed."""
         ...
 
 
-WishingDocument = Document[WishingPage]
+CriteriaDocument = Document[CriteriaPage]
 
 
-def set_keyword(document: WishingDocument, keyword: str) -> None:
+def set_keyword(document: CriteriaDocument, keyword: str) -> None:
     """Name the object. Letters typed one after the other are undone together."""
-    document.change("name the object", document.page.wishing(keyword=keyword), "keyword")
+    document.change("name the object", document.page.with_criteria(keyword=keyword), "keyword")
 
 
-def toggle_icon(document: WishingDocument, icon: str) -> None:
+def toggle_icon(document: CriteriaDocument, icon: str) -> None:
     """Leave an icon of the collection out, or take it in again."""
-    exclude_icons(document, document.page.wish.exclude ^ {icon})
+    exclude_icons(document, document.page.criteria.exclude ^ {icon})
 
 
-def exclude_icons(document: WishingDocument, exclude: frozenset[str]) -> None:
+def exclude_icons(document: CriteriaDocument, exclude: frozenset[str]) -> None:
     """Say which icons must not be used."""
-    fewer = exclude < document.page.wish.exclude
+    fewer = exclude < document.page.criteria.exclude
     text = "use icon again" if fewer else "leave icon out"
-    document.change(text, document.page.wishing(exclude=exclude))
+    document.change(text, document.page.with_criteria(exclude=exclude))
 
 
-def set_symmetry(document: WishingDocument, axis: Axis | None) -> None:
+def set_symmetry(document: CriteriaDocument, axis: Axis | None) -> None:
     """Say which halves of the results must mirror each other."""
     text = "hold to symmetry" if axis else "drop symmetry"
-    document.change(text, document.page.wishing(symmetry=axis))
+    document.change(text, document.page.with_criteria(symmetry=axis))
