@@ -1,4 +1,4 @@
-"""Runs that follow the hand: of what is wanted, only the newest is made."""
+"""Runs that follow the hand: of many requests, only the newest is met."""
 
 from collections.abc import Callable
 
@@ -12,7 +12,7 @@ class Coalescing(QObject):
 
     A run that has become out of date is still owed something to show: were it dropped at once, a
     hand that never rests would see nothing at all. So what is wanted meanwhile waits until the run
-    has shown something (``enough``) or is over, but no longer than ``patience`` milliseconds since
+    has shown something (``release``) or is over, but no longer than ``patience`` milliseconds since
     its start.
 
     Parameters

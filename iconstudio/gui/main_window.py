@@ -128,7 +128,7 @@ class MainWindow(QMainWindow):
 
     @property
     def pane(self) -> WorkspacePane:
-        """The desk in sight."""
+        """The pane in sight."""
         return self.panes.currentWidget()
 
     @property
@@ -174,7 +174,7 @@ class MainWindow(QMainWindow):
         return self.workspace.workflow.name if self.panes.count() else ""
 
     def _pane(self, number: int) -> WorkspacePane:
-        """Return a workspace's desk, made if it is the first time."""
+        """Return a workspace's pane, made if it is the first time."""
         if number not in self._made:
             workflow = self._workflows[number]
             kind = named(workflow.workspace or PLAIN)

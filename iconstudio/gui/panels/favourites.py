@@ -1,4 +1,4 @@
-"""The tray of favourites: the results that the user keeps."""
+"""The favourites: the results that the user keeps."""
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QMenu, QPushButton, QWidget

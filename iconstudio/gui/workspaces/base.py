@@ -214,7 +214,7 @@ class Workspace(QWidget):
         }
 
     def connect_browser(self, browser: ResultsBrowser) -> None:
-        """Pass on what happens on a board of results."""
+        """Pass on what happens in a browser of results."""
         browser.picked.connect(self.picked)
         browser.kept.connect(self.kept)
         browser.counted.connect(self.counted)

@@ -26,15 +26,15 @@ class Criteria(Protocol):
 
 
 class CriteriaPage(Page, Protocol):
-    """A page with a wish."""
+    """A page with criteria."""
 
     @property
     def criteria(self) -> Criteria:
-        """The wish."""
+        """The criteria."""
         ...
 
     def with_criteria(self, **values: object) -> Self:
-        """Return the page with some values of the wish changed."""
+        """Return the page with some of the criteria changed."""
         ...
 
 

@@ -49,7 +49,7 @@ class LiveSource:
         """Return style and lambda_S of the result that the user looks at."""
         raise NotImplementedError
 
-    def events(self, wanted: object, settings: ModelSettings) -> Generator[Event]:
+    def events(self, inputs: object, settings: ModelSettings) -> Generator[Event]:
         """Return the run that makes the results. Called in the worker's thread."""
         raise NotImplementedError
 
@@ -181,7 +181,7 @@ class Runs(QObject):
 
     def _begin(self, by_hand: bool) -> None:
         page, sheet, before = self._page, self._page.document.page, self._ran_page
-        wanted, settings, title = page.inputs(), page.settings(), sheet.criteria.keyword.strip()
+        inputs, settings, title = page.inputs(), page.settings(), sheet.criteria.keyword.strip()
         afresh = not self.live or before is None or sheet.elsewhere(before)
         focus = page.focus() if self.live and not afresh else None
         self._focus = focus if focus and focus[0] in settings.styles else None
@@ -189,9 +189,9 @@ class Runs(QObject):
             settings = replace(settings, side=FINE_SIDE)
         if self.live:
             settings = replace(settings, focus=self._focus or _middle(settings), previews=True)
-        self.ran, self._ran_page, self._by_hand = wanted, sheet, by_hand
+        self.ran, self._ran_page, self._by_hand = inputs, sheet, by_hand
         self._ran_fine = self.fine
-        self.runner.start(lambda: pictured(page.events(wanted, settings), title))
+        self.runner.start(lambda: pictured(page.events(inputs, settings), title))
         self.began.emit(settings, afresh)
 
     def _drop(self) -> None:

@@ -192,7 +192,7 @@ class RemixWorkspace(Workspace, LiveSource):
         self.browser.show_event(event)
 
     def show_criteria(self, name: str) -> None:
-        """Show the wish of the page; results of another ``name`` of work are called so."""
+        """Show the criteria of the page; results of another ``name`` of work are called so."""
         criteria = self.document.page.criteria
         self.keyword_panel.set_sketch(criteria.keyword, criteria.exclude)
         self.preparation.request(Query.of(criteria.keyword, criteria.exclude))

@@ -1,4 +1,4 @@
-"""What lies on the canvas of an edit: an icon, areas to remove and to add, and the wish."""
+"""What lies on the canvas of an edit: an icon, areas to remove and to add, and what its parts must be."""
 
 from dataclasses import dataclass, replace
 from enum import Enum

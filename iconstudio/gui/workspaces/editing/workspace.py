@@ -55,7 +55,7 @@ WELCOME = (
 )
 
 
-class Wanted(NamedTuple):
+class EditInputs(NamedTuple):
     """What the results are of."""
 
     edit: Edit | None
@@ -159,9 +159,9 @@ class EditWorkspace(RemixWorkspace):
 
     # -- editing -------------------------------------------------------------------------------
 
-    def inputs(self) -> Wanted:
+    def inputs(self) -> EditInputs:
         """Return the edit and the mode."""
-        return Wanted(self.document.page.edit(), self.actions_by_name["styles"].isChecked())
+        return EditInputs(self.document.page.edit(), self.actions_by_name["styles"].isChecked())
 
     def settings(self) -> ModelSettings:
         """Return the styles of the icon, or all."""
@@ -170,9 +170,9 @@ class EditWorkspace(RemixWorkspace):
             ModelSettings() if every else ModelSettings(styles=own_styles(self.document.page.icon))
         )
 
-    def events(self, wanted: Wanted, settings: ModelSettings) -> Generator[Event]:
+    def events(self, inputs: EditInputs, settings: ModelSettings) -> Generator[Event]:
         """Return the run of an edit."""
-        return self.session.run(self.workflow, wanted.edit, settings)
+        return self.session.run(self.workflow, inputs.edit, settings)
 
     def complete(self) -> None:
         """Close an area that is still open."""

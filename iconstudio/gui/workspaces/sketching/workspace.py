@@ -133,9 +133,9 @@ class SketchWorkspace(RemixWorkspace):
         """Return all styles."""
         return ModelSettings()
 
-    def events(self, wanted: Sketch, settings: ModelSettings) -> Generator[Event]:
+    def events(self, inputs: Sketch, settings: ModelSettings) -> Generator[Event]:
         """Return the run of a sketch."""
-        return self.session.run(self.workflow, wanted, settings)
+        return self.session.run(self.workflow, inputs, settings)
 
     def complete(self) -> None:
         """Close an outline that is still open."""
