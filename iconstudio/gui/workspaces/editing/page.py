@@ -1,4 +1,4 @@
-"""What lies on the canvas of an edit: an icon, areas to remove and to add, and what its parts must be."""
+"""What lies on the canvas of an edit: an icon, areas to remove and to add, and the criteria."""
 
 from dataclasses import dataclass, replace
 from enum import Enum
