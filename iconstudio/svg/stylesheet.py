@@ -3,6 +3,7 @@
 Says which declarations apply to each element, and in which order; ``styles`` says what they mean.
 """
 
+import math
 import re
 import xml.etree.ElementTree as ET
 from collections.abc import Iterator, Sequence
@@ -14,10 +15,13 @@ import tinycss2
 
 from iconstudio.model import IconstudioError
 from iconstudio.svg.parse import SHEET_ELSEWHERE
+from iconstudio.svg.supports import supported
 
 Declared = tuple[str, str, bool]
 """Property, value and whether it is important."""
 Frame = tuple[float, list[Declared]]
+Layer = tuple[float, ...]
+"""The place of a cascade layer: its number in the layer around it, after all that are around."""
 MAX_RULES = 5_000
 MAX_MATCHES = 300_000
 """How often rules may apply to elements."""
@@ -35,6 +39,10 @@ _FEATURES = {
     "color": (),
 }
 """What media features are taken to be."""
+_CONDITIONAL = ("media", "supports", "layer", "scope")
+_NESTING = ("media", "supports", "layer")
+_OUTSIDE = (math.inf,)
+"""What is in no layer (of those in a layer), and wins."""
 _FONTS = re.compile(r"font", re.IGNORECASE)
 
 
@@ -54,6 +62,8 @@ class StyleSheet:
     remarks: list[str] = field(default_factory=list)
     _matcher: Any = field(default_factory=cssselect2.Matcher)
     _rules: int = 0
+    _layers: dict[Layer, dict[str, float]] = field(default_factory=dict)
+    """The numbers of the layers in each, by name."""
 
     @classmethod
     def of(cls, root: ET.Element) -> "StyleSheet":
@@ -79,14 +89,14 @@ class StyleSheet:
         for wrapped in cssselect2.ElementWrapper.from_xml_root(root).iter_subtree():
             element = wrapped.etree_element
             declared = [(name, value, False) for name, value in element.items() if name != "style"]
+            layered: list[tuple[Layer, list[Declared]]] = []
             if self._rules:
                 found = self._matcher.match(wrapped)
                 count += len(found)
                 if count > MAX_MATCHES:
                     raise IconstudioError("Its style rules apply too often. Simplify it.")
-                for *_, pseudo, declarations in found:
-                    if pseudo is None:
-                        declared += declarations
+                layered = [payload for *_, pseudo, payload in found if pseudo is None]
+            declared += _cascaded(layered)
             declared += declarations_of(element.get("style", ""))
             declared.sort(key=lambda one: one[2])
             yield element, declared
@@ -95,29 +105,56 @@ class StyleSheet:
         text = text.strip().removeprefix("<!--").removesuffix("-->")
         self._take(tinycss2.parse_stylesheet(text, skip_comments=True, skip_whitespace=True))
 
-    def _take(self, rules: Sequence[Any]) -> None:
+    def _take(self, rules: Sequence[Any], layer: Layer = ()) -> None:
         for rule in rules:
             match rule.type:
                 case "qualified-rule":
-                    self._add(tinycss2.serialize(rule.prelude).strip(), rule.content)
+                    self._add(tinycss2.serialize(rule.prelude).strip(), rule.content, layer)
                 case "at-rule":
-                    self._at(rule)
+                    self._at(rule, layer)
                 case "error":
                     self.remarks.append("A part of the style sheet was not understood.")
 
-    def _at(self, rule: Any) -> None:
+    def _at(self, rule: Any, layer: Layer) -> None:
         keyword, prelude = rule.lower_at_keyword, tinycss2.serialize(rule.prelude).strip()
-        if keyword in ("media", "supports", "layer", "scope") and rule.content:
-            if keyword != "media" or self._applies(prelude):
+        if keyword == "layer" and rule.content is None:
+            for name in prelude.split(","):
+                self._layer(name, layer)
+        elif keyword in _CONDITIONAL and rule.content is not None:
+            inner = self._within(rule, layer)
+            if inner is not None:
                 self._take(
-                    tinycss2.parse_rule_list(rule.content, skip_comments=True, skip_whitespace=True)
+                    tinycss2.parse_rule_list(
+                        rule.content, skip_comments=True, skip_whitespace=True
+                    ),
+                    inner,
                 )
         elif keyword.endswith("keyframes") and rule.content:
             self.keyframes[prelude.strip("\"'")] = list(_frames(rule.content))
         elif keyword == "import" and not _FONTS.search(prelude):
             self.remarks.append(SHEET_ELSEWHERE)
 
-    def _add(self, selector: str, content: Any) -> None:
+    def _within(self, rule: Any, layer: Layer) -> Layer | None:
+        """Return the layer of what is in an at-rule; None if it does not apply."""
+        prelude = tinycss2.serialize(rule.prelude).strip()
+        match rule.lower_at_keyword:
+            case "media":
+                return layer if self._applies(prelude) else None
+            case "supports":
+                return layer if supported(prelude) else None
+            case "layer":
+                return self._layer(prelude, layer)
+        return layer
+
+    def _layer(self, name: str, outer: Layer) -> Layer:
+        """Return the place of a layer, ``a.b`` or without a name: that of its first mention."""
+        for part in name.split("."):
+            inner = self._layers.setdefault(outer, {})
+            key = part.strip() or f" {len(inner)}"  # another one for each without a name
+            outer = *outer, inner.setdefault(key, float(len(inner)))
+        return outer
+
+    def _add(self, selector: str, content: Any, layer: Layer) -> None:
         """Add a rule, and those nested in it."""
         self._rules += 1
         if self._rules > MAX_RULES:
@@ -135,14 +172,17 @@ class StyleSheet:
             )
             return
         for one in compiled:
-            self._matcher.add_selector(one, declarations)
+            self._matcher.add_selector(one, ((*layer, *_OUTSIDE), declarations))
         for part in parts:
             if part.type == "qualified-rule":
-                self._add(_nested(tinycss2.serialize(part.prelude), selector), part.content)
-            elif part.type == "at-rule" and part.lower_at_keyword == "media" and part.content:
-                if self._applies(tinycss2.serialize(part.prelude).strip()):
-                    self._add(selector, part.content)
-            elif part.type == "at-rule":
+                self._add(_nested(tinycss2.serialize(part.prelude), selector), part.content, layer)
+            elif part.type != "at-rule":
+                continue
+            elif part.lower_at_keyword in _NESTING and part.content:
+                inner = self._within(part, layer)
+                if inner is not None:
+                    self._add(selector, part.content, inner)
+            else:
                 self.remarks.append(f"“@{part.at_keyword}” within a style rule was left out.")
 
     @staticmethod
@@ -174,6 +214,16 @@ def _within(name: str, value: str) -> bool:
     size = 1.0 if "resolution" in name or "pixel-ratio" in name else _SCREEN
     bound = float(number[0]) * (16 if value.endswith("em") else 1)
     return size >= bound if name.startswith("min-") else size <= bound
+
+
+def _cascaded(layered: Sequence[tuple[Layer, list[Declared]]]) -> list[Declared]:
+    """Return what rules declare, the strongest last: where it is important, of the first layer."""
+    found = [(layer, one) for layer, declarations in layered for one in declarations]
+    plain = sorted((one for one in found if not one[1][2]), key=lambda one: one[0])
+    important = sorted(
+        (one for one in found if one[1][2]), key=lambda one: [-number for number in one[0]]
+    )
+    return [one for _, one in [*plain, *important]]
 
 
 def declarations_of(style: str) -> list[Declared]:
