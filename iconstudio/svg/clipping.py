@@ -5,7 +5,7 @@ import re
 import xml.etree.ElementTree as ET
 from collections.abc import Mapping
 
-from iconstudio.svg.geometry import bounds
+from iconstudio.svg.bounds import bounds
 from iconstudio.svg.lengths import Box, length
 
 _SHAPE = re.compile(r"(polygon|circle|ellipse|inset|path|rect|xywh)\(([^()]*)\)", re.IGNORECASE)

@@ -113,6 +113,11 @@ def mapped(matrix: Matrix, box: Box) -> Box:
     return min(xs), min(ys), max(xs) - min(xs), max(ys) - min(ys)
 
 
+def enlarged(box: Box, by: float) -> Box:
+    """Return a box that is larger by as much on every side."""
+    return box[0] - by, box[1] - by, box[2] + 2 * by, box[3] + 2 * by
+
+
 def written(values: "tuple[float, ...]") -> str:
     """Return numbers as SVG writes them, to a relative precision of 1e-9."""
     return " ".join(f"{float(value):.10g}" for value in values)

@@ -4,7 +4,8 @@ import re
 import xml.etree.ElementTree as ET
 from collections.abc import Mapping
 
-from iconstudio.svg.geometry import SHAPES, bounds, data_length, moved, path_data, viewport
+from iconstudio.svg.bounds import bounds, viewport
+from iconstudio.svg.geometry import SHAPES, data_length, moved, path_data
 from iconstudio.svg.lengths import (
     IDENTITY,
     Box,

@@ -11,19 +11,20 @@ from dataclasses import dataclass
 
 from iconstudio.svg import references, shadows, sprites
 from iconstudio.svg.animation import finish
+from iconstudio.svg.bounds import bounds
 from iconstudio.svg.check import check
 from iconstudio.svg.clipping import clip
 from iconstudio.svg.embedding import embed
 from iconstudio.svg.filters import leave_out_distortions
-from iconstudio.svg.geometry import SHAPES, bounds
+from iconstudio.svg.geometry import SHAPES
 from iconstudio.svg.lengths import IDENTITY, Box, Matrix, numbers, pixels, written
+from iconstudio.svg.lettering import TEXTS, set_type
 from iconstudio.svg.pathdata import cut_off_mistakes
 from iconstudio.svg.placing import place
 from iconstudio.svg.styles import ONLY_IN_STYLE, apply_styles
 
 _GROUPS = ("svg", "g", "a", "switch", "symbol", "defs", "use")
 _SERVERS = ("clipPath", "mask", "pattern", "marker", "stop", *references.GRADIENTS)
-_TEXTS = ("text", "tspan", "textPath")
 _SILENT = (
     "title", "desc", "metadata", "style", "view", "cursor", "font", "font-face", "glyph",
     "missing-glyph", "hkern", "vkern", "color-profile", "script", "slot",
@@ -53,7 +54,6 @@ _OF_ROOTS = (
     "viewBox", "width", "height", "x", "y", "preserveAspectRatio", "version", "baseProfile",
     "overflow", "id", "zoomAndPan", "contentScriptType", "contentStyleType",
 )  # fmt: skip
-_BOLD = 600
 _MANY = 8
 """Masks and clips, from which on they are slow to draw."""
 
@@ -110,7 +110,7 @@ def plain(
     ids, outside = references.resolve(root)
     kept = references.drawn(root, ids)
     page, stretch = _page(root)
-    if not any(element.tag in SHAPES or element.tag in _TEXTS for element in kept):
+    if not any(element.tag in SHAPES or element.tag in TEXTS for element in kept):
         if len(symbols) > 1 and symbol is None:
             raise sprites.several(list(symbols))
         for only in symbols.values() if symbol is None else ():
@@ -131,7 +131,7 @@ def plain(
     remarks += place(root, page, ids)
     remarks += clip(root, page, ids)
     _without_contexts(root, False)
-    _set_fonts(root, False)
+    set_type(root)
     content = _content(root, stretch)
     return Plain(
         content,
@@ -171,7 +171,7 @@ def _without_unknown(root: ET.Element, kept: set[ET.Element]) -> list[str]:
     remarks = []
     for parent in list(root.iter()):
         for child in list(parent):
-            known = child.tag in (*_GROUPS, *SHAPES, *_SERVERS, *_TEXTS) or (
+            known = child.tag in (*_GROUPS, *SHAPES, *_SERVERS, *TEXTS) or (
                 child.tag == "filter" or (child.tag.startswith("fe") and child.tag != "feImage")
             )
             if known:
@@ -211,18 +211,6 @@ def _without_contexts(element: ET.Element, marker: bool) -> None:
             del element.attrib[name]
     for child in element:
         _without_contexts(child, marker)
-
-
-def _set_fonts(element: ET.Element, bold: bool) -> None:
-    """Let all text be in the fonts that come with the program."""
-    weight = element.attrib.pop("font-weight", None)
-    if weight is not None and weight != "inherit":
-        bold = weight in ("bold", "bolder") or (weight.isdecimal() and int(weight) >= _BOLD)
-    element.attrib.pop("font-family", None)
-    if element.tag in _TEXTS:
-        element.set("font-family", "Inter Semi Bold" if bold else "Inter")
-    for child in element:
-        _set_fonts(child, bold)
 
 
 def _content(root: ET.Element, stretch: Matrix) -> ET.Element:

@@ -13,6 +13,7 @@ from iconstudio.svg.animation import MIDWAY, MOVING, vanishes
 from iconstudio.svg.calculation import calculated
 from iconstudio.svg.clipping import is_basic_shape
 from iconstudio.svg.colours import colour
+from iconstudio.svg.fonts import font
 from iconstudio.svg.instances import own_copies
 from iconstudio.svg.lengths import Box, page_of, whole_of
 from iconstudio.svg.stylesheet import Declared, Frame, StyleSheet
@@ -29,8 +30,9 @@ _KEYWORDS = (
     "display", "visibility", "overflow", "fill-rule", "clip-rule", "stroke-linecap",
     "stroke-linejoin", "paint-order", "vector-effect", "mask-type", "text-anchor", "font-style",
     "font-variant", "font-weight", "font-stretch", "dominant-baseline", "alignment-baseline",
-    "writing-mode", "direction", "text-decoration", "shape-rendering", "color-interpolation",
-    "color-interpolation-filters", "mix-blend-mode", "isolation", "transform-box",
+    "writing-mode", "direction", "text-decoration", "text-transform", "shape-rendering",
+    "color-interpolation", "color-interpolation-filters", "mix-blend-mode", "isolation",
+    "transform-box",
 )  # fmt: skip
 _OTHER = ("stroke-dasharray", "font-family", "transform", "transform-origin", "translate", "rotate",
           "scale", "d")  # fmt: skip
@@ -45,7 +47,7 @@ _INHERITED = frozenset(
         "marker-end", "paint-order", "text-anchor", "font-size", "font-family", "font-style",
         "font-variant", "font-weight", "font-stretch", "letter-spacing", "word-spacing",
         "shape-rendering", "color-interpolation", "color-interpolation-filters", "writing-mode",
-        "direction",
+        "direction", "text-transform",
     )
 )  # fmt: skip
 INITIAL = {
@@ -115,7 +117,7 @@ def apply_styles(root: ET.Element, midway: bool = False) -> list[str]:
         above = parents.get(element)
         inherited = {} if above is None else variables.get(above, {})
         known = variables[element] = inherited | own if own else inherited
-        _apply(element, _by_property(declared), known, page, remarks)
+        _apply(element, _by_property(declared, known), known, page, remarks)
     return remarks
 
 
@@ -150,14 +152,30 @@ def _animated(declared: list[Declared], frames: Sequence[Frame]) -> dict[str, st
     return {name: value for name, value, _ in declared if name in names}
 
 
-def _by_property(declared: list[Declared]) -> dict[str, list[str]]:
+def _by_property(declared: list[Declared], variables: dict[str, str]) -> dict[str, list[str]]:
     """Return the values of each property, the strongest last."""
     found: dict[str, list[str]] = {}
+
+    def add(name: str, value: str) -> None:
+        if name in PROPERTIES:
+            found.setdefault(name, []).append(value)
+
     for name, value, _ in declared:
+        if name == "font":
+            for one, part in _font(value, variables).items():
+                add(one, part)
+            continue
         for one in _SHORTHANDS.get(name, (name,)):
-            if one in PROPERTIES:
-                found.setdefault(one, []).append(value)
+            add(one, value)
     return found
+
+
+def _font(value: str, variables: dict[str, str]) -> dict[str, str]:
+    """Return the properties that the shorthand of fonts sets; none if it is not understood."""
+    try:
+        return font(_substituted(value, variables))
+    except _UnsetError:
+        return {}
 
 
 def _apply(
