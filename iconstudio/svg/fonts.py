@@ -1,6 +1,8 @@
 """The shorthand of fonts in style sheets (CSS Fonts 4, section 2.7)."""
 
-import tinycss2
+from typing import Any
+
+from iconstudio.svg.stylesheet import tokens_of
 
 _WEIGHTS = ("bold", "bolder", "lighter")
 _STYLES = ("italic", "oblique")
@@ -22,9 +24,9 @@ def font(value: str) -> dict[str, str]:
     if value.strip().lower() in _OF_ALL:
         return dict.fromkeys(_LONGHANDS, value.strip())
     found = dict.fromkeys(_LONGHANDS[:4], "normal")
-    tokens = tinycss2.parse_component_value_list(value, skip_comments=True)
+    tokens = tokens_of(value)
     for place, token in enumerate(tokens):
-        word = tinycss2.serialize([token]).strip().lower()
+        word = token.serialize().strip().lower()
         if token.type in ("dimension", "percentage", "function") or word in _SIZES:
             family = _family(tokens[place + 1 :])
             return found | {"font-size": word, "font-family": family} if family else {}
@@ -41,9 +43,9 @@ def font(value: str) -> dict[str, str]:
     return {}
 
 
-def _family(tokens: list[tinycss2.ast.Node]) -> str:
+def _family(tokens: list[Any]) -> str:
     """Return what follows the size, without the height of lines."""
-    rest = [one for one in tokens if one.type != "whitespace"]
+    rest = [one for one in tokens if one.type not in ("whitespace", "comment")]
     if rest and rest[0] == "/":
         rest = rest[2:]
-    return tinycss2.serialize(rest).strip()
+    return "".join(str(one.serialize()) for one in rest)

@@ -8,22 +8,20 @@ import re
 from collections.abc import Callable, Sequence
 from typing import Any
 
-import tinycss2
-
 from iconstudio.svg.colours import colour
 
 
-def is_known(declaration: Any) -> bool:
-    """Whether browsers know a property and may take its value."""
-    name, value = declaration.lower_name, tinycss2.serialize(declaration.value).strip()
-    if declaration.name.startswith("--"):
+def is_known(name: str, tokens: Sequence[Any]) -> bool:
+    """Whether browsers know a property and may take a value, in tokens without blanks."""
+    if name.startswith("--"):
         return True
-    name = _PREFIXED.get(name, name)
+    name = _PREFIXED.get(name.lower(), name.lower())
+    value = " ".join(one.serialize() for one in tokens)
     if name not in _PROPERTIES or not value:
         return False
     if value.lower() in _OF_ALL:
         return True
-    functions = set(_functions(declaration.value))
+    functions = set(_functions(tokens))
     if functions & _SUBSTITUTED:
         return True
     if not functions <= _FUNCTIONS:

@@ -39,6 +39,11 @@ _FEATURES = {
     "color": (),
 }
 """What media features are taken to be."""
+_PSEUDO_ELEMENTS = (
+    None, "before", "after", "first-line", "first-letter", "selection", "marker", "placeholder",
+    "backdrop", "cue", "part", "slotted", "file-selector-button", "target-text", "highlight",
+    "view-transition", "details-content",
+)  # fmt: skip
 _CONDITIONAL = ("media", "supports", "layer", "scope")
 _NESTING = ("media", "supports", "layer")
 _OUTSIDE = (math.inf,)
@@ -141,7 +146,7 @@ class StyleSheet:
             case "media":
                 return layer if self._applies(prelude) else None
             case "supports":
-                return layer if supported(prelude) else None
+                return layer if supported(rule.prelude, _is_selector) else None
             case "layer":
                 return self._layer(prelude, layer)
         return layer
@@ -214,6 +219,15 @@ def _within(name: str, value: str) -> bool:
     size = 1.0 if "resolution" in name or "pixel-ratio" in name else _SCREEN
     bound = float(number[0]) * (16 if value.endswith("em") else 1)
     return size >= bound if name.startswith("min-") else size <= bound
+
+
+def _is_selector(said: str) -> bool:
+    """Whether browsers may know a selector."""
+    try:
+        found = cssselect2.compile_selector_list(said)
+    except cssselect2.SelectorError:
+        return False
+    return all(one.pseudo_element in _PSEUDO_ELEMENTS for one in found)
 
 
 def _cascaded(layered: Sequence[tuple[Layer, list[Declared]]]) -> list[Declared]:
