@@ -18,7 +18,7 @@ _QUOTED = re.compile(r"\s*=\s*(\"[^\"]*\"|'[^']*')")
 _BRACED = re.compile(r"\s*=\s*\{")
 _VALID = re.compile(r"[A-Za-z_][\w.:-]*")
 _BARE = re.compile(r"\s*=\s*([^\s>{\"']+)")
-_MUSTACHE = re.compile(r"\{\{(.*?)\}\}|\{([^{}]*)\}", re.DOTALL)
+_MUSTACHE = re.compile(r"\{\{(.*?)\}\}|\$?\{([^{}]*)\}", re.DOTALL)
 _BOUND = re.compile(r"(?::|[vx]-bind:|\[attr\.|\[)([A-Za-z][\w:-]*)\]?")
 _PAINTS = ("fill", "stroke", "color", "stop-color", "stopColor")
 _SHAPING = re.compile(

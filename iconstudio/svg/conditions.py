@@ -38,6 +38,10 @@ _OPEN_IN_CODE = re.compile(
     r"(?P<word>if|unless|case|switch)\b(?P<condition>.*?)(?:\bthen|:|\{)?|.*(?:\bdo(?:\s*\|.*\|)?|\{|:)",
     re.DOTALL,
 )
+_DEFINING = re.compile(
+    r"(?:\w+\s+)*(?:function|class|def|namespace)\b|\$\w+\s*=\s*(?:function|fn)\b"
+)
+"""Code whose block is not repeated."""
 _AT = re.compile(
     r"(?<![\w.@])@(if|elseif|else|unless|for|foreach|forelse|while|switch|case|default|empty|break"
     r"|end[a-z]+)\b[ \t]*(?=(\()?)"
@@ -165,7 +169,7 @@ def _follow(
     if opened is None or (kind == "svelte" and not said.startswith("#")):
         return False
     found = opened.groupdict()
-    word = found.get("name") or found["word"] or "do"
+    word = found.get("name") or found["word"] or ("define" if _DEFINING.match(said) else "do")
     condition = found["condition"] or ""
     if found.get("name"):
         condition = found["section"].replace("#", "").replace("^", "!") + word

@@ -5,15 +5,18 @@ nodes of elements (Lucide, Tabler, Ant Design, react-icons), and path data alone
 """
 
 import re
+import xml.etree.ElementTree as ET
 from collections.abc import Iterator
 from typing import Any
 from xml.sax.saxutils import quoteattr
 
-from iconstudio.svg.geometry import SHAPES, data_bounds
+from iconstudio.svg.bounds import union
+from iconstudio.svg.created import Created, elements, tag_created
+from iconstudio.svg.geometry import SHAPES, data_bounds, path_data
 from iconstudio.svg.javascript import Names
 from iconstudio.svg.methods import said
 from iconstudio.svg.names import attribute_name
-from iconstudio.svg.syntax import Node, UnknownError, name_of, parsed, text_of
+from iconstudio.svg.syntax import Node, UnknownError, below, name_of, parsed, text_of
 
 _PATH = re.compile(
     r"\s*[Mm]\s*[-+.\d][\d\s,.eE+\-MmLlHhVvCcSsQqTtAaZz]*[HhVvLlCcSsQqTtAaZz][\d\s,.eE+-]*"
@@ -23,6 +26,7 @@ _NAMED = ("variable_declarator", "pair", "function_declaration", "public_field_d
 _TAGS = ("g", *SHAPES)
 _SIDE = 24.0
 """The side of a page of which nothing is said, if the drawing lies in it."""
+_PAGE = (0.0, 0.0, _SIDE, _SIDE)
 _BY_DEFAULT = 16.0
 """The side of Iconify's pages of which nothing is said."""
 _LINES = {
@@ -53,7 +57,7 @@ def markup(text: str) -> str | None:
 
 def _is_plausible(text: str) -> bool:
     return (
-        re.search(r"[\"'`]\s*[Mm]\s*[-+.\d]|[\"'`](?:path|circle|rect|line|body)\b", text)
+        re.search(r"[\"'`]\s*[Mm]\s*[-+.\d]|[\"'`](?:path|circle|rect|line|body|poly\w+)\b", text)
         is not None
     )
 
@@ -78,13 +82,21 @@ def _icons(text: str) -> Iterator[tuple[str, Icon]]:
     open_: list[tuple[Node, str, dict[str, float]]] = [(parsed(f"({text}\n)"), "icon", {})]
     if text[:1] not in "{[":
         open_ = [(parsed(text), "icon", {})]
+    rooted = any(tag_created(one) == "svg" for one in below(open_[0][0]))
     while open_:
         node, name, page = open_.pop()
-        if node.type.startswith("jsx") or _makes_element(node):
+        if node.type.startswith("jsx"):
             continue  # a part of a drawing
+        if _creates(node):
+            icon = _read(node, names, page)
+            if icon is not None and (tag_created(node) == "svg" or not rooted):
+                yield name, icon
+            continue
         if node.type in _NAMED:
             own = name_of(node)
             name = own if own not in ("icon", "default", "icons", "d", "path") else name
+        if node.type == "array" and [one.type for one in node.named_children[:1]] == ["string"]:
+            name = text_of(node.named_children[0]).strip("\"'")  # of Phosphor's maps
         if node.type in ("object", "array", "string", "template_string"):
             icon = _read(node, names, page)
             if icon is not None:
@@ -95,11 +107,11 @@ def _icons(text: str) -> Iterator[tuple[str, Icon]]:
         open_ += [(child, name, page) for child in reversed(node.named_children)]
 
 
-def _makes_element(node: Node) -> bool:
-    """Whether a call makes an element, as compiled code does: ``jsx("path", {d: "..."})``."""
-    given = node.child_by_field_name("arguments") if node.type == "call_expression" else None
-    first = text_of(given.named_children[0]) if given and given.named_children else ""
-    return first.strip("\"'") in ("svg", *_TAGS)
+def _creates(node: Node) -> bool:
+    """Whether compiled code creates elements there: ``jsx("path", {d: "..."})``, or a list."""
+    if node.type == "array" and node.named_children:
+        return all(tag_created(one) is not None for one in node.named_children)
+    return tag_created(node) is not None
 
 
 def _about(node: Node, name: str, page: dict[str, float]) -> tuple[str, dict[str, float]]:
@@ -128,6 +140,11 @@ def _read(node: Node, names: Names, page: dict[str, float]) -> Icon | None:
 
 
 def _icon(value: Any, page: dict[str, float]) -> Icon | None:
+    parts = value if isinstance(value, list) else [value]
+    drawn = elements(value) if all(isinstance(one, Created) for one in parts) else []
+    if drawn and drawn[0].tag != "svg":
+        body = "".join(map(_element, drawn))
+        return _page_around(body), body
     match value:
         case str() if _PATH.fullmatch(value):
             return _path(value)
@@ -150,10 +167,16 @@ def _icon(value: Any, page: dict[str, float]) -> Icon | None:
 
 def _path(data: str) -> Icon:
     """Return path data alone: on a usual page if it lies in it."""
-    box = data_bounds(data)
+    body = f"<path d={quoteattr(data)}/>"
+    return _page_around(body), body
+
+
+def _page_around(body: str) -> dict[str, str]:
+    """Return the usual page if shapes lie in it; no page if they do not."""
+    shapes = ET.fromstring(f"<g>{body}</g>").iter()
+    box = union(list(filter(None, (data_bounds(path_data(one, _PAGE)) for one in shapes))))
     fits = box and box[0] > -1 and box[1] > -1 and max(box[0] + box[2], box[1] + box[3]) < _SIDE + 1
-    page = {"viewBox": f"0 0 {_SIDE:g} {_SIDE:g}"} if fits else {}
-    return page, f"<path d={quoteattr(data)}/>"
+    return {"viewBox": f"0 0 {_SIDE:g} {_SIDE:g}"} if fits else {}
 
 
 def _numbers(value: dict[str, Any]) -> dict[str, float]:

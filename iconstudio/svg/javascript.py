@@ -9,6 +9,7 @@ import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
+from iconstudio.svg.created import created, merged, tag_created
 from iconstudio.svg.methods import (
     MATH,
     MOST,
@@ -245,6 +246,10 @@ def _value(node: Node, names: Names, depth: int = 0) -> Value:
             return value(field("object"))[key_of(value(field("index")))]
         case "call_expression" | "new_expression":
             return _call(node, names, value)
+        case "assignment_expression":
+            return value(field("right"))
+        case "sequence_expression":
+            return value(node.named_children[-1])
         case kind if kind in _TRANSPARENT:
             return value(node.named_children[0] if node.named_children else None)
         case kind if kind in _FUNCTIONS:
@@ -280,6 +285,11 @@ def _call(node: Node, names: Names, value: Callable[[Node | None], Value]) -> Va
     arguments = node.child_by_field_name("arguments")
     if function is None or arguments is None:
         raise UnknownError
+    tag, properties = tag_created(node), merged(node, value)
+    if tag is not None:
+        return created(node, tag, value)
+    if properties is not None:
+        return properties
     given = listed(arguments, value)
     owner, name = function.child_by_field_name("object"), text_of(function)
     if owner is not None:

@@ -31,6 +31,12 @@ _ZIPPED = (
     (b"animations/", "It is an animation for Lottie. Export a picture of it as SVG."),
 )
 _HEAD = 4096
+_OF_WEB = re.compile(
+    r"^\s*(?:import\b.*[\"']|export\b|const\b|module\.exports|[\"']use \w+[\"'])"
+    r"|\brequire\(|=>|\bfunction\b|\bcreateElement\(|\b_?jsxs?\(",
+    re.MULTILINE,
+)
+"""JavaScript and TypeScript."""
 _LFS = "version https://git-lfs"
 _PAGE = re.compile(r"\s*(?:<!--.*?-->\s*)*(?:<!DOCTYPE\s+html|<html[\s>])", re.I | re.S)
 _TITLE = re.compile(r"<(title|h1)[^>]*>(.*?)</\1>", re.I | re.S)
@@ -80,8 +86,9 @@ def text(content: str) -> str | None:
     if _STYLES.match(start):
         return f"It is a style sheet (CSS) without a drawing. {_SAVE}"
     if _CODE.search(content):
+        of_web = " (React, say)" if _OF_WEB.search(content) else ""
         return (
-            "It is the code of a program (React, say) whose drawing cannot be read. "
+            f"It is the code of a program{of_web} whose drawing cannot be read. "
             "Save the SVG itself instead."
         )
     if not start.startswith("<"):

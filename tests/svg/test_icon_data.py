@@ -4,9 +4,9 @@ import json
 
 import pytest
 
-from iconstudio.model import SpriteError
+from iconstudio.model import IconstudioError, SpriteError
 from iconstudio.svg.reading import own_svg
-from tests.svg.pictures import OUTLINE, ROOF, assert_shows
+from tests.svg.pictures import OUTLINE, ROOF, assert_shows, read
 
 SOLID = f'<path d="{ROOF}"/>'
 LINES = f'<path fill="none" stroke="#000" stroke-width="2" stroke-linejoin="round" d="{ROOF}"/>'
@@ -78,3 +78,65 @@ def test_several_icons_are_a_sprite_sheet(kind):
         own_svg(data, "icons.js")
     assert caught.value.names == ("mdiA", "mdiHome")
     assert "<path" in own_svg(data, "icons.js", "mdiHome").svg
+
+
+STROKED = f'("path", {{ fill: "none", stroke: "#000", strokeWidth: 2, d: "{ROOF}" }})'
+PAGE = 'viewBox: "0 0 24 24"'
+CREATED = {
+    "React": f'return React.createElement("svg", Object.assign({{ {PAGE}, ref: r }}, p), t ? '
+    f'React.createElement("title", null, t) : null, React.createElement{STROKED});',
+    "React's runtime": f'const A = (p) => _jsxs("svg", {{ {PAGE}, ...p, children: '
+    f'[t && _jsx("title", {{}}), _jsx{STROKED}] }});',
+    "a runtime of CommonJS": "exports.default = (0, _create.default)( /*#__PURE__*/(0, _rt.jsx)"
+    f'{STROKED}, "Home");',
+    "a list of shapes": f'x(f, [(0, r.jsx){STROKED}, (0, r.jsx)("path", {{ d: "M2 2h0" }}, "1")]);',
+    "a fragment": 'const a = new Map([["bold", e.createElement(e.Fragment, null, '
+    f"e.createElement{STROKED})]]);",
+    "Vue": f"const p = {{ {PAGE} }}, c = createElementVNode{STROKED};"
+    'function render(_, k) { return (openBlock(), createElementBlock("svg", p, [c])); }',
+    "Vue's cache": f'return createElementBlock("svg", {{ {PAGE} }}, [...(k[0] || (k[0] = '
+    f"[createElementVNode{STROKED}]))]);",
+    "a function of one letter": f'export default p => h("svg", {{ {PAGE} }}, h("g", null, '
+    f"h{STROKED}))",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("kind", CREATED)
+def test_elements_that_code_creates_are_drawn(kind):
+    assert_shows(CREATED[kind], OUTLINE)
+
+
+def test_a_shape_that_code_computes_is_not_left_out_in_silence():
+    code = (
+        'h("svg", { viewBox: "0 0 24 24" }, h("path", { d: "M4 4h9v9z" }), h("path", { d: f() }))'
+    )
+    with pytest.raises(IconstudioError, match="cannot be read"):
+        read(f"export default p => {code}")
+
+
+def test_icons_of_several_weights_are_told_apart():
+    of_weight = (
+        '["{}", e.createElement(e.Fragment, null, e.createElement("path", {{ d: "M4 4h9v9z" }}))]'
+    )
+    code = f"const a = new Map([{of_weight.format('bold')}, {of_weight.format('thin')}]);"
+    with pytest.raises(SpriteError) as told:
+        read(code)
+    assert told.value.names == ("bold", "thin")
+
+
+def test_a_document_in_code_may_hold_what_stands_beside_it():
+    """As Simple Icons have it."""
+    inner = '<svg viewBox="0 0 24 24"><path d="${this.path}"/></svg>'
+    assert_shows(f"export const a = {{ get svg() {{ return `{inner}` }}, path: '{ROOF}' }};", SOLID)
+
+
+def test_code_is_called_what_it_is():
+    with pytest.raises(IconstudioError) as told:
+        read("struct A: Shape { func path(in r: CGRect) -> Path { var p = Path(); return p } }")
+    assert "React" not in str(told.value)
+
+
+def test_a_function_in_php_repeats_nothing():
+    drawing = f'<svg viewBox="0 0 24 24"><path d="<?= $d ?>"/>{SOLID}</svg>'
+    remarks = read(f"<?php function icon(){{ ?>{drawing}<?php }} ?>").remarks
+    assert len(remarks) == 1 and "$d" in remarks[0]
