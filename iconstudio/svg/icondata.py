@@ -21,6 +21,13 @@ from iconstudio.svg.syntax import Node, UnknownError, below, name_of, parsed, te
 _PATH = re.compile(
     r"\s*[Mm]\s*[-+.\d][\d\s,.eE+\-MmLlHhVvCcSsQqTtAaZz]*[HhVvLlCcSsQqTtAaZz][\d\s,.eE+-]*"
 )
+_BODY = re.compile(
+    r"\s*(?:<(?:path|rect|circle|ellipse|line|poly\w+|g)\b[^<>]*>\s*(?:</\w+>\s*)*)+", re.DOTALL
+)
+"""The shapes of an icon without its root, as Feather has them."""
+_PLAUSIBLE = re.compile(
+    r"[\"'`]\s*[Mm]\s*[-+.\d]|[\"'`]<?(?:path|circle|rect|line|body|poly\w+)\b|[\"'`]<g\b"
+)
 _VALID = re.compile(r"[A-Za-z_][\w.:-]*")
 _NAMED = ("variable_declarator", "pair", "function_declaration", "public_field_definition")
 _TAGS = ("g", *SHAPES)
@@ -34,6 +41,8 @@ _LINES = {
     "stroke-linejoin": "round",
 }  # fmt: skip
 """How sets of lines are drawn whose nodes say nothing of it."""
+_LINED = "lined"
+"""Whether some bodies hold lines by themselves, which only strokes show."""
 _OF_PAGES = ("viewBox", "width", "height")
 
 Icon = tuple[dict[str, str], str]
@@ -56,10 +65,7 @@ def markup(text: str) -> str | None:
 
 
 def _is_plausible(text: str) -> bool:
-    return (
-        re.search(r"[\"'`]\s*[Mm]\s*[-+.\d]|[\"'`](?:path|circle|rect|line|body|poly\w+)\b", text)
-        is not None
-    )
+    return _PLAUSIBLE.search(text) is not None
 
 
 def _document(attributes: dict[str, str], body: str) -> str:
@@ -82,6 +88,8 @@ def _icons(text: str) -> Iterator[tuple[str, Icon]]:
     open_: list[tuple[Node, str, dict[str, float]]] = [(parsed(f"({text}\n)"), "icon", {})]
     if text[:1] not in "{[":
         open_ = [(parsed(text), "icon", {})]
+    if re.search("<(?:poly)?line ", text):
+        open_[0][2][_LINED] = 1.0
     rooted = any(tag_created(one) == "svg" for one in below(open_[0][0]))
     while open_:
         node, name, page = open_.pop()
@@ -135,7 +143,7 @@ def _read(node: Node, names: Names, page: dict[str, float]) -> Icon | None:
         return None
     try:
         return _icon(names.at(node), page)
-    except (UnknownError, LookupError, TypeError, ValueError):
+    except (UnknownError, ET.ParseError, LookupError, TypeError, ValueError):
         return None
 
 
@@ -146,6 +154,9 @@ def _icon(value: Any, page: dict[str, float]) -> Icon | None:
         body = "".join(map(_element, drawn))
         return _page_around(body), body
     match value:
+        case str() if _BODY.fullmatch(value):
+            lines = _LINES if page.get(_LINED) and "fill" not in value else {}
+            return _page_around(value) | lines, value
         case str() if _PATH.fullmatch(value):
             return _path(value)
         case {"body": str(body)}:

@@ -19,7 +19,8 @@ _ADDRESS = re.compile(r"data:(image/[\w.+-]+)((?:;[\w=.+-]*)*),([^\s\"'()<>]*)",
 
 _PART = re.compile(
     r"<(?:path|rect|circle|ellipse|line|poly(?:gon|line))\s[^<>]*=|&lt;svg\s|%3csvg(?:%20|\+)"
-    r"|\\u003csvg|[\"']path[\"']\s*,|\bd[\"']?\s*[:=]\s*[\"'`][Mm]\s*[-+.\d]|\bImageVector\b",
+    r"|\\u003csvg|[\"']path[\"']\s*,|\bd[\"']?\s*[:=]\s*[\"'`][Mm]\s*[-+.\d]|\bImageVector\b"
+    r"|\A\s*+[Mm]\s*+[-+.\d][\d\s,.eE+\-Mm]*+[LlHhVvCcSsQqTtAaZz][\d\s,.eE+\-MmLlHhVvCcSsQqTtAaZz]*+\Z",
     re.IGNORECASE,
 )
 """What only a part of a drawing has, or one in code."""

@@ -3,6 +3,7 @@
 import hashlib
 import logging
 import os
+import re
 from pathlib import Path
 
 from iconstudio.files import read_bytes
@@ -14,6 +15,13 @@ from iconstudio.svg.decode import MAX_BYTES, decode
 from iconstudio.svg.markup import markup_of
 from iconstudio.svg.parse import parse
 
+UNSTYLED = (
+    "How it is painted lies elsewhere, and was not read; its outlines were drawn as lines. "
+    "Save the drawing with its styles embedded."
+)
+_STYLED = re.compile(r"\bclass(?:Name|List)?\s*=|\bstyled\b|\bcss\s*=|\bsx\s*=|:class\s*=")
+"""What refers to styles elsewhere."""
+_STROKED = re.compile(r"\bstroke(?:-?[wW]idth)?\s*[=:]|<style\b", re.IGNORECASE)
 _log = logging.getLogger(__name__)
 
 
@@ -90,10 +98,11 @@ def _read(
 ) -> tuple[str, Credit, tuple[Pictogram, ...], tuple[str, ...]]:
     """Return a drawing in black, whose it is, what it is made of, and what to say of it."""
     # They load libraries, which the window's own process can do without.
-    from iconstudio.svg.monochrome import EmptyError, in_black
+    from iconstudio.svg.monochrome import THIN, EmptyError, in_black
     from iconstudio.svg.plain import plain
 
-    markup, unread = markup_of(decode(data))
+    text = decode(data)
+    markup, unread = markup_of(text)
     root, left_out = parse(markup)
     said = [*unread, *left_out]
     rdf = credits.metadata(root)
@@ -104,4 +113,6 @@ def _read(
         if not moves(markup):
             raise
         svg, remarks = in_black(plain(parse(markup)[0], said, symbol, midway=True), rdf)
+    if THIN in remarks and _STYLED.search(text) and not _STROKED.search(markup):
+        remarks = tuple(UNSTYLED if one == THIN else one for one in remarks)
     return svg, credit, credits.sources(rdf), remarks

@@ -140,3 +140,27 @@ def test_a_function_in_php_repeats_nothing():
     drawing = f'<svg viewBox="0 0 24 24"><path d="<?= $d ?>"/>{SOLID}</svg>'
     remarks = read(f"<?php function icon(){{ ?>{drawing}<?php }} ?>").remarks
     assert len(remarks) == 1 and "$d" in remarks[0]
+
+
+def test_bodies_without_a_root_are_drawn_as_their_set_is():
+    """As Feather has them: lines where some of the set are but lines."""
+    body = f'<path d="{ROOF}"></path>'
+    assert_shows(json.dumps({"home": body}), SOLID)
+    with pytest.raises(SpriteError) as told:
+        read(json.dumps({"home": body, "minus": '<line x1="5" y1="12" x2="19" y2="12"></line>'}))
+    assert told.value.names == ("home", "minus")
+    lone = json.dumps({"minus": '<line x1="5" y1="12" x2="19" y2="12"></line>'})
+    assert_shows(lone, '<path stroke="#000" stroke-width="2" stroke-linecap="round" d="M5 12h14"/>')
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        'const Svg = styled.svg`stroke: #000;`; const A = () => <Svg viewBox="0 0 24 24">{}</Svg>',
+        'const A = () => <svg className={{styles.a}} viewBox="0 0 24 24">{}</svg>',
+        '<svg class="a" viewBox="0 0 24 24">{}</svg>',
+    ],
+)
+def test_lines_whose_styles_lie_elsewhere_are_told(code):
+    (remark,) = read(code.format('<path d="M4 12h16M12 4v16"/>')).remarks
+    assert "elsewhere" in remark

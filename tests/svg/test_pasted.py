@@ -95,4 +95,7 @@ def test_a_broken_address_is_no_image():
 def test_a_part_of_a_drawing_is_known_from_words():
     assert is_part('<path d="M12 2 L22 22 H2 Z"/>')
     assert is_part('createLucideIcon("a", [["path", { d: "M1 2", key: 1 }]])')
+    assert is_part(" M10 10h20v20z\n")
+    assert not is_part("M4")
+    assert not is_part("Mail 3 letters at 4 h")
     assert not is_part("let it be: a path < here, d = 3")
