@@ -17,6 +17,7 @@ _TAGS = (
     "svg", "g", "defs", "clipPath", "mask", "use", "symbol", "linearGradient", "radialGradient",
     "stop", "pattern", *SHAPES,
 )  # fmt: skip
+_FIRST = ("string", "template_string", "identifier", "member_expression")
 _NEEDED = {"path": "d", "circle": "r", "polygon": "points", "polyline": "points"}
 """Attributes without which a shape is not known."""
 _MERGING = ("assign", "mergeProps", "_extends", "__spreadValues", "_mergeProps")
@@ -35,7 +36,7 @@ def tag_created(node: Node) -> str | None:
     if node.type != "call_expression":
         return None
     arguments = _arguments(node)
-    if not arguments:
+    if not arguments or arguments[0].type not in _FIRST:
         return None
     said_first = text_of(arguments[0])
     if said_first.rpartition(".")[2] in ("Fragment", "_Fragment"):
