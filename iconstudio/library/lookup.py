@@ -59,7 +59,9 @@ Scores = dict[int, int]
 """The number of an icon to its score."""
 _NEVER = 99
 _FEW = 8
-"""Of a keyword of many words, so many are looked up on their own. With fewer icons of its whole name, a symbol is also what the last word of it says."""
+"""Of a keyword of many words, so many are looked up on their own.
+
+With fewer icons of its whole name, a symbol is also what the last word of it says."""
 
 
 class Lookup:

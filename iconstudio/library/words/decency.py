@@ -5,6 +5,7 @@ collection that is opened knows only the words listed here.
 """
 
 from iconstudio.library.words.inflections import singulars
+from iconstudio.library.words.vocabulary import words as word_set
 from iconstudio.library.words.wordnet import WordNet
 
 _PRIVATE = (
@@ -19,7 +20,7 @@ _BESIDES = frozenset(
 )
 """Words that hurt, or are rude, and that WordNet does not mark."""
 
-INSULTS = frozenset(
+INSULTS = word_set(
     """
     arse arsehole asshole bastard bitch blowjob bollocks bugger bullshit chink coon cretin cum cunt
     darkie darky dickhead dildo dumbass fag faggot fuck fucked fucker fucking gook halfwit
@@ -27,7 +28,7 @@ INSULTS = frozenset(
     motherfucker nazi negro negress nigga nigger nutter paki pedo pedophile pervert pimp piss
     porn porno rapist rape raper retard shemale shit shitty skank slut
     spastic spic strumpet tosser tranny turd twat wank wanker wetback whore wog wop yid
-    """.split()
+    """
 )
 """Words that offend and name no thing to draw: nothing is shown, or proposed, in their place."""
 
