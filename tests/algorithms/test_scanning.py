@@ -98,6 +98,26 @@ def test_a_shadow_with_a_sharp_edge_across_a_sheet_is_no_ink():
     assert scans.iou(scans.fitted(ink), scans.fitted(truth)) > 0.9
 
 
+@pytest.mark.parametrize("light", [0.6, 0.3])
+@pytest.mark.parametrize(("sharpness", "across"), [(1.5, 0.35), (5, 0.55), (12, 0.55)])
+def test_half_of_a_drawing_may_lie_in_a_shadow(light, sharpness, across):
+    """Its edge, from the right to the lower left, runs through the drawing or close to it."""
+    sheet = np.pad(house(), ((60, 60), (160, 160)))[::2, ::2]
+    y, x = np.mgrid[: sheet.shape[0], : sheet.shape[1]]
+    edge = 1 / (1 + np.exp((across * sheet.shape[1] - x - 0.3 * y) / sharpness * 2))
+    lit = (1 - 0.8 * sheet) * (1 - (1 - light) * edge)
+    noise = np.random.default_rng(0).normal(0, 5, (*sheet.shape, 3))
+    ink = found(np.clip(255 * lit[..., None] + noise, 0, 255).astype(np.uint8))
+    assert scans.iou(scans.fitted(ink), scans.fitted(house())) > 0.93
+
+
+def test_ink_along_the_edge_of_a_sheet_is_no_shadow():
+    pixels = np.full((300, 400, 3), 250, np.uint8)
+    pixels[200:] = 60
+    pixels[100:200, 150:250] = 60
+    assert 0.4 < found(pixels).mean() < 0.8
+
+
 def test_another_sheet_beside_is_no_part_of_the_drawing():
     sheet = np.pad(house(), ((60, 60), (120, 180)))
     pixels, truth = scans.photographed(sheet, ASLANT["from below"][1], "dark")
