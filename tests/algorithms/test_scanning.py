@@ -146,7 +146,7 @@ def test_what_is_too_faint_to_be_told_can_be_chosen_by_hand():
 def ruled(sheet: np.ndarray) -> np.ndarray:
     """Paper with pale blue rules and a red margin below the drawing."""
     paper = np.full((*sheet.shape, 3), (250.0, 248.0, 240.0))
-    paper[12::30] = paper[13::30] = paper[14::30] = 160, 180, 225
+    paper[12::40] = paper[13::40] = paper[14::40] = 170, 190, 230
     paper[:, 60:62] = 230, 120, 120
     return paper * (1 - 0.8 * sheet[..., None])
 
