@@ -91,7 +91,7 @@ def _alike(
 ) -> NDArray[np.bool_]:
     """Return which pieces have the colour of the ground, on average."""
     ratio = [scipy.ndimage.mean(picture[..., c] / ground[..., c], labels, pieces) for c in range(3)]
-    alike: NDArray[np.bool_] = (abs(np.stack(ratio) - 1) < _NEAR).all(axis=0)
+    alike: NDArray[np.bool_] = np.all(abs(np.stack(ratio) - 1) < _NEAR, axis=0)
     return alike
 
 
