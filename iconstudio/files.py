@@ -2,6 +2,7 @@
 
 import errno
 import os
+import re
 import secrets
 import stat
 import time
@@ -15,6 +16,13 @@ _AT_ONCE = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOCTTY", 0)
 _NO_FILE = "a device, a pipe or a socket"
 _ABANDONED = 60.0
 """Seconds that no file takes to be written."""
+_ADDRESS = re.compile(r"[a-z][a-z0-9+.-]+://", re.IGNORECASE)
+"""How what lies elsewhere is addressed: it is never fetched, and no path."""
+
+
+def is_address(reference: str) -> bool:
+    """Whether a reference is an address of the web, say, and not the path of a file."""
+    return _ADDRESS.match(reference) is not None
 
 
 def read_bytes(path: Path, most: int) -> bytes:

@@ -22,7 +22,7 @@ from iconstudio.algorithms.iconification.style import two_toned
 from iconstudio.algorithms.scanning.binarisation import Scan
 from iconstudio.caches.preparing import PreparingCache
 from iconstudio.caches.rasters import RasterCache
-from iconstudio.files import remove_abandoned
+from iconstudio.files import is_address, remove_abandoned
 from iconstudio.images import scans
 from iconstudio.images.reading import Image, is_image_file, read_image
 from iconstudio.library.collection import Collection, cache_folder
@@ -52,6 +52,8 @@ _SECONDS, _MEMORY = 20.0, 1 << 30
 """How long reading a file from outside may take, and how many bytes."""
 _SIMPLER = "Simplify the drawing, or save it as a PNG and open that."
 """What to do about a drawing that reaches the limits."""
+_SHOWN = 200
+"""Most characters of a reference that a message repeats."""
 _KEPT = 3
 """How many keywords stay prepared: at most 70 MiB each."""
 
@@ -158,6 +160,11 @@ class Session(AbstractContextManager["Session"]):
         IconstudioError
             If there is no such icon, or the file is no good.
         """
+        if is_address(reference):
+            raise IconstudioError(
+                f"“{reference[:_SHOWN]}” is an address, and nothing is downloaded. "
+                "Save the drawing as a file, and give its path."
+            )
         if is_image_file(Path(reference)):
             return returned(scans.read_scan(Path(reference), self._readers))
         if _is_path(reference):

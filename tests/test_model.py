@@ -44,6 +44,7 @@ def test_units_do_not_matter(unit, shift, count, seed):
     ("points", "words"),
     [
         ([], "at least 3"),
+        ([(5, 5)] * 3, "has 1 point; draw at least 3"),
         ([(0, 0), (1, 1)], "at least 3"),
         ([(0, 0), (0, 0), (1, 1), (1, 1)], "at least 3"),
         ([(0, 0), (1, 1), (2, 2)], "no area"),

@@ -65,3 +65,9 @@ def test_a_drawing_that_reaches_a_limit_ends_with_what_to_do(session, monkeypatc
     svg = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9">{blur}{groups}</svg>'
     with pytest.raises(IconstudioError, match=r"“slow\.svg” takes too long\. Simplify"):
         session.icon_from(svg.encode(), "slow.svg")
+
+
+@pytest.mark.parametrize("address", ["http://example.com/a.svg", "HTTPS://example.com/a.png"])
+def test_nothing_is_downloaded(session, address):
+    with pytest.raises(IconstudioError, match=rf"“{address}” is an address, and nothing is down"):
+        session.icon(address)

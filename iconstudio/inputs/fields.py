@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any, TypeGuard
 
 from iconstudio.algorithms.geometry import simplified, simplified_line
-from iconstudio.files import read_bytes, write_atomically
+from iconstudio.files import is_address, read_bytes, write_atomically
 from iconstudio.model import CANVAS, MARGIN, Axis, IconstudioError, Point, Polygon
 
 LARGEST = 1e9
@@ -235,7 +235,7 @@ class Fields:
             raise self.mistake(f"{name} is not a pair of numbers such as [12, 34.5].")
         x, y = map(_finite, value)
         if x is None or y is None:
-            raise self.mistake(f"{name} is not finite. Remove it.")
+            raise self.mistake(f"{name} is not a number, or too large. Remove it.")
         if max(abs(x), abs(y)) > largest:
             raise self.mistake(f"{name} is out of all scale: [{x:g}, {y:g}].")
         return x, y
@@ -247,7 +247,7 @@ def _resolved(fields: Fields, text: str, key: str) -> str:
         raise fields.mistake(
             f'"{key}" is empty: write "set:name", or the path of an SVG or a scan.'
         )
-    if _OF_COLLECTION.fullmatch(text):
+    if _OF_COLLECTION.fullmatch(text) or is_address(text):
         return text
     return os.path.realpath(fields.path.parent / text)
 

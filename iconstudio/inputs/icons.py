@@ -5,6 +5,7 @@ from pathlib import Path
 from iconstudio.files import write_atomically
 from iconstudio.model import IconstudioError, Pictogram
 from iconstudio.model.pictogram import OWN
+from iconstudio.svg.credits import titled
 
 _ELSEWHERE = ("made:", OWN)
 """Beginnings of the identifiers of icons that no collection has: results, and files."""
@@ -14,7 +15,7 @@ def reference_to(pictogram: Pictogram, path: Path) -> str:
     """Return the reference of an icon for the file ``path``.
 
     What no collection has is saved as SVG in the folder of that file, named after both, with its
-    credits.
+    title and credits.
 
     Raises
     ------
@@ -26,7 +27,7 @@ def reference_to(pictogram: Pictogram, path: Path) -> str:
     name = "".join(c if c.isalnum() else "-" for c in pictogram.id.partition(":")[2])
     file = path.resolve().parent / f"{path.stem}-{name}.svg"
     try:
-        write_atomically(file, pictogram.svg.encode())
+        write_atomically(file, titled(pictogram.svg, pictogram.credit.title).encode())
     except OSError as error:
         raise IconstudioError(f"“{file}” cannot be written: {error.strerror}.") from None
     return str(file)

@@ -19,8 +19,10 @@ from iconstudio.library.iconify import document
 from iconstudio.library.lookup import Lookup
 from iconstudio.library.progress import Progress
 from iconstudio.library.words import query, symbols
+from iconstudio.library.words.decency import is_insult
 from iconstudio.library.words.naming import take_apart
 from iconstudio.library.words.query import Style
+from iconstudio.library.words.vocabulary import PREPOSITIONS
 from iconstudio.model import Credit, IconstudioError, Pictogram
 from iconstudio.resources import resource
 
@@ -31,11 +33,17 @@ LIMIT = 200
 """Most pictograms for a keyword (section 3.1)."""
 
 _DAMAGED = "The unpacked icon collection is damaged, and unpacked anew: %s"
+_LOOK_UP = " Search for what it shows instead, with a word such as 'dog'."
 _FEW = 20
 """With fewer drawings, a keyword lends no parts to choose from."""
 _ANY = Style()
-_WORDLESS = "There is no word in {}. Name the thing to draw, such as 'dog'."
-_ENGLISH = "Icons have English names: try another English word for the thing."
+_LONGEST = 60
+"""Most characters of a keyword that a message repeats."""
+_THING = "Name the thing to draw, such as 'dog'."
+_ENGLISH = (
+    "Icons have English names, and logos of brands are left out: "
+    "try another English word for the thing."
+)
 
 
 def cache_folder() -> Path:
@@ -181,7 +189,7 @@ class Collection:
             If the keyword is empty, or nothing answers it; the message names what is near.
         """
         if not query.plain(keyword):
-            raise IconstudioError(_WORDLESS.format(_said(keyword)))
+            raise IconstudioError(f"There is no word in {_said(keyword)}. {_THING}")
         scores = self._scores(keyword)
         for number in self._numbers(exclude):
             scores.pop(number, None)
@@ -204,7 +212,8 @@ class Collection:
         if not numbers:
             meant = spelt[0] if spelt else identifier
             raise IconstudioError(
-                f"The collection has no icon '{meant}'.{_hint(self._near(meant))}"
+                f"The collection has no icon '{_shortened(meant)}'."
+                f"{_hint(self._near(meant)) or _LOOK_UP}"
             )
         return self._pictograms(numbers[:1])[0]
 
@@ -214,6 +223,8 @@ class Collection:
         Of the same set first, then of other sets.
         """
         prefix, _, name = identifier.rpartition(":")
+        if is_insult(query.plain(name)):
+            return ()
         scores = self._lookup.scores(name)
         own = self._rows("SELECT number, id FROM icon WHERE id GLOB ?", (_glob(prefix) + ":*",))
         in_set = {number: scores[number] for number, _ in own if number in scores}
@@ -225,7 +236,8 @@ class Collection:
     @_mended
     def suggest(self, keyword: str) -> tuple[str, ...]:
         """Return keywords near to ``keyword`` in spelling that do have results."""
-        return search.nearest(query.plain(keyword), self._lookup.proposals())
+        words = query.plain(keyword)
+        return () if is_insult(words) else search.nearest(words, self._lookup.proposals())
 
     @_mended
     def keyword(self, title: str) -> str:
@@ -291,6 +303,9 @@ class Collection:
         if excluded and self._scores(keyword):
             return f"Every icon for {_said(keyword)} is excluded. Exclude fewer."
         none = f"No icon is called {_said(keyword)}."
+        words = query.plain(keyword)
+        if is_insult(words) or PREPOSITIONS.issuperset(words.split()):
+            return f"{none} {_THING}"
         if beside := self._lookup.beside(_name(keyword)):
             return f"{none} Of its kind there are: {', '.join(beside)}."
         parts = () if symbols.has_symbols(keyword) else self._lookup.parts(_name(keyword))
@@ -327,7 +342,11 @@ class Collection:
 def _said(keyword: str) -> str:
     """Return a keyword as a message has it: quoted, a symbol with its name."""
     name = query.plain(keyword) if symbols.has_symbols(keyword) else ""
-    return f"'{keyword.strip()}'" + (f" ({name})" if name else "")
+    return f"'{_shortened(keyword.strip())}'" + (f" ({name})" if name else "")
+
+
+def _shortened(text: str) -> str:
+    return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}…"
 
 
 def _name(identifier: str) -> str:

@@ -7,11 +7,12 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 from iconstudio.library.words import query, symbols
+from iconstudio.library.words.decency import is_insult
 from iconstudio.library.words.inflections import is_irregular
 from iconstudio.library.words.naming import take_apart
 from iconstudio.library.words.query import Style
-from iconstudio.library.words.readings import COMPOUND, EXACT, MENTION
-from iconstudio.library.words.relations import BESIDE, KIND
+from iconstudio.library.words.readings import COMPOUND, EXACT, MENTION, POSED
+from iconstudio.library.words.relations import BESIDE, BROADER, FORM, KIND
 from iconstudio.library.words.vocabulary import ATTRIBUTES, PREPOSITIONS, STYLES
 
 Rows = Callable[[str, Sequence[Any]], list[tuple[Any, ...]]]
@@ -27,22 +28,40 @@ SELECT icon, MIN(tier) FROM reading JOIN naming USING (phrase) WHERE term = ? GR
 """
 """Icons that are one of a thing, or mention it."""
 
+_RARELY_ALONE = 4
+"""A word that names so many times more icons with other words than alone says something of these:
+*auto* is a car, but *hdr-auto* is none."""
+
 _RELATED = f"""
+WITH used(term, alone, along) AS (
+    SELECT term, SUM(tier = {EXACT}), SUM(tier BETWEEN {POSED} AND {COMPOUND})
+    FROM reading JOIN naming USING (phrase)
+    WHERE term = ?1 OR term IN (
+        SELECT term FROM relation WHERE word = ?1 AND rank > {FORM} AND rank < {BROADER})
+    GROUP BY term),
+vague(term) AS (
+    SELECT term FROM used
+    WHERE along > {_RARELY_ALONE} * (alone + 2)
+        AND alone < (SELECT alone FROM used WHERE term = ?1))
 SELECT icon, MIN(relation.rank + reading.tier)
 FROM relation JOIN reading USING (term) JOIN naming USING (phrase)
-WHERE relation.word = ?
+WHERE relation.word = ?1
+    AND (reading.tier = {EXACT} OR term NOT IN vague)
     AND (relation.rank < {KIND} AND reading.tier < {MENTION}
         OR relation.rank < {BESIDE} AND reading.tier < {COMPOUND})
 GROUP BY icon
 """
 """Icons of other words. The less a word has to do with the keyword, the more plainly must the
-drawing be one of it: of a kind, and of what is broader, only the thing itself is wanted."""
+drawing be one of it: of a kind, and of what is broader, only the thing itself is wanted. So it is
+of *vague* words, if the keyword itself has more drawings."""
 
 Scores = dict[int, int]
 """The number of an icon to its score."""
 _NEVER = 99
 _FEW = 8
-"""With fewer icons of its whole name, a symbol is also what the last word of it says."""
+"""Of a keyword of many words, so many are looked up on their own.
+
+With fewer icons of its whole name, a symbol is also what the last word of it says."""
 
 
 class Lookup:
@@ -92,7 +111,8 @@ class Lookup:
         for form in query.forms(words):
             called = dict.fromkeys(called, -1)  # called just so, in the plural: before all others
             called |= dict(self._rows(_CALLED, (query.joined(form),)))
-            for icon, tier in (*self._rows(_RELATED, (form,)), *self._rows(_READ, (form,))):
+            related = () if is_insult(form) else self._rows(_RELATED, (form,))
+            for icon, tier in (*related, *self._rows(_READ, (form,))):
                 found[icon] = min(tier, found.get(icon, _NEVER))
             if found and not is_irregular(form):  # glasses are no glass, but children are a child
                 break
@@ -132,7 +152,7 @@ class Lookup:
 
     def parts(self, keyword: str) -> tuple[str, ...]:
         """Return the words of a keyword that icons answer on their own."""
-        words = query.plain(keyword).split()
+        words = list(dict.fromkeys(query.plain(keyword).split()))[:_FEW]
         return tuple(word for word in words if len(words) > 1 and self.plainly(word))
 
     def _all_of(self, words: Sequence[str]) -> Scores:
@@ -155,6 +175,8 @@ class Lookup:
         for start in range(1, len(words)):
             if words[start - 1] not in ATTRIBUTES and self._is_thing(words[start - 1]):
                 return {}
+            if start == len(words) - 1 and self._is_no_noun(words[start]):
+                return {}
             found = self.plainly(" ".join(words[start:]))
             if found and min(found.values()) < COMPOUND:
                 return found
@@ -163,6 +185,11 @@ class Lookup:
     def _is_thing(self, word: str) -> bool:
         sql = f"SELECT 1 FROM reading WHERE term = ? AND tier = {EXACT} LIMIT 1"
         return any(self._rows(sql, (form,)) for form in query.forms(word))
+
+    def _is_no_noun(self, word: str) -> bool:
+        """Whether a word is a verb that names nothing to draw, or only says how a thing is."""
+        sql = f"SELECT 1 FROM relation WHERE term = ? AND rank = {FORM} LIMIT 1"
+        return word in ATTRIBUTES or any(self._rows(sql, (word,)))
 
     def _is_known(self, words: str) -> bool:
         sql = "SELECT 1 FROM relation WHERE word = ? LIMIT 1"

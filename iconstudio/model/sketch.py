@@ -100,10 +100,9 @@ class Polygon:
         IconstudioError
             If there are fewer than three vertices, or all lie on a line.
         """
-        if len(self.vertices) < 3:
-            raise IconstudioError(
-                f"The polygon has {len(self.vertices)} different points; draw at least 3."
-            )
+        if (count := len(self.vertices)) < 3:
+            points = "point" if count == 1 else "different points"
+            raise IconstudioError(f"The polygon has {count} {points}; draw at least 3.")
         width, length = self._spread()
         if width <= 1e-6 * length:
             raise IconstudioError(

@@ -34,6 +34,18 @@ def credit(rdf: ET.Element | None, title: str) -> Credit:
     return _credit(_work(rdf), title)
 
 
+def titled(svg: str, title: str) -> str:
+    """Return a plain document with metadata that say its title; as it is if it has any."""
+    tag = svg.find(">", svg.find("<svg"))
+    if not title or tag < 1 or svg[tag - 1] == "/" or "<metadata" in svg:
+        return svg
+    rdf = ET.Element(f"{_RDF}RDF")
+    work = ET.SubElement(rdf, f"{_CC}Work", {f"{_RDF}about": ""})
+    ET.SubElement(work, f"{_DC}title").text = "".join(filter(str.isprintable, title))
+    said = ET.tostring(rdf, encoding="unicode")
+    return f"{svg[: tag + 1]}<metadata>{said}</metadata>{svg[tag + 1 :]}"
+
+
 def sources(rdf: ET.Element | None) -> tuple[Pictogram, ...]:
     """Return the sources that a work lists, each once, without their drawings."""
     work = _work(rdf)

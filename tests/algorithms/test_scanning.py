@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from scipy import ndimage
-from skimage.data import camera, chelsea, coffee, horse
+from skimage.data import astronaut, camera, chelsea, coffee, coins, horse, rocket
 from skimage.draw import disk, polygon
 
 from iconstudio.algorithms.scanning.binarisation import SIDE, Scan, ink_of, scanned
@@ -98,6 +98,26 @@ def test_a_shadow_with_a_sharp_edge_across_a_sheet_is_no_ink():
     assert scans.iou(scans.fitted(ink), scans.fitted(truth)) > 0.9
 
 
+@pytest.mark.parametrize("light", [0.6, 0.3])
+@pytest.mark.parametrize(("sharpness", "across"), [(1.5, 0.35), (5, 0.55), (12, 0.55)])
+def test_half_of_a_drawing_may_lie_in_a_shadow(light, sharpness, across):
+    """Its edge, from the right to the lower left, runs through the drawing or close to it."""
+    sheet = np.pad(house(), ((60, 60), (160, 160)))[::2, ::2]
+    y, x = np.mgrid[: sheet.shape[0], : sheet.shape[1]]
+    edge = 1 / (1 + np.exp((across * sheet.shape[1] - x - 0.3 * y) / sharpness * 2))
+    lit = (1 - 0.8 * sheet) * (1 - (1 - light) * edge)
+    noise = np.random.default_rng(0).normal(0, 5, (*sheet.shape, 3))
+    ink = found(np.clip(255 * lit[..., None] + noise, 0, 255).astype(np.uint8))
+    assert scans.iou(scans.fitted(ink), scans.fitted(house())) > 0.93
+
+
+def test_ink_along_the_edge_of_a_sheet_is_no_shadow():
+    pixels = np.full((300, 400, 3), 250, np.uint8)
+    pixels[200:] = 60
+    pixels[100:200, 150:250] = 60
+    assert 0.4 < found(pixels).mean() < 0.8
+
+
 def test_another_sheet_beside_is_no_part_of_the_drawing():
     sheet = np.pad(house(), ((60, 60), (120, 180)))
     pixels, truth = scans.photographed(sheet, ASLANT["from below"][1], "dark")
@@ -123,7 +143,35 @@ def test_what_is_too_faint_to_be_told_can_be_chosen_by_hand():
     assert scans.iou(scans.fitted(ink), scans.fitted(house())) > 0.95
 
 
-@pytest.mark.parametrize("photo", [camera, chelsea, coffee])
+def ruled(sheet: np.ndarray) -> np.ndarray:
+    """Paper with pale blue rules and a red margin below the drawing."""
+    paper = np.full((*sheet.shape, 3), (250.0, 248.0, 240.0))
+    paper[12::40] = paper[13::40] = paper[14::40] = 170, 190, 230
+    paper[:, 60:62] = 230, 120, 120
+    return paper * (1 - 0.8 * sheet[..., None])
+
+
+def stained(sheet: np.ndarray) -> np.ndarray:
+    """Brown paper with the ring of a cup across the drawing."""
+    y, x = np.mgrid[: sheet.shape[0], : sheet.shape[1]]
+    ring = abs(np.hypot(y - 130, x - 380) - 110) < 5
+    paper = np.where(ring[..., None], (210.0, 185.0, 135.0), (235.0, 220.0, 180.0))
+    return paper * (1 - 0.85 * sheet[..., None])
+
+
+@pytest.mark.parametrize("paper", [ruled, stained])
+def test_rules_and_stains_on_the_paper_make_no_photo_of_a_drawing(paper):
+    walls = house()
+    walls[ndimage.binary_erosion(walls > 0, iterations=9)] = 0
+    sheet = np.pad(walls, ((40, 40), (150, 80)))
+    picture = ndimage.gaussian_filter(paper(sheet), (1, 1, 0))
+    noise = np.random.default_rng(0).normal(0, 4, picture.shape)
+    scan = scanned(np.clip(picture + noise, 0, 255).astype(np.uint8))
+    assert scan.found and not scan.shaded
+    assert scans.iou(scans.fitted(ink_of(scan).astype(float)), scans.fitted(walls)) > 0.85
+
+
+@pytest.mark.parametrize("photo", [astronaut, camera, chelsea, coffee, coins, rocket])
 def test_a_photo_is_told_from_a_drawing(photo):
     pixels = photo()[::2, ::2]
     scan = scanned(np.repeat(pixels[..., None], 3, axis=2) if pixels.ndim == 2 else pixels)

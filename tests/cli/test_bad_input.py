@@ -124,7 +124,7 @@ DOWN, ACROSS = stroke((128, 20), (128, 200)), stroke((20, 128), (200, 128))
 @pytest.mark.parametrize(
     ("layers", "words"),
     [
-        ([], "Bring icons"),
+        ([], "Add icons"),
         ([{"icon": ICON}] * 31, "1 to 30"),
         ([{"icon": ICON}], "Nothing is marked"),
         ([{"icon": ICON, "strokes": [stroke((9, 9))]}], "one point"),
@@ -144,7 +144,7 @@ def test_bad_montages(tmp_path, capsys, layers, words):
 
 
 def test_a_montage_without_layers(tmp_path, capsys):
-    assert "Bring icons" in told(tmp_path, capsys, "montage", {})
+    assert "Add icons" in told(tmp_path, capsys, "montage", {})
 
 
 @pytest.mark.parametrize("command", ["model", "edit", "hybrids", "montage"])

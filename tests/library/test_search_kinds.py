@@ -160,3 +160,91 @@ def test_nothing_far_fetched(bundled, keyword, never):
 def test_no_hint_hurts(bundled):
     hurtful = {"bum", "rape", "slave", "suicide", "swastika", "eskimo", "anus", "penis"}
     assert hurtful.isdisjoint(bundled._lookup.proposals())
+
+
+@pytest.mark.parametrize(
+    ("keyword", "name"),
+    [
+        ("car", "auto"),
+        ("automobile", "auto"),
+        ("screen", "cover"),
+        ("soap", "max"),
+        ("earth", "land"),
+    ],
+)
+def test_a_word_that_is_rarely_drawn_alone_does_not_stand_for_a_common_thing(
+    bundled, keyword, name
+):
+    named = [one.split("-") for one in ids(bundled, keyword)]
+    assert not [words for words in named if name in words[1:] and keyword not in words]
+
+
+@pytest.mark.parametrize(
+    ("keyword", "name"),
+    [("airplane", "paper-plane"), ("trash", "recycle-bin"), ("chapeau", "cowboy-hat")],
+)
+def test_a_word_that_is_drawn_alone_as_well_still_does(bundled, keyword, name):
+    numbers = bundled._lookup.plainly(keyword)
+    assert any(name in row[1] for row in bundled._named(numbers))
+
+
+@pytest.mark.parametrize("keyword", ["merry-go-round", "old merry go"])
+def test_the_last_word_does_not_stand_for_all_if_it_names_nothing(bundled, keyword):
+    with pytest.raises(IconstudioError, match="Alone, these words find icons"):
+        bundled.search(keyword)
+
+
+@pytest.mark.parametrize("keyword", ["merry go-kart", "an old stop sign", "red house", "go"])
+def test_the_things_of_the_last_words_still_do(bundled, keyword):
+    assert ids(bundled, keyword)
+
+
+@pytest.mark.parametrize(
+    "keyword", ["slut", "Retard", "bitches", "faggot", "fuck", "whore", "black bitch", "mdi:slut"]
+)
+def test_for_a_word_that_offends_nothing_is_shown_or_proposed(bundled, keyword):
+    with pytest.raises(IconstudioError, match=rf"called '{keyword}'\. Name the thing to draw"):
+        bundled.search(keyword)
+    assert bundled.suggest(keyword) == ()
+    with pytest.raises(IconstudioError, match="Search for what it shows"):
+        bundled.get(f"nope:{keyword.rpartition(':')[2]}")
+
+
+@pytest.mark.parametrize("keyword", ["an", "the", "is"])
+def test_what_names_nothing_leads_to_no_guess(bundled, keyword):
+    with pytest.raises(IconstudioError) as error:
+        bundled.search(keyword)
+    assert "Did you mean" not in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("typed", "meant"),
+    [
+        ("bycicle", "bicycle"),
+        ("hosue", "house"),
+        ("umbrlela", "umbrella"),
+        ("girafe", "giraffe"),
+        ("ombrella", "umbrella"),
+    ],
+)
+def test_a_misspelt_word_is_told(bundled, typed, meant):
+    assert bundled.suggest(typed)[0] == meant
+
+
+@pytest.mark.parametrize("brand", ["github", "Instagram"])
+def test_of_brands_it_is_told_that_there_are_none(bundled, brand):
+    with pytest.raises(IconstudioError, match=rf"'{brand}'\. Icons have.* logos of brands"):
+        bundled.search(brand)
+
+
+@pytest.mark.parametrize("keyword", ["x" * 5000, "unheardof:" + "x" * 5000, "dog qq " * 999])
+def test_a_keyword_that_is_very_long_is_not_repeated_whole(bundled, keyword):
+    for ask in (bundled.search, bundled.get):
+        with pytest.raises(IconstudioError) as error:
+            ask(keyword)
+        assert len(str(error.value)) < 400
+
+
+def test_of_an_unknown_icon_without_a_like_it_is_told_what_to_do(bundled):
+    with pytest.raises(IconstudioError, match=r"no icon 'nope:nope'\. Search for what it shows"):
+        bundled.get("nope:nope")

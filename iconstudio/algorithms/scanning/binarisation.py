@@ -30,11 +30,13 @@ _OPAQUE = 0.95
 """Opacity of ink, as part of the most that there is."""
 _FAINTEST = 0.02
 """Less contrast than this is not made more."""
-_SHADED = 0.085
+_SHADED = 0.04
 """So much of what is not paper is shading on a photo, and not on a drawing."""
 _GRADUAL, _SOFT, _SOFTEST = 0.01, 6, 12
 """Shading changes by so much from pixel to pixel, at so many pixels from the edge of ink; at more
 if that is out of focus, but no more than the last."""
+_SLIM = 8
+"""Half the width in pixels of a faint line: the rules of a notebook, or the rim of a stain."""
 _PLAIN = 0.25
 """Colours that differ by no more are one."""
 
@@ -229,7 +231,7 @@ def _threshold(dark: NDArray[np.float32]) -> float | None:
 
 
 def _shading(dark: NDArray[np.float32], threshold: float, scale: float) -> float:
-    """Return how much of what is not paper is neither ink nor the edge of ink, from 0 to 1.
+    """Return how much of what is not paper is neither ink, its edge nor a line, from 0 to 1.
 
     What was enlarged much by ``scale``, or is out of focus, has wider edges.
     """
@@ -242,7 +244,10 @@ def _shading(dark: NDArray[np.float32], threshold: float, scale: float) -> float
         ink, 2 * width + 1
     )
     visible = even > LEAST
-    return float((visible & ~edge & (slope > _GRADUAL)).sum() / max(1, visible.sum()))
+    around = 2 * round(_SLIM * enlarged) + 1
+    wide = scipy.ndimage.grey_opening(even, around) > LEAST
+    shading = visible & ~edge & (slope > _GRADUAL) & scipy.ndimage.maximum_filter(wide, around)
+    return float(shading.sum() / max(1, visible.sum()))
 
 
 def _spread(ink: NDArray[np.bool_], dark: NDArray[np.float32], slope: NDArray[np.float32]) -> float:

@@ -28,9 +28,14 @@ _ENOUGH = 0.3
 _DARKEST = 0.04
 _REACHING = 0.12
 """So much of the edge of the sheet is of a piece of paper in the shadow."""
+_BESIDE = 0.2
+"""So much of a piece of paper in the shadow is nearer to other paper there than to any in light."""
 _SHADE, _TINGE = 0.4, 0.12
 """Paper in the shadow is so bright at least, and its colour differs by no more, as parts of those
 of paper in the light."""
+_DEEPEST, _INK, _DRAWN, _BESIDE_IT = 0.12, 0.6, 0.001, 6
+"""It may be darker if ink is on it: so dark beside it, as part of its brightness, covering so much,
+and no more than so many pixels away."""
 
 
 def page(picture: NDArray[np.float32]) -> NDArray[np.bool_]:
@@ -60,19 +65,43 @@ def lighting(picture: NDArray[np.float32], valid: NDArray[np.bool_]) -> NDArray[
     if at_edge.max() < _FEWEST:
         middle = np.clip(np.median(picture[edge], axis=0), _DARKEST, None)
         return np.broadcast_to(middle, picture.shape).astype(np.float32)
-    paper |= np.isin(labels, _in_shadow(picture, labels, at_edge))
+    shade = np.isin(labels, _in_shadow(picture, labels, at_edge)) & ~paper
+    paper |= shade
     pieces = 1 + np.flatnonzero(sizes[1:] >= _FEWEST)
     for _ in range(_ROUNDS):
         ground = _surface(picture, paper)
-        ratio = [
-            scipy.ndimage.mean(picture[..., c] / ground[..., c], labels, pieces) for c in range(3)
-        ]
-        alike = (abs(np.stack(ratio) - 1) < _NEAR).all(axis=0)
-        grown = paper | np.isin(labels, pieces[alike])
+        grown = paper | np.isin(labels, pieces[_alike(picture, ground, labels, pieces)])
+        if shade.any():
+            # What a drawing encloses in the shadow, next to its edge.
+            beside = scipy.ndimage.mean(_nearest(shade, paper), labels, pieces) > _BESIDE
+            dark = beside & _alike(picture, _surface(picture, shade), labels, pieces)
+            shade |= np.isin(labels, pieces[dark])
+            grown |= shade
         if (grown == paper).all():
             break
         paper = grown
     return ground
+
+
+def _alike(
+    picture: NDArray[np.float32],
+    ground: NDArray[np.float32],
+    labels: NDArray[np.int32],
+    pieces: NDArray[np.int64],
+) -> NDArray[np.bool_]:
+    """Return which pieces have the colour of the ground, on average."""
+    ratio = [scipy.ndimage.mean(picture[..., c] / ground[..., c], labels, pieces) for c in range(3)]
+    alike: NDArray[np.bool_] = np.all(abs(np.stack(ratio) - 1) < _NEAR, axis=0)
+    return alike
+
+
+def _nearest(shape: NDArray[np.bool_], among: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return (h, w) whether ``shape`` has the nearest pixel ``among`` all others."""
+    rows, columns = scipy.ndimage.distance_transform_edt(
+        ~among, return_distances=False, return_indices=True
+    )
+    nearest: NDArray[np.bool_] = shape[rows, columns]
+    return nearest
 
 
 def _in_shadow(
@@ -81,6 +110,7 @@ def _in_shadow(
     """Return pieces of paper that a shadow with a sharp edge parts from the largest.
 
     They are darker, of the same colour, and reach the edge of the sheet, as a drawing rarely does.
+    What is so dark that it may be ink has a drawing upon it that is darker still.
     """
     pieces = np.flatnonzero(at_edge > _REACHING * at_edge.sum())
     means = np.stack([scipy.ndimage.mean(picture[..., c], labels, pieces) for c in range(3)])
@@ -88,8 +118,20 @@ def _in_shadow(
     ratio = means / means[:, pieces == np.argmax(at_edge)]
     same = np.ptp(ratio, axis=0) < _TINGE * ratio.mean(axis=0)
     shade = ratio.mean(axis=0)
-    found: NDArray[np.int64] = pieces[same & (shade > _SHADE) & (shade < 1 / _SHADE)]
+    deep = np.minimum(shade, 1 / shade)
+    darker = np.where(shade < 1, pieces, np.argmax(at_edge))
+    paper = same & (deep > _DEEPEST)
+    for i in np.flatnonzero(paper & (deep <= _SHADE)):
+        paper[i] = _is_drawn_upon(picture.mean(axis=2), labels == darker[i])
+    found: NDArray[np.int64] = pieces[paper]
     return found
+
+
+def _is_drawn_upon(light: NDArray[np.float32], piece: NDArray[np.bool_]) -> bool:
+    """Whether something much darker lies beside a piece of paper, in it or around it."""
+    beside = scipy.ndimage.binary_dilation(piece, iterations=_BESIDE_IT) & ~piece
+    ink = beside & (light < _INK * np.median(light[piece]))
+    return bool(ink.sum() > _DRAWN * piece.sum())
 
 
 def _steep(picture: NDArray[np.float32]) -> NDArray[np.bool_]:

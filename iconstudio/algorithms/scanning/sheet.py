@@ -20,6 +20,10 @@ _ALL_BUT = 0.8
 _BLUR = 1.5
 _GLINT = 3
 """Half the width in pixels of what is too slim to be part of a sheet."""
+_TINGE = 0.12
+"""Paper in the shadow differs in colour from paper in the light by no more, as part of it."""
+_INK, _DRAWN = 0.6, 0.002
+"""Ink is so dark beside its paper, and covers so much of it, at least."""
 _FLAT = 1.5 / 255
 """What was photographed varies by more."""
 _SAME = 0.03
@@ -30,8 +34,9 @@ def sheet_on_desk(picture: NDArray[np.float32]) -> NDArray[np.bool_] | None:
     """Return (h, w) where a sheet lies, (h, w, 3) in sRGB from 0 to 1; None if no desk is seen.
 
     A sheet is a light quadrangle with something darker or more colourful around it, and a sharp
-    edge between them. A white card on a drawing from a computer looks like that, too; but what is
-    cut out of a card shows the ground, and ink on a sheet does not.
+    edge between them. Paper in shadow beside it is no desk. A white card on a drawing from a
+    computer looks like that, too; but what is cut out of a card shows the ground, and ink on a
+    sheet does not.
     """
     best, found = 0.0, None
     for light in (picture @ np.array([0.2126, 0.7152, 0.0722], np.float32), picture.min(axis=2)):
@@ -39,7 +44,9 @@ def sheet_on_desk(picture: NDArray[np.float32]) -> NDArray[np.bool_] | None:
             continue
         for level in _levels(light):
             sheet, straight = _sheet(light, level)
-            if straight > best and not _is_card(picture, light > level, sheet):
+            if straight <= best or _is_card(picture, light > level, sheet):
+                continue
+            if not _is_in_shadow(picture, ~sheet):
                 best, found = straight, sheet
     return found
 
@@ -100,6 +107,24 @@ def _is_card(
         return True
     difference = np.median(picture[core], axis=0) - np.median(picture[outside], axis=0)
     return bool((abs(difference) < _SAME).all())
+
+
+def _is_in_shadow(picture: NDArray[np.float32], outside: NDArray[np.bool_]) -> bool:
+    """Whether what lies on one side of a sheet is more of it in the shadow, and drawn upon.
+
+    It is of the same tinge then, and not all of it is equally dark.
+    """
+    # Without what is left of light paper along the edge of the picture.
+    outside = scipy.ndimage.binary_opening(outside, iterations=_GLINT)
+    if quadrangularity(outside) <= _STRAIGHT:
+        return False
+    shade = np.median(picture[outside], axis=0) / np.median(picture[~outside], axis=0)
+    if np.ptp(shade) > _TINGE * shade.mean():
+        return False
+    light = scipy.ndimage.gaussian_filter(picture.mean(axis=2), _BLUR)
+    inner = scipy.ndimage.binary_erosion(outside, iterations=2 * _GLINT)
+    ink = inner & (light < _INK * np.median(light[outside]))
+    return bool(ink.sum() > _DRAWN * outside.sum())
 
 
 def _is_flat(colours: NDArray[np.float32]) -> bool:

@@ -1,8 +1,11 @@
 """What is shown only to who asks for it by name, and never proposed: private parts and rude words.
 
-WordNet says which words are rude, and what lies under the few meanings that are listed here.
+WordNet says which words are rude, and what lies under the few meanings that are listed here. A
+collection that is opened knows only the words listed here.
 """
 
+from iconstudio.library.words.inflections import singulars
+from iconstudio.library.words.vocabulary import words as word_set
 from iconstudio.library.words.wordnet import WordNet
 
 _PRIVATE = (
@@ -17,8 +20,28 @@ _BESIDES = frozenset(
 )
 """Words that hurt, or are rude, and that WordNet does not mark."""
 
+INSULTS = word_set(
+    """
+    arse arsehole asshole bastard bitch blowjob bollocks bugger bullshit chink coon cretin cum cunt
+    darkie darky dickhead dildo dumbass fag faggot fuck fucked fucker fucking gook halfwit
+    harlot honky hooker idiot imbecile jizz kike lesbo milf mongoloid moron
+    motherfucker nazi negro negress nigga nigger nutter paki pedo pedophile pervert pimp piss
+    porn porno rapist rape raper retard shemale shit shitty skank slut
+    spastic spic strumpet tosser tranny turd twat wank wanker wetback whore wog wop yid
+    """
+)
+"""Words that offend and name no thing to draw: nothing is shown, or proposed, in their place."""
+
 _RUDE = ("obscenity", "ethnic slur", "disparagement")
 """Words by which WordNet marks how others are used."""
+
+
+def is_insult(words: str) -> bool:
+    """Whether plain words, or one of them, only offend."""
+    return any(
+        not INSULTS.isdisjoint((word, word.removesuffix("s"), *singulars(word)))
+        for word in words.split()
+    )
 
 
 class Decency:

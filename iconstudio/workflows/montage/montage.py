@@ -171,7 +171,7 @@ def check(montage: Montage, side: int = CANVAS) -> NDArray[np.bool_]:
     if not layers or len(layers) > MOST:
         raise IconstudioError(
             f"A montage needs 1 to {MOST} icons, and has {len(layers)}. "
-            f"{'Remove some.' if layers else 'Bring icons onto the canvas.'}"
+            f"{'Remove some.' if layers else 'Add icons to it.'}"
         )
     for layer in layers:
         if not SMALLEST <= layer.placement.scale <= LARGEST:
