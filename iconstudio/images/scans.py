@@ -12,6 +12,7 @@ from iconstudio.model import Credit, IconstudioError, Pictogram
 from iconstudio.model import Path as Outline
 from iconstudio.model.pictogram import OWN
 from iconstudio.svg.credits import UNLICENSED, UNNAMED
+from iconstudio.svg.mark import IN_MARKUP
 from iconstudio.workers import Workers
 
 _SECONDS = 30.0
@@ -114,7 +115,7 @@ def _trace(scan: Scan, threshold: int | None) -> tuple[Outline, tuple[int, int]]
 
 def _document(path: Outline, width: int, height: int) -> str:
     return (
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}"'
+        f'<svg xmlns="http://www.w3.org/2000/svg" {IN_MARKUP} width="{width}" height="{height}"'
         f' viewBox="0 0 {width} {height}" fill="currentColor">\n'
         f'<path fill-rule="evenodd" d="{path.svg()}"/>\n</svg>\n'
     )
