@@ -29,6 +29,7 @@ from iconstudio.svg.geometry import missing_letters
 from iconstudio.svg.lengths import Box, mapped
 from iconstudio.svg.mark import in_black_and_white
 from iconstudio.svg.near import brought_near
+from iconstudio.svg.omitted import OMITTED
 from iconstudio.svg.plain import Plain, document
 from iconstudio.svg.resvg import render_colours, render_coverage
 from iconstudio.svg.strokes import coarsened, evened, thickened, widened
@@ -61,13 +62,6 @@ SOME_THIN = (
 )
 FONTS = "Its text was drawn in Inter, whatever its font. To keep its look, turn text into shapes."
 UNKNOWN = "The font Inter has no “{}”, which was left out. Turn text into shapes."
-
-
-OMITTED = {
-    Omission.TILE: "The tile behind the drawing was left out.",
-    Omission.FAINT: "Parts that are hardly opaque, such as shadows, were left out.",
-    Omission.DECORATION: "Colour that lies behind or beside its lines was left out.",
-}
 
 
 class EmptyError(IconstudioError):

@@ -6,14 +6,16 @@ What lights the paper unevenly is divided out (flat-field correction), so that o
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.scanning.flat import flat_drawing
 from iconstudio.algorithms.scanning.paper import lighting, page, trend
 from iconstudio.algorithms.scanning.resampling import resized, shrunk
+from iconstudio.algorithms.tones.tone import Inked, pictogram
 from iconstudio.model import IconstudioError
 
 SIDE = 512
@@ -57,6 +59,14 @@ class Scan:
     """Whether a drawing was made out; if not, ``darkness`` is all of the picture, stretched."""
     shaded: bool = False
     """Whether much of it is neither ink nor paper, as on a photo of something else."""
+    coloured: Inked | None = None
+    """Of a drawing in flat colours, its pictogram: what is ink at ``threshold``."""
+
+    def at(self, threshold: int) -> NDArray[np.bool_]:
+        """Return where it is ink at a threshold, (h, w) as ``darkness`` or its pictogram."""
+        if self.coloured is not None and threshold == self.threshold:
+            return self.coloured.coverage > 127
+        return self.darkness > threshold
 
 
 def scanned(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
@@ -115,8 +125,22 @@ def scanned(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
     )
 
 
+def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
+    """Find the drawing on a picture as ``scanned`` does, or by its colours if it has flat ones.
+
+    These tell only if nobody says whether it is lighter than its ground.
+    """
+    flat = flat_drawing(pixels) if inverted is None else None
+    coloured = None if flat is None else pictogram(flat)
+    if coloured is None or not (coloured.coverage > 127).any():
+        return scanned(pixels, inverted)
+    return replace(scanned(pixels), found=True, shaded=False, coloured=coloured)
+
+
 def ink_of(scan: Scan, threshold: int | None = None) -> NDArray[np.bool_]:
     """Return (h, w) where there is ink: what is darker than ``threshold``, without specks.
+
+    At the threshold of the scan, or None, a drawing in flat colours is its pictogram.
 
     Raises
     ------
@@ -125,7 +149,7 @@ def ink_of(scan: Scan, threshold: int | None = None) -> NDArray[np.bool_]:
     """
     if threshold is None and not scan.found:
         raise IconstudioError("No drawing can be made out on it.")
-    ink = scan.darkness > (scan.threshold if threshold is None else threshold)
+    ink = scan.at(scan.threshold if threshold is None else threshold)
     ink = ~_cleaned(~_cleaned(ink, _SPECK), _SPECK)
     if not ink.any():
         raise IconstudioError("Nothing is that dark. Lower the threshold.")

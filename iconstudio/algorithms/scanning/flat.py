@@ -3,8 +3,8 @@
 A palette are the colours that areas are evenly painted with; at an edge, and in a thin line, a
 pixel blends two of them. What part of a pixel each colour takes is enlarged, not the pixels: so the
 edges of small bitmaps are as sharp as those of large ones, and no third colour appears between two.
-What is lit unevenly, shaded or drawn with a pencil has no such palette. Colours are sRGB times alpha, and
-alpha, from 0 to 255, so that nothing is a colour, too.
+What is lit unevenly, shaded or drawn with a pencil has no such palette. Colours are sRGB times
+alpha, and alpha, from 0 to 255, so that nothing is a colour, too.
 """
 
 from typing import NamedTuple
@@ -36,6 +36,8 @@ _MISSED = 0.04
 """Part of the drawing that may be of other colours than those of the palette and their blends."""
 _ASTRAY = 28.0
 """Levels by which a pixel misses its blend if it is no such blend."""
+_LACKING = 4
+"""Colours of lines and dots that are added to a palette, at most."""
 _ABSENT = 14.0
 """Levels that it costs to blend a colour that no even area near has."""
 _NEAR = 7
@@ -44,6 +46,8 @@ _CLEAR, _SOLID = 12.0, 235.0
 """Levels of alpha of what is not there, and of what is opaque."""
 _AROUND = 0.97
 """How much of the rim of a bitmap has the colour of the ground."""
+_PAPER, _AT_RIM = 225.0, 0.3
+"""Levels from which a colour is that of white paper, and how much of the rim that has at least."""
 _APART = 30.0
 """Levels by which two colours of a drawing differ, and no blending of the palette makes."""
 _PART = 0.015
@@ -57,6 +61,11 @@ class _Palette(NamedTuple):
     """(k,): pixels that are evenly painted so."""
     number: NDArray[np.intp]
     """(h, w): the number of each evenly painted pixel's colour, else -1."""
+
+    def with_colour(self, colour: NDArray[np.float32]) -> "_Palette":
+        """Return it with a colour (4,) of what is too small to be evenly painted."""
+        colours = np.concatenate([self.colours, colour[None]])
+        return _Palette(colours, np.append(self.counts, 0), self.number)
 
 
 def flat_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
@@ -74,10 +83,15 @@ def flat_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
     if palette is None or _is_veiled(palette):
         return None
     ground = _ground(palette, blended)
-    if ground is None or (small.shape[2] == 3 and sheet_on_desk(small / 255) is not None):
+    if ground is None or _lies_on_a_desk(small, palette.colours[ground]):
         return None
-    parts = _parts(blended, palette)
-    if parts is None:
+    parts, amiss = _parts(blended, palette)
+    for _ in range(_LACKING):
+        if amiss is None:
+            break
+        palette = palette.with_colour(amiss)
+        parts, amiss = _parts(blended, palette)
+    if amiss is not None:
         return None
     labels = _enlarged(parts, palette, ground)
     return _painted(labels, palette, ground)
@@ -132,11 +146,23 @@ def _ground(palette: _Palette, blended: NDArray[np.float32]) -> int | None:
     if (palette.colours[:, 3] < _CLEAR).any():
         return int(palette.colours[:, 3].argmin())
     shares = (on_rim < _ASTRAY).mean(axis=1)
-    return int(shares.argmax()) if shares.max() > _AROUND else None
+    paper = (palette.colours.min(axis=1) > _PAPER) & (shares > _AT_RIM)
+    if shares.max() > _AROUND or not paper.any():
+        return int(shares.argmax()) if shares.max() > _AROUND else None
+    return int(np.where(paper, shares, 0).argmax())
 
 
-def _parts(blended: NDArray[np.float32], palette: _Palette) -> NDArray[np.float32] | None:
-    """Return how much of each pixel has each colour, (k, h, w); None if other colours are there."""
+def _lies_on_a_desk(small: NDArray[np.float32], ground: NDArray[np.float32]) -> bool:
+    """Whether it is a sheet of paper; a ground as white as that is no desk."""
+    if small.shape[2] == 4 or ground.min() > _PAPER:
+        return False
+    return sheet_on_desk(small / 255) is not None
+
+
+def _parts(
+    blended: NDArray[np.float32], palette: _Palette
+) -> tuple[NDArray[np.float32], NDArray[np.float32] | None]:
+    """Return how much of each pixel has each colour, (k, h, w), and a colour that is lacking."""
     count = len(palette.colours)
     parts = (np.arange(count)[:, None, None] == palette.number).astype(np.float32)
     near = np.stack([scipy.ndimage.maximum_filter(one, _NEAR) for one in parts]) > 0
@@ -160,14 +186,15 @@ def _parts(blended: NDArray[np.float32], palette: _Palette) -> NDArray[np.float3
             first, second = np.where(better, one, first), np.where(better, other, second)
             share = np.where(better, at, share)
     drawn = (palette.number != palette.counts.argmax()).sum()
+    lacking = None
     if (missed > _ASTRAY**2).sum() > _MISSED * drawn:
-        return None
+        lacking = pixels[missed.argmax()]  # the farthest from all others blends the least
     values = np.zeros((count, len(pixels)), np.float32)
     index = np.arange(len(pixels))
     values[first, index] = share
     values[second, index] += 1 - share
     parts[:, mixed] = values
-    return parts
+    return parts, lacking
 
 
 def _enlarged(parts: NDArray[np.float32], palette: _Palette, ground: int) -> NDArray[np.intp]:
