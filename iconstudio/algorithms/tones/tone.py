@@ -51,7 +51,7 @@ FAINT = 11.0
 """As CONTRAST, where all that is on a tile would be one shape."""
 GREYISH = 9.0
 """As CONTRAST, where white that is left out would take a grey along."""
-_RIM, _CONTOUR = 5, 0.1
+_RIM, _CONTOUR = 5, 0.2
 """Pixels along the contour that tell of such a grey, and how much of them it has."""
 SMALLEST = 60
 """Pixels of the smallest detail that reads."""
