@@ -156,7 +156,7 @@ def _lies_on_a_desk(small: NDArray[np.float32], ground: NDArray[np.float32]) -> 
     """Whether it is a sheet of paper; a ground as white as that is no desk."""
     if small.shape[2] == 4 or ground.min() > _PAPER:
         return False
-    return sheet_on_desk(small / 255) is not None
+    return sheet_on_desk(small / np.float32(255)) is not None
 
 
 def _parts(

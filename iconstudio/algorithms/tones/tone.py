@@ -212,7 +212,9 @@ def _regions(rgb: NDArray[np.uint8], inside: Mask) -> Regions:
     lab = cielab(rgb)
     found = regions.regions(lab, inside, CONTRAST, SMALLEST)
     if _hides_grey(found, lab):
-        found = regions.regions(lab, inside, GREYISH, SMALLEST)
+        closer = regions.regions(lab, inside, GREYISH, SMALLEST)
+        # Where shades of other colours come apart, too, it is no chart but a picture.
+        found = closer if len(closer.areas) <= len(found.areas) + 2 else found
     if len(found.areas) != 3:
         return found
     # Of one shape on a tile the shades are all that there is.
