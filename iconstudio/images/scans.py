@@ -5,13 +5,15 @@ from collections.abc import Generator
 from dataclasses import dataclass
 from pathlib import Path
 
-from iconstudio.algorithms.scanning.binarisation import Scan, ink_of, scanned
+from iconstudio.algorithms.scanning.binarisation import Scan, ink_of, recognised
 from iconstudio.algorithms.tracing.potrace import traced
 from iconstudio.images.reading import Image, awaited, read_image
 from iconstudio.model import Credit, IconstudioError, Pictogram
 from iconstudio.model import Path as Outline
 from iconstudio.model.pictogram import OWN
 from iconstudio.svg.credits import UNLICENSED, UNNAMED
+from iconstudio.svg.mark import IN_MARKUP
+from iconstudio.svg.omitted import OMITTED
 from iconstudio.workers import Workers
 
 _SECONDS = 30.0
@@ -77,8 +79,11 @@ def trace(
     svg = _document(path, width, height)
     digest = hashlib.sha256(svg.encode()).hexdigest()[:8]
     credit = Credit(name, UNNAMED, UNLICENSED, "", "")
-    faint = threshold is None and scan.threshold < _FAINTEST
-    said = remark, _PHOTO if scan.shaded else "", _FAINT if faint else ""
+    by_colour = scan.coloured if threshold in (None, scan.threshold) else None
+    faint = threshold is None and scan.threshold < _FAINTEST and by_colour is None
+    said = [remark, _PHOTO if scan.shaded else "", _FAINT if faint else ""]
+    if by_colour is not None:
+        said += [one for what, one in OMITTED.items() if what in by_colour.omissions]
     remarks = tuple(filter(None, said))
     pictogram = Pictogram(f"{OWN}{Path(name).stem}-{digest}", svg, credit, remarks=remarks)
     return Tracing(pictogram, path, width, height)
@@ -103,7 +108,7 @@ def read_scan(path: Path, workers: Workers) -> Generator[None, None, Pictogram]:
 
 
 def _scan(image: Image, inverted: bool | None) -> Scan:
-    return scanned(image.pixels, inverted)
+    return recognised(image.pixels, inverted)
 
 
 def _trace(scan: Scan, threshold: int | None) -> tuple[Outline, tuple[int, int]]:
@@ -114,7 +119,7 @@ def _trace(scan: Scan, threshold: int | None) -> tuple[Outline, tuple[int, int]]
 
 def _document(path: Outline, width: int, height: int) -> str:
     return (
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}"'
+        f'<svg xmlns="http://www.w3.org/2000/svg" {IN_MARKUP} width="{width}" height="{height}"'
         f' viewBox="0 0 {width} {height}" fill="currentColor">\n'
         f'<path fill-rule="evenodd" d="{path.svg()}"/>\n</svg>\n'
     )

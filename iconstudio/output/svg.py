@@ -5,6 +5,7 @@ import re
 from xml.sax.saxutils import escape, quoteattr
 
 from iconstudio.model import CANVAS, Credit, Icon, Pictogram
+from iconstudio.svg.mark import IN_MARKUP
 
 _NO_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 """Characters that XML cannot hold."""
@@ -25,7 +26,7 @@ def svg_document(icon: Icon) -> str:
     works = "".join(_work(pictogram) for pictogram in icon.credits)
     title = _text(icon.title)
     return (
-        '<svg xmlns="http://www.w3.org/2000/svg"'
+        f'<svg xmlns="http://www.w3.org/2000/svg" {IN_MARKUP}'
         f' width="{CANVAS}" height="{CANVAS}" viewBox="0 0 {CANVAS} {CANVAS}"'
         ' fill="currentColor">\n'
         f"<title>{title}</title>\n"

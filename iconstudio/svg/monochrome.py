@@ -27,7 +27,9 @@ from iconstudio.resources import resource
 from iconstudio.svg.fitting import fitted, square
 from iconstudio.svg.geometry import missing_letters
 from iconstudio.svg.lengths import Box, mapped
+from iconstudio.svg.mark import in_black_and_white
 from iconstudio.svg.near import brought_near
+from iconstudio.svg.omitted import OMITTED
 from iconstudio.svg.plain import Plain, document
 from iconstudio.svg.resvg import render_colours, render_coverage
 from iconstudio.svg.strokes import coarsened, evened, thickened, widened
@@ -60,13 +62,6 @@ SOME_THIN = (
 )
 FONTS = "Its text was drawn in Inter, whatever its font. To keep its look, turn text into shapes."
 UNKNOWN = "The font Inter has no “{}”, which was left out. Turn text into shapes."
-
-
-OMITTED = {
-    Omission.TILE: "The tile behind the drawing was left out.",
-    Omission.FAINT: "Parts that are hardly opaque, such as shadows, were left out.",
-    Omission.DECORATION: "Colour that lies behind or beside its lines was left out.",
-}
 
 
 class EmptyError(IconstudioError):
@@ -105,6 +100,9 @@ def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ..
             remarks.append(UNKNOWN.format(missing[:20]))
     if drawing.bounds is None or not max(drawing.bounds[2:]):
         raise _nothing(remarks)
+    black = _as_it_is(drawing, rdf)
+    if black is not None:
+        return black, tuple(dict.fromkeys(remarks))
     shown = drawing.page or drawing.bounds
     content, fine = coarsened(drawing.content, max(shown[2:]), shown)
     remarks += fine
@@ -144,7 +142,18 @@ def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ..
     own = None if changed else _own_shapes(content, box, frame, picture)
     if own is None:
         own, box = _traced(picture.coverage), (0.0, 0.0, float(CANVAS), float(CANVAS))
-    return document(own, box, rdf), tuple(dict.fromkeys(remarks))
+    return document(own, box, rdf, marked=True), tuple(dict.fromkeys(remarks))
+
+
+def _as_it_is(drawing: Plain, rdf: ET.Element | None) -> str | None:
+    """Return the document of a drawing that was made black here; None if it shows no ink."""
+    if drawing.page is None or not drawing.marked or not in_black_and_white(drawing.content):
+        return None
+    svg = document(drawing.content, drawing.page, rdf, marked=True)
+    frame = fitted(svg, drawing.page, [])
+    if frame is None or not (render_coverage(svg, frame, CANVAS) > 127).any():
+        return None
+    return svg
 
 
 def _nothing(remarks: Sequence[str]) -> EmptyError:

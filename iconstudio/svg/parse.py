@@ -11,6 +11,7 @@ from xml.parsers import expat
 
 from iconstudio.model import IconstudioError
 from iconstudio.svg.lenient import parse_leniently
+from iconstudio.svg.mark import ATTRIBUTE
 from iconstudio.svg.names import attribute_name, tag_name
 
 MAX_CHARACTERS = 2_000_000
@@ -231,6 +232,8 @@ class _Builder:
                 kept.setdefault("href", value)
             elif name == "xml:space":
                 kept[name] = value
+            elif self.root is None and _qualified(name, spaces) == ATTRIBUTE:
+                kept[ATTRIBUTE] = value
         return kept
 
     def _count(self, attributes: dict[str, str]) -> None:

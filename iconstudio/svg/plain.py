@@ -19,6 +19,7 @@ from iconstudio.svg.filters import leave_out_distortions
 from iconstudio.svg.geometry import SHAPES
 from iconstudio.svg.lengths import IDENTITY, Box, Matrix, numbers, pixels, written
 from iconstudio.svg.lettering import TEXTS, set_type
+from iconstudio.svg.mark import ATTRIBUTE
 from iconstudio.svg.pathdata import cut_off_mistakes
 from iconstudio.svg.placing import place
 from iconstudio.svg.styles import ONLY_IN_STYLE, apply_styles
@@ -74,6 +75,8 @@ class Plain:
     """Whether filters, patterns or many masks are at work, which are slow to draw."""
     remarks: tuple[str, ...]
     """What could not be read, in sentences."""
+    marked: bool
+    """Whether it says that it was made plain and black here."""
 
 
 def plain(
@@ -97,6 +100,7 @@ def plain(
     IconstudioError
         If nothing is called ``symbol``, or it is not safe to draw.
     """
+    marked = root.attrib.pop(ATTRIBUTE, None) is not None
     remarks = [*remarks, *finish(root, midway)]
     if any(True for _ in root.iter("script")):
         remarks.append("A script was not run.")
@@ -141,6 +145,7 @@ def plain(
         any(one.tag in ("filter", "pattern") or "blur" in one.get("filter", "") for one in kept)
         or sum(one.tag in ("mask", "clipPath") for one in kept) > _MANY,
         tuple(dict.fromkeys(remarks)),
+        marked,
     )
 
 
@@ -240,9 +245,16 @@ def _content(root: ET.Element, stretch: Matrix) -> ET.Element:
     return content
 
 
-def document(content: ET.Element, box: Box, rdf: ET.Element | None = None) -> str:
-    """Return a complete document that shows ``box`` of a content; ``rdf`` are its metadata."""
+def document(
+    content: ET.Element, box: Box, rdf: ET.Element | None = None, marked: bool = False
+) -> str:
+    """Return a complete document that shows ``box`` of a content; ``rdf`` are its metadata.
+
+    ``marked`` says that it is as black as it shall be.
+    """
     root = ET.Element("svg", xmlns="http://www.w3.org/2000/svg", viewBox=written(box))
+    if marked:
+        root.set(ATTRIBUTE, "yes")
     if rdf is not None:
         ET.SubElement(root, "metadata").append(rdf)
     root.append(content)

@@ -138,3 +138,17 @@ def test_lines_of_a_second_colour_are_lines():
     coverage, omissions = pictogram(rgba(frame + grid, SIDE))
     assert amiss(coverage, ink(frame + grid, SIDE)) < 0.05
     assert not omissions
+
+
+@pytest.mark.parametrize(("screen", "bars"), [("#e0e0e0", "#9e9e9e"), ("#fff", "#bbb")])
+def test_greys_that_lie_free_on_a_screen_are_ink(screen, bars):
+    phone = (
+        '<rect x="5" y="1" width="14" height="22" rx="2" fill="#111"/>'
+        f'<path d="M7 3h10v18h-10z" fill="{screen}"/>'
+    )
+    marks = "M8.5 5h7v3h-7zM8.5 10h7v2h-7z"
+    coverage = pictogram(rgba(phone + f'<path d="{marks}" fill="{bars}"/>')).coverage > 127
+    expected = rgba(f'<path d="{marks}"/>')[..., 3] > 127
+    assert coverage[expected].mean() > 0.9
+    frame = rgba('<path d="M7.3 3.3h9.4v17.4h-9.4z"/>')[..., 3] > 127
+    assert not coverage[frame & ~expected].mean() > 0.1

@@ -98,3 +98,22 @@ def test_white_shapes_beside_a_colour_are_ink(kind):
     drawing = rgba(SHAPES[kind], box=BOX)
     white = (drawing[..., :3] > 240).all(axis=2) & (drawing[..., 3] > 127)
     assert (pictogram(drawing)[white] > 127).mean() > 0.8
+
+
+@pytest.mark.parametrize("grey", ["#d2d3d4", "#ccc", "#bbb", "#999"])
+def test_grey_beside_white_that_is_paper_is_kept(grey):
+    """A chart of a white disc and a ring in two colours."""
+    chart = (
+        '<circle cx="50" cy="50" r="38" fill="#fff"/><g fill="none" stroke-width="14">'
+        f'<circle cx="50" cy="50" r="38" stroke="{grey}"/>'
+        '<path d="M50 12a38 38 0 1 1 -22 69" stroke="#ce4b99"/></g>'
+    )
+    drawing = rgba(chart, box=BOX)
+    coverage = pictogram(drawing) > 127
+    ring = (
+        rgba(
+            '<circle cx="50" cy="50" r="38" fill="none" stroke="#000" stroke-width="14"/>', box=BOX
+        )[..., 3]
+        > 127
+    )
+    assert coverage[ring].mean() > 0.9 and coverage[~ring].mean() < 0.01

@@ -6,13 +6,16 @@ What lights the paper unevenly is divided out (flat-field correction), so that o
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.scanning.flat import flat_drawing
 from iconstudio.algorithms.scanning.paper import lighting, page, trend
+from iconstudio.algorithms.scanning.resampling import resized, shrunk
+from iconstudio.algorithms.tones.tone import Inked, pictogram
 from iconstudio.model import IconstudioError
 
 SIDE = 512
@@ -58,6 +61,14 @@ class Scan:
     """Whether a drawing was made out; if not, ``darkness`` is all of the picture, stretched."""
     shaded: bool = False
     """Whether much of it is neither ink nor paper, as on a photo of something else."""
+    coloured: Inked | None = None
+    """Of a drawing in flat colours, its pictogram: what is ink at ``threshold``."""
+
+    def at(self, threshold: int) -> NDArray[np.bool_]:
+        """Return where it is ink at a threshold, (h, w) as ``darkness`` or its pictogram."""
+        if self.coloured is not None and threshold == self.threshold:
+            return self.coloured.coverage > 127
+        return self.darkness > threshold
 
 
 def scanned(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
@@ -76,7 +87,7 @@ def scanned(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
         If there is nothing to be seen.
     """
     step = -(-max(pixels.shape[:2]) // _COARSE)
-    small = _shrunk(pixels, step)
+    small = shrunk(pixels, step)
     if small.shape[2] == 4:
         see, inverted = _seen_through(small, inverted)
         coarse = see(small)
@@ -92,16 +103,16 @@ def scanned(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
     height, width = coarse.shape
     area = pixels[top * step : bottom * step, left * step : right * step]
     finer = max(1, max(area.shape[:2]) // (2 * SIDE))
-    fine = _shrunk(area, finer)
+    fine = shrunk(area, finer)
     if small.shape[2] == 4:
         dark = see(fine)
     else:
         shape = fine.shape[:2]
         here = np.s_[top : min(bottom, height), left : min(right, width)]
-        dark = _darkness(fine, _resized(ground[here], shape), inverted)
-        dark = np.where(_resized(valid[here].astype(np.float32), shape) > 0.5, dark, 0.0)
+        dark = _darkness(fine, resized(ground[here], shape), inverted)
+        dark = np.where(resized(valid[here].astype(np.float32), shape) > 0.5, dark, 0.0)
     scale = SIDE / max(dark.shape)
-    dark = _resized(dark, tuple(max(1, round(side * scale)) for side in dark.shape))
+    dark = resized(dark, tuple(max(1, round(side * scale)) for side in dark.shape))
     dark = np.clip(scipy.ndimage.gaussian_filter(dark, 1.0), 0, 1)
     threshold = _threshold(dark) if bounds else None
     if threshold is None:
@@ -116,8 +127,22 @@ def scanned(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
     )
 
 
+def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
+    """Find the drawing on a picture as ``scanned`` does, or by its colours if it has flat ones.
+
+    These tell only if nobody says whether it is lighter than its ground.
+    """
+    flat = flat_drawing(pixels) if inverted is None else None
+    coloured = None if flat is None else pictogram(flat)
+    if coloured is None or not (coloured.coverage > 127).any():
+        return scanned(pixels, inverted)
+    return replace(scanned(pixels), found=True, shaded=False, coloured=coloured)
+
+
 def ink_of(scan: Scan, threshold: int | None = None) -> NDArray[np.bool_]:
     """Return (h, w) where there is ink: what is darker than ``threshold``, without specks.
+
+    At the threshold of the scan, or None, a drawing in flat colours is its pictogram.
 
     Raises
     ------
@@ -126,7 +151,7 @@ def ink_of(scan: Scan, threshold: int | None = None) -> NDArray[np.bool_]:
     """
     if threshold is None and not scan.found:
         raise IconstudioError("No drawing can be made out on it.")
-    ink = scan.darkness > (scan.threshold if threshold is None else threshold)
+    ink = scan.at(scan.threshold if threshold is None else threshold)
     ink = ~_cleaned(~_cleaned(ink, _SPECK), _SPECK)
     if not ink.any():
         raise IconstudioError("Nothing is that dark. Lower the threshold.")
@@ -273,32 +298,3 @@ def _cleaned(shape: NDArray[np.bool_], speck: int) -> NDArray[np.bool_]:
 
 def _luminance(picture: NDArray[np.float32]) -> NDArray[np.float32]:
     return picture[..., :3] @ np.array([0.2126, 0.7152, 0.0722], np.float32)
-
-
-def _shrunk(pixels: NDArray[np.uint8], step: int) -> NDArray[np.float32]:
-    """Return means of ``step`` x ``step`` pixels, from 0 to 1; colours weighted by their alpha."""
-    height, width, channels = pixels.shape
-    pad = [(0, -height % step), (0, -width % step), (0, 0)]
-    padded = np.pad(pixels, pad, mode="edge") if step > 1 else pixels
-    rows, columns = padded.shape[0] // step, padded.shape[1] // step
-    blocks = padded.reshape(rows, step, columns, step, channels)
-    if channels == 3 or step == 1:
-        means: NDArray[np.float32] = blocks.mean(axis=(1, 3), dtype=np.float32)
-        return means / np.float32(255)
-    alpha = blocks[..., 3:].astype(np.float32)
-    total = alpha.sum(axis=(1, 3))
-    colours = (blocks[..., :3] * alpha).sum(axis=(1, 3)) / np.maximum(total, 1)
-    return np.concatenate([colours, total / step**2], axis=2, dtype=np.float32) / np.float32(255)
-
-
-def _resized(values: NDArray[np.float32], shape: tuple[int, ...]) -> NDArray[np.float32]:
-    """Return (h, w) or (h, w, c) values at another resolution: smooth, without overshooting."""
-    from skimage.transform import resize
-
-    if values.shape[:2] == tuple(shape):
-        return values
-    smaller = shape[0] < values.shape[0]
-    resized: NDArray[np.float32] = resize(
-        values, shape, order=1 if smaller else 3, mode="edge", anti_aliasing=smaller, clip=True
-    ).astype(np.float32)
-    return resized

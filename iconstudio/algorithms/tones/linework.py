@@ -11,8 +11,9 @@ the outside
 
 A fill that reaches out of the lines and a backdrop are decoration, and left out. So is what is pale
 beside the lines, whether they are filled or not: a shadow, or a glow. Within the lines, all that
-stands out in a fill is ink. A shape that has dark lines along one side, with little of it enclosed,
-is shaded by them; that is no line drawing. Around fills as pale as paper, lines need not be dark.
+stands out in a fill is ink, and so is grey that lies free in a pale grey. A shape that has dark
+lines along one side, with little of it enclosed, is shaded by them; that is no line drawing. Around
+fills as pale as paper, lines need not be dark.
 """
 
 from typing import NamedTuple
@@ -39,6 +40,8 @@ _MOSTLY = 0.8
 """How much of fills is pale if they are."""
 _WIDER = 1.2
 """How much wider than lines pale shadows are at least."""
+_FREE, _DARKER = 0.95, 10.0
+"""How much of its contour a mark on a fill shares with that, and how much darker it is."""
 _OUT = 0.1
 """How much of a fill may reach out of its outline without being told."""
 
@@ -150,6 +153,7 @@ def line_drawing(found: Regions, line: Mask) -> Tones:
     tone[within & (tone > 0)] = 0
     at_line = found.lengths[:, line].sum(axis=1) > found.around / 3
     tone[(tone == 0) & ~within & (beside | at_line | (apart & shady))] = -1
+    tone[_marks(found) & (tone == 0)] = 1
     tone[0] = -1
     striking = found.contrasts > STRIKING
     # What differs little is as its neighbours are.
@@ -163,6 +167,17 @@ def line_drawing(found: Regions, line: Mask) -> Tones:
     over = (tone > 0) & dark & (found.lengths[:, part].sum(axis=1) > 0)
     omissions = frozenset([Omission.DECORATION] if left_out.any() else [])
     return Tones(tone > 0, fills & fills[:, None] & striking, over, omissions)
+
+
+def _marks(found: Regions) -> Mask:
+    """Return the greys that lie free in a pale grey, as bars on a screen do, and no shades."""
+    around = found.lengths.argmax(axis=1)
+    grey = np.hypot(found.colours[:, 1], found.colours[:, 2]) < GREY
+    free = found.lengths.max(axis=1) > _FREE * found.around
+    ground = (grey & pale(found.colours))[around] & (around > 0)
+    darker = found.colours[:, 0] < found.colours[around, 0] - _DARKER
+    marks: Mask = grey & free & ground & darker
+    return marks
 
 
 def _shapes(found: Regions, line: Mask) -> _Shapes:

@@ -49,6 +49,10 @@ CONTRAST = 14.0
 """Neighbouring colours that differ by less (CIEDE2000) are shades of one."""
 FAINT = 11.0
 """As CONTRAST, where all that is on a tile would be one shape."""
+GREYISH = 9.0
+"""As CONTRAST, where white that is left out would take a grey along."""
+_RIM, _CONTOUR = 5, 0.2
+"""Pixels along the contour that tell of such a grey, and how much of them it has."""
 SMALLEST = 60
 """Pixels of the smallest detail that reads."""
 LINE = 7.0
@@ -207,11 +211,25 @@ def _body(alpha: NDArray[np.float32]) -> float:
 def _regions(rgb: NDArray[np.uint8], inside: Mask) -> Regions:
     lab = cielab(rgb)
     found = regions.regions(lab, inside, CONTRAST, SMALLEST)
+    if _hides_grey(found, lab):
+        closer = regions.regions(lab, inside, GREYISH, SMALLEST)
+        # Where shades of other colours come apart, too, it is no chart but a picture.
+        found = closer if len(closer.areas) <= len(found.areas) + 2 else found
     if len(found.areas) != 3:
         return found
     # Of one shape on a tile the shades are all that there is.
     closer = regions.regions(lab, inside, FAINT, SMALLEST)
     return closer if tile(closer).any() else found
+
+
+def _hides_grey(found: Regions, lab: NDArray[np.float32]) -> bool:
+    """Whether white that is paper was joined by an even grey that makes a part of the contour."""
+    if not (found.white & (found.lengths[0] > 0)).any():
+        return False
+    inside = found.labels > 0
+    grey = white_on_colour(found)[found.labels] & found.pure & ~regions.near_white(lab)
+    rim = inside & ~scipy.ndimage.binary_erosion(inside, iterations=_RIM)
+    return bool((grey & rim).sum() > _CONTOUR * rim.sum())
 
 
 def _tones(found: Regions) -> Tones:

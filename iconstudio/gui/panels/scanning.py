@@ -270,7 +270,7 @@ class ScanDialog(QDialog):
     def _move(self, value: int) -> None:
         if self._scan is not None:
             self._forget()
-            self.preview.show_ink(self._scan.darkness > DARKEST - value)
+            self.preview.show_ink(self._scan.at(DARKEST - value))
             self._rest.start()
 
     def _trace(self) -> None:
