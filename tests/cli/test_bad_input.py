@@ -61,7 +61,7 @@ def edit(**fields):
         (edit(remove=[[[0, 0], [256, 0], [256, 256], [0, 256]]]), "Nothing of the icon"),
         (edit(remove=[PART[:2]]), "at least 3"),
         (edit(remove=[[[0, 0], [1, 1], [2, 2]]]), "no area"),
-        (edit(remove=[[[0, 0], [float("nan"), 1], [2, 2]]]), "not finite"),
+        (edit(remove=[[[0, 0], [float("nan"), 1], [2, 2]]]), "not a number, or too large"),
         (edit(symmetry="sideways"), "horizontal, vertical"),
         (edit(keyword=""), "no keyword"),
         (edit(keyword="lighthose"), "Did you mean"),

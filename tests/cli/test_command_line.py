@@ -49,7 +49,7 @@ def write(folder, text):
         ({"keyword": "dog", "polygon": []}, "at least 3"),
         ({"keyword": "dog", "polygon": [[0, 0], [1, 1]]}, "at least 3"),
         ({"keyword": "dog", "polygon": [[0, 0], [1, 1], [2, 2]]}, "no area"),
-        ('{"keyword": "dog", "polygon": [[0, 0], [NaN, 1], [2, 5]]}', "not finite"),
+        ('{"keyword": "dog", "polygon": [[0, 0], [NaN, 1], [2, 5]]}', "not a number"),
         ({"keyword": "dog", "polygon": [[0, 0], [1e300, 1], [2, 5]]}, "out of all scale"),
         ({"keyword": "dog", "polygon": [[0, 0], "no", [2, 5]]}, "not a pair"),
         ({"polygon": SQUARE}, "no keyword"),

@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 import threading
 from itertools import pairwise
 
@@ -720,7 +721,8 @@ def test_a_montage_is_saved_with_foreign_icons_beside_it_and_opened_again(
     assert len(read_montage(path).layers) == 3
     before = two.document.page
     saved = (path.parent / layers[2]["icon"]).read_text()
-    assert saved == before.layers[2].icon.pictogram.svg
+    assert "<dc:title>my drawing.svg</dc:title>" in saved
+    assert "M1 1h7v7z" in saved
     two.actions_by_name["new"].trigger()
     assert two.document.page.layers == ()
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *args: (str(path), ""))
@@ -728,7 +730,8 @@ def test_a_montage_is_saved_with_foreign_icons_beside_it_and_opened_again(
     qtbot.waitUntil(lambda: len(two.document.page.layers) == 3)
     for one, other in zip(before.layers, two.document.page.layers, strict=True):
         assert one.placement == other.placement
-        assert one.icon.pictogram.svg == other.icon.pictogram.svg
+        drawn, opened = (re.findall(" d=.*?/>", x.icon.pictogram.svg) for x in (one, other))
+        assert drawn == opened
         assert (scribble(one.strokes) == scribble(other.strokes)).mean() > 0.999
     qtbot.waitUntil(lambda: two.picture is not None)
 

@@ -1,6 +1,7 @@
 """Projects: what is in the window, in one file, and back."""
 
 import json
+import threading
 import zipfile
 from dataclasses import replace
 
@@ -19,6 +20,7 @@ from iconstudio.gui.workspaces.hybrids.page import Ask, HybridsPage, Ingredient
 from iconstudio.gui.workspaces.montage.page import Icon, MontagePage
 from iconstudio.gui.workspaces.plain.opening import WorkPage
 from iconstudio.model import Axis, Placement, Stroke
+from iconstudio.project import archive
 from iconstudio.svg.reading import own_svg
 from iconstudio.workflows.modelling.file import read_sketch
 from iconstudio.workflows.registry import registered
@@ -380,3 +382,77 @@ def test_a_pasted_photo_is_saved_beside_an_exported_sketch(window, qtbot, tmp_pa
     sketching.opener.open_work(str(path))
     qtbot.waitUntil(lambda: sketching.document.page.photo is not None)
     assert sketching.document.page.photo.width == 30
+
+
+# -- what happens while it is saved ----------------------------------------------------------------
+
+
+@pytest.fixture
+def slowly(monkeypatch):
+    """Saving waits until it is let go."""
+    gate, save = threading.Semaphore(0), archive.save
+
+    def slow(path, project):
+        gate.acquire(timeout=10)
+        save(path, project)
+
+    monkeypatch.setattr(archive, "save", slow)
+    return gate
+
+
+def test_what_is_done_while_the_work_is_saved_is_asked_about_again(
+    window, qtbot, tmp_path, monkeypatch, slowly
+):
+    answers, asked = [Answer.SAVE, Answer.CANCEL], []
+    monkeypatch.setattr(
+        questions, "ask_about_unsaved", lambda *_: asked.append(1) or answers.pop(0)
+    )
+    monkeypatch.setattr(questions, "ask_where", lambda *_: tmp_path / "a.iconstudio")
+    type_keyword(window.workspace, "dog")
+    window.project.new()
+    type_keyword(window.workspace, "house")
+    slowly.release()
+    qtbot.waitUntil(lambda: len(asked) == 2)
+    assert window.workspace.document.page.sketch.keyword == "doghouse"
+    assert window.project.modified
+    answers.append(Answer.DISCARD)
+
+
+def test_a_save_that_ends_when_another_project_is_there_gives_it_no_name(
+    window, qtbot, tmp_path, monkeypatch, slowly
+):
+    monkeypatch.setattr(questions, "ask_where", lambda *_: tmp_path / "a.iconstudio")
+    type_keyword(window.workspace, "dog")
+    window.project.save()
+    window.project.new()  # the question is answered with “Don't save”
+    slowly.release()
+    qtbot.waitUntil((tmp_path / "a.iconstudio").exists)
+    qtbot.wait(100)
+    assert window.project.path is None
+    assert not window.project.modified
+
+
+def test_a_file_that_another_window_saved_meanwhile_is_not_overwritten(
+    window, another, qtbot, tmp_path, monkeypatch
+):
+    path = tmp_path / "a.iconstudio"
+    monkeypatch.setattr(questions, "ask_where", lambda *_: path)
+    type_keyword(window.workspace, "dog")
+    window.project.save()
+    qtbot.waitUntil(lambda: not window.project.modified)
+    other = another()
+    other.project.open(path)
+    qtbot.waitUntil(lambda: other.project.path == path)
+    type_keyword(other.workspace, "house")
+    other.project.save()
+    qtbot.waitUntil(lambda: not other.project.modified)
+    there = path.read_bytes()
+    type_keyword(window.workspace, "s")
+    window.project.save()
+    notice = window.pane.notice
+    qtbot.waitUntil(lambda: "has changed since" in notice.label.text())
+    assert path.read_bytes() == there
+    assert window.project.modified
+    window.project.save_as()  # and its dialog has asked
+    qtbot.waitUntil(lambda: not window.project.modified)
+    assert path.read_bytes() != there

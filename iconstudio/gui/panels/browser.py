@@ -24,7 +24,7 @@ class ResultsBrowser(QSplitter):
     -------
     picked(object)
         The Picture that is shown large, or None.
-    made(Picture)
+    kept(Picture)
         A result worth keeping: picked by the user, or recommended by the run.
     counted(int)
         How many results are there.

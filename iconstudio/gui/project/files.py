@@ -22,6 +22,9 @@ from iconstudio.project import archive
 from iconstudio.project.archive import SUFFIX, Project
 from iconstudio.session import Session
 
+_Stamp = tuple[int, int, int]
+"""Time, size and number of a file: another one, and it was written since."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Opened:
@@ -30,6 +33,7 @@ class _Opened:
     contents: Contents
     path: Path | None
     found: Found | None = None
+    stamp: _Stamp | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,7 +52,7 @@ class ProjectFiles(QObject):
     -------
     changed()
         Another file, or what is in sight differs from it now, or no longer.
-    said(str), failed(str)
+    remarked(str), failed(str)
         What was done, and what could not be; a sentence for the user.
     imported(WorkFile)
         A file was opened that is no project.
@@ -71,6 +75,10 @@ class ProjectFiles(QObject):
         self._saved: Contents | None = work.contents()
         """As it is in the file, or at the beginning; None if it never was like that."""
         self._path: Path | None = None
+        self._stamp: _Stamp | None = None
+        """Of the file as it was read or saved here."""
+        self._project = 0
+        """Counts the projects that were here."""
         self._modified = self._loading = False
         self.journaling = Journaling(self._taken, self)
         self._runner = Runner(files, self)
@@ -136,7 +144,7 @@ class ProjectFiles(QObject):
             self.failed.emit(str(error))
             return
         if path is not None:
-            self._write(path, then)
+            self._write(path, then, anyway=True)  # the dialog has asked
 
     def may_go(self, again: Callable[[], object]) -> bool:
         """Whether nothing is lost if the work goes from sight, or the user does not mind.
@@ -159,28 +167,43 @@ class ProjectFiles(QObject):
 
     def _replace(self, opened: _Opened) -> None:
         """Put another project in place, once it is certain that nothing is lost."""
-        if self.may_go(lambda: self._load(opened)):
+        if self.may_go(lambda: self._replace(opened)):  # more may have been done while it was saved
             self._load(opened)
 
-    def _write(self, path: Path, then: Callable[[], object] | None) -> None:
-        contents, formats = self._work.contents(), self._work.formats
+    def _write(self, path: Path, then: Callable[[], object] | None, anyway: bool = False) -> None:
+        """Save in the background; ``anyway``: also over what others have saved there meanwhile."""
+        contents, formats, project = self._work.contents(), self._work.formats, self._project
+        known = self._stamp if path == self._path and not anyway else None
 
-        def saving() -> Generator[Path]:
+        def saving() -> Generator[_Stamp | None]:
+            there = _stamp(path)
+            if known is not None and there not in (None, known):
+                raise IconstudioError(
+                    f"“{path}” has changed since it was opened here, and was left as it is. "
+                    "Save this project under another name."
+                )
             archive.save(path, contents.project(formats))
-            yield path
+            yield _stamp(path)
 
         job = self._files.submit(saving)
-        job.event.connect(lambda _: self._note_saved(path, contents, then))
+        job.event.connect(lambda stamp: self._note_saved(path, contents, then, project, stamp))
         job.failed.connect(self.failed)
 
     def _note_saved(
-        self, path: Path, contents: Contents, then: Callable[[], object] | None
+        self,
+        path: Path,
+        contents: Contents,
+        then: Callable[[], object] | None,
+        project: int,
+        stamp: _Stamp | None,
     ) -> None:
-        self._path, self._saved = path, contents
         recents.note(path)
+        self.remarked.emit(f"Saved “{path}”.")
+        if project != self._project:  # another one has taken its place
+            return
+        self._path, self._saved, self._stamp = path, contents, stamp
         self._compare()
         self.changed.emit()
-        self.remarked.emit(f"Saved “{path}”.")
         if then is not None:
             then()
 
@@ -193,12 +216,14 @@ class ProjectFiles(QObject):
 
     def _load(self, opened: _Opened) -> None:
         contents, found = opened.contents, opened.found
+        self._project += 1
         self._loading = True  # half of it is nothing to keep
         self._work.load(contents)
         self._loading = False
         # What could not be read must not vanish from the file when the rest is saved.
         whole = not contents.complaints
         self._path = opened.path if whole else None
+        self._stamp = opened.stamp
         self._saved = self._work.contents() if whole and found is None else None
         if opened.path is not None and found is None:
             recents.note(opened.path)
@@ -232,7 +257,17 @@ class ProjectFiles(QObject):
         return lambda: contents.project(formats, file=archive.plain_text(file))
 
 
+def _stamp(path: Path) -> _Stamp | None:
+    """Return what changes when a file is written; None if there is none."""
+    try:
+        there = path.stat()
+    except OSError:
+        return None
+    return there.st_mtime_ns, there.st_size, there.st_ino
+
+
 def _opening(session: Session, path: Path, formats: Formats) -> Generator[Any]:
+    stamp = _stamp(path)
     try:
         index, parts = archive.read(path)
     except IconstudioError:
@@ -241,7 +276,7 @@ def _opening(session: Session, path: Path, formats: Formats) -> Generator[Any]:
         raise
     with closing(reading(session, index, parts, formats)) as steps:
         for step in steps:
-            yield _Opened(step, path) if isinstance(step, Contents) else step
+            yield _Opened(step, path, stamp=stamp) if isinstance(step, Contents) else step
 
 
 def _restoring(session: Session, found: Found, formats: Formats) -> Generator[Any]:

@@ -38,7 +38,7 @@ class Workspace(QWidget):
 
     Signals
     -------
-    said(str)
+    remarked(str)
         A remark for the status line; messages that were in sight are dealt with.
     failed(str)
         Something could not be done; a sentence for the user, which stays until it is read.
@@ -46,11 +46,11 @@ class Workspace(QWidget):
         What the user should do next, or know; no mistake was made.
     progressed(Progress), counted(int)
         How far the work is, and how many results are finished.
-    rested(str)
+    idle(str)
         Nothing is under way any more; what came out of it, if anything.
     picked(object)
         The Picture that the user looks at, or None.
-    made(Picture)
+    kept(Picture)
         A result worth keeping in sight.
     send(Pictogram, str)
         An icon is to go to the workspace of that title.

@@ -34,7 +34,7 @@ class LiveResult(QObject):
         A run takes so long that the user should know.
     failed(str)
         A sentence for the user.
-    rested()
+    idle()
         The last result is that of what was wanted last.
     """
 
