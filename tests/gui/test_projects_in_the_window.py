@@ -456,3 +456,22 @@ def test_a_file_that_another_window_saved_meanwhile_is_not_overwritten(
     window.project.save_as()  # and its dialog has asked
     qtbot.waitUntil(lambda: not window.project.modified)
     assert path.read_bytes() != there
+
+
+@pytest.mark.parametrize("number", [1, 3])
+def test_what_is_being_opened_does_not_come_onto_the_next_project(
+    window, qtbot, tmp_path, session, monkeypatch, number
+):
+    window.show_workspace(number)
+    place, gate, real = window.workspace, threading.Event(), session.icon
+    monkeypatch.setattr(session, "icon", lambda name: gate.wait(10) and real(name))
+    path = tmp_path / "own.svg"
+    path.write_text('<svg viewBox="0 0 9 9"><path d="M1 1H8V5Z"/></svg>')
+    place.opener.open_file(str(path))
+    window.project.new()
+    gate.set()
+    qtbot.wait(200)
+    assert place.icons == ()
+    assert not window.project.modified
+    place.opener.open_file(str(path))
+    qtbot.waitUntil(lambda: len(place.icons) == 1)

@@ -68,6 +68,8 @@ class Work(QObject):
         for name in dict.fromkeys((*self._made, *contents.pages)):
             workspace = self._workspace_of(name)
             workspace.cancel()
+            if workspace.opener is not None:
+                workspace.opener.cancel()
             workspace.document.load(workspace.blank)  # results of other work go from sight, too
             workspace.document.load(contents.pages.get(name, workspace.blank))
         self._recent.show_pictures(contents.recent)

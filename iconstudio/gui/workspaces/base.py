@@ -71,6 +71,8 @@ class Workspace(QWidget):
 
     page_format: ClassVar[type[PageFormat]]
     """How its pages are written into projects."""
+    opener: Opener | None = None
+    """Brings onto the page what is opened, dropped and pasted, if anything can be."""
     actions_by_name: Actions
     """All that can be done here; see ``make_actions``. The menus show these, and their shortcuts
     work while this workspace is in sight. What makes no sense at the moment is disabled."""
@@ -94,7 +96,6 @@ class Workspace(QWidget):
         self.pages = self.page_format(workflow)
         document.setParent(self)
         self.worker = Worker(self)
-        self._opener: Opener | None = None
         self.displays: Sequence[Any] = ()
         """What shows results; each has a method ``show_display``."""
         self.progressed.connect(lambda _: self._allow_cancel(True))
@@ -118,8 +119,8 @@ class Workspace(QWidget):
 
     def open_mime(self, data: QMimeData) -> None:
         """Open what was dropped where nothing else is made of it."""
-        if self._opener is not None:
-            self._opener.open_mime(data)
+        if self.opener is not None:
+            self.opener.open_mime(data)
 
     def set_destinations(self, destinations: tuple[Destination, ...]) -> None:
         """Say where icons can be sent to; called once."""
@@ -197,7 +198,7 @@ class Workspace(QWidget):
 
     def connect_opener(self, opener: Opener) -> None:
         """Let an opener open what is dropped, and pass on what it tells."""
-        self._opener = opener
+        self.opener = opener
         opener.began.connect(lambda: self.remarked.emit(""))
         opener.failed.connect(self.failed)
         opener.opened.connect(self.remarked)

@@ -12,7 +12,7 @@ from iconstudio.gui.document import Document
 from iconstudio.gui.panels.scanning import ScanDialog, Source, may_be_scan, pictogram_of
 from iconstudio.gui.panels.symbols import SymbolDialog
 from iconstudio.gui.runner import Runner
-from iconstudio.gui.worker import Worker
+from iconstudio.gui.worker import Job, Worker
 from iconstudio.gui.workspaces.together import ReadTogether, Sprite, named, read_together, was
 from iconstudio.model import IconstudioError, Pictogram
 from iconstudio.session import Session
@@ -65,7 +65,7 @@ class Opener(QObject):
         self.document = document
         self._worker = worker
         self._owner = owner
-        self._adding = 0
+        self._adding: list[Job] = []
         self._complaints: list[str] = []
         self.runner = Runner(worker, self)
         """Does what ``replace`` starts; its ``progress`` and ``ended`` may be listened to."""
@@ -197,11 +197,19 @@ class Opener(QObject):
     def add(self, make: Callable[[], Generator[Any]]) -> None:
         """Put what ``make()`` yields on the page, whatever else is opened meanwhile."""
         self._begin_anew()
-        self._adding += 1
         job = self._worker.submit(make)
+        self._adding.append(job)
         job.event.connect(self.receive)
         job.failed.connect(self.complain)
         job.finished.connect(self._added)
+
+    def cancel(self) -> None:
+        """Open nothing any more of what is being opened."""
+        self.runner.cancel()
+        for job in self._adding:
+            job.cancel()
+        self._adding.clear()
+        self._rest()
 
     def receive(self, found: object) -> None:
         """Put something on the page, and tell."""
@@ -232,14 +240,15 @@ class Opener(QObject):
 
     @property
     def _busy(self) -> bool:
-        return self._adding > 0 or self.runner.running
+        return bool(self._adding) or self.runner.running
 
     def _begin_anew(self) -> None:
         if not self._busy:
             self.began.emit()
 
     def _added(self) -> None:
-        self._adding -= 1
+        if (job := self.sender()) in self._adding:  # else it was cancelled
+            self._adding.remove(job)
         self._rest()
 
     def _rest(self) -> None:
