@@ -109,7 +109,7 @@ def there(place, qtbot, count):
 
 
 def quiet(place, qtbot):
-    opener = place._opener
+    opener = place.opener
     qtbot.waitUntil(lambda: not (opener._adding or opener.runner.running), timeout=20000)
 
 

@@ -46,7 +46,7 @@ def paste(place, qtbot, text, count):
     QApplication.clipboard().setText(text)
     place.actions_by_name["paste"].trigger()
     qtbot.waitUntil(lambda: len(place.icons) == count, timeout=20000)
-    opener = place._opener
+    opener = place.opener
     qtbot.waitUntil(lambda: not (opener._adding or opener.runner.running), timeout=20000)
 
 
@@ -110,7 +110,7 @@ def test_a_file_of_work_brings_the_remarks_of_its_icons(window, qtbot, tmp_path)
         window.show_workspace(PLACES[title])
         path = tmp_path / f"{title}.json"
         path.write_text(json.dumps(work))
-        window.workspace._opener.open_work(str(path))
+        window.workspace.opener.open_work(str(path))
         qtbot.waitUntil(lambda: told(window.workspace) == f"“ring 0”: {TEXT}", timeout=20000)
 
 
