@@ -168,7 +168,7 @@ class Opener(QObject):
         others = [one for one in items if one not in works]
         start = self.replace if self.most == 1 else self.add
         if others:
-            start(lambda: self._gather(others))
+            start(lambda: read_together(others, self.reading, self.most, self.no_room))
         else:
             path = works.pop(0).path
             _way(self, path)(path)
@@ -177,9 +177,6 @@ class Opener(QObject):
                 f"{named(works)} {was(works)} not opened. What such a file holds takes the place "
                 "of all that is here: open it by itself."
             )
-
-    def _gather(self, items: Sequence[mime.Item]) -> Generator[ReadTogether | Sprite | None]:
-        return read_together(items, self.reading, self.most, self.no_room)
 
     def no_room(self, taken: Sequence[str], left: Sequence[mime.Item | str]) -> str:
         """Return the sentence that says for what there was no room."""
