@@ -59,14 +59,15 @@ class _Commands(click.Group):
 
         if cmd_name.lower().endswith(SUFFIX):
             return _opening(cmd_name)
-        for one in workflows():
-            if one.name == cmd_name and not one.command:
-                from iconstudio.cli.plain import command_of
+        own = {one.name: one for one in workflows()}.get(cmd_name)
+        if own is not None and not own.command:
+            from iconstudio.cli.plain import command_of
 
-                return command_of(one)
-        own = {one.name: one.command for one in workflows()}
-        reference = own.get(cmd_name) or f"iconstudio.cli.{cmd_name}:command"
-        command: click.Command | None = named(reference) if cmd_name in self.helps else None
+            return command_of(own)
+        if own is None and cmd_name not in self.others:
+            return None
+        reference = own.command if own is not None else f"iconstudio.cli.{cmd_name}:command"
+        command: click.Command = named(reference)
         return command
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:

@@ -8,11 +8,10 @@ import click
 
 from iconstudio.cli import running
 from iconstudio.cli.timing import profile_option, profiled
-from iconstudio.inputs.fields import Fields
 from iconstudio.output.icons import IconsReport
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
-from iconstudio.workflows.files import open_file
+from iconstudio.workflows.files import read_file
 from iconstudio.workflows.workflow import Settings, Workflow
 
 
@@ -25,9 +24,8 @@ def command_of(workflow: Workflow[Any]) -> click.Command:
     @running.fine_option
     @profile_option
     def command(file: Path, folder: Path, fine: bool, profile: bool) -> None:
-        fields = open_file(file, workflow.name)
         with profiled(profile) as stopwatch, Session() as session:
-            events = _reading_and_running(session, workflow, fields, running.side_of(fine))
+            events = _reading_and_running(session, workflow, file, running.side_of(fine))
             report = IconsReport(folder, workflow.name)
             results = running.run(session, events, report, stopwatch)
         icons = "1 icon" if results == 1 else f"{results} icons"
@@ -37,7 +35,7 @@ def command_of(workflow: Workflow[Any]) -> click.Command:
 
 
 def _reading_and_running(
-    session: Session, workflow: Workflow[Any], fields: Fields, side: int
+    session: Session, workflow: Workflow[Any], file: Path, side: int
 ) -> Generator[Event]:
-    work = yield from workflow.read(fields, session)
+    work = yield from read_file(file, workflow, session)
     yield from session.run(workflow, work, Settings(side=side))

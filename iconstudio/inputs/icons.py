@@ -4,11 +4,8 @@ from pathlib import Path
 
 from iconstudio.files import write_atomically
 from iconstudio.model import IconstudioError, Pictogram
-from iconstudio.model.pictogram import OWN
+from iconstudio.model.pictogram import UNCOLLECTED
 from iconstudio.svg.credits import titled
-
-_ELSEWHERE = ("made:", OWN)
-"""Beginnings of the identifiers of icons that no collection has: results, and files."""
 
 
 def reference_to(pictogram: Pictogram, path: Path) -> str:
@@ -22,7 +19,7 @@ def reference_to(pictogram: Pictogram, path: Path) -> str:
     IconstudioError
         If it cannot be written.
     """
-    if not pictogram.id.startswith(_ELSEWHERE):
+    if not pictogram.id.startswith(UNCOLLECTED):
         return pictogram.id
     name = "".join(c if c.isalnum() else "-" for c in pictogram.id.partition(":")[2])
     file = path.resolve().parent / f"{path.stem}-{name}.svg"

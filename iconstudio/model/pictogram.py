@@ -4,6 +4,8 @@ from dataclasses import dataclass
 
 OWN = "own:"
 """How the identifiers of drawings of the user's own begin."""
+UNCOLLECTED = ("made:", OWN)
+"""Beginnings of the identifiers of icons that no collection has: results, and drawings."""
 
 
 @dataclass(frozen=True, slots=True)

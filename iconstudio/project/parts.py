@@ -11,13 +11,11 @@ from typing import Any, Protocol
 from iconstudio.images.reading import Image
 from iconstudio.inputs.fields import Fields
 from iconstudio.model import Credit, Exemplar, Icon, IconstudioError, Pictogram
-from iconstudio.model.pictogram import OWN
+from iconstudio.model.pictogram import OWN, UNCOLLECTED
 from iconstudio.project import results
 from iconstudio.project.archive import part_name, plain_text
 from iconstudio.svg.check import check
 
-_ELSEWHERE = ("made:", OWN)
-"""Beginnings of the identifiers of icons that no collection has."""
 _REFERENCE = re.compile(r"[^:/\\]+:[^:/\\]+")
 
 
@@ -164,7 +162,7 @@ class StoredParts:
 
     def _read_icon(self, reference: str) -> Pictogram:
         stored = reference in self._icons.keys
-        if not reference.startswith(_ELSEWHERE):
+        if not reference.startswith(UNCOLLECTED):
             if not _REFERENCE.fullmatch(reference):
                 raise IconstudioError(f"“{reference}” is outside of the file, and is not opened.")
             try:

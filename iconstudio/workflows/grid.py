@@ -126,30 +126,15 @@ def remix_styles(
     """
     styles = settings.chosen_styles()
     yield RegionsFound(tuple(region.centre for region in regions))
-    exemplars = matcher.exemplars
     remixing = Remixing(workers, render, total=len(styles) * len(settings.lambdas))
     recommending = Recommending(len(settings.lambdas))
     preview = settings.previews
     try:
         for style in styles:
-            admitted = [
-                number
-                for number, one in enumerate(exemplars)
-                if style.admits(one.blackness) and one.exemplar.id != without
-            ]
-            rows: Matches | None = None
-            reason = refusal(style, len(admitted), rows)
-            if not reason:
-                matches = yield from staged(
-                    "match", "Matching parts", matcher.match(field, regions, admitted)
-                )
-                rows = sources_of(matches, exemplars)
-                reason = refusal(style, len(admitted), rows)
-            if reason or rows is None:
+            rows = yield from _matched(style, field, regions, matcher, refusal, without)
+            if rows is None:
                 remixing.expect_fewer(len(settings.lambdas))
-                yield StyleSkipped(style.name, len(admitted), reason)
                 continue
-            yield StyleMatched(style.name, tuple(exemplars[i].exemplar for i in admitted), rows)
             sources = (*always, *distinct(rows))
             job = RemixJob(
                 style.name,
@@ -167,6 +152,37 @@ def remix_styles(
             yield from recommending.after(remixing.ready(wanted=True))
     finally:
         remixing.cancel()
+
+
+def _matched(
+    style: Style,
+    field: NDArray[np.float32],
+    regions: Sequence[Region],
+    matcher: Matcher,
+    refusal: Callable[[Style, int, Matches | None], str],
+    without: str,
+) -> Generator[Event, None, Matches | None]:
+    """Return the matches of a style; None if it is skipped. The parameters are ``remix_styles``'s.
+
+    Yields progress, and then ``StyleMatched`` or ``StyleSkipped``.
+    """
+    exemplars = matcher.exemplars
+    admitted = [
+        number
+        for number, one in enumerate(exemplars)
+        if style.admits(one.blackness) and one.exemplar.id != without
+    ]
+    rows: Matches | None = None
+    reason = refusal(style, len(admitted), rows)
+    if not reason:
+        matching = matcher.match(field, regions, admitted)
+        rows = sources_of((yield from staged("match", "Matching parts", matching)), exemplars)
+        reason = refusal(style, len(admitted), rows)
+    if reason or rows is None:
+        yield StyleSkipped(style.name, len(admitted), reason)
+        return None
+    yield StyleMatched(style.name, tuple(exemplars[i].exemplar for i in admitted), rows)
+    return rows
 
 
 def focused(

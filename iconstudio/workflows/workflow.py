@@ -81,8 +81,6 @@ class Workflow(Generic[W]):
     """What its command does, in a sentence."""
     invitation: str = ""
     """The words that offer to send an icon to it; empty if it takes none."""
-    work: Callable[[], W]
-    """Returns the work to begin with."""
     read: Read[W]
     """Returns the work in a file; yields progress."""
     write: Callable[[W, Refer], dict[str, Any]]
@@ -91,15 +89,17 @@ class Workflow(Generic[W]):
     """Fields that tell its files from others'."""
     run: Run[W]
     """Makes icons of some work; yields events."""
-    take: Callable[[W, Pictogram], W] | None = None
-    """Returns the work with an icon that was sent to it; None if it takes none."""
     examples: str | None = None
     """Folder of its examples, in ``resources/examples``; None if there are none."""
     command: str = ""
     """``module:name`` of its command; empty: one that reads, runs and writes."""
     workspace: str = ""
-    """``module:name`` of its class in the window; empty: one that collects icons and shows results.
-    """
+    """``module:name`` of its class in the window; empty: one that collects icons, by the two
+    functions below, and shows results."""
+    work: Callable[[], W] | None = None
+    """Returns the work to begin with."""
+    take: Callable[[W, Pictogram], W] | None = None
+    """Returns the work with one more icon; None if it takes none."""
 
 
 def named(reference: str) -> Any:

@@ -5,7 +5,8 @@ import threading
 
 import pytest
 from fake_session import FakeSession
-from PySide6.QtCore import QCoreApplication, QEvent, QSettings, QSize, QtMsgType
+from hands import shown
+from PySide6.QtCore import QSettings, QtMsgType
 from PySide6.QtWidgets import QApplication
 
 from iconstudio.gui import pictures
@@ -94,17 +95,9 @@ def session(monkeypatch):
 
 @pytest.fixture
 def window(qtbot, session, monkeypatch):
-    window = MainWindow(session)
-    window.resize(QSize(1280, 720))
-    window.show()
-    qtbot.waitExposed(window)
-    yield window
-    window.close()
+    with shown(MainWindow(session), qtbot) as window:
+        yield window
     assert session.closed.is_set()
-    assert not window.threads_alive()
-    # At once: windows of earlier tests would slow down whatever concerns all widgets.
-    window.deleteLater()
-    QCoreApplication.sendPostedEvents(window, QEvent.Type.DeferredDelete)
 
 
 @pytest.fixture

@@ -1,8 +1,9 @@
 """What a user's hands do to the window; ``place`` is the workspace where."""
 
+from contextlib import contextmanager
 from pathlib import Path
 
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt
 from PySide6.QtTest import QTest
 
 from iconstudio.gui.workspaces.sketching.workspace import SketchWorkspace
@@ -50,3 +51,17 @@ def press(place: SketchWorkspace, key, modifier=Qt.KeyboardModifier.NoModifier) 
 def save_to(place: SketchWorkspace, monkeypatch, path: Path | None) -> None:
     """Let the next save dialog answer ``path``."""
     monkeypatch.setattr(place.saver, "ask_path", lambda what, name, kind: path)
+
+
+@contextmanager
+def shown(window, qtbot):
+    """Show a window of the usual size; in the end close it, and see that nothing of it is left."""
+    window.resize(1280, 720)
+    window.show()
+    qtbot.waitExposed(window)
+    yield window
+    window.close()
+    assert not window.threads_alive()
+    # At once: windows of earlier tests would slow down whatever concerns all widgets.
+    window.deleteLater()
+    QCoreApplication.sendPostedEvents(window, QEvent.Type.DeferredDelete)

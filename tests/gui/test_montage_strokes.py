@@ -10,8 +10,9 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from iconstudio.algorithms.iconification.guidance import points_on, scribble
+from iconstudio.inputs.fields import write
 from iconstudio.model import CANVAS, IconstudioError, Placement, Stroke
-from iconstudio.workflows.montage.file import LayerFile, MontageFile, read_montage, write_montage
+from iconstudio.workflows.montage.file import LayerFile, MontageFile, montage_data, read_montage
 from iconstudio.workflows.montage.montage import check
 
 pytest.importorskip("PySide6.QtGui")
@@ -57,7 +58,7 @@ def test_after_any_edits_the_montage_is_accepted_or_nothing_is_marked(tmp_path_f
         layers = tuple(
             LayerFile(one.icon.id, one.placement, one.strokes) for one in page.montage().layers
         )
-        write_montage(path, MontageFile(layers))
+        write(path, montage_data(MontageFile(layers)))
         check(read_montage(path).resolved(lambda _: page.layers[0].icon.pictogram))
 
 
@@ -135,5 +136,6 @@ def test_a_stroke_that_is_enlarged_beyond_all_bounds_can_be_saved(tmp_path):
     (layer,) = page.montage().layers
     assert scribble(layer.strokes)[128].all()
     path = tmp_path / "large.json"
-    write_montage(path, MontageFile((LayerFile(icon.id, layer.placement, layer.strokes),)))
+    file = MontageFile((LayerFile(icon.id, layer.placement, layer.strokes),))
+    write(path, montage_data(file))
     assert scribble(read_montage(path).layers[0].strokes)[128].all()

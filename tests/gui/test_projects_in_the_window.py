@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import pytest
 from fake_session import exemplar
-from hands import SQUARE, click, trace, type_keyword
+from hands import SQUARE, click, shown, trace, type_keyword
 from PySide6.QtCore import QMimeData, QUrl
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QMessageBox
@@ -31,15 +31,8 @@ OWN = own_svg(b'<svg viewBox="0 0 9 9"><path d="M1 1H8V5Z"/></svg>', "my: own.sv
 
 @pytest.fixture
 def window(qtbot, session):
-    with registered(MIRROR):
-        window = MainWindow(session)
-        qtbot.addWidget(window)
-        window.resize(1280, 720)
-        window.show()
-        qtbot.waitExposed(window)
+    with registered(MIRROR), shown(MainWindow(session), qtbot) as window:
         yield window
-        window.close()
-        assert not window.threads_alive()
 
 
 @pytest.fixture

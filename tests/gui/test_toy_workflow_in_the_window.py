@@ -4,7 +4,7 @@ import json
 
 import pytest
 from fake_session import exemplar
-from hands import trace, type_keyword
+from hands import shown, trace, type_keyword
 
 from iconstudio.gui.main_window import MainWindow
 from iconstudio.workflows.registry import registered
@@ -12,21 +12,9 @@ from tests.toy import MIRROR
 
 
 @pytest.fixture
-def registry():
-    with registered(MIRROR):
-        yield
-
-
-@pytest.fixture
-def window(qtbot, session, registry):
-    window = MainWindow(session)
-    qtbot.addWidget(window)
-    window.resize(1280, 720)
-    window.show()
-    qtbot.waitExposed(window)
-    yield window
-    window.close()
-    assert not window.threads_alive()
+def window(qtbot, session):
+    with registered(MIRROR), shown(MainWindow(session), qtbot) as window:
+        yield window
 
 
 @pytest.fixture

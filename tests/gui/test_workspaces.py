@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import pytest
 from fake_session import RECOMMENDED
-from hands import SQUARE, click, trace, type_keyword
+from hands import SQUARE, click, shown, trace, type_keyword
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
@@ -55,14 +55,8 @@ PAD = replace(
 @pytest.fixture
 def house(qtbot, session):
     """A window with two workspaces."""
-    window = MainWindow(session, (MODELLING, PAD))
-    qtbot.addWidget(window)
-    window.resize(1280, 720)
-    window.show()
-    qtbot.waitExposed(window)
-    yield window
-    window.close()
-    assert not window.threads_alive()
+    with shown(MainWindow(session, (MODELLING, PAD)), qtbot) as window:
+        yield window
 
 
 @pytest.fixture

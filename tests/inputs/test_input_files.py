@@ -9,11 +9,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from iconstudio.inputs.fields import relative, write
 from iconstudio.model import Axis, Edit, IconstudioError, Placement, Polygon, Sketch, Stroke
-from iconstudio.workflows.editing.file import EditFile, read_edit, write_edit
-from iconstudio.workflows.hybrids.file import HybridsFile, read_hybrids, write_hybrids
-from iconstudio.workflows.modelling.file import read_sketch, write_sketch
-from iconstudio.workflows.montage.file import LayerFile, MontageFile, read_montage, write_montage
+from iconstudio.workflows.editing.file import EditFile, edit_data, read_edit
+from iconstudio.workflows.hybrids.file import HybridsFile, hybrids_data, read_hybrids
+from iconstudio.workflows.modelling.file import read_sketch, sketch_data
+from iconstudio.workflows.montage.file import LayerFile, MontageFile, montage_data, read_montage
 from tests.shapes import pictogram
 
 SQUARE = [[0, 0], [100, 0], [100, 80], [0, 80]]
@@ -45,6 +46,22 @@ placements = st.builds(
 @pytest.fixture(scope="module")
 def path(tmp_path_factory):
     return tmp_path_factory.mktemp("inputs") / "input.json"
+
+
+def write_sketch(path, sketch):
+    write(path, sketch_data(sketch))
+
+
+def write_edit(path, edit):
+    write(path, edit_data(replace(edit, icon=relative(edit.icon, path))))
+
+
+def write_hybrids(path, hybrids):
+    write(path, hybrids_data(hybrids))
+
+
+def write_montage(path, montage):
+    write(path, montage_data(montage))
 
 
 def saved(path, data):

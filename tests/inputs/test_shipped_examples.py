@@ -3,14 +3,16 @@
 import pytest
 
 from iconstudio.inputs.examples import examples
-from iconstudio.session import Session
+from iconstudio.session import Session, returned
 from iconstudio.workflows.editing.editing import place_edit
 from iconstudio.workflows.editing.file import read_edit
+from iconstudio.workflows.files import read_file, write_file
 from iconstudio.workflows.hybrids import hybrids
 from iconstudio.workflows.hybrids.file import read_hybrids
 from iconstudio.workflows.modelling.file import read_sketch
 from iconstudio.workflows.montage import montage
 from iconstudio.workflows.montage.file import read_montage
+from iconstudio.workflows.registry import workflows
 
 
 @pytest.fixture(scope="module")
@@ -66,3 +68,12 @@ def test_a_montage_keeps_something_of_every_icon(example, session):
     assert file.title == example.title
     scribbles = montage.check(file.resolved(session.icon))
     assert all(one.any() for one in scribbles)
+
+
+@pytest.mark.parametrize("workflow", workflows(), ids=lambda one: one.name)
+def test_every_workflow_writes_what_it_reads(workflow, session, tmp_path):
+    for number, example in enumerate(examples(workflow.examples)):
+        work = returned(read_file(example.path, workflow, session))
+        path = tmp_path / f"{number}.json"
+        write_file(path, workflow, work)
+        assert returned(read_file(path, workflow, session)) == work

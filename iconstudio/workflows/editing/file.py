@@ -8,10 +8,10 @@ the normalised icon. Of ``remove`` and ``add`` one may be left out; ``symmetry``
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
-from iconstudio.inputs.fields import Fields, relative, write, written
+from iconstudio.inputs.fields import Fields, written
 from iconstudio.model import Axis, Edit, Pictogram, Polygon
 from iconstudio.workflows.files import open_file
 
@@ -70,17 +70,6 @@ def edit_in(fields: Fields) -> EditFile:
         frozenset(fields.texts("exclude")),
         fields.text("title"),
     )
-
-
-def write_edit(path: Path, edit: EditFile) -> None:
-    """Write an EDIT.json.
-
-    Raises
-    ------
-    IconstudioError
-        If the file cannot be written.
-    """
-    write(path, edit_data(replace(edit, icon=relative(edit.icon, path))))
 
 
 def edit_data(edit: EditFile) -> dict[str, object]:

@@ -7,10 +7,10 @@ points that every hybrid keeps. There may be a ``title``.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
-from iconstudio.inputs.fields import Fields, relative, write, written
+from iconstudio.inputs.fields import Fields, written
 from iconstudio.model import CANVAS, Axis, Mix, Pictogram, Seeds
 from iconstudio.workflows.files import open_file
 from iconstudio.workflows.hybrids.hybrids import FEWEST, MOST, MOST_DRAWS
@@ -92,18 +92,6 @@ def hybrids_in(fields: Fields) -> HybridsFile:
         fields.point_lists("pins", CANVAS),
         fields.text("title"),
     )
-
-
-def write_hybrids(path: Path, hybrids: HybridsFile) -> None:
-    """Write a HYBRIDS.json.
-
-    Raises
-    ------
-    IconstudioError
-        If the file cannot be written.
-    """
-    icons = tuple(relative(reference, path) for reference in hybrids.icons)
-    write(path, hybrids_data(replace(hybrids, icons=icons)))
 
 
 def hybrids_data(hybrids: HybridsFile) -> dict[str, object]:

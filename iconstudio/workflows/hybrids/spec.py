@@ -1,7 +1,6 @@
 """What hybrids declare."""
 
 from collections.abc import Generator
-from dataclasses import replace
 from typing import Any
 
 from iconstudio.inputs.fields import Fields
@@ -32,12 +31,10 @@ HYBRIDS = Workflow(
     noun="mix",
     help="Mix icons at random, and rank what comes of it.",
     invitation="Mix with others",
-    work=lambda: Mix(()),
     read=_read,
     write=_write,
     keys=frozenset({"icons", "draws", "seed", "pins"}),
     run=lazily("iconstudio.workflows.hybrids.hybrids:run"),
-    take=lambda mix, icon: replace(mix, icons=(*mix.icons, icon)),
     examples="hybrids",
     command="iconstudio.cli.hybrids:command",
     workspace="iconstudio.gui.workspaces.hybrids.workspace:HybridsWorkspace",

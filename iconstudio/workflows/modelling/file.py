@@ -10,7 +10,7 @@ import os
 from dataclasses import dataclass
 from pathlib import Path
 
-from iconstudio.inputs.fields import Fields, write, written
+from iconstudio.inputs.fields import Fields, written
 from iconstudio.model import IconstudioError, Sketch
 from iconstudio.resources import resource
 from iconstudio.workflows.files import open_file
@@ -67,24 +67,9 @@ def sketch_in(fields: Fields) -> SketchFile:
         frozenset(fields.texts("exclude")),
         fields.axis(),
     )
-    photo = (
-        Path(os.path.realpath(fields.path.parent / fields.text("photo")))
-        if fields.has("photo")
-        else None
-    )
+    photo = fields.path.parent / fields.text("photo") if fields.has("photo") else None
     title = fields.text("title") or fields.path.stem
     return SketchFile(title, sketch, photo and Path(os.path.realpath(photo)))
-
-
-def write_sketch(path: Path, sketch: Sketch, photo: Path | None = None) -> None:
-    """Write a SKETCH.json.
-
-    Raises
-    ------
-    IconstudioError
-        If the file cannot be written.
-    """
-    write(path, sketch_data(sketch) | {"photo": str(photo) if photo else None})
 
 
 def sketch_data(sketch: Sketch) -> dict[str, object]:

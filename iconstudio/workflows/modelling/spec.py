@@ -24,7 +24,6 @@ MODELLING = Workflow(
     title="Sketch",
     noun="sketch",
     help="Make icons in the shape of a sketch out of parts of real ones.",
-    work=Sketch,
     read=_read,
     write=_write,
     keys=frozenset({"polygon"}),

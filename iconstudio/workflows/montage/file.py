@@ -10,10 +10,10 @@ There may be a ``title``.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
-from iconstudio.inputs.fields import Fields, relative, write, written
+from iconstudio.inputs.fields import Fields, written
 from iconstudio.model import CANVAS, Layer, Montage, Pictogram, Placement, Point, Stroke
 from iconstudio.workflows.files import open_file
 from iconstudio.workflows.montage.montage import LARGEST, SMALLEST
@@ -74,18 +74,6 @@ def montage_in(fields: Fields) -> MontageFile:
     fields.check_keys(("layers", "title"))
     layers = tuple(map(_layer, fields.objects("layers", "layer")))
     return MontageFile(layers, fields.text("title"))
-
-
-def write_montage(path: Path, montage: MontageFile) -> None:
-    """Write a MONTAGE.json.
-
-    Raises
-    ------
-    IconstudioError
-        If the file cannot be written.
-    """
-    layers = tuple(replace(one, icon=relative(one.icon, path)) for one in montage.layers)
-    write(path, montage_data(replace(montage, layers=layers)))
 
 
 def montage_data(montage: MontageFile) -> dict[str, object]:

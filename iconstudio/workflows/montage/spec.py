@@ -4,7 +4,7 @@ from collections.abc import Generator
 from typing import Any
 
 from iconstudio.inputs.fields import Fields
-from iconstudio.model import Layer, Montage
+from iconstudio.model import Montage
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.montage.file import MontageFile, montage_data, montage_in
 from iconstudio.workflows.workflow import Refer, Resources, Workflow, lazily
@@ -25,12 +25,10 @@ MONTAGE = Workflow(
     noun="montage",
     help="Join the parts of icons that are scribbled over.",
     invitation="Add to montage",
-    work=Montage,
     read=_read,
     write=_write,
     keys=frozenset({"layers"}),
     run=lazily("iconstudio.workflows.montage.montage:run"),
-    take=lambda montage, icon: Montage((*montage.layers, Layer(icon))),
     examples="montages",
     command="iconstudio.cli.montage:command",
     workspace="iconstudio.gui.workspaces.montage.workspace:MontageWorkspace",

@@ -6,7 +6,8 @@ from pathlib import Path
 from iconstudio.gui.workspaces.editing import page
 from iconstudio.gui.workspaces.opening import IconOpener
 from iconstudio.model import Edit, Exemplar, Pictogram
-from iconstudio.workflows.editing.file import read_edit
+from iconstudio.workflows.editing.spec import EDITING
+from iconstudio.workflows.files import read_file
 
 
 class EditOpener(IconOpener):
@@ -44,5 +45,5 @@ class EditOpener(IconOpener):
         yield self._with_keyword(icon)
 
     def _read_edit(self, path: Path) -> Generator[tuple[Exemplar, Edit]]:
-        edit = read_edit(path).resolved(self.session.icon)
+        edit = yield from read_file(path, EDITING, self.session)
         yield self.session.exemplar(edit.icon), edit

@@ -1,7 +1,6 @@
 """Pictogram editing (section 4.2): choose an icon, mark what goes and what comes, remix."""
 
 from collections.abc import Generator
-from pathlib import Path
 from typing import NamedTuple
 
 from iconstudio.gui.actions import Entry, Key, work_entries
@@ -20,12 +19,11 @@ from iconstudio.gui.workspaces.editing.start import StartPanel
 from iconstudio.gui.workspaces.editing.stored import EditPages
 from iconstudio.gui.workspaces.editing.tools import DrawTool, SelectTool
 from iconstudio.gui.workspaces.remixing import RemixWorkspace
-from iconstudio.inputs.icons import reference_to
 from iconstudio.model import Edit, IconstudioError, Pictogram
 from iconstudio.session import Session
 from iconstudio.workflows.editing.editing import own_styles, place_edit
-from iconstudio.workflows.editing.file import EditFile, write_edit
 from iconstudio.workflows.events import Event
+from iconstudio.workflows.files import write_file
 from iconstudio.workflows.grid import ModelSettings
 from iconstudio.workflows.workflow import Workflow
 
@@ -259,11 +257,9 @@ class EditWorkspace(RemixWorkspace):
     def _save(self) -> None:
         page = self.document.page
         edit = page.edit()
-
-        def write(path: Path) -> None:
-            write_edit(path, EditFile.of(edit, lambda icon: reference_to(icon, path)))
-
-        self.saver.save_work("edit", page.keyword, write)
+        self.saver.save_work(
+            "edit", page.keyword, lambda path: write_file(path, self.workflow, edit)
+        )
 
 
 def _outline(page: EditPage) -> EditPage | None:

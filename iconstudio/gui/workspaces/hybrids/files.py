@@ -4,10 +4,9 @@ from collections.abc import Generator
 from pathlib import Path
 
 from iconstudio.gui.workspaces.hybrids.page import Ask, HybridsPage, Ingredient
-from iconstudio.inputs.icons import reference_to
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
-from iconstudio.workflows.hybrids.file import HybridsFile, read_hybrids, write_hybrids
+from iconstudio.workflows.hybrids.file import read_hybrids
 from iconstudio.workflows.hybrids.hybrids import check
 
 
@@ -36,14 +35,3 @@ def read_page(session: Session, path: Path) -> Generator[Event, None, HybridsPag
     )
     name = file.title or path.stem
     return HybridsPage(ingredients, ask, mix.seed, mix.draws, mix.symmetry, name=name)
-
-
-def write_page(path: Path, page: HybridsPage) -> None:
-    """Write what is mixed; icons that no collection has go into SVG files beside it.
-
-    Raises
-    ------
-    IconstudioError
-        If a file cannot be written.
-    """
-    write_hybrids(path, HybridsFile.of(page.mix, lambda icon: reference_to(icon, path), page.name))

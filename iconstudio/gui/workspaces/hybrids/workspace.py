@@ -15,7 +15,6 @@ from iconstudio.gui.saving import Saver
 from iconstudio.gui.theme import UNIT
 from iconstudio.gui.worker import Worker
 from iconstudio.gui.workspaces.base import Workspace
-from iconstudio.gui.workspaces.hybrids import files
 from iconstudio.gui.workspaces.hybrids import page as edits
 from iconstudio.gui.workspaces.hybrids.drawing import Draws
 from iconstudio.gui.workspaces.hybrids.opening import HybridsOpener
@@ -25,6 +24,7 @@ from iconstudio.gui.workspaces.hybrids.sheet_model import terms
 from iconstudio.gui.workspaces.hybrids.stored import HybridsPages
 from iconstudio.model import IconstudioError, Pictogram
 from iconstudio.session import Session
+from iconstudio.workflows.files import write_file
 from iconstudio.workflows.workflow import Workflow
 
 OWN = {
@@ -278,4 +278,7 @@ class HybridsWorkspace(Workspace):
 
     def _save(self) -> None:
         page = self.document.page
-        self.saver.save_work("mix", page.title, lambda path: files.write_page(path, page))
+        mix, name = page.mix, page.name or None
+        self.saver.save_work(
+            "mix", page.title, lambda path: write_file(path, self.workflow, mix, title=name)
+        )

@@ -7,9 +7,8 @@ from pathlib import Path
 from iconstudio.gui.workspaces.montage.page import Icon, MontagePage
 from iconstudio.gui.workspaces.opening import IconOpener
 from iconstudio.gui.workspaces.together import ReadTogether, named
-from iconstudio.inputs.icons import reference_to
 from iconstudio.model import IconstudioError, Layer, Pictogram
-from iconstudio.workflows.montage.file import MontageFile, read_montage, write_montage
+from iconstudio.workflows.montage.file import read_montage
 from iconstudio.workflows.montage.montage import MOST
 
 _OVERLAP = (
@@ -72,15 +71,3 @@ def page_of(layers: Sequence[Layer], icons: Sequence[Icon]) -> MontagePage:
     for layer, one in zip(layers, page.layers, strict=True):
         page = page.placed(one.number, layer.placement).drawn(one.number, layer.strokes)
     return page
-
-
-def write_page(path: Path, page: MontagePage) -> None:
-    """Write a montage; icons that are not the collection's go into SVG files beside it.
-
-    Raises
-    ------
-    IconstudioError
-        If a file cannot be written.
-    """
-    file = MontageFile.of(page.montage(), lambda icon: reference_to(icon, path))
-    write_montage(path, file)

@@ -32,7 +32,7 @@ from iconstudio.gui.worker import Worker
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.montage.layers import LayerList, scrolling
 from iconstudio.gui.workspaces.montage.live import TITLE, LiveResult
-from iconstudio.gui.workspaces.montage.opening import MontageOpener, write_page
+from iconstudio.gui.workspaces.montage.opening import MontageOpener
 from iconstudio.gui.workspaces.montage.overlay import BrushSlider
 from iconstudio.gui.workspaces.montage.page import MontagePage, choose
 from iconstudio.gui.workspaces.montage.scene import MontageScene
@@ -41,6 +41,7 @@ from iconstudio.gui.workspaces.montage.tools.arrange import ArrangeTool
 from iconstudio.gui.workspaces.montage.tools.scribble import Brush, ScribbleTool
 from iconstudio.model import Pictogram
 from iconstudio.session import Session
+from iconstudio.workflows.files import write_file
 from iconstudio.workflows.workflow import Workflow
 
 OWN = {
@@ -261,7 +262,10 @@ class MontageWorkspace(Workspace):
 
     def _save(self) -> None:
         page = self.document.page
-        self.saver.save_work("montage", TITLE, lambda path: write_page(path, page))
+        montage = page.montage()
+        self.saver.save_work(
+            "montage", TITLE, lambda path: write_file(path, self.workflow, montage)
+        )
 
 
 def _card(title: str, widget: QWidget) -> QFrame:

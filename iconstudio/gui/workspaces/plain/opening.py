@@ -1,7 +1,6 @@
 """Bring icons and files of work onto the page of any workflow."""
 
 from collections.abc import Generator, Sequence
-from contextlib import closing
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -15,7 +14,7 @@ from iconstudio.gui.workspaces.together import ReadTogether, named
 from iconstudio.model import Exemplar, IconstudioError
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
-from iconstudio.workflows.files import open_file
+from iconstudio.workflows.files import read_file
 from iconstudio.workflows.workflow import Workflow
 
 
@@ -81,8 +80,5 @@ class WorkOpener(IconOpener):
         self.document.change("add icon" if len(icons) == 1 else "add icons", page)
 
     def _read(self, path: Path) -> Generator[Event | Read]:
-        with closing(
-            self._workflow.read(open_file(path, self._workflow.name), self.session)
-        ) as reading:
-            work = yield from reading
+        work = yield from read_file(path, self._workflow, self.session)
         yield Read(path.stem, work)

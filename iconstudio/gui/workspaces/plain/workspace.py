@@ -3,8 +3,6 @@
 The results follow every change of the work.
 """
 
-from pathlib import Path
-
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QSplitter, QVBoxLayout
 
@@ -22,10 +20,9 @@ from iconstudio.gui.worker import Worker
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.plain.opening import WorkOpener, WorkPage
 from iconstudio.gui.workspaces.plain.stored import WorkPages
-from iconstudio.inputs.fields import write
-from iconstudio.inputs.icons import reference_to
 from iconstudio.model import Exemplar
 from iconstudio.session import Session
+from iconstudio.workflows.files import write_file
 from iconstudio.workflows.workflow import Workflow
 
 _SIDE = 112
@@ -152,12 +149,12 @@ class PlainWorkspace(Workspace):
             self.results.show_pictures([*kept, event])
             self.counted.emit(len(self.results.pictures))
             if self.picture is None:
-                self._look_at(event, made=False)
+                self._look_at(event, kept=False)
 
-    def _look_at(self, picture: Picture, made: bool = True) -> None:
+    def _look_at(self, picture: Picture, kept: bool = True) -> None:
         self.detail.show_picture(picture)
         self.picked.emit(picture)
-        if made:
+        if kept:
             self.kept.emit(picture)
 
     def _rest(self) -> None:
@@ -167,8 +164,6 @@ class PlainWorkspace(Workspace):
 
     def _save(self) -> None:
         workflow, work = self.workflow, self.document.page.work
-
-        def save(path: Path) -> None:
-            write(path, workflow.write(work, lambda icon: reference_to(icon, path)))
-
-        self.saver.save_work(workflow.noun, workflow.noun, save)
+        self.saver.save_work(
+            workflow.noun, workflow.noun, lambda path: write_file(path, workflow, work)
+        )

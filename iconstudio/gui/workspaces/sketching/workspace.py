@@ -29,8 +29,9 @@ from iconstudio.gui.workspaces.sketching.stored import SketchPages
 from iconstudio.model import IconstudioError, Polygon, Sketch
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event, RegionsFound
+from iconstudio.workflows.files import write_file
 from iconstudio.workflows.grid import ModelSettings
-from iconstudio.workflows.modelling.file import SketchFile, write_sketch
+from iconstudio.workflows.modelling.file import SketchFile
 from iconstudio.workflows.workflow import Workflow
 
 OWN = {
@@ -209,8 +210,8 @@ class SketchWorkspace(RemixWorkspace):
         title = page.sketch.keyword
 
         def write(path: Path) -> None:
-            photo = None if page.photo is None else file_beside(page.photo, path)
-            write_sketch(path, page.sketch, photo)
+            photo = None if page.photo is None else str(file_beside(page.photo, path))
+            write_file(path, self.workflow, page.sketch, photo=photo)
 
         self.saver.save_work("sketch", title, write)
 
