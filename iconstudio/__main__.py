@@ -10,7 +10,7 @@ class _Window:
     """The window as the command line sees it; Qt is imported when it is asked for."""
 
     def obstacle(self) -> str | None:
-        from iconstudio.gui.availability import obstacle
+        from iconstudio.gui.window.availability import obstacle
 
         reason: str | None = obstacle()
         return reason

@@ -6,7 +6,7 @@ import tempfile
 
 import pytest
 
-from iconstudio.gui.availability import missing_library
+from iconstudio.gui.window.availability import missing_library
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 # A cache of our own, also for the programs that tests start; the collection is unpacked once.

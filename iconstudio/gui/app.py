@@ -8,8 +8,8 @@ from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QApplication
 from shiboken6.Shiboken import createdByPython
 
-from iconstudio.gui import theme
-from iconstudio.gui.main_window import MainWindow
+from iconstudio.gui.theme import theme
+from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.session import Session
 from iconstudio.workflows.modelling.file import example as read_example
 from iconstudio.workflows.modelling.spec import MODELLING

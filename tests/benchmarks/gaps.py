@@ -22,10 +22,10 @@ from PySide6.QtGui import QColor, QImage, QPainter
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from iconstudio.gui import theme
 from iconstudio.gui.app import application, keep_going
-from iconstudio.gui.main_window import MainWindow
-from iconstudio.gui.panels.cell import ResultCell
+from iconstudio.gui.gallery.cell import ResultCell
+from iconstudio.gui.theme import theme
+from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.session import Session
 from iconstudio.workflows.modelling.file import example
 

@@ -64,7 +64,7 @@ def test_window(benchmark, session, montage, qtbot):
     from PySide6.QtCore import QPoint, Qt
     from PySide6.QtTest import QTest
 
-    from iconstudio.gui.main_window import MainWindow
+    from iconstudio.gui.window.main_window import MainWindow
     from iconstudio.gui.workspaces.montage.opening import page_of
     from iconstudio.gui.workspaces.montage.page import Icon
 

@@ -12,7 +12,7 @@ from fake_session import FakeSession, exemplar
 from PySide6.QtCore import QTimer
 
 from iconstudio.gui.app import application
-from iconstudio.gui.main_window import MainWindow
+from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.gui.workspaces.editing.page import Area, EditPage, Kind
 
 PAUSE = 90

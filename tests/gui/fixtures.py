@@ -9,13 +9,13 @@ from hands import shown
 from PySide6.QtCore import QSettings, QtMsgType
 from PySide6.QtWidgets import QApplication
 
-from iconstudio.gui import pictures
 from iconstudio.gui.app import application, leave_clipboard
-from iconstudio.gui.main_window import MainWindow
-from iconstudio.gui.preferences import prefer
+from iconstudio.gui.gallery import pictures
+from iconstudio.gui.jobs.live import LIVE
 from iconstudio.gui.project import questions
 from iconstudio.gui.project.questions import Answer
-from iconstudio.gui.workspaces.live import LIVE
+from iconstudio.gui.window.main_window import MainWindow
+from iconstudio.gui.window.preferences import prefer
 
 _HARMLESS = tuple(
     f"This plugin does not support {what}"

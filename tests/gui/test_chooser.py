@@ -10,9 +10,9 @@ from PySide6.QtGui import QDrag, QDragEnterEvent, QDropEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QFileDialog, QWidget
 
-from iconstudio.gui.dragging import unpacked
+from iconstudio.gui.exchange.dragging import unpacked
+from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.panels.chooser import IconChooser
-from iconstudio.gui.worker import Worker
 
 LEFT = Qt.MouseButton.LeftButton
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M1 1h7v7z"/></svg>'

@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtCore import QObject, Signal
 
-from iconstudio.gui.coalescing import Coalescing
+from iconstudio.gui.jobs.coalescing import Coalescing
 
 
 class Hand(QObject):

@@ -6,10 +6,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from PySide6.QtGui import QImage
 
+from iconstudio.gui.canvas.mipmap import Mipmap
 from iconstudio.gui.canvas.outline import Outline
-from iconstudio.gui.document import Document
-from iconstudio.gui.mipmap import Mipmap
-from iconstudio.gui.photo import Photo
+from iconstudio.gui.canvas.photo import Photo
+from iconstudio.gui.document.document import Document
 from iconstudio.gui.workspaces import criteria
 from iconstudio.gui.workspaces.sketching import page as edits
 from iconstudio.gui.workspaces.sketching.page import SketchPage

@@ -12,9 +12,9 @@ import pytest
 from fake_session import FakeSession
 from hands import SQUARE, click, trace, type_keyword
 
-from iconstudio.gui.main_window import MainWindow
 from iconstudio.gui.project import questions
 from iconstudio.gui.project.questions import Answer
+from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.project.journal import journals_folder
 
 ROOT = Path(__file__).parents[2]

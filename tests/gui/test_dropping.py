@@ -13,9 +13,9 @@ from PySide6.QtGui import QDragEnterEvent, QDropEvent, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from iconstudio.gui.dragging import packed
-from iconstudio.gui.mime import holds_words, items
-from iconstudio.gui.pictures import picture_of
+from iconstudio.gui.exchange.dragging import packed
+from iconstudio.gui.exchange.mime import holds_words, items
+from iconstudio.gui.gallery.pictures import picture_of
 from iconstudio.model import Composite, Placement, Polygon, Remix, Score, Sketch, Source
 from iconstudio.output.svg import svg_document
 from iconstudio.svg.decode import decode

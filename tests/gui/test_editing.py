@@ -14,7 +14,7 @@ from PySide6.QtGui import QDropEvent, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog
 
-from iconstudio.gui.dragging import packed
+from iconstudio.gui.exchange.dragging import packed
 from iconstudio.gui.workspaces.editing.page import EditPage, Kind
 from iconstudio.gui.workspaces.editing.tools import DrawTool, SelectTool
 from iconstudio.gui.workspaces.symmetry import PAUSE

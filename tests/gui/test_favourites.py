@@ -9,9 +9,9 @@ from PySide6.QtGui import QContextMenuEvent, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
-from iconstudio.gui.dragging import unpacked
-from iconstudio.gui.panels.favourites import FavouritesPanel
-from iconstudio.gui.pictures import Picture, pictured
+from iconstudio.gui.exchange.dragging import unpacked
+from iconstudio.gui.gallery.favourites import FavouritesPanel
+from iconstudio.gui.gallery.pictures import Picture, pictured
 from iconstudio.model import Polygon, Sketch
 
 LEFT = Qt.MouseButton.LeftButton

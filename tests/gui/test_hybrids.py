@@ -13,9 +13,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from iconstudio.algorithms.raster import solid
-from iconstudio.gui.dragging import packed
-from iconstudio.gui.main_window import MainWindow
-from iconstudio.gui.pictures import Picture
+from iconstudio.gui.exchange.dragging import packed
+from iconstudio.gui.gallery.pictures import Picture
+from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.gui.workspaces.hybrids.cards import on_shape
 from iconstudio.gui.workspaces.hybrids.sheet_model import Rule
 from iconstudio.model import Axis, IconstudioError

@@ -10,9 +10,9 @@ from hands import SQUARE, click, drag, press, trace, type_keyword
 from PySide6.QtCore import QSettings, Qt
 from PySide6.QtTest import QTest
 
-from iconstudio.gui.main_window import MainWindow
-from iconstudio.gui.panels.cell import CellState
-from iconstudio.gui.preferences import preferred
+from iconstudio.gui.gallery.cell import CellState
+from iconstudio.gui.window.main_window import MainWindow
+from iconstudio.gui.window.preferences import preferred
 from iconstudio.gui.workspaces.sketching import page as edits
 from iconstudio.model import CANVAS, Axis, Polygon, Sketch
 from iconstudio.output.colours import SIGNIFICANT
@@ -653,7 +653,7 @@ def test_an_edit_follows_its_areas_and_the_styles(editing, qtbot, session):
 
 def test_the_pick_stays_while_a_run_goes_on_and_is_the_best_in_the_end(drawn, qtbot):
     """Rows come one after another, each with a better star; the pick moves once, at the end."""
-    from iconstudio.gui.panels.browser import ResultsBrowser
+    from iconstudio.gui.gallery.browser import ResultsBrowser
 
     board, results = ResultsBrowser(), drawn.browser.results.pictures
     qtbot.addWidget(board)

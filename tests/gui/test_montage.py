@@ -22,10 +22,10 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog
 
 from iconstudio.algorithms.iconification.guidance import scribble
-from iconstudio.gui import theme
-from iconstudio.gui.dragging import packed
-from iconstudio.gui.main_window import MainWindow
-from iconstudio.gui.pictures import Display
+from iconstudio.gui.exchange.dragging import packed
+from iconstudio.gui.gallery.pictures import Display
+from iconstudio.gui.theme import theme
+from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.gui.workspaces.montage import pictures as montage_pictures
 from iconstudio.gui.workspaces.montage.pictures import LayerPainter
 from iconstudio.gui.workspaces.montage.scene import MontageScene

@@ -3,7 +3,7 @@
 import pytest
 from hands import trace, type_keyword
 
-from iconstudio.gui.panels.cell import CellState
+from iconstudio.gui.gallery.cell import CellState
 
 
 @pytest.fixture

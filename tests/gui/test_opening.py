@@ -10,8 +10,8 @@ from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent, QImage
 from PySide6.QtWidgets import QApplication, QFileDialog
 
-from iconstudio.gui.mipmap import Mipmap
-from iconstudio.gui.photo import image_of, photo_of, qt_image
+from iconstudio.gui.canvas.mipmap import Mipmap
+from iconstudio.gui.canvas.photo import image_of, photo_of, qt_image
 from iconstudio.images.reading import Image
 from iconstudio.inputs.examples import examples
 from iconstudio.model import IconstudioError

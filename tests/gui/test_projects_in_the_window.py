@@ -12,9 +12,9 @@ from PySide6.QtCore import QMimeData, QUrl
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QMessageBox
 
-from iconstudio.gui.main_window import MainWindow
 from iconstudio.gui.project import questions, recents
 from iconstudio.gui.project.questions import Answer
+from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.gui.workspaces.editing.page import Area, EditPage, Kind
 from iconstudio.gui.workspaces.hybrids.page import Ask, HybridsPage, Ingredient
 from iconstudio.gui.workspaces.montage.page import Icon, MontagePage

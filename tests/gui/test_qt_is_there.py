@@ -5,7 +5,7 @@ import sys
 
 import pytest
 
-from iconstudio.gui.availability import missing_library
+from iconstudio.gui.window.availability import missing_library
 
 _MISSING = missing_library()
 

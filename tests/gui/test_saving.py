@@ -9,8 +9,8 @@ from hands import save_to, trace, type_keyword
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
 
-from iconstudio.gui import saving
-from iconstudio.gui.pictures import Display
+from iconstudio.gui.exchange import saving
+from iconstudio.gui.gallery.pictures import Display
 from iconstudio.model import IconstudioError
 from iconstudio.output.png import coverage
 from iconstudio.output.svg import svg_document

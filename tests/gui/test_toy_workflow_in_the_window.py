@@ -6,7 +6,7 @@ import pytest
 from fake_session import exemplar
 from hands import shown, trace, type_keyword
 
-from iconstudio.gui.main_window import MainWindow
+from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.workflows.registry import registered
 from tests.toy import MIRROR
 

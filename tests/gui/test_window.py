@@ -14,8 +14,9 @@ from PySide6.QtWidgets import (
     QToolButton,
 )
 
-from iconstudio.gui import app, theme
-from iconstudio.gui.main_window import MainWindow
+from iconstudio.gui import app
+from iconstudio.gui.theme import theme
+from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.model import IconstudioError
 
 

@@ -5,7 +5,7 @@ import time
 
 import pytest
 
-from iconstudio.gui.worker import Worker
+from iconstudio.gui.jobs.worker import Worker
 from iconstudio.model import IconstudioError
 
 

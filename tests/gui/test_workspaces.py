@@ -11,11 +11,11 @@ from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QPushButton, QToolButton
 
-from iconstudio.gui.actions import Entry
-from iconstudio.gui.document import Document
-from iconstudio.gui.dragging import unpacked
-from iconstudio.gui.main_window import MainWindow
-from iconstudio.gui.panels import recent
+from iconstudio.gui.document.document import Document
+from iconstudio.gui.exchange.dragging import unpacked
+from iconstudio.gui.gallery import recent
+from iconstudio.gui.window.actions import Entry
+from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.criteria import set_keyword
 from iconstudio.gui.workspaces.sketching.page import SketchPage

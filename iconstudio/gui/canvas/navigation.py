@@ -5,7 +5,7 @@ from PySide6.QtGui import QInputDevice, QNativeGestureEvent, QResizeEvent, QWhee
 from PySide6.QtWidgets import QWidget
 
 from iconstudio.gui.canvas.camera import Camera
-from iconstudio.gui.theme import UNIT
+from iconstudio.gui.theme.theme import UNIT
 
 ZOOM_STEP = 1.25
 

@@ -2,7 +2,7 @@
 
 from typing import Protocol, Self
 
-from iconstudio.gui.document import Document, Page
+from iconstudio.gui.document.document import Document, Page
 from iconstudio.model import Point
 
 

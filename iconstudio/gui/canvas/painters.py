@@ -10,8 +10,8 @@ from PySide6.QtGui import QColor, QFont, QPainter, QPainterPath, QPen, QPolygonF
 
 from iconstudio.algorithms.geometry import simplified_line
 from iconstudio.gui.canvas.camera import Camera
-from iconstudio.gui.photo import Photo
-from iconstudio.gui.theme import UNIT, Theme, strong
+from iconstudio.gui.canvas.photo import Photo
+from iconstudio.gui.theme.theme import UNIT, Theme, strong
 from iconstudio.model import CANVAS, MARGIN, Axis, Point
 
 _SOLID = Qt.PenStyle.SolidLine

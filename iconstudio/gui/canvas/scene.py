@@ -6,8 +6,8 @@ from PySide6.QtCore import QObject, QRectF, Signal
 from PySide6.QtGui import QPainter
 
 from iconstudio.gui.canvas.camera import Camera
-from iconstudio.gui.document import Document
-from iconstudio.gui.theme import Theme
+from iconstudio.gui.document.document import Document
+from iconstudio.gui.theme.theme import Theme
 from iconstudio.model import CANVAS
 
 

@@ -4,7 +4,7 @@ from PySide6.QtCore import QEvent, QObject
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QHBoxLayout, QMenu, QPushButton, QWidget
 
-from iconstudio.gui.theme import UNIT
+from iconstudio.gui.theme.theme import UNIT
 
 
 class StartButtons(QWidget):

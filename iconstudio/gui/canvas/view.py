@@ -17,14 +17,14 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QWidget
 
-from iconstudio.gui import theme
 from iconstudio.gui.canvas import painters
 from iconstudio.gui.canvas.navigation import CameraView
 from iconstudio.gui.canvas.scene import Scene
 from iconstudio.gui.canvas.tools.base import Pointer, Tool
 from iconstudio.gui.canvas.tools.pan import PanTool
-from iconstudio.gui.dragging import take_copy
-from iconstudio.gui.theme import UNIT
+from iconstudio.gui.exchange.dragging import take_copy
+from iconstudio.gui.theme import theme
+from iconstudio.gui.theme.theme import UNIT
 
 
 class CanvasView(CameraView):

@@ -7,7 +7,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QToolButton, QVBoxLayout, QWidget
 
 from iconstudio.gui.canvas.view import CanvasView
-from iconstudio.gui.theme import UNIT
+from iconstudio.gui.theme.theme import UNIT
 
 
 class CanvasPanel(QFrame):

@@ -4,10 +4,10 @@ from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QPoint, QPointF, 
 from PySide6.QtGui import QContextMenuEvent, QMouseEvent, QPainter, QPen
 from PySide6.QtWidgets import QApplication
 
-from iconstudio.gui import theme
-from iconstudio.gui.dragging import drag
-from iconstudio.gui.panels.thumbnails import ThumbnailDelegate, ThumbnailModel, Thumbnails
-from iconstudio.gui.theme import UNIT
+from iconstudio.gui.exchange.dragging import drag
+from iconstudio.gui.gallery.thumbnails import ThumbnailDelegate, ThumbnailModel, Thumbnails
+from iconstudio.gui.theme import theme
+from iconstudio.gui.theme.theme import UNIT
 from iconstudio.model import Exemplar
 
 Index = QModelIndex | QPersistentModelIndex

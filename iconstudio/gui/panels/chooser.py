@@ -8,16 +8,16 @@ from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QDragEnterEvent, QDropEvent, QKeyEvent
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QPushButton, QVBoxLayout, QWidget
 
-from iconstudio.gui.dragging import take_copy, unpacked
+from iconstudio.gui.exchange.dragging import take_copy, unpacked
+from iconstudio.gui.jobs.preparation import DEBOUNCE
+from iconstudio.gui.jobs.runner import Runner
+from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.panels.caption import Caption
 from iconstudio.gui.panels.choices import Choices
 from iconstudio.gui.panels.scanning import ScanDialog, may_be_scan
 from iconstudio.gui.panels.symbols import SymbolDialog
 from iconstudio.gui.panels.wordfield import WordField
-from iconstudio.gui.preparation import DEBOUNCE
-from iconstudio.gui.runner import Runner
-from iconstudio.gui.theme import UNIT
-from iconstudio.gui.worker import Worker
+from iconstudio.gui.theme.theme import UNIT
 from iconstudio.images.reading import SUFFIXES
 from iconstudio.model import Exemplar, Pictogram, SpriteError
 from iconstudio.session import Session

@@ -6,7 +6,7 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
-from iconstudio.gui import theme
+from iconstudio.gui.theme import theme
 
 
 class ElidedLabel(QLabel):

@@ -11,10 +11,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from iconstudio.gui.gallery.thumbnails import Thumbnails
 from iconstudio.gui.panels.caption import Caption
-from iconstudio.gui.panels.thumbnails import Thumbnails
 from iconstudio.gui.panels.wordfield import Key, WordField
-from iconstudio.gui.theme import UNIT
+from iconstudio.gui.theme.theme import UNIT
 from iconstudio.model import Exemplar
 
 

@@ -19,15 +19,15 @@ from PySide6.QtWidgets import (
 )
 
 from iconstudio.algorithms.scanning.binarisation import Scan
-from iconstudio.gui import theme
-from iconstudio.gui.coalescing import Coalescing
-from iconstudio.gui.mipmap import Mipmap
+from iconstudio.gui.canvas.mipmap import Mipmap
+from iconstudio.gui.canvas.photo import image_of, qt_image
+from iconstudio.gui.canvas.vector import painter_path
+from iconstudio.gui.jobs.coalescing import Coalescing
+from iconstudio.gui.jobs.runner import Runner
+from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.panels.caption import Caption
-from iconstudio.gui.photo import image_of, qt_image
-from iconstudio.gui.runner import Runner
-from iconstudio.gui.theme import UNIT
-from iconstudio.gui.vector import painter_path
-from iconstudio.gui.worker import Worker
+from iconstudio.gui.theme import theme
+from iconstudio.gui.theme.theme import UNIT
 from iconstudio.images.reading import SUFFIXES, Image, is_image_file
 from iconstudio.images.scans import Tracing, doubts
 from iconstudio.model import Pictogram

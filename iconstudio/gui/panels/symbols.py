@@ -13,11 +13,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from iconstudio.gui.jobs.runner import Runner
+from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.panels.caption import Caption
 from iconstudio.gui.panels.scanning import ScanView
-from iconstudio.gui.runner import Runner
-from iconstudio.gui.theme import UNIT
-from iconstudio.gui.worker import Worker
+from iconstudio.gui.theme.theme import UNIT
 from iconstudio.model import Exemplar, Pictogram
 from iconstudio.session import Session
 

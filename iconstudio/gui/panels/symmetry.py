@@ -4,8 +4,8 @@ from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
 from PySide6.QtGui import QActionGroup
 from PySide6.QtWidgets import QMenu, QPushButton, QToolButton, QWidget
 
-from iconstudio.gui import icons
-from iconstudio.gui.theme import UNIT
+from iconstudio.gui.theme import icons
+from iconstudio.gui.theme.theme import UNIT
 from iconstudio.model import Axis
 
 WORDS = {

@@ -4,7 +4,7 @@ from PySide6.QtCore import QEvent
 from PySide6.QtGui import QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QApplication, QLineEdit, QWidget
 
-from iconstudio.gui.mime import holds_words
+from iconstudio.gui.exchange.mime import holds_words
 
 Key = QKeySequence.StandardKey
 

@@ -5,10 +5,10 @@ from contextlib import closing
 from dataclasses import dataclass, field
 from typing import Any
 
-from iconstudio.gui.document import Page
-from iconstudio.gui.pages import PageFormat, pictures_in
-from iconstudio.gui.panels.icon_list import same
-from iconstudio.gui.pictures import Picture
+from iconstudio.gui.document.document import Page
+from iconstudio.gui.document.pages import PageFormat, pictures_in
+from iconstudio.gui.gallery.icon_list import same
+from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.inputs.fields import Fields
 from iconstudio.model import IconstudioError
 from iconstudio.project.archive import Project

@@ -9,13 +9,13 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 
+from iconstudio.gui.jobs.runner import Runner
+from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.project import questions, recents
 from iconstudio.gui.project.contents import Contents, Formats, reading
 from iconstudio.gui.project.journaling import Found, Journaling
 from iconstudio.gui.project.questions import Answer
 from iconstudio.gui.project.work import Work
-from iconstudio.gui.runner import Runner
-from iconstudio.gui.worker import Worker
 from iconstudio.inputs import fields
 from iconstudio.model import IconstudioError
 from iconstudio.project import archive

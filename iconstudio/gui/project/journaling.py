@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from iconstudio.gui.worker import Worker
+from iconstudio.gui.jobs.worker import Worker
 from iconstudio.model import IconstudioError
 from iconstudio.project.archive import Project
 from iconstudio.project.journal import Journal, LeftBehind, journals_folder, left_behind

@@ -8,7 +8,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QWidget
 
 from iconstudio.gui.project.journaling import Found
-from iconstudio.gui.theme import UNIT
+from iconstudio.gui.theme.theme import UNIT
 from iconstudio.workflows.workflow import Workflow
 
 

@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 
 from PySide6.QtCore import QObject, Signal
 
-from iconstudio.gui.panels.recent import RecentResults
+from iconstudio.gui.gallery.recent import RecentResults
 from iconstudio.gui.project.contents import Contents, Formats
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.workflows.workflow import Workflow

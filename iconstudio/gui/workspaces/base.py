@@ -8,18 +8,18 @@ from PySide6.QtCore import QMimeData, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QMenu, QWidget
 
-from iconstudio.gui.actions import ENTRIES, Actions, Entry
 from iconstudio.gui.canvas.view import CanvasView
-from iconstudio.gui.document import Document
-from iconstudio.gui.pages import PageFormat
-from iconstudio.gui.panels.browser import ResultsBrowser
-from iconstudio.gui.panels.detail import DetailPanel
-from iconstudio.gui.panels.sending import Destination
-from iconstudio.gui.pictures import Display, Picture
-from iconstudio.gui.preferences import prefer, preferred
-from iconstudio.gui.saving import Saver
-from iconstudio.gui.worker import Worker
-from iconstudio.gui.workspaces.opening import Opener
+from iconstudio.gui.document.document import Document
+from iconstudio.gui.document.pages import PageFormat
+from iconstudio.gui.exchange.opening import Opener
+from iconstudio.gui.exchange.saving import Saver
+from iconstudio.gui.gallery.browser import ResultsBrowser
+from iconstudio.gui.gallery.detail import DetailPanel
+from iconstudio.gui.gallery.pictures import Display, Picture
+from iconstudio.gui.gallery.sending import Destination
+from iconstudio.gui.jobs.worker import Worker
+from iconstudio.gui.window.actions import ENTRIES, Actions, Entry
+from iconstudio.gui.window.preferences import prefer, preferred
 from iconstudio.inputs.examples import examples
 from iconstudio.model import Pictogram
 from iconstudio.session import Session

@@ -9,23 +9,23 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QHBoxLayout, QSplitter, QWidget
 
 from iconstudio.gui.canvas.view import CanvasView
-from iconstudio.gui.document import Document
-from iconstudio.gui.panels.browser import ResultsBrowser
+from iconstudio.gui.document.document import Document
+from iconstudio.gui.exchange.saving import Saver
+from iconstudio.gui.gallery.browser import ResultsBrowser
+from iconstudio.gui.gallery.pictures import Picture
+from iconstudio.gui.gallery.sending import Destination
+from iconstudio.gui.jobs.live import FINE, LIVE, LiveSource, Runs
+from iconstudio.gui.jobs.preparation import Preparation, Query
+from iconstudio.gui.jobs.runner import Runner
+from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.panels.canvas import CanvasPanel
 from iconstudio.gui.panels.keyword import KeywordPanel
-from iconstudio.gui.panels.sending import Destination
 from iconstudio.gui.panels.symmetry import SymmetryButton, SymmetryHint
-from iconstudio.gui.pictures import Picture
-from iconstudio.gui.preferences import preferred
-from iconstudio.gui.preparation import Preparation, Query
-from iconstudio.gui.runner import Runner
-from iconstudio.gui.saving import Saver
-from iconstudio.gui.theme import UNIT
-from iconstudio.gui.worker import Worker
+from iconstudio.gui.theme.theme import UNIT
+from iconstudio.gui.window.preferences import preferred
 from iconstudio.gui.workspaces import criteria as edits
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.criteria import CriteriaPage
-from iconstudio.gui.workspaces.live import FINE, LIVE, LiveSource, Runs
 from iconstudio.gui.workspaces.symmetry import SymmetryDetection
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event

@@ -6,7 +6,7 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QKeyEvent, QPainter
 
 from iconstudio.gui.canvas.camera import Camera
-from iconstudio.gui.theme import Theme
+from iconstudio.gui.theme.theme import Theme
 from iconstudio.model import Point
 
 

@@ -13,8 +13,8 @@ from iconstudio.gui.canvas import painters
 from iconstudio.gui.canvas.camera import Camera
 from iconstudio.gui.canvas.outline import Outline
 from iconstudio.gui.canvas.tools.base import Pointer, Tool
-from iconstudio.gui.document import new_gesture
-from iconstudio.gui.theme import Theme
+from iconstudio.gui.document.document import new_gesture
+from iconstudio.gui.theme.theme import Theme
 from iconstudio.model import Point
 
 GRIP = 9.0

@@ -3,8 +3,8 @@
 from collections.abc import Generator
 from pathlib import Path
 
+from iconstudio.gui.exchange.opening import IconOpener
 from iconstudio.gui.workspaces.editing import page
-from iconstudio.gui.workspaces.opening import IconOpener
 from iconstudio.model import Edit, Exemplar, Pictogram
 from iconstudio.workflows.editing.spec import EDITING
 from iconstudio.workflows.files import read_file

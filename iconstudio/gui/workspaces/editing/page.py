@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 from enum import Enum
 
-from iconstudio.gui.document import Document
+from iconstudio.gui.document.document import Document
 from iconstudio.model import Axis, Edit, Exemplar, Point, Polygon
 
 

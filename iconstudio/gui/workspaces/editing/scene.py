@@ -5,10 +5,10 @@ from PySide6.QtGui import QPainter, QPainterPath, QPen
 
 from iconstudio.gui.canvas import painters
 from iconstudio.gui.canvas.camera import Camera
+from iconstudio.gui.canvas.outlines import IconOutlines
 from iconstudio.gui.canvas.scene import Scene
-from iconstudio.gui.outlines import IconOutlines
-from iconstudio.gui.pictures import stencil
-from iconstudio.gui.theme import UNIT, Theme
+from iconstudio.gui.gallery.pictures import stencil
+from iconstudio.gui.theme.theme import UNIT, Theme
 from iconstudio.gui.workspaces.editing.page import Area, EditDocument, Kind
 from iconstudio.model import CANVAS, MARGIN, Exemplar
 

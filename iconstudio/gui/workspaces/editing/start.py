@@ -13,10 +13,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from iconstudio.gui import icons
+from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.panels.chooser import IconChooser
-from iconstudio.gui.theme import UNIT
-from iconstudio.gui.worker import Worker
+from iconstudio.gui.theme import icons
+from iconstudio.gui.theme.theme import UNIT
 from iconstudio.session import Session
 
 

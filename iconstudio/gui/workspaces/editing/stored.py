@@ -3,7 +3,7 @@
 from collections.abc import Generator
 from typing import Any
 
-from iconstudio.gui.pages import PageFormat
+from iconstudio.gui.document.pages import PageFormat
 from iconstudio.gui.workspaces.editing.page import Area, EditPage, Kind
 from iconstudio.inputs.fields import Fields
 from iconstudio.project.archive import plain_text

@@ -10,8 +10,8 @@ from iconstudio.gui.canvas import painters
 from iconstudio.gui.canvas.camera import Camera
 from iconstudio.gui.canvas.tools.base import Pointer
 from iconstudio.gui.canvas.tools.polygon import NUDGES, PolygonTool
-from iconstudio.gui.document import new_gesture
-from iconstudio.gui.theme import Theme
+from iconstudio.gui.document.document import new_gesture
+from iconstudio.gui.theme.theme import Theme
 from iconstudio.gui.workspaces.editing.areas import AreaOutline
 from iconstudio.gui.workspaces.editing.page import Kind
 from iconstudio.model import IconstudioError, Point, Polygon

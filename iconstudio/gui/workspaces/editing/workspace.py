@@ -3,13 +3,13 @@
 from collections.abc import Generator
 from typing import NamedTuple
 
-from iconstudio.gui.actions import Entry, Key, work_entries
+from iconstudio.gui.canvas.outlines import IconOutlines
 from iconstudio.gui.canvas.view import CanvasView
-from iconstudio.gui.document import Document
-from iconstudio.gui.mime import holds_something
-from iconstudio.gui.outlines import IconOutlines
-from iconstudio.gui.saving import Saver
-from iconstudio.gui.worker import Worker
+from iconstudio.gui.document.document import Document
+from iconstudio.gui.exchange.mime import holds_something
+from iconstudio.gui.exchange.saving import Saver
+from iconstudio.gui.jobs.worker import Worker
+from iconstudio.gui.window.actions import Entry, Key, work_entries
 from iconstudio.gui.workspaces.editing import page as edits
 from iconstudio.gui.workspaces.editing.areas import AreaOutline
 from iconstudio.gui.workspaces.editing.opening import EditOpener

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.iconification.energy import joined_ink
 from iconstudio.algorithms.iconification.ranking import Gallery
-from iconstudio.gui.pictures import Picture, picture_of
+from iconstudio.gui.gallery.pictures import Picture, picture_of
 from iconstudio.model import CANVAS, Composite, Drawing, Mix
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event, Result

@@ -21,12 +21,12 @@ from PySide6.QtWidgets import QGridLayout, QScrollArea, QToolButton, QWidget
 
 from iconstudio.algorithms.iconification.guidance import mirror_image
 from iconstudio.algorithms.raster import solid
-from iconstudio.gui import icons, theme
-from iconstudio.gui.dragging import take_copy
-from iconstudio.gui.mime import holds_something
-from iconstudio.gui.mipmap import Mipmap
-from iconstudio.gui.pictures import stencil
-from iconstudio.gui.theme import UNIT
+from iconstudio.gui.canvas.mipmap import Mipmap
+from iconstudio.gui.exchange.dragging import take_copy
+from iconstudio.gui.exchange.mime import holds_something
+from iconstudio.gui.gallery.pictures import stencil
+from iconstudio.gui.theme import icons, theme
+from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.workspaces.hybrids.page import Ingredient
 from iconstudio.model import CANVAS, Axis, Exemplar, Point
 from iconstudio.workflows.hybrids.hybrids import pinned

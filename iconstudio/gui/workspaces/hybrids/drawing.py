@@ -4,9 +4,9 @@ from dataclasses import replace
 
 from PySide6.QtCore import QObject, Signal
 
-from iconstudio.gui.pictures import Picture
-from iconstudio.gui.runner import Runner
-from iconstudio.gui.worker import Worker
+from iconstudio.gui.gallery.pictures import Picture
+from iconstudio.gui.jobs.runner import Runner
+from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.workspaces.hybrids.batches import Seen, batch
 from iconstudio.gui.workspaces.hybrids.sheet import Sheet
 from iconstudio.gui.workspaces.hybrids.sheet_model import Rule, Section

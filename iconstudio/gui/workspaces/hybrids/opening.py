@@ -7,11 +7,11 @@ from pathlib import Path
 
 from PySide6.QtCore import Signal
 
+from iconstudio.gui.exchange.opening import IconOpener
+from iconstudio.gui.exchange.together import ReadTogether, named
 from iconstudio.gui.workspaces.hybrids import files
 from iconstudio.gui.workspaces.hybrids import page as edits
 from iconstudio.gui.workspaces.hybrids.page import Ask, HybridsPage
-from iconstudio.gui.workspaces.opening import IconOpener
-from iconstudio.gui.workspaces.together import ReadTogether, named
 from iconstudio.model import Exemplar
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
-from iconstudio.gui.document import Document
-from iconstudio.gui.pictures import Picture
+from iconstudio.gui.document.document import Document
+from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.model import Axis, Exemplar, IconstudioError, Mix, Point, Seeds
 from iconstudio.workflows.hybrids.hybrids import FEWEST, MOST
 

@@ -16,11 +16,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from iconstudio.gui import icons
 from iconstudio.gui.panels.caption import Caption
 from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.panels.symmetry import WORDS, SymmetryButton
-from iconstudio.gui.theme import UNIT
+from iconstudio.gui.theme import icons
+from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.workspaces.hybrids.cards import COLUMNS, SIDE, Cards
 from iconstudio.gui.workspaces.hybrids.page import HybridsPage
 from iconstudio.gui.workspaces.hybrids.sheet import Sheet

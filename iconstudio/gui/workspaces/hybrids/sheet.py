@@ -13,10 +13,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from iconstudio.gui import icons, theme
-from iconstudio.gui.panels.icon_list import same
-from iconstudio.gui.pictures import Display, Picture
-from iconstudio.gui.theme import UNIT
+from iconstudio.gui.gallery.icon_list import same
+from iconstudio.gui.gallery.pictures import Display, Picture
+from iconstudio.gui.theme import icons, theme
+from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.workspaces.hybrids.sheet_model import Index, Rule, Section, SheetModel
 
 CELL = 12 * UNIT

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 
 from PySide6.QtCore import QAbstractListModel, QModelIndex, QObject, QPersistentModelIndex, Qt
 
-from iconstudio.gui.pictures import Picture
+from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.model import Mix
 
 Index = QModelIndex | QPersistentModelIndex

@@ -4,7 +4,7 @@ from collections.abc import Generator
 from dataclasses import asdict
 from typing import Any
 
-from iconstudio.gui.pages import PageFormat, pictures_in
+from iconstudio.gui.document.pages import PageFormat, pictures_in
 from iconstudio.gui.workspaces.hybrids.batches import CODED
 from iconstudio.gui.workspaces.hybrids.page import Ask, HybridsPage, Ingredient
 from iconstudio.inputs.fields import Fields

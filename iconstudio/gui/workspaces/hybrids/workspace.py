@@ -3,17 +3,17 @@
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QHBoxLayout, QMenu, QSplitter, QVBoxLayout, QWidget
 
-from iconstudio.gui.actions import Entry, Key, work_entries
-from iconstudio.gui.document import Document
+from iconstudio.gui.document.document import Document
+from iconstudio.gui.exchange.saving import Saver
+from iconstudio.gui.gallery.detail import DetailPanel
+from iconstudio.gui.gallery.favourites import FavouritesPanel
+from iconstudio.gui.gallery.icon_list import same
+from iconstudio.gui.gallery.pictures import Picture
+from iconstudio.gui.gallery.sending import Destination, offer
+from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.panels.chooser import IconChooser
-from iconstudio.gui.panels.detail import DetailPanel
-from iconstudio.gui.panels.favourites import FavouritesPanel
-from iconstudio.gui.panels.icon_list import same
-from iconstudio.gui.panels.sending import Destination, offer
-from iconstudio.gui.pictures import Picture
-from iconstudio.gui.saving import Saver
-from iconstudio.gui.theme import UNIT
-from iconstudio.gui.worker import Worker
+from iconstudio.gui.theme.theme import UNIT
+from iconstudio.gui.window.actions import Entry, Key, work_entries
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.hybrids import page as edits
 from iconstudio.gui.workspaces.hybrids.drawing import Draws

@@ -12,11 +12,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from iconstudio.gui import icons, theme
-from iconstudio.gui.mipmap import Mipmap
+from iconstudio.gui.canvas.mipmap import Mipmap
+from iconstudio.gui.gallery.pictures import stencil
 from iconstudio.gui.panels.elided import ElidedLabel
-from iconstudio.gui.pictures import stencil
-from iconstudio.gui.theme import UNIT
+from iconstudio.gui.theme import icons, theme
+from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.workspaces.montage.page import MontagePage, PlacedIcon
 
 EMPTY = "The icons of the montage are listed here."

@@ -6,10 +6,10 @@ from dataclasses import replace
 
 from PySide6.QtCore import QObject, Signal
 
-from iconstudio.gui.coalescing import Coalescing
-from iconstudio.gui.pictures import Picture, picture_of
-from iconstudio.gui.runner import Runner
-from iconstudio.gui.worker import Worker
+from iconstudio.gui.gallery.pictures import Picture, picture_of
+from iconstudio.gui.jobs.coalescing import Coalescing
+from iconstudio.gui.jobs.runner import Runner
+from iconstudio.gui.jobs.worker import Worker
 from iconstudio.model import Montage, Remix
 from iconstudio.output.colours import Palette
 from iconstudio.session import Session

@@ -4,9 +4,9 @@ from collections.abc import Generator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from iconstudio.gui.exchange.opening import IconOpener
+from iconstudio.gui.exchange.together import ReadTogether, named
 from iconstudio.gui.workspaces.montage.page import Icon, MontagePage
-from iconstudio.gui.workspaces.opening import IconOpener
-from iconstudio.gui.workspaces.together import ReadTogether, named
 from iconstudio.model import IconstudioError, Layer, Pictogram
 from iconstudio.workflows.montage.file import read_montage
 from iconstudio.workflows.montage.montage import MOST

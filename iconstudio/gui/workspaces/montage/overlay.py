@@ -3,8 +3,8 @@
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QSlider, QWidget
 
-from iconstudio.gui import icons
-from iconstudio.gui.theme import UNIT
+from iconstudio.gui.theme import icons
+from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.workspaces.montage.tools.scribble import THINNEST, WIDEST, Brush
 
 

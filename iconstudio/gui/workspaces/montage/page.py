@@ -7,7 +7,7 @@ from functools import cached_property
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QTransform
 
-from iconstudio.gui.document import Document
+from iconstudio.gui.document.document import Document
 from iconstudio.gui.workspaces.montage.strokes import carried, cut, near_canvas, visible
 from iconstudio.model import (
     CANVAS,

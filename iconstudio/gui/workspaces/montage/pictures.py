@@ -10,8 +10,8 @@ from PySide6.QtCore import QObject, QPoint, QPointF, QRect, QRectF, Qt, QTimer, 
 from PySide6.QtGui import QColor, QImage, QPainter
 
 from iconstudio.gui.canvas.camera import Camera
-from iconstudio.gui.outlines import IconOutlines
-from iconstudio.gui.pictures import stencil
+from iconstudio.gui.canvas.outlines import IconOutlines
+from iconstudio.gui.gallery.pictures import stencil
 from iconstudio.gui.workspaces.montage.page import PlacedIcon
 
 BUDGET = 0.008

@@ -6,9 +6,9 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QPainter, QPainterPath, QPainterPathStroker, QPen, QPolygonF
 
 from iconstudio.gui.canvas.camera import Camera
+from iconstudio.gui.canvas.outlines import IconOutlines
 from iconstudio.gui.canvas.scene import Scene
-from iconstudio.gui.outlines import IconOutlines
-from iconstudio.gui.theme import Theme
+from iconstudio.gui.theme.theme import Theme
 from iconstudio.gui.workspaces.montage.page import MontageDocument, MontagePage, PlacedIcon
 from iconstudio.gui.workspaces.montage.pictures import LayerPainter
 from iconstudio.model import CANVAS, Stroke

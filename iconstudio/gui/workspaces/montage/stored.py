@@ -4,7 +4,7 @@ from collections.abc import Generator
 from dataclasses import asdict, replace
 from typing import Any
 
-from iconstudio.gui.pages import PageFormat
+from iconstudio.gui.document.pages import PageFormat
 from iconstudio.gui.workspaces.montage.page import Icon, MontagePage, PlacedIcon
 from iconstudio.inputs.fields import Fields
 from iconstudio.model import CANVAS, Stroke

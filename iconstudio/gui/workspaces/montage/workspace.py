@@ -14,21 +14,21 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from iconstudio.gui.actions import Entry, Key, work_entries
+from iconstudio.gui.canvas.outlines import IconOutlines
 from iconstudio.gui.canvas.start import StartButtons
 from iconstudio.gui.canvas.view import CanvasView
-from iconstudio.gui.document import Document
-from iconstudio.gui.mime import holds_something
-from iconstudio.gui.outlines import IconOutlines
+from iconstudio.gui.document.document import Document
+from iconstudio.gui.exchange.mime import holds_something
+from iconstudio.gui.exchange.saving import Saver
+from iconstudio.gui.gallery.detail import DetailPanel
+from iconstudio.gui.gallery.display_switch import DisplaySwitch
+from iconstudio.gui.gallery.pictures import Picture
+from iconstudio.gui.gallery.sending import Destination
+from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.panels.canvas import CanvasPanel
 from iconstudio.gui.panels.chooser import IconChooser
-from iconstudio.gui.panels.detail import DetailPanel
-from iconstudio.gui.panels.display_switch import DisplaySwitch
-from iconstudio.gui.panels.sending import Destination
-from iconstudio.gui.pictures import Picture
-from iconstudio.gui.saving import Saver
-from iconstudio.gui.theme import UNIT
-from iconstudio.gui.worker import Worker
+from iconstudio.gui.theme.theme import UNIT
+from iconstudio.gui.window.actions import Entry, Key, work_entries
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.montage.layers import LayerList, scrolling
 from iconstudio.gui.workspaces.montage.live import TITLE, LiveResult

@@ -7,10 +7,10 @@ from typing import Any
 
 from PySide6.QtWidgets import QWidget
 
-from iconstudio.gui.document import Document
-from iconstudio.gui.worker import Worker
-from iconstudio.gui.workspaces.opening import IconOpener
-from iconstudio.gui.workspaces.together import ReadTogether, named
+from iconstudio.gui.document.document import Document
+from iconstudio.gui.exchange.opening import IconOpener
+from iconstudio.gui.exchange.together import ReadTogether, named
+from iconstudio.gui.jobs.worker import Worker
 from iconstudio.model import Exemplar, IconstudioError
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event

@@ -6,17 +6,17 @@ The results follow every change of the work.
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QSplitter, QVBoxLayout
 
-from iconstudio.gui.actions import Entry, work_entries
-from iconstudio.gui.document import Document
+from iconstudio.gui.document.document import Document
+from iconstudio.gui.exchange.saving import Saver
+from iconstudio.gui.gallery.detail import DetailPanel
+from iconstudio.gui.gallery.icon_list import IconList
+from iconstudio.gui.gallery.pictures import Picture, pictured
+from iconstudio.gui.gallery.sending import Destination
+from iconstudio.gui.jobs.runner import Runner
+from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.panels.chooser import IconChooser
-from iconstudio.gui.panels.detail import DetailPanel
-from iconstudio.gui.panels.icon_list import IconList
-from iconstudio.gui.panels.sending import Destination
-from iconstudio.gui.pictures import Picture, pictured
-from iconstudio.gui.runner import Runner
-from iconstudio.gui.saving import Saver
-from iconstudio.gui.theme import UNIT
-from iconstudio.gui.worker import Worker
+from iconstudio.gui.theme.theme import UNIT
+from iconstudio.gui.window.actions import Entry, work_entries
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.plain.opening import WorkOpener, WorkPage
 from iconstudio.gui.workspaces.plain.stored import WorkPages

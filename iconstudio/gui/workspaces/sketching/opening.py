@@ -4,9 +4,9 @@ from collections.abc import Callable, Generator
 from pathlib import Path
 
 from iconstudio.files import read_bytes
-from iconstudio.gui.mime import Drawing, File, Image, Item
-from iconstudio.gui.photo import Photo, image_of, photo_of
-from iconstudio.gui.workspaces.opening import Opener
+from iconstudio.gui.canvas.photo import Photo, image_of, photo_of
+from iconstudio.gui.exchange.mime import Drawing, File, Image, Item
+from iconstudio.gui.exchange.opening import Opener
 from iconstudio.gui.workspaces.sketching import page
 from iconstudio.images.reading import MAX_BYTES, SUFFIXES
 from iconstudio.model import IconstudioError

@@ -4,8 +4,8 @@ from dataclasses import dataclass, field, replace
 
 from PySide6.QtCore import QRectF
 
-from iconstudio.gui.document import Document
-from iconstudio.gui.photo import Photo
+from iconstudio.gui.canvas.photo import Photo
+from iconstudio.gui.document.document import Document
 from iconstudio.model import CANVAS, Point, Polygon, Sketch
 
 

@@ -8,7 +8,7 @@ from PySide6.QtGui import QPainter
 from iconstudio.gui.canvas import painters
 from iconstudio.gui.canvas.camera import Camera
 from iconstudio.gui.canvas.scene import Scene
-from iconstudio.gui.theme import Theme
+from iconstudio.gui.theme.theme import Theme
 from iconstudio.gui.workspaces.sketching.page import SketchDocument
 from iconstudio.model import Point
 

@@ -5,8 +5,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from iconstudio.gui.pages import PageFormat
-from iconstudio.gui.photo import Photo, photo_of
+from iconstudio.gui.canvas.photo import Photo, photo_of
+from iconstudio.gui.document.pages import PageFormat
 from iconstudio.gui.workspaces.sketching.page import SketchPage
 from iconstudio.inputs.fields import Fields
 from iconstudio.model import IconstudioError, Polygon, Sketch

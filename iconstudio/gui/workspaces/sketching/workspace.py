@@ -8,17 +8,17 @@ from numpy.typing import NDArray
 from PySide6.QtCore import Qt
 
 from iconstudio.algorithms.geometry import crosses_itself
-from iconstudio.gui.actions import Entry, Key, work_entries
 from iconstudio.gui.canvas.outline import Outline
+from iconstudio.gui.canvas.photo import file_beside
 from iconstudio.gui.canvas.start import StartButtons
 from iconstudio.gui.canvas.tools.polygon import PolygonTool
 from iconstudio.gui.canvas.view import CanvasView
-from iconstudio.gui.document import Document
-from iconstudio.gui.mime import holds_something
-from iconstudio.gui.photo import file_beside
-from iconstudio.gui.pictures import Picture
-from iconstudio.gui.saving import Saver
-from iconstudio.gui.worker import Worker
+from iconstudio.gui.document.document import Document
+from iconstudio.gui.exchange.mime import holds_something
+from iconstudio.gui.exchange.saving import Saver
+from iconstudio.gui.gallery.pictures import Picture
+from iconstudio.gui.jobs.worker import Worker
+from iconstudio.gui.window.actions import Entry, Key, work_entries
 from iconstudio.gui.workspaces.remixing import RemixWorkspace
 from iconstudio.gui.workspaces.sketching import page as edits
 from iconstudio.gui.workspaces.sketching.opening import SketchOpener

@@ -8,8 +8,8 @@ from PySide6.QtGui import QKeyEvent, QPainter, QPen
 
 from iconstudio.gui.canvas.camera import Camera
 from iconstudio.gui.canvas.tools.base import Pointer, Tool
-from iconstudio.gui.document import new_gesture
-from iconstudio.gui.theme import Theme
+from iconstudio.gui.document.document import new_gesture
+from iconstudio.gui.theme.theme import Theme
 from iconstudio.gui.workspaces.montage.page import MontageDocument, choose
 from iconstudio.gui.workspaces.montage.scene import MontageScene
 from iconstudio.gui.workspaces.montage.snapping import (

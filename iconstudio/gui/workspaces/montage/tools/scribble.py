@@ -7,7 +7,7 @@ from PySide6.QtGui import QKeyEvent, QPainter, QPen
 
 from iconstudio.gui.canvas.camera import Camera
 from iconstudio.gui.canvas.tools.base import Pointer, Tool
-from iconstudio.gui.theme import Theme
+from iconstudio.gui.theme.theme import Theme
 from iconstudio.gui.workspaces.montage.page import MontageDocument, MontagePage, choose
 from iconstudio.gui.workspaces.montage.scene import MontageScene
 from iconstudio.gui.workspaces.montage.strokes import strokes_of, visible

@@ -1,0 +1,1 @@
+"""What lies on a canvas, and how it is undone and kept."""

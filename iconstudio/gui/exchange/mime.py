@@ -1,0 +1,198 @@
+"""What is dropped or pasted, read from its MIME data, in whichever form it comes."""
+
+import html
+import os
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+from PySide6.QtCore import QMimeData, QUrl
+from PySide6.QtGui import QGuiApplication, QImage, QPixmap
+
+from iconstudio.gui.exchange.dragging import unpacked
+from iconstudio.images.pillow import is_image
+from iconstudio.model import Pictogram
+from iconstudio.project.archive import SUFFIX
+from iconstudio.svg.pasted import data_images, drawings_in, is_part
+
+SVG = "image/svg+xml"
+_SVG_TYPES = (SVG, "image/x-inkscape-svg", "application/svg+xml")
+_PIXELS = tuple(f"image/{one}" for one in ("png", "tiff", "webp", "bmp", "avif", "heic", "jpeg"))
+"""Of several forms of an image, the ones to take first: those that lose nothing."""
+_READING = ("xcb", "wayland")
+_PATH = re.compile(r"[/~]|[A-Za-z]:[\\/]|\\\\")
+_WEB = re.compile(r"[A-Za-z][A-Za-z0-9+.-]*://")
+_REFERENCE = re.compile(r"[a-z][a-z0-9-]*:[a-z0-9][a-z0-9-]*")
+_MOST_LINES = 200
+"""A longer text is no list of files."""
+_LONGEST = 60
+"""Most characters that are shown of an address."""
+
+
+@dataclass(frozen=True, slots=True)
+class Icon:
+    """An icon of this window."""
+
+    pictogram: Pictogram
+
+    @property
+    def name(self) -> str:
+        """What to call it."""
+        return self.pictogram.id
+
+
+@dataclass(frozen=True, slots=True)
+class Reference:
+    """An icon of the collection, ``set:name``."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class File:
+    """A file on this computer, or a folder."""
+
+    path: str
+
+    @property
+    def name(self) -> str:
+        """What to call it."""
+        return Path(self.path).name or self.path
+
+    @property
+    def is_work(self) -> bool:
+        """Whether it is a file of the program's own."""
+        return self.path.lower().endswith(".json") or is_project(self.path)
+
+
+@dataclass(frozen=True, slots=True)
+class Drawing:
+    """SVG markup that is in no file."""
+
+    data: bytes
+    name: str = "drawing"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Image:
+    """An image of pixels that is in no file: its bytes in whatever format, or as Qt has it."""
+
+    image: bytes | QImage
+    name: str = "image"
+
+
+@dataclass(frozen=True, slots=True)
+class Elsewhere:
+    """An address that is not on this computer."""
+
+    address: str
+
+    @property
+    def name(self) -> str:
+        """What to call it."""
+        longer = len(self.address) > _LONGEST
+        return self.address[: _LONGEST - 1] + "…" if longer else self.address
+
+
+Item = Icon | Reference | File | Drawing | Image | Elsewhere
+
+
+def is_project(path: str) -> bool:
+    """Whether a file is called as projects are."""
+    return path.lower().endswith(SUFFIX)
+
+
+def holds_something(data: QMimeData) -> bool:
+    """Whether there is anything that can be opened, or of which can be said why it cannot."""
+    there = data.hasUrls() or data.hasText() or data.hasHtml() or data.hasImage()
+    return there or any(map(data.hasFormat, _SVG_TYPES)) or unpacked(data) is not None
+
+
+def holds_words(data: QMimeData) -> bool:
+    """Whether there is nothing but text, so that it belongs into a text field."""
+    text = data.text()
+    if data.hasUrls() or not text.strip() or any(map(data.hasFormat, _SVG_TYPES)):
+        return False
+    return not drawings_in(text) and all(isinstance(one, Reference) for one in _named(text))
+
+
+def items(data: QMimeData, images_first: bool = False) -> tuple[Item, ...]:
+    """Return all that was dropped or pasted, once each; nothing if it is but words.
+
+    Many programs offer the same thing in several forms. ``images_first`` says whether an image of
+    pixels is wanted rather than a drawing.
+    """
+    if (icon := unpacked(data)) is not None:
+        return (Icon(icon),)
+    listed = tuple(dict.fromkeys(one for url in data.urls() for one in _at(url)))
+    if any(not isinstance(one, Elsewhere) for one in listed):
+        return listed
+    ways = [_drawings, _images]
+    for way in reversed(ways) if images_first else ways:
+        if found := way(data):
+            return found
+    return listed or _named(data.text())
+
+
+def _drawings(data: QMimeData) -> tuple[Item, ...]:
+    for kind in _SVG_TYPES:
+        if markup := data.data(kind).data().strip():
+            return (Drawing(markup),)
+    for text in (data.text(), data.html()):
+        if found := drawings_in(text):
+            return tuple(map(Drawing, found))
+    addressed = _in_addresses(data.text(), data.html())
+    if found := tuple(one for one in addressed if isinstance(one, Drawing)):
+        return found
+    return (Drawing(data.text().encode("utf-8", "replace")),) if is_part(data.text()) else ()
+
+
+def _images(data: QMimeData) -> tuple[Item, ...]:
+    """Return the image that is offered, undecoded: Qt's readers know no limits, and SVG too."""
+    offered = [one for one in data.formats() if one.startswith("image/") and one not in _SVG_TYPES]
+    for kind in sorted(offered, key=(*_PIXELS, *offered).index):
+        if content := data.data(kind).data():
+            return (Image(content),)
+    # Where Qt makes an image of whatever is offered, it would read an SVG, without our limits.
+    unsafe = QGuiApplication.platformName().startswith(_READING)
+    drawn = unsafe and any(map(data.hasFormat, _SVG_TYPES))
+    image = data.imageData() if data.hasImage() and not drawn else None
+    image = image.toImage() if isinstance(image, QPixmap) else image
+    if isinstance(image, QImage) and not image.isNull():
+        return (Image(image),)
+    return tuple(one for one in _in_addresses(data.text(), data.html()) if isinstance(one, Image))
+
+
+def _at(url: QUrl) -> tuple[Item, ...]:
+    if url.isLocalFile():
+        return (File(url.toLocalFile()),)
+    if url.scheme() == "data":
+        return _in_addresses(bytes(url.toEncoded().data()).decode("ascii", "replace"))
+    return (Elsewhere(url.toDisplayString()),)
+
+
+def _in_addresses(text: str, markup: str = "") -> tuple[Item, ...]:
+    """Return the images in the data addresses of a text or, if it has none, of HTML."""
+    found = data_images(text) or data_images(html.unescape(markup))
+    return tuple(
+        Drawing(data) if kind == SVG else Image(data)
+        for kind, data in found
+        if kind == SVG or is_image(data)
+    )
+
+
+def _named(text: str) -> tuple[Item, ...]:
+    """Return what the lines of a text name; nothing if one of them names nothing."""
+    lines = [line.strip().strip("\"'") for line in text.splitlines() if line.strip()]
+    found = [_in_line(line) for line in lines[: _MOST_LINES + 1]]
+    return () if None in found or len(found) > _MOST_LINES else tuple(dict.fromkeys(found))
+
+
+def _in_line(line: str) -> Item | None:
+    if (url := QUrl(line)).isLocalFile():
+        return File(url.toLocalFile())
+    if _WEB.match(line):
+        return Elsewhere(line)
+    if _PATH.match(line):
+        return File(os.path.expanduser(line))
+    return Reference(line) if _REFERENCE.fullmatch(line) else None

@@ -1,0 +1,181 @@
+"""Take icons and work out of the window: to files and to the clipboard."""
+
+import itertools
+import os
+from collections.abc import Callable, Generator, Sequence
+from pathlib import Path
+
+from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QMimeData, QObject, Signal
+from PySide6.QtGui import QImage
+from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
+
+from iconstudio.gui.gallery.pictures import Picture
+from iconstudio.gui.jobs.worker import Worker
+from iconstudio.model import IconstudioError
+
+PNG_SIZE = 1024
+"""Side of a saved PNG in pixels."""
+
+_NAME = 150
+"""Most bytes of a file's name that come from a title; what is added needs room, too."""
+
+
+class Saver(QObject):
+    """Asks where to, and writes in the background.
+
+    Signals
+    -------
+    failed(str)
+        Something could not be written; a sentence for the user.
+    saved(str)
+        What has been saved, for the status line.
+    """
+
+    failed = Signal(str)
+    saved = Signal(str)
+
+    def __init__(self, worker: Worker, window: QWidget) -> None:
+        super().__init__(window)
+        self._worker = worker
+        self._window = window
+
+    def save_svg(self, picture: Picture) -> None:
+        """Save a result as SVG."""
+        self._save_icon(picture, "svg", lambda: _svg(picture))
+
+    def save_png(self, picture: Picture) -> None:
+        """Save a result as PNG."""
+        self._save_icon(picture, "png", lambda: _png(picture))
+
+    def save_code(self, picture: Picture) -> None:
+        """Save the colour code of a result as PNG."""
+        name = f"{_named(picture)}-colour-code"
+        self._save("colour code", name, "png", lambda path: _write(path, _code(picture)))
+
+    def copy_svg(self, picture: Picture) -> None:
+        """Put a result on the clipboard: as SVG, as its markup in words, and as a picture."""
+        svg, image = _svg(picture), picture.image(PNG_SIZE)
+        data = QMimeData()
+        data.setData("image/svg+xml", svg)
+        data.setText(svg.decode())
+        data.setData("image/png", _as_png(image))
+        data.setImageData(image)
+        QApplication.clipboard().setMimeData(data)
+        self.saved.emit("The icon is on the clipboard, as SVG with its credits and as a picture.")
+
+    def save_work(self, what: str, title: str, write: Callable[[Path], None]) -> None:
+        """Save what lies on a canvas as JSON: ``what`` it is; ``write`` writes it to a path."""
+        self._save(what, title, "json", write)
+
+    def save_svgs(self, pictures: Sequence[Picture]) -> None:
+        """Save several results as SVG into one folder; no file that is there is replaced."""
+        folder = self.ask_folder()
+        if folder is None:
+            return
+        job = self._worker.submit(lambda: _writing_all(folder, tuple(pictures)))
+        job.event.connect(self._tell)
+        job.failed.connect(self.failed)
+
+    def ask_folder(self) -> Path | None:
+        """Ask for a folder to save into; None if the user thinks better of it."""
+        path = QFileDialog.getExistingDirectory(self._window, "Save all icons as SVG into")
+        return Path(path) if path else None
+
+    def ask_path(self, what: str, name: str, kind: str) -> Path | None:
+        """Ask where to save; None if the user thinks better of it."""
+        dialog = QFileDialog(self._window, f"Save the {what} as {kind.upper()}")
+        dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
+        dialog.setNameFilter(f"{kind.upper()} (*.{kind})")
+        dialog.setDefaultSuffix(kind)
+        dialog.selectFile(f"{name}.{kind}")
+        chosen = dialog.selectedFiles() if dialog.exec() else []
+        dialog.deleteLater()
+        return Path(chosen[0]) if chosen else None
+
+    def _save(self, what: str, name: str, kind: str, write: Callable[[Path], None]) -> None:
+        path = self.ask_path(what, _file_name(name), kind)
+        if path is None:
+            return
+        if path.suffix.lower() != f".{kind}":  # no SVG is called “dog.png”, or “dog 1.2”
+            path = path.with_name(f"{path.name}.{kind}")
+            if os.path.lexists(path):  # the dialog asked about the other name
+                self.failed.emit(f"“{path}” is there already. Save under another name.")
+                return
+        job = self._worker.submit(lambda: _writing(path, write))
+        job.event.connect(self._tell)
+        job.failed.connect(self.failed)
+
+    def _save_icon(self, picture: Picture, kind: str, content: Callable[[], bytes]) -> None:
+        self._save("icon", _named(picture), kind, lambda path: _write(path, content()))
+
+    def _tell(self, what: str) -> None:
+        self.saved.emit(f"Saved {what}.")
+
+
+def _writing(path: Path, write: Callable[[Path], None]) -> Generator[str]:
+    write(path)
+    yield f"“{path}”"
+
+
+def _writing_all(folder: Path, pictures: Sequence[Picture]) -> Generator[str]:
+    for done, picture in enumerate(pictures):
+        try:
+            _write(_free(folder, _file_name(_named(picture))), _svg(picture))
+        except IconstudioError as error:
+            raise IconstudioError(f"{_icons(done)} of {len(pictures)} saved. {error}") from None
+    yield f"{_icons(len(pictures))} in “{folder}”"
+
+
+def _icons(count: int) -> str:
+    return "1 icon" if count == 1 else f"{count} icons"
+
+
+def _free(folder: Path, name: str) -> Path:
+    """Return a path in ``folder`` at which there is nothing yet."""
+    names = itertools.chain([name], (f"{name}-{number}" for number in itertools.count(2)))
+    return next(path for one in names if not os.path.lexists(path := folder / f"{one}.svg"))
+
+
+def _write(path: Path, content: bytes) -> None:
+    from iconstudio.output import png
+
+    png.write(path, content)
+
+
+def _svg(picture: Picture) -> bytes:
+    from iconstudio.output.svg import svg_document
+
+    return svg_document(picture.icon).encode()
+
+
+def _png(picture: Picture) -> bytes:
+    from iconstudio.output import png
+
+    return png.encoded(png.icon_pixels(picture.icon.path, PNG_SIZE))
+
+
+def _code(picture: Picture) -> bytes:
+    from iconstudio.output import png
+    from iconstudio.output.colours import colour_code
+
+    remix = picture.icon
+    pixels = colour_code(remix.composite, remix.drawing, PNG_SIZE, picture.colours)
+    return png.encoded(pixels)
+
+
+def _as_png(image: QImage) -> QByteArray:
+    buffer = QBuffer()
+    buffer.open(QIODevice.OpenModeFlag.WriteOnly)
+    image.save(buffer, "PNG")
+    return buffer.data()
+
+
+def _named(picture: Picture) -> str:
+    return picture.name.replace(", ", "-")
+
+
+def _file_name(title: str) -> str:
+    """Return a title as the beginning of a file name."""
+    words = "".join(c if c.isalnum() else "-" for c in title.strip().lower()).strip("-")
+    short = words.encode()[:_NAME].decode(errors="ignore").strip("-")
+    return short or "icon"

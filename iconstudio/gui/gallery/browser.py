@@ -1,0 +1,159 @@
+"""The grid of results over the details of the one that is picked."""
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QPoint, Qt, Signal
+from PySide6.QtWidgets import QMenu, QSplitter, QWidget
+
+from iconstudio.gui.gallery.detail import DetailPanel
+from iconstudio.gui.gallery.pictures import Display, Picture
+from iconstudio.gui.gallery.results import ResultsPanel
+from iconstudio.gui.gallery.sending import Destination, offer
+from iconstudio.gui.theme.theme import UNIT
+from iconstudio.workflows.events import Event, Recommended, StyleMatched, StyleSkipped
+from iconstudio.workflows.grid import ModelSettings
+
+
+class ResultsBrowser(QSplitter):
+    """Shows the events of a run as they come: results by style and lambda_S.
+
+    The first result of an object is picked, and stays so while the run goes on; when its first run
+    is over, the best is picked, once. Then the pick stays in its cell until the user picks another.
+
+    Signals
+    -------
+    picked(object)
+        The Picture that is shown large, or None.
+    kept(Picture)
+        A result worth keeping: picked by the user, or recommended by the run.
+    counted(int)
+        How many results are there.
+    sent(Picture, str)
+        A result is to go to the workspace of that title.
+    """
+
+    picked = Signal(object)
+    kept = Signal(object)
+    counted = Signal(int)
+    sent = Signal(object, str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(Qt.Orientation.Vertical, parent)
+        self.results = ResultsPanel()
+        self.detail = DetailPanel()
+        self.menu: QMenu | None = None
+        self._destinations: Sequence[Destination] = ()
+        self._settled = False
+        self._owed = False  # the finished result of a preview that the user picked
+        self._best: Picture | None = None
+        self.addWidget(self.results)
+        self.addWidget(self.detail)
+        self.setSizes([400, 210])
+        self.setHandleWidth(UNIT)
+        self.setChildrenCollapsible(False)
+        self.setStretchFactor(0, 3)
+        self.setStretchFactor(1, 1)
+        results, detail = self.results, self.detail
+        results.picked.connect(detail.show_picture)
+        results.picked.connect(self.picked)
+        results.chosen.connect(self._choose)
+        results.asked.connect(self._open_menu)
+        detail.sent.connect(lambda title: self.sent.emit(detail.picture, title))
+
+    def show_display(self, display: Display) -> None:
+        """Show results as icons, by their colour code, or both."""
+        self.results.show_display(display)
+        self.detail.large.show_display(display)
+
+    def set_destinations(self, destinations: Sequence[Destination]) -> None:
+        """Say where results can be sent to."""
+        self._destinations = destinations
+        self.detail.set_destinations(destinations)
+
+    def begin(self, settings: ModelSettings, afresh: bool = True) -> None:
+        """Make room for the results of a new run.
+
+        ``afresh``: nothing that is there is of the same object. Otherwise it stays in sight until
+        it is replaced.
+        """
+        self._best = None
+        if afresh:
+            self._settled = False
+            self.results.clear()
+        self.results.begin(settings.styles, settings.lambdas)
+
+    def clear(self) -> None:
+        """Let go of all results."""
+        self._best = None
+        self._settled = self._owed = False
+        self.results.clear()
+        self.counted.emit(0)
+
+    def show_event(self, event: Event | Picture) -> None:
+        """Show what a run has come to."""
+        match event:
+            case StyleMatched():
+                self.results.show_matched(event)
+            case StyleSkipped():
+                self.results.show_skipped(event)
+            case Recommended():
+                self._recommend(event)
+            case Picture():
+                self._add(event)
+
+    def end(self, whole: bool = True, keep: bool = True) -> None:
+        """Nothing more is to come; ``keep`` the best result in sight."""
+        self.results.end()
+        best = self._best
+        first = whole and not self._settled
+        if best is not None and (first or self._pick_is_hidden()):
+            self._pick(best)
+        self._settled = self._settled or (whole and best is not None)
+        if keep and self.results.finished:
+            self.kept.emit(best or self.detail.picture)
+
+    def _add(self, picture: Picture) -> None:
+        if not self.results.add(picture):
+            return
+        self.counted.emit(self.results.finished)
+        if self.detail.picture is None:
+            self._pick(picture)
+        if self._owed and picture is self.detail.picture:
+            self._keep(picture)
+
+    def _recommend(self, event: Recommended) -> None:
+        self.results.recommend(event.style, event.lambda_s)
+        if event.lambda_s is None:
+            return
+        picture = self.results.cell(event.style, event.lambda_s).picture
+        if self._best is None or _score(picture) > _score(self._best):
+            self._best = picture
+
+    def _pick(self, picture: Picture) -> None:
+        composite = picture.icon.composite
+        self.results.pick(composite.style, composite.lambda_s)
+
+    def _pick_is_hidden(self) -> bool:
+        focus = self.results.focus
+        return focus is not None and self.results.skipped(focus[0])
+
+    def _choose(self, picture: Picture) -> None:
+        self._settled = True
+        self._keep(picture)
+
+    def _keep(self, picture: Picture) -> None:
+        self._owed = picture.preview
+        if not self._owed:
+            self.kept.emit(picture)
+
+    def _open_menu(self, picture: Picture, spot: QPoint) -> None:
+        if not self._destinations:
+            return
+        self.menu = QMenu(self)
+        self.menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        offer(self.menu, self._destinations, lambda title: self.sent.emit(picture, title))
+        self.menu.popup(spot)
+
+
+def _score(picture: Picture) -> float:
+    return picture.icon.score.total

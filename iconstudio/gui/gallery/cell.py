@@ -1,0 +1,188 @@
+"""One cell of the results grid."""
+
+import math
+from enum import Enum, auto
+
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, QTimer
+from PySide6.QtGui import QEnterEvent, QPainter, QPainterPath, QPaintEvent, QPen
+from PySide6.QtWidgets import QAbstractButton, QSizePolicy, QWidget
+
+from iconstudio.gui.gallery.pictures import Display, Picture
+from iconstudio.gui.theme import theme
+
+PALING = 700
+"""Milliseconds after which a result that is out of date turns pale: not at once, so that one that
+is soon replaced does not flicker."""
+
+PALE = 0.35
+"""How opaque it is then."""
+
+
+class CellState(Enum):
+    """What a cell shows, and what it is waiting for."""
+
+    BLANK = auto()
+    PENDING = auto()
+    """Empty; a result is on its way."""
+    OLD = auto()
+    """A result of an earlier run, until a newer one comes."""
+    PREVIEW = auto()
+    """A coarse result, until the finished one comes."""
+    READY = auto()
+
+
+_REMARKS = {
+    CellState.BLANK: "empty",
+    CellState.PENDING: "on its way",
+    CellState.OLD: "from before the last change",
+    CellState.PREVIEW: "preview",
+}
+
+
+class ResultCell(QAbstractButton):
+    """Shows one result; can be picked once it is there."""
+
+    def __init__(self, name: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.picture: Picture | None = None
+        self.state = CellState.BLANK
+        self._name = name
+        self._display = Display.BOTH
+        self.recommended = ""
+        self._paling = QTimer(self, singleShot=True, interval=PALING)
+        self._paling.timeout.connect(self._turn_pale)
+        self._pale = self._stale = False
+        self.setCheckable(True)
+        self.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        self.setMinimumSize(48, 48)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.expect(False)
+
+    def sizeHint(self) -> QSize:
+        """Return the size that a cell likes to have."""
+        return QSize(84, 84)
+
+    def expect(self, pending: bool) -> None:
+        """Empty the cell; say whether something is to come."""
+        self.picture = None
+        self.recommended = ""
+        self.setEnabled(False)
+        self._turn(CellState.PENDING if pending else CellState.BLANK)
+
+    def renew(self) -> None:
+        """Something newer is to come: what is there stays until then, as an old result."""
+        if self.picture is None:
+            self.expect(True)
+        elif self.state is not CellState.OLD:
+            self._turn(CellState.OLD)
+            self._paling.start()
+
+    def show_picture(self, picture: Picture) -> None:
+        """Put a result into the cell."""
+        self.picture = picture
+        self.setEnabled(True)
+        self._turn(CellState.PREVIEW if picture.preview else CellState.READY)
+
+    def set_stale(self, stale: bool) -> None:
+        """Say whether the result is of something else than what is there now."""
+        if stale != self._stale:
+            self._stale = stale
+            self._turn(self.state)
+
+    def recommend(self, reason: str) -> None:
+        """Mark the result as the one of its row to look at first; without a reason, no more."""
+        self.recommended = reason
+        self._turn(self.state)
+
+    def show_display(self, display: Display) -> None:
+        """Show the icon, its colour code, or both."""
+        self._display = display
+        self.update()
+
+    def enterEvent(self, event: QEnterEvent) -> None:
+        """Show that the cell can be picked."""
+        super().enterEvent(event)
+        self.update()
+
+    def leaveEvent(self, event: QEvent) -> None:
+        """Stop showing that the cell can be picked."""
+        super().leaveEvent(event)
+        self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Draw the result, or where it is going to be."""
+        scheme = theme.current()
+        with QPainter(self) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            box = QRectF(self.rect()).adjusted(2, 2, -2, -2)
+            side = min(box.width(), box.height())
+            if self.state is CellState.PENDING:
+                painter.setPen(Qt.PenStyle.NoPen)
+                painter.setBrush(scheme.color("sunken"))
+                painter.drawRoundedRect(box, 6, 6)
+            elif self.state is CellState.BLANK:
+                painter.setPen(QPen(scheme.color("border"), 1, Qt.PenStyle.DotLine))
+                painter.drawRoundedRect(box, 6, 6)
+            else:
+                self._paint_frame(painter, scheme, box)
+                target = QRectF(0, 0, side, side)
+                target.moveCenter(box.center())
+                painter.setOpacity(PALE if self._pale or self._stale else 1.0)
+                self.picture.paint(painter, target, scheme.color("text"), self._display)
+                if self.recommended:
+                    self._paint_mark(painter, scheme, target)
+                if self.state is CellState.PREVIEW:
+                    self._paint_dots(painter, scheme, target)
+
+    def _turn(self, state: CellState) -> None:
+        """Enter a state; say in words what it is."""
+        self.state = state
+        if state is not CellState.OLD:
+            self._paling.stop()
+            self._pale = False
+        remark = _REMARKS.get(CellState.OLD if self._stale and self.picture else state)
+        first = "recommended" if self.recommended else ""
+        self.setAccessibleName(", ".join(part for part in (self._name, remark, first) if part))
+        advice = f"Look here first: {self.recommended}" if self.recommended else ""
+        self.setToolTip("\n".join(part for part in (self._name, advice) if part))
+        self.update()
+
+    def _turn_pale(self) -> None:
+        self._pale = True
+        self.update()
+
+    def _paint_frame(self, painter: QPainter, scheme: theme.Theme, box: QRectF) -> None:
+        if self.isChecked():
+            painter.setPen(QPen(scheme.color("accent"), 2))
+            painter.setBrush(scheme.color("accent_soft"))
+        elif self.underMouse() or self.hasFocus():
+            framed = QPen(scheme.color("accent"), 1)
+            painter.setPen(framed if self.hasFocus() else Qt.PenStyle.NoPen)
+            painter.setBrush(scheme.color("sunken"))
+        else:
+            return
+        painter.drawRoundedRect(box, 6, 6)
+
+    def _paint_mark(self, painter: QPainter, scheme: theme.Theme, icon: QRectF) -> None:
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(scheme.color("accent"))
+        painter.drawPath(_star(icon.topRight() + QPointF(-8, 8), 6.0))
+
+    def _paint_dots(self, painter: QPainter, scheme: theme.Theme, icon: QRectF) -> None:
+        """Say “to be continued”."""
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(scheme.color("muted"))
+        for number in range(3):
+            painter.drawEllipse(icon.bottomRight() + QPointF(-6 * number - 6, -5), 1.5, 1.5)
+
+
+def _star(centre: QPointF, radius: float) -> QPainterPath:
+    """Return a star of five points; ``radius`` in device-independent pixels."""
+    path = QPainterPath()
+    for corner in range(10):
+        angle = math.pi * (corner / 5 - 0.5)
+        reach = radius * (0.45 if corner % 2 else 1.0)
+        point = centre + reach * QPointF(math.cos(angle), math.sin(angle))
+        path.lineTo(point) if corner else path.moveTo(point)
+    path.closeSubpath()
+    return path

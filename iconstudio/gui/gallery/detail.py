@@ -1,0 +1,324 @@
+"""The result that was picked, large, beside the icons that it owes its parts to."""
+
+import math
+from collections.abc import Sequence
+
+from PySide6.QtCore import QEvent, QRectF, Qt, Signal
+from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent
+from PySide6.QtWidgets import (
+    QFrame,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QMenu,
+    QPushButton,
+    QScrollArea,
+    QSizePolicy,
+    QStackedLayout,
+    QVBoxLayout,
+    QWidget,
+)
+
+from iconstudio.gui.gallery.pictures import Display, Picture, SourcePicture, source_pictures
+from iconstudio.gui.gallery.sending import Destination, offer
+from iconstudio.gui.panels.elided import ElidedLabel
+from iconstudio.gui.theme import theme
+from iconstudio.gui.theme.theme import UNIT
+from iconstudio.model import Credit, Icon, Remix
+
+INVITATION = "Pick a result to see it large, with the icons that its parts come from."
+
+
+class LargePicture(QWidget):
+    """A result on a sheet of its own."""
+
+    def __init__(self, wide: bool = False, parent: QWidget | None = None) -> None:
+        """``wide``: it fills what room there is, instead of growing with its height only."""
+        super().__init__(parent)
+        self._picture: Picture | None = None
+        self._display = Display.BOTH
+        self._wide = wide
+        self.setMinimumSize(20 * UNIT, 20 * UNIT)
+        across = QSizePolicy.Policy.Expanding if wide else QSizePolicy.Policy.Preferred
+        self.setSizePolicy(across, QSizePolicy.Policy.Expanding)
+        self.setAccessibleName("The picked icon")
+
+    def show_picture(self, picture: Picture | None) -> None:
+        """Show another result."""
+        self._picture = picture
+        self.update()
+
+    def show_display(self, display: Display) -> None:
+        """Show the icon, its colour code, or both."""
+        self._display = display
+        self.update()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Stay square."""
+        if not self._wide:
+            self.setFixedWidth(min(self.height(), 40 * UNIT))
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Draw the sheet and the icon."""
+        scheme = theme.current()
+        with QPainter(self) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            side = min(self.width(), self.height())
+            sheet = QRectF(0, 0, side, side)
+            sheet.moveCenter(QRectF(self.rect()).center())
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(scheme.color("window"))
+            painter.drawRoundedRect(sheet, 8, 8)
+            if self._picture is not None:
+                target = sheet.adjusted(UNIT, UNIT, -UNIT, -UNIT)
+                self._picture.paint(painter, target, scheme.color("text"), self._display)
+
+
+class SourceThumbnail(QWidget):
+    """A source at its placement, the part that is used in its colour."""
+
+    def __init__(self, picture: SourcePicture, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._picture = picture
+        self.setFixedSize(6 * UNIT, 6 * UNIT)
+        self.setToolTip(_placement_text(picture))
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Draw the source."""
+        with QPainter(self) as painter:
+            painter.setRenderHints(
+                QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform
+            )
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(theme.current().color("window"))
+            painter.drawRoundedRect(QRectF(self.rect()), 6, 6)
+            box = QRectF(self.rect()).adjusted(2, 2, -2, -2)
+            painter.drawImage(box, self._picture.image.at(box.width() * self.devicePixelRatioF()))
+
+
+class SourceRow(QWidget):
+    """One source: thumbnail, share, name, author and licence."""
+
+    def __init__(self, picture: SourcePicture, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        icon = picture.source.exemplar.pictogram
+        title = ElidedLabel(icon.name, icon.credit.url)
+        title.setProperty("heading", True)
+        title.setToolTip(f"{icon.name}: open {icon.credit.url}" if icon.credit.url else icon.name)
+        share = QLabel(f"{picture.share:.0%}")
+        share.setProperty("heading", True)
+        share.setFixedWidth(5 * UNIT)
+        share.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        share.setToolTip("Part of the icon's ink that comes from this source")
+        who = (
+            f"made of {_counted(len(icon.made_of), 'icon')}" if icon.made_of else icon.credit.author
+        )
+        text = ElidedLabel(f"{who} · {icon.credit.license}")
+        text.setProperty("muted", True)
+        text.setToolTip("\n".join(_thanks(one.credit) for one in icon.origins))
+        words = QVBoxLayout()
+        words.setSpacing(1)
+        words.addStretch()
+        words.addWidget(title)
+        words.addWidget(text)
+        words.addStretch()
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, UNIT, 0)
+        row.setSpacing(UNIT * 3 // 2)
+        row.addWidget(SourceThumbnail(picture))
+        row.addLayout(words, 1)
+        row.addWidget(share)
+        self.setAccessibleName(f"{icon.name}, {picture.share:.0%}")
+
+
+class DetailPanel(QFrame):
+    """The picked result, its sources and credits, and the ways to take it along.
+
+    Signals
+    -------
+    save_svg(), save_png(), copy_svg()
+        What to do with the picked result.
+    sent(str)
+        It is to go to the workspace of that title.
+    """
+
+    sent = Signal(str)
+    save_svg = Signal()
+    save_png = Signal()
+    copy_svg = Signal()
+
+    def __init__(
+        self, upright: bool = False, invitation: str = INVITATION, parent: QWidget | None = None
+    ) -> None:
+        """``upright``: the result stands above its sources, not beside them.
+
+        ``invitation`` is shown as long as there is nothing to show.
+        """
+        super().__init__(parent)
+        self.setProperty("card", True)
+        self.picture: Picture | None = None
+        self._columns = 1 if upright else 2
+        self.large = LargePicture(wide=upright)
+        self._title = QLabel()
+        self._title.setProperty("title", True)
+        self._about = QLabel()
+        self._about.setProperty("muted", True)
+        self._about.setToolTip("How far the icon's filled shape and the drawn one cover each other")
+        self._rows = QGridLayout()
+        self._rows.setContentsMargins(0, 0, UNIT, 0)
+        self._rows.setHorizontalSpacing(3 * UNIT)
+        self._rows.setVerticalSpacing(UNIT // 2)
+        for column in range(self._columns):
+            self._rows.setColumnStretch(column, 1)
+        empty = QLabel(invitation, alignment=Qt.AlignmentFlag.AlignCenter, wordWrap=True)
+        empty.setProperty("muted", True)
+        empty.setMargin(3 * UNIT)
+        full = QWidget()
+        row = QVBoxLayout(full) if upright else QHBoxLayout(full)
+        row.setContentsMargins(UNIT * 3 // 2, UNIT * 3 // 2, UNIT, UNIT * 3 // 2)
+        row.setSpacing(UNIT if upright else 2 * UNIT)
+        self._heading = self._make_heading()
+        if upright:
+            row.addLayout(self._heading)
+            row.addWidget(self.large, 2)
+            row.addWidget(self._about)
+            row.addLayout(self._make_buttons())
+            row.addWidget(self._make_sources(), 1)
+        else:
+            self._heading.addLayout(self._make_buttons())
+            side = QVBoxLayout()
+            side.setSpacing(UNIT // 2)
+            side.addLayout(self._heading)
+            side.addWidget(self._about)
+            side.addWidget(self._make_sources(), 1)
+            row.addWidget(self.large)
+            row.addLayout(side, 1)
+        self._stack = QStackedLayout(self)
+        self._stack.addWidget(empty)
+        self._stack.addWidget(full)
+        self.setMinimumHeight(23 * UNIT)
+
+    def show_picture(self, picture: Picture | None) -> None:
+        """Show a result, or nothing, with its own sources."""
+        self.picture = picture
+        self.large.show_picture(picture)
+        self._stack.setCurrentIndex(0 if picture is None else 1)
+        if picture is None:
+            self._show_sources(())
+            return
+        match picture.icon:
+            case Remix() as icon:
+                self._show_remix(icon, picture)
+            case Icon() as icon:
+                self._title.setText(icon.title.capitalize())
+                self._about.setText("; ".join(_thanks(one.credit) for one in icon.credits))
+                self._show_sources(())
+
+    def _show_remix(self, icon: Remix, picture: Picture) -> None:
+        composite = icon.composite
+        self._title.setText(composite.style.capitalize())
+        sources = source_pictures(composite, picture.colours)
+        self._show_sources(sources)
+        icons = len({source.source.exemplar.id for source in sources})
+        about = f"{_counted(len(sources), 'part')} of {_counted(icons, 'icon')}"
+        if picture.preview:
+            about = "preview"
+        # Of hybrids and montages, λ is always the same.
+        weight = [] if composite.iou is None else [f"λ {composite.lambda_s:.2f}"]
+        self._about.setText(" · ".join((*weight, about, *_merits(icon))))
+
+    def _show_sources(self, sources: Sequence[SourcePicture]) -> None:
+        while self._rows.count():
+            row = self._rows.takeAt(0).widget()
+            row.hide()
+            row.deleteLater()
+        for number, source in enumerate(sources):
+            self._rows.addWidget(SourceRow(source), *divmod(number, self._columns))
+        self._rows.setRowStretch(self._rows.rowCount(), 1)
+
+    def explain(self, text: str) -> None:
+        """Say in a tool tip what the words on the result mean."""
+        self._about.setToolTip(text)
+
+    def set_destinations(self, destinations: Sequence[Destination]) -> None:
+        """Offer to send the result to these."""
+        menu = QMenu(self._send)
+        offer(menu, destinations, self.sent.emit)
+        self._send.setMenu(menu)
+        self._send.setVisible(bool(destinations))
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Draw again in the new colours."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            self.update()
+
+    def add_to_heading(self, widget: QWidget) -> None:
+        """Put a widget at the end of the heading."""
+        self._heading.addWidget(widget)
+
+    def _make_heading(self) -> QHBoxLayout:
+        for label in (self._title, self._about):
+            label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        heading = QHBoxLayout()
+        heading.setSpacing(UNIT)
+        heading.addWidget(self._title, 1)
+        return heading
+
+    def _make_buttons(self) -> QHBoxLayout:
+        svg = QPushButton("Save SVG…", toolTip="Save the icon as SVG, with credits (Ctrl+E)")
+        png = QPushButton("Save PNG…", toolTip="Save the icon as PNG (Ctrl+Shift+E)")
+        copy = QPushButton("Copy SVG", toolTip="Copy the icon as SVG (Ctrl+Shift+C)")
+        svg.clicked.connect(self.save_svg)
+        png.clicked.connect(self.save_png)
+        copy.clicked.connect(self.copy_svg)
+        self._send = QPushButton("Send to", toolTip="Go on with the icon in another workspace")
+        self._send.hide()
+        buttons = QHBoxLayout()
+        buttons.setSpacing(UNIT)
+        for button in (self._send, svg, png, copy):
+            buttons.addWidget(button)
+        return buttons
+
+    def _make_sources(self) -> QScrollArea:
+        inner = QWidget()
+        inner.setLayout(self._rows)
+        scroll = QScrollArea(widgetResizable=True)
+        scroll.setWidget(inner)
+        scroll.viewport().setAutoFillBackground(False)
+        inner.setAutoFillBackground(False)
+        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        scroll.setAccessibleName("Sources of the picked icon")
+        return scroll
+
+
+def _thanks(credit: Credit) -> str:
+    return f"{credit.title}, by {credit.author}, {credit.license}"
+
+
+def _merits(icon: Remix) -> list[str]:
+    """Return how well an icon does what was wanted."""
+    if icon.unchanged is not None:
+        return [
+            f"fits the change by {icon.score.likeness:.0%}",
+            f"unchanged elsewhere {_floor(100 * icon.unchanged)}%",
+        ]
+    if icon.draw >= 0:
+        return [f"rank score {icon.score.total:.2f}"]
+    iou = icon.composite.iou
+    return [] if iou is None else [f"fits the sketch by {iou:.0%}"]
+
+
+def _floor(percent: float) -> str:
+    """Return one decimal, never rounded up to 100."""
+    return f"{math.floor(10 * percent) / 10:g}"
+
+
+def _counted(count: int, noun: str) -> str:
+    return f"1 {noun}" if count == 1 else f"{count} {noun}s"
+
+
+def _placement_text(picture: SourcePicture) -> str:
+    placement = picture.source.placement
+    mirrored = ", mirrored" if placement.flip else ""
+    return f"Scaled {placement.scale:g}×, shifted by {placement.dx}, {placement.dy}{mirrored}"

@@ -1,0 +1,88 @@
+"""The favourites: the results that the user keeps."""
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QMenu, QPushButton, QWidget
+
+from iconstudio.gui.gallery.icon_list import IconList, same
+from iconstudio.gui.gallery.pictures import Picture
+from iconstudio.gui.theme.theme import UNIT
+
+SIDE = 7 * UNIT
+"""Side of a favourite in device-independent pixels."""
+
+EMPTY = "Results that you keep gather here"
+
+
+class FavouritesPanel(QFrame):
+    """A row of results in the order in which they were kept.
+
+    As long as it is empty, ``hint`` says how to fill it. A click picks a favourite; the key
+    Delete and the context menu take it out; it can be dragged to where icons are used.
+
+    Signals
+    -------
+    picked(Picture)
+        The user wants to look at a favourite.
+    changed()
+        A favourite was added or removed.
+    save_all()
+        The user wants to save them all.
+    """
+
+    picked = Signal(object)
+    changed = Signal()
+    save_all = Signal()
+
+    def __init__(self, hint: str = EMPTY, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setProperty("card", True)
+        self.menu: QMenu | None = None
+        title = QLabel("Favourites")
+        title.setProperty("heading", True)
+        advice = "Click to look at it, or drag it where you need it; Delete removes it"
+        self.icon_list = IconList(SIDE, hint, advice)
+        self.icon_list.setAccessibleName("Favourites")
+        self.button = QPushButton("Save all…", toolTip="Save every favourite as SVG, with credits")
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(UNIT * 3 // 2, UNIT, UNIT * 3 // 2, UNIT)
+        layout.setSpacing(UNIT * 3 // 2)
+        layout.addWidget(title)
+        layout.addWidget(self.icon_list, 1)
+        layout.addWidget(self.button)
+        self.icon_list.chosen.connect(self.picked)
+        self.icon_list.asked.connect(self._open_menu)
+        self.icon_list.changed.connect(self._tell)
+        self.button.clicked.connect(self.save_all)
+        self.button.setEnabled(False)
+
+    @property
+    def pictures(self) -> tuple[Picture, ...]:
+        """The favourites, in the order in which they were added."""
+        return self.icon_list.pictures
+
+    def holds(self, picture: Picture) -> bool:
+        """Whether ``picture``, or one that looks the same, is a favourite."""
+        return any(same(one, picture) for one in self.pictures)
+
+    def add(self, picture: Picture) -> None:
+        """Put a result at the end, unless it is there."""
+        if not self.holds(picture):
+            self.icon_list.show_pictures([*self.pictures, picture])
+            self.icon_list.reveal(picture)
+
+    def remove(self, picture: Picture) -> None:
+        """Take out a result, or the one that looks the same."""
+        for one in self.pictures:
+            if same(one, picture):
+                self.icon_list.remove(one)
+
+    def _open_menu(self, picture: Picture) -> None:
+        menu = QMenu(self)
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        menu.addAction("Remove from the favourites", lambda: self.icon_list.remove(picture))
+        self.menu = menu
+        menu.popup(self.icon_list.below(picture))
+
+    def _tell(self) -> None:
+        self.button.setEnabled(bool(self.pictures))
+        self.changed.emit()

@@ -1,0 +1,220 @@
+"""Pictures that the panels show, made from the values of the model."""
+
+from collections.abc import Generator
+from contextlib import closing
+from dataclasses import dataclass, replace
+from enum import Enum
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
+from PySide6.QtGui import QColor, QImage, QPainter, QPainterPath, QTransform
+
+from iconstudio.gui.canvas.mipmap import Mipmap
+from iconstudio.gui.canvas.vector import painter_path
+from iconstudio.model import CANVAS, Composite, Icon, Pictogram, Placement, Remix, Source
+from iconstudio.workflows.events import Event, Result
+
+if TYPE_CHECKING:
+    from iconstudio.output.colours import Palette
+
+COLOUR_CODE_SIZE = 512
+"""Side of a colour-coded picture in pixels: enough for the large view at two pixels a point."""
+
+
+_ICON, _TWIN = 0.76, 0.34
+"""Sides of an icon and of its colour code beside it, as parts of the square that both share."""
+
+
+class Display(Enum):
+    """What is shown of results: icons, their colour code, or both, as in the paper's figures."""
+
+    PLAIN = "plain"
+    BOTH = "both"
+    CODED = "coded"
+
+
+@dataclass(frozen=True, eq=False)
+class Picture:
+    """An icon, ready to be drawn: as it is (a vector) and coded by source (pixels)."""
+
+    icon: Icon
+    outline: QPainterPath
+    colours: "Palette | None" = None
+    """The colours of its sources; None: those that its composite gives them."""
+    coded_side: int = COLOUR_CODE_SIZE
+    """Side of the colour-coded picture in pixels."""
+    preview: bool = False
+    """Whether a better one is to follow in its place."""
+
+    @cached_property
+    def coded(self) -> Mipmap | None:
+        """The picture coded by source, made when it is first asked for: this takes some 15 ms.
+
+        None if the icon is no remix.
+        """
+        from iconstudio.output.colours import colour_code
+
+        match self.icon:
+            case Remix(composite=composite, drawing=drawing):
+                pixels = colour_code(composite, drawing, self.coded_side, self.colours)
+                return Mipmap.of(rgba_image(pixels), 64)
+        return None
+
+    @property
+    def title(self) -> str:
+        """What it shows."""
+        return self.icon.title
+
+    @property
+    def name(self) -> str:
+        """What to call it beside others."""
+        match self.icon:
+            case Remix(composite=composite):
+                return f"{self.title}, {composite.style}"
+        return self.title
+
+    def pictogram(self) -> Pictogram:
+        """Return the result as an icon like any other."""
+        from iconstudio.output.svg import pictogram_of
+
+        return pictogram_of(self.icon)
+
+    @property
+    def _awaits_code(self) -> bool:
+        """Whether the colour code is still being made: that of a preview need not be waited for."""
+        return self.preview and "coded" not in vars(self)
+
+    def image(self, side: int) -> QImage:
+        """Return the icon in black on nothing, ``side`` pixels wide."""
+        image = QImage(side, side, QImage.Format.Format_ARGB32_Premultiplied)
+        image.fill(Qt.GlobalColor.transparent)
+        with QPainter(image) as painter:
+            self.paint(painter, QRectF(image.rect()), QColor("black"))
+        return image
+
+    def paint(
+        self,
+        painter: QPainter,
+        target: QRectF,
+        ink: QColor,
+        display: Display = Display.PLAIN,
+    ) -> None:
+        """Draw into the square ``target``; what has no colour code, as an icon."""
+        painter.save()
+        painter.setRenderHints(
+            QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform
+        )
+        if not isinstance(self.icon, Remix):
+            display = Display.PLAIN
+        side, icon, twin = target.width(), QRectF(target), QRectF(target)
+        if display is Display.BOTH:
+            icon.setSize(QSizeF(_ICON * side, _ICON * side))
+            twin.setTopLeft(target.bottomRight() - _TWIN * QPointF(side, side))
+        if display is Display.CODED or (display is Display.BOTH and not self._awaits_code):
+            pixels = twin.width() * painter.device().devicePixelRatioF()
+            painter.drawImage(twin, self.coded.at(pixels))
+        if display is not Display.CODED:
+            painter.translate(icon.topLeft())
+            painter.scale(icon.width() / CANVAS, icon.height() / CANVAS)
+            painter.fillPath(self.outline, ink)
+        painter.restore()
+
+
+def pictured(events: Generator[Event], title: str = "") -> Generator["Event | Picture"]:
+    """Pass ``events`` on, with a ``Picture`` in place of each result, of that title if given.
+
+    Runs where the events are made, so that the window's thread has nothing to compute.
+    """
+    with closing(events):
+        for event in events:
+            if isinstance(event, Result):
+                icon = replace(event.icon, title=title) if title else event.icon
+                picture = Picture(icon, painter_path(icon.path), preview=event.preview)
+                if not picture.preview:
+                    _ = picture.coded  # made here, as the window will show it at once
+                yield picture
+                _ = picture.coded
+            else:
+                yield event
+
+
+def picture_of(icon: Icon, size: int | None = None, colours: "Palette | None" = None) -> Picture:
+    """Return the picture of an icon; ``size`` is the side of the colour-coded one in pixels.
+
+    That one is made at once, for a thread that has nothing to do later.
+    """
+    picture = Picture(icon, painter_path(icon.path), colours, size or COLOUR_CODE_SIZE)
+    _ = picture.coded
+    return picture
+
+
+def rgba_image(pixels: NDArray[np.uint8]) -> QImage:
+    """Return (h, w, 4) uint8 RGBA, alpha not multiplied in, as an image."""
+    pixels = np.ascontiguousarray(pixels)
+    height, width, _ = pixels.shape
+    image = QImage(pixels.data, width, height, 4 * width, QImage.Format.Format_RGBA8888)
+    return image.convertToFormat(QImage.Format.Format_ARGB32_Premultiplied)
+
+
+def stencil(coverage: NDArray[np.uint8], color: QColor) -> QImage:
+    """Return (h, w) uint8 ``coverage`` as an image in one colour, whose alpha does not count."""
+    coverage = np.ascontiguousarray(coverage)
+    height, width = coverage.shape
+    image = QImage(coverage.data, width, height, width, QImage.Format.Format_Alpha8)
+    image = image.convertToFormat(QImage.Format.Format_ARGB32_Premultiplied)
+    with QPainter(image) as painter:
+        painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_SourceIn)
+        painter.fillRect(image.rect(), QColor(color.rgb()))
+    return image
+
+
+def placed(image: QImage, placement: Placement) -> QImage:
+    """Return a picture of the canvas with ``image``, the size of the canvas, at its placement."""
+    result = QImage(CANVAS, CANVAS, QImage.Format.Format_ARGB32_Premultiplied)
+    result.fill(Qt.GlobalColor.transparent)
+    with QPainter(result) as painter:
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+        painter.setTransform(QTransform(*placement.transform))
+        painter.drawImage(0, 0, image)
+    return result
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SourcePicture:
+    """A source that contributes significantly: its share of the ink, colour, and where it lies."""
+
+    source: Source
+    share: float
+    color: QColor
+    image: Mipmap
+
+
+def source_pictures(composite: Composite, palette: "Palette | None" = None) -> list[SourcePicture]:
+    """Return the significant sources, the largest share first.
+
+    Each is drawn pale at its placement, with the part that it owns in its colour.
+    """
+    from iconstudio.output.colours import SIGNIFICANT, source_colours
+
+    colours = source_colours(composite, palette)
+    pictures = []
+    for label in composite.owners(SIGNIFICANT):
+        source = composite.sources[label]
+        color = QColor(*(int(value) for value in colours[label][:3]))
+        whole = placed(stencil(source.exemplar.coverage, color), source.placement)
+        image = Mipmap.of(_with_part(whole, composite.labels == label), 64)
+        pictures.append(SourcePicture(source, composite.shares[label], color, image))
+    return pictures
+
+
+def _with_part(image: QImage, part: NDArray[np.bool_]) -> QImage:
+    """Return ``image`` faded except where ``part`` is."""
+    veil = np.where(part, 255, 72).astype(np.uint8)
+    result = QImage(image)
+    with QPainter(result) as painter:
+        painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_DestinationIn)
+        painter.drawImage(result.rect(), stencil(veil, QColor("black")))
+    return result

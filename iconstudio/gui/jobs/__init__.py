@@ -1,0 +1,1 @@
+"""What takes long: threads, what runs in them, and when it runs again."""

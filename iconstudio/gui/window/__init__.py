@@ -1,0 +1,1 @@
+"""The main window: its switch, menus, messages and preferences."""

@@ -1,0 +1,237 @@
+"""The window: what all workspaces share, and the switch between them."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from PySide6.QtCore import QMimeData, QTimer, QUrl
+from PySide6.QtGui import QAction, QCloseEvent, QGuiApplication
+from PySide6.QtWidgets import QHBoxLayout, QMainWindow, QMenu, QStackedWidget, QVBoxLayout, QWidget
+
+from iconstudio.gui.exchange.saving import Saver
+from iconstudio.gui.gallery.pictures import Picture
+from iconstudio.gui.gallery.recent import RecentResults
+from iconstudio.gui.gallery.sending import Destination
+from iconstudio.gui.jobs.worker import Worker
+from iconstudio.gui.project import recents
+from iconstudio.gui.project.contents import PLAIN
+from iconstudio.gui.project.files import ProjectFiles, WorkFile
+from iconstudio.gui.project.journaling import Found
+from iconstudio.gui.project.recovery import RecoveryBar
+from iconstudio.gui.project.work import Work
+from iconstudio.gui.theme.theme import UNIT
+from iconstudio.gui.window.about import show_about
+from iconstudio.gui.window.actions import ENTRIES, MENUS, Actions, fill_menu
+from iconstudio.gui.window.modes import ModeSwitch
+from iconstudio.gui.window.pane import WorkspacePane
+from iconstudio.gui.workspaces.base import Workspace
+from iconstudio.model import Pictogram
+from iconstudio.session import Session
+from iconstudio.workflows import registry
+from iconstudio.workflows.workflow import Workflow, named
+
+_FRAME, _BAR = 16, 48
+"""What the system's frame around a window takes of the screen at most, in pixels."""
+
+_TITLE = "Iconstudio"
+_PATIENCE = 300
+"""Milliseconds after which what was left behind is looked for: first the window opens."""
+
+
+class MainWindow(QMainWindow):
+    """The switch and the recent results above, the workspace in use below.
+
+    A workspace is made when it is first used, so that the window opens fast.
+    """
+
+    def __init__(self, session: Session, workflows: Sequence[Workflow] | None = None) -> None:
+        super().__init__()
+        self._session = session
+        self._workflows = tuple(registry.workflows() if workflows is None else workflows)
+        self._made: dict[int, WorkspacePane] = {}
+        self._files = Worker(self)
+        self.saver = Saver(self._files, self)
+        self._destinations = tuple(
+            Destination(one.title, one.invitation) for one in self._workflows if one.invitation
+        )
+        self.modes = ModeSwitch([one.title for one in self._workflows])
+        self.recent = RecentResults(self._destinations)
+        self.panes = QStackedWidget()
+        by_name = {one.name: one for one in self._workflows}
+        self.work = Work(by_name, self.recent, self._named, self._current, self._show_named, self)
+        self.project = ProjectFiles(session, self.work, self._files, self)
+        self.recovery = RecoveryBar(by_name)
+        self._make_actions()
+        self._menus: dict[str, QMenu] = {title: self.menuBar().addMenu(title) for title in MENUS}
+        self._lay_out()
+        self._wire()
+        self.show_workspace(0)
+
+    def _make_actions(self) -> None:
+        project = self.project
+        self.actions_by_name = Actions(
+            self,
+            {
+                "new_project": project.new,
+                "open_project": project.choose,
+                "save_project": lambda: project.save(),
+                "save_project_as": lambda: project.save_as(),
+                "quit": self.close,
+                "about": lambda: show_about(self),
+            },
+        )
+        menu = QMenu(ENTRIES["recent"].text, self)
+        menu.aboutToShow.connect(lambda: recents.fill(menu, project.open))
+        self.actions_by_name.add(ENTRIES["recent"], menu.menuAction())
+
+    def _lay_out(self) -> None:
+        top = QHBoxLayout()
+        top.setContentsMargins(UNIT, 0, UNIT, 0)
+        top.setSpacing(2 * UNIT)
+        top.addWidget(self.modes)
+        top.addWidget(self.recent, 1)
+        centre = QWidget()
+        layout = QVBoxLayout(centre)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(UNIT // 2)
+        layout.addLayout(top)
+        offers = QHBoxLayout()
+        offers.setContentsMargins(UNIT, 0, UNIT, 0)
+        offers.addWidget(self.recovery)
+        layout.addLayout(offers)
+        layout.addWidget(self.panes, 1)
+        self.setCentralWidget(centre)
+        room = QGuiApplication.primaryScreen().availableSize()
+        self.resize(min(1360, room.width() - _FRAME), min(860, room.height() - _BAR))
+
+    def _wire(self) -> None:
+        self.modes.chosen.connect(self.show_workspace)
+        self.saver.failed.connect(lambda message: self.pane.notice.say(message))
+        self.saver.saved.connect(lambda remark: self.pane.say(remark))
+        project = self.project
+        project.changed.connect(self._show_title)
+        project.remarked.connect(lambda remark: self.pane.say(remark))
+        project.failed.connect(lambda message: self.pane.notice.say(message))
+        project.imported.connect(self._import)
+        project.restored.connect(self.recovery.withdraw)
+        project.journaling.found.connect(self.recovery.offer)
+        self.recovery.restore.connect(project.restore)
+        self.recovery.dismiss.connect(self._dismiss)
+        QTimer.singleShot(_PATIENCE, self, project.journaling.look)
+        self._show_title()
+        self.recent.sent.connect(self._send_picture)
+        self.recent.save_svg.connect(self.saver.save_svg)
+        self.recent.save_png.connect(self.saver.save_png)
+        self.recent.save_code.connect(self.saver.save_code)
+        self.recent.copy_svg.connect(self.saver.copy_svg)
+
+    # -- workspaces ----------------------------------------------------------------------------
+
+    @property
+    def pane(self) -> WorkspacePane:
+        """The pane in sight."""
+        return self.panes.currentWidget()
+
+    @property
+    def workspace(self) -> Workspace:
+        """The workspace in use."""
+        return self.pane.workspace
+
+    @property
+    def workspaces(self) -> tuple[Workspace, ...]:
+        """All workspaces, as they stand on the switch."""
+        return tuple(self._pane(number).workspace for number in range(len(self._workflows)))
+
+    def workspace_of(self, title: str) -> Workspace:
+        """Return the workspace of that title."""
+        return self._pane(self._number(title)).workspace
+
+    def show_workspace(self, number: int) -> None:
+        """Switch to a workspace; work that goes on elsewhere goes on."""
+        self.panes.setCurrentWidget(self._pane(number))
+        self.modes.show_current(number)
+        actions = self.workspace.actions_by_name
+        for title, menu in self._menus.items():
+            fill_menu(menu, title, self.actions_by_name, actions, self.modes.actions_in_order)
+        self.workspace.enter()
+
+    def action(self, name: str) -> QAction:
+        """Return an action of the workspace in use, or of the window itself."""
+        return self.workspace.actions_by_name.get(name) or self.actions_by_name[name]
+
+    def _number(self, title: str) -> int:
+        return next(n for n, one in enumerate(self._workflows) if one.title == title)
+
+    def _numbered(self, name: str) -> int:
+        return next(n for n, one in enumerate(self._workflows) if one.name == name)
+
+    def _named(self, name: str) -> Workspace:
+        return self._pane(self._numbered(name)).workspace
+
+    def _show_named(self, name: str) -> None:
+        self.show_workspace(self._numbered(name))
+
+    def _current(self) -> str:
+        return self.workspace.workflow.name if self.panes.count() else ""
+
+    def _pane(self, number: int) -> WorkspacePane:
+        """Return a workspace's pane, made if it is the first time."""
+        if number not in self._made:
+            workflow = self._workflows[number]
+            kind = named(workflow.workspace or PLAIN)
+            workspace = kind(workflow, self._session, self._files, self.saver)
+            workspace.set_destinations(self._destinations)
+            workspace.kept.connect(self.recent.keep)
+            workspace.send.connect(self._send)
+            workspace.project.connect(lambda path: self.project.open(Path(path)))
+            self.work.watch(workspace)
+            pane = self._made[number] = WorkspacePane(workspace)
+            self.panes.addWidget(pane)
+        return self._made[number]
+
+    def _send(self, pictogram: Pictogram, title: str) -> None:
+        self.show_workspace(self._number(title))
+        self.workspace.take(pictogram)
+
+    def _send_picture(self, picture: Picture, title: str) -> None:
+        self.recent.keep(picture)
+        self._send(picture.pictogram(), title)
+
+    # -- the project ---------------------------------------------------------------------------
+
+    def _show_title(self) -> None:
+        project = self.project
+        untitled = f"Untitled[*] – {_TITLE}" if project.modified else f"{_TITLE}[*]"
+        self.setWindowTitle(f"{project.name}[*] – {_TITLE}" if project.name else untitled)
+        self.setWindowFilePath("" if project.path is None else str(project.path))
+        self.setWindowModified(project.modified)
+
+    def _import(self, file: WorkFile) -> None:
+        if file.workflow:
+            self._show_named(file.workflow)
+        data = QMimeData()
+        data.setUrls([QUrl.fromLocalFile(str(file.path))])
+        self.workspace.open_mime(data)
+
+    def _dismiss(self, found: Found) -> None:
+        self.recovery.withdraw(found)
+        self.project.journaling.dismiss(found.left)
+
+    # -- the window itself ---------------------------------------------------------------------
+
+    def threads_alive(self) -> bool:
+        """Whether a thread of the window still runs; not once it is closed."""
+        return any(worker.alive for worker in self.findChildren(Worker))
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Ask about unsaved work; then stop all, and wait until the threads have ended."""
+        if not self.project.may_go(self.close):
+            event.ignore()
+            return
+        for pane in self._made.values():
+            pane.workspace.cancel()
+        for pane in self._made.values():
+            pane.workspace.close_work()
+        self.project.close()
+        self._files.close(self._session.close)
+        self._session.close()
+        super().closeEvent(event)

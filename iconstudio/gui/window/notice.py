@@ -1,0 +1,120 @@
+"""Messages that stay until they are read, and block nothing, and move nothing."""
+
+from collections.abc import Iterable
+
+from PySide6.QtCore import QEvent, QObject, QRect, Qt, Signal
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QScrollArea, QToolButton, QWidget
+
+from iconstudio.gui.theme import icons
+from iconstudio.gui.theme.theme import UNIT
+
+_WIDEST = 110 * UNIT
+_HIGHEST = 9 * UNIT
+"""Where there is more to say than fits into so many pixels, it scrolls."""
+
+
+class Notice(QFrame):
+    """A bar with sentences that floats over what is below, hidden while there is nothing to say.
+
+    Messages are about what has been tried; remarks about what lies on the page: they stay as long
+    as it does, unless they are dismissed. Hints say what to do next: no mistake was made.
+
+    Signals
+    -------
+    resized()
+        It has more or less to say: it should be placed anew.
+    """
+
+    resized = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setProperty("notice", True)
+        self._messages: dict[str, bool] = {}
+        """Each with whether it is a hint."""
+        self._remarks: dict[str, None] = {}
+        self._dismissed: set[str] = set()
+        self._signs = icons.Sign("warning", "danger", 20), icons.Sign("hint", "accent", 20)
+        self.label = QLabel(wordWrap=True)
+        self.label.setTextFormat(Qt.TextFormat.PlainText)
+        self.label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self._scroll = QScrollArea(widgetResizable=True)
+        self._scroll.setWidget(self.label)
+        self._scroll.setFrameShape(QFrame.Shape.NoFrame)
+        self._scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._scroll.viewport().setAutoFillBackground(False)
+        self.label.setAutoFillBackground(False)
+        self._scroll.viewport().installEventFilter(self)
+        self._button = QToolButton(toolTip="Dismiss this message")
+        self._button.setAccessibleName("Dismiss this message")
+        self._button.setIcon(icons.icon("close", "muted"))
+        self._button.clicked.connect(self._dismiss)
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(UNIT * 3 // 2, UNIT // 2, UNIT // 2, UNIT // 2)
+        layout.setSpacing(UNIT)
+        for sign in self._signs:
+            layout.addWidget(sign)
+        layout.addWidget(self._scroll, 1)
+        layout.addWidget(self._button)
+        self.hide()
+
+    def say(self, message: str, hint: bool = False) -> None:
+        """Show a message, or a hint, below those that are there."""
+        self._messages.pop(message, None)
+        self._messages[message] = hint
+        self._write()
+
+    def hint(self, message: str) -> None:
+        """Show a hint below the messages that are there."""
+        self.say(message, hint=True)
+
+    def place(self, room: QRect) -> None:
+        """Float at the lower end of ``room``."""
+        width = min(_WIDEST, room.width())
+        self.resize(width, self.height())
+        self._fit()
+        height = self.sizeHint().height()
+        self.setGeometry(room.center().x() - width // 2, room.bottom() + 1 - height, width, height)
+        self.raise_()
+
+    def clear(self) -> None:
+        """Take all messages away: they are dealt with."""
+        self._messages.clear()
+        self._write()
+
+    def remark(self, remarks: Iterable[str]) -> None:
+        """Show these remarks, and no others; but none that was dismissed since it came."""
+        self._remarks = dict.fromkeys(remarks)
+        self._dismissed &= self._remarks.keys()
+        self._write()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Be as high as the sentences at this width."""
+        if event.type() == QEvent.Type.Resize:
+            self._fit()
+        return False
+
+    def _dismiss(self) -> None:
+        self._dismissed |= self._remarks.keys()
+        self.clear()
+
+    def _write(self) -> None:
+        remarks = [one for one in self._remarks if one not in self._dismissed]
+        text = "\n".join((*self._messages, *remarks))
+        hint = bool(self._messages) and all(self._messages.values()) and not remarks
+        if hint != bool(self.property("hint")):
+            self.setProperty("hint", hint)
+            self.style().unpolish(self)
+            self.style().polish(self)
+        for sign, shown in zip(self._signs, (not hint, hint), strict=True):
+            sign.setVisible(shown)
+        self.setVisible(bool(text))
+        if text and text != self.label.text():
+            self.label.setText(text)
+            self.setAccessibleName(text)
+            self._scroll.verticalScrollBar().setValue(0)
+        self.resized.emit()
+
+    def _fit(self) -> None:
+        height = self.label.heightForWidth(self._scroll.viewport().width())
+        self._scroll.setFixedHeight(min(max(height, 2 * UNIT), _HIGHEST))

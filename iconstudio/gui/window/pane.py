@@ -1,0 +1,73 @@
+"""A workspace with its progress below, and its messages floating over it."""
+
+from PySide6.QtGui import QDragEnterEvent, QDropEvent, QResizeEvent
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+from iconstudio.gui.exchange.dragging import take_copy, unpacked
+from iconstudio.gui.exchange.mime import holds_something
+from iconstudio.gui.exchange.together import named
+from iconstudio.gui.theme.theme import UNIT
+from iconstudio.gui.window.notice import Notice
+from iconstudio.gui.window.progress import StatusStrip
+from iconstudio.gui.workspaces.base import Workspace
+
+
+class WorkspacePane(QWidget):
+    """Shows what a workspace tells, also what it told while another one was in sight.
+
+    What is dropped from other programs beside the workspace's canvas is for it, too.
+    """
+
+    def __init__(self, workspace: Workspace) -> None:
+        super().__init__()
+        self.workspace = workspace
+        self.notice = Notice(self)
+        self.status = StatusStrip()
+        self.setAcceptDrops(True)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(UNIT, 0, UNIT, 0)
+        layout.setSpacing(UNIT)
+        layout.addWidget(workspace, 1)
+        layout.addWidget(self.status)
+        workspace.remarked.connect(self.say)
+        workspace.failed.connect(self.notice.say)
+        workspace.hinted.connect(self.notice.hint)
+        self.notice.resized.connect(self._place_notice)
+        workspace.progressed.connect(self.status.show_progress)
+        workspace.counted.connect(self.status.set_finished)
+        workspace.idle.connect(self.status.rest)
+        workspace.document.page_changed.connect(self._show_remarks)
+        self.status.cancelled.connect(workspace.cancel)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Keep the messages in their place."""
+        super().resizeEvent(event)
+        self._place_notice()
+
+    def _place_notice(self) -> None:
+        place = self.workspace.geometry()
+        self.notice.place(place.adjusted(2 * UNIT, 0, -2 * UNIT, -UNIT))
+
+    def say(self, remark: str) -> None:
+        """Show a remark for a while; messages are dealt with."""
+        self.notice.clear()
+        self.status.say(remark)
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        """Let anything of other programs be dropped; what cannot be used is told."""
+        if holds_something(event.mimeData()) and unpacked(event.mimeData()) is None:
+            take_copy(event)
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        """Open what was dropped."""
+        take_copy(event)
+        self.workspace.open_mime(event.mimeData())
+
+    def _show_remarks(self) -> None:
+        """Show the remarks on the icons of the page as it is now; messages are dealt with."""
+        about: dict[tuple[str, ...], list[str]] = {}
+        for icon in dict.fromkeys(self.workspace.icons):
+            about.setdefault(icon.remarks, []).append(icon.credit.title or icon.id)
+        about.pop((), None)
+        self.notice.clear()
+        self.notice.remark(f"{named(one)}: {' '.join(remarks)}" for remarks, one in about.items())

@@ -1,0 +1,84 @@
+"""What the program is doing, how far it is, and a button to stop it."""
+
+from PySide6.QtCore import QTimer, Signal
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QPushButton, QWidget
+
+from iconstudio.gui.theme.theme import UNIT
+from iconstudio.workflows.estimating import spoken
+from iconstudio.workflows.events import Progress
+
+REMARK = 6000
+"""Milliseconds for which a remark stays."""
+
+
+class StatusStrip(QWidget):
+    """One line at the bottom of the window.
+
+    Signals
+    -------
+    cancelled()
+        The user pressed Cancel.
+    """
+
+    cancelled = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._message = ""
+        self._finished = 0
+        self._remark = ""
+        self._timer = QTimer(self, singleShot=True, interval=REMARK)
+        self._timer.timeout.connect(self._forget)
+        self.setFixedHeight(4 * UNIT + 4)
+        self.label = QLabel()
+        self.label.setProperty("muted", True)
+        self.bar = QProgressBar(textVisible=False, maximum=1000)
+        self.bar.setFixedWidth(25 * UNIT)
+        self.bar.setAccessibleName("Progress")
+        self.button = QPushButton("Cancel")
+        self.button.setToolTip("Stop; finished results stay (Ctrl+.)")
+        self.button.clicked.connect(self.cancelled)
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(UNIT, 0, 0, 4)
+        layout.setSpacing(UNIT * 3 // 2)
+        layout.addWidget(self.label, 1)
+        layout.addWidget(self.bar)
+        layout.addWidget(self.button)
+        self.rest("")
+
+    def show_progress(self, progress: Progress) -> None:
+        """Show a stage, and how far it is."""
+        left = "" if progress.remaining is None else spoken(progress.remaining)
+        self._message = " · ".join(text for text in (progress.message, left) if text)
+        self._write()
+        self.bar.setValue(round(1000 * min(1.0, max(0.0, progress.done))))
+        self.bar.show()
+        self.button.show()
+
+    def set_finished(self, count: int) -> None:
+        """Say how many icons are finished."""
+        self._finished = count
+        self._write()
+
+    def say(self, message: str) -> None:
+        """Say something for a while, whatever is under way."""
+        self._remark = message
+        self._write()
+        self._timer.start()
+
+    def rest(self, message: str) -> None:
+        """Nothing is under way; ``message`` says what came out."""
+        self._message, self._finished = message, 0
+        self._write()
+        self.bar.hide()
+        self.bar.setValue(0)
+        self.button.hide()
+
+    def _forget(self) -> None:
+        self._remark = ""
+        self._write()
+
+    def _write(self) -> None:
+        finished = f"{self._finished} finished" if self._finished else ""
+        state = " · ".join(text for text in (self._message, finished) if text)
+        self.label.setText(self._remark or state)
