@@ -352,3 +352,8 @@ def _finite(value: object) -> float | None:
     except OverflowError:
         return None
     return number if math.isfinite(number) else None
+
+
+def plain_text(text: str) -> str:
+    """Return a text that can be read back: not too long, of characters that are some."""
+    return ODD.sub("\ufffd", text)[:LONGEST_TEXT]

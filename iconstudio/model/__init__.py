@@ -9,6 +9,7 @@ from iconstudio.model.icon import Icon, Remix
 from iconstudio.model.mix import Mix, Seeds
 from iconstudio.model.montage import Layer, Montage, Stroke
 from iconstudio.model.path import Contour, Path, PathPen
+from iconstudio.model.photo import Photo
 from iconstudio.model.pictogram import Credit, Pictogram
 from iconstudio.model.placement import Placement, Source
 from iconstudio.model.score import Score
@@ -33,6 +34,7 @@ __all__ = [
     "Montage",
     "Path",
     "PathPen",
+    "Photo",
     "Pictogram",
     "Placement",
     "Point",

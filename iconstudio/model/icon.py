@@ -20,6 +20,10 @@ class Icon:
     credits: tuple[Pictogram, ...] = ()
     """The pictograms to thank, each once, from the largest part down."""
 
+    def looks_like(self, other: "Icon") -> bool:
+        """Whether two icons are drawn by the same path."""
+        return self is other or self.path == other.path
+
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Remix(Icon):

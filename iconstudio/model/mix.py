@@ -10,12 +10,16 @@ Seeds = tuple[tuple[Point, ...], ...]
 """For each icon, the seed positions, in canvas pixels, around which it is kept."""
 
 
+DRAWS = 40
+"""Hybrids that are drawn in one go."""
+
+
 @dataclass(frozen=True, slots=True)
 class Mix:
     """Icons to mix by random draws."""
 
     icons: tuple[Pictogram, ...]
-    draws: int = 40
+    draws: int = DRAWS
     seed: int = 0
     """Of the random generator: the same seed gives the same hybrids."""
     symmetry: Axis | None = None

@@ -60,11 +60,6 @@ def part_name(folder: str, name: str, suffix: str, data: bytes) -> str:
     return f"{folder}/{slug}-{hashlib.sha256(data).hexdigest()[:16]}{suffix}"
 
 
-def plain_text(text: str) -> str:
-    """Return a text that can be read back: not too long, of characters that are some."""
-    return fields.ODD.sub("\ufffd", text)[: fields.LONGEST_TEXT]
-
-
 def save(path: Path, project: Project) -> None:
     """Write a project file in one step.
 

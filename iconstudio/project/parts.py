@@ -6,15 +6,20 @@ from collections.abc import Generator, Mapping
 from dataclasses import asdict, fields, replace
 from functools import lru_cache
 from pathlib import Path as FilePath
-from typing import Any, Protocol
+from typing import Any, Protocol, cast
 
+from iconstudio.images.photo import photo_of
 from iconstudio.images.reading import Image
-from iconstudio.inputs.fields import Fields
-from iconstudio.model import Credit, Exemplar, Icon, IconstudioError, Pictogram
+from iconstudio.inputs.fields import Fields, plain_text
+from iconstudio.model import Credit, Exemplar, Icon, IconstudioError, Photo, Pictogram
 from iconstudio.model.pictogram import OWN, UNCOLLECTED
 from iconstudio.project import results
-from iconstudio.project.archive import part_name, plain_text
+from iconstudio.project.archive import part_name
 from iconstudio.svg.check import check
+from iconstudio.workflows.workflow import Resources
+
+_LARGEST = 10_000_000
+"""No photo has more pixels a side."""
 
 _REFERENCE = re.compile(r"[^:/\\]+:[^:/\\]+")
 
@@ -69,11 +74,11 @@ class Parts:
             self.icons[name] = {"part": part} | _described(pictogram) | told
         return name
 
-    def photo(self, data: bytes, suffix: str) -> str:
-        """Take the file of a photo in, and return the name of its part."""
-        part = _photo_name("photos", "photo", suffix, data)
-        self.contents[part] = data
-        return part
+    def photo(self, photo: Photo) -> dict[str, Any]:
+        """Take a photo in, and return what a page says of it."""
+        part = _photo_name("photos", "photo", photo.suffix, photo.data)
+        self.contents[part] = photo.data
+        return {"part": part, "width": photo.width, "height": photo.height}
 
     def result(self, icon: Icon) -> str:
         """Take a picked result in, and return the name of its part."""
@@ -102,6 +107,11 @@ class StoredParts:
         self._contents = contents
         self._found: dict[str, Pictogram] = {}
         self._drawn: dict[str, Exemplar] = {}
+
+    @property
+    def resources(self) -> Resources:
+        """The session, which knows the icons of the project, too."""
+        return cast(Resources, _Resources(self))
 
     def icon(self, reference: str) -> Pictogram:
         """Return an icon that a page names: of the collection, or as it was stored.
@@ -150,15 +160,32 @@ class StoredParts:
         """
         return self.session.icon_from(self.content(part), part)
 
-    def result(self, part: str) -> Icon:
-        """Return a result that was picked.
+    def photo(self, entry: Fields) -> Generator[None, None, Photo]:
+        """Return the photo of which a page says ``entry``; yield while it is decoded.
 
         Raises
         ------
         IconstudioError
             If it is missing, or no good.
         """
-        return results.read(part, self)
+        part = entry.text("part")
+        data = self.content(part)
+        image = yield from self.session.image(data)
+        width = entry.whole("width", image.width, 1, _LARGEST)
+        height = entry.whole("height", image.height, 1, _LARGEST)
+        photo = photo_of(replace(image, width=width, height=height), data=data)
+        return replace(photo, suffix=FilePath(part).suffix)
+
+    def results(self, names: tuple[str, ...]) -> Generator[None, None, tuple[Icon, ...]]:
+        """Return those results that can be read; complain about the others."""
+        found = []
+        for name in names:
+            try:
+                found.append(results.read(name, self))
+            except IconstudioError as error:
+                self.complaints.append(f"A result that was picked could not be read. {error}")
+            yield
+        return tuple(found)
 
     def _read_icon(self, reference: str) -> Pictogram:
         stored = reference in self._icons.keys
@@ -181,6 +208,22 @@ class StoredParts:
             made_of=tuple(map(_origin, entry.objects("made_of", "origin"))),
             remarks=entry.texts("remarks"),
         )
+
+
+class _Resources:
+    """A session that finds the icons of a project, too."""
+
+    def __init__(self, parts: StoredParts) -> None:
+        self._parts = parts
+
+    def icon(self, reference: str) -> Pictogram:
+        return self._parts.icon(reference)
+
+    def exemplar(self, pictogram: Pictogram) -> Exemplar:
+        return self._parts.exemplar(pictogram)
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._parts.session, name)
 
 
 def _reference(identifier: str) -> str:

@@ -11,7 +11,8 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.inputs.fields import Fields, parsed
+from iconstudio.inputs.fields import Fields, parsed, plain_text
+from iconstudio.inputs.placements import placement_in
 from iconstudio.model import (
     CANVAS,
     Composite,
@@ -22,13 +23,12 @@ from iconstudio.model import (
     Icon,
     Path,
     Pictogram,
-    Placement,
     Remix,
     Score,
     Source,
 )
 from iconstudio.model.path import Segment
-from iconstudio.project.archive import part_name, plain_text
+from iconstudio.project.archive import part_name
 
 LARGEST_SIDE = 4 * CANVAS
 """Of the pixels of a result."""
@@ -237,17 +237,7 @@ def _remix(
 def _placed(entry: Fields, store: Store) -> Source:
     exemplar = store.exemplar(store.icon(entry.reference()))
     error = entry.number("error", 0.0, -_HUGE, _HUGE)
-    return Source(exemplar, placement(entry), error, entry.whole("region", -1, -1, 1000))
-
-
-def placement(entry: Fields) -> Placement:
-    """Return where an icon lies."""
-    return Placement(
-        entry.number("scale", 1.0, 0.0, 1000.0, above=True),
-        entry.flag("flip"),
-        round(entry.number("dx", 0, -_FAR, _FAR)),
-        round(entry.number("dy", 0, -_FAR, _FAR)),
-    )
+    return Source(exemplar, placement_in(entry), error, entry.whole("region", -1, -1, 1000))
 
 
 def _score(entry: Fields) -> Score:

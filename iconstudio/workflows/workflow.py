@@ -96,6 +96,8 @@ class Workflow(Generic[W]):
     workspace: str = ""
     """``module:name`` of its class in the window; empty: one that collects icons, by the two
     functions below, and shows results."""
+    page_format: str = "iconstudio.workflows.plain:WorkPages"
+    """``module:name`` of the ``PageFormat`` that keeps its pages in projects."""
     work: Callable[[], W] | None = None
     """Returns the work to begin with."""
     take: Callable[[W, Pictogram], W] | None = None

@@ -66,7 +66,7 @@ def test_window(benchmark, session, montage, qtbot):
 
     from iconstudio.gui.window.main_window import MainWindow
     from iconstudio.gui.workspaces.montage.opening import page_of
-    from iconstudio.gui.workspaces.montage.page import Icon
+    from iconstudio.workflows.montage.page import Icon
 
     left = Qt.MouseButton.LeftButton
     window = MainWindow(session, (MONTAGE,))

@@ -13,7 +13,7 @@ from PySide6.QtCore import QTimer
 
 from iconstudio.gui.app import application
 from iconstudio.gui.window.main_window import MainWindow
-from iconstudio.gui.workspaces.editing.page import Area, EditPage, Kind
+from iconstudio.workflows.editing.page import Area, EditPage, Kind
 
 PAUSE = 90
 """Milliseconds between two edits: more of them than a hand makes."""

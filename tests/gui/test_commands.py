@@ -2,24 +2,20 @@
 
 import weakref
 
+import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from PySide6.QtGui import QImage
 
-from iconstudio.gui.canvas.mipmap import Mipmap
-from iconstudio.gui.canvas.outline import Outline
-from iconstudio.gui.canvas.photo import Photo
 from iconstudio.gui.document.document import Document
-from iconstudio.gui.workspaces import criteria
-from iconstudio.gui.workspaces.sketching import page as edits
-from iconstudio.gui.workspaces.sketching.page import SketchPage
-from iconstudio.model import Axis, Polygon, Sketch
+from iconstudio.model import Axis, Photo, Polygon, Sketch
+from iconstudio.workflows import criteria
+from iconstudio.workflows.modelling import page as edits
+from iconstudio.workflows.modelling.page import SketchPage
+from iconstudio.workflows.outline import Outline
 
 coordinates = st.integers(-1000, 1000).map(float)
 points = st.tuples(coordinates, coordinates)
-PHOTOS = tuple(
-    Photo(name, 10, 10, Mipmap.of(QImage(10, 10, QImage.Format.Format_RGB32), 4)) for name in "ab"
-)
+PHOTOS = tuple(Photo(name, 10, 10, (np.zeros((10, 10), np.uint32),)) for name in "ab")
 
 
 def on_a_vertex(edit):

@@ -15,11 +15,11 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog
 
 from iconstudio.gui.exchange.dragging import packed
-from iconstudio.gui.workspaces.editing.page import EditPage, Kind
 from iconstudio.gui.workspaces.editing.tools import DrawTool, SelectTool
 from iconstudio.gui.workspaces.symmetry import PAUSE
 from iconstudio.model import Axis
 from iconstudio.workflows.editing.file import read_edit
+from iconstudio.workflows.editing.page import EditPage, Kind
 from iconstudio.workflows.grid import ModelSettings
 
 LAMBDAS = ModelSettings().lambdas

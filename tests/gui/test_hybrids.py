@@ -456,7 +456,7 @@ def test_favourites_by_key_button_and_menu_and_undo(mixed):
     mixed.document.undo_stack.undo()
     assert mixed.favourites_panel.pictures == (first, second)
     mixed.favourites_panel.icon_list.remove(first)
-    assert mixed.document.page.favourites == (second,)
+    assert mixed.document.page.favourites == (second.icon,)
     mixed.document.undo_stack.undo()
     assert mixed.favourites_panel.pictures == (first, second)
     click(mixed, first)

@@ -13,11 +13,11 @@ from PySide6.QtTest import QTest
 from iconstudio.gui.gallery.cell import CellState
 from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.gui.window.preferences import preferred
-from iconstudio.gui.workspaces.sketching import page as edits
 from iconstudio.model import CANVAS, Axis, Polygon, Sketch
 from iconstudio.output.colours import SIGNIFICANT
 from iconstudio.workflows.events import Recommended, StyleSkipped
 from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.modelling import page as edits
 from iconstudio.workflows.workflow import FINE
 
 STYLES = ModelSettings().styles

@@ -27,6 +27,7 @@ from iconstudio.gui.gallery.pictures import Display
 from iconstudio.gui.theme import theme
 from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.gui.workspaces.montage import pictures as montage_pictures
+from iconstudio.gui.workspaces.montage.appearance import color_of, rect_of
 from iconstudio.gui.workspaces.montage.pictures import LayerPainter
 from iconstudio.gui.workspaces.montage.scene import MontageScene
 from iconstudio.model import Placement
@@ -268,13 +269,13 @@ def test_the_colour_of_the_strokes_is_that_of_the_part(two, qtbot):
             for one in two.document.page.layers
             if one.icon.pictogram == source.exemplar.pictogram
         )
-        assert same.color.getRgb()[:3] == tuple(colour)
+        assert color_of(same).getRgb()[:3] == tuple(colour)
     code = two.picture.coded.at(1000)
     opaque = max(
         (code.pixelColor(x, y) for x in range(0, 128, 4) for y in range(0, 128, 4)),
         key=lambda color: color.alpha(),
     )
-    last = layer(two, 1).color
+    last = color_of(layer(two, 1))
     assert abs(opaque.red() - last.red()) + abs(opaque.blue() - last.blue()) < 6
 
 
@@ -480,13 +481,13 @@ def test_a_dragged_icon_snaps_to_the_centre_unless_shift_is_held(arranging):
         "away", arranging.document.page.placed(icon.number, Placement(1.0, False, 30, 0))
     )
     stroke(arranging, (158, 150), (130, 150))
-    centre = layer(arranging, 1).box.center()
+    centre = rect_of(layer(arranging, 1).box).center()
     assert centre.x() == pytest.approx(128, abs=0.5)
     stroke(arranging, (128, 150), (126, 150))
-    assert layer(arranging, 1).box.center().x() == pytest.approx(128, abs=0.5)
+    assert rect_of(layer(arranging, 1).box).center().x() == pytest.approx(128, abs=0.5)
     stroke(arranging, (128, 150), (122, 150), modifiers=SHIFT)
     stroke(arranging, (122, 150), (126, 150), modifiers=CTRL)
-    assert layer(arranging, 1).box.center().x() == pytest.approx(126, abs=1)
+    assert rect_of(layer(arranging, 1).box).center().x() == pytest.approx(126, abs=1)
 
 
 def test_guides_are_drawn_while_an_icon_snaps(arranging):
@@ -508,14 +509,15 @@ def test_guides_are_drawn_while_an_icon_snaps(arranging):
 def test_a_corner_scales_about_the_opposite_one_or_the_centre(arranging, corner, centred):
     from iconstudio.gui.workspaces.montage.snapping import corners
 
-    before = layer(arranging, 1).box
+    before = rect_of(layer(arranging, 1).box)
     handle = corners(before)[corner]
     fixed = before.center() if centred else corners(before)[(corner + 2) % 4]
     to = fixed + (handle - fixed) * 0.6
     stroke(arranging, handle.toTuple(), to.toTuple(), modifiers=SHIFT | ALT if centred else SHIFT)
     after = layer(arranging, 1)
+    box = rect_of(after.box)
     assert after.placement.scale == pytest.approx(0.6, abs=0.02)
-    still = after.box.center() if centred else corners(after.box)[(corner + 2) % 4]
+    still = box.center() if centred else corners(box)[(corner + 2) % 4]
     assert still.toTuple() == pytest.approx(fixed.toTuple(), abs=1.01)
     assert arranging.document.undo_stack.undoText() == "scale icon"
 
@@ -543,7 +545,7 @@ def test_delete_takes_the_chosen_icon_out(arranging):
 def test_an_icon_cannot_be_pushed_off_the_canvas(arranging):
     for _ in range(60):
         press(arranging, Qt.Key.Key_Left, SHIFT)
-    assert layer(arranging, 1).box.right() >= 7
+    assert rect_of(layer(arranging, 1).box).right() >= 7
 
 
 # -- the list ------------------------------------------------------------------------------------

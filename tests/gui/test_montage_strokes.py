@@ -18,8 +18,8 @@ from iconstudio.workflows.montage.montage import check
 pytest.importorskip("PySide6.QtGui")
 
 
-from iconstudio.gui.workspaces.montage.page import Icon, MontagePage
-from iconstudio.gui.workspaces.montage.strokes import carried, cut, strokes_of
+from iconstudio.workflows.montage.page import Icon, MontagePage
+from iconstudio.workflows.montage.strokes import carried, cut, strokes_of
 
 coordinate = st.floats(-60, CANVAS + 60)
 point = st.tuples(coordinate, coordinate)

@@ -11,7 +11,8 @@ from PySide6.QtGui import QDropEvent, QImage
 from PySide6.QtWidgets import QApplication, QFileDialog
 
 from iconstudio.gui.canvas.mipmap import Mipmap
-from iconstudio.gui.canvas.photo import image_of, photo_of, qt_image
+from iconstudio.gui.canvas.photo import image_of, mipmap_of, qt_image
+from iconstudio.images.photo import photo_of
 from iconstudio.images.reading import Image
 from iconstudio.inputs.examples import examples
 from iconstudio.model import IconstudioError
@@ -101,7 +102,7 @@ def test_a_photo_keeps_its_pixels_and_its_own_size():
     for channels in (3, 4):
         pixels = random.integers(0, 256, (7, 5, channels), np.uint8)
         photo = photo_of(Image(pixels, 50, 70), "a.png")
-        assert_alike(photo.picture.levels[0], qt_image(Image(pixels, 5, 7)), 0.01)
+        assert_alike(mipmap_of(photo).levels[0], qt_image(Image(pixels, 5, 7)), 0.01)
         assert (photo.width, photo.height, photo.path, photo.scaled_down) == (50, 70, "a.png", True)
         assert np.array_equal(image_of(qt_image(Image(pixels, 5, 7))).pixels, pixels)
 
@@ -111,7 +112,7 @@ def test_the_copies_of_a_photo_are_as_qt_would_make_them():
     alpha = 255 - x % 200
     pixels = np.stack([x % 256, y % 256, (x + y) % 256, alpha], axis=-1).astype(np.uint8)
     image = Image(pixels, 900, 1100)
-    levels, expected = photo_of(image).picture.levels, Mipmap.of(qt_image(image), 256).levels
+    levels, expected = mipmap_of(photo_of(image)).levels, Mipmap.of(qt_image(image), 256).levels
     assert [one.size() for one in levels] == [one.size() for one in expected]
     for one, other in zip(levels, expected, strict=True):
         assert one.format() == other.format()

@@ -12,17 +12,18 @@ from PySide6.QtCore import QMimeData, QUrl
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QMessageBox
 
+from iconstudio.gui.canvas.photo import mipmap_of
 from iconstudio.gui.project import questions, recents
 from iconstudio.gui.project.questions import Answer
 from iconstudio.gui.window.main_window import MainWindow
-from iconstudio.gui.workspaces.editing.page import Area, EditPage, Kind
-from iconstudio.gui.workspaces.hybrids.page import Ask, HybridsPage, Ingredient
-from iconstudio.gui.workspaces.montage.page import Icon, MontagePage
 from iconstudio.gui.workspaces.plain.opening import WorkPage
 from iconstudio.model import Axis, Placement, Stroke
 from iconstudio.project import archive
 from iconstudio.svg.reading import own_svg
+from iconstudio.workflows.editing.page import Area, EditPage, Kind
+from iconstudio.workflows.hybrids.page import Ask, HybridsPage, Ingredient
 from iconstudio.workflows.modelling.file import read_sketch
+from iconstudio.workflows.montage.page import Icon, MontagePage
 from iconstudio.workflows.registry import registered
 from tests.toy import MIRROR, Mirroring
 
@@ -112,6 +113,10 @@ def open_project(window, qtbot, path):
     qtbot.waitUntil(lambda: window.project.path == path)
 
 
+def icons_of(recent):
+    return [one.icon for one in recent.pictures]
+
+
 def no_question(*_):
     raise AssertionError("nothing is lost, and yet there is a question")
 
@@ -128,7 +133,7 @@ def test_the_pages_of_all_workflows_are_read_back(window, another, qtbot, tmp_pa
     assert pages(other) == pages(window)
     there = other.workspace_of("Sketch").document.page.photo
     assert (there.width, there.height) == (30, 20)
-    assert there.picture.levels[0].pixelColor(3, 3).name() == "#336699"
+    assert mipmap_of(there).levels[0].pixelColor(3, 3).name() == "#336699"
     assert not other.project.modified
     assert not other.isWindowModified()
     assert all(one.document.undo_stack.count() == 0 for one in other.workspaces)
@@ -166,16 +171,16 @@ def test_picked_results_and_favourites_are_read_back(window, another, qtbot, tmp
     assert len(window.recent.pictures) == 2
     kept = other.workspace_of("Hybrids").document.page.favourites
     assert len(kept) == 1
-    found = [*kept, *other.recent.pictures]
+    found = [*kept, *icons_of(other.recent)]
     for one, copy in zip(
-        [*hybrids.document.page.favourites, *window.recent.pictures], found, strict=True
+        [*hybrids.document.page.favourites, *icons_of(window.recent)], found, strict=True
     ):
-        assert copy.icon.path == one.icon.path
+        assert copy.path == one.path
         assert copy.title == one.title
-        assert [p.credit for p in copy.icon.credits] == [p.credit for p in one.icon.credits]
-        assert copy.icon.composite.shares[:1] == one.icon.composite.shares[:1]
-        assert copy.icon.score == one.icon.score
-        assert copy.icon.seeds == one.icon.seeds
+        assert [p.credit for p in copy.credits] == [p.credit for p in one.credits]
+        assert copy.composite.shares[:1] == one.composite.shares[:1]
+        assert copy.score == one.score
+        assert copy.seeds == one.seeds
     assert other.workspace is other.workspace_of("Hybrids")
     other.workspace.run()
     other.workspace.draw_like(kept[0])

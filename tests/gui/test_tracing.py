@@ -9,7 +9,7 @@ from PySide6.QtGui import QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from iconstudio.gui.workspaces.sketching.page import SketchPage
+from iconstudio.workflows.modelling.page import SketchPage
 
 
 def near(vertices, expected, tolerance=1.5):

@@ -17,11 +17,11 @@ from iconstudio.gui.gallery import recent
 from iconstudio.gui.window.actions import Entry
 from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.gui.workspaces.base import Workspace
-from iconstudio.gui.workspaces.criteria import set_keyword
-from iconstudio.gui.workspaces.sketching.page import SketchPage
-from iconstudio.gui.workspaces.sketching.stored import SketchPages
 from iconstudio.gui.workspaces.sketching.workspace import SketchWorkspace
+from iconstudio.workflows.criteria import set_keyword
 from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.modelling.page import SketchPage
+from iconstudio.workflows.modelling.page_format import SketchPages
 from iconstudio.workflows.modelling.spec import MODELLING
 
 LAMBDAS = ModelSettings().lambdas

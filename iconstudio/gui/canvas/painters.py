@@ -10,9 +10,9 @@ from PySide6.QtGui import QColor, QFont, QPainter, QPainterPath, QPen, QPolygonF
 
 from iconstudio.algorithms.geometry import simplified_line
 from iconstudio.gui.canvas.camera import Camera
-from iconstudio.gui.canvas.photo import Photo
+from iconstudio.gui.canvas.photo import mipmap_of
 from iconstudio.gui.theme.theme import UNIT, Theme, strong
-from iconstudio.model import CANVAS, MARGIN, Axis, Point
+from iconstudio.model import CANVAS, MARGIN, Axis, Photo, Point
 
 _SOLID = Qt.PenStyle.SolidLine
 
@@ -53,7 +53,7 @@ def paint_photo(
 ) -> None:
     """Draw the photo; ``dim`` from 0 (as it is) to 1 (gone)."""
     target = camera.transform.mapRect(QRectF(0, 0, photo.width, photo.height))
-    image = photo.picture.at(target.width() * ratio)
+    image = mipmap_of(photo).at(target.width() * ratio)
     painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform, camera.zoom * ratio < 4)
     painter.drawImage(target, image, QRectF(image.rect()))
     painter.fillRect(target, theme.color("surface", dim))

@@ -1,129 +1,27 @@
-"""Photos to trace over, and images of pixels as Qt has them. Nothing is decoded here."""
+"""Photos and other images of pixels as Qt has them. Nothing is decoded here."""
 
-import io
-from dataclasses import dataclass
-from pathlib import Path
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 
-from iconstudio.files import write_atomically
 from iconstudio.gui.canvas.mipmap import Mipmap
-from iconstudio.images.reading import LONGEST, SUFFIXES, Image
-from iconstudio.model import IconstudioError
-
-_LARGE = 64_000_000
-"""Of a file with more bytes, only the pixels that are shown are kept."""
-_HEADS = {".png": b"\x89PNG", ".jpg": b"\xff\xd8", ".webp": b"RIFF", ".gif": b"GIF8"}
-"""How files of images begin."""
-_SMALLEST = 256
-"""A copy's shorter side has no fewer pixels."""
+from iconstudio.images.reading import LONGEST, Image
+from iconstudio.model import IconstudioError, Photo
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Photo:
-    """A photo under the drawing.
-
-    ``width`` and ``height`` are the original's pixels, the unit of the outline.
-    """
-
-    path: str
-    width: int
-    height: int
-    picture: Mipmap
-    remark: str = ""
-    """What of it could not be read, or is not shown."""
-    data: bytes = b""
-    """A file of it, for a project."""
-    suffix: str = ".png"
-    """How the name of such a file ends."""
-
-    @property
-    def scaled_down(self) -> bool:
-        """Whether the photo was too large to be kept whole."""
-        return self.picture.width < self.width
+@lru_cache(2)
+def mipmap_of(photo: Photo) -> Mipmap:
+    """Return a photo as Qt draws it; the pixels are the photo's own, which must outlive it."""
+    return Mipmap(tuple(map(_wrapped, photo.levels)))
 
 
-def photo_of(image: Image, path: str = "", data: bytes = b"") -> Photo:
-    """Return an image as a photo.
-
-    Parameters
-    ----------
-    path, data
-        The file that it was read from, if any, and what is in it.
-    """
-    # By NumPy, which lets the window's thread work on; Qt's conversions would hold it up.
-    levels = [_premultiplied(image.pixels)]
-    while min(levels[-1].shape[:2]) >= 2 * _SMALLEST:
-        levels.append(_halved(levels[-1]))
-    picture = Mipmap(tuple(map(_packed, levels)))
-    kept, suffix = _file_of(image, path, data)
-    return Photo(path, image.width, image.height, picture, image.remark, kept, suffix)
-
-
-def file_beside(photo: Photo, path: Path) -> Path:
-    """Return the file of a photo; what was in none, pasted say, is written beside ``path``.
-
-    Raises
-    ------
-    IconstudioError
-        If it cannot be written.
-    """
-    if photo.path:
-        return Path(photo.path)
-    file = path.resolve().parent / f"{path.stem}-photo{photo.suffix}"
-    try:
-        write_atomically(file, photo.data)
-    except OSError as error:
-        raise IconstudioError(f"“{file}” cannot be written: {error.strerror}.") from None
-    return file
-
-
-def _file_of(image: Image, path: str, data: bytes) -> tuple[bytes, str]:
-    """Return a file of an image, and its suffix: the one it was in, unless that is huge."""
-    if 0 < len(data) <= _LARGE:
-        suffix = Path(path).suffix.lower()
-        if suffix[1:] not in SUFFIXES:
-            suffix = next((one for one, head in _HEADS.items() if data.startswith(head)), ".image")
-        return data, suffix
-    from PIL import Image as Pixels
-
-    file = io.BytesIO()
-    Pixels.fromarray(image.pixels).save(file, "PNG", compress_level=1)
-    return file.getvalue(), ".png"
-
-
-def _premultiplied(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """Return (h, w, 4) RGBA, the colours multiplied by alpha."""
-    height, width, channels = pixels.shape
-    whole = np.full((height, width, 4), 255, np.uint8)
-    whole[..., :channels] = pixels
-    if channels == 4:
-        alpha = pixels[..., 3:].astype(np.uint16)
-        whole[..., :3] = (pixels[..., :3] * alpha + 127) // 255
-    return whole
-
-
-def _halved(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """Return half as many pixels a side, each the mean of four; an odd last one is left out."""
-    height, width = pixels.shape[0] // 2 * 2, pixels.shape[1] // 2 * 2
-    total = np.full((height // 2, width // 2, 4), 2, np.uint16)
-    for y in (0, 1):
-        for x in (0, 1):
-            total += pixels[y:height:2, x:width:2]
-    return (total // 4).astype(np.uint8)
-
-
-def _packed(pixels: NDArray[np.uint8]) -> QImage:
-    """Return premultiplied (h, w, 4) RGBA as what Qt draws fastest."""
-    words = np.zeros(pixels.shape[:2], np.uint32)
-    for channel, shift in enumerate((16, 8, 0, 24)):
-        words |= pixels[..., channel].astype(np.uint32) << np.uint32(shift)
+def _wrapped(words: NDArray[np.uint32]) -> QImage:
     height, width = words.shape
     kind = QImage.Format.Format_ARGB32_Premultiplied
-    return QImage(words.view(np.uint8), width, height, 4 * width, kind).copy()
+    return QImage(words.view(np.uint8), width, height, 4 * width, kind)
 
 
 def qt_image(image: Image) -> QImage:

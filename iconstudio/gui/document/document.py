@@ -1,23 +1,13 @@
 """The document: what lies on a canvas now, and how it came there."""
 
 import itertools
-from typing import Generic, Protocol, Self, TypeVar
+from typing import Generic
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
 from iconstudio.gui.document.commands import Change
-
-
-class Page(Protocol):
-    """Everything that the edits of a workspace can change, as one immutable value."""
-
-    def elsewhere(self, before: Self) -> bool:
-        """Whether so much differs from ``before`` that the view should be fitted anew."""
-        ...
-
-
-P = TypeVar("P", bound=Page)
+from iconstudio.workflows.pages import P
 
 _gestures = itertools.count()
 

@@ -26,7 +26,7 @@ _Index = QModelIndex | QPersistentModelIndex
 
 def same(one: Picture, other: Picture) -> bool:
     """Whether two results look the same."""
-    return one is other or one.icon.path == other.icon.path
+    return one.icon.looks_like(other.icon)
 
 
 class IconListModel(QAbstractListModel):

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from enum import Enum
 from functools import cached_property
 from typing import TYPE_CHECKING
+from weakref import WeakValueDictionary
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +27,10 @@ COLOUR_CODE_SIZE = 512
 
 _ICON, _TWIN = 0.76, 0.34
 """Sides of an icon and of its colour code beside it, as parts of the square that both share."""
+
+
+_made: "WeakValueDictionary[int, Picture]" = WeakValueDictionary()
+"""By the identities of their icons, which live as long as they do."""
 
 
 class Display(Enum):
@@ -144,9 +149,13 @@ def pictured(events: Generator[Event], title: str = "") -> Generator["Event | Pi
 def picture_of(icon: Icon, size: int | None = None, colours: "Palette | None" = None) -> Picture:
     """Return the picture of an icon; ``size`` is the side of the colour-coded one in pixels.
 
-    That one is made at once, for a thread that has nothing to do later.
+    That one is made at once, for a thread that has nothing to do later; as long as somebody has
+    the picture, it is not made again.
     """
-    picture = Picture(icon, painter_path(icon.path), colours, size or COLOUR_CODE_SIZE)
+    picture = _made.get(id(icon))
+    if picture is None:
+        picture = Picture(icon, painter_path(icon.path), colours, size or COLOUR_CODE_SIZE)
+        _made[id(icon)] = picture
     _ = picture.coded
     return picture
 

@@ -11,8 +11,8 @@ from iconstudio.gui.jobs.preparation import Preparation
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.window.preferences import prefer, preferred
-from iconstudio.gui.workspaces.criteria import CriteriaDocument, CriteriaPage
 from iconstudio.model import Remix
+from iconstudio.workflows.criteria import CriteriaDocument, CriteriaPage
 from iconstudio.workflows.events import Event, Progress, StyleSkipped
 from iconstudio.workflows.grid import ModelSettings
 from iconstudio.workflows.workflow import FINE as FINE_SIDE

@@ -9,10 +9,10 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 
+from iconstudio.gui.gallery.pictures import Picture, picture_of
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.project import questions, recents
-from iconstudio.gui.project.contents import Contents, Formats, reading
 from iconstudio.gui.project.journaling import Found, Journaling
 from iconstudio.gui.project.questions import Answer
 from iconstudio.gui.project.work import Work
@@ -20,6 +20,7 @@ from iconstudio.inputs import fields
 from iconstudio.model import IconstudioError
 from iconstudio.project import archive
 from iconstudio.project.archive import SUFFIX, Project
+from iconstudio.project.contents import Contents, Formats, reading
 from iconstudio.session import Session
 
 _Stamp = tuple[int, int, int]
@@ -34,6 +35,8 @@ class _Opened:
     path: Path | None
     found: Found | None = None
     stamp: _Stamp | None = None
+    pictures: tuple[Picture, ...] = ()
+    """Of the results, drawn where nobody waits for them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -254,7 +257,7 @@ class ProjectFiles(QObject):
     def _taken(self) -> Callable[[], Project]:
         contents, formats = self._work.contents(), self._work.formats
         file = "" if self._path is None else str(self._path.absolute())
-        return lambda: contents.project(formats, file=archive.plain_text(file))
+        return lambda: contents.project(formats, file=fields.plain_text(file))
 
 
 def _stamp(path: Path) -> _Stamp | None:
@@ -276,7 +279,10 @@ def _opening(session: Session, path: Path, formats: Formats) -> Generator[Any]:
         raise
     with closing(reading(session, index, parts, formats)) as steps:
         for step in steps:
-            yield _Opened(step, path, stamp=stamp) if isinstance(step, Contents) else step
+            if isinstance(step, Contents):
+                yield _Opened(step, path, None, stamp, _drawn(step, formats))
+            else:
+                yield step
 
 
 def _restoring(session: Session, found: Found, formats: Formats) -> Generator[Any]:
@@ -284,7 +290,15 @@ def _restoring(session: Session, found: Found, formats: Formats) -> Generator[An
     path = Path(found.file) if found.file else None
     with closing(reading(session, index, parts, formats)) as steps:
         for step in steps:
-            yield _Opened(step, path, found) if isinstance(step, Contents) else step
+            if isinstance(step, Contents):
+                yield _Opened(step, path, found, pictures=_drawn(step, formats))
+            else:
+                yield step
+
+
+def _drawn(contents: Contents, formats: Formats) -> tuple[Picture, ...]:
+    kept = (icon for name, page in contents.pages.items() for icon in formats[name].kept(page))
+    return tuple(map(picture_of, (*contents.recent, *kept)))
 
 
 def _workflow_of(path: Path, formats: Formats) -> Generator[WorkFile]:

@@ -4,9 +4,10 @@ from collections.abc import Callable, Mapping
 
 from PySide6.QtCore import QObject, Signal
 
+from iconstudio.gui.gallery.pictures import picture_of
 from iconstudio.gui.gallery.recent import RecentResults
-from iconstudio.gui.project.contents import Contents, Formats
 from iconstudio.gui.workspaces.base import Workspace
+from iconstudio.project.contents import Contents, Formats
 from iconstudio.workflows.workflow import Workflow
 
 
@@ -59,7 +60,7 @@ class Work(QObject):
             for name, one in self._made.items()
             if not one.pages.alike(one.document.page, one.blank)
         }
-        return Contents(self._current(), pages, self._recent.pictures)
+        return Contents(self._current(), pages, tuple(one.icon for one in self._recent.pictures))
 
     def load(self, contents: Contents) -> None:
         """Put a project in place of all that is there."""
@@ -72,4 +73,4 @@ class Work(QObject):
                 workspace.opener.cancel()
             workspace.document.load(workspace.blank)  # results of other work go from sight, too
             workspace.document.load(contents.pages.get(name, workspace.blank))
-        self._recent.show_pictures(contents.recent)
+        self._recent.show_pictures(map(picture_of, contents.recent))

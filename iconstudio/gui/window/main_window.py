@@ -13,7 +13,6 @@ from iconstudio.gui.gallery.recent import RecentResults
 from iconstudio.gui.gallery.sending import Destination
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.project import recents
-from iconstudio.gui.project.contents import PLAIN
 from iconstudio.gui.project.files import ProjectFiles, WorkFile
 from iconstudio.gui.project.journaling import Found
 from iconstudio.gui.project.recovery import RecoveryBar
@@ -33,6 +32,8 @@ _FRAME, _BAR = 16, 48
 """What the system's frame around a window takes of the screen at most, in pixels."""
 
 _TITLE = "Iconstudio"
+_PLAIN = "iconstudio.gui.workspaces.plain.workspace:PlainWorkspace"
+"""The workspace of workflows that have none of their own."""
 _PATIENCE = 300
 """Milliseconds after which what was left behind is looked for: first the window opens."""
 
@@ -177,7 +178,7 @@ class MainWindow(QMainWindow):
         """Return a workspace's pane, made if it is the first time."""
         if number not in self._made:
             workflow = self._workflows[number]
-            kind = named(workflow.workspace or PLAIN)
+            kind = named(workflow.workspace or _PLAIN)
             workspace = kind(workflow, self._session, self._files, self.saver)
             workspace.set_destinations(self._destinations)
             workspace.kept.connect(self.recent.keep)

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
-from typing import Any, ClassVar
+from typing import Any
 
 from PySide6.QtCore import QMimeData, Signal
 from PySide6.QtGui import QShowEvent
@@ -10,7 +10,6 @@ from PySide6.QtWidgets import QMenu, QWidget
 
 from iconstudio.gui.canvas.view import CanvasView
 from iconstudio.gui.document.document import Document
-from iconstudio.gui.document.pages import PageFormat
 from iconstudio.gui.exchange.opening import Opener
 from iconstudio.gui.exchange.saving import Saver
 from iconstudio.gui.gallery.browser import ResultsBrowser
@@ -23,7 +22,7 @@ from iconstudio.gui.window.preferences import prefer, preferred
 from iconstudio.inputs.examples import examples
 from iconstudio.model import Pictogram
 from iconstudio.session import Session
-from iconstudio.workflows.workflow import Workflow
+from iconstudio.workflows.workflow import Workflow, named
 
 DISPLAY = "display"
 """Under which it is remembered how results are shown."""
@@ -69,8 +68,6 @@ class Workspace(QWidget):
     send = Signal(object, str)
     project = Signal(str)
 
-    page_format: ClassVar[type[PageFormat]]
-    """How its pages are written into projects."""
     opener: Opener | None = None
     """Brings onto the page what is opened, dropped and pasted, if anything can be."""
     actions_by_name: Actions
@@ -93,7 +90,8 @@ class Workspace(QWidget):
         self.document = document
         self.blank = document.page
         """The page to begin with."""
-        self.pages = self.page_format(workflow)
+        self.pages = named(workflow.page_format)(workflow)
+        """Writes its pages into projects."""
         document.setParent(self)
         self.worker = Worker(self)
         self.displays: Sequence[Any] = ()

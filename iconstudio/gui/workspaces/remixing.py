@@ -23,11 +23,11 @@ from iconstudio.gui.panels.keyword import KeywordPanel
 from iconstudio.gui.panels.symmetry import SymmetryButton, SymmetryHint
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.window.preferences import preferred
-from iconstudio.gui.workspaces import criteria as edits
 from iconstudio.gui.workspaces.base import Workspace
-from iconstudio.gui.workspaces.criteria import CriteriaPage
 from iconstudio.gui.workspaces.symmetry import SymmetryDetection
 from iconstudio.session import Session
+from iconstudio.workflows import criteria as edits
+from iconstudio.workflows.criteria import CriteriaPage
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.grid import ModelSettings
 from iconstudio.workflows.workflow import Workflow

@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from iconstudio.gui.workspaces.criteria import CriteriaDocument, CriteriaPage
 from iconstudio.model import Axis, IconstudioError
+from iconstudio.workflows.criteria import CriteriaDocument, CriteriaPage
 
 PAUSE = 250
 """Milliseconds without an edit after which the outline is looked at."""

@@ -32,4 +32,5 @@ EDITING = Workflow(
     examples="edits",
     command="iconstudio.cli.edit:command",
     workspace="iconstudio.gui.workspaces.editing.workspace:EditWorkspace",
+    page_format="iconstudio.workflows.editing.page_format:EditPages",
 )

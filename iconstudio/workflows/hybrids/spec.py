@@ -38,4 +38,5 @@ HYBRIDS = Workflow(
     examples="hybrids",
     command="iconstudio.cli.hybrids:command",
     workspace="iconstudio.gui.workspaces.hybrids.workspace:HybridsWorkspace",
+    page_format="iconstudio.workflows.hybrids.page_format:HybridsPages",
 )

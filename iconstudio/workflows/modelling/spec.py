@@ -31,4 +31,5 @@ MODELLING = Workflow(
     examples="",
     command="iconstudio.cli.model:command",
     workspace="iconstudio.gui.workspaces.sketching.workspace:SketchWorkspace",
+    page_format="iconstudio.workflows.modelling.page_format:SketchPages",
 )

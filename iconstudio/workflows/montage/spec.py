@@ -32,4 +32,5 @@ MONTAGE = Workflow(
     examples="montages",
     command="iconstudio.cli.montage:command",
     workspace="iconstudio.gui.workspaces.montage.workspace:MontageWorkspace",
+    page_format="iconstudio.workflows.montage.page_format:MontagePages",
 )

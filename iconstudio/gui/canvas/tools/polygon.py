@@ -11,11 +11,11 @@ from PySide6.QtGui import QKeyEvent, QPainter, QPen
 
 from iconstudio.gui.canvas import painters
 from iconstudio.gui.canvas.camera import Camera
-from iconstudio.gui.canvas.outline import Outline
 from iconstudio.gui.canvas.tools.base import Pointer, Tool
 from iconstudio.gui.document.document import new_gesture
 from iconstudio.gui.theme.theme import Theme
 from iconstudio.model import Point
+from iconstudio.workflows.outline import Outline
 
 GRIP = 9.0
 """Pixels within which the pointer finds a vertex."""

@@ -3,9 +3,12 @@
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QPolygonF
 
-from iconstudio.gui.canvas.outline import Outline
-from iconstudio.gui.workspaces.editing.page import Area, EditDocument, Kind
 from iconstudio.model import Point
+from iconstudio.workflows.editing.page import Area, EditDocument, Kind
+from iconstudio.workflows.outline import Outline
+
+TOKENS = {Kind.REMOVE: "danger", Kind.ADD: "added"}
+"""The colours of areas in the theme."""
 
 
 class AreaOutline(Outline):

@@ -4,8 +4,8 @@ from collections.abc import Generator
 from pathlib import Path
 
 from iconstudio.gui.exchange.opening import IconOpener
-from iconstudio.gui.workspaces.editing import page
 from iconstudio.model import Edit, Exemplar, Pictogram
+from iconstudio.workflows.editing import page
 from iconstudio.workflows.editing.spec import EDITING
 from iconstudio.workflows.files import read_file
 

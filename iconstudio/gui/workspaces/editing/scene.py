@@ -9,8 +9,9 @@ from iconstudio.gui.canvas.outlines import IconOutlines
 from iconstudio.gui.canvas.scene import Scene
 from iconstudio.gui.gallery.pictures import stencil
 from iconstudio.gui.theme.theme import UNIT, Theme
-from iconstudio.gui.workspaces.editing.page import Area, EditDocument, Kind
+from iconstudio.gui.workspaces.editing.areas import TOKENS
 from iconstudio.model import CANVAS, MARGIN, Exemplar
+from iconstudio.workflows.editing.page import Area, EditDocument, Kind
 
 _SHEET = QRectF(0, 0, CANVAS, CANVAS)
 _BODY = _SHEET.adjusted(MARGIN, MARGIN, -MARGIN, -MARGIN)
@@ -92,8 +93,8 @@ def _paint_area(
 ) -> None:
     path = painters.outline_path(area.vertices, area.closed, camera)
     if area.closed:
-        painter.fillPath(path, theme.color(area.kind.token, density))
+        painter.fillPath(path, theme.color(TOKENS[area.kind], density))
     cap, join = Qt.PenCapStyle.FlatCap, painters.outline_join(path)
     rim = QPen(theme.color("surface", 0.8), 4.0, Qt.PenStyle.SolidLine, cap, join)
     painter.strokePath(path, rim)
-    painter.strokePath(path, QPen(theme.color(area.kind.token), 1.8, style, cap, join))
+    painter.strokePath(path, QPen(theme.color(TOKENS[area.kind]), 1.8, style, cap, join))

@@ -12,9 +12,9 @@ from iconstudio.gui.canvas.tools.base import Pointer
 from iconstudio.gui.canvas.tools.polygon import NUDGES, PolygonTool
 from iconstudio.gui.document.document import new_gesture
 from iconstudio.gui.theme.theme import Theme
-from iconstudio.gui.workspaces.editing.areas import AreaOutline
-from iconstudio.gui.workspaces.editing.page import Kind
+from iconstudio.gui.workspaces.editing.areas import TOKENS, AreaOutline
 from iconstudio.model import IconstudioError, Point, Polygon
+from iconstudio.workflows.editing.page import Kind
 
 FREEHAND = 5.0
 """Pixels that the pointer must be dragged to draw freehand: less is a click."""
@@ -44,7 +44,7 @@ class AreaTool(PolygonTool):
     def token(self) -> str:
         """The colour of the handles: that of the area."""
         area = self.outline.area
-        return "accent" if area is None else area.kind.token
+        return "accent" if area is None else TOKENS[area.kind]
 
     def cancel(self) -> bool:
         """Give up what is being traced, or deselect."""
@@ -126,8 +126,8 @@ class DrawTool(AreaTool):
         """Draw the line that is under way, too."""
         super().paint(painter, camera, theme)
         if self._stroke:
-            painter.setPen(QPen(theme.color(self.kind.token), 2))
-            painter.setBrush(theme.color(self.kind.token, 0.15))
+            painter.setPen(QPen(theme.color(TOKENS[self.kind]), 2))
+            painter.setBrush(theme.color(TOKENS[self.kind], 0.15))
             painter.drawPath(painters.outline_path(self._stroke, True, camera))
 
     def _press_nowhere(self, pointer: Pointer) -> None:

@@ -10,18 +10,17 @@ from iconstudio.gui.exchange.mime import holds_something
 from iconstudio.gui.exchange.saving import Saver
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.window.actions import Entry, Key, work_entries
-from iconstudio.gui.workspaces.editing import page as edits
 from iconstudio.gui.workspaces.editing.areas import AreaOutline
 from iconstudio.gui.workspaces.editing.opening import EditOpener
-from iconstudio.gui.workspaces.editing.page import EditPage, Kind
 from iconstudio.gui.workspaces.editing.scene import EditScene
 from iconstudio.gui.workspaces.editing.start import StartPanel
-from iconstudio.gui.workspaces.editing.stored import EditPages
 from iconstudio.gui.workspaces.editing.tools import DrawTool, SelectTool
 from iconstudio.gui.workspaces.remixing import RemixWorkspace
 from iconstudio.model import Edit, IconstudioError, Pictogram
 from iconstudio.session import Session
+from iconstudio.workflows.editing import page as edits
 from iconstudio.workflows.editing.editing import own_styles, place_edit
+from iconstudio.workflows.editing.page import EditPage, Kind
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.files import write_file
 from iconstudio.workflows.grid import ModelSettings
@@ -62,8 +61,6 @@ class EditInputs(NamedTuple):
 
 class EditWorkspace(RemixWorkspace):
     """An icon is changed where the user marks it."""
-
-    page_format = EditPages
 
     def __init__(self, workflow: Workflow, session: Session, files: Worker, saver: Saver) -> None:
         super().__init__(workflow, session, files, saver, Document(EditPage()))

@@ -27,9 +27,9 @@ from iconstudio.gui.exchange.mime import holds_something
 from iconstudio.gui.gallery.pictures import stencil
 from iconstudio.gui.theme import icons, theme
 from iconstudio.gui.theme.theme import UNIT
-from iconstudio.gui.workspaces.hybrids.page import Ingredient
 from iconstudio.model import CANVAS, Axis, Exemplar, Point
 from iconstudio.workflows.hybrids.hybrids import pinned
+from iconstudio.workflows.hybrids.page import Ingredient
 
 SIDE = 9 * UNIT
 """Side of a card in device-independent pixels."""

@@ -3,11 +3,11 @@
 from collections.abc import Generator
 from pathlib import Path
 
-from iconstudio.gui.workspaces.hybrids.page import Ask, HybridsPage, Ingredient
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.hybrids.file import read_hybrids
 from iconstudio.workflows.hybrids.hybrids import check
+from iconstudio.workflows.hybrids.page import Ask, HybridsPage, Ingredient
 
 
 def read_page(session: Session, path: Path) -> Generator[Event, None, HybridsPage]:

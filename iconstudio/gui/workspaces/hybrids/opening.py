@@ -10,12 +10,12 @@ from PySide6.QtCore import Signal
 from iconstudio.gui.exchange.opening import IconOpener
 from iconstudio.gui.exchange.together import ReadTogether, named
 from iconstudio.gui.workspaces.hybrids import files
-from iconstudio.gui.workspaces.hybrids import page as edits
-from iconstudio.gui.workspaces.hybrids.page import Ask, HybridsPage
 from iconstudio.model import Exemplar
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
+from iconstudio.workflows.hybrids import page as edits
 from iconstudio.workflows.hybrids.hybrids import MOST
+from iconstudio.workflows.hybrids.page import Ask, HybridsPage
 
 
 @dataclass(frozen=True, slots=True)

@@ -22,11 +22,11 @@ from iconstudio.gui.panels.symmetry import WORDS, SymmetryButton
 from iconstudio.gui.theme import icons
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.workspaces.hybrids.cards import COLUMNS, SIDE, Cards
-from iconstudio.gui.workspaces.hybrids.page import HybridsPage
 from iconstudio.gui.workspaces.hybrids.sheet import Sheet
 from iconstudio.model import Axis
 from iconstudio.workflows.hybrids.file import LARGEST_SEED
 from iconstudio.workflows.hybrids.hybrids import FEWEST, MOST
+from iconstudio.workflows.hybrids.page import HybridsPage
 
 WIDTH = COLUMNS * SIDE + (COLUMNS - 1) * UNIT // 2 + 4 * UNIT + 2
 """Of the column of icons: as many cards as stand in a row."""

@@ -7,24 +7,23 @@ from iconstudio.gui.document.document import Document
 from iconstudio.gui.exchange.saving import Saver
 from iconstudio.gui.gallery.detail import DetailPanel
 from iconstudio.gui.gallery.favourites import FavouritesPanel
-from iconstudio.gui.gallery.icon_list import same
-from iconstudio.gui.gallery.pictures import Picture
+from iconstudio.gui.gallery.pictures import Picture, picture_of
 from iconstudio.gui.gallery.sending import Destination, offer
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.window.actions import Entry, Key, work_entries
 from iconstudio.gui.workspaces.base import Workspace
-from iconstudio.gui.workspaces.hybrids import page as edits
+from iconstudio.gui.workspaces.hybrids.batches import CODED
 from iconstudio.gui.workspaces.hybrids.drawing import Draws
 from iconstudio.gui.workspaces.hybrids.opening import HybridsOpener
-from iconstudio.gui.workspaces.hybrids.page import HybridsPage
 from iconstudio.gui.workspaces.hybrids.panels import IconsColumn, SheetPanel
 from iconstudio.gui.workspaces.hybrids.sheet_model import terms
-from iconstudio.gui.workspaces.hybrids.stored import HybridsPages
 from iconstudio.model import IconstudioError, Pictogram
 from iconstudio.session import Session
 from iconstudio.workflows.files import write_file
+from iconstudio.workflows.hybrids import page as edits
+from iconstudio.workflows.hybrids.page import HybridsPage
 from iconstudio.workflows.workflow import Workflow
 
 OWN = {
@@ -45,8 +44,6 @@ OWN = {
 
 class HybridsWorkspace(Workspace):
     """Icons on the left; the sheet of hybrids, favourites and details on the right."""
-
-    page_format = HybridsPages
 
     def __init__(self, workflow: Workflow, session: Session, files: Worker, saver: Saver) -> None:
         super().__init__(workflow, session, files, saver, Document(HybridsPage()))
@@ -76,7 +73,7 @@ class HybridsWorkspace(Workspace):
                 "new": lambda: self.document.change("new mix", HybridsPage()),
                 "svg_in": self.column.chooser.choose_file,
                 "save": self._save,
-                "save_all": lambda: self.saver.save_svgs(self.document.page.favourites),
+                "save_all": lambda: self.saver.save_svgs(self.favourites_panel.pictures),
                 "clear": lambda: edits.clear_icons(self.document),
                 "favourite": lambda: self.keep(self.picture),
                 "like": lambda: self.draw_like(self.picture),
@@ -127,7 +124,9 @@ class HybridsWorkspace(Workspace):
         column.seed.changed.connect(lambda seed: edits.set_seed(document, seed))
         column.run.clicked.connect(self.run)
         panel = self.favourites_panel
-        panel.changed.connect(lambda: edits.set_favourites(document, panel.pictures))
+        panel.changed.connect(
+            lambda: edits.set_favourites(document, tuple(one.icon for one in panel.pictures))
+        )
         panel.save_all.connect(self.actions_by_name["save_all"].trigger)
 
     def _wire_work(self) -> None:
@@ -225,9 +224,9 @@ class HybridsWorkspace(Workspace):
     def keep(self, picture: Picture) -> None:
         """Make a hybrid a favourite, or no longer."""
         favourites = self.document.page.favourites
-        left = tuple(one for one in favourites if not same(one, picture))
+        left = tuple(one for one in favourites if not one.looks_like(picture.icon))
         added = left == favourites
-        edits.set_favourites(self.document, (*left, picture) if added else left)
+        edits.set_favourites(self.document, (*left, picture.icon) if added else left)
         if added:
             self.kept.emit(picture)
 
@@ -254,9 +253,10 @@ class HybridsWorkspace(Workspace):
         if not page.ids and self.draws.ran is not None:
             self._clear_sheet()
         self.column.show_page(page, edits.shared_axis(page) if page.symmetry is None else None)
-        if self.favourites_panel.pictures != page.favourites:
-            self.favourites_panel.icon_list.show_pictures(page.favourites)
-        self.sheet.set_favourites(page.favourites)
+        favourites = tuple(picture_of(one, CODED) for one in page.favourites)
+        if self.favourites_panel.pictures != favourites:
+            self.favourites_panel.icon_list.show_pictures(favourites)
+        self.sheet.set_favourites(favourites)
         mix = page.mix
         stale = self.draws.ran is not None and self.draws.ran != mix
         self.panel.note.setText("of an earlier mix – press Mix to renew" if stale else "")

@@ -17,7 +17,8 @@ from iconstudio.gui.gallery.pictures import stencil
 from iconstudio.gui.panels.elided import ElidedLabel
 from iconstudio.gui.theme import icons, theme
 from iconstudio.gui.theme.theme import UNIT
-from iconstudio.gui.workspaces.montage.page import MontagePage, PlacedIcon
+from iconstudio.gui.workspaces.montage.appearance import color_of
+from iconstudio.workflows.montage.page import MontagePage, PlacedIcon
 
 EMPTY = "The icons of the montage are listed here."
 
@@ -48,7 +49,7 @@ class LayerPicture(QWidget):
         """Draw swatch and icon."""
         if self._layer is None:
             return
-        color = self._layer.color
+        color = color_of(self._layer)
         if self._image is None:
             ink = theme.current().color("text")
             self._image = Mipmap.of(stencil(self._layer.icon.exemplar.coverage, ink), 32)

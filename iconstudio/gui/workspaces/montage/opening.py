@@ -6,10 +6,10 @@ from pathlib import Path
 
 from iconstudio.gui.exchange.opening import IconOpener
 from iconstudio.gui.exchange.together import ReadTogether, named
-from iconstudio.gui.workspaces.montage.page import Icon, MontagePage
 from iconstudio.model import IconstudioError, Layer, Pictogram
 from iconstudio.workflows.montage.file import read_montage
 from iconstudio.workflows.montage.montage import MOST
+from iconstudio.workflows.montage.page import Icon, MontagePage
 
 _OVERLAP = (
     "Where scribbles over two icons overlapped, those of the upper icon were kept: "

@@ -12,7 +12,8 @@ from PySide6.QtGui import QColor, QImage, QPainter
 from iconstudio.gui.canvas.camera import Camera
 from iconstudio.gui.canvas.outlines import IconOutlines
 from iconstudio.gui.gallery.pictures import stencil
-from iconstudio.gui.workspaces.montage.page import PlacedIcon
+from iconstudio.gui.workspaces.montage.appearance import rect_of, transform_of
+from iconstudio.workflows.montage.page import PlacedIcon
 
 BUDGET = 0.008
 """Seconds after which painting a picture goes on later: the pointer must not wait for it."""
@@ -131,7 +132,7 @@ class LayerPainter(QObject):
             _paint_pixels(painter, layer, color, camera)
             return
         painter.save()
-        painter.setTransform(layer.transform * camera.transform, True)
+        painter.setTransform(transform_of(layer.placement) * camera.transform, True)
         painter.fillPath(path, color)
         painter.restore()
 
@@ -201,7 +202,7 @@ class LayerPainter(QObject):
 def _paint_pixels(painter: QPainter, layer: PlacedIcon, color: QColor, camera: Camera) -> None:
     """Draw one layer of its pixels, in view coordinates."""
     painter.save()
-    painter.setTransform(layer.transform * camera.transform, True)
+    painter.setTransform(transform_of(layer.placement) * camera.transform, True)
     painter.setOpacity(color.alphaF())
     painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
     painter.drawImage(0, 0, stencil(layer.icon.exemplar.coverage, color))
@@ -210,5 +211,5 @@ def _paint_pixels(painter: QPainter, layer: PlacedIcon, color: QColor, camera: C
 
 def _area(layers: Sequence[PlacedIcon], camera: Camera) -> QRect:
     """Return what icons cover, in view coordinates, and a pixel around it."""
-    boxes = (camera.transform.mapRect(one.box) for one in layers)
+    boxes = (camera.transform.mapRect(rect_of(one.box)) for one in layers)
     return reduce(lambda one, other: one | other, boxes).toAlignedRect().adjusted(-1, -1, 1, 1)

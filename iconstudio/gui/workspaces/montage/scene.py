@@ -9,9 +9,10 @@ from iconstudio.gui.canvas.camera import Camera
 from iconstudio.gui.canvas.outlines import IconOutlines
 from iconstudio.gui.canvas.scene import Scene
 from iconstudio.gui.theme.theme import Theme
-from iconstudio.gui.workspaces.montage.page import MontageDocument, MontagePage, PlacedIcon
+from iconstudio.gui.workspaces.montage.appearance import color_of
 from iconstudio.gui.workspaces.montage.pictures import LayerPainter
 from iconstudio.model import CANVAS, Stroke
+from iconstudio.workflows.montage.page import MontageDocument, MontagePage, PlacedIcon
 
 _FAINT, _CHOSEN = 0.20, 0.42
 """Opacity of the icons; the chosen one stands out."""
@@ -68,12 +69,12 @@ class MontageScene(Scene):
         faint = _FAINT * min(1.0, _FEW / len(page.layers))
         at = page.index(page.current.number)
         below, above = (
-            [(one, one.tint(faint)) for one in some if not one.hidden]
+            [(one, color_of(one, faint)) for one in some if not one.hidden]
             for some in (page.layers[:at], page.layers[at + 1 :])
         )
         self.icons.paint_all("below", painter, below, camera, ratio)
         if not page.current.hidden:
-            self.icons.paint(painter, page.current, page.current.tint(_CHOSEN), camera)
+            self.icons.paint(painter, page.current, color_of(page.current, _CHOSEN), camera)
         self.icons.paint_all("above", painter, above, camera, ratio)
         painter.save()
         painter.setTransform(camera.transform, True)
@@ -90,7 +91,7 @@ def paint_strokes(painter: QPainter, layer: PlacedIcon) -> None:
     shape.setFillRule(Qt.FillRule.WindingFill)
     for stroke in layer.strokes:
         shape.addPath(_outline(stroke))
-    painter.fillPath(shape, layer.tint(_SCRIBBLE))
+    painter.fillPath(shape, color_of(layer, _SCRIBBLE))
 
 
 @lru_cache(1024)

@@ -5,8 +5,9 @@ from dataclasses import dataclass, replace
 
 from PySide6.QtCore import QPointF, QRectF
 
-from iconstudio.gui.workspaces.montage.page import Icon, transform_of
+from iconstudio.gui.workspaces.montage.appearance import rect_of, transform_of
 from iconstudio.model import CANVAS, MARGIN, Placement
+from iconstudio.workflows.montage.page import Icon
 
 SMALLEST, LARGEST = 0.1, 8.0
 """Range of the scale that dragging can give."""
@@ -48,7 +49,7 @@ def moved(
     ``grip`` is the distance, in canvas pixels, at which its centre lines and edges snap.
     """
     free = replace(start, dx=round(start.dx + by.x()), dy=round(start.dy + by.y()))
-    box = transform_of(free).mapRect(icon.box)
+    box = rect_of(icon.placed_box(free))
     step_x = _step((box.center().x(), box.left(), box.right()), guides.xs, grip)
     step_y = _step((box.center().y(), box.top(), box.bottom()), guides.ys, grip)
     snapped = replace(free, dx=free.dx + round(step_x), dy=free.dy + round(step_y))
@@ -69,7 +70,7 @@ def scaled(
     Corners are numbered from the top left, clockwise. The opposite one stays, or the
     centre if ``centred``.
     """
-    box = transform_of(start).mapRect(icon.box)
+    box = rect_of(icon.placed_box(start))
     fixed = box.center() if centred else corners(box)[(corner + 2) % 4]
     arm = corners(box)[corner] - fixed
     factor = QPointF.dotProduct(to - fixed, arm) / max(QPointF.dotProduct(arm, arm), 1e-9)
@@ -97,7 +98,7 @@ def corners(box: QRectF) -> tuple[QPointF, ...]:
 
 def kept_in(icon: Icon, placement: Placement) -> Placement:
     """Return the nearest placement at which some of the icon's box lies on the canvas."""
-    box = transform_of(placement).mapRect(icon.box)
+    box = rect_of(icon.placed_box(placement))
     right, left = max(0.0, _KEPT_IN - box.right()), max(0.0, box.left() - CANVAS + _KEPT_IN)
     down, up = max(0.0, _KEPT_IN - box.bottom()), max(0.0, box.top() - CANVAS + _KEPT_IN)
     dx, dy = round(placement.dx + right - left), round(placement.dy + down - up)
@@ -116,7 +117,7 @@ def _told(icon: Icon, placement: Placement, guides: Guides, grip: float) -> Snap
     placement = kept_in(icon, placement)
     if grip <= 0:
         return Snapped(placement)
-    box = transform_of(placement).mapRect(icon.box)
+    box = rect_of(icon.placed_box(placement))
     xs, ys = (
         (box.center().x(), box.left(), box.right()),
         (box.center().y(), box.top(), box.bottom()),

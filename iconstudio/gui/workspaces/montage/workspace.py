@@ -30,18 +30,18 @@ from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.window.actions import Entry, Key, work_entries
 from iconstudio.gui.workspaces.base import Workspace
+from iconstudio.gui.workspaces.montage.appearance import palette_of
 from iconstudio.gui.workspaces.montage.layers import LayerList, scrolling
 from iconstudio.gui.workspaces.montage.live import TITLE, LiveResult
 from iconstudio.gui.workspaces.montage.opening import MontageOpener
 from iconstudio.gui.workspaces.montage.overlay import BrushSlider
-from iconstudio.gui.workspaces.montage.page import MontagePage, choose
 from iconstudio.gui.workspaces.montage.scene import MontageScene
-from iconstudio.gui.workspaces.montage.stored import MontagePages
 from iconstudio.gui.workspaces.montage.tools.arrange import ArrangeTool
 from iconstudio.gui.workspaces.montage.tools.scribble import Brush, ScribbleTool
 from iconstudio.model import Pictogram
 from iconstudio.session import Session
 from iconstudio.workflows.files import write_file
+from iconstudio.workflows.montage.page import MontagePage, choose
 from iconstudio.workflows.workflow import Workflow
 
 OWN = {
@@ -71,8 +71,6 @@ _INVITATION = (
 
 class MontageWorkspace(Workspace):
     """Icons to choose from and layers on the left, the canvas, and the live result on the right."""
-
-    page_format = MontagePages
 
     def __init__(self, workflow: Workflow, session: Session, files: Worker, saver: Saver) -> None:
         super().__init__(workflow, session, files, saver, Document(MontagePage()))
@@ -229,7 +227,7 @@ class MontageWorkspace(Workspace):
 
     def _show_page(self, page: MontagePage) -> None:
         if page.marked:
-            self.live.request(page.montage(), page.palette)
+            self.live.request(page.montage(), palette_of(page))
         else:
             self.live.discard()
             if self.picture is not None:

@@ -15,18 +15,8 @@ from iconstudio.model import Exemplar, IconstudioError
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.files import read_file
+from iconstudio.workflows.plain import WorkPage
 from iconstudio.workflows.workflow import Workflow
-
-
-@dataclass(frozen=True, slots=True)
-class WorkPage:
-    """The work of a workflow, of which the window knows nothing else."""
-
-    work: Any
-
-    def elsewhere(self, before: "WorkPage") -> bool:
-        """Whether the view should be fitted anew; there is none."""
-        return False
 
 
 @dataclass(frozen=True, slots=True)

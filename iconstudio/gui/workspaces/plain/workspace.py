@@ -19,7 +19,6 @@ from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.window.actions import Entry, work_entries
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.plain.opening import WorkOpener, WorkPage
-from iconstudio.gui.workspaces.plain.stored import WorkPages
 from iconstudio.model import Exemplar
 from iconstudio.session import Session
 from iconstudio.workflows.files import write_file
@@ -31,8 +30,6 @@ _SIDE = 112
 
 class PlainWorkspace(Workspace):
     """Icons are chosen, and a workflow runs over them as it declares."""
-
-    page_format = WorkPages
 
     def __init__(self, workflow: Workflow, session: Session, files: Worker, saver: Saver) -> None:
         super().__init__(workflow, session, files, saver, Document(WorkPage(workflow.work())))

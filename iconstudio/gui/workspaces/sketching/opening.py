@@ -4,12 +4,13 @@ from collections.abc import Callable, Generator
 from pathlib import Path
 
 from iconstudio.files import read_bytes
-from iconstudio.gui.canvas.photo import Photo, image_of, photo_of
+from iconstudio.gui.canvas.photo import image_of
 from iconstudio.gui.exchange.mime import Drawing, File, Image, Item
 from iconstudio.gui.exchange.opening import Opener
-from iconstudio.gui.workspaces.sketching import page
+from iconstudio.images.photo import photo_of
 from iconstudio.images.reading import MAX_BYTES, SUFFIXES
-from iconstudio.model import IconstudioError
+from iconstudio.model import IconstudioError, Photo
+from iconstudio.workflows.modelling import page
 from iconstudio.workflows.modelling.file import SketchFile, read_sketch
 
 _PHOTOS = f"Photos ({' '.join(f'*.{one}' for one in SUFFIXES)})"

@@ -9,8 +9,8 @@ from iconstudio.gui.canvas import painters
 from iconstudio.gui.canvas.camera import Camera
 from iconstudio.gui.canvas.scene import Scene
 from iconstudio.gui.theme.theme import Theme
-from iconstudio.gui.workspaces.sketching.page import SketchDocument
-from iconstudio.model import Point
+from iconstudio.model import CANVAS, Point
+from iconstudio.workflows.modelling.page import SketchDocument
 
 
 class SketchScene(Scene):
@@ -38,8 +38,20 @@ class SketchScene(Scene):
         return self._regions
 
     def bounds(self) -> QRectF:
-        """Return the area of the page."""
-        return self.document.page.bounds()
+        """Return the area to show: the photo, the outline with some air, or an empty canvas."""
+        page = self.document.page
+        if page.photo is not None:
+            return QRectF(0, 0, page.photo.width, page.photo.height)
+        sheet = QRectF(0, 0, 2 * CANVAS, 2 * CANVAS)
+        if len(page.vertices) < 3:
+            return sheet
+        left, top, right, bottom = page.sketch.polygon.bounds
+        size = max(right - left, bottom - top)
+        outline = QRectF(left, top, right - left, bottom - top)
+        if sheet.contains(outline) and size > CANVAS / 2:
+            return sheet
+        air = size / 8
+        return outline.adjusted(-air, -air, air, air)
 
     def set_dim(self, percent: int) -> None:
         """Fade the photo: 0 shows it as it is, 100 hides it."""

@@ -8,8 +8,6 @@ from numpy.typing import NDArray
 from PySide6.QtCore import Qt
 
 from iconstudio.algorithms.geometry import crosses_itself
-from iconstudio.gui.canvas.outline import Outline
-from iconstudio.gui.canvas.photo import file_beside
 from iconstudio.gui.canvas.start import StartButtons
 from iconstudio.gui.canvas.tools.polygon import PolygonTool
 from iconstudio.gui.canvas.view import CanvasView
@@ -20,18 +18,19 @@ from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.window.actions import Entry, Key, work_entries
 from iconstudio.gui.workspaces.remixing import RemixWorkspace
-from iconstudio.gui.workspaces.sketching import page as edits
 from iconstudio.gui.workspaces.sketching.opening import SketchOpener
 from iconstudio.gui.workspaces.sketching.overlay import DimSlider
-from iconstudio.gui.workspaces.sketching.page import SketchPage
 from iconstudio.gui.workspaces.sketching.scene import SketchScene
-from iconstudio.gui.workspaces.sketching.stored import SketchPages
+from iconstudio.images.photo import file_beside
 from iconstudio.model import IconstudioError, Polygon, Sketch
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event, RegionsFound
 from iconstudio.workflows.files import write_file
 from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.modelling import page as edits
 from iconstudio.workflows.modelling.file import SketchFile
+from iconstudio.workflows.modelling.page import SketchPage
+from iconstudio.workflows.outline import Outline
 from iconstudio.workflows.workflow import Workflow
 
 OWN = {
@@ -55,8 +54,6 @@ OWN = {
 
 class SketchWorkspace(RemixWorkspace):
     """The outline of an object is traced, perhaps over a photo, and remixed."""
-
-    page_format = SketchPages
 
     def __init__(self, workflow: Workflow, session: Session, files: Worker, saver: Saver) -> None:
         super().__init__(workflow, session, files, saver, Document(SketchPage()))

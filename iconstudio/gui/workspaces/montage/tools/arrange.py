@@ -10,7 +10,7 @@ from iconstudio.gui.canvas.camera import Camera
 from iconstudio.gui.canvas.tools.base import Pointer, Tool
 from iconstudio.gui.document.document import new_gesture
 from iconstudio.gui.theme.theme import Theme
-from iconstudio.gui.workspaces.montage.page import MontageDocument, choose
+from iconstudio.gui.workspaces.montage.appearance import rect_of
 from iconstudio.gui.workspaces.montage.scene import MontageScene
 from iconstudio.gui.workspaces.montage.snapping import (
     Guides,
@@ -22,6 +22,7 @@ from iconstudio.gui.workspaces.montage.snapping import (
 )
 from iconstudio.gui.workspaces.montage.tools.keys import layer_key
 from iconstudio.model import CANVAS, Point
+from iconstudio.workflows.montage.page import MontageDocument, choose
 
 GRIP = 9.0
 """Pixels within which the pointer finds a handle."""
@@ -82,7 +83,7 @@ class ArrangeTool(Tool):
                 painter.drawLine(camera.to_view((x, 0)), camera.to_view((x, CANVAS)))
             for y in self._snapped.guides.ys:
                 painter.drawLine(camera.to_view((0, y)), camera.to_view((CANVAS, y)))
-        box = camera.transform.mapRect(layer.box)
+        box = camera.transform.mapRect(rect_of(layer.box))
         painter.setPen(QPen(accent, 1.5))
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawRect(box)
@@ -117,14 +118,16 @@ class ArrangeTool(Tool):
         free = bool(pointer.modifiers & _FREE)
         grip = 0.0 if free else SNAP / pointer.camera.zoom
         guides = Guides.of(
-            one.box for one in self._document.page.layers if one is not layer and not one.hidden
+            rect_of(one.box)
+            for one in self._document.page.layers
+            if one is not layer and not one.hidden
         )
         by = QPointF(*pointer.page) - QPointF(*self._start)
         if self._corner is None:
             self._snapped = moved(layer.icon, layer.placement, by, guides, grip)
         else:
             centred = bool(pointer.modifiers & Qt.KeyboardModifier.AltModifier)
-            to = corners(layer.box)[self._corner] + by
+            to = corners(rect_of(layer.box))[self._corner] + by
             self._snapped = scaled(
                 layer.icon, layer.placement, self._corner, to, centred, guides, grip
             )
@@ -184,7 +187,7 @@ class ArrangeTool(Tool):
         layer = self._document.page.current
         self._corner = None
         if layer is not None:
-            spots = corners(pointer.camera.transform.mapRect(layer.box))
+            spots = corners(pointer.camera.transform.mapRect(rect_of(layer.box)))
             gaps = [math.dist(spot.toTuple(), pointer.view.toTuple()) for spot in spots]
             if min(gaps) <= GRIP:
                 self._corner = gaps.index(min(gaps))

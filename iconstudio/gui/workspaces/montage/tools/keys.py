@@ -3,7 +3,7 @@
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
 
-from iconstudio.gui.workspaces.montage.page import MontageDocument, choose
+from iconstudio.workflows.montage.page import MontageDocument, choose
 
 _STEPS = {Qt.Key.Key_PageUp: 1, Qt.Key.Key_PageDown: -1}
 

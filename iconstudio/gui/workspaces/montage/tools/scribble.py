@@ -8,11 +8,12 @@ from PySide6.QtGui import QKeyEvent, QPainter, QPen
 from iconstudio.gui.canvas.camera import Camera
 from iconstudio.gui.canvas.tools.base import Pointer, Tool
 from iconstudio.gui.theme.theme import Theme
-from iconstudio.gui.workspaces.montage.page import MontageDocument, MontagePage, choose
+from iconstudio.gui.workspaces.montage.appearance import color_of
 from iconstudio.gui.workspaces.montage.scene import MontageScene
-from iconstudio.gui.workspaces.montage.strokes import strokes_of, visible
 from iconstudio.gui.workspaces.montage.tools.keys import layer_key
 from iconstudio.model import CANVAS, Point
+from iconstudio.workflows.montage.page import MontageDocument, MontagePage, choose
+from iconstudio.workflows.montage.strokes import strokes_of, visible
 
 THINNEST, WIDEST, USUAL = 2, 64, 14
 """Range of the brush in canvas pixels, and its width at first."""
@@ -109,7 +110,7 @@ class ScribbleTool(Tool):
         painter.setPen(QPen(theme.color("surface", 0.9), 3))
         painter.drawEllipse(box)
         style = Qt.PenStyle.DashLine if rubs else Qt.PenStyle.SolidLine
-        painter.setPen(QPen(theme.color("text") if rubs else layer.color, 1.5, style))
+        painter.setPen(QPen(theme.color("text") if rubs else color_of(layer), 1.5, style))
         painter.drawEllipse(box)
 
     # -- pointer -------------------------------------------------------------------------------

@@ -75,7 +75,7 @@ def near_canvas(stroke: Stroke) -> tuple[Stroke, ...]:
     if all(abs(value) <= far for point in stroke.points for value in point):
         return (stroke,)
     line = points_on(stroke)
-    return _parts(stroke, line, (np.abs(line) <= far).all(axis=1))
+    return _parts(stroke, line, np.all(np.abs(line) <= far, axis=1))
 
 
 def visible(stroke: Stroke) -> bool:

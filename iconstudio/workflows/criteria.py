@@ -1,9 +1,9 @@
 """The edits of what is wanted beside an outline: keyword, icons left out, symmetry."""
 
-from typing import Protocol, Self
+from typing import Any, Protocol, Self
 
-from iconstudio.gui.document.document import Document, Page
 from iconstudio.model import Axis
+from iconstudio.workflows.pages import Document, Page
 
 
 class Criteria(Protocol):
@@ -33,7 +33,7 @@ class CriteriaPage(Page, Protocol):
         """The criteria."""
         ...
 
-    def with_criteria(self, **values: object) -> Self:
+    def with_criteria(self, **values: Any) -> Self:
         """Return the page with some of the criteria changed."""
         ...
 

@@ -4,10 +4,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
-from iconstudio.gui.document.document import Document
-from iconstudio.gui.gallery.pictures import Picture
-from iconstudio.model import Axis, Exemplar, IconstudioError, Mix, Point, Seeds
+from iconstudio.model import Axis, Exemplar, IconstudioError, Mix, Point, Remix, Seeds
+from iconstudio.model.mix import DRAWS
 from iconstudio.workflows.hybrids.hybrids import FEWEST, MOST
+from iconstudio.workflows.pages import Document
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,10 +46,10 @@ class HybridsPage:
     ask: Ask | None = None
     """How the program picked the icons; None if the user chose them all."""
     seed: int = 0
-    draws: int = Mix.__dataclass_fields__["draws"].default
+    draws: int = DRAWS
     """How many are drawn in one go."""
     symmetry: Axis | None = None
-    favourites: tuple[Picture, ...] = ()
+    favourites: tuple[Remix, ...] = ()
     name: str = ""
     """What the user's file is called; empty if there is none."""
 
@@ -146,7 +146,7 @@ def set_symmetry(document: HybridsDocument, axis: Axis | None) -> None:
         document.change(text, replace(document.page, symmetry=axis))
 
 
-def set_favourites(document: HybridsDocument, favourites: tuple[Picture, ...]) -> None:
+def set_favourites(document: HybridsDocument, favourites: tuple[Remix, ...]) -> None:
     """Keep these hybrids."""
     page = document.page
     if favourites != page.favourites:

@@ -1,12 +1,10 @@
 """What lies on the canvas of the sketch, and the edits of all but the outline."""
 
 from dataclasses import dataclass, field, replace
+from typing import Any
 
-from PySide6.QtCore import QRectF
-
-from iconstudio.gui.canvas.photo import Photo
-from iconstudio.gui.document.document import Document
-from iconstudio.model import CANVAS, Point, Polygon, Sketch
+from iconstudio.model import Photo, Point, Polygon, Sketch
+from iconstudio.workflows.pages import Document
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,7 +34,7 @@ class SketchPage:
         """What is wanted beside the outline."""
         return self.sketch
 
-    def with_criteria(self, **values: object) -> "SketchPage":
+    def with_criteria(self, **values: Any) -> "SketchPage":
         """Return the page with another keyword, symmetry, or icons left out."""
         return replace(self, sketch=replace(self.sketch, **values))
 
@@ -49,21 +47,6 @@ class SketchPage:
         """Whether the photo, or without one the whole outline, is another."""
         moved = len(self.vertices) > 2 and set(self.vertices).isdisjoint(before.vertices)
         return self.photo is not before.photo or (moved and self.photo is None)
-
-    def bounds(self) -> QRectF:
-        """Return the area to show: the photo, the outline with some air, or an empty canvas."""
-        if self.photo is not None:
-            return QRectF(0, 0, self.photo.width, self.photo.height)
-        sheet = QRectF(0, 0, 2 * CANVAS, 2 * CANVAS)
-        if len(self.vertices) < 3:
-            return sheet
-        left, top, right, bottom = self.sketch.polygon.bounds
-        size = max(right - left, bottom - top)
-        outline = QRectF(left, top, right - left, bottom - top)
-        if sheet.contains(outline) and size > CANVAS / 2:
-            return sheet
-        air = size / 8
-        return outline.adjusted(-air, -air, air, air)
 
 
 SketchDocument = Document[SketchPage]

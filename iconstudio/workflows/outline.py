@@ -1,9 +1,9 @@
 """The edits of an outline, on any page that has one."""
 
-from typing import Protocol, Self
+from typing import Any, Protocol, Self
 
-from iconstudio.gui.document.document import Document, Page
 from iconstudio.model import Point
+from iconstudio.workflows.pages import Document, Page
 
 
 class OutlinedPage(Page, Protocol):
@@ -30,18 +30,19 @@ class Outline:
     A page of several outlines needs a subclass, which says which one is meant.
     """
 
-    def __init__(self, document: Document) -> None:
+    def __init__(self, document: Document[Any]) -> None:
         self.document = document
 
     @property
     def vertices(self) -> tuple[Point, ...]:
         """The vertices, finished or not."""
-        return self.document.page.vertices
+        vertices: tuple[Point, ...] = self.document.page.vertices
+        return vertices
 
     @property
     def closed(self) -> bool:
         """Whether the last vertex is joined to the first."""
-        return self.document.page.closed
+        return bool(self.document.page.closed)
 
     def put(
         self, text: str, vertices: tuple[Point, ...], closed: bool, gesture: object = None

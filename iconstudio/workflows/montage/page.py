@@ -1,14 +1,11 @@
 """What lies on the canvas of a montage, and its edits."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
-from PySide6.QtCore import QPointF, QRectF
-from PySide6.QtGui import QColor, QTransform
+import numpy as np
 
-from iconstudio.gui.document.document import Document
-from iconstudio.gui.workspaces.montage.strokes import carried, cut, near_canvas, visible
 from iconstudio.model import (
     CANVAS,
     Exemplar,
@@ -20,8 +17,12 @@ from iconstudio.model import (
     Point,
     Stroke,
 )
-from iconstudio.output.colours import Palette, numbered_colour
 from iconstudio.workflows.montage.montage import MOST
+from iconstudio.workflows.montage.strokes import carried, cut, near_canvas, visible
+from iconstudio.workflows.pages import Document
+
+Box = tuple[float, float, float, float]
+"""Left, top, right and bottom, in canvas pixels."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,14 +37,19 @@ class Icon:
         return self.exemplar.pictogram
 
     @cached_property
-    def box(self) -> QRectF:
+    def box(self) -> Box:
         """The tight box of its ink, in canvas pixels."""
         ink = self.exemplar.ink
-        rows, columns = ink.any(axis=1).nonzero()[0], ink.any(axis=0).nonzero()[0]
+        rows, columns = (np.flatnonzero(ink.any(axis=axis)) for axis in (1, 0))
         if not len(rows):
-            return QRectF(0, 0, CANVAS, CANVAS)
-        corner = QPointF(float(columns[0]), float(rows[0]))
-        return QRectF(corner, QPointF(float(columns[-1] + 1), float(rows[-1] + 1)))
+            return 0, 0, CANVAS, CANVAS
+        return float(columns[0]), float(rows[0]), float(columns[-1] + 1), float(rows[-1] + 1)
+
+    def placed_box(self, placement: Placement) -> Box:
+        """Return the tight box of its ink where it lies."""
+        left, top, right, bottom = self.box
+        (x1, y1), (x2, y2) = placement.transform.transformPoints([(left, top), (right, bottom)])
+        return min(x1, x2), min(y1, y2), max(x1, x2), max(y1, y2)
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,31 +69,13 @@ class PlacedIcon:
         return name.partition(":")[2] if name == self.icon.pictogram.id else name
 
     @property
-    def color(self) -> QColor:
-        """The colour of its strokes, and of its parts in the colour code."""
-        return QColor(*numbered_colour(self.number))
-
-    def tint(self, density: float) -> QColor:
-        """Return its colour, transparent but for ``density``."""
-        color = self.color
-        color.setAlphaF(density)
-        return color
-
-    @property
-    def transform(self) -> QTransform:
-        """The mapping from the icon to the canvas."""
-        return transform_of(self.placement)
-
-    @property
-    def box(self) -> QRectF:
+    def box(self) -> Box:
         """The tight box of its ink where it lies."""
-        return self.transform.mapRect(self.icon.box)
+        return self.icon.placed_box(self.placement)
 
     def inks(self, point: Point) -> bool:
         """Whether there is ink within a pixel of a point of the canvas."""
-        inverse, _ = self.transform.inverted()
-        spot = inverse.map(QPointF(*point))
-        x, y = int(spot.x()), int(spot.y())
+        x, y = map(int, self.placement.transform.inverse().transformPoint(point))
         near = self.icon.exemplar.ink[max(0, y - 1) : max(0, y + 2), max(0, x - 1) : max(0, x + 2)]
         return bool(near.any())
 
@@ -112,7 +100,7 @@ class MontagePage:
         """
         current = self.current
         shown = [one for one in reversed(self.layers) if not one.hidden or one is current]
-        boxed = [one for one in shown if one.box.contains(QPointF(*point))]
+        boxed = [one for one in shown if _contains(one.box, point)]
         inked = [one for one in shown if one.inks(point)]
         return next(iter(inked or ([current] if current in boxed else boxed)), None)
 
@@ -120,14 +108,6 @@ class MontagePage:
     def marked(self) -> bool:
         """Whether something is marked, so that a montage can be made."""
         return any(visible(stroke) for layer in self.layers for stroke in layer.strokes)
-
-    @property
-    def palette(self) -> Palette:
-        """The colour of each icon at its placement, for the colour code."""
-        return {
-            (one.icon.pictogram.id, one.placement): numbered_colour(one.number)
-            for one in self.layers
-        }
 
     def elsewhere(self, before: "MontagePage") -> bool:
         """Whether the view should be fitted anew: if a canvas is filled that was empty."""
@@ -215,7 +195,9 @@ class MontagePage:
         layers = tuple(layer if one.number == layer.number else one for one in self.layers)
         return replace(self, layers=layers)
 
-    def _cut(self, knives: Sequence[Stroke], concerned) -> "MontagePage":
+    def _cut(
+        self, knives: Sequence[Stroke], concerned: Callable[[PlacedIcon], bool]
+    ) -> "MontagePage":
         layers = tuple(
             replace(one, strokes=cut(one.strokes, knives)) if concerned(one) else one
             for one in self.layers
@@ -231,6 +213,6 @@ def choose(document: MontageDocument, number: int) -> None:
     document.show(replace(document.page, chosen=number))
 
 
-def transform_of(placement: Placement) -> QTransform:
-    """Return the mapping from an icon to the canvas (equation 4)."""
-    return QTransform(*placement.transform)
+def _contains(box: Box, point: Point) -> bool:
+    left, top, right, bottom = box
+    return left <= point[0] <= right and top <= point[1] <= bottom

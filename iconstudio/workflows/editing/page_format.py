@@ -3,11 +3,9 @@
 from collections.abc import Generator
 from typing import Any
 
-from iconstudio.gui.document.pages import PageFormat
-from iconstudio.gui.workspaces.editing.page import Area, EditPage, Kind
-from iconstudio.inputs.fields import Fields
-from iconstudio.project.archive import plain_text
-from iconstudio.project.parts import Parts, StoredParts
+from iconstudio.inputs.fields import Fields, plain_text
+from iconstudio.workflows.editing.page import Area, EditPage, Kind
+from iconstudio.workflows.pages import PageFormat, Parts, StoredParts
 
 
 class EditPages(PageFormat[EditPage]):

@@ -4,13 +4,12 @@ from collections.abc import Generator
 from dataclasses import asdict, replace
 from typing import Any
 
-from iconstudio.gui.document.pages import PageFormat
-from iconstudio.gui.workspaces.montage.page import Icon, MontagePage, PlacedIcon
 from iconstudio.inputs.fields import Fields
+from iconstudio.inputs.placements import placement_in
 from iconstudio.model import CANVAS, Stroke
-from iconstudio.project.parts import Parts, StoredParts
-from iconstudio.project.results import placement
 from iconstudio.workflows.montage.montage import MOST
+from iconstudio.workflows.montage.page import Icon, MontagePage, PlacedIcon
+from iconstudio.workflows.pages import PageFormat, Parts, StoredParts
 
 
 class MontagePages(PageFormat[MontagePage]):
@@ -30,7 +29,7 @@ class MontagePages(PageFormat[MontagePage]):
             icon = Icon(parts.exemplar(parts.icon(entry.reference())))
             strokes = tuple(map(_stroke, entry.objects("strokes", "stroke")))
             layers[number] = PlacedIcon(
-                number, icon, placement(entry), strokes, entry.flag("hidden")
+                number, icon, placement_in(entry), strokes, entry.flag("hidden")
             )
             yield
         return MontagePage(tuple(layers.values()), fields.whole("chosen", -1, -1, MOST - 1))

@@ -4,15 +4,12 @@ from collections.abc import Generator
 from dataclasses import asdict
 from typing import Any
 
-from iconstudio.gui.document.pages import PageFormat, pictures_in
-from iconstudio.gui.workspaces.hybrids.batches import CODED
-from iconstudio.gui.workspaces.hybrids.page import Ask, HybridsPage, Ingredient
-from iconstudio.inputs.fields import Fields
+from iconstudio.inputs.fields import Fields, plain_text
 from iconstudio.model import CANVAS, Remix
-from iconstudio.project.archive import plain_text
-from iconstudio.project.parts import Parts, StoredParts
 from iconstudio.workflows.hybrids.file import LARGEST_SEED
 from iconstudio.workflows.hybrids.hybrids import MOST, MOST_DRAWS
+from iconstudio.workflows.hybrids.page import Ask, HybridsPage, Ingredient
+from iconstudio.workflows.pages import PageFormat, Parts, StoredParts
 
 
 class HybridsPages(PageFormat[HybridsPage]):
@@ -29,7 +26,7 @@ class HybridsPages(PageFormat[HybridsPage]):
             "seed": page.seed,
             "draws": page.draws,
             "symmetry": page.symmetry,
-            "favourites": [parts.result(one.icon) for one in page.favourites],
+            "favourites": [parts.result(one) for one in page.favourites],
             "name": plain_text(page.name),
         }
 
@@ -42,8 +39,8 @@ class HybridsPages(PageFormat[HybridsPage]):
             yield
         if len(mixed) > MOST:
             raise fields.mistake(f"At most {MOST} icons can be mixed.")
-        favourites = yield from pictures_in(fields.texts("favourites"), parts, CODED)
-        hybrids = tuple(one for one in favourites if isinstance(one.icon, Remix))
+        favourites = yield from parts.results(fields.texts("favourites"))
+        hybrids = tuple(one for one in favourites if isinstance(one, Remix))
         return HybridsPage(
             tuple(mixed.values()),
             _ask(fields.object("ask")) if fields.has("ask") else None,
@@ -53,6 +50,10 @@ class HybridsPages(PageFormat[HybridsPage]):
             hybrids,
             fields.text("name"),
         )
+
+    def kept(self, page: HybridsPage) -> tuple[Remix, ...]:
+        """Return the favourites."""
+        return page.favourites
 
 
 def _ask(fields: Fields) -> Ask:

@@ -2,9 +2,10 @@
 
 from dataclasses import dataclass, replace
 from enum import Enum
+from typing import Any
 
-from iconstudio.gui.document.document import Document
 from iconstudio.model import Axis, Edit, Exemplar, Point, Polygon
+from iconstudio.workflows.pages import Document
 
 
 class Kind(Enum):
@@ -12,11 +13,6 @@ class Kind(Enum):
 
     REMOVE = "remove"
     ADD = "add"
-
-    @property
-    def token(self) -> str:
-        """The colour of its areas."""
-        return {Kind.REMOVE: "danger", Kind.ADD: "added"}[self]
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +49,7 @@ class EditPage:
         """The page itself says what is wanted."""
         return self
 
-    def with_criteria(self, **values: object) -> "EditPage":
+    def with_criteria(self, **values: Any) -> "EditPage":
         """Return the page with another keyword, symmetry, or icons left out."""
         return replace(self, **values)
 

@@ -1,35 +1,28 @@
-"""What a project holds, as the window has it; written and read in threads."""
+"""What a project holds: the pages of workflows and the results that were picked."""
 
 from collections.abc import Generator, Mapping
 from contextlib import closing
 from dataclasses import dataclass, field
 from typing import Any
 
-from iconstudio.gui.document.document import Page
-from iconstudio.gui.document.pages import PageFormat, pictures_in
-from iconstudio.gui.gallery.icon_list import same
-from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.inputs.fields import Fields
-from iconstudio.model import IconstudioError
+from iconstudio.model import Icon, IconstudioError
 from iconstudio.project.archive import Project
-from iconstudio.project.parts import Parts, StoredParts
-from iconstudio.session import Session
+from iconstudio.project.parts import Finder, Parts, StoredParts
+from iconstudio.workflows.pages import Page, PageFormat
 from iconstudio.workflows.workflow import Workflow, named
 
-PLAIN = "iconstudio.gui.workspaces.plain.workspace:PlainWorkspace"
-"""The workspace of workflows that have none of their own."""
 
-
-class Formats(dict[str, PageFormat]):
+class Formats(dict[str, PageFormat[Any]]):
     """Those of the pages of workflows, by their names; loaded when they are first needed."""
 
-    def __init__(self, workflows: Mapping[str, Workflow]) -> None:
+    def __init__(self, workflows: Mapping[str, Workflow[Any]]) -> None:
         super().__init__()
         self.workflows = workflows
 
-    def __missing__(self, name: str) -> PageFormat:
+    def __missing__(self, name: str) -> PageFormat[Any]:
         workflow = self.workflows[name]
-        self[name] = named(workflow.workspace or PLAIN).page_format(workflow)
+        self[name] = named(workflow.page_format)(workflow)
         return self[name]
 
 
@@ -40,7 +33,7 @@ class Contents:
     current: str = ""
     """The name of the workflow in sight."""
     pages: Mapping[str, Page] = field(default_factory=dict)
-    recent: tuple[Picture, ...] = ()
+    recent: tuple[Icon, ...] = ()
     complaints: tuple[str, ...] = ()
     """What could not be read; a sentence for the user each."""
 
@@ -58,13 +51,13 @@ class Contents:
         """Return them as they are stored, with more that is to be told."""
         parts = Parts()
         pages = {name: formats[name].write(page, parts) for name, page in self.pages.items()}
-        recent = [parts.result(one.icon) for one in self.recent if one.icon.path]
+        recent = [parts.result(one) for one in self.recent if one.path]
         stored = {"current": self.current, "pages": pages, "recent": recent, "icons": parts.icons}
         return Project(stored | index, parts.contents)
 
 
 def reading(
-    session: Session,
+    session: Finder,
     index: Fields,
     contents: Mapping[str, bytes],
     formats: Formats,
@@ -86,9 +79,9 @@ def reading(
         except IconstudioError as error:
             title = formats.workflows[name].title
             parts.complaints.append(f"The page of {title} could not be read. {error}")
-    recent = yield from pictures_in(index.texts("recent"), parts)
+    recent = yield from parts.results(index.texts("recent"))
     yield Contents(index.text("current"), pages, recent, tuple(parts.complaints))
 
 
-def _all_in(some: tuple[Picture, ...], others: tuple[Picture, ...]) -> bool:
-    return all(any(same(one, other) for other in others) for one in some)
+def _all_in(some: tuple[Icon, ...], others: tuple[Icon, ...]) -> bool:
+    return all(any(one.looks_like(other) for other in others) for one in some)

@@ -1,0 +1,116 @@
+"""The page of a workflow: what its user works on; how it is edited, and kept in projects."""
+
+from collections.abc import Generator
+from typing import Any, Generic, Protocol, Self, TypeVar
+
+from iconstudio.inputs.fields import Fields
+from iconstudio.model import Exemplar, Icon, Photo, Pictogram
+from iconstudio.workflows.workflow import Resources, Workflow
+
+
+class Page(Protocol):
+    """Everything that the edits of a workflow can change, as one immutable value."""
+
+    def elsewhere(self, before: Self) -> bool:
+        """Whether so much differs from ``before`` that the view should be fitted anew."""
+        ...
+
+
+P = TypeVar("P", bound=Page)
+
+
+class Document(Protocol[P]):
+    """What holds a page, and keeps the way back."""
+
+    @property
+    def page(self) -> P:
+        """What lies on the canvas now."""
+        ...
+
+    def change(self, text: str, after: P, gesture: object = None) -> None:
+        """Replace the page, as one step that can be undone.
+
+        ``text`` names the step. Neighbouring changes of the same ``gesture``, if it is not None,
+        are one step.
+        """
+        ...
+
+    def show(self, page: P) -> None:
+        """Replace the page; that is no step."""
+        ...
+
+
+class Parts(Protocol):
+    """Takes in what the pages of a project refer to."""
+
+    def icon(self, pictogram: Pictogram) -> str:
+        """Take an icon in, and return the reference by which a page names it."""
+        ...
+
+    def photo(self, photo: Photo) -> dict[str, Any]:
+        """Take a photo in, and return what a page says of it."""
+        ...
+
+    def result(self, icon: Icon) -> str:
+        """Take a result in, and return the name by which a page refers to it."""
+        ...
+
+
+class StoredParts(Protocol):
+    """What the pages of a project refer to. What cannot be read raises IconstudioError."""
+
+    complaints: list[str]
+    """What could not be read, where the rest was; a sentence for the user each."""
+
+    @property
+    def resources(self) -> Resources:
+        """The program's own, which know the icons of the project, too."""
+        ...
+
+    def icon(self, reference: str) -> Pictogram:
+        """Return an icon that a page names."""
+        ...
+
+    def exemplar(self, pictogram: Pictogram) -> Exemplar:
+        """Return an icon on the canvas; the same one for the same icon."""
+        ...
+
+    def photo(self, entry: Fields) -> Generator[None, None, Photo]:
+        """Return the photo of which a page says ``entry``."""
+        ...
+
+    def results(self, names: tuple[str, ...]) -> Generator[None, None, tuple[Icon, ...]]:
+        """Return those results that can be read; complain about the others."""
+        ...
+
+
+class PageFormat(Generic[P]):
+    """Writes and reads the pages of one workflow, in whatever thread: pages are immutable.
+
+    Whatever can be on a page is read back as it was, be it unfinished or no good.
+    """
+
+    def __init__(self, workflow: Workflow[Any]) -> None:
+        self.workflow = workflow
+
+    def write(self, page: P, parts: Parts) -> dict[str, Any]:
+        """Return a page as JSON; icons, photos and results go into ``parts``."""
+        raise NotImplementedError
+
+    def read(self, fields: Fields, parts: StoredParts) -> Generator[Any, None, P]:
+        """Return the page that was written; yield progress, or None, where it can be stopped.
+
+        Raises
+        ------
+        IconstudioError
+            If it cannot be read.
+        """
+        raise NotImplementedError
+
+    def kept(self, page: P) -> tuple[Icon, ...]:
+        """Return the results that are kept on a page."""
+        return ()
+
+    def alike(self, page: P, other: P) -> bool:
+        """Whether there is nothing on a page that would be lost with the other one in its place."""
+        return page == other
