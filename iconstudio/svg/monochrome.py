@@ -30,6 +30,7 @@ from iconstudio.svg.lengths import Box, mapped
 from iconstudio.svg.mark import in_black_and_white
 from iconstudio.svg.near import brought_near
 from iconstudio.svg.omitted import OMITTED
+from iconstudio.svg.paint import is_of_one_paint
 from iconstudio.svg.plain import Plain, document
 from iconstudio.svg.resvg import render_colours, render_coverage
 from iconstudio.svg.strokes import coarsened, evened, thickened, widened
@@ -69,8 +70,8 @@ class EmptyError(IconstudioError):
 
 
 class _Picture(NamedTuple):
-    colours: NDArray[np.uint8]
-    """(n, n, 4)"""
+    colours: NDArray[np.uint8] | None
+    """(n, n, 4); None if all is of one paint, and so ink."""
     coverage: NDArray[np.uint8]
     """(n, n), 255 = ink: the pictogram of it."""
     omissions: frozenset[Omission]
@@ -118,11 +119,11 @@ def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ..
     around = frame or square(drawn)
     picture = None
     if frame is not None:
-        picture = _picture(document(content, box), frame, fonts, drawing.heavy)
+        picture = _picture(content, box, frame, fonts, drawing.heavy)
         even = evened(content, frame.size, box, _EVEN)
         if even is not None and not _is_thin(picture.coverage):
             content, frame = even, fitted(document(even, box), _common(box, drawn), fonts) or frame
-            picture = _picture(document(content, box), frame, fonts, drawing.heavy)
+            picture = _picture(content, box, frame, fonts, drawing.heavy)
             remarks.append(SOME_THIN)
     if frame is None or picture is None or _is_thin(picture.coverage):
         content = thickened(content, around.size, box)
@@ -130,7 +131,7 @@ def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ..
         frame = fitted(document(content, box), _common(box, drawn), fonts)
         if frame is None:
             raise _nothing(remarks)
-        picture = _picture(document(content, box), frame, fonts, drawing.heavy)
+        picture = _picture(content, box, frame, fonts, drawing.heavy)
         if _is_thin(picture.coverage):
             raise IconstudioError(
                 "Its lines are too thin to be seen at the size of an icon. Make them thicker."
@@ -175,12 +176,17 @@ def _common(page: Box, drawn: Box) -> Box:
     return left, top, max(right - left, 0.0), max(bottom - top, 0.0)
 
 
-def _picture(svg: str, frame: Frame, fonts: list[str], heavy: bool) -> _Picture:
-    """Return the colours of a document and its pictogram.
+def _picture(
+    content: ET.Element, box: Box, frame: Frame, fonts: list[str], heavy: bool
+) -> _Picture:
+    """Return the colours of a drawing and its pictogram.
 
-    ``heavy`` documents are drawn smaller, by how slow they are.
+    ``heavy`` ones are drawn smaller, by how slow they are.
     """
-    size = _SIDE
+    if not fonts and not heavy and is_of_one_paint(content):
+        black = document(_painted(copy.deepcopy(content), Paints.ALL), box)
+        return _Picture(None, render_coverage(black, frame, _SIDE), frozenset())
+    svg, size = document(content, box), _SIDE
     if heavy:
         start = perf_counter()
         render_colours(svg, frame, CANVAS, fonts)
@@ -206,6 +212,8 @@ def _own_shapes(
     content: ET.Element, box: Box, frame: Frame, picture: _Picture
 ) -> ET.Element | None:
     """Return the drawing's own shapes in black and white; None if they give another picture."""
+    if picture.colours is None:
+        return _painted(copy.deepcopy(content), Paints.ALL)
     choice = paints(picture.colours, picture.coverage)
     if choice is None:
         return None
