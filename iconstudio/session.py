@@ -102,13 +102,7 @@ class Session(AbstractContextManager["Session"]):
         """Open the bundled collection, which the very first use unpacks."""
         with self._opening:
             if self._collection is None:
-                steps = Collection.opening(cache=self._cache)
-                try:
-                    while True:
-                        step = next(steps)
-                        yield Progress("search", step.done, step.message)
-                except StopIteration as end:
-                    self._collection = end.value
+                self._collection = yield from Collection.opening(cache=self._cache)
 
     def get_ready(self) -> Iterator[Progress]:
         """Open the collection, start the worker processes and load libraries ahead of their use.

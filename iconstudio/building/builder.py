@@ -17,12 +17,12 @@ from iconstudio.building.selection import Brands, brands, normal_body, select, w
 from iconstudio.library import archive
 from iconstudio.library.fingerprint import Fingerprint, stack, unlikeness
 from iconstudio.library.iconify import IconSet, RawIcon
-from iconstudio.library.progress import Progress
 from iconstudio.library.words.indexing import index
 from iconstudio.library.words.naming import Name, take_apart
 from iconstudio.library.words.readings import BADGED, MENTION, is_thing, readings
 from iconstudio.library.words.wordnet import WordNet
 from iconstudio.model import IconstudioError
+from iconstudio.model.progress import Progress
 from iconstudio.workers import Workers
 
 ICONS = 102_500
@@ -62,19 +62,19 @@ def build(inputs: Inputs, out: Path, workers: Workers, most: int = ICONS) -> Ite
     IconstudioError
         If an input is missing or has another format, or ``out`` cannot be written.
     """
-    yield Progress(0.0, "Reading WordNet")
+    yield Progress("prepare", 0.0, "Reading WordNet")
     wordnet = WordNet(inputs.wordnet)
-    yield Progress(0.02, "Reading the sets")
+    yield Progress("prepare", 0.02, "Reading the sets")
     known = brands(inputs.iconify, wordnet)
     sets, selected = _selected(inputs.iconify, known)
     to_draw = [icon for icon, _ in (*selected, *known.logos)]
     shapes: list[Fingerprint | None] = []
     for step in fingerprints(to_draw, workers):
         if isinstance(step, Progress):
-            yield Progress(0.05 + 0.6 * step.done, step.message)
+            yield Progress("prepare", 0.05 + 0.6 * step.done, step.message)
         else:
             shapes = step
-    yield Progress(0.7, "Dropping what looks the same")
+    yield Progress("prepare", 0.7, "Dropping what looks the same")
     candidates = [
         _Candidate(icon, name, shape)
         for (icon, name), shape in zip(selected, shapes, strict=False)
@@ -82,9 +82,9 @@ def build(inputs: Inputs, out: Path, workers: Workers, most: int = ICONS) -> Ite
     ]
     candidates = _no_logos(candidates, known, shapes[len(selected) :])
     chosen = _most_useful(_different(candidates), most, wordnet)
-    yield Progress(0.8, "Working out the words")
+    yield Progress("prepare", 0.8, "Working out the words")
     contents = _contents(sets, chosen, wordnet)
-    yield Progress(0.9, "Packing")
+    yield Progress("prepare", 0.9, "Packing")
     counts = Counter(candidate.icon.prefix for candidate in chosen)
     thanks = credits_text(
         contents.sets, counts, inputs.licences, inputs.wordnet, _version(inputs.iconify)
@@ -95,7 +95,7 @@ def build(inputs: Inputs, out: Path, workers: Workers, most: int = ICONS) -> Ite
         (out / "CREDITS").write_text(thanks, encoding="utf-8", newline="\n")
     except OSError as error:
         raise IconstudioError(f"The collection cannot be written: {error}.") from None
-    yield Progress(1.0, f"{len(chosen)} icons of {len(contents.sets)} sets in {out}")
+    yield Progress("prepare", 1.0, f"{len(chosen)} icons of {len(contents.sets)} sets in {out}")
 
 
 def _version(iconify: Path) -> str:

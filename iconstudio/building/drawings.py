@@ -9,8 +9,8 @@ from concurrent.futures import Future
 
 from iconstudio.library.fingerprint import Fingerprint, fingerprint
 from iconstudio.library.iconify import RawIcon, document
-from iconstudio.library.progress import Progress
 from iconstudio.model import Frame, IconstudioError
+from iconstudio.model.progress import Progress
 from iconstudio.svg.check import check
 from iconstudio.svg.resvg import render_coverage
 from iconstudio.workers import Workers, loss
@@ -33,7 +33,8 @@ def fingerprints(
     for batch, future in zip(batches, futures, strict=True):
         drawn = _result(future)
         found += drawn if drawn is not None else _one_by_one(batch, workers)
-        yield Progress(len(found) / len(icons), f"Drawing icons ({len(found)} of {len(icons)})")
+        done = f"Drawing icons ({len(found)} of {len(icons)})"
+        yield Progress("prepare", len(found) / len(icons), done)
     yield found
 
 

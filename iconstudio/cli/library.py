@@ -34,6 +34,7 @@ def build(iconify: Path, wordnet: Path, licences: Path, out: Path) -> None:
 
     message = ""
     with Workers() as workers, ProgressBar() as bar:
-        for done, message in build_collection(Inputs(iconify, wordnet, licences), out, workers):
-            bar.show(done, message)
+        for step in build_collection(Inputs(iconify, wordnet, licences), out, workers):
+            message = step.message
+            bar.show(step.done, message)
     click.echo(message)

@@ -17,13 +17,13 @@ from iconstudio.library.archive import Archive
 from iconstudio.library.fingerprint import stack
 from iconstudio.library.iconify import document
 from iconstudio.library.lookup import Lookup
-from iconstudio.library.progress import Progress
 from iconstudio.library.words import query, symbols
 from iconstudio.library.words.decency import is_insult
 from iconstudio.library.words.naming import take_apart
 from iconstudio.library.words.query import Style
 from iconstudio.library.words.vocabulary import PREPOSITIONS
 from iconstudio.model import Credit, IconstudioError, Pictogram
+from iconstudio.model.progress import Progress
 from iconstudio.resources import resource
 
 log = logging.getLogger(__name__)

@@ -24,8 +24,8 @@ from pathlib import Path
 from typing import Any
 
 from iconstudio.library.archive import MANIFEST, Archive, damaged
-from iconstudio.library.progress import Progress
 from iconstudio.model import IconstudioError
+from iconstudio.model.progress import Progress
 
 FORMAT = 2
 """To be raised when the database changes; those of other versions are then left alone."""
@@ -136,20 +136,20 @@ def _no_room(folder: Path, error: Exception) -> str:
 
 
 def _fill(archive: Archive, path: Path) -> Iterator[Progress]:
-    yield Progress(0.0, "Unpacking the icon collection (only this once)")
+    yield Progress("search", 0.0, "Unpacking the icon collection (only this once)")
     with ThreadPoolExecutor(3) as pool:  # liblzma lets other threads run
         bodies, index, shapes = (
             pool.submit(archive.read, name)
             for name in ("bodies.txt.xz", "index.json.xz", "shapes.bin.xz")
         )
         columns = json.loads(index.result())
-        yield Progress(0.3, "Unpacking the icon collection: the words")
+        yield Progress("search", 0.3, "Unpacking the icon collection: the words")
         with closing(sqlite3.connect(path, isolation_level=None)) as database:
             database.executescript(
                 "PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; BEGIN;" + _SCHEMA
             )
             _insert_words(database, columns)
-            yield Progress(0.6, "Unpacking the icon collection: the drawings")
+            yield Progress("search", 0.6, "Unpacking the icon collection: the drawings")
             lines = bodies.result().decode().split("\n")
             cells = shapes.result()
             count = archive.icons
@@ -158,7 +158,7 @@ def _fill(archive: Archive, path: Path) -> Iterator[Progress]:
             _insert_icons(database, columns, lines)
             database.execute("INSERT INTO shapes VALUES (?, ?)", (cells[:-count], cells[-count:]))
             database.execute("COMMIT")
-    yield Progress(1.0, "The icon collection is unpacked")
+    yield Progress("search", 1.0, "The icon collection is unpacked")
 
 
 def _insert_words(database: sqlite3.Connection, columns: dict[str, Any]) -> None:

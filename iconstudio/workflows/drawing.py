@@ -158,18 +158,19 @@ def _placed(
     unit, side = CANVAS // _TILES, finer * CANVAS
     needed = near.repeat(unit, axis=0).repeat(unit, axis=1)
     if scale > _LARGE:  # too large to be drawn whole
-        return _sheet(_Wanted(*picture, placement, side, beyond, exemplar)).shown(needed)
+        key = _DrawingKey(*picture, placement, side, beyond, exemplar)
+        return _tiled_drawing(key).shown(needed)
     pad = _BLOCK * max(0, math.ceil(CANVAS / 2 * (scale - 1) / _BLOCK))
-    sheet = _sheet(_Wanted(*picture, Placement(scale), side, pad, exemplar))
+    drawing = _tiled_drawing(_DrawingKey(*picture, Placement(scale), side, pad, exemplar))
     before = shifted(needed, -dx, -dy, CANVAS + 2 * pad, False)
-    coverage = sheet.shown(before[:, ::-1] if flip else before)
+    coverage = drawing.shown(before[:, ::-1] if flip else before)
     shown = side + 2 * beyond * finer
     return shifted(coverage[:, ::-1] if flip else coverage, dx * finer, dy * finer, shown)
 
 
 @dataclass(frozen=True)
-class _Wanted:
-    """What tells one sheet from another."""
+class _DrawingKey:
+    """What tells one drawing from another."""
 
     render: Render
     svg: str
@@ -181,20 +182,20 @@ class _Wanted:
     exemplar: Exemplar = field(compare=False)
 
 
-class _Sheet:
+class _TiledDrawing:
     """An exemplar, drawn block by block as they are needed, in two tones.
 
     A renderer draws a curve a little differently where a window ends. So the blocks are always the
     same: a drawing does not depend on what was drawn before.
     """
 
-    def __init__(self, wanted: _Wanted) -> None:
-        self._wanted = wanted
-        self._units = CANVAS + 2 * wanted.pad
-        pixels = self._units * wanted.side // CANVAS
+    def __init__(self, key: _DrawingKey) -> None:
+        self._key = key
+        self._units = CANVAS + 2 * key.pad
+        pixels = self._units * key.side // CANVAS
         self._coverage = np.zeros((pixels, pixels), dtype=np.uint8)
         tiles = self._units * _TILES // CANVAS
-        self._missing = inked_tiles(wanted.exemplar, wanted.placement, tiles, wanted.pad)
+        self._missing = inked_tiles(key.exemplar, key.placement, tiles, key.pad)
 
     def shown(self, needed: Bitmap) -> NDArray[np.uint8]:
         """Return the drawing, complete where it is ``needed``, a bitmap of canvas units."""
@@ -207,24 +208,24 @@ class _Sheet:
         return self._coverage
 
     def _draw(self, row: int, column: int) -> None:
-        wanted = self._wanted
-        finer = wanted.side // CANVAS
+        key = self._key
+        finer = key.side // CANVAS
         step = _BLOCK * finer
         top, left = row * step, column * step
         # One more pixel around, for the edges between ink and paper.
-        x, y = left - wanted.pad * finer - 1, top - wanted.pad * finer - 1
+        x, y = left - key.pad * finer - 1, top - key.pad * finer - 1
         window = x, y, x + step + 2, y + step + 2
-        drawn = wanted.render(wanted.svg, wanted.frame, wanted.placement, wanted.side, window)
+        drawn = key.render(key.svg, key.frame, key.placement, key.side, window)
         self._coverage[top : top + step, left : left + step] = two_tone(drawn)[1:-1, 1:-1]
 
 
 @lru_cache(maxsize=48)
-def _sheet(wanted: _Wanted) -> _Sheet:
-    """Remember sheets, 1 to 4 MiB each.
+def _tiled_drawing(key: _DrawingKey) -> _TiledDrawing:
+    """Remember drawings, 1 to 4 MiB each.
 
     The results of a style share most of their exemplars, and one often lies at several places.
     """
-    return _Sheet(wanted)
+    return _TiledDrawing(key)
 
 
 def _reduced(coverage: NDArray[np.uint8]) -> NDArray[np.uint8]:

@@ -2,24 +2,13 @@
 
 from collections.abc import Generator
 from dataclasses import dataclass
-from typing import Literal, TypeVar
+from typing import TypeVar
 
 from iconstudio.model import Exemplar, Icon, Point, Source
+from iconstudio.model.progress import Progress as Progress
+from iconstudio.model.progress import Stage as Stage
 
 T = TypeVar("T")
-
-Stage = Literal["search", "prepare", "match", "remix", "vectorize"]
-
-
-@dataclass(frozen=True, slots=True)
-class Progress:
-    """How far a stage is: ``done`` from 0 to 1, ``message`` for the user."""
-
-    stage: Stage
-    done: float
-    message: str
-    remaining: float | None = None
-    """Seconds until the whole run will have ended, if that can be told."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -130,7 +130,7 @@ class Matcher:
         list
             ``matches[region]``: the best placements of different exemplars, by rising error.
         """
-        run = _Run(np.array(sorted(set(admitted)), dtype=int))
+        run = _Search(np.array(sorted(set(admitted)), dtype=int))
         region_errors = [RegionError(field - FAR, region, self._waves) for region in regions]
         with ThreadPoolExecutor(self._threads, "match") as threads:
             futures = [
@@ -146,7 +146,7 @@ class Matcher:
                 threads.shutdown(wait=False, cancel_futures=True)
         return [future.result() for future in futures]
 
-    def _matches(self, region_error: RegionError, run: "_Run") -> list[Match]:
+    def _matches(self, region_error: RegionError, run: "_Search") -> list[Match]:
         """Return the best matches of one region; nothing once the run is stopped."""
         found = self._recall(region_error.key)
         for chunk in sorted({int(index) // CHUNK for index in run.chosen} - found.chunks):
@@ -169,7 +169,7 @@ class Matcher:
                 self._memory.popitem(last=False)
         return found
 
-    def _best(self, region_error: RegionError, found: "_Found", run: "_Run") -> list[Match]:
+    def _best(self, region_error: RegionError, found: "_Found", run: "_Search") -> list[Match]:
         """Follow the most promising estimates until no other can be among the best."""
         hits = found.hits[run.chosen]
         best: dict[int, Match] = {}
@@ -216,7 +216,7 @@ _Fields = dict[tuple[int, int], NDArray[np.float32]]
 
 
 @dataclass(eq=False)
-class _Run:
+class _Search:
     """What the threads of one run share."""
 
     chosen: NDArray[np.int64]
