@@ -13,6 +13,8 @@ class Omission(Enum):
     """What of a drawing is no part of its pictogram, though a part of its silhouette."""
 
     TILE = "the tile behind the drawing"
+    PAGE = "the white behind the drawing"
+    SHADES = "shades of a colour that is all there is"
     FAINT = "what is less than half as opaque as the drawing"
     DECORATION = "colour behind or beside the lines of a drawing"
 
@@ -26,6 +28,8 @@ class Tones(NamedTuple):
     """(k + 1, k + 1): the neighbours with a line between them."""
     over: Mask
     """(k + 1,): the lines of a drawing, which keep their width: other ink keeps away from them."""
+    outlined: Mask
+    """(k + 1,): paper with a line of ink where it is on the outside."""
     omissions: frozenset[Omission] = frozenset()
 
 

@@ -6,12 +6,15 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.tones.regions import Mask
 
-_FAINT = 0.2
-"""Opacity, as part of the drawing's own, of the palest layer that is no shadow."""
+_FAINT, _ROUNDING = 0.2, 1.5
+"""Opacity, as part of the drawing's own, of the palest layer that is no shadow; by how many
+grey levels it may come out paler."""
 _SHARE = 0.02
 """Part of the drawing that layers of less than half its opacity must make."""
 _EVEN = 6
 """Grey levels by which alpha may differ between neighbouring pixels of a layer."""
+_GENTLE = 0.4
+"""By how much of the body's opacity a blur of the body differs within five pixels, at most."""
 _VISIBLE = 4
 """Grey levels of alpha from which something is to be seen."""
 _FEW = 256
@@ -40,7 +43,7 @@ def flattened(rgba: NDArray[np.uint8]) -> NDArray[np.uint8]:
     )
     rows, columns = layer
     level = np.where(visible, alpha[rows, columns], body)
-    shown = level > opaque * body
+    shown = level > opaque * body - (_ROUNDING if opaque == _FAINT else 0)
     tint = np.clip(level / body, 0, 1)[..., None]
     flat = rgba.copy()
     flat[..., :3] = (rgba[rows, columns, :3] * tint + 255 * (1 - tint) + 0.5).astype(np.uint8)
@@ -50,7 +53,7 @@ def flattened(rgba: NDArray[np.uint8]) -> NDArray[np.uint8]:
 
 def _palest(alpha: NDArray[np.float32], visible: Mask, body: float) -> float | None:
     """Return the opacity, as part of the body's, from which layers show; None if all are opaque."""
-    pale = (alpha > _FAINT * body) & (alpha < body - _EVEN)
+    pale = (alpha > _FAINT * body - _ROUNDING) & (alpha < body - _EVEN)
     half = pale & (alpha > body / 2)
     few = _FEW * (len(alpha) / 1024) ** 2
     share = _SHARE * visible.sum()
@@ -58,6 +61,9 @@ def _palest(alpha: NDArray[np.float32], visible: Mask, body: float) -> float | N
     if _opened(pale).sum() < share and _opened(half).sum() < few:
         return None
     even = _even(alpha)
+    # What mostly slopes is a blur, whose shape is where it is half as opaque.
+    if (pale & _even(alpha, 9, 3)).sum() < _opened(pale).sum() / 2:
+        return None
     if _opened(even & pale).sum() >= share:
         return _FAINT
     return 0.5 if _opened(even & half).sum() >= few else None
@@ -67,13 +73,14 @@ def without_faint(alpha: NDArray[np.float32], body: float) -> tuple[NDArray[np.f
     """Return the alpha (n, n) of a drawing without its faint parts, and whether it has any.
 
     These are even, or blurred, and less than half as opaque as its ``body``; edges and hairlines,
-    which are as pale, are not. What is more opaque keeps its edges.
+    which are as pale, are not, nor is what the body fades into: where it is half as opaque, it ends.
+    What is more opaque keeps its edges.
     """
     between = (alpha > _VISIBLE) & (alpha <= body / 2)
     least = _FEW * (len(alpha) / 1024) ** 2
     if _opened(between).sum() < least:
         return alpha, False
-    faint = _opened(_even(alpha) & between)
+    faint = _opened(_even(alpha) & between & ~_fading(between, alpha, body))
     if faint.sum() < least:
         return alpha, False
     away, (rows, columns) = scipy.ndimage.distance_transform_edt(~faint, return_indices=True)
@@ -82,11 +89,23 @@ def without_faint(alpha: NDArray[np.float32], body: float) -> tuple[NDArray[np.f
     return np.where(alpha > body, alpha, rest).astype(np.float32), True
 
 
-def _even(alpha: NDArray[np.float32]) -> Mask:
+def _even(alpha: NDArray[np.float32], size: int = 3, levels: float = _EVEN) -> Mask:
     """Return where alpha is as in the pixels around."""
-    high, low = scipy.ndimage.maximum_filter(alpha, 3), scipy.ndimage.minimum_filter(alpha, 3)
-    even: Mask = high - low <= _EVEN
+    high, low = scipy.ndimage.maximum_filter(alpha, size), scipy.ndimage.minimum_filter(alpha, size)
+    even: Mask = high - low <= levels
     return even
+
+
+def _fading(between: Mask, alpha: NDArray[np.float32], body: float) -> Mask:
+    """Return the pale parts that go over into the body by degrees, as blurs and gradients do."""
+    parts, count = scipy.ndimage.label(between, np.ones((3, 3)))
+    meets = between & scipy.ndimage.binary_dilation(alpha > body / 2, np.ones((3, 3)))
+    gentle = meets & _even(alpha, 5, _GENTLE * body)
+    whole, by_degrees = (
+        np.bincount(parts[mask], minlength=count + 1) for mask in (meets, gentle)
+    )
+    fading: Mask = (by_degrees > whole / 2)[parts]
+    return fading
 
 
 def _opened(mask: Mask) -> Mask:

@@ -166,7 +166,8 @@ def line_drawing(found: Regions, line: Mask) -> Tones:
     fills = paper & ~left_out
     over = (tone > 0) & dark & (found.lengths[:, part].sum(axis=1) > 0)
     omissions = frozenset([Omission.DECORATION] if left_out.any() else [])
-    return Tones(tone > 0, fills & fills[:, None] & striking, over, omissions)
+    bare = np.zeros_like(over)
+    return Tones(tone > 0, fills & fills[:, None] & striking, over, bare, omissions)
 
 
 def _marks(found: Regions) -> Mask:

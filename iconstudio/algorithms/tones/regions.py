@@ -104,17 +104,18 @@ def regions(
     contrast: float,
     smallest: float,
     cores: NDArray[np.intp] | None = None,
+    leap: float = LEAP,
 ) -> Regions:
     """Divide what is ``inside`` (n, n) of a drawing (n, n, 3), in CIELAB, into regions.
 
     Neighbours whose colours differ by less than ``contrast`` are one region; a region of fewer
     than ``smallest`` pixels joins the neighbour that is most like it. Something must be inside.
     The regions grow from ``cores`` (n, n), numbered from 1; by default, from what is of even colour
-    and from lines.
+    and from lines; colours are even where no channel differs by ``leap``.
     """
     pure = inside
     if cores is None:
-        cores = _cores(lab, inside)
+        cores = _cores(lab, inside, leap)
         pure = cores > 0
         hairlines = _hairlines(lab, inside, cores, nearest(pure))
         cores = np.where(hairlines > 0, hairlines + cores.max(), cores)
@@ -162,13 +163,13 @@ def cielab(rgb: NDArray[np.uint8]) -> NDArray[np.float32]:
     return lab[number].reshape(rgb.shape)
 
 
-def _cores(lab: NDArray[np.float32], inside: Mask) -> NDArray[np.intp]:
+def _cores(lab: NDArray[np.float32], inside: Mask, leap: float) -> NDArray[np.intp]:
     """Number the pieces of even colour; 0 at edges and outside."""
     even = inside.copy()
     for channel in np.moveaxis(lab, 2, 0):
         high = scipy.ndimage.maximum_filter(np.where(inside, channel, -np.inf), 3)
         low = scipy.ndimage.minimum_filter(np.where(inside, channel, np.inf), 3)
-        even &= high - low < LEAP
+        even &= high - low < leap
     cores = _largest(scipy.ndimage.label(even)[0], _SMALLEST)
     # A piece without any even colour, as of thin strokes, is one region.
     pieces, count = scipy.ndimage.label(inside)

@@ -39,9 +39,10 @@ from iconstudio.algorithms.tones.alternation import Omission, Tones, decide
 from iconstudio.algorithms.tones.layers import without_faint
 from iconstudio.algorithms.tones.linework import STRIKING, line_drawing, outline
 from iconstudio.algorithms.tones.regions import Mask, Regions, cielab, nearest
+from iconstudio.algorithms.tones.shades import shades
 from iconstudio.algorithms.tones.tiles import tile
 from iconstudio.algorithms.tones.two_tones import dark_is_ink, separated, two_tones
-from iconstudio.algorithms.tones.whites import white_on_colour
+from iconstudio.algorithms.tones.whites import whites
 
 SIDE = 512
 """Pixels to a side at which regions are found."""
@@ -57,6 +58,8 @@ SMALLEST = 60
 """Pixels of the smallest detail that reads."""
 LINE = 7.0
 """Width of the lines drawn between regions, in pixels: 3.5 on the canvas of 256."""
+OUTLINE = 2 * LINE
+"""Width of the line along white that is a part of the silhouette, in pixels."""
 _FINE = 5
 """Half the width, in pixels, of the thickest lines that may have no even colour."""
 _ROUNDING = 3
@@ -118,7 +121,7 @@ def _in_two_tones(rgba: NDArray[np.uint8], rgb: NDArray[np.uint8], inside: Mask)
     found = separated(two, rgb, inside)
     tones = _tones(found)
     dark = dark_is_ink(found, tones.ink)
-    if dark is None:
+    if dark is None or tones.outlined.any():
         return None
     share = two.darkness(rgba[..., :3])
     return _Share(share if dark else 1 - share, tones.omissions)
@@ -126,13 +129,14 @@ def _in_two_tones(rgba: NDArray[np.uint8], rgb: NDArray[np.uint8], inside: Mask)
 
 def _in_colours(rgba: NDArray[np.uint8], rgb: NDArray[np.uint8], inside: Mask) -> _Share:
     """Return how much of each pixel (n, n) is ink."""
-    found = _regions(rgb, inside)
+    found, hidden = shades(rgb, inside, _regions(rgb, inside), SMALLEST)
     tones = _tones(found)
     soft = np.ones(inside.shape, np.float32)
     if tones.lines.any() or not tones.ink[1:].all() or tones.over.any():
         soft = _soft(rgb, found, tones)
     soft = _with_details(_enlarged(soft, len(rgba)), rgba, inside, found, tones)
-    return _Share(soft, tones.omissions)
+    omissions = tones.omissions | ({Omission.SHADES} if hidden else set())
+    return _Share(soft, omissions)
 
 
 def _with_details(
@@ -227,7 +231,7 @@ def _hides_grey(found: Regions, lab: NDArray[np.float32]) -> bool:
     if not (found.white & (found.lengths[0] > 0)).any():
         return False
     inside = found.labels > 0
-    grey = white_on_colour(found)[found.labels] & found.pure & ~regions.near_white(lab)
+    grey = whites(found).paper[found.labels] & found.pure & ~regions.near_white(lab)
     rim = inside & ~scipy.ndimage.binary_erosion(inside, iterations=_RIM)
     return bool((grey & rim).sum() > _CONTOUR * rim.sum())
 
@@ -237,7 +241,11 @@ def _tones(found: Regions) -> Tones:
     if line is not None:
         return line_drawing(found, line)
     behind = tile(found)
-    ink = _alternating(found, behind)
+    white = whites(found)
+    ink = _alternating(found, behind, white.paper)
+    omissions = {Omission.PAGE} if (white.page if not behind.any() else behind & found.white).any() else set()
+    if (behind & ~found.white).any():
+        omissions.add(Omission.TILE)
     # A line would leave little of a narrow region.
     narrow = found.widths < _NARROW
     narrow = (narrow | narrow[:, None]) & (found.contrasts < STRIKING)
@@ -245,11 +253,12 @@ def _tones(found: Regions) -> Tones:
         ink,
         ink & ink[:, None] & (found.lengths > 0) & ~narrow,
         np.zeros_like(ink),
-        frozenset([Omission.TILE] if (behind & ~found.white).any() else []),
+        white.outlined & ~ink & ~behind.any(),
+        frozenset(omissions),
     )
 
 
-def _alternating(found: Regions, behind: Mask) -> Mask:
+def _alternating(found: Regions, behind: Mask, white: Mask) -> Mask:
     """Return which regions are ink: those on the outside, and what lies within their holes."""
     paper = behind.copy()
     paper[0] = True
@@ -258,7 +267,7 @@ def _alternating(found: Regions, behind: Mask) -> Mask:
     weights[:, paper] = 120 * found.lengths[:, paper]
     tone = np.where(paper, -1, 0)
     if not behind.any():
-        tone[white_on_colour(found)] = -1
+        tone[white] = -1
     # The shade along a contour is no outline of what it is the shade of.
     inner = found.contrasts[:, 1:].max(axis=1)
     shade = (tone == 0) & (found.widths < _NARROW) & (inner > 0) & (inner < STRIKING)
@@ -290,6 +299,11 @@ def _soft(rgb: NDArray[np.uint8], found: Regions, tones: Tones) -> NDArray[np.fl
         away = _smooth(scipy.ndimage.distance_transform_edt(~over), LINE / 4)
         others = tones.ink[labels] & ~over
         soft = np.where(others, np.minimum(soft, np.clip(away - LINE + 0.5, 0, 1)), soft)
+    if tones.outlined.any():
+        inside = found.labels > 0
+        depth = _smooth(scipy.ndimage.distance_transform_edt(np.pad(inside, 1))[1:-1, 1:-1], LINE / 4)
+        drawn = np.clip(OUTLINE + 0.5 - depth, 0, 1)
+        soft = np.where(tones.outlined[labels], np.maximum(soft, drawn), soft)
     return _without_crumbs(soft, found.labels > 0)
 
 

@@ -1,19 +1,30 @@
-"""White on colour: paper, unless it is a shape of the drawing.
+"""White on colour is paper; where it makes a part of the silhouette, within an outline.
 
-White that makes a large part of the silhouette is such a shape (a cloud before the sun, a sheep),
-unless it is pure white, as pages are, and bites into a colour: what it hides of that is a good part
-of it, as in a crescent made of a disc and a white one, or a bitten apple. What a colour is behind
-the white is told by its convex hull.
+1. White that is all around a piece of the drawing, as of an egg or a ghost, is the piece's body, and
+   ink. If it makes a sharp rectangle, it is a *page*, and paper.
+2. Other white that reaches the outside is paper. A line of ink goes along the contour there (a cloud
+   before the sun, a panda's head, the white half of a flag), alike along all of one paint; not
+   along a narrow band, which sets off what is beside it, nor along a *bite*.
+3. White within the drawing is paper if it is on what reaches the outside (eyes in a face), else it
+   differs from what is around it, as all colours do (teeth in a mouth).
+
+A *bite* is pure white, as pages are, and hides a good part of a colour, as in a crescent made of a
+disc and a white one, or a bitten apple, or divides it, as the cross of a flag does. What a colour is
+behind the white is told by its convex hull.
 """
+
+from typing import NamedTuple
 
 import numpy as np
 
 from iconstudio.algorithms.tones.linework import THICK
-from iconstudio.algorithms.tones.regions import ALIKE, Mask, Regions
+from iconstudio.algorithms.tones.regions import ALIKE, Mask, Regions, sums
 from iconstudio.algorithms.tones.tiles import SHARP, rectangularity
 
-_FREE = 0.9
-"""How much of its contour a shape that stands by itself shares with the outside."""
+_AROUND = 0.9
+"""How much of the contour of a white body is white."""
+_BAND = 28.0
+"""Width in pixels from which white that is of one paint with an outlined part is outlined, too."""
 _PURE = 99.0
 """Lightness from which white is that of a page."""
 _STEP = 2
@@ -29,30 +40,59 @@ _WHOLE = 0.95
 """How much of its convex hull a shape fills that a band of white divides, with that band."""
 
 
-def white_on_colour(found: Regions) -> Mask:
-    """Return the white regions (k + 1,) that are paper, as they make no part of the silhouette."""
-    white = found.white
+class Whites(NamedTuple):
+    """What the white regions of a drawing are, (k + 1,) each."""
+
+    paper: Mask
+    outlined: Mask
+    """Those that are paper, but a part of the silhouette."""
+    page: Mask
+    """Those that are paper, and behind the drawing."""
+
+
+def whites(found: Regions) -> Whites:
+    """Return which white regions are paper; of the others it depends on what is around them."""
+    white, outer = found.white, found.lengths[0]
+    none = np.zeros_like(white)
     total = found.areas[1:].sum()
     if found.areas[1:][~white[1:]].sum() < 0.05 * total:
-        return np.zeros_like(white)
-    page = white & (found.lengths[0] > 0.75 * found.lengths[0].sum())
-    if page.any() and rectangularity(found) > SHARP:
-        return white
-    outer = found.lengths[0]
-    free = outer > _FREE * found.lengths.sum(axis=1)
-    at_outside = outer > 0
-    at_outside[0] = True
-    # What is drawn on the white does not count. A narrow band sets other colours off.
-    large = (found.areas > 0.05 * total) & (found.widths > THICK)
-    part = large & (outer > 0.5 * found.lengths[:, at_outside].sum(axis=1))
-    for number in np.flatnonzero(part & white & ~free):
-        part[number] = not _is_bite(found, int(number))
-    paper: Mask = white & ~free & ~part
-    return paper
+        return Whites(none, none, none)
+    sharp = rectangularity(found) > SHARP
+    page = white & (outer > 0.75 * outer.sum())
+    if page.any() and sharp:
+        return Whites(white & ((outer > 0) | _on_ink(found)), none, page)
+    at_outside = white & (outer > 0)
+    body = at_outside & _is_white_around(found)
+    # A narrow band sets other colours off.
+    part = at_outside & ~body & (found.areas > 0.05 * total) & (found.widths > THICK)
+    for number in np.flatnonzero(part):
+        part[number] = not _is_bite(found, int(number), sharp)
+    alike = np.linalg.norm(found.colours[:, None] - found.colours, axis=2) < ALIKE
+    outlined = at_outside & ~body & (found.widths > _BAND) & (part & alike).any(axis=1)
+    paper = white & ~body & (at_outside | _on_ink(found))
+    return Whites(paper, part | outlined, none)
 
 
-def _is_bite(found: Regions, number: int) -> bool:
-    """Whether a white region takes a bite out of a colour, and nothing else is drawn on it."""
+def _is_white_around(found: Regions) -> Mask:
+    """Return the regions (k + 1,) whose piece of the drawing is white nearly all around."""
+    piece, outer = found.pieces(), found.lengths[0]
+    of_white = sums(piece, np.where(found.white, outer, 0))
+    around: Mask = (of_white > _AROUND * sums(piece, outer))[piece]
+    return around
+
+
+def _on_ink(found: Regions) -> Mask:
+    """Return the regions (k + 1,) that are mostly on what reaches the outside, which is ink."""
+    reaching = found.lengths[0] > 0
+    on_ink: Mask = found.lengths[:, reaching].sum(axis=1) > 0.5 * found.around
+    return on_ink
+
+
+def _is_bite(found: Regions, number: int, sharp: bool) -> bool:
+    """Whether a white region takes a bite out of a colour, and nothing else is drawn on it.
+
+    If what the two make together is a ``sharp`` rectangle, as a flag is, it must divide the colour.
+    """
     if found.colours[number, 0] < _PURE:
         return False
     meeting = ~found.white & (found.lengths[number] > 0)
@@ -67,7 +107,7 @@ def _is_bite(found: Regions, number: int) -> bool:
     filled = white | on_it[labels]
     least = _BITING if filled.sum() > _CONVEX * _hull(filled).sum() else _HIDING
     for one in behind:
-        if (_hull(labels == one) & white).sum() > least * white.sum():
+        if not sharp and (_hull(labels == one) & white).sum() > least * white.sum():
             return True
         parts = behind[alike[one, behind]]
         if len(parts) > 1:

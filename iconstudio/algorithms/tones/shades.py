@@ -1,0 +1,94 @@
+"""Shades of one colour, where they are all there is.
+
+Colours that differ little are shades of one thing, and are not told apart: lit and shadowed sides,
+gloss, cheeks. But if nothing else were left than the silhouette, a *figure* is told from what it is
+on however little it differs, as long as a person sees it: if both are flat, and the figure is
+neither along the contour, as shadows are, nor a highlight to one side. So is white from grey, and a
+pale line that goes all around paper.
+"""
+
+import numpy as np
+import scipy
+from numpy.typing import NDArray
+
+from iconstudio.algorithms.tones.linework import THICK
+from iconstudio.algorithms.tones.regions import Mask, Regions, cielab, pale, regions
+
+_SLIGHT, _LEAP = 2.0, 1.5
+"""Least difference that is seen (CIEDE2000), and that of a channel of CIELAB at its edge."""
+_PLAIN, _PAINTS = 0.93, 6
+"""How much of a flat drawing has one of how many colours."""
+_AROUND, _FEW = 0.9, 3
+"""How much of the contour has a pale line; how many more regions there may be with it."""
+_BESIDE, _ALONG = 10, 0.25
+"""Pixels beside the contour, and how much of the contour of shadows is there."""
+_ASIDE = 0.12
+"""How far from the middle, as part of the size, a highlight is."""
+
+
+def shades(
+    rgb: NDArray[np.uint8], inside: Mask, found: Regions, smallest: float
+) -> tuple[Regions, bool]:
+    """Return the regions (k + 1,) of a drawing, and whether shades of them are not told apart."""
+    alone = not (found.lengths[1:, 1:] > 0).any()
+    if not (_is_flat(rgb, inside) if alone else _has_pale_rim(found)):
+        return found, False
+    closer = regions(cielab(rgb), inside, _SLIGHT, smallest, leap=_LEAP)
+    more = len(closer.areas) - len(found.areas)
+    if not more:
+        return found, False
+    if _has_pale_line(closer) and (alone or more <= _FEW):
+        return closer, False
+    if not alone:
+        return found, False
+    with_white = closer.white.any() and not closer.white[1:].all()
+    return (closer, False) if with_white or _figures(closer) else (found, True)
+
+
+def _is_flat(rgb: NDArray[np.uint8], inside: Mask) -> bool:
+    """Whether nearly all of a drawing has one of few colours."""
+    packed = rgb[inside].astype(np.uint32) @ np.array([1 << 16, 1 << 8, 1], np.uint32)
+    counts = np.sort(np.unique(packed, return_counts=True)[1])
+    return bool(counts[-_PAINTS:].sum() > _PLAIN * len(packed))
+
+
+def _has_pale_rim(found: Regions) -> bool:
+    """Whether the outermost of all colours is that of paper, nearly all around."""
+    outer = found.lengths[0]
+    return bool(outer[pale(found.colours)].sum() > _AROUND * outer.sum())
+
+
+def _has_pale_line(found: Regions) -> bool:
+    """Whether a line goes nearly all around paper that is paler."""
+    outer = found.lengths[0]
+    number = int(outer.argmax())
+    if outer[number] < _AROUND * outer.sum() or found.widths[number] > THICK:
+        return False
+    paler = pale(found.colours) & (found.colours[:, 0] > found.colours[number, 0])
+    paler[0] = False
+    return bool(found.lengths[number, paler].sum() > 0.5 * outer[number])
+
+
+def _figures(found: Regions) -> bool:
+    """Whether some regions are figures on others."""
+    inside = found.labels > 0
+    beside = inside & ~scipy.ndimage.binary_erosion(inside, iterations=_BESIDE)
+    high, low = (f(found.labels, 3) for f in (scipy.ndimage.maximum_filter, scipy.ndimage.minimum_filter))
+    contour = inside & (high != low)
+    count = len(found.areas)
+    whole = np.bincount(found.labels[contour], minlength=count)
+    along = np.bincount(found.labels[contour & beside], minlength=count)
+    figure = along < _ALONG * whole
+    figure[0] = False
+    if not figure.any():
+        return False
+    middles = [_middle(mask) for mask in (figure[found.labels], inside)]
+    size = np.sqrt(inside.sum())
+    aside = abs(np.subtract(*middles)) / size
+    return bool(aside.min() < _ASIDE)
+
+
+def _middle(mask: Mask) -> NDArray[np.float64]:
+    """Return row and column of the middle of what a mask spans."""
+    spans = [np.flatnonzero(mask.any(axis=axis)) for axis in (1, 0)]
+    return np.array([(span[0] + span[-1]) / 2 for span in spans])
