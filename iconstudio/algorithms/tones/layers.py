@@ -48,6 +48,8 @@ def flattened(rgba: NDArray[np.uint8]) -> NDArray[np.uint8]:
     flat = rgba.copy()
     flat[..., :3] = (rgba[rows, columns, :3] * tint + 255 * (1 - tint) + 0.5).astype(np.uint8)
     flat[..., 3] = np.clip(alpha * (255 / np.where(shown, level, body)), 0, 255)
+    # Of what fades, the end is no part of its own.
+    flat[_fading(visible & ~shown, shown, alpha, body), 3] = 0
     return flat
 
 
@@ -80,13 +82,22 @@ def without_faint(alpha: NDArray[np.float32], body: float) -> tuple[NDArray[np.f
     least = _FEW * (len(alpha) / 1024) ** 2
     if _opened(between).sum() < least:
         return alpha, False
-    faint = _opened(_even(alpha) & between & ~_fading(between, alpha, body))
+    fading = _fading(between, alpha > body / 2, alpha, body)
+    faint = _opened(_even(alpha) & between & ~fading)
+    if fading.any():
+        alpha = np.where(_even(alpha, 5, _GENTLE * body), _ended(alpha, body), alpha)
     if faint.sum() < least:
         return alpha, False
     away, (rows, columns) = scipy.ndimage.distance_transform_edt(~faint, return_indices=True)
     level = np.where(away <= _EDGE, alpha[rows, columns], 0)
     rest = np.maximum(alpha - level, 0) * (body / (body - level))
     return np.where(alpha > body, alpha, rest).astype(np.float32), True
+
+
+def _ended(alpha: NDArray[np.float32], body: float) -> NDArray[np.float32]:
+    """Return alpha with an edge where it is half that of the body."""
+    slope = np.maximum(np.hypot(*np.gradient(alpha)), 1e-3)
+    return body * np.clip((alpha - body / 2) / slope + 0.5, 0, 1)
 
 
 def _even(alpha: NDArray[np.float32], size: int = 3, levels: float = _EVEN) -> Mask:
@@ -96,10 +107,10 @@ def _even(alpha: NDArray[np.float32], size: int = 3, levels: float = _EVEN) -> M
     return even
 
 
-def _fading(between: Mask, alpha: NDArray[np.float32], body: float) -> Mask:
-    """Return the pale parts that go over into the body by degrees, as blurs and gradients do."""
-    parts, count = scipy.ndimage.label(between, np.ones((3, 3)))
-    meets = between & scipy.ndimage.binary_dilation(alpha > body / 2, np.ones((3, 3)))
+def _fading(pale: Mask, rest: Mask, alpha: NDArray[np.float32], body: float) -> Mask:
+    """Return the pale parts into which the rest goes over by degrees, as in blurs and gradients."""
+    parts, count = scipy.ndimage.label(pale, np.ones((3, 3)))
+    meets = pale & scipy.ndimage.binary_dilation(rest, np.ones((3, 3)))
     gentle = meets & _even(alpha, 5, _GENTLE * body)
     whole, by_degrees = (
         np.bincount(parts[mask], minlength=count + 1) for mask in (meets, gentle)

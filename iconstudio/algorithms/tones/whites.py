@@ -62,9 +62,10 @@ def whites(found: Regions) -> Whites:
     if page.any() and sharp:
         return Whites(white & ((outer > 0) | _on_ink(found)), none, page)
     at_outside = white & (outer > 0)
-    body = at_outside & _is_white_around(found)
+    wide = (found.widths > THICK) | (outer > _AROUND * found.around)
+    body = at_outside & wide & _is_white_around(found)
     # A narrow band sets other colours off.
-    part = at_outside & ~body & (found.areas > 0.05 * total) & (found.widths > THICK)
+    part = at_outside & wide & ~body & (found.areas > 0.05 * total)
     for number in np.flatnonzero(part):
         part[number] = not _is_bite(found, int(number), sharp)
     alike = np.linalg.norm(found.colours[:, None] - found.colours, axis=2) < ALIKE
