@@ -281,7 +281,8 @@ def test_what_is_left_out_with_a_tile_is_told():
     tile = TILES["rounded"].format("#1976d2")
     assert tone.pictogram(rgba(tile + path(HOUSE, "#fff", GLYPH))).omissions == {Omission.TILE}
     page = '<path d="M0 0h24v24H0z" fill="#fff"/>' + path(HOUSE, "#c00", GLYPH)
-    for drawing in (page, FACE, path(HOUSE)):  # white is paper anyway
+    assert tone.pictogram(rgba(page)).omissions == {Omission.PAGE}
+    for drawing in (FACE, path(HOUSE)):
         assert not tone.pictogram(rgba(drawing)).omissions
 
 

@@ -1,9 +1,12 @@
-"""White on colour: what bites into a colour is paper, what is a shape of its own is ink."""
+"""White on colour is paper: as a bite into a colour, and within an outline as a part of the shape."""
 
 import numpy as np
 import pytest
+import scipy
 
-from iconstudio.algorithms.tones.tone import Paints, paints
+from iconstudio.algorithms.tones import tone
+from iconstudio.algorithms.tones.alternation import Omission
+from iconstudio.algorithms.tones.tone import OUTLINE, SIDE, Paints, paints
 from tests.algorithms.test_tone import amiss, pictogram, rgba
 
 BOX = "0 0 100 100"
@@ -77,10 +80,6 @@ SHAPES = {
         '<circle cx="50" cy="55" r="40" fill="#fff"/>'
         '<circle cx="36" cy="50" r="8"/><circle cx="64" cy="50" r="8"/>'
     ),
-    "egg": (
-        '<path d="M10 50a30 30 0 0 1 60-25a25 25 0 0 1 20 40a30 25 0 0 1-50 15a30 30 0 0 1-30-30z"'
-        ' fill="#fff"/><circle cx="48" cy="48" r="17" fill="#fb0"/>'
-    ),
     "pill": (
         '<path d="M50 30h25a20 20 0 0 1 0 40H50z" fill="#fff"/>'
         '<path d="M50 30H25a20 20 0 0 0 0 40H50z" fill="#e33"/>'
@@ -93,11 +92,115 @@ SHAPES = {
 }
 
 
+def assert_outlined(drawing: np.ndarray, coverage: np.ndarray) -> None:
+    """Assert that white is paper with ink along the outside, and that dark colours are ink."""
+    inside = drawing[..., 3] > 127
+    white = (drawing[..., :3] > 228).all(axis=2) & inside
+    depth = scipy.ndimage.distance_transform_edt(np.pad(inside, 1))[1:-1, 1:-1]
+    width = OUTLINE * len(drawing) / SIDE
+    at_edge = scipy.ndimage.binary_erosion(white | ~inside, iterations=4) & inside
+    ink = coverage > 127
+    assert ink[at_edge & (depth < width - 3)].mean() > 0.95
+    assert ink[white & (depth > width + 3)].mean() < 0.03
+    assert ink[scipy.ndimage.binary_erosion(inside & ~white, iterations=4)].mean() > 0.9
+
+
 @pytest.mark.parametrize("kind", SHAPES)
-def test_white_shapes_beside_a_colour_are_ink(kind):
+def test_white_shapes_beside_a_colour_are_outlined(kind):
+    """Solid, a panda's head would swap what is white and what is black."""
     drawing = rgba(SHAPES[kind], box=BOX)
+    assert_outlined(drawing, pictogram(drawing))
+
+
+FLAGS = {
+    "white above": '<path d="M0 20h100v30H0z" fill="#fff"/><path d="M0 50h100v30H0z" fill="#d13"/>',
+    "white below": '<path d="M0 20h100v30H0z" fill="#e12"/><path d="M0 50h100v30H0z" fill="#fff"/>',
+    "triangle": '<path d="M0 20h100v30H0z" fill="#fff"/><path d="M0 50h100v30H0z" fill="#d12"/>'
+    '<path d="M0 20l50 30-50 30z" fill="#147"/>',
+    "between two": '<path d="M0 20h34v60H0z" fill="#05a"/><path d="M34 20h32v60H34z" fill="#fff"/>'
+    '<path d="M66 20h34v60H66z" fill="#e43"/>',
+    "quarters": '<path d="M0 20h100v60H0z" fill="#fff"/><path d="M50 20h50v30H50z" fill="#d13"/>'
+    '<path d="M0 50h50v30H0z" fill="#059"/>',
+    "cross": '<path d="M0 20h100v60H0z" fill="#fff"/>'
+    '<path d="M0 44h100v12H0zM44 20h12v60H44z" fill="#c12"/>',
+    "round": '<path d="M10 50a40 40 0 0 1 80 0z" fill="#fff"/>'
+    '<path d="M10 50a40 40 0 0 0 80 0z" fill="#d13"/>',
+}
+PARTS = {
+    "flap": '<path d="M8 20h84v60H8z" fill="{}"/><path d="M8 20h84L50 55z" fill="#e53935"/>',
+    "ribbon": '<path d="M10 10h80v80H10z" fill="{}"/>'
+    '<path d="M10 42h80v16H10zM42 10h16v80H42z" fill="#e53935"/>',
+    "stripe": '<path d="M10 10h80v80H10z" fill="{}"/><path d="M10 38h80v24H10z" fill="#1e88e5"/>',
+    "diagonal": '<path d="M10 10h80v80H10z" fill="{}"/>'
+    '<path d="M10 70L70 10h20L10 90z" fill="#43a047"/>',
+}
+
+
+@pytest.mark.parametrize("kind", FLAGS)
+def test_white_at_the_edge_of_a_flag_is_outlined(kind):
+    drawing = rgba(FLAGS[kind], box=BOX)
+    assert_outlined(drawing, pictogram(drawing))
+
+
+@pytest.mark.parametrize("white", ["#fff", "#eceff1"])
+@pytest.mark.parametrize("kind", PARTS)
+def test_the_parts_of_one_paint_are_alike(kind, white):
+    drawing = rgba(PARTS[kind].format(white), box=BOX)
+    assert_outlined(drawing, pictogram(drawing))
+
+
+BODIES = {
+    "egg": (
+        '<path d="M10 50a30 30 0 0 1 60-25a25 25 0 0 1 20 40a30 25 0 0 1-50 15a30 30 0 0 1-30-30z"'
+        ' fill="#fff"/><circle cx="48" cy="48" r="17" fill="#fb0"/>'
+    ),
+    "ghost": (
+        '<path d="M15 95V45a35 35 0 0 1 70 0v50l-17-12-18 12-18-12z" fill="#fff"/>'
+        '<circle cx="38" cy="42" r="7"/><circle cx="62" cy="42" r="7"/>'
+    ),
+}
+
+
+@pytest.mark.parametrize("kind", BODIES)
+def test_white_all_around_is_the_body_of_a_drawing(kind):
+    drawing = rgba(BODIES[kind], box=BOX)
     white = (drawing[..., :3] > 240).all(axis=2) & (drawing[..., 3] > 127)
-    assert (pictogram(drawing)[white] > 127).mean() > 0.8
+    ink = pictogram(drawing) > 127
+    assert ink[white].mean() > 0.99
+    assert ink[~white].mean() < 0.01
+
+
+@pytest.mark.parametrize(
+    "behind",
+    ['<path d="M0 20h100v60H0z" fill="#fff"/>', '<circle cx="50" cy="50" r="45" fill="#fff"/>'],
+)
+def test_white_behind_a_drawing_is_left_out_and_told(behind):
+    sign = '<circle cx="50" cy="50" r="22" fill="#b02"/>'
+    coverage, omissions = tone.pictogram(rgba(behind + sign, box=BOX))
+    assert amiss(coverage, rgba(sign, box=BOX)[..., 3]) < 0.01
+    assert omissions == {Omission.PAGE}
+
+
+FACE = (
+    '<circle cx="50" cy="50" r="45" fill="#fc4"/><path d="M22 55h56a28 28 0 0 1-56 0z" fill="{}"/>'
+)
+TEETH = {
+    "free": '<path d="M32 60h36v7H32z" fill="#fff"/>',
+    "at the lip": '<path d="M28 55h44v9H29z" fill="#fff"/>',
+    "fangs": '<path d="M32 55h10l-5 14zM58 55h10l-5 14z" fill="#fff"/>',
+}
+
+
+@pytest.mark.parametrize("mouth", ["#640", "#222"])
+@pytest.mark.parametrize("kind", TEETH)
+def test_teeth_in_a_mouth_stay(kind, mouth):
+    face = FACE.format(mouth)
+    ink = pictogram(rgba(face + TEETH[kind], box=BOX)) > 127
+    teeth = rgba(TEETH[kind], box=BOX)[..., 3] > 127
+    hole = (rgba(face, box=BOX)[..., 2] < 60) & (rgba(face, box=BOX)[..., 0] < 120) & ~teeth
+    hole &= rgba(face, box=BOX)[..., 3] > 127
+    assert ink[scipy.ndimage.binary_erosion(teeth, iterations=12)].mean() > 0.8
+    assert ink[scipy.ndimage.binary_erosion(hole, iterations=4)].mean() < 0.05
 
 
 @pytest.mark.parametrize("grey", ["#d2d3d4", "#ccc", "#bbb", "#999"])

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import scipy
 
 from iconstudio.svg.monochrome import OMITTED
 from iconstudio.svg.rasterise import rasterise
@@ -61,9 +62,48 @@ def test_a_filter_that_is_no_shadow_is_drawn():
 
 
 def test_a_faint_part_is_no_grey():
-    faint = '<rect x="50" y="45" width="45" height="10" opacity=".2"/>'
+    faint = '<rect x="50" y="45" width="45" height="10" opacity=".15"/>'
     icon = read('<circle cx="40" cy="50" r="35" fill="#3f51b5"/>' + faint)
     assert set(OMITTED.values()) & set(icon.remarks)
     grey = rasterise(icon.svg)[1]
     assert ((grey > 20) & (grey < 120)).mean() < 0.02
     assert "opacity" not in icon.svg
+
+
+BLUR = '<filter id="f" x="-50%" y="-50%" width="200%" height="200%">'
+BLUR += '<feGaussianBlur stdDeviation="{}"/></filter><g filter="url(#f)">{}</g>'
+BLURRED = {
+    "disc": '<circle cx="50" cy="50" r="33"/>',
+    "coloured": '<circle cx="50" cy="50" r="33" fill="#e53"/>',
+    "square": '<path d="M20 20h60v60H20z" fill="#246"/>',
+    "pale": '<circle cx="50" cy="50" r="33" opacity=".5"/>',
+}
+
+
+@pytest.mark.parametrize("deviation", [1, 2.5, 4])
+@pytest.mark.parametrize("kind", BLURRED)
+def test_a_blurred_shape_is_that_shape(kind, deviation):
+    blurred = read(BLUR.format(deviation, BLURRED[kind]))
+    assert not blurred.remarks
+    ink, right = (one > 127 for one in (rasterise(blurred.svg)[1], drawn(BLURRED[kind])))
+    assert (ink != right).sum() < (0.03 if kind != "square" else 0.06) * right.sum()
+    assert scipy.ndimage.label(ink)[1] == 1
+
+
+def test_a_gradient_that_fades_has_an_edge_and_is_not_told():
+    stops = '<stop stop-color="#e53"/><stop offset="1" stop-color="#e53" stop-opacity="0"/>'
+    for kind in ("radialGradient", "linearGradient"):
+        shape = '<circle cx="50" cy="50" r="45" fill="url(#g)"/>'
+        icon = read(f'<{kind} id="g">{stops}</{kind}>{shape}')
+        assert not icon.remarks
+        grey = rasterise(icon.svg)[1]
+        assert ((grey > 20) & (grey < 230)).mean() < 0.02
+
+
+@pytest.mark.parametrize("opacity", [0.2, 0.3])
+def test_a_layer_of_a_fifth_is_a_part_of_the_drawing(opacity):
+    layer = '<path d="M20 50h60v40H20z" {}/>'
+    body = '<path d="M35 10h30v30H35z"/>'
+    icon = read(layer.format(f'opacity="{opacity}"') + body)
+    assert not icon.remarks
+    assert abs(rasterise(icon.svg)[1].astype(int) - drawn(layer.format("") + body)).max() < 64

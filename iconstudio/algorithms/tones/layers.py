@@ -112,9 +112,7 @@ def _fading(pale: Mask, rest: Mask, alpha: NDArray[np.float32], body: float) -> 
     parts, count = scipy.ndimage.label(pale, np.ones((3, 3)))
     meets = pale & scipy.ndimage.binary_dilation(rest, np.ones((3, 3)))
     gentle = meets & _even(alpha, 5, _GENTLE * body)
-    whole, by_degrees = (
-        np.bincount(parts[mask], minlength=count + 1) for mask in (meets, gentle)
-    )
+    whole, by_degrees = (np.bincount(parts[mask], minlength=count + 1) for mask in (meets, gentle))
     fading: Mask = (by_degrees > whole / 2)[parts]
     return fading
 

@@ -73,7 +73,9 @@ def _figures(found: Regions) -> bool:
     """Whether some regions are figures on others."""
     inside = found.labels > 0
     beside = inside & ~scipy.ndimage.binary_erosion(inside, iterations=_BESIDE)
-    high, low = (f(found.labels, 3) for f in (scipy.ndimage.maximum_filter, scipy.ndimage.minimum_filter))
+    high, low = (
+        f(found.labels, 3) for f in (scipy.ndimage.maximum_filter, scipy.ndimage.minimum_filter)
+    )
     contour = inside & (high != low)
     count = len(found.areas)
     whole = np.bincount(found.labels[contour], minlength=count)

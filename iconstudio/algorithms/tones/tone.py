@@ -243,7 +243,11 @@ def _tones(found: Regions) -> Tones:
     behind = tile(found)
     white = whites(found)
     ink = _alternating(found, behind, white.paper)
-    omissions = {Omission.PAGE} if (white.page if not behind.any() else behind & found.white).any() else set()
+    omissions = (
+        {Omission.PAGE}
+        if (white.page if not behind.any() else behind & found.white).any()
+        else set()
+    )
     if (behind & ~found.white).any():
         omissions.add(Omission.TILE)
     # A line would leave little of a narrow region.
@@ -301,7 +305,9 @@ def _soft(rgb: NDArray[np.uint8], found: Regions, tones: Tones) -> NDArray[np.fl
         soft = np.where(others, np.minimum(soft, np.clip(away - LINE + 0.5, 0, 1)), soft)
     if tones.outlined.any():
         inside = found.labels > 0
-        depth = _smooth(scipy.ndimage.distance_transform_edt(np.pad(inside, 1))[1:-1, 1:-1], LINE / 4)
+        depth = _smooth(
+            scipy.ndimage.distance_transform_edt(np.pad(inside, 1))[1:-1, 1:-1], LINE / 4
+        )
         drawn = np.clip(OUTLINE + 0.5 - depth, 0, 1)
         soft = np.where(tones.outlined[labels], np.maximum(soft, drawn), soft)
     return _without_crumbs(soft, found.labels > 0)
