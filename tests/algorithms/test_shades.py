@@ -6,18 +6,14 @@ import scipy
 
 from iconstudio.algorithms.tones import tone
 from iconstudio.algorithms.tones.alternation import Omission
+from iconstudio.algorithms.tones.tone import SIDE
 from tests.algorithms.test_tone import amiss, rgba
 
-PAIRS = [
-    ("#ccc", "#fff"),
-    ("#ddd", "#fff"),
-    ("#f5f5f5", "#fff"),
-    ("#333", "#000"),
-    ("#f5e7b0", "#fffbe6"),
-    ("#78909c", "#90a4ae"),
-    ("#90a4ae", "#78909c"),
-    ("#d32f2f", "#e53935"),
-]
+
+def drawn(body: str) -> np.ndarray:
+    return rgba(body, SIDE)
+
+
 FIGURES = {
     "triangle": ('<path d="M1 1h22v22H1z" fill="{}"/>', '<path d="M12 5l8 14H4z" fill="{}"/>'),
     "star": (
@@ -35,14 +31,25 @@ FIGURES = {
 }
 
 
-@pytest.mark.parametrize("paints", PAIRS)
-@pytest.mark.parametrize("kind", FIGURES)
-def test_a_figure_is_told_from_its_ground_however_little_they_differ(kind, paints):
+@pytest.mark.parametrize(
+    ("kind", "behind", "paint"),
+    [
+        ("triangle", "#fff", "#ccc"),
+        ("star", "#fff", "#ddd"),
+        ("bar", "#fff", "#f5f5f5"),
+        ("triangle", "#000", "#333"),
+        ("star", "#fffbe6", "#f5e7b0"),
+        ("lines", "#90a4ae", "#78909c"),
+        ("star", "#78909c", "#90a4ae"),
+        ("bar", "#e0e0e0", "#bdbdbd"),
+        ("triangle", "#e53935", "#d32f2f"),
+    ],
+)
+def test_a_figure_is_told_from_its_ground_however_little_they_differ(kind, behind, paint):
     ground, figure = FIGURES[kind]
-    drawing = rgba(ground.format(paints[1]) + figure.format(paints[0]))
-    coverage, omissions = tone.pictogram(drawing)
-    shape = rgba(figure.format("#000"))[..., 3]
-    hole = np.where(shape > 127, 0, rgba(ground.format("#000"))[..., 3])
+    coverage, omissions = tone.pictogram(drawn(ground.format(behind) + figure.format(paint)))
+    shape = drawn(figure.format("#000"))[..., 3]
+    hole = np.where(shape > 127, 0, drawn(ground.format("#000"))[..., 3])
     left_out = omissions & {Omission.TILE, Omission.PAGE}
     assert amiss(coverage, shape if left_out else hole) < 0.04
     assert Omission.SHADES not in omissions
@@ -62,14 +69,16 @@ SHADED = {
 
 @pytest.mark.parametrize("kind", SHADED)
 def test_shading_is_one_shape_and_told(kind):
-    drawing = rgba(SHADED[kind])
+    drawing = drawn(SHADED[kind])
     coverage, omissions = tone.pictogram(drawing)
     assert amiss(coverage, drawing[..., 3]) < 0.005
     assert omissions == {Omission.SHADES}
 
 
 def test_nobody_sees_shades_that_hardly_differ():
-    drawing = rgba('<path d="M1 1h22v22H1z" fill="#2196f3"/><path d="M6 6h9v9H6z" fill="#2197f3"/>')
+    drawing = drawn(
+        '<path d="M1 1h22v22H1z" fill="#2196f3"/><path d="M6 6h9v9H6z" fill="#2197f3"/>'
+    )
     coverage, omissions = tone.pictogram(drawing)
     assert np.array_equal(coverage, drawing[..., 3]) and not omissions
 
@@ -83,19 +92,35 @@ CONTENTS = {
 }
 
 
-@pytest.mark.parametrize("pale", ["#ccc", "#ddd", "#e0e0e0", "#cfd8dc"])
-@pytest.mark.parametrize("kind", CONTENTS)
+@pytest.mark.parametrize(
+    ("kind", "pale"), [("nothing", "#ddd"), ("lines", "#ccc"), ("picture", "#cfd8dc")]
+)
 def test_a_pale_line_around_paper_is_its_outline(kind, pale):
-    coverage, omissions = tone.pictogram(rgba(PAPER.format(pale) + CONTENTS[kind]))
+    coverage, omissions = tone.pictogram(drawn(PAPER.format(pale) + CONTENTS[kind]))
     line = PAPER.replace("#fff", "none").format("#000")
-    assert amiss(coverage, rgba(line + CONTENTS[kind])[..., 3]) < 0.05
+    assert amiss(coverage, drawn(line + CONTENTS[kind])[..., 3]) < 0.05
     assert not omissions
 
 
 def test_white_is_told_from_grey_beside_it():
     book = '<path d="M2 4h10v16H2z" fill="#ddd"/><path d="M12 4h10v16H12z" fill="#fff"/>'
-    ink = tone.pictogram(rgba(book)).coverage > 127
-    grey = rgba('<path d="M2.3 4.3h9.4v15.4H2.3z"/>')[..., 3] > 127
-    white = rgba('<path d="M13 5h8v14h-8z"/>')[..., 3] > 127
+    ink = tone.pictogram(drawn(book)).coverage > 127
+    grey = drawn('<path d="M2.3 4.3h9.4v15.4H2.3z"/>')[..., 3] > 127
+    white = drawn('<path d="M13 5h8v14h-8z"/>')[..., 3] > 127
     assert ink[grey].all() and not ink[white].any()
     assert scipy.ndimage.label(ink)[1] == 1
+
+
+def test_pale_marks_that_lie_free_on_white_stay_beside_other_colours():
+    window = '<path d="M2 4h20v16H2z" fill="#fff"/><path d="M2 4h20v4H2z" fill="#1976d2"/>'
+    lines = '<path d="M5 11h8v2H5zM5 15h12v2H5z" fill="{}"/>'
+    ink = tone.pictogram(drawn(window + lines.format("#e0e0e0"))).coverage > 127
+    right = tone.pictogram(drawn(window + lines.format("#1976d2"))).coverage > 127
+    assert (ink != right).sum() < 0.01 * right.sum()
+
+
+def test_the_shade_of_something_white_is_no_mark():
+    ball = '<circle cx="12" cy="12" r="9" fill="#fff"/><circle cx="19" cy="5" r="4" fill="#333"/>'
+    shade = '<path d="M12 21a9 9 0 0 0 9-9h-3a6 6 0 0 1-6 6z" fill="#ddd"/>'
+    plain, shaded = (tone.pictogram(drawn(one)).coverage > 127 for one in (ball, ball + shade))
+    assert (plain != shaded).sum() < 0.01 * plain.sum()

@@ -1,4 +1,4 @@
-"""White on colour is paper: as a bite into a colour, and within an outline as a part of the shape."""
+"""White on colour is paper: in a bite into it, and within an outline where it is a shape."""
 
 import numpy as np
 import pytest
@@ -138,14 +138,13 @@ PARTS = {
 
 @pytest.mark.parametrize("kind", FLAGS)
 def test_white_at_the_edge_of_a_flag_is_outlined(kind):
-    drawing = rgba(FLAGS[kind], box=BOX)
+    drawing = rgba(FLAGS[kind], SIDE, BOX)
     assert_outlined(drawing, pictogram(drawing))
 
 
-@pytest.mark.parametrize("white", ["#fff", "#eceff1"])
 @pytest.mark.parametrize("kind", PARTS)
-def test_the_parts_of_one_paint_are_alike(kind, white):
-    drawing = rgba(PARTS[kind].format(white), box=BOX)
+def test_the_parts_of_one_paint_are_alike(kind):
+    drawing = rgba(PARTS[kind].format("#eceff1"), SIDE, BOX)
     assert_outlined(drawing, pictogram(drawing))
 
 
@@ -191,14 +190,12 @@ TEETH = {
 }
 
 
-@pytest.mark.parametrize("mouth", ["#640", "#222"])
 @pytest.mark.parametrize("kind", TEETH)
-def test_teeth_in_a_mouth_stay(kind, mouth):
-    face = FACE.format(mouth)
-    ink = pictogram(rgba(face + TEETH[kind], box=BOX)) > 127
+def test_teeth_in_a_mouth_stay(kind):
+    face = rgba(FACE, box=BOX)
+    ink = pictogram(rgba(FACE + TEETH[kind], box=BOX)) > 127
     teeth = rgba(TEETH[kind], box=BOX)[..., 3] > 127
-    hole = (rgba(face, box=BOX)[..., 2] < 60) & (rgba(face, box=BOX)[..., 0] < 120) & ~teeth
-    hole &= rgba(face, box=BOX)[..., 3] > 127
+    hole = (face[..., 3] > 127) & (face[..., 0] < 120) & ~teeth
     assert ink[scipy.ndimage.binary_erosion(teeth, iterations=12)].mean() > 0.8
     assert ink[scipy.ndimage.binary_erosion(hole, iterations=4)].mean() < 0.05
 

@@ -75,8 +75,8 @@ def without_faint(alpha: NDArray[np.float32], body: float) -> tuple[NDArray[np.f
     """Return the alpha (n, n) of a drawing without its faint parts, and whether it has any.
 
     These are even, or blurred, and less than half as opaque as its ``body``; edges and hairlines,
-    which are as pale, are not, nor is what the body fades into: where it is half as opaque, it ends.
-    What is more opaque keeps its edges.
+    which are as pale, are not, nor is what the body fades into, which ends where it is half as
+    opaque. What is more opaque keeps its edges.
     """
     between = (alpha > _VISIBLE) & (alpha <= body / 2)
     least = _FEW * (len(alpha) / 1024) ** 2

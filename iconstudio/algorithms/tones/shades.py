@@ -3,9 +3,12 @@
 Colours that differ little are shades of one thing, and are not told apart: lit and shadowed sides,
 gloss, cheeks. But if nothing else were left than the silhouette, a *figure* is told from what it is
 on however little it differs, as long as a person sees it: if both are flat, and the figure is
-neither along the contour, as shadows are, nor a highlight to one side. So is white from grey, and a
-pale line that goes all around paper.
+neither along the contour, as shadows are, nor a highlight to one side. So is white from grey. A
+pale line that goes all around paper, and pale marks that lie free on white, are told from it in any
+flat drawing.
 """
+
+from dataclasses import replace
 
 import numpy as np
 import scipy
@@ -20,6 +23,8 @@ _PLAIN, _PAINTS = 0.93, 6
 """How much of a flat drawing has one of how many colours."""
 _AROUND, _FEW = 0.9, 3
 """How much of the contour has a pale line; how many more regions there may be with it."""
+_FREE, _MARKED = 0.95, 4.0
+"""How much of its contour a mark on white shares with that, and how much it differs."""
 _BESIDE, _ALONG = 10, 0.25
 """Pixels beside the contour, and how much of the contour of shadows is there."""
 _ASIDE = 0.12
@@ -31,7 +36,8 @@ def shades(
 ) -> tuple[Regions, bool]:
     """Return the regions (k + 1,) of a drawing, and whether shades of them are not told apart."""
     alone = not (found.lengths[1:, 1:] > 0).any()
-    if not (_is_flat(rgb, inside) if alone else _has_pale_rim(found)):
+    flat = _is_flat(rgb, inside)
+    if not (flat if alone else _has_pale_rim(found) or (flat and found.white.any())):
         return found, False
     closer = regions(cielab(rgb), inside, _SLIGHT, smallest, leap=_LEAP)
     more = len(closer.areas) - len(found.areas)
@@ -40,7 +46,7 @@ def shades(
     if _has_pale_line(closer) and (alone or more <= _FEW):
         return closer, False
     if not alone:
-        return found, False
+        return (_with_marks(found, closer) if flat else found), False
     with_white = closer.white.any() and not closer.white[1:].all()
     return (closer, False) if with_white or _figures(closer) else (found, True)
 
@@ -67,6 +73,24 @@ def _has_pale_line(found: Regions) -> bool:
     paler = pale(found.colours) & (found.colours[:, 0] > found.colours[number, 0])
     paler[0] = False
     return bool(found.lengths[number, paler].sum() > 0.5 * outer[number])
+
+
+def _with_marks(found: Regions, closer: Regions) -> Regions:
+    """Return the regions found, and those of the closer ones that lie free on white as marks do."""
+    ground = closer.lengths.argmax(axis=1)
+    free = closer.lengths.max(axis=1) > _FREE * closer.around
+    mark = free & closer.white[ground] & (closer.contrasts.max(axis=1) > _MARKED)
+    mark &= closer.colours[:, 0] < closer.colours[ground, 0]
+    new = mark[closer.labels] & found.white[found.labels]
+    if not new.any():
+        return found
+    count = len(found.areas)
+    cores = np.where(found.pure, found.labels, 0)
+    cores = np.where(new, np.where(closer.pure, closer.labels + count, 0), cores)
+    number = np.unique(cores, return_inverse=True)[1].reshape(cores.shape)
+    pure = found.pure & (~new | closer.pure)
+    lab = np.concatenate([found.colours, closer.colours])[cores].astype(np.float32)
+    return replace(regions(lab, found.labels > 0, 0, 0, number), pure=pure)
 
 
 def _figures(found: Regions) -> bool:

@@ -12,19 +12,21 @@ into regions of even colour (``regions``). Of these,
    a badge or a face, and a tile only if it is near white. A bare sign, such as a triangle, keeps
    its tile, for that is a button; and a paler shade of all that is on it is no tile but the body
    of a thing in two tones. Gloss goes with its tile (``tiles``);
-4. *near white* on other colours is paper, unless it stands by itself or makes a large part of
-   the silhouette (a cloud before the sun); but not if it is pure white and takes a bite out of a
-   colour (a crescent, ``whites``);
+4. *near white* on other colours is paper, unless it is all around; where it makes a part of the
+   silhouette, a line of ink runs along the contour (a cloud before the sun, a flag's white half),
+   but not if it is pure white and takes a bite out of a colour (a crescent, ``whites``);
 5. of the others, what mainly borders on the outside is ink; what mainly borders on ink is paper
    (eyes in a face, the door of a house), and what mainly borders on paper is ink;
 6. between two regions of ink runs a line of paper; in a line drawing, between fills that differ
    strongly, one of ink;
-7. letters and lines that are too fine for regions stand out from what is around them (``details``).
+7. colours that differ little are shades of one, but a figure on its ground is told from it if
+   there is nothing else (``shades``);
+8. letters and lines that are too fine for regions stand out from what is around them (``details``).
 
 Of a drawing in two tones, dark on pale, regions only tell which of them is ink; what is drawn is as
 fine as its pixels (``two_tones``). Even layers that are less opaque than the body, down to half of
 it, or to a fifth if they make a part of the drawing, are as opaque, but paler; what is fainter is
-left out (``layers``).
+left out, and what fades ends where it is half as opaque as the body (``layers``).
 """
 
 from enum import Enum
@@ -240,16 +242,10 @@ def _tones(found: Regions) -> Tones:
     line = outline(found)
     if line is not None:
         return line_drawing(found, line)
-    behind = tile(found)
-    white = whites(found)
+    behind, white = tile(found), whites(found)
+    page = behind & found.white if behind.any() else white.page
+    omissions = {Omission.PAGE: page, Omission.TILE: behind & ~found.white}
     ink = _alternating(found, behind, white.paper)
-    omissions = (
-        {Omission.PAGE}
-        if (white.page if not behind.any() else behind & found.white).any()
-        else set()
-    )
-    if (behind & ~found.white).any():
-        omissions.add(Omission.TILE)
     # A line would leave little of a narrow region.
     narrow = found.widths < _NARROW
     narrow = (narrow | narrow[:, None]) & (found.contrasts < STRIKING)
@@ -258,7 +254,7 @@ def _tones(found: Regions) -> Tones:
         ink & ink[:, None] & (found.lengths > 0) & ~narrow,
         np.zeros_like(ink),
         white.outlined & ~ink & ~behind.any(),
-        frozenset(omissions),
+        frozenset(what for what, some in omissions.items() if some.any()),
     )
 
 
@@ -304,11 +300,8 @@ def _soft(rgb: NDArray[np.uint8], found: Regions, tones: Tones) -> NDArray[np.fl
         others = tones.ink[labels] & ~over
         soft = np.where(others, np.minimum(soft, np.clip(away - LINE + 0.5, 0, 1)), soft)
     if tones.outlined.any():
-        inside = found.labels > 0
-        depth = _smooth(
-            scipy.ndimage.distance_transform_edt(np.pad(inside, 1))[1:-1, 1:-1], LINE / 4
-        )
-        drawn = np.clip(OUTLINE + 0.5 - depth, 0, 1)
+        depth = scipy.ndimage.distance_transform_edt(np.pad(found.labels > 0, 1))[1:-1, 1:-1]
+        drawn = np.clip(OUTLINE + 0.5 - _smooth(depth, LINE / 4), 0, 1)
         soft = np.where(tones.outlined[labels], np.maximum(soft, drawn), soft)
     return _without_crumbs(soft, found.labels > 0)
 

@@ -1,16 +1,16 @@
 """White on colour is paper; where it makes a part of the silhouette, within an outline.
 
-1. White that is all around a piece of the drawing, as of an egg or a ghost, is the piece's body, and
-   ink. If it makes a sharp rectangle, it is a *page*, and paper.
-2. Other white that reaches the outside is paper. A line of ink goes along the contour there (a cloud
-   before the sun, a panda's head, the white half of a flag), alike along all of one paint; not
-   along a narrow band, which sets off what is beside it, nor along a *bite*.
+1. White that is all around a piece of the drawing, as of an egg or a ghost, is the piece's body,
+   and ink. If it makes a sharp rectangle, it is a *page*, and paper.
+2. Other white that reaches the outside is paper. A line of ink goes along the contour there (a
+   cloud before the sun, a panda's head, the white half of a flag), alike along all of one paint;
+   not along a narrow band, which sets off what is beside it, nor along a *bite*.
 3. White within the drawing is paper if it is on what reaches the outside (eyes in a face), else it
    differs from what is around it, as all colours do (teeth in a mouth).
 
 A *bite* is pure white, as pages are, and hides a good part of a colour, as in a crescent made of a
-disc and a white one, or a bitten apple, or divides it, as the cross of a flag does. What a colour is
-behind the white is told by its convex hull.
+disc and a white one, or a bitten apple, or divides it, as the cross of a flag does. What a colour
+is behind the white is told by its convex hull.
 """
 
 from typing import NamedTuple
