@@ -75,6 +75,16 @@ def test_shading_is_one_shape_and_told(kind):
     assert omissions == {Omission.SHADES}
 
 
+def test_the_sides_of_a_box_are_set_off():
+    box = ["M12 2l9 5-9 5-9-5z", "M3 7l9 5v10l-9-5z", "M21 7l-9 5v10l9-5z"]
+    paints = ["#90caf9", "#64b5f6", "#42a5f5"]
+    drawing = "".join(f'<path d="{d}" fill="{one}"/>' for d, one in zip(box, paints, strict=True))
+    coverage, omissions = tone.pictogram(drawn(drawing))
+    assert scipy.ndimage.label(coverage > 127)[1] == 3
+    assert (coverage > 127).sum() > 0.85 * (drawn(drawing)[..., 3] > 127).sum()
+    assert not omissions
+
+
 def test_nobody_sees_shades_that_hardly_differ():
     drawing = drawn(
         '<path d="M1 1h22v22H1z" fill="#2196f3"/><path d="M6 6h9v9H6z" fill="#2197f3"/>'

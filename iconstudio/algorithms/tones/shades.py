@@ -1,11 +1,16 @@
 """Shades of one colour, where they are all there is.
 
-Colours that differ little are shades of one thing, and are not told apart: lit and shadowed sides,
-gloss, cheeks. But if nothing else were left than the silhouette, a *figure* is told from what it is
-on however little it differs, as long as a person sees it: if both are flat, and the figure is
-neither along the contour, as shadows are, nor a highlight to one side. So is white from grey. A
-pale line that goes all around paper, and pale marks that lie free on white, are told from it in any
-flat drawing.
+Colours that differ little are shades of one thing, and are not told apart: shadows, gloss, cheeks.
+But if nothing else were left of a flat drawing than the silhouette, these are, however little they
+differ, as long as a person sees it:
+
+1. a *figure* on its ground: it is neither along the contour, as shadows are, nor a highlight, which
+   is to one side of the middle;
+2. white beside grey;
+3. *sides*, as of a box or an envelope: all are wide, and some differ by more than shadows do.
+
+Other shades are left out, and told. A pale line that goes all around paper, and pale marks that lie
+free on white, are told from it in any flat drawing.
 """
 
 from dataclasses import replace
@@ -27,6 +32,8 @@ _FREE, _MARKED = 0.95, 4.0
 """How much of its contour a mark on white shares with that, and how much it differs."""
 _BESIDE, _ALONG = 10, 0.25
 """Pixels beside the contour, and how much of the contour of shadows is there."""
+_SIDES = 8.0
+"""How much the lit side of a thing differs from the dark one; shadows and gloss differ by less."""
 _ASIDE = 0.12
 """How far from the middle, as part of the size, a highlight is."""
 
@@ -48,7 +55,8 @@ def shades(
     if not alone:
         return (_with_marks(found, closer) if flat else found), False
     with_white = closer.white.any() and not closer.white[1:].all()
-    return (closer, False) if with_white or _figures(closer) else (found, True)
+    told = with_white or _sides(closer) or _figures(closer)
+    return (closer, False) if told else (found, True)
 
 
 def _is_flat(rgb: NDArray[np.uint8], inside: Mask) -> bool:
@@ -91,6 +99,13 @@ def _with_marks(found: Regions, closer: Regions) -> Regions:
     pure = found.pure & (~new | closer.pure)
     lab = np.concatenate([found.colours, closer.colours])[cores].astype(np.float32)
     return replace(regions(lab, found.labels > 0, 0, 0, number), pure=pure)
+
+
+def _sides(found: Regions) -> bool:
+    """Whether regions are wide, and differ by as much as the sides of a box do."""
+    meeting = (found.lengths[1:, 1:] > 0).any(axis=1)
+    wide = found.widths[1:][meeting] > THICK
+    return bool(wide.all() and found.contrasts[1:, 1:].max() > _SIDES)
 
 
 def _figures(found: Regions) -> bool:
