@@ -178,6 +178,8 @@ def test_white_behind_a_drawing_is_left_out_and_told(behind):
     coverage, omissions = tone.pictogram(rgba(behind + sign, box=BOX))
     assert amiss(coverage, rgba(sign, box=BOX)[..., 3]) < 0.01
     assert omissions == {Omission.PAGE}
+    drawn = rgba(behind + sign.replace("#b02", "#222"), SIDE, BOX)
+    assert tone.pictogram(drawn).omissions == ({Omission.PAGE} if "circle" in behind else set())
 
 
 FACE = (

@@ -37,6 +37,11 @@ def tile(found: Regions) -> Mask:
     return on_it
 
 
+def is_sheet(found: Regions) -> bool:
+    """Whether white goes without saying: a sharp rectangle with only black and grey on it."""
+    return rectangularity(found) > SHARP and bool(_grey(found)[1:].all())
+
+
 def _is_tile(found: Regions, number: int) -> bool:
     white, fill = found.white, rectangularity(found)
     sharp = fill > SHARP

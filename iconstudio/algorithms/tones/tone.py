@@ -42,7 +42,7 @@ from iconstudio.algorithms.tones.layers import without_faint
 from iconstudio.algorithms.tones.linework import STRIKING, line_drawing, outline
 from iconstudio.algorithms.tones.regions import Mask, Regions, cielab, nearest
 from iconstudio.algorithms.tones.shades import shades
-from iconstudio.algorithms.tones.tiles import tile
+from iconstudio.algorithms.tones.tiles import is_sheet, tile
 from iconstudio.algorithms.tones.two_tones import dark_is_ink, separated, two_tones
 from iconstudio.algorithms.tones.whites import whites
 
@@ -244,7 +244,7 @@ def _tones(found: Regions) -> Tones:
         return line_drawing(found, line)
     behind, white = tile(found), whites(found)
     page = behind & found.white if behind.any() else white.page
-    omissions = {Omission.PAGE: page, Omission.TILE: behind & ~found.white}
+    omissions = {Omission.PAGE: page & ~is_sheet(found), Omission.TILE: behind & ~found.white}
     ink = _alternating(found, behind, white.paper)
     # A line would leave little of a narrow region.
     narrow = found.widths < _NARROW
