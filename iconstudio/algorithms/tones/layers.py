@@ -97,7 +97,8 @@ def without_faint(alpha: NDArray[np.float32], body: float) -> tuple[NDArray[np.f
 def _ended(alpha: NDArray[np.float32], body: float) -> NDArray[np.float32]:
     """Return alpha with an edge where it is half that of the body."""
     slope = np.maximum(np.hypot(*np.gradient(alpha)), 1e-3)
-    return body * np.clip((alpha - body / 2) / slope + 0.5, 0, 1)
+    ended: NDArray[np.float32] = body * np.clip((alpha - body / 2) / slope + 0.5, 0, 1)
+    return ended
 
 
 def _even(alpha: NDArray[np.float32], size: int = 3, levels: float = _EVEN) -> Mask:
