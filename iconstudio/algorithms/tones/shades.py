@@ -28,8 +28,10 @@ _PLAIN, _PAINTS = 0.93, 6
 """How much of a flat drawing has one of how many colours."""
 _AROUND, _FEW = 0.9, 3
 """How much of the contour has a pale line; how many more regions there may be with it."""
-_FREE, _MARKED = 0.95, 4.0
-"""How much of its contour a mark on white shares with that, and how much it differs."""
+_FREE = 0.95
+"""How much of its contour a mark on white shares with that."""
+_PALEST, _PLAIN_TO_SEE = 4.0, 15.0
+"""How much pale marks differ from white; what differs by more is told from it anyway."""
 _BESIDE, _ALONG = 10, 0.25
 """Pixels beside the contour, and how much of the contour of shadows is there."""
 _SIDES = 8.0
@@ -87,14 +89,14 @@ def _with_marks(found: Regions, closer: Regions) -> Regions:
     """Return the regions found, and those of the closer ones that lie free on white as marks do."""
     ground = closer.lengths.argmax(axis=1)
     free = closer.lengths.max(axis=1) > _FREE * closer.around
-    mark = free & closer.white[ground] & (closer.contrasts.max(axis=1) > _MARKED)
+    contrast = closer.contrasts.max(axis=1)
+    mark = free & closer.white[ground] & (contrast > _PALEST) & (contrast < _PLAIN_TO_SEE)
     mark &= closer.colours[:, 0] < closer.colours[ground, 0]
     new = mark[closer.labels] & found.white[found.labels]
     if not new.any():
         return found
     count = len(found.areas)
-    cores = np.where(found.pure, found.labels, 0)
-    cores = np.where(new, np.where(closer.pure, closer.labels + count, 0), cores)
+    cores = np.where(new, np.where(closer.pure, closer.labels + count, 0), found.labels)
     number = np.unique(cores, return_inverse=True)[1].reshape(cores.shape)
     pure = found.pure & (~new | closer.pure)
     lab = np.concatenate([found.colours, closer.colours])[cores].astype(np.float32)
