@@ -40,6 +40,8 @@ _GRADUAL, _SOFT, _SOFTEST = 0.01, 6, 12
 if that is out of focus, but no more than the last."""
 _SLIM = 8
 """Half the width in pixels of a faint line: the rules of a notebook, or the rim of a stain."""
+_BLACK = 0.1
+"""A channel of the paper that is darker tells of noise alone."""
 _PLAIN = 0.25
 """Colours that differ by no more are one."""
 
@@ -212,8 +214,12 @@ def _ground(
 def _darkness(
     picture: NDArray[np.float32], ground: NDArray[np.float32], inverted: bool
 ) -> NDArray[np.float32]:
-    """Return how much darker than the paper each pixel is, in the channel where it is most so."""
-    dark: NDArray[np.float32] = 1 - ((1 - picture if inverted else picture) / ground).min(axis=2)
+    """Return how much darker than the paper each pixel is, in the channel where it is most so.
+
+    Where a channel of the paper is black already, nothing can be darker in it.
+    """
+    off = ground - (1 - picture if inverted else picture)
+    dark: NDArray[np.float32] = (off / np.maximum(ground, _BLACK)).max(axis=2)
     paper = dark[dark < LEAST]
     return np.clip(dark - np.median(paper) if paper.size else dark, 0, 1)
 

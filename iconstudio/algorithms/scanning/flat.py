@@ -1,20 +1,20 @@
-"""Bitmaps of drawings in a few flat colours, as emoji and flat icons are: told, and made crisp.
+"""Bitmaps that a computer drew in colours, as emoji and app icons are: told, and made crisp.
 
-A palette are the colours that areas are evenly painted with; at an edge, and in a thin line, a
-pixel blends two of them. What part of a pixel each colour takes is enlarged, not the pixels: so the
-edges of small bitmaps are as sharp as those of large ones, and no third colour appears between two.
-What is lit unevenly, shaded or drawn with a pencil has no such palette. Colours are sRGB times
-alpha, and alpha, from 0 to 255, so that nothing is a colour, too.
+A palette (``palette``) are the colours that areas are evenly painted with; at an edge, and in a
+thin line, a pixel blends two of them. What part of a pixel each colour takes is enlarged, not the
+pixels: so the edges of small bitmaps are as sharp as those of large ones, and no third colour
+appears between two. What is lit unevenly, shaded or drawn with a pencil has no such palette, or no
+even ground.
 """
-
-from typing import NamedTuple
 
 import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.scanning.palette import CLEAR, Palette, palette_of
 from iconstudio.algorithms.scanning.resampling import resized, shrunk
 from iconstudio.algorithms.scanning.sheet import sheet_on_desk
+from iconstudio.algorithms.tones.layers import flattened
 
 SIDE = 512
 """Pixels to a side of the crisp drawing."""
@@ -22,18 +22,9 @@ _LONGEST = 384
 """Pixels of the longer side of the bitmap that is looked at."""
 _FILLED = 0.94
 """How much of the longer side of the crisp drawing is not air."""
-_EVEN = 20.0
-"""Levels by which a channel differs within three pixels of an evenly painted area, at most."""
-_BIN = 8
-"""Levels of a channel that are counted as one."""
-_SHARE = 0.0015
-"""Least part of the evenly painted pixels that have a colour of the palette."""
-_SPREAD = 9.0
-"""Levels by which the pixels of one colour stray, as root of the mean square."""
-_MOST = 16
-"""Colours of a palette."""
-_MISSED = 0.04
-"""Part of the drawing that may be of other colours than those of the palette and their blends."""
+_MISSED, _LOSSY = 0.04, 0.15
+"""Part of the drawing that may be of other colours than those of the palette and their blends; in
+lossy files, edges are."""
 _ASTRAY = 28.0
 """Levels by which a pixel misses its blend if it is no such blend."""
 _LACKING = 4
@@ -42,30 +33,18 @@ _ABSENT = 14.0
 """Levels that it costs to blend a colour that no even area near has."""
 _NEAR = 7
 """Pixels across, of what is near."""
-_CLEAR, _SOLID = 12.0, 235.0
-"""Levels of alpha of what is not there, and of what is opaque."""
 _AROUND = 0.97
-"""How much of the rim of a bitmap has the colour of the ground."""
+"""How much of the rim of a bitmap has the colour of the ground, if not all corners have."""
 _PAPER, _AT_RIM = 225.0, 0.3
 """Levels from which a colour is that of white paper, and how much of the rim that has at least."""
+_DESK = 0.75
+"""How much of the rim a desk has at least around a sheet of paper, whose corners are sharp."""
+_TINGE = 70.0
+"""Levels by which the channels of paper differ, at most."""
 _APART = 30.0
 """Levels by which two colours of a drawing differ, and no blending of the palette makes."""
 _PART = 0.015
 """Least part of a drawing that its second colour has."""
-
-
-class _Palette(NamedTuple):
-    colours: NDArray[np.float32]
-    """(k, 4)"""
-    counts: NDArray[np.intp]
-    """(k,): pixels that are evenly painted so."""
-    number: NDArray[np.intp]
-    """(h, w): the number of each evenly painted pixel's colour, else -1."""
-
-    def with_colour(self, colour: NDArray[np.float32]) -> "_Palette":
-        """Return it with a colour (4,) of what is too small to be evenly painted."""
-        colours = np.concatenate([self.colours, colour[None]])
-        return _Palette(colours, np.append(self.counts, 0), self.number)
 
 
 def flat_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
@@ -79,22 +58,22 @@ def flat_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
         return None
     small = shrunk(pixels, -(-max(pixels.shape[:2]) // _LONGEST)) * np.float32(255)
     blended = _premultiplied(small)
-    palette = _palette(blended)
-    if palette is None or _is_veiled(palette):
+    palette = palette_of(blended)
+    if palette is None:
         return None
-    ground = _ground(palette, blended)
-    if ground is None or _lies_on_a_desk(small, palette.colours[ground]):
+    ground, around = _ground(palette, blended)
+    if ground is None or (around > _DESK and _lies_on_a_desk(small, palette.colours[ground])):
         return None
-    parts, amiss = _parts(blended, palette)
+    if small.shape[2] == 3:
+        palette = _without_fading(palette, ground)
+    most = _MISSED if palette.is_exact(blended) else _LOSSY
+    parts, amiss = _parts(blended, palette, most)
     for _ in range(_LACKING):
         if amiss is None:
             break
         palette = palette.with_colour(amiss)
-        parts, amiss = _parts(blended, palette)
-    if amiss is not None:
-        return None
-    labels = _enlarged(parts, palette, ground)
-    return _painted(labels, palette, ground)
+        parts, amiss = _parts(blended, palette, most)
+    return None if amiss is not None else _painted(parts, palette, ground)
 
 
 def _premultiplied(small: NDArray[np.float32]) -> NDArray[np.float32]:
@@ -102,82 +81,70 @@ def _premultiplied(small: NDArray[np.float32]) -> NDArray[np.float32]:
     return np.concatenate([small[..., :3] * (alpha / 255), alpha], axis=2)
 
 
-def _palette(blended: NDArray[np.float32]) -> _Palette | None:
-    """Return the colours of evenly painted areas; None if these are not flat, or too many."""
-    high = scipy.ndimage.maximum_filter(blended, (3, 3, 1))
-    low = scipy.ndimage.minimum_filter(blended, (3, 3, 1))
-    even = (high - low).max(axis=2) < _EVEN
-    if not even.any():
-        return None
-    colours = blended[even]
-    bins = (colours / _BIN).astype(np.intp)
-    counts = np.zeros((256 // _BIN,) * 4, np.intp)
-    np.add.at(counts, tuple(bins.T), 1)
-    least = max(6, _SHARE * len(colours))
-    # What lies in bins side by side is one colour.
-    clusters, count = scipy.ndimage.label(counts >= least / 4, np.ones((3, 3, 3, 3)))
-    of = clusters[tuple(bins.T)] - 1
-    sizes = np.bincount(of[of >= 0], minlength=count)
-    kept = np.flatnonzero(sizes >= least)
-    if not 2 <= len(kept) <= _MOST:
-        return None
-    means = np.stack([np.median(colours[of == one], axis=0) for one in kept]).astype(np.float32)
-    for one, mean in zip(kept, means, strict=True):
-        strays = ((colours[of == one] - mean) ** 2).mean(axis=0).max() ** 0.5
-        if strays > _SPREAD:
-            return None
-    renumbered = np.full(count + 1, -1)
-    renumbered[kept] = np.arange(len(kept))
-    number = np.full(even.shape, -1)
-    number[even] = np.where(of >= 0, renumbered[of], -1)
-    return _Palette(means, sizes[kept], number)
+def _ground(palette: Palette, blended: NDArray[np.float32]) -> tuple[int | None, float]:
+    """Return the number of the colour all around, or in all corners, and how much of the rim it has.
 
-
-def _is_veiled(palette: _Palette) -> bool:
-    """Whether something is half transparent, which may be paper or a part of the drawing."""
-    alpha = palette.colours[:, 3]
-    return bool(((alpha > _CLEAR) & (alpha < _SOLID)).any())
-
-
-def _ground(palette: _Palette, blended: NDArray[np.float32]) -> int | None:
-    """Return the number of the colour all around; None if there is none."""
+    It is None if there is no such colour.
+    """
+    if (palette.colours[:, 3] < CLEAR).any():
+        return int(palette.colours[:, 3].argmin()), 1.0
     away = np.linalg.norm(palette.colours[:, None, None] - blended, axis=3)
     on_rim = np.concatenate([away[:, 0], away[:, -1], away[:, :, 0], away[:, :, -1]], axis=1)
-    if (palette.colours[:, 3] < _CLEAR).any():
-        return int(palette.colours[:, 3].argmin())
     shares = (on_rim < _ASTRAY).mean(axis=1)
+    shares[list(palette.shades)] = 0
     paper = (palette.colours.min(axis=1) > _PAPER) & (shares > _AT_RIM)
-    if shares.max() > _AROUND or not paper.any():
-        return int(shares.argmax()) if shares.max() > _AROUND else None
-    return int(np.where(paper, shares, 0).argmax())
+    cornered = (away[:, [0, 0, -1, -1], [0, -1, 0, -1]] < _ASTRAY).all(axis=1)
+    for some in (shares > _AROUND, cornered, paper):
+        candidates = np.where(some, shares, 0)
+        if candidates.any():
+            return int(candidates.argmax()), float(candidates.max())
+    return None, 0.0
 
 
 def _lies_on_a_desk(small: NDArray[np.float32], ground: NDArray[np.float32]) -> bool:
     """Whether it is a sheet of paper; a ground as white as that is no desk."""
     if small.shape[2] == 4 or ground.min() > _PAPER:
         return False
-    return sheet_on_desk(small / np.float32(255)) is not None
+    sheet = sheet_on_desk(small / np.float32(255))
+    return sheet is not None and bool(np.ptp(np.median(small[sheet], axis=0)) < _TINGE)
+
+
+def _without_fading(palette: Palette, ground: int) -> Palette:
+    """Return a palette without shades that fade into the ground, as soft shadows do."""
+    for one, shade in palette.shades.items():
+        away = np.linalg.norm(shade[palette.number == one] - palette.colours[ground], axis=1)
+        if (away < _ASTRAY).any():
+            palette = palette.without(one, ground)
+    return palette
 
 
 def _parts(
-    blended: NDArray[np.float32], palette: _Palette
+    blended: NDArray[np.float32], palette: Palette, most: float
 ) -> tuple[NDArray[np.float32], NDArray[np.float32] | None]:
-    """Return how much of each pixel has each colour, (k, h, w), and a colour that is lacking."""
+    """Return how much of each pixel has each colour, (k, h, w), and a colour that is lacking.
+
+    Up to ``most`` of the drawing may be of no such blend.
+    """
     count = len(palette.colours)
     parts = (np.arange(count)[:, None, None] == palette.number).astype(np.float32)
     near = np.stack([scipy.ndimage.maximum_filter(one, _NEAR) for one in parts]) > 0
     mixed = palette.number < 0
     pixels, beside = blended[mixed], near[:, mixed]
+    colours = [palette.at(one, mixed) for one in range(count)]
     best = np.full(len(pixels), np.inf, np.float32)
     first, second = np.zeros((2, len(pixels)), np.intp)
     share = np.zeros(len(pixels), np.float32)
     missed = best.copy()
     for one in range(count):
         for other in range(one):
-            way = palette.colours[one] - palette.colours[other]
-            at = np.clip((pixels - palette.colours[other]) @ (way / (way @ way)), 0, 1)
-            rest = pixels - palette.colours[other] - at[:, None] * way
-            away = (rest**2).sum(axis=1)
+            way = colours[one] - colours[other]
+            length = np.maximum(np.einsum("nc,nc->n", way, way), 1)
+            rest = pixels - colours[other]
+            at = np.clip(
+                np.einsum("nc,nc->n", rest, np.broadcast_to(way, rest.shape)) / length, 0, 1
+            )
+            rest -= at[:, None] * way
+            away = np.einsum("nc,nc->n", rest, rest)
             absent = (~beside[one] & (at > 0.1)) + 1 * (~beside[other] & (at < 0.9))
             cost = away + absent * _ABSENT**2
             better = cost < best
@@ -187,7 +154,7 @@ def _parts(
             share = np.where(better, at, share)
     drawn = (palette.number != palette.counts.argmax()).sum()
     lacking = None
-    if (missed > _ASTRAY**2).sum() > _MISSED * drawn:
+    if (missed > _ASTRAY**2).sum() > most * drawn:
         lacking = pixels[missed.argmax()]  # the farthest from all others blends the least
     values = np.zeros((count, len(pixels)), np.float32)
     index = np.arange(len(pixels))
@@ -197,50 +164,54 @@ def _parts(
     return parts, lacking
 
 
-def _enlarged(parts: NDArray[np.float32], palette: _Palette, ground: int) -> NDArray[np.intp]:
-    """Return the number of the colour of each pixel (SIDE, SIDE), fitted to the drawing."""
+def _painted(parts: NDArray[np.float32], palette: Palette, ground: int) -> NDArray[np.uint8] | None:
+    """Return the drawing without what of its ground is outside; None if it has one colour."""
     drawn = parts[ground] < 0.5
     rows, columns = np.flatnonzero(drawn.any(axis=1)), np.flatnonzero(drawn.any(axis=0))
     if not len(rows):
-        return np.full((SIDE, SIDE), ground)
-    top, bottom, left, right = rows[0], rows[-1] + 1, columns[0], columns[-1] + 1
-    pad = 2
-    crop = np.stack(
-        [
-            np.pad(one[top:bottom, left:right], pad, constant_values=number == ground)
-            for number, one in enumerate(parts)
-        ],
-        axis=2,
-    )
-    scale = _FILLED * SIDE / max(bottom - top, right - left)
-    shape = tuple(max(1, round(side * scale)) for side in crop.shape[:2])
+        return None
+    crop = np.s_[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
+    labels, colours = _enlarged(parts[(slice(None), *crop)], palette, ground, crop)
+    pieces, _ = scipy.ndimage.label(np.pad(labels == ground, 1, constant_values=True))
+    inside = (pieces != pieces[0, 0])[1:-1, 1:-1]
+    if palette.colours[ground, 3] < CLEAR:
+        inside = labels != ground
+    if not _has_colours(colours[inside]):
+        return None
+    colours[~inside] = 0
+    alpha = colours[..., 3:]
+    straight = np.concatenate([colours[..., :3] * (255 / np.maximum(alpha, 1)), alpha], axis=2)
+    painted = np.zeros((SIDE, SIDE, 4), np.uint8)
+    y, x = ((SIDE - side) // 2 for side in labels.shape)
+    painted[y : y + labels.shape[0], x : x + labels.shape[1]] = np.clip(np.rint(straight), 0, 255)
+    return flattened(painted)
+
+
+def _enlarged(
+    parts: NDArray[np.float32], palette: Palette, ground: int, crop: tuple[slice, slice]
+) -> tuple[NDArray[np.intp], NDArray[np.float32]]:
+    """Return the number (h, w) of the colour of each pixel of the drawing, and it (h, w, 4)."""
+    pad = [(2, 2), (2, 2)]
+    padded = [np.pad(one, pad, constant_values=n == ground) for n, one in enumerate(parts)]
+    scale = _FILLED * SIDE / max(parts.shape[1:])
+    shape = tuple(min(SIDE, max(1, round(side * scale))) for side in padded[0].shape)
     best = np.full(shape, -np.inf, np.float32)
     labels = np.full(shape, ground)
-    for number in range(len(parts)):
-        here = resized(crop[..., number], shape)
+    for number, one in enumerate(padded):
+        here = resized(one, shape)
         labels = np.where(here > best, number, labels)
         best = np.maximum(here, best)
-    square = np.full((SIDE, SIDE), ground)
-    labels = labels[:SIDE, :SIDE] if max(shape) > SIDE else labels
-    y, x = ((SIDE - side) // 2 for side in labels.shape)
-    square[y : y + labels.shape[0], x : x + labels.shape[1]] = labels
-    return square
+    colours = palette.colours[labels]
+    for number, shade in palette.shades.items():
+        at = labels == number
+        wide = resized(np.pad(shade[crop], [*pad, (0, 0)], mode="edge"), shape)
+        colours[at] = wide[at]
+    return labels, colours
 
 
-def _painted(labels: NDArray[np.intp], palette: _Palette, ground: int) -> NDArray[np.uint8] | None:
-    """Return the drawing without what of its ground is outside; None if it has one colour."""
-    pieces, _ = scipy.ndimage.label(labels == ground)
-    inside = pieces != pieces[0, 0]
-    if palette.colours[ground, 3] < _CLEAR:
-        inside = labels != ground
-    counts = np.bincount(labels[inside], minlength=len(palette.colours))
-    counts[ground] = 0
-    most = counts.argmax()
-    others = np.linalg.norm(palette.colours - palette.colours[most], axis=1) > _APART
-    if counts[others].sum() < max(1, _PART * counts.sum()):
-        return None
-    colours = np.clip(np.rint(palette.colours), 0, 255).astype(np.uint8)
-    painted = colours[labels]
-    painted[..., 3] = np.where(inside, 255, 0)
-    painted[~inside, :3] = 0
-    return painted
+def _has_colours(colours: NDArray[np.float32]) -> bool:
+    """Whether some of the colours (n, 4) are far from the usual one."""
+    if not len(colours):
+        return False
+    apart = np.linalg.norm(colours - np.median(colours, axis=0), axis=1) > _APART
+    return bool(apart.sum() >= max(1, _PART * len(colours)))

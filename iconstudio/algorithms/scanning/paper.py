@@ -63,7 +63,7 @@ def lighting(picture: NDArray[np.float32], valid: NDArray[np.bool_]) -> NDArray[
     at_edge[0] = 0
     paper = labels == np.argmax(at_edge)
     if at_edge.max() < _FEWEST:
-        middle = np.clip(np.median(picture[edge], axis=0), _DARKEST, None)
+        middle = np.clip(np.median(picture[edge], axis=0), 0, None)
         return np.broadcast_to(middle, picture.shape).astype(np.float32)
     shade = np.isin(labels, _in_shadow(picture, labels, at_edge)) & ~paper
     paper |= shade
@@ -90,8 +90,9 @@ def _alike(
     pieces: NDArray[np.int64],
 ) -> NDArray[np.bool_]:
     """Return which pieces have the colour of the ground, on average."""
-    ratio = [scipy.ndimage.mean(picture[..., c] / ground[..., c], labels, pieces) for c in range(3)]
-    alike: NDArray[np.bool_] = np.all(abs(np.stack(ratio) - 1) < _NEAR, axis=0)
+    off = (picture - ground) / np.maximum(ground, _DARKEST)
+    means = [scipy.ndimage.mean(off[..., c], labels, pieces) for c in range(3)]
+    alike: NDArray[np.bool_] = np.all(abs(np.stack(means)) < _NEAR, axis=0)
     return alike
 
 
@@ -166,7 +167,7 @@ def _quadratic(picture: NDArray[np.float32], paper: NDArray[np.bool_]) -> NDArra
     # Every few pixels will do.
     some = np.flatnonzero(paper)[:: max(1, int(paper.sum()) // 20000)]
     fit, *_ = np.linalg.lstsq(terms.reshape(-1, 6)[some], picture.reshape(-1, 3)[some], rcond=None)
-    surface: NDArray[np.float32] = np.clip(terms @ fit, _DARKEST, 1.2)
+    surface: NDArray[np.float32] = np.clip(terms @ fit, 0, 1.2)
     return surface
 
 
@@ -175,7 +176,7 @@ def _surface(picture: NDArray[np.float32], paper: NDArray[np.bool_]) -> NDArray[
     surface = _quadratic(picture, paper)
     known = paper[..., None].astype(np.float32)
     lit: NDArray[np.float32] = surface + _filled((picture - surface) * known, known)
-    return np.clip(lit, _DARKEST, None)
+    return np.clip(lit, 0, None)
 
 
 def _filled(sums: NDArray[np.float32], weights: NDArray[np.float32]) -> NDArray[np.float32]:

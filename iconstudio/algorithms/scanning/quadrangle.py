@@ -19,6 +19,8 @@ def quadrangularity(shape: NDArray[np.bool_]) -> float:
     """
     from skimage.draw import polygon2mask
 
+    if not shape.any():
+        return 0.0
     corners, own = _quadrangle(shape)
     sides = np.roll(corners, -1, axis=0) - corners
     if len(sides) < _SIDES or own.sum() > _SIDES:

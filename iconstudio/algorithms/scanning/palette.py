@@ -1,0 +1,224 @@
+"""The palette of a bitmap that a computer drew: the colours that its areas are painted with.
+
+A colour is flat, or the shade that an area has as its own: a gradient, or a blurred shadow. Colours
+are sRGB times alpha, and alpha, from 0 to 255, so that nothing is a colour, too.
+"""
+
+from collections.abc import Iterator
+from itertools import combinations
+from typing import NamedTuple
+
+import numpy as np
+import scipy
+from numpy.typing import NDArray
+
+CLEAR = 12.0
+"""Levels of alpha of what is not there."""
+_EVEN = 20.0
+"""Levels by which a channel differs within three pixels of an evenly painted area, at most."""
+_SMALL = 40
+"""Pixels of the longer side of a bitmap in which areas of two by two pixels count."""
+_BIN = 8
+"""Levels of a channel that are counted as one."""
+_SHARE, _FEWEST = 0.0015, 6
+"""Least part of the evenly painted pixels that have a colour of the palette, and their number."""
+_EXACT = 0.9
+_SPREAD = 9.0
+"""Levels by which the pixels of one colour stray, as root of the mean square."""
+_GRAINY = 4.0
+"""Levels by which the pixels of a shade stray from those around, at most."""
+_GRAIN = 0.05
+"""How much of the evenly painted pixels may belong to such, as JPEG leaves beside edges."""
+_MOST = 20
+"""Colours of a palette."""
+
+
+class Palette(NamedTuple):
+    """The k colours of a bitmap (h, w)."""
+
+    colours: NDArray[np.float32]
+    """(k, 4); of a shade, the median."""
+    counts: NDArray[np.intp]
+    """(k,): pixels that are evenly painted so."""
+    number: NDArray[np.intp]
+    """(h, w): the number of each evenly painted pixel's colour, else -1."""
+    shades: dict[int, NDArray[np.float32]]
+    """Of the colours that are no flat ones, (h, w, 4) what each is everywhere."""
+
+    def at(self, one: int, mask: NDArray[np.bool_]) -> NDArray[np.float32]:
+        """Return a colour where the mask says: (n, 4), or (1, 4) if it is flat."""
+        shade = self.shades.get(one)
+        return self.colours[one][None] if shade is None else shade[mask]
+
+    def with_colour(self, colour: NDArray[np.float32]) -> "Palette":
+        """Return it with a colour (4,) of what is too small to be evenly painted."""
+        colours = np.concatenate([self.colours, colour[None]])
+        return self._replace(colours=colours, counts=np.append(self.counts, 0))
+
+    def is_exact(self, blended: NDArray[np.float32]) -> bool:
+        """Whether most of what is flat has the very same colour, as lossy files do not keep it."""
+        flat = (self.number >= 0) & ~np.isin(self.number, list(self.shades))
+        away = abs(blended[flat] - self.colours[self.number[flat]]).max(axis=1)
+        return bool((away < 2).mean() > _EXACT)
+
+    def without(self, one: int, other: int) -> "Palette":
+        """Return it with the pixels of one colour given to another."""
+        number = np.where(self.number == one, other, self.number)
+        counts = self.counts.copy()
+        counts[other] += counts[one]
+        counts[one] = 0
+        return self._replace(counts=counts, number=number)
+
+
+def palette_of(blended: NDArray[np.float32]) -> Palette | None:
+    """Return the palette of a bitmap (h, w, 4); None if it is too coarse, or has too many colours.
+
+    It has two colours at least.
+    """
+    small = max(blended.shape[:2]) <= _SMALL
+    wide = _evenly_painted(blended, 3)
+    even = wide | _evenly_painted(blended, 2) if small else wide
+    if not even.any():
+        return None
+    least = max(_FEWEST, _SHARE * even.sum())
+    shaded = [piece for piece in _pieces(blended, wide, least) if _strays(blended[piece]) > _SPREAD]
+    flat = even & ~np.any(shaded, axis=0) if shaded else even
+    areas = list(_clusters(blended, flat, least))
+    if small:
+        areas = _without_blends(blended, areas, shaded, wide)
+    grainy = [piece for piece in shaded if _is_grainy(blended, piece)]
+    grainy += [area for area in areas if _strays(blended[area]) > _SPREAD]
+    if len(areas) > _MOST or sum(map(np.sum, grainy)) > _GRAIN * even.sum():
+        return None
+    shaded = [piece for piece in shaded if not _is_grainy(blended, piece)]
+    areas = [area for area in areas if _strays(blended[area]) <= _SPREAD]
+    colours = [np.median(blended[area], axis=0) for area in areas]
+    number = np.full(even.shape, -1)
+    for one, area in enumerate(areas):
+        number[area] = one
+    shades = {}
+    for piece in _joined(blended, shaded):
+        number[piece] = len(colours)
+        shades[len(colours)] = _extended(blended, piece)
+        colours.append(np.median(blended[piece], axis=0))
+    if not 2 <= len(colours) <= _MOST:
+        return None
+    counts = np.bincount(number[number >= 0], minlength=len(colours))
+    return Palette(np.stack(colours).astype(np.float32), counts, number, shades)
+
+
+def _evenly_painted(blended: NDArray[np.float32], size: int) -> NDArray[np.bool_]:
+    """Return which pixels lie in a square of even colour, that many pixels wide, or show nothing.
+
+    Of a square of three pixels, only the middle.
+    """
+    high = scipy.ndimage.maximum_filter(blended, (size, size, 1))
+    low = scipy.ndimage.minimum_filter(blended, (size, size, 1))
+    even: NDArray[np.bool_] = (high - low).max(axis=2) < _EVEN
+    if size == 2:
+        even[0] = even[:, 0] = False
+        even = scipy.ndimage.binary_dilation(even, np.ones((2, 2)), origin=-1)
+    return even | (blended[..., 3] < CLEAR)
+
+
+def _clusters(
+    blended: NDArray[np.float32], even: NDArray[np.bool_], least: float
+) -> Iterator[NDArray[np.bool_]]:
+    """Yield (h, w) the pixels of each colour that has many: what lies in bins side by side."""
+    bins = tuple((blended[even] / _BIN).astype(np.intp).T)
+    counts = np.zeros((256 // _BIN,) * 4, np.intp)
+    np.add.at(counts, bins, 1)
+    frequent = counts >= least / 4
+    frequent[0, 0, 0, : int(CLEAR) // _BIN + 1] = True
+    clusters, count = scipy.ndimage.label(frequent, np.ones((3, 3, 3, 3)))
+    of = clusters[bins]
+    sizes = np.bincount(of, minlength=count + 1)
+    clear = clusters[0, 0, 0, 0]
+    for one in range(1, count + 1):
+        if sizes[one] >= (1 if one == clear else least):
+            cluster = np.zeros_like(even)
+            cluster[even] = of == one
+            yield cluster
+
+
+def _without_blends(
+    blended: NDArray[np.float32],
+    areas: list[NDArray[np.bool_]],
+    shaded: list[NDArray[np.bool_]],
+    wide: NDArray[np.bool_],
+) -> list[NDArray[np.bool_]]:
+    """Return the areas without those of edges, which are slim, and between two others in colour."""
+    colours = [np.median(blended[area], axis=0) for area in areas]
+    kept = []
+    for number, area in enumerate(areas):
+        others = [c for n, c in enumerate(colours) if n != number]
+        others += [np.median(_extended(blended, piece)[area], axis=0) for piece in shaded]
+        if (area & wide).any() or not _is_blend(colours[number], others):
+            kept.append(area)
+    return kept
+
+
+def _is_blend(colour: NDArray[np.float32], others: list[NDArray[np.float32]]) -> bool:
+    for one, other in combinations(others, 2):
+        way = other - one
+        at = float((colour - one) @ way / max(way @ way, 1))
+        if 0 < at < 1 and np.linalg.norm(one + at * way - colour) < _EVEN:
+            return True
+    return False
+
+
+def _pieces(
+    blended: NDArray[np.float32], even: NDArray[np.bool_], least: float
+) -> Iterator[NDArray[np.bool_]]:
+    """Yield (h, w) the evenly painted pieces, in which colours do not leap, if large enough."""
+    index = np.arange(even.size).reshape(even.shape)
+    meet = []
+    for one, other in ((np.s_[1:], np.s_[:-1]), (np.s_[:, 1:], np.s_[:, :-1])):
+        alike = abs(blended[one] - blended[other]).max(axis=2) < _EVEN
+        alike &= even[one] & even[other]
+        meet.append(np.stack([index[one][alike], index[other][alike]]))
+    rows, columns = np.concatenate(meet, axis=1)
+    graph = scipy.sparse.coo_array((np.ones(len(rows)), (rows, columns)), (even.size,) * 2)
+    _, labels = scipy.sparse.csgraph.connected_components(graph, directed=False)
+    labels = labels.reshape(even.shape)
+    for one in np.flatnonzero(np.bincount(labels[even]) >= least):
+        yield labels == one
+
+
+def _joined(
+    blended: NDArray[np.float32], pieces: list[NDArray[np.bool_]]
+) -> list[NDArray[np.bool_]]:
+    """Join pieces that continue each other's shade, as on both sides of a line."""
+    joined: list[NDArray[np.bool_]] = []
+    for piece in sorted(pieces, key=np.sum, reverse=True):
+        for n, other in enumerate(joined):
+            away = _extended(blended, other)[piece] - blended[piece]
+            if (away**2).mean(axis=0).max() ** 0.5 <= _SPREAD:
+                joined[n] = other | piece
+                break
+        else:
+            joined.append(piece)
+    return joined
+
+
+def _strays(colours: NDArray[np.float32]) -> float:
+    return float(((colours - np.median(colours, axis=0)) ** 2).mean(axis=0).max() ** 0.5)
+
+
+def _is_grainy(blended: NDArray[np.float32], piece: NDArray[np.bool_]) -> bool:
+    """Whether colours leap from pixel to pixel, as on photos."""
+    weight = scipy.ndimage.gaussian_filter(piece.astype(np.float32), 1)
+    known = np.where(piece[..., None], blended, 0)
+    smooth = scipy.ndimage.gaussian_filter(known, (1, 1, 0)) / np.maximum(weight, 1e-6)[..., None]
+    inner = scipy.ndimage.binary_erosion(piece)
+    rest = (blended - smooth)[inner if inner.any() else piece]
+    return bool((rest**2).mean(axis=0).max() ** 0.5 > _GRAINY)
+
+
+def _extended(blended: NDArray[np.float32], piece: NDArray[np.bool_]) -> NDArray[np.float32]:
+    """Return (h, w, 4) the colours of a piece, and around it those of its nearest pixel."""
+    rows, columns = scipy.ndimage.distance_transform_edt(
+        ~piece, return_distances=False, return_indices=True
+    )
+    extended: NDArray[np.float32] = blended[rows, columns]
+    return extended
