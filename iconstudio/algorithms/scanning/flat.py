@@ -14,7 +14,9 @@ from numpy.typing import NDArray
 from iconstudio.algorithms.scanning.palette import CLEAR, Palette, palette_of
 from iconstudio.algorithms.scanning.resampling import resized, shrunk
 from iconstudio.algorithms.scanning.sheet import sheet_on_desk
+from iconstudio.algorithms.tones.alternation import Omission
 from iconstudio.algorithms.tones.layers import flattened
+from iconstudio.algorithms.tones.tone import pictogram
 
 SIDE = 512
 """Pixels to a side of the crisp drawing."""
@@ -41,6 +43,10 @@ _DESK = 0.75
 """How much of the rim a desk has at least around a sheet of paper, whose corners are sharp."""
 _TINGE = 70.0
 """Levels by which the channels of paper differ, at most."""
+_CLEAN = 3.0
+"""Levels by which the ground of a drawing with shades strays at most; that of a photo does."""
+_FULL = 0.7
+"""How much of its bounding box a tile or a badge fills, and a little air."""
 _APART = 30.0
 """Levels by which two colours of a drawing differ, and no blending of the palette makes."""
 _PART = 0.015
@@ -64,7 +70,9 @@ def flat_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
     ground, around = _ground(palette, blended)
     if ground is None or (around > _DESK and _lies_on_a_desk(small, palette.colours[ground])):
         return None
-    if small.shape[2] == 3:
+    if small.shape[2] == 3 and palette.shades:
+        if palette.noise(ground, blended) > _CLEAN:
+            return None
         palette = _without_fading(palette, ground)
     most = _MISSED if palette.is_exact(blended) else _LOSSY
     parts, amiss = _parts(blended, palette, most)
@@ -73,7 +81,9 @@ def flat_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
             break
         palette = palette.with_colour(amiss)
         parts, amiss = _parts(blended, palette, most)
-    return None if amiss is not None else _painted(parts, palette, ground)
+    if amiss is not None:
+        return None
+    return _painted(parts, palette, ground, around < _AROUND)
 
 
 def _premultiplied(small: NDArray[np.float32]) -> NDArray[np.float32]:
@@ -82,9 +92,9 @@ def _premultiplied(small: NDArray[np.float32]) -> NDArray[np.float32]:
 
 
 def _ground(palette: Palette, blended: NDArray[np.float32]) -> tuple[int | None, float]:
-    """Return the number of the colour all around, or in all corners, and how much of the rim it has.
+    """Return the number of the colour all around, or in all corners, and its share of the rim.
 
-    It is None if there is no such colour.
+    The number is None if there is no such colour.
     """
     if (palette.colours[:, 3] < CLEAR).any():
         return int(palette.colours[:, 3].argmin()), 1.0
@@ -164,8 +174,14 @@ def _parts(
     return parts, lacking
 
 
-def _painted(parts: NDArray[np.float32], palette: Palette, ground: int) -> NDArray[np.uint8] | None:
-    """Return the drawing without what of its ground is outside; None if it has one colour."""
+def _painted(
+    parts: NDArray[np.float32], palette: Palette, ground: int, cut: bool
+) -> NDArray[np.uint8] | None:
+    """Return the drawing without what of its ground is outside; None if it has one colour.
+
+    The colour of the ground counts as one if it lies on a tile. ``cut`` drawings reach the edge of
+    the bitmap.
+    """
     drawn = parts[ground] < 0.5
     rows, columns = np.flatnonzero(drawn.any(axis=1)), np.flatnonzero(drawn.any(axis=0))
     if not len(rows):
@@ -176,15 +192,17 @@ def _painted(parts: NDArray[np.float32], palette: Palette, ground: int) -> NDArr
     inside = (pieces != pieces[0, 0])[1:-1, 1:-1]
     if palette.colours[ground, 3] < CLEAR:
         inside = labels != ground
-    if not _has_colours(colours[inside]):
+    own = _has_colours(colours[inside & (labels != ground)])
+    if not own and not (_has_colours(colours[inside]) and inside.mean() > _FULL):
         return None
-    colours[~inside] = 0
-    alpha = colours[..., 3:]
+    alpha = np.where(inside[..., None], colours[..., 3:], 0)
     straight = np.concatenate([colours[..., :3] * (255 / np.maximum(alpha, 1)), alpha], axis=2)
     painted = np.zeros((SIDE, SIDE, 4), np.uint8)
     y, x = ((SIDE - side) // 2 for side in labels.shape)
     painted[y : y + labels.shape[0], x : x + labels.shape[1]] = np.clip(np.rint(straight), 0, 255)
-    return flattened(painted)
+    painted = flattened(painted)
+    on_tile = own or cut or Omission.TILE in pictogram(painted).omissions
+    return painted if on_tile else None
 
 
 def _enlarged(
@@ -193,8 +211,8 @@ def _enlarged(
     """Return the number (h, w) of the colour of each pixel of the drawing, and it (h, w, 4)."""
     pad = [(2, 2), (2, 2)]
     padded = [np.pad(one, pad, constant_values=n == ground) for n, one in enumerate(parts)]
-    scale = _FILLED * SIDE / max(parts.shape[1:])
-    shape = tuple(min(SIDE, max(1, round(side * scale))) for side in padded[0].shape)
+    scale = SIDE * min(_FILLED / max(parts.shape[1:]), 1 / max(padded[0].shape))
+    shape = tuple(max(1, round(side * scale)) for side in padded[0].shape)
     best = np.full(shape, -np.inf, np.float32)
     labels = np.full(shape, ground)
     for number, one in enumerate(padded):

@@ -55,6 +55,10 @@ class Palette(NamedTuple):
         colours = np.concatenate([self.colours, colour[None]])
         return self._replace(colours=colours, counts=np.append(self.counts, 0))
 
+    def noise(self, one: int, blended: NDArray[np.float32]) -> float:
+        """Return by how many levels the pixels of a colour stray."""
+        return _strays(blended[self.number == one])
+
     def is_exact(self, blended: NDArray[np.float32]) -> bool:
         """Whether most of what is flat has the very same colour, as lossy files do not keep it."""
         flat = (self.number >= 0) & ~np.isin(self.number, list(self.shades))
@@ -82,6 +86,8 @@ def palette_of(blended: NDArray[np.float32]) -> Palette | None:
         return None
     least = max(_FEWEST, _SHARE * even.sum())
     shaded = [piece for piece in _pieces(blended, wide, least) if _strays(blended[piece]) > _SPREAD]
+    if small:
+        shaded = [_grown(blended, piece, even) for piece in shaded]
     flat = even & ~np.any(shaded, axis=0) if shaded else even
     areas = list(_clusters(blended, flat, least))
     if small:
@@ -199,6 +205,15 @@ def _joined(
         else:
             joined.append(piece)
     return joined
+
+
+def _grown(
+    blended: NDArray[np.float32], piece: NDArray[np.bool_], even: NDArray[np.bool_]
+) -> NDArray[np.bool_]:
+    """Return a piece with what continues it of what is even in squares of two pixels only."""
+    alike = abs(_extended(blended, piece) - blended).max(axis=2) < _EVEN
+    grown: NDArray[np.bool_] = scipy.ndimage.binary_propagation(piece, mask=piece | (alike & even))
+    return grown
 
 
 def _strays(colours: NDArray[np.float32]) -> float:
