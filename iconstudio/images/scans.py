@@ -6,9 +6,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from iconstudio.algorithms.scanning.binarisation import Scan, ink_of, recognised
+from iconstudio.algorithms.scanning.thickening import thickened
 from iconstudio.algorithms.tracing.potrace import traced
 from iconstudio.images.reading import Image, awaited, read_image
-from iconstudio.model import Credit, IconstudioError, Pictogram
+from iconstudio.model import CANVAS, Credit, IconstudioError, Pictogram
 from iconstudio.model import Path as Outline
 from iconstudio.model.pictogram import OWN
 from iconstudio.svg.credits import UNLICENSED, UNNAMED
@@ -21,15 +22,18 @@ _MEMORY = 1 << 30
 """Bytes that scanning or tracing may take."""
 _NOT_FOUND = "No drawing can be made out on it."
 _DARKER = (
-    "If there is one, draw it with a darker pen, or scan it with more contrast; in the window, the "
-    "threshold can also be chosen by hand."
+    "If there is one, draw it with a darker pen or in stronger colours, or scan it with more "
+    "contrast; in the window, the threshold can also be chosen by hand."
 )
 _FAINT = (
     "The drawing is faint, and parts of it may be missing. Draw with a darker pen, scan with more "
     "contrast, or choose the threshold in the window."
 )
+_THIN = 1.5
+"""Canvas units that the thickest lines must measure."""
 _FAINTEST = 32
 """A threshold below which ink is hardly darker than paper: by less than a quarter."""
+THIN = "Its lines are too thin to be seen at the size of an icon; they were drawn thicker."
 _PHOTO = "This looks like a photo rather than a drawing."
 
 
@@ -75,13 +79,13 @@ def trace(
     if threshold is None and not scan.found:
         raise IconstudioError(f"{doubts(scan)} {_DARKER}")
     future = workers.submit(_trace, scan, threshold, timeout=_SECONDS, memory=_MEMORY)
-    path, (height, width) = yield from awaited(future)
+    path, (height, width), thin = yield from awaited(future)
     svg = _document(path, width, height)
     digest = hashlib.sha256(svg.encode()).hexdigest()[:8]
     credit = Credit(name, UNNAMED, UNLICENSED, "", "")
     by_colour = scan.coloured if threshold in (None, scan.threshold) else None
     faint = threshold is None and scan.threshold < _FAINTEST and by_colour is None
-    said = [remark, _PHOTO if scan.shaded else "", _FAINT if faint else ""]
+    said = [remark, _PHOTO if scan.shaded else "", _FAINT if faint else "", THIN if thin else ""]
     if by_colour is not None:
         said += [one for what, one in OMITTED.items() if what in by_colour.omissions]
     remarks = tuple(filter(None, said))
@@ -111,10 +115,11 @@ def _scan(image: Image, inverted: bool | None) -> Scan:
     return recognised(image.pixels, inverted)
 
 
-def _trace(scan: Scan, threshold: int | None) -> tuple[Outline, tuple[int, int]]:
+def _trace(scan: Scan, threshold: int | None) -> tuple[Outline, tuple[int, int], bool]:
     ink = ink_of(scan, threshold)
-    height, width = ink.shape
-    return traced(ink), (height, width)
+    thick = thickened(ink, round(_THIN * max(ink.shape) / CANVAS))
+    height, width = thick.shape
+    return traced(thick), (height, width), thick is not ink
 
 
 def _document(path: Outline, width: int, height: int) -> str:

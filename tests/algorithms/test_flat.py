@@ -5,10 +5,13 @@ import io
 import numpy as np
 import pytest
 from PIL import Image
+from scipy import ndimage
 from skimage.data import camera, chelsea, coffee
 
-from iconstudio.algorithms.scanning.binarisation import ink_of, recognised
-from iconstudio.algorithms.scanning.flat import SIDE, flat_drawing
+from iconstudio.algorithms.scanning.binarisation import ink_of, recognised, scanned
+from iconstudio.algorithms.scanning.flat import flat_drawing
+from iconstudio.algorithms.scanning.free import SIDE
+from iconstudio.algorithms.tones.layers import flattened
 from tests import scans
 from tests.algorithms.test_scanning import house
 from tests.algorithms.test_tone import pictogram, rgba
@@ -71,10 +74,102 @@ def test_the_polarity_can_still_be_chosen():
         assert scan.coloured is None and scan.inverted == inverted
 
 
-def test_what_is_half_transparent_is_left_to_thresholds():
-    pixels = bitmap(DRAWINGS["bars"], 96, "transparent").copy()
-    pixels[:40, :40] = 0, 0, 0, 120
-    assert flat_drawing(pixels) is None
+TILES = {
+    "rounded": '<rect width="100" height="100" rx="22" {}/>',
+    "superellipse": '<path d="M50 0C90 0 100 10 100 50S90 100 50 100 0 90 0 50 10 0 50 0z" {}/>',
+    "circle": '<circle cx="50" cy="50" r="50" {}/>',
+    "full": '<path d="M0 0h100v100H0z" {}/>',
+}
+GRADIENT = (
+    '<linearGradient id="g" y2="1"><stop stop-color="#5ad"/><stop offset="1" stop-color="#52c"/>'
+    "</linearGradient>"
+)
+CUP = '<path d="M24 30h42v8h6a10 10 0 0 1 0 24h-6v10H24zm42 16v8h5a4 4 0 0 0 0-8z" {}/>'
+APPS = [
+    ("rounded", "#17e", "#fff", (255, 255, 255), 64, 0),
+    ("rounded", "#f90", "#fff", (0, 0, 0), 64, 0),
+    ("rounded", "#000", "#fff", (255, 255, 255), 128, 80),
+    ("rounded", "#fd1", "#111", (200, 60, 80), 128, 90),
+    ("rounded", "url(#g)", "#fff", (255, 255, 255), 128, 85),
+    ("rounded", "url(#g)", "#fff", None, 32, 0),
+    ("superellipse", "url(#g)", "#fff", None, 256, 0),
+    ("superellipse", "#0a6", "#fff", (0, 0, 0), 128, 75),
+    ("circle", "#c25", "#fff", (0, 0, 0), 128, 80),
+    ("circle", "url(#g)", "#fff", (255, 255, 255), 64, 0),
+    ("full", "#f90", "#fff", None, 64, 0),
+    ("full", "url(#g)", "#fff", None, 128, 70),
+]
+
+
+@pytest.mark.parametrize(("tile", "colour", "glyph", "corners", "side", "quality"), APPS)
+def test_the_light_or_dark_drawing_on_an_app_icon_is_the_drawing(
+    tile, colour, glyph, corners, side, quality
+):
+    """The tile reaches the edge of the picture; only its corners, if any, show what is behind."""
+    drawing = GRADIENT + TILES[tile].format(f'fill="{colour}"')
+    drawing += CUP.format(f'fill="{glyph}" fill-rule="evenodd"')
+    right = scans.fitted(pictogram(rgba(drawing, 512, "0 0 100 100")) / 255)
+    pixels = rgba(drawing, side, "0 0 100 100")
+    if corners is not None:
+        alpha = pixels[..., 3:] / 255
+        pixels = (pixels[..., :3] * alpha + np.array(corners) * (1 - alpha) + 0.5).astype(np.uint8)
+    elif tile == "full":
+        pixels = pixels[..., :3]
+    if quality:
+        file = io.BytesIO()
+        Image.fromarray(pixels).save(file, "JPEG", quality=quality)
+        pixels = np.asarray(Image.open(file))
+    assert scans.iou(scans.fitted(ink_of(recognised(pixels)).astype(float)), right) > 0.88
+
+
+SHADOW = (
+    '<filter id="f" x="-20%" y="-20%" width="150%" height="150%"><feDropShadow dx="0" dy="4" '
+    'stdDeviation="3" flood-opacity=".4"/></filter>'
+)
+LAYERED = {
+    "duotone": '<path d="M10 40h80v50H10z" opacity=".4"/><path d="M50 5l45 35H5z"/>',
+    "faint fill": '<path d="M15 15h70v70H15z" opacity=".2"/><path d="M10 10h80v80H10zm10 10v60h60V'
+    '20z" fill-rule="evenodd"/>',
+    "pale emoji": '<g opacity=".9">' + FACE.format("#fc0", "#420") + SMILE + "</g>",
+    "two colours": '<circle cx="50" cy="50" r="40" fill="#f00" opacity=".5"/>'
+    '<path d="M38 38h24v24H38z"/>',
+    "shadow": SHADOW + f'<g filter="url(#f)">{DRAWINGS["bars"]}</g>',
+}
+
+
+@pytest.mark.parametrize("name", LAYERED)
+@pytest.mark.parametrize("side", [64, 128, 400])
+def test_layers_are_as_in_the_same_drawing_as_svg(name, side):
+    drawing = rgba(LAYERED[name], 512, "0 0 100 100")
+    right = scans.fitted(pictogram(flattened(drawing)) / 255)
+    pixels = rgba(LAYERED[name], side, "0 0 100 100")
+    found = scans.fitted(ink_of(recognised(pixels)).astype(float))
+    assert scans.iou(found, right) > 0.9
+
+
+@pytest.mark.parametrize("ink", ["#fff", "#123"])
+@pytest.mark.parametrize("ground", ["#f90", "#fd0", "#f44", "#7c4"])
+def test_a_drawing_on_a_bright_ground_is_found_whatever_the_ground(ground, ink):
+    body = f'<path d="M0 0h100v100H0z" fill="{ground}"/>' + CUP.format(
+        f'fill="{ink}" fill-rule="evenodd"'
+    )
+    scan = scanned(rgba(body, 96, "0 0 100 100")[..., :3])
+    right = rgba(CUP.format('fill-rule="evenodd"'), 256, "0 0 100 100")[..., 3] / 255
+    assert scan.found and scan.inverted == (ink == "#fff")
+    assert scans.iou(scans.fitted(ink_of(scan).astype(float)), scans.fitted(right)) > 0.9
+
+
+@pytest.mark.parametrize("side", [16, 24])
+def test_a_small_picture_gives_smooth_contours(side):
+    """A ring two pixels wide stays whole, as wide, and round."""
+    body = '<circle cx="50" cy="50" r="40" fill="none" stroke="#000" stroke-width="12"/>'
+    ink = ink_of(recognised(rgba(body, side, "0 0 100 100")))
+    rows, columns = np.nonzero(ink ^ ndimage.binary_erosion(ink))
+    away = np.hypot(rows - rows.mean(), columns - columns.mean())
+    outer, inner = away[away > away.mean()], away[away <= away.mean()]
+    pixel = outer.mean() / (0.46 * side)
+    assert abs(inner.mean() / pixel - 0.34 * side) < 0.25
+    assert max(outer.std(), inner.std()) / pixel < 0.07
 
 
 @pytest.mark.parametrize("shape", [(1, 1, 3), (5, 90, 4), (40, 3, 3), (9, 9, 4)])

@@ -40,3 +40,7 @@ def test_a_disc_is_none_and_a_torn_sheet_less_of_one():
     torn = sheet.copy()
     torn[:50, :85] = False
     assert torn.sum() / sheet.sum() == pytest.approx(quadrangularity(torn), abs=0.03)
+
+
+def test_nothing_is_no_quadrangle():
+    assert quadrangularity(np.zeros((30, 40), bool)) == 0

@@ -13,8 +13,9 @@ import scipy
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.scanning.flat import flat_drawing
+from iconstudio.algorithms.scanning.free import LARGE, free_drawing
 from iconstudio.algorithms.scanning.paper import lighting, page, trend
-from iconstudio.algorithms.scanning.resampling import resized, shrunk
+from iconstudio.algorithms.scanning.resampling import reconstructed, resized, shrunk
 from iconstudio.algorithms.tones.tone import Inked, pictogram
 from iconstudio.model import IconstudioError
 
@@ -114,7 +115,7 @@ def scanned(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
         dark = _darkness(fine, resized(ground[here], shape), inverted)
         dark = np.where(resized(valid[here].astype(np.float32), shape) > 0.5, dark, 0.0)
     scale = SIDE / max(dark.shape)
-    dark = resized(dark, tuple(max(1, round(side * scale)) for side in dark.shape))
+    dark = _enlarged(dark, tuple(max(1, round(side * scale)) for side in dark.shape))
     dark = np.clip(scipy.ndimage.gaussian_filter(dark, 1.0), 0, 1)
     threshold = _threshold(dark) if bounds else None
     if threshold is None:
@@ -134,11 +135,22 @@ def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
 
     These tell only if nobody says whether it is lighter than its ground.
     """
-    flat = flat_drawing(pixels) if inverted is None else None
-    coloured = None if flat is None else pictogram(flat)
+    drawing = _coloured_drawing(pixels) if inverted is None else None
+    coloured = None if drawing is None else pictogram(drawing)
     if coloured is None or not (coloured.coverage > 127).any():
         return scanned(pixels, inverted)
     return replace(scanned(pixels), found=True, shaded=False, coloured=coloured)
+
+
+def _coloured_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
+    """Return the drawing (n, n, 4) on a picture if a computer drew it in colours, else None.
+
+    Where there are pixels enough, those are best as they are; fewer are made crisp.
+    """
+    ways = [flat_drawing, free_drawing]
+    if max(pixels.shape[:2]) >= LARGE:
+        ways.reverse()
+    return next((drawing for way in ways if (drawing := way(pixels)) is not None), None)
 
 
 def ink_of(scan: Scan, threshold: int | None = None) -> NDArray[np.bool_]:
@@ -222,6 +234,15 @@ def _darkness(
     dark: NDArray[np.float32] = (off / np.maximum(ground, _BLACK)).max(axis=2)
     paper = dark[dark < LEAST]
     return np.clip(dark - np.median(paper) if paper.size else dark, 0, 1)
+
+
+def _enlarged(dark: NDArray[np.float32], shape: tuple[int, ...]) -> NDArray[np.float32]:
+    """Return the darkness at another resolution; of few pixels, that of the shape they show."""
+    threshold = _threshold(dark)
+    if threshold is None:
+        return resized(dark, shape)
+    whole = 2 * threshold
+    return whole * reconstructed(np.clip(dark / whole, 0, 1), shape)
 
 
 def _bounds(dark: NDArray[np.float32]) -> tuple[int, int, int, int] | None:

@@ -11,15 +11,18 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.scanning.free import SIDE, has_colours, on_square
 from iconstudio.algorithms.scanning.palette import CLEAR, Palette, palette_of
-from iconstudio.algorithms.scanning.resampling import resized, shrunk
+from iconstudio.algorithms.scanning.resampling import (
+    premultiplied,
+    reconstructed,
+    resized,
+    shrunk,
+)
 from iconstudio.algorithms.scanning.sheet import sheet_on_desk
 from iconstudio.algorithms.tones.alternation import Omission
-from iconstudio.algorithms.tones.layers import flattened
 from iconstudio.algorithms.tones.tone import pictogram
 
-SIDE = 512
-"""Pixels to a side of the crisp drawing."""
 _LONGEST = 384
 """Pixels of the longer side of the bitmap that is looked at."""
 _FILLED = 0.94
@@ -47,10 +50,6 @@ _CLEAN = 3.0
 """Levels by which the ground of a drawing with shades strays at most; that of a photo does."""
 _FULL = 0.7
 """How much of its bounding box a tile or a badge fills, and a little air."""
-_APART = 30.0
-"""Levels by which two colours of a drawing differ, and no blending of the palette makes."""
-_PART = 0.015
-"""Least part of a drawing that its second colour has."""
 
 
 def flat_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
@@ -63,7 +62,7 @@ def flat_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
     if min(pixels.shape[:2]) < 8:
         return None
     small = shrunk(pixels, -(-max(pixels.shape[:2]) // _LONGEST)) * np.float32(255)
-    blended = _premultiplied(small)
+    blended = premultiplied(small)
     palette = palette_of(blended)
     if palette is None:
         return None
@@ -84,11 +83,6 @@ def flat_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
     if amiss is not None:
         return None
     return _painted(parts, palette, ground, around < _AROUND)
-
-
-def _premultiplied(small: NDArray[np.float32]) -> NDArray[np.float32]:
-    alpha = small[..., 3:] if small.shape[2] == 4 else np.full_like(small[..., :1], 255)
-    return np.concatenate([small[..., :3] * (alpha / 255), alpha], axis=2)
 
 
 def _ground(palette: Palette, blended: NDArray[np.float32]) -> tuple[int | None, float]:
@@ -192,15 +186,10 @@ def _painted(
     inside = (pieces != pieces[0, 0])[1:-1, 1:-1]
     if palette.colours[ground, 3] < CLEAR:
         inside = labels != ground
-    own = _has_colours(colours[inside & (labels != ground)])
-    if not own and not (_has_colours(colours[inside]) and inside.mean() > _FULL):
+    own = has_colours(colours[inside & (labels != ground)])
+    if not own and not (has_colours(colours[inside]) and inside.mean() > _FULL):
         return None
-    alpha = np.where(inside[..., None], colours[..., 3:], 0)
-    straight = np.concatenate([colours[..., :3] * (255 / np.maximum(alpha, 1)), alpha], axis=2)
-    painted = np.zeros((SIDE, SIDE, 4), np.uint8)
-    y, x = ((SIDE - side) // 2 for side in labels.shape)
-    painted[y : y + labels.shape[0], x : x + labels.shape[1]] = np.clip(np.rint(straight), 0, 255)
-    painted = flattened(painted)
+    painted = on_square(np.where(inside[..., None], colours, 0))
     on_tile = own or cut or Omission.TILE in pictogram(painted).omissions
     return painted if on_tile else None
 
@@ -216,7 +205,7 @@ def _enlarged(
     best = np.full(shape, -np.inf, np.float32)
     labels = np.full(shape, ground)
     for number, one in enumerate(padded):
-        here = resized(one, shape)
+        here = reconstructed(one, shape)
         labels = np.where(here > best, number, labels)
         best = np.maximum(here, best)
     colours = palette.colours[labels]
@@ -225,11 +214,3 @@ def _enlarged(
         wide = resized(np.pad(shade[crop], [*pad, (0, 0)], mode="edge"), shape)
         colours[at] = wide[at]
     return labels, colours
-
-
-def _has_colours(colours: NDArray[np.float32]) -> bool:
-    """Whether some of the colours (n, 4) are far from the usual one."""
-    if not len(colours):
-        return False
-    apart = np.linalg.norm(colours - np.median(colours, axis=0), axis=1) > _APART
-    return bool(apart.sum() >= max(1, _PART * len(colours)))

@@ -80,8 +80,8 @@ def palette_of(blended: NDArray[np.float32]) -> Palette | None:
     It has two colours at least.
     """
     small = max(blended.shape[:2]) <= _SMALL
-    wide = _evenly_painted(blended, 3)
-    even = wide | _evenly_painted(blended, 2) if small else wide
+    wide = evenly_painted(blended, 3)
+    even = wide | evenly_painted(blended, 2) if small else wide
     if not even.any():
         return None
     least = max(_FEWEST, _SHARE * even.sum())
@@ -113,7 +113,7 @@ def palette_of(blended: NDArray[np.float32]) -> Palette | None:
     return Palette(np.stack(colours).astype(np.float32), counts, number, shades)
 
 
-def _evenly_painted(blended: NDArray[np.float32], size: int) -> NDArray[np.bool_]:
+def evenly_painted(blended: NDArray[np.float32], size: int) -> NDArray[np.bool_]:
     """Return which pixels lie in a square of even colour, that many pixels wide, or show nothing.
 
     Of a square of three pixels, only the middle.

@@ -1,0 +1,65 @@
+"""Coloured bitmaps on nothing: the transparent pixels tell what belongs to the drawing."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from iconstudio.algorithms.scanning.palette import CLEAR, evenly_painted
+from iconstudio.algorithms.scanning.resampling import premultiplied, resized, shrunk
+from iconstudio.algorithms.tones.layers import flattened
+
+SIDE = 512
+"""Pixels to a side of the drawing."""
+LARGE = 192
+"""Pixels of the longer side of a drawing that is as good as one of any size."""
+_FILLED = 0.94
+"""How much of the longer side of the drawing is not air."""
+_SMALL, _PAINTED = 64, 0.5
+"""Of a drawing that is longer than the one, so much is evenly painted at least; photos are not."""
+_APART, _PART = 30.0, 0.015
+"""Levels by which two colours of a drawing differ, and the least part that the second one has."""
+
+
+def free_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
+    """Return a coloured drawing (SIDE, SIDE, 4), fitted to the square; None if there is none.
+
+    ``pixels`` are (h, w, 4) RGBA, in sRGB. None are photos, pictures without transparency
+    (h, w, 3), and drawings in one colour and opacity.
+    """
+    if pixels.shape[2] == 3 or not (pixels[..., 3] < CLEAR).any():
+        return None
+    seen = pixels[..., 3] >= CLEAR
+    rows, columns = np.flatnonzero(seen.any(axis=1)), np.flatnonzero(seen.any(axis=0))
+    if not len(rows):
+        return None
+    crop = pixels[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
+    longest = max(crop.shape[:2])
+    blended = premultiplied(shrunk(crop, max(1, longest // SIDE)) * np.float32(255))
+    blended = np.pad(blended, [(1, 1), (1, 1), (0, 0)])
+    shown = blended[..., 3] >= CLEAR
+    even = evenly_painted(blended, 3) & shown
+    if not even.any() or (longest > _SMALL and even.sum() < _PAINTED * shown.sum()):
+        return None
+    if not has_colours(blended[even]):
+        return None
+    scale = _FILLED * SIDE / max(blended.shape[:2])
+    shape = tuple(max(1, round(side * scale)) for side in blended.shape[:2])
+    return on_square(resized(blended, shape))
+
+
+def has_colours(blended: NDArray[np.float32]) -> bool:
+    """Whether some of the colours (n, 4), times alpha, are far from the usual one."""
+    if not len(blended):
+        return False
+    apart = np.linalg.norm(blended - np.median(blended, axis=0), axis=1) > _APART
+    return bool(apart.sum() >= max(1, _PART * len(blended)))
+
+
+def on_square(blended: NDArray[np.float32]) -> NDArray[np.uint8]:
+    """Return a drawing (h, w, 4), of colours times alpha, in the middle of (SIDE, SIDE, 4)."""
+    alpha = blended[..., 3:]
+    straight = np.concatenate([blended[..., :3] * (255 / np.maximum(alpha, 1)), alpha], axis=2)
+    square = np.zeros((SIDE, SIDE, 4), np.uint8)
+    height, width = blended.shape[:2]
+    y, x = (SIDE - height) // 2, (SIDE - width) // 2
+    square[y : y + height, x : x + width] = np.clip(np.rint(straight), 0, 255)
+    return flattened(square)
