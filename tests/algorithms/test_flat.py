@@ -169,7 +169,7 @@ def test_a_small_picture_gives_smooth_contours(side):
     outer, inner = away[away > away.mean()], away[away <= away.mean()]
     pixel = outer.mean() / (0.46 * side)
     assert abs(inner.mean() / pixel - 0.34 * side) < 0.25
-    assert max(outer.std(), inner.std()) / pixel < 0.07
+    assert max(outer.std(), inner.std()) / pixel < 0.05
 
 
 @pytest.mark.parametrize("shape", [(1, 1, 3), (5, 90, 4), (40, 3, 3), (9, 9, 4)])

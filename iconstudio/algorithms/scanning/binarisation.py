@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from iconstudio.algorithms.scanning.flat import flat_drawing
 from iconstudio.algorithms.scanning.free import LARGE, free_drawing
 from iconstudio.algorithms.scanning.paper import lighting, page, trend
-from iconstudio.algorithms.scanning.resampling import reconstructed, resized, shrunk
+from iconstudio.algorithms.scanning.resampling import COARSE, reconstructed, resized, shrunk
 from iconstudio.algorithms.tones.tone import Inked, pictogram
 from iconstudio.model import IconstudioError
 
@@ -167,9 +167,11 @@ def ink_of(scan: Scan, threshold: int | None = None) -> NDArray[np.bool_]:
         raise IconstudioError("No drawing can be made out on it.")
     ink = scan.at(scan.threshold if threshold is None else threshold)
     ink = ~_cleaned(~_cleaned(ink, _SPECK), _SPECK)
-    if not ink.any():
-        raise IconstudioError("Nothing is that dark. Lower the threshold.")
-    return ink
+    if ink.any():
+        return ink
+    if threshold is None:
+        raise IconstudioError("No drawing can be made out on it, but for specks.")
+    raise IconstudioError("Nothing is that dark. Lower the threshold.")
 
 
 def _seen_through(small: NDArray[np.float32], inverted: bool | None) -> tuple[_Seeing, bool]:
@@ -238,7 +240,7 @@ def _darkness(
 
 def _enlarged(dark: NDArray[np.float32], shape: tuple[int, ...]) -> NDArray[np.float32]:
     """Return the darkness at another resolution; of few pixels, that of the shape they show."""
-    threshold = _threshold(dark)
+    threshold = _threshold(dark) if shape[0] >= COARSE * dark.shape[0] else None
     if threshold is None:
         return resized(dark, shape)
     whole = 2 * threshold

@@ -187,8 +187,8 @@ def _pieces(
     graph = scipy.sparse.coo_array((np.ones(len(rows)), (rows, columns)), (even.size,) * 2)
     _, labels = scipy.sparse.csgraph.connected_components(graph, directed=False)
     labels = labels.reshape(even.shape)
-    for one in np.flatnonzero(np.bincount(labels[even]) >= least):
-        yield labels == one
+    for label in np.flatnonzero(np.bincount(labels[even]) >= least):
+        yield labels == label
 
 
 def _joined(

@@ -23,7 +23,7 @@ def shrunk(pixels: NDArray[np.uint8], step: int) -> NDArray[np.float32]:
 
 _FINER = 8
 """Pixels to a side into which one is divided to reconstruct a shape."""
-_COARSE = 6
+COARSE = 6
 """How many times a bitmap must be enlarged for that to be worth while."""
 _ROUNDS, _STEEP, _SMOOTH = 3, 3.0, 0.2
 """How often it is corrected, how steep its edges are, per pixel of the bitmap, and how many of its
@@ -38,7 +38,7 @@ def reconstructed(coverage: NDArray[np.float32], shape: tuple[int, ...]) -> NDAr
     registration, 1991: back-projection). So strokes of a pixel keep their width, and are whole.
     """
     height, width = coverage.shape
-    if shape[0] < _COARSE * height:
+    if shape[0] < COARSE * height:
         return resized(coverage, shape)
     fine = height * _FINER, width * _FINER
     found = resized(coverage, fine)
