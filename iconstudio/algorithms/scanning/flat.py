@@ -98,7 +98,9 @@ def _ground(palette: Palette, blended: NDArray[np.float32]) -> tuple[int | None,
     shares[list(palette.shades)] = 0
     paper = (palette.colours.min(axis=1) > _PAPER) & (shares > _AT_RIM)
     cornered = (away[:, [0, 0, -1, -1], [0, -1, 0, -1]] < _ASTRAY).all(axis=1)
-    for some in (shares > _AROUND, cornered, paper):
+    # Paper of which a part lies in the shadow, or beside a desk, has shades.
+    grounds = [shares > _AROUND, cornered] + ([] if palette.shades else [paper])
+    for some in grounds:
         candidates = np.where(some, shares, 0)
         if candidates.any():
             return int(candidates.argmax()), float(candidates.max())
