@@ -143,3 +143,25 @@ def test_what_a_scan_lacks_is_told(session, tmp_path):
     Image.fromarray(paper).save(half)
     half.write_bytes(half.read_bytes()[: half.stat().st_size * 9 // 10])
     assert "cut short" in session.icon(str(half)).remarks[0]
+
+
+@pytest.mark.parametrize("shape", [(10, 3000), (3000, 10)])
+def test_a_line_that_is_too_thin_for_an_icon_is_drawn_thicker_and_that_is_told(
+    session, tmp_path, shape
+):
+    pixels = np.full((*shape, 3), 255, np.uint8)
+    pixels[3:-3, 3:-3] = 0
+    path = tmp_path / "line.png"
+    Image.fromarray(pixels).save(path)
+    icon = session.icon(str(path))
+    assert any("too thin" in remark for remark in icon.remarks)
+    assert session.exemplar(icon).ink.any()
+
+
+def test_of_a_line_of_one_pixel_it_is_told_that_nothing_is_made_out(session, tmp_path):
+    pixels = np.full((1, 3000, 3), 255, np.uint8)
+    pixels[:, 50:2950] = 0
+    path = tmp_path / "row.png"
+    Image.fromarray(pixels).save(path)
+    with pytest.raises(IconstudioError, match=r"row\.png.*No drawing can be made out"):
+        session.icon(str(path))

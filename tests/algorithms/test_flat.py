@@ -123,8 +123,8 @@ def test_the_light_or_dark_drawing_on_an_app_icon_is_the_drawing(
 
 
 SHADOW = (
-    '<filter id="f" x="-20%" y="-20%" width="150%" height="150%"><feDropShadow dx="0" dy="4" '
-    'stdDeviation="3" flood-opacity=".4"/></filter>'
+    '<filter id="f" x="-20%" y="-20%" width="150%" height="150%"><feDropShadow dx="0" dy="2" '
+    'stdDeviation="3" flood-opacity=".3"/></filter>'
 )
 LAYERED = {
     "duotone": '<path d="M10 40h80v50H10z" opacity=".4"/><path d="M50 5l45 35H5z"/>',
@@ -159,17 +159,21 @@ def test_a_drawing_on_a_bright_ground_is_found_whatever_the_ground(ground, ink):
     assert scans.iou(scans.fitted(ink_of(scan).astype(float)), scans.fitted(right)) > 0.9
 
 
+@pytest.mark.parametrize(("greys", "strays"), [(True, 0.05), (False, 0.17)])
 @pytest.mark.parametrize("side", [16, 24])
-def test_a_small_picture_gives_smooth_contours(side):
+def test_a_small_picture_gives_smooth_contours(side, greys, strays):
     """A ring two pixels wide stays whole, as wide, and round."""
     body = '<circle cx="50" cy="50" r="40" fill="none" stroke="#000" stroke-width="12"/>'
-    ink = ink_of(recognised(rgba(body, side, "0 0 100 100")))
+    pixels = rgba(body, side, "0 0 100 100")
+    if not greys:
+        pixels[..., 3] = np.where(pixels[..., 3] > 127, 255, 0)
+    ink = ink_of(recognised(pixels))
     rows, columns = np.nonzero(ink ^ ndimage.binary_erosion(ink))
     away = np.hypot(rows - rows.mean(), columns - columns.mean())
     outer, inner = away[away > away.mean()], away[away <= away.mean()]
     pixel = outer.mean() / (0.46 * side)
-    assert abs(inner.mean() / pixel - 0.34 * side) < 0.25
-    assert max(outer.std(), inner.std()) / pixel < 0.05
+    assert abs(inner.mean() / pixel - 0.34 * side) < 0.3
+    assert max(outer.std(), inner.std()) / pixel < strays
 
 
 @pytest.mark.parametrize("shape", [(1, 1, 3), (5, 90, 4), (40, 3, 3), (9, 9, 4)])

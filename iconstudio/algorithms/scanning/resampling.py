@@ -30,6 +30,12 @@ _ROUNDS, _STEEP, _SMOOTH = 3, 3.0, 0.2
 pixels contours are smoothed by."""
 
 
+_JAGGED = 0.6
+"""By how many pixels contours are smoothed where there are no greys; lines of one pixel stay."""
+_GREY, _FEW = 0.4, 0.1
+"""How far from half of 1 greys are at most, and what part of the pixels at edges is few."""
+
+
 def reconstructed(coverage: NDArray[np.float32], shape: tuple[int, ...]) -> NDArray[np.float32]:
     """Return (h, w) how much of each pixel a shape covers, at a much higher resolution.
 
@@ -42,12 +48,24 @@ def reconstructed(coverage: NDArray[np.float32], shape: tuple[int, ...]) -> NDAr
         return resized(coverage, shape)
     fine = height * _FINER, width * _FINER
     found = resized(coverage, fine)
+    if _is_jagged(coverage):
+        found = scipy.ndimage.gaussian_filter(found, _JAGGED * _FINER)
+        return resized(np.clip(found, 0, 1), shape)
     for _ in range(_ROUNDS):
         sharp = np.clip(0.5 + (found - 0.5) * _STEEP, 0, 1)
         covered = sharp.reshape(height, _FINER, width, _FINER).mean(axis=(1, 3))
         found = found + resized(coverage - covered, fine)
         found = scipy.ndimage.gaussian_filter(found, _SMOOTH * _FINER)
     return resized(np.clip(found, 0, 1), shape)
+
+
+def _is_jagged(coverage: NDArray[np.float32]) -> bool:
+    """Whether the edges of a shape have no greys, which tell where within a pixel they run."""
+    high = scipy.ndimage.maximum_filter(coverage, 3)
+    low = scipy.ndimage.minimum_filter(coverage, 3)
+    edge = high - low > 0.5
+    grey = edge & (abs(coverage - 0.5) < _GREY)
+    return bool(grey.sum() < _FEW * edge.sum())
 
 
 def resized(values: NDArray[np.float32], shape: tuple[int, ...]) -> NDArray[np.float32]:
