@@ -131,6 +131,7 @@ LAYERED = {
     "faint fill": '<path d="M15 15h70v70H15z" opacity=".2"/><path d="M10 10h80v80H10zm10 10v60h60V'
     '20z" fill-rule="evenodd"/>',
     "pale emoji": '<g opacity=".9">' + FACE.format("#fc0", "#420") + SMILE + "</g>",
+    "faint emoji": '<g opacity=".3">' + FACE.format("#27d", "#fd0") + SMILE + "</g>",
     "two colours": '<circle cx="50" cy="50" r="40" fill="#f00" opacity=".5"/>'
     '<path d="M38 38h24v24H38z"/>',
     "shadow": SHADOW + f'<g filter="url(#f)">{DRAWINGS["bars"]}</g>',

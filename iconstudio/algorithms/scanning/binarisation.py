@@ -177,7 +177,7 @@ def ink_of(scan: Scan, threshold: int | None = None) -> NDArray[np.bool_]:
 def _seen_through(small: NDArray[np.float32], inverted: bool | None) -> tuple[_Seeing, bool]:
     """Return how dark a transparent picture is as a function of its colours, and if inverted."""
     alpha = small[..., 3]
-    solid = (alpha > 0.5) & ~_veil(alpha)
+    solid = (alpha > max(alpha.max(), LEAST) / 2) & ~_veil(alpha)
     if not solid.any():
         raise IconstudioError("It is transparent all over.")
     inner = scipy.ndimage.binary_erosion(solid, border_value=1)
