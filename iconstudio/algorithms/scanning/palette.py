@@ -29,8 +29,8 @@ _GRAINY = 4.0
 """Levels by which the pixels of a shade stray from those around, at most."""
 _GRAIN = 0.05
 """How much of the evenly painted pixels may belong to such, as JPEG leaves beside edges."""
-_EDGES = 0.03
-"""Most of a small bitmap that the edges of one kind make."""
+_BESIDE = 0.1
+"""So many pixels, as part of its own, an edge has beside it of what it lies between, at least."""
 _MOST = 20
 """Colours of a palette."""
 
@@ -155,14 +155,18 @@ def _without_blends(
     shaded: list[NDArray[np.bool_]],
     wide: NDArray[np.bool_],
 ) -> list[NDArray[np.bool_]]:
-    """Return the areas without those of edges: slim, small, and between two others in colour."""
+    """Return the areas without those of edges: slim, between two others in place and in colour."""
     colours = [np.median(blended[area], axis=0) for area in areas]
     kept = []
     for number, area in enumerate(areas):
-        others = [c for n, c in enumerate(colours) if n != number]
+        around = scipy.ndimage.binary_dilation(area, np.ones((3, 3))) & ~area
+        others = [
+            colours[n]
+            for n, other in enumerate(areas)
+            if n != number and (around & other).sum() > _BESIDE * area.sum()
+        ]
         others += [np.median(_extended(blended, piece)[area], axis=0) for piece in shaded]
-        large = area.sum() > _EDGES * area.size
-        if large or (area & wide).any() or not _is_blend(colours[number], others):
+        if (area & wide).any() or not _is_blend(colours[number], others):
             kept.append(area)
     return kept
 
