@@ -128,8 +128,8 @@ SHADOW = (
 )
 LAYERED = {
     "duotone": '<path d="M10 40h80v50H10z" opacity=".4"/><path d="M50 5l45 35H5z"/>',
-    "faint fill": '<path d="M15 15h70v70H15z" opacity=".2"/><path d="M10 10h80v80H10zm10 10v60h60V'
-    '20z" fill-rule="evenodd"/>',
+    "faint fill": '<path d="M15 15h70v70H15z" opacity=".2"/><path d="M10 10h80v80H10zm6 6v68h68V'
+    '16z" fill-rule="evenodd"/>',
     "pale emoji": '<g opacity=".9">' + FACE.format("#fc0", "#420") + SMILE + "</g>",
     "faint emoji": '<g opacity=".3">' + FACE.format("#27d", "#fd0") + SMILE + "</g>",
     "two colours": '<circle cx="50" cy="50" r="40" fill="#f00" opacity=".5"/>'
