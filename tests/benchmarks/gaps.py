@@ -192,7 +192,7 @@ def mixing(window: MainWindow) -> Stages:
     sheet = place.sheet
     yield "drawing 40 hybrids"
     place.panel.start.menu().actions()[0].trigger()
-    yield lambda: len(sheet.hybrids.pictures) > 0 and not place.draws.runner.running
+    yield lambda: len(place.sections.pictures) > 0 and not place.draws.runner.running
     yield 300
     yield "scrolling hybrids"
     bar = sheet.verticalScrollBar()

@@ -189,7 +189,7 @@ def test_the_icons_of_a_sketch_that_is_opened_again_are_shown_while_it_runs(draw
     qtbot.waitUntil(begun(session, 2))
     qtbot.waitUntil(lambda: "60 icons" in caption.text())
     assert drawn.runs.running
-    assert drawn.keyword_panel.thumbnails.sheet().rowCount() == 60
+    assert drawn.keyword_panel.thumbnails.model().rowCount() == 60
     session.gate.release(100)
     rest(drawn, qtbot, session)
 

@@ -69,6 +69,11 @@ class Picture:
         return None
 
     @property
+    def has_code(self) -> bool:
+        """Whether there are sources to colour it by."""
+        return isinstance(self.icon, Remix)
+
+    @property
     def title(self) -> str:
         """What it shows."""
         return self.icon.title
@@ -112,7 +117,7 @@ class Picture:
         painter.setRenderHints(
             QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform
         )
-        if not isinstance(self.icon, Remix):
+        if not self.has_code:
             display = Display.PLAIN
         side, icon, twin = target.width(), QRectF(target), QRectF(target)
         if display is Display.BOTH:
@@ -126,6 +131,11 @@ class Picture:
             painter.scale(icon.width() / CANVAS, icon.height() / CANVAS)
             painter.fillPath(self.outline, ink)
         painter.restore()
+
+
+def same(one: Picture, other: Picture) -> bool:
+    """Whether two results look the same."""
+    return one.icon.looks_like(other.icon)
 
 
 def pictured(events: Generator[Event], title: str = "") -> Generator["Event | Picture"]:

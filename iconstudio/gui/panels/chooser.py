@@ -6,17 +6,20 @@ from pathlib import Path
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QDragEnterEvent, QDropEvent, QKeyEvent
-from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFileDialog, QWidget
 
 from iconstudio.gui.exchange.dragging import take_copy, unpacked
+from iconstudio.gui.gallery.sheet import Sheet
+from iconstudio.gui.gallery.sheet_delegate import Look
+from iconstudio.gui.gallery.sheet_model import credited
 from iconstudio.gui.jobs.preparation import DEBOUNCE
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.panels.caption import Caption
-from iconstudio.gui.panels.choices import Choices
 from iconstudio.gui.panels.scanning import ScanDialog, may_be_scan
 from iconstudio.gui.panels.symbols import SymbolDialog
 from iconstudio.gui.panels.wordfield import WordField
+from iconstudio.gui.theme.layout import column, push_button, row
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.images.reading import SUFFIXES
 from iconstudio.model import Exemplar, Pictogram, SpriteError
@@ -58,30 +61,19 @@ class IconChooser(QWidget):
         self._session = session
         self._worker = worker
         self._multiple = multiple
-        self._shown: dict[str, Exemplar] = {}
         self._keyword = ""
         self._found: tuple[Exemplar, ...] = ()
         self._opened: dict[str, Exemplar] = {}
         self.setAcceptDrops(True)
 
         self.field = SearchField()
-        self.button = QPushButton(
-            "Open drawing…", toolTip="Use a drawing of your own: an SVG, a scan or a PNG"
-        )
-        self.button.setAutoDefault(False)
+        tip = "Use a drawing of your own: an SVG, a scan or a PNG"
+        self.button = push_button("Open drawing…", tip, self.choose_file)
         self.caption = Caption()
-        self.choices = Choices()
-        self.choices.sheet().multiple = multiple
-        row = QHBoxLayout()
-        row.setSpacing(UNIT)
-        row.addWidget(self.field, 1)
-        row.addWidget(self.button)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(UNIT)
-        layout.addLayout(row)
-        layout.addWidget(self.caption)
-        layout.addWidget(self.choices, 1)
+        self.choices = Sheet(
+            Look(7 * UNIT, margin=6), self._describe, "Icons found", draggable=True
+        )
+        column(row((self.field, 1), self.button), self.caption, (self.choices, 1), of=self)
         self.setFocusProxy(self.field)
 
         self._search = Runner(worker, self)
@@ -95,8 +87,7 @@ class IconChooser(QWidget):
         self.field.textEdited.connect(self._timer.start)
         self.field.returnPressed.connect(self._look_up)
         self.field.left.connect(self._enter_choices)
-        self.button.clicked.connect(self.choose_file)
-        self.choices.toggled.connect(self._choose)
+        self.choices.chosen.connect(self._choose)
         self.caption.say(_WELCOME)
 
     def search(self, keyword: str) -> None:
@@ -105,8 +96,9 @@ class IconChooser(QWidget):
         self._look_up()
 
     def set_taken(self, identifiers: frozenset[str]) -> None:
-        """Say which icons are taken already."""
-        self.choices.sheet().set_taken(identifiers)
+        """Say which icons are taken already; it matters only if several can be."""
+        taken = identifiers if self._multiple else frozenset()
+        self.choices.model().mark(lambda icon: icon.id in taken)
 
     def choose_file(self) -> None:
         """Ask for a file: an SVG, or an image."""
@@ -173,7 +165,7 @@ class IconChooser(QWidget):
         self._opened = {exemplar.id: exemplar} | self._opened
         self._fill()
         self.caption.say(f"Opened “{exemplar.pictogram.credit.title}”.")
-        if not self.choices.sheet().is_taken(exemplar):
+        if not self.choices.model().is_marked(exemplar):
             self.chosen.emit(exemplar)
 
     def _choose_symbol(self, path: str, names: tuple[str, ...]) -> None:
@@ -186,23 +178,27 @@ class IconChooser(QWidget):
         dialog.chosen.connect(lambda icon: self._file.start(lambda: _drawn(self._session, icon)))
         dialog.open()
 
-    def _choose(self, identifier: str) -> None:
-        exemplar = self._shown[identifier]
-        taken = self.choices.sheet().is_taken(exemplar)
+    def _describe(self, icon: Exemplar, taken: bool) -> tuple[str, str]:
+        what = "take it away" if taken else "add it" if self._multiple else "use it"
+        name = f"{icon.name}, taken" if taken else icon.name
+        return name, f"{credited(icon)}\nClick to {what}, or drag it"
+
+    def _choose(self, exemplar: Exemplar) -> None:
+        taken = self.choices.model().is_marked(exemplar)
         (self.released if taken else self.chosen).emit(exemplar)
 
     def _fill(self) -> None:
-        self._shown = self._opened | {one.id: one for one in self._found}
-        self.choices.sheet().show(tuple(self._shown.values()))
+        shown = self._opened | {one.id: one for one in self._found}
+        self.choices.show_entries(tuple(shown.values()))
 
     def _fail(self, message: str) -> None:
         self.caption.say(message, error=True)
         self.failed.emit(message)
 
     def _enter_choices(self) -> None:
-        if self._shown:
+        if self.choices.model().entries:
             self.choices.setFocus(Qt.FocusReason.OtherFocusReason)
-            self.choices.setCurrentIndex(self.choices.sheet().index(0))
+            self.choices.setCurrentIndex(self.choices.model().index(0))
 
 
 class SearchField(WordField):

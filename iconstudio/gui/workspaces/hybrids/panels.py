@@ -16,13 +16,17 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from iconstudio.gui.gallery.pictures import Picture
+from iconstudio.gui.gallery.sheet import Sheet
+from iconstudio.gui.gallery.sheet_delegate import Look, Mark
 from iconstudio.gui.panels.caption import Caption
 from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.panels.symmetry import WORDS, SymmetryButton
 from iconstudio.gui.theme import icons
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.workspaces.hybrids.cards import COLUMNS, SIDE, Cards
-from iconstudio.gui.workspaces.hybrids.sheet import Sheet
+from iconstudio.gui.workspaces.hybrids.hover_bar import HoverBar
+from iconstudio.gui.workspaces.hybrids.sections import Sections, terms
 from iconstudio.model import Axis
 from iconstudio.workflows.hybrids.file import LARGEST_SEED
 from iconstudio.workflows.hybrids.hybrids import FEWEST, MOST
@@ -30,6 +34,8 @@ from iconstudio.workflows.hybrids.page import HybridsPage
 
 WIDTH = COLUMNS * SIDE + (COLUMNS - 1) * UNIT // 2 + 4 * UNIT + 2
 """Of the column of icons: as many cards as stand in a row."""
+
+_LOOK = Look(12 * UNIT, mark=Mark.STAR, picks=True, fills=True)
 
 
 class SeedField(QWidget):
@@ -187,7 +193,9 @@ class SheetPanel(QFrame):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setProperty("card", True)
-        self.sheet = Sheet()
+        self.sheet = Sheet(_LOOK, _described, "Hybrids")
+        self.bar = HoverBar(self.sheet)
+        self.sections = Sections(self.sheet, self.bar)
         self.title = QLabel("Hybrids")
         self.title.setProperty("title", True)
         self.note = QLabel()
@@ -241,3 +249,7 @@ class SheetPanel(QFrame):
             column.addWidget(part, 0, Qt.AlignmentFlag.AlignHCenter)
         column.addStretch()
         return page
+
+
+def _described(picture: Picture, kept: bool) -> tuple[str, str]:
+    return picture.title, f"{picture.title.capitalize()}\n{terms(picture)}"

@@ -18,7 +18,7 @@ from iconstudio.gui.workspaces.hybrids.batches import CODED
 from iconstudio.gui.workspaces.hybrids.drawing import Draws
 from iconstudio.gui.workspaces.hybrids.opening import HybridsOpener
 from iconstudio.gui.workspaces.hybrids.panels import IconsColumn, SheetPanel
-from iconstudio.gui.workspaces.hybrids.sheet_model import terms
+from iconstudio.gui.workspaces.hybrids.sections import terms
 from iconstudio.model import IconstudioError, Pictogram
 from iconstudio.session import Session
 from iconstudio.workflows.files import write_file
@@ -52,8 +52,8 @@ class HybridsWorkspace(Workspace):
         self.opener = HybridsOpener(session, self.document, self.finder, self)
         self.column = IconsColumn(IconChooser(session, self.finder, multiple=True))
         self.panel = SheetPanel()
-        self.sheet = self.panel.sheet
-        self.draws = Draws(session, self.worker, self.sheet, self)
+        self.sheet, self.sections = self.panel.sheet, self.panel.sections
+        self.draws = Draws(session, self.worker, self.sheet, self.sections, self)
         self.favourites_panel = FavouritesPanel("Press F at a hybrid to keep it")
         self.detail = DetailPanel()
         self.displays = self.sheet, self.detail.large
@@ -142,8 +142,8 @@ class HybridsWorkspace(Workspace):
         self.opener.shown.connect(self.run)
         sheet.picked.connect(self._look_at)
         sheet.chosen.connect(self.kept)
-        sheet.favourite.connect(self.keep)
-        sheet.like.connect(self.draw_like)
+        panel.bar.favourite.connect(self.keep)
+        panel.bar.like.connect(self.draw_like)
         sheet.asked.connect(self._open_menu)
         panel.back.connect(self.draws.show_all)
         self.favourites_panel.picked.connect(self._look_at)
@@ -165,7 +165,7 @@ class HybridsWorkspace(Workspace):
 
     def enter(self) -> None:
         """Begin with looking icons up, or go on at the sheet."""
-        (self.sheet if self.sheet.hybrids.sections else self.column.chooser).setFocus()
+        (self.sheet if self.sections.all else self.column.chooser).setFocus()
 
     def take(self, pictogram: Pictogram) -> None:
         """Mix an icon that was sent or dropped here."""
@@ -213,7 +213,7 @@ class HybridsWorkspace(Workspace):
             self.column.chooser.setFocus()
 
     def _rest(self) -> None:
-        hybrids = self.sheet.hybrids
+        hybrids = self.sections
         if not (self.draws.runner.running or self.opener.runner.running):
             count, total = (len(some) for some in (hybrids.in_sight, hybrids.pictures))
             others = f" · {total} with the others" if total > count else ""
@@ -255,8 +255,9 @@ class HybridsWorkspace(Workspace):
         self.column.show_page(page, edits.shared_axis(page) if page.symmetry is None else None)
         favourites = tuple(picture_of(one, CODED) for one in page.favourites)
         if self.favourites_panel.pictures != favourites:
-            self.favourites_panel.icon_list.show_pictures(favourites)
-        self.sheet.set_favourites(favourites)
+            self.favourites_panel.icon_list.show_entries(favourites)
+        kept = page.favourites
+        self.sheet.model().mark(lambda one: any(icon.looks_like(one.icon) for icon in kept))
         mix = page.mix
         stale = self.draws.ran is not None and self.draws.ran != mix
         self.panel.note.setText("of an earlier mix – press Mix to renew" if stale else "")

@@ -9,9 +9,11 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QSplitter, QVBoxLayou
 from iconstudio.gui.document.document import Document
 from iconstudio.gui.exchange.saving import Saver
 from iconstudio.gui.gallery.detail import DetailPanel
-from iconstudio.gui.gallery.icon_list import IconList
 from iconstudio.gui.gallery.pictures import Picture, pictured
 from iconstudio.gui.gallery.sending import Destination
+from iconstudio.gui.gallery.sheet import Sheet
+from iconstudio.gui.gallery.sheet_delegate import framed
+from iconstudio.gui.gallery.sheet_model import results_with
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.panels.chooser import IconChooser
@@ -38,8 +40,13 @@ class PlainWorkspace(Workspace):
         self.opener = WorkOpener(workflow, session, self.document, self.finder, self)
         self.chooser = IconChooser(session, self.finder)
         self.runner = Runner(self.worker, self)
-        self.results = IconList(
-            _SIDE, "The icons appear here", "Click to see it large", wrapping=True
+        self.results = Sheet(
+            framed(_SIDE),
+            results_with("Click to see it large"),
+            workflow.title,
+            hint="The icons appear here",
+            draggable=True,
+            removable=True,
         )
         self.detail = DetailPanel()
         self.displays = (self.detail.large,)
@@ -119,7 +126,7 @@ class PlainWorkspace(Workspace):
 
     def run(self) -> None:
         """Make the icons of what is there now; nothing of an empty page."""
-        self.results.show_pictures(())
+        self.results.show_entries(())
         self.detail.show_picture(None)
         self.picked.emit(None)
         page = self.document.page
@@ -143,7 +150,7 @@ class PlainWorkspace(Workspace):
     def _show(self, event: object) -> None:
         if isinstance(event, Picture):
             kept = [one for one in self.results.pictures if not one.preview]
-            self.results.show_pictures([*kept, event])
+            self.results.show_entries([*kept, event])
             self.counted.emit(len(self.results.pictures))
             if self.picture is None:
                 self._look_at(event, kept=False)
