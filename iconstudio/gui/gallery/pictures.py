@@ -1,6 +1,6 @@
 """Pictures that the panels show, made from the values of the model."""
 
-from collections.abc import Generator
+from collections.abc import Callable, Generator
 from contextlib import closing
 from dataclasses import dataclass, replace
 from enum import Enum
@@ -138,22 +138,40 @@ def same(one: Picture, other: Picture) -> bool:
     return one.icon.looks_like(other.icon)
 
 
-def pictured(events: Generator[Event], title: str = "") -> Generator["Event | Picture"]:
-    """Pass ``events`` on, with a ``Picture`` in place of each result, of that title if given.
+def titled(title: str) -> Callable[[Icon], Icon]:
+    """Return what gives icons a title, if there is one."""
+    return lambda icon: replace(icon, title=title) if title else icon
+
+
+def pictured(
+    events: Generator[Event],
+    change: Callable[[Icon], Icon | None] = lambda icon: icon,
+    side: int = COLOUR_CODE_SIZE,
+    colours: "Callable[[Icon], Palette | None]" = lambda icon: None,
+) -> Generator["Event | Picture"]:
+    """Pass ``events`` on, with a ``Picture`` in place of each result.
 
     Runs where the events are made, so that the window's thread has nothing to compute.
+
+    Parameters
+    ----------
+    change
+        Returns an icon as it is to be shown; None leaves it out.
+    side
+        Of the colour-coded pictures, in pixels.
+    colours
+        Returns the colours of an icon's sources; None: those that its composite gives them.
     """
     with closing(events):
         for event in events:
-            if isinstance(event, Result):
-                icon = replace(event.icon, title=title) if title else event.icon
-                picture = Picture(icon, painter_path(icon.path), preview=event.preview)
+            if not isinstance(event, Result):
+                yield event
+            elif (icon := change(event.icon)) is not None:
+                picture = _drawn(icon, side, colours(icon), event.preview)
                 if not picture.preview:
                     _ = picture.coded  # made here, as the window will show it at once
                 yield picture
                 _ = picture.coded
-            else:
-                yield event
 
 
 def picture_of(icon: Icon, size: int | None = None, colours: "Palette | None" = None) -> Picture:
@@ -162,11 +180,16 @@ def picture_of(icon: Icon, size: int | None = None, colours: "Palette | None" = 
     That one is made at once, for a thread that has nothing to do later; as long as somebody has
     the picture, it is not made again.
     """
-    picture = _made.get(id(icon))
-    if picture is None:
-        picture = Picture(icon, painter_path(icon.path), colours, size or COLOUR_CODE_SIZE)
-        _made[id(icon)] = picture
+    picture = _made.get(id(icon)) or _drawn(icon, size or COLOUR_CODE_SIZE, colours)
     _ = picture.coded
+    return picture
+
+
+def _drawn(
+    icon: Icon, side: int, colours: "Palette | None" = None, preview: bool = False
+) -> Picture:
+    picture = Picture(icon, painter_path(icon.path), colours, side, preview)
+    _made[id(icon)] = picture
     return picture
 
 

@@ -1,6 +1,7 @@
 """A scan or a picture becomes an icon: what counts as ink is chosen while the icon is in sight."""
 
 from collections.abc import Generator
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -22,8 +23,7 @@ from iconstudio.algorithms.scanning.binarisation import Scan
 from iconstudio.gui.canvas.mipmap import Mipmap
 from iconstudio.gui.canvas.photo import image_of, qt_image
 from iconstudio.gui.canvas.vector import painter_path
-from iconstudio.gui.jobs.coalescing import Coalescing
-from iconstudio.gui.jobs.runner import Runner
+from iconstudio.gui.jobs.live import LiveRunner
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.panels.caption import Caption
 from iconstudio.gui.theme import theme
@@ -119,6 +119,15 @@ class ScanView(QFrame):
         painter.end()
 
 
+@dataclass(frozen=True, eq=False)
+class _Request:
+    """An icon that is to be traced, each time anew."""
+
+    scan: Scan
+    threshold: int
+    remark: str
+
+
 class ScanDialog(QDialog):
     """The picture, the icon that is made of it, and what may be changed about that.
 
@@ -148,12 +157,11 @@ class ScanDialog(QDialog):
         self._image: Image | None = None
         self._scan: Scan | None = None
         self.icon: Pictogram | None = None
-        self.runner = Runner(worker, self)
+        self.runner = LiveRunner(worker, self._traced, self, _PATIENCE)
         self.runner.event.connect(self._receive)
         self.runner.failed.connect(self._fail)
-        self._tracing = Coalescing(self.runner, self._trace, _PATIENCE)
         self._rest = QTimer(self, singleShot=True, interval=_REST)
-        self._rest.timeout.connect(self._tracing.request)
+        self._rest.timeout.connect(self._trace)
         self._lay_out()
         self.finished.connect(self._end)
         self.runner.start(lambda: _opened(session, source))
@@ -225,7 +233,7 @@ class ScanDialog(QDialog):
                 self.preview.show_tracing(found)
                 self.accept_button.setEnabled(True)
                 self.caption.say(" ".join(self.icon.remarks) or _WORDS)
-                self._tracing.release()
+                self.runner.release()
             case None:
                 return
             case _:
@@ -274,10 +282,13 @@ class ScanDialog(QDialog):
             self._rest.start()
 
     def _trace(self) -> None:
-        scan, threshold, image = self._scan, DARKEST - self.slider.value(), self._image
-        if scan is not None:
-            making = self._session.trace
-            self.runner.start(lambda: _answer(making(scan, threshold, self._name, image.remark)))
+        if self._scan is not None:
+            remark = self._image.remark
+            self.runner.request(_Request(self._scan, DARKEST - self.slider.value(), remark))
+
+    def _traced(self, request: _Request) -> Generator[object]:
+        scan, threshold, remark = request.scan, request.threshold, request.remark
+        return _answer(self._session.trace(scan, threshold, self._name, remark))
 
     def _forget(self) -> None:
         self.icon = None
@@ -290,7 +301,6 @@ class ScanDialog(QDialog):
 
     def _end(self) -> None:
         self._rest.stop()
-        self._tracing.discard()
         self.runner.cancel()
 
 

@@ -14,7 +14,6 @@ from iconstudio.gui.exchange.saving import Saver
 from iconstudio.gui.gallery.browser import ResultsBrowser
 from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.gallery.sending import Destination
-from iconstudio.gui.jobs.live import FINE, LIVE, LiveSource, Runs
 from iconstudio.gui.jobs.preparation import Preparation, Query
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
@@ -24,6 +23,7 @@ from iconstudio.gui.panels.symmetry import SymmetryButton, SymmetryHint
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.window.preferences import preferred
 from iconstudio.gui.workspaces.base import Workspace
+from iconstudio.gui.workspaces.runs import FINE, LIVE, LiveSource, Runs
 from iconstudio.gui.workspaces.symmetry import SymmetryDetection
 from iconstudio.session import Session
 from iconstudio.workflows import criteria as edits
@@ -179,8 +179,8 @@ class RemixWorkspace(Workspace, LiveSource):
         document.page_changed.connect(self._renew)
         runs.began.connect(self._begin_run)
         runs.event.connect(self.show_event)
-        runs.progressed.connect(self.progressed)
-        runs.failed.connect(self.failed)
+        runs.runner.progress.connect(self.progressed)
+        runs.runner.failed.connect(self.failed)
         runs.ended.connect(self._end_run)
         self.connect_browser(browser)
         self._show_modes()

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QHideEvent
@@ -24,6 +25,7 @@ from iconstudio.gui.gallery.detail import DetailPanel
 from iconstudio.gui.gallery.display_switch import DisplaySwitch
 from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.gallery.sending import Destination
+from iconstudio.gui.jobs.live import LiveRunner
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.panels.canvas import CanvasPanel
 from iconstudio.gui.panels.chooser import IconChooser
@@ -32,7 +34,7 @@ from iconstudio.gui.window.actions import Entry, Key, work_entries
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.montage.appearance import palette_of
 from iconstudio.gui.workspaces.montage.layers import LayerList, scrolling
-from iconstudio.gui.workspaces.montage.live import TITLE, LiveResult
+from iconstudio.gui.workspaces.montage.live import TITLE, Request, made
 from iconstudio.gui.workspaces.montage.opening import MontageOpener
 from iconstudio.gui.workspaces.montage.overlay import BrushSlider
 from iconstudio.gui.workspaces.montage.scene import MontageScene
@@ -78,7 +80,7 @@ class MontageWorkspace(Workspace):
         """Looks icons up and draws them also while a montage is made."""
         self.opener = MontageOpener(session, self.document, self.finder, self)
         self.outlines = IconOutlines(session, self.finder, self)
-        self.live = LiveResult(session, self.worker, self)
+        self.live = LiveRunner(self.worker, partial(made, session), self)
         self._kept: Picture | None = None
 
         self.scene = MontageScene(self.document, self.outlines)
@@ -170,10 +172,10 @@ class MontageWorkspace(Workspace):
         )
         self.switch.chosen.connect(self.choose_display)
         self.document.page_changed.connect(self._show_page)
-        live.shown.connect(self._show_result)
+        live.event.connect(self._show_result)
         live.progress.connect(self.progressed)
         live.failed.connect(self.failed)
-        live.idle.connect(lambda: self.idle.emit(""))
+        live.ended.connect(lambda _: live.running or self.idle.emit(""))
         self.detail.sent.connect(lambda title: self.send_picture(self.picture, title))
         self.connect_detail(self.detail)
         self.kept.connect(self._note_kept)
@@ -214,11 +216,10 @@ class MontageWorkspace(Workspace):
 
     # -- result --------------------------------------------------------------------------------
 
-    def _show_result(self, picture: Picture) -> None:
-        if not self.document.page.marked:
-            return
-        self.detail.show_picture(picture)
-        self.picked.emit(picture)
+    def _show_result(self, event: object) -> None:
+        if isinstance(event, Picture):
+            self.detail.show_picture(event)
+            self.picked.emit(event)
 
     def _note_kept(self, picture: Picture) -> None:
         self._kept = picture
@@ -227,9 +228,9 @@ class MontageWorkspace(Workspace):
 
     def _show_page(self, page: MontagePage) -> None:
         if page.marked:
-            self.live.request(page.montage(), palette_of(page))
+            self.live.request(Request(page.montage(), palette_of(page)))
         else:
-            self.live.discard()
+            self.live.cancel()
             if self.picture is not None:
                 self.detail.show_picture(None)
                 self.picked.emit(None)

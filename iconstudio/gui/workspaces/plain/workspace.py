@@ -3,6 +3,9 @@
 The results follow every change of the work.
 """
 
+from collections.abc import Callable
+from typing import Any
+
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QSplitter, QVBoxLayout
 
@@ -14,7 +17,7 @@ from iconstudio.gui.gallery.sending import Destination
 from iconstudio.gui.gallery.sheet import Sheet
 from iconstudio.gui.gallery.sheet_delegate import framed
 from iconstudio.gui.gallery.sheet_model import results_with
-from iconstudio.gui.jobs.runner import Runner
+from iconstudio.gui.jobs.live import LiveRunner
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.theme.theme import UNIT
@@ -39,7 +42,9 @@ class PlainWorkspace(Workspace):
         """Looks icons up also while a run goes on."""
         self.opener = WorkOpener(workflow, session, self.document, self.finder, self)
         self.chooser = IconChooser(session, self.finder)
-        self.runner = Runner(self.worker, self)
+        self.runner = LiveRunner(
+            self.worker, lambda work: pictured(session.run(workflow, work)), self
+        )
         self.results = Sheet(
             framed(_SIDE),
             results_with("Click to see it large"),
@@ -95,7 +100,8 @@ class PlainWorkspace(Workspace):
     def _wire(self) -> None:
         self.connect_opener(self.opener)
         self.connect_detail(self.detail)
-        self.document.page_changed.connect(self.run)
+        self.document.page_changed.connect(self._follow)
+        self.runner.began.connect(self._clear)
         self.chooser.chosen.connect(self._take_exemplar)
         self.results.chosen.connect(self._look_at)
         self.detail.sent.connect(lambda title: self.send_picture(self.picture, title))
@@ -125,21 +131,29 @@ class PlainWorkspace(Workspace):
         )
 
     def run(self) -> None:
-        """Make the icons of what is there now; nothing of an empty page."""
-        self.results.show_entries(())
-        self.detail.show_picture(None)
-        self.picked.emit(None)
-        page = self.document.page
-        if page == self._new_page():
-            self.runner.cancel()
-        else:
-            work = page.work
-            self.runner.start(lambda: pictured(self.session.run(self.workflow, work)))
+        """Make the icons of what is there anew; nothing of an empty page."""
+        self._make(self.runner.run)
 
     def cancel(self) -> None:
         """Stop; results that are finished stay."""
         self.runner.cancel()
         self.opener.runner.cancel()
+
+    def _follow(self) -> None:
+        self._make(self.runner.request)
+
+    def _make(self, make: Callable[[Any], None]) -> None:
+        page = self.document.page
+        if page == self._new_page():
+            self.runner.cancel()
+            self._clear()
+        else:
+            make(page.work)
+
+    def _clear(self) -> None:
+        self.results.show_entries(())
+        self.detail.show_picture(None)
+        self.picked.emit(None)
 
     def _new_page(self) -> WorkPage:
         return WorkPage(self.workflow.work())
@@ -152,6 +166,7 @@ class PlainWorkspace(Workspace):
             kept = [one for one in self.results.pictures if not one.preview]
             self.results.show_entries([*kept, event])
             self.counted.emit(len(self.results.pictures))
+            self.runner.release()
             if self.picture is None:
                 self._look_at(event, kept=False)
 
