@@ -15,7 +15,7 @@ from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.gui.window.preferences import preferred
 from iconstudio.model import CANVAS, Axis, Polygon, Sketch
 from iconstudio.output.colours import SIGNIFICANT
-from iconstudio.workflows.events import Recommended, StyleSkipped
+from iconstudio.workflows.events import Progress, Recommended, StyleSkipped
 from iconstudio.workflows.grid import ModelSettings
 from iconstudio.workflows.modelling import page as edits
 from iconstudio.workflows.workflow import FINE
@@ -546,8 +546,8 @@ def test_a_short_run_shows_no_progress_but_can_be_cancelled(drawn, qtbot, sessio
     add_point(drawn)
     qtbot.waitUntil(begun(session, 2))
     told = []
-    drawn.runs.runner.progress.connect(told.append)
-    qtbot.waitUntil(lambda: len(told) > 3)
+    drawn.runs.runner._job.event.connect(told.append)
+    qtbot.waitUntil(lambda: sum(isinstance(one, Progress) for one in told) > 3)
     assert not strip(drawn).bar.isVisible()
     assert strip(drawn).label.text() == "Live"
     drawn.runs.runner._calm.stop()

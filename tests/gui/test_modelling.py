@@ -390,7 +390,7 @@ def test_how_results_are_shown_is_remembered_in_all_workspaces(ready):
     assert ready.actions_by_name["both"].isChecked()
     ready.actions_by_name["coded"].trigger()
     window.show_workspace(3)
-    assert window.workspace.switch.segments[Display.CODED].isChecked()
+    assert window.workspace.detail.switch.segments[Display.CODED].isChecked()
     window.workspace.actions_by_name["plain"].trigger()
     window.show_workspace(0)
     assert ready.browser.results.switch.segments[Display.PLAIN].isChecked()

@@ -688,11 +688,11 @@ def test_the_colour_code_is_switched_by_button_and_key(two, qtbot):
     settled(two, qtbot)
     two.actions_by_name["plain"].trigger()
     plain = two.detail.large.grab().toImage()
-    QTest.mouseClick(two.switch.segments[Display.CODED], LEFT)
+    QTest.mouseClick(two.detail.switch.segments[Display.CODED], LEFT)
     assert two.actions_by_name["coded"].isChecked()
     assert two.detail.large.grab().toImage() != plain
     two.actions_by_name["plain"].trigger()
-    assert two.switch.segments[Display.PLAIN].isChecked()
+    assert two.detail.switch.segments[Display.PLAIN].isChecked()
     assert two.detail.large.grab().toImage() == plain
 
 

@@ -4,7 +4,7 @@ from collections.abc import Callable, Generator
 from contextlib import closing
 from dataclasses import dataclass, replace
 from enum import Enum
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING
 from weakref import WeakValueDictionary
 
@@ -15,7 +15,7 @@ from PySide6.QtGui import QColor, QImage, QPainter, QPainterPath, QTransform
 
 from iconstudio.gui.canvas.mipmap import Mipmap
 from iconstudio.gui.canvas.vector import painter_path
-from iconstudio.model import CANVAS, Composite, Icon, Pictogram, Placement, Remix, Source
+from iconstudio.model import CANVAS, Composite, Exemplar, Icon, Pictogram, Placement, Remix, Source
 from iconstudio.workflows.events import Event, Result
 
 if TYPE_CHECKING:
@@ -211,6 +211,12 @@ def stencil(coverage: NDArray[np.uint8], color: QColor) -> QImage:
         painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_SourceIn)
         painter.fillRect(image.rect(), QColor(color.rgb()))
     return image
+
+
+@lru_cache(64)
+def tinted(icon: Exemplar, color: str) -> Mipmap:
+    """Return an icon in one colour, at all sizes."""
+    return Mipmap.of(stencil(icon.coverage, QColor(color)), 32)
 
 
 def placed(image: QImage, placement: Placement) -> QImage:

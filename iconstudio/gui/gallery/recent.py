@@ -3,8 +3,9 @@
 from collections.abc import Sequence
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QMenu, QWidget
+from PySide6.QtWidgets import QMenu
 
+from iconstudio.gui.exchange.saving import Saver
 from iconstudio.gui.gallery.pictures import Picture, same
 from iconstudio.gui.gallery.sending import Destination, offer, pop_up
 from iconstudio.gui.gallery.sheet import Sheet
@@ -27,17 +28,12 @@ class RecentResults(Sheet):
     -------
     sent(Picture, str)
         A result is to go to the workspace of that title.
-    save_svg(Picture), save_png(Picture), save_code(Picture), copy_svg(Picture)
-        A result is to be taken out of the window.
     """
 
     sent = Signal(object, str)
-    save_svg = Signal(object)
-    save_png = Signal(object)
-    save_code = Signal(object)
-    copy_svg = Signal(object)
 
-    def __init__(self, destinations: Sequence[Destination], parent: QWidget | None = None) -> None:
+    def __init__(self, destinations: Sequence[Destination], saver: Saver) -> None:
+        """``saver`` takes results out of the window."""
         super().__init__(
             framed(SIDE),
             results_with("Click for what to do with it, or drag it where you need it"),
@@ -46,9 +42,8 @@ class RecentResults(Sheet):
             one_row=True,
             draggable=True,
             removable=True,
-            parent=parent,
         )
-        self._destinations = destinations
+        self._destinations, self._saver = destinations, saver
         self.menu: QMenu | None = None
         self.chosen.connect(self._open_menu)
         self.asked.connect(self._open_menu)
@@ -64,11 +59,11 @@ class RecentResults(Sheet):
         offer(menu, self._destinations, lambda title: self.sent.emit(picture, title))
         if self._destinations:
             menu.addSeparator()
-        menu.addAction("Save SVG…", lambda: self.save_svg.emit(picture))
-        menu.addAction("Save PNG…", lambda: self.save_png.emit(picture))
-        code = menu.addAction("Save colour code as PNG…", lambda: self.save_code.emit(picture))
+        menu.addAction("Save SVG…", lambda: self._saver.save_svg(picture))
+        menu.addAction("Save PNG…", lambda: self._saver.save_png(picture))
+        code = menu.addAction("Save colour code as PNG…", lambda: self._saver.save_code(picture))
         code.setEnabled(picture.has_code)
-        menu.addAction("Copy SVG", lambda: self.copy_svg.emit(picture))
+        menu.addAction("Copy SVG", lambda: self._saver.copy_svg(picture))
         menu.addSeparator()
         menu.addAction("Remove", lambda: self.remove(picture))
         pop_up(menu, self.below(picture))

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem,
 from iconstudio.gui.gallery.pictures import Display, stencil
 from iconstudio.gui.gallery.sheet_model import Index, Rule
 from iconstudio.gui.theme import icons, theme
+from iconstudio.gui.theme.painting import RADIUS, paint_frame
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.model import Exemplar
 
@@ -107,18 +108,13 @@ class SheetDelegate(QStyledItemDelegate):
         hovered = bool(state & QStyle.StateFlag.State_MouseOver)
         focused = bool(state & QStyle.StateFlag.State_HasFocus)
         picked = self.look.picks and bool(state & QStyle.StateFlag.State_Selected)
-        accented = picked or ticked or focused
         if self.look.framed:
-            pen = QPen(scheme.color("accent" if focused else "border"), 1.5 if focused else 1)
-            brush = "accent_soft" if hovered else "surface"
-        elif accented or hovered:
-            pen = QPen(scheme.color("accent"), 2 if picked else 1.5)
-            brush = "accent_soft" if picked or ticked else "sunken"
+            colour = scheme.color("accent" if focused else "border")
+            painter.setPen(QPen(colour, 1.5 if focused else 1))
+            painter.setBrush(scheme.color("accent_soft" if hovered else "surface"))
+            painter.drawRoundedRect(box, RADIUS, RADIUS)
         else:
-            return
-        painter.setPen(pen if accented or self.look.framed else Qt.PenStyle.NoPen)
-        painter.setBrush(scheme.color(brush))
-        painter.drawRoundedRect(box, 6, 6)
+            paint_frame(painter, box, picked or ticked, focused, hovered)
 
     def _image(self, icon: Exemplar, scheme: theme.Theme, side: int) -> QImage:
         key = (icon.id, scheme.text, side)

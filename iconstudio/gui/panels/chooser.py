@@ -2,13 +2,14 @@
 
 from collections.abc import Generator
 from contextlib import closing
-from pathlib import Path
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QDragEnterEvent, QDropEvent, QKeyEvent
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from iconstudio.gui.exchange.dragging import take_copy, unpacked
+from iconstudio.gui.exchange.opening import IconOpener
+from iconstudio.gui.exchange.together import Sprite
 from iconstudio.gui.gallery.sheet import Sheet
 from iconstudio.gui.gallery.sheet_delegate import Look
 from iconstudio.gui.gallery.sheet_model import credited
@@ -16,13 +17,12 @@ from iconstudio.gui.jobs.preparation import DEBOUNCE
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.panels.caption import Caption
-from iconstudio.gui.panels.scanning import ScanDialog, may_be_scan
-from iconstudio.gui.panels.symbols import SymbolDialog
+from iconstudio.gui.panels.scanning import may_be_scan
 from iconstudio.gui.panels.wordfield import WordField
 from iconstudio.gui.theme.layout import column, push_button, row
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.images.reading import SUFFIXES
-from iconstudio.model import Exemplar, Pictogram, SpriteError
+from iconstudio.model import Exemplar
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event, Retrieved
 
@@ -59,7 +59,6 @@ class IconChooser(QWidget):
     ) -> None:
         super().__init__(parent)
         self._session = session
-        self._worker = worker
         self._multiple = multiple
         self._keyword = ""
         self._found: tuple[Exemplar, ...] = ()
@@ -79,9 +78,9 @@ class IconChooser(QWidget):
         self._search = Runner(worker, self)
         self._search.event.connect(self._show_found)
         self._search.failed.connect(self._fail)
-        self._file = Runner(worker, self)
-        self._file.event.connect(self._take_file)
-        self._file.failed.connect(self._fail)
+        self._opener = _FileOpener(session, worker, self)
+        self._opener.opened.connect(self.caption.say)
+        self._opener.failed.connect(self._fail)
         self._timer = QTimer(self, singleShot=True, interval=DEBOUNCE)
         self._timer.timeout.connect(self._look_up)
         self.field.textEdited.connect(self._timer.start)
@@ -108,20 +107,9 @@ class IconChooser(QWidget):
 
     def open_file(self, path: str) -> None:
         """Read and draw a file in the background, then choose it; of a scan, show what it gives."""
-        if may_be_scan(path):
-            dialog = ScanDialog(self._session, self._worker, Path(path), Path(path).name, self)
-            dialog.chosen.connect(
-                lambda icon: self._file.start(lambda: _drawn(self._session, icon))
-            )
-            dialog.failed.connect(self._fail)
-            dialog.no_image.connect(lambda: self._read_file(path))
-            dialog.open()
-        else:
-            self._read_file(path)
-
-    def _read_file(self, path: str) -> None:
-        self.caption.say(f"Opening “{path}”…")
-        self._file.start(lambda: _opened(self._session, path))
+        if not may_be_scan(path):
+            self.caption.say(f"Opening “{path}”…")
+        self._opener.open_drawing(path)
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         """Let a drawing be dropped; anything else is for the workspace around."""
@@ -157,26 +145,12 @@ class IconChooser(QWidget):
             what = "click to add or take away" if self._multiple else "click one to use it"
             self.caption.say(f"{icons} found · {what}")
 
-    def _take_file(self, found: Exemplar | tuple[str, tuple[str, ...]]) -> None:
-        if isinstance(found, tuple):
-            self._choose_symbol(*found)
-            return
-        exemplar = found
+    def take(self, exemplar: Exemplar) -> None:
+        """Choose an icon that was opened; it stays in front of what is found."""
         self._opened = {exemplar.id: exemplar} | self._opened
         self._fill()
-        self.caption.say(f"Opened “{exemplar.pictogram.credit.title}”.")
         if not self.choices.model().is_marked(exemplar):
             self.chosen.emit(exemplar)
-
-    def _choose_symbol(self, path: str, names: tuple[str, ...]) -> None:
-        """Let the user choose a symbol of a sprite sheet."""
-        self.caption.say("Choose a symbol of the sprite sheet.")
-        find = self._session.icon
-        dialog = SymbolDialog(
-            self._session, self._worker, lambda name: find(f"{path}#{name}"), names, self
-        )
-        dialog.chosen.connect(lambda icon: self._file.start(lambda: _drawn(self._session, icon)))
-        dialog.open()
 
     def _describe(self, icon: Exemplar, taken: bool) -> tuple[str, str]:
         what = "take it away" if taken else "add it" if self._multiple else "use it"
@@ -199,6 +173,24 @@ class IconChooser(QWidget):
         if self.choices.model().entries:
             self.choices.setFocus(Qt.FocusReason.OtherFocusReason)
             self.choices.setCurrentIndex(self.choices.model().index(0))
+
+
+class _FileOpener(IconOpener):
+    """Opens files for a chooser."""
+
+    def __init__(self, session: Session, worker: Worker, chooser: IconChooser) -> None:
+        super().__init__(session, None, worker, chooser)
+        self._chooser = chooser
+
+    def put(self, found: Exemplar) -> str:
+        """Choose an icon."""
+        self._chooser.take(found)
+        return f"Opened “{found.pictogram.credit.title}”."
+
+    def choose_symbol(self, sprite: Sprite) -> None:
+        """Let the user choose a symbol of a sprite sheet that was opened."""
+        self._chooser.caption.say("Choose a symbol of the sprite sheet.")
+        super().choose_symbol(sprite)
 
 
 class SearchField(WordField):
@@ -243,17 +235,3 @@ def _dropped_drawing(event: QDropEvent) -> str | None:
         return None
     path = urls[0].toLocalFile()
     return path if path.lower().endswith((".svg", ".svgz")) else None
-
-
-def _opened(session: Session, path: str) -> Generator[Exemplar | tuple[str, tuple[str, ...]]]:
-    """Yield a file's icon; of a sprite sheet, its path and the names of its symbols."""
-    try:
-        icon = session.icon(path)
-    except SpriteError as error:
-        yield path, error.names
-    else:
-        yield session.exemplar(icon)
-
-
-def _drawn(session: Session, icon: Pictogram) -> Generator[Exemplar]:
-    yield session.exemplar(icon)

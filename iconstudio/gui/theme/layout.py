@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import Any, TypeVar
 
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import QEvent, QObject, QSize, Qt
 from PySide6.QtWidgets import (
     QBoxLayout,
     QFrame,
@@ -24,9 +24,13 @@ from iconstudio.gui.theme.theme import UNIT
 W = TypeVar("W", bound=QWidget)
 L = TypeVar("L", bound=QBoxLayout)
 
-Part = QWidget | QLayout | tuple[QWidget | QLayout, int] | int | None
+Part = QWidget | QLayout | tuple[QWidget | QLayout | None, int] | int | None
 """What stands in a row: a widget or a layout, perhaps with its stretch; a space in pixels; None is
 a stretch."""
+
+
+TIGHT = 2, 2, 2, 2
+"""Margins around the segments of a switch."""
 
 
 def row(
@@ -54,6 +58,12 @@ def card(*parts: Part, margins: tuple[int, int, int, int] | None = None) -> QFra
     frame = with_role(QFrame(), "card")
     column(*parts, of=frame, margins=margins or (UNIT * 3 // 2, UNIT, UNIT, UNIT))
     return frame
+
+
+def segments(frame: QFrame, *buttons: QToolButton) -> None:
+    """Make a frame a switch, with a segment for each button."""
+    with_role(frame, "segments")
+    row(*(with_role(button, "segment") for button in buttons), of=frame, spacing=2, margins=TIGHT)
 
 
 def splitter(orientation: Qt.Orientation, *parts: tuple[QWidget, int, int]) -> QSplitter:
@@ -108,10 +118,33 @@ def tool_button(
     return button
 
 
+class OnResize(QObject):
+    """Calls a function whenever a widget has another size."""
+
+    def __init__(self, widget: QWidget, do: Callable[[], object]) -> None:
+        super().__init__(widget)
+        self._do = do
+        widget.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Look out for another size."""
+        if event.type() == QEvent.Type.Resize:
+            self._do()
+        return False
+
+
 def with_role(widget: W, role: str) -> W:
     """Return a widget that the style sheet paints in a role."""
     widget.setProperty(role, True)
     return widget
+
+
+def turn_role(widget: QWidget, role: str, on: bool) -> None:
+    """Let the style sheet paint a widget in a role, or no longer."""
+    if bool(widget.property(role)) != on:
+        widget.setProperty(role, on)
+        widget.style().unpolish(widget)
+        widget.style().polish(widget)
 
 
 def _filled(

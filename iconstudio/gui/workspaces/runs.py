@@ -38,8 +38,8 @@ class LiveSource:
         raise NotImplementedError
 
     def settings(self) -> ModelSettings:
-        """Return which results to make. Called only if there is no problem."""
-        raise NotImplementedError
+        """Return which results to make: all. Called only if there is no problem."""
+        return ModelSettings()
 
     def focus(self) -> Place | None:
         """Return style and lambda_S of the result that the user looks at."""

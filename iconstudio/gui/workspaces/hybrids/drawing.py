@@ -5,12 +5,12 @@ from dataclasses import replace
 from PySide6.QtCore import QObject, Signal
 
 from iconstudio.gui.gallery.pictures import Picture
-from iconstudio.gui.gallery.sheet import Sheet
 from iconstudio.gui.gallery.sheet_model import Rule
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.workspaces.hybrids.batches import Seen, batch
-from iconstudio.gui.workspaces.hybrids.sections import Section, Sections
+from iconstudio.gui.workspaces.hybrids.panels import SheetPanel
+from iconstudio.gui.workspaces.hybrids.sections import Section
 from iconstudio.model import IconstudioError, Mix
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
@@ -23,20 +23,19 @@ class Draws(QObject):
     -------
     counted(int)
         How many hybrids there are.
-    section_changed(str)
-        The section of that title is shown alone; empty if all are shown.
+    section_changed()
+        Another section is shown alone, or all are.
     """
 
     counted = Signal(int)
-    section_changed = Signal(str)
+    section_changed = Signal()
 
     def __init__(
-        self, session: Session, worker: Worker, sheet: Sheet, sections: Sections, parent: QObject
+        self, session: Session, worker: Worker, panel: SheetPanel, parent: QObject
     ) -> None:
         super().__init__(parent)
         self._session = session
-        self._sheet = sheet
-        self._sections = sections
+        self._panel, self._sheet, self._sections = panel, panel.sheet, panel.sections
         self.ran: Mix | None = None
         """What the hybrids on the sheet are of."""
         self._name = ""
@@ -46,9 +45,9 @@ class Draws(QObject):
         self._scrolled = 0
         """Where the user was on the whole sheet."""
         self.runner = Runner(worker, self)
-        self.runner.event.connect(self._show)
         self.runner.ended.connect(self._end)
-        sheet.neared_end.connect(self.draw_on)
+        panel.sheet.neared_end.connect(self.draw_on)
+        panel.back.connect(self.show_all)
 
     def start(self, mix: Mix, name: str) -> None:
         """Draw on a new sheet, or more on the one that is there if it is of the same mix.
@@ -127,7 +126,8 @@ class Draws(QObject):
         mix, name, seen = replace(section.mix, first=section.drawn), self._name, self._seen
         self.runner.start(lambda: batch(self._session, mix, name, seen))
 
-    def _show(self, event: Event | Picture) -> None:
+    def show(self, event: Event | Picture) -> None:
+        """Put a hybrid that was drawn on the sheet."""
         if isinstance(event, Picture) and self._section is not None:
             self._sections.add(self._section, event)
             self.counted.emit(len(self._sections.in_sight))
@@ -150,4 +150,5 @@ class Draws(QObject):
 
     def _show_section(self) -> None:
         alone = self._sections.alone
-        self.section_changed.emit("" if alone is None else alone.title)
+        self._panel.show_way_back(alone is not None)
+        self.section_changed.emit()

@@ -1,12 +1,13 @@
 """The buttons that hover over a hybrid on the sheet."""
 
-from PySide6.QtCore import QEvent, QObject, QPersistentModelIndex, QSize, Qt, Signal, SignalInstance
-from PySide6.QtWidgets import QHBoxLayout, QToolButton, QWidget
+from PySide6.QtCore import QEvent, QObject, QPersistentModelIndex, Qt, Signal, SignalInstance
+from PySide6.QtWidgets import QToolButton, QWidget
 
 from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.gallery.sheet import Sheet
 from iconstudio.gui.gallery.sheet_model import Index
 from iconstudio.gui.theme import icons
+from iconstudio.gui.theme.layout import row, tool_button, with_role
 
 
 class HoverBar(QWidget):
@@ -28,15 +29,9 @@ class HoverBar(QWidget):
         super().__init__(sheet.viewport())
         self._sheet, self._model = sheet, sheet.model()
         self._hovered = QPersistentModelIndex()
-        self._more = self._button("More like this (L)", self.like)
-        self._star = self._button("Keep as a favourite (F)", self.favourite)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(0)
-        row.addWidget(self._more)
-        row.addWidget(self._star)
-        self._more.setIcon(icons.icon("like", "accent"))
-        self._star.setIcon(icons.icon("star", "accent"))
+        more = self._button("like", "More like this (L)", self.like)
+        self._star = self._button("star", "Keep as a favourite (F)", self.favourite)
+        row(more, self._star, of=self, spacing=0)
         self.adjustSize()
         self.hide()
         sheet.entered.connect(self._hover)
@@ -83,11 +78,7 @@ class HoverBar(QWidget):
         self.move(box.right() - self.width() - 2, box.top() + 2)
         self.show()
 
-    def _button(self, words: str, signal: SignalInstance) -> QToolButton:
-        button = QToolButton(toolTip=words)
-        button.setAccessibleName(words)
-        button.setIconSize(QSize(16, 16))
-        button.setProperty("floating", True)
+    def _button(self, icon: str, words: str, signal: SignalInstance) -> QToolButton:
+        button = tool_button(icon, words, lambda: signal.emit(self._picture), token="accent")
         button.setCursor(Qt.CursorShape.ArrowCursor)
-        button.clicked.connect(lambda: signal.emit(self._picture))
-        return button
+        return with_role(button, "floating")
