@@ -257,7 +257,7 @@ def test_every_kind_of_change_starts_again(drawn, qtbot, session):
         stack.undo,
         stack.redo,
         lambda: drawn.hold_to(Axis.HORIZONTAL),
-        lambda: drawn.keyword_panel.toggled.emit("shapes:cross-2"),
+        lambda: drawn.keyword_panel.thumbnails.chosen.emit(exemplar(2)),
         lambda: type_keyword(drawn, "s"),
     ):
         count = len(runs(session))

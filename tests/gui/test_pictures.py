@@ -134,7 +134,7 @@ def test_what_has_no_sources_is_shown_as_an_icon_in_any_case():
     assert all(np.array_equal(plain, one) for one in others)
 
 
-@pytest.mark.parametrize("name", sorted(icons._SHAPES))
+@pytest.mark.parametrize("name", sorted(icons._shapes()))
 @pytest.mark.parametrize("colours", [theme.LIGHT, theme.DARK], ids=["light", "dark"])
 def test_every_small_icon_shows_something(name, colours):
     shown = pixels(icons.pixmap(name, colours.color("text")).toImage())

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from PySide6.QtCore import QPoint, Qt, Signal
-from PySide6.QtWidgets import QFrame, QMenu, QWidget
+from PySide6.QtWidgets import QFrame, QMenu
 
 from iconstudio.gui.gallery.sending import pop_up
 from iconstudio.gui.gallery.sheet import Sheet
@@ -14,6 +14,8 @@ from iconstudio.gui.panels.wordfield import Key, WordField
 from iconstudio.gui.theme.layout import column, push_button, row, with_role
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.model import Exemplar
+from iconstudio.workflows import criteria as edits
+from iconstudio.workflows.criteria import CriteriaDocument
 
 
 class KeywordField(WordField):
@@ -23,29 +25,21 @@ class KeywordField(WordField):
 
 
 class KeywordPanel(QFrame):
-    """The keyword field, the Remix button, and thumbnails of what the keyword finds.
+    """The keyword field, the Remix button, and thumbnails of what it finds: edits the page.
 
     A click on a thumbnail, Space or its menu leaves an icon out, or takes it back.
 
     Signals
     -------
-    edited(str)
-        The user typed.
     run()
         The user pressed Remix or Enter.
-    toggled(str)
-        An icon is to be left out, or taken back.
-    restored()
-        All icons that were left out are to be taken back.
     """
 
-    edited = Signal(str)
     run = Signal()
-    toggled = Signal(str)
-    restored = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, document: CriteriaDocument) -> None:
+        super().__init__()
+        self._document = document
         with_role(self, "card")
         self.field = KeywordField(placeholderText="What is it? For example: motorcycle")
         self.field.setAccessibleName("What the object is")
@@ -67,11 +61,11 @@ class KeywordPanel(QFrame):
             of=self,
             margins=(UNIT * 3 // 2, UNIT * 3 // 2, UNIT * 3 // 2, UNIT),
         )
-        self.field.textEdited.connect(self.edited)
+        self.field.textEdited.connect(lambda text: edits.set_keyword(document, text))
         self.field.returnPressed.connect(self.run)
-        self.thumbnails.chosen.connect(lambda icon: self.toggled.emit(icon.id))
+        self.thumbnails.chosen.connect(lambda icon: edits.toggle_icon(document, icon.id))
         self.thumbnails.asked.connect(self._open_menu)
-        self.caption.linkActivated.connect(self.restored)
+        self.caption.linkActivated.connect(lambda _: edits.exclude_icons(document, frozenset()))
         self.set_searching("")
 
     def set_words(self, placeholder: str, tip: str) -> None:
@@ -122,7 +116,7 @@ class KeywordPanel(QFrame):
         out = icon.id in self._excluded
         menu = self.menu = QMenu(self)
         words = "Use this icon again" if out else "Leave this icon out"
-        menu.addAction(words, lambda: self.toggled.emit(icon.id))
+        menu.addAction(words, lambda: edits.toggle_icon(self._document, icon.id))
         pop_up(menu, spot)
 
     def _tell_found(self) -> None:

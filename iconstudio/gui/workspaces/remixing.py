@@ -60,7 +60,7 @@ class RemixWorkspace(Workspace, LiveSource):
         self.preparation = Preparation(session, self.worker, self)
         self.runs = Runs(self, self.preparation, self.worker, self)
         self._opening = Runner(self.worker, self)
-        self.keyword_panel = KeywordPanel()
+        self.keyword_panel = KeywordPanel(document)
         self.browser = ResultsBrowser()
         self.detail = self.browser.detail
         self.displays = (self.browser,)
@@ -144,10 +144,7 @@ class RemixWorkspace(Workspace, LiveSource):
     def _wire(self) -> None:
         """Connect the panels with the page and with the work, and open the collection."""
         document, panel, browser = self.document, self.keyword_panel, self.browser
-        panel.edited.connect(lambda text: edits.set_keyword(document, text))
         panel.run.connect(self.run)
-        panel.toggled.connect(lambda icon: edits.toggle_icon(document, icon))
-        panel.restored.connect(lambda: edits.exclude_icons(document, frozenset()))
         self.symmetry.chosen.connect(self.hold_to)
         preparation, runs = self.preparation, self.runs
         preparation.started.connect(panel.set_searching)

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,8 +30,9 @@ from iconstudio.gui.theme.layout import tool_button, with_role
 from iconstudio.gui.theme.painting import smooth_painter
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.model import CANVAS, Axis, Exemplar, Point
+from iconstudio.workflows.hybrids import page as edits
 from iconstudio.workflows.hybrids.hybrids import pinned
-from iconstudio.workflows.hybrids.page import Ingredient
+from iconstudio.workflows.hybrids.page import HybridsDocument, Ingredient
 
 SIDE = 9 * UNIT
 """Side of a card in device-independent pixels."""
@@ -200,22 +202,19 @@ class IconCard(QWidget):
 
 
 class Cards(QScrollArea):
-    """The cards of all icons, in rows; icons and files can be dropped here.
+    """The cards of all icons, in rows: edit the page; icons and files can be dropped here.
 
     Signals
     -------
-    pinned(str, tuple), removed(str)
-        See ``IconCard``.
     dropped(QMimeData)
         Something was dropped.
     """
 
-    pinned = Signal(str, tuple)
-    removed = Signal(str)
     dropped = Signal(object)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, document: HybridsDocument) -> None:
+        super().__init__()
+        self._document = document
         self.setWidgetResizable(True)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setFrameShape(QScrollArea.Shape.NoFrame)
@@ -235,8 +234,8 @@ class Cards(QScrollArea):
         """Show these icons."""
         while len(self.cards) < len(ingredients):
             card = IconCard()
-            card.pinned.connect(self.pinned)
-            card.removed.connect(self.removed)
+            card.pinned.connect(partial(edits.set_pins, self._document))
+            card.removed.connect(partial(edits.remove_icon, self._document))
             place = divmod(len(self.cards), COLUMNS)
             self._grid.addWidget(card, *place)
             self.cards.append(card)

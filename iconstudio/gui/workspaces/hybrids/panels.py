@@ -111,7 +111,7 @@ class IconsColumn(QWidget):
         self.setFixedWidth(WIDTH)
         self.chooser = chooser
         self.pick = PickRow()
-        self.cards = Cards()
+        self.cards = Cards(document)
         self.symmetry = SymmetryButton()
         words = "All are nearly symmetric · Hold to symmetry"
         self.offer = push_button(words, role="pill")
@@ -129,8 +129,6 @@ class IconsColumn(QWidget):
 
     def _wire(self, document: HybridsDocument) -> None:
         self.chooser.released.connect(lambda one: edits.remove_icon(document, one.id))
-        self.cards.pinned.connect(lambda icon, pins: edits.set_pins(document, icon, pins))
-        self.cards.removed.connect(lambda icon: edits.remove_icon(document, icon))
         self.symmetry.chosen.connect(lambda axis: edits.set_symmetry(document, axis))
         self.offer.clicked.connect(
             lambda: edits.set_symmetry(document, edits.shared_axis(document.page))
