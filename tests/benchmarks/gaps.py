@@ -192,7 +192,7 @@ def mixing(window: MainWindow) -> Stages:
     sheet = place.sheet
     yield "drawing 40 hybrids"
     place.panel.start.menu().actions()[0].trigger()
-    yield lambda: len(sheet.hybrids.pictures) > 0 and not place.draws.runner.running
+    yield lambda: len(place.sections.pictures) > 0 and not place.draws.runner.running
     yield 300
     yield "scrolling hybrids"
     bar = sheet.verticalScrollBar()
@@ -222,11 +222,11 @@ def joining(window: MainWindow, session: Session) -> Stages:
     for shift in range(0, 100, 20):
         yield from _drag(place.view, middle + QPoint(shift - 60, -60), middle + QPoint(shift, 60))
         yield 400
-    yield lambda: not place.live.busy
+    yield lambda: not place.live.running
     yield "dragging a layer"
     window.action("arrange").trigger()
     yield from _drag(place.view, middle, middle + QPoint(50, 40))
-    yield lambda: not place.live.busy
+    yield lambda: not place.live.running
     yield "zooming 10 layers"
     for step in range(24):
         place.view.zoom_by(1.1 if step < 12 else 1 / 1.1, QPointF(middle))

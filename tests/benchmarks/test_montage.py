@@ -80,7 +80,7 @@ def test_window(benchmark, session, montage, qtbot):
         return place.view.camera.to_view((x, y)).toPoint()
 
     def rest():
-        qtbot.waitUntil(lambda: not place.live.busy, timeout=60000)
+        qtbot.waitUntil(lambda: not place.live.running, timeout=60000)
 
     tops = itertools.count(190, 2)
 
@@ -93,7 +93,7 @@ def test_window(benchmark, session, montage, qtbot):
         return (spot(214, top),), {}
 
     def lift(end):
-        with qtbot.waitSignal(place.live.shown, timeout=60000):
+        with qtbot.waitSignal(place.picked, timeout=60000):
             QTest.mouseRelease(place.view, left, pos=end)
         place.detail.repaint()
 

@@ -11,11 +11,11 @@ from PySide6.QtWidgets import QApplication
 
 from iconstudio.gui.app import application, leave_clipboard
 from iconstudio.gui.gallery import pictures
-from iconstudio.gui.jobs.live import LIVE
 from iconstudio.gui.project import questions
 from iconstudio.gui.project.questions import Answer
 from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.gui.window.preferences import prefer
+from iconstudio.gui.workspaces.runs import LIVE
 
 _HARMLESS = tuple(
     f"This plugin does not support {what}"

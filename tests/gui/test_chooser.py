@@ -58,18 +58,18 @@ def own(tmp_path):
 
 
 def count(chooser):
-    return chooser.choices.sheet().rowCount()
+    return chooser.choices.model().rowCount()
 
 
 def found(chooser, qtbot, keyword="dog"):
     chooser.search(keyword)
     qtbot.waitUntil(lambda: count(chooser) >= 60)
-    return [chooser.choices.sheet().exemplar(chooser.choices.sheet().index(i)) for i in range(60)]
+    return [chooser.choices.model().entry(chooser.choices.model().index(i)) for i in range(60)]
 
 
 def place(chooser, number):
     """Return the middle of an icon on the sheet."""
-    return chooser.choices.visualRect(chooser.choices.sheet().index(number)).center()
+    return chooser.choices.visualRect(chooser.choices.model().index(number)).center()
 
 
 def click(chooser, number):
@@ -178,7 +178,7 @@ def test_only_where_several_are_chosen_a_taken_icon_is_given_back(make, qtbot):
 def test_a_taken_icon_is_ticked(make, qtbot):
     chooser = make(multiple=True)
     icons = found(chooser, qtbot)
-    sheet = chooser.choices.sheet()
+    sheet = chooser.choices.model()
     before = pixels(chooser.choices.viewport().grab().toImage())
     chooser.set_taken(frozenset({icons[1].id}))
     after = pixels(chooser.choices.viewport().grab().toImage())
@@ -215,11 +215,11 @@ def test_a_file_dialog_that_is_cancelled_changes_nothing(chooser, qtbot, monkeyp
 
 def test_an_opened_file_stays_while_others_are_looked_up(chooser, qtbot, own):
     opened(chooser, qtbot, own)
-    first = chooser.choices.sheet().exemplar(chooser.choices.sheet().index(0))
+    first = chooser.choices.model().entry(chooser.choices.model().index(0))
     opened(chooser, qtbot, own)
     assert count(chooser) == 1, "it is the same file"
     found(chooser, qtbot)
-    assert chooser.choices.sheet().exemplar(chooser.choices.sheet().index(0)).id == first.id
+    assert chooser.choices.model().entry(chooser.choices.model().index(0)).id == first.id
     assert count(chooser) == 61
 
 
@@ -304,7 +304,7 @@ def test_everything_has_a_name_for_screen_readers(chooser, qtbot):
     icons = found(chooser, qtbot)
     assert chooser.field.accessibleName()
     assert chooser.choices.accessibleName()
-    sheet = chooser.choices.sheet()
+    sheet = chooser.choices.model()
     role = Qt.ItemDataRole.AccessibleTextRole
     assert sheet.data(sheet.index(5), role) == icons[5].id
     assert sheet.data(sheet.index(99), role) is None

@@ -106,8 +106,8 @@ def test_an_empty_canvas_offers_to_choose_an_icon_and_the_cursor_is_there(empty,
     assert not empty.start_panel.close_button.isVisible()
     QTest.keyClicks(empty.start_panel.chooser.field, "frames")
     choices = empty.start_panel.chooser.choices
-    qtbot.waitUntil(lambda: choices.sheet().rowCount() == 60)
-    spot = choices.visualRect(choices.sheet().index(1)).center()
+    qtbot.waitUntil(lambda: choices.model().rowCount() == 60)
+    spot = choices.visualRect(choices.model().index(1)).center()
     QTest.mouseClick(choices.viewport(), Qt.MouseButton.LeftButton, pos=spot)
     settle(empty, qtbot)
     assert empty.document.page.icon.id == "shapes:frame-1"
@@ -125,8 +125,8 @@ def test_choosing_another_icon_starts_afresh_and_undo_brings_all_back(editing, q
     assert editing.start_panel.isVisible()
     editing.start_panel.chooser.search("ring")
     choices = editing.start_panel.chooser.choices
-    qtbot.waitUntil(lambda: choices.sheet().rowCount() == 60)
-    spot = choices.visualRect(choices.sheet().index(0)).center()
+    qtbot.waitUntil(lambda: choices.model().rowCount() == 60)
+    spot = choices.visualRect(choices.model().index(0)).center()
     QTest.mouseClick(choices.viewport(), Qt.MouseButton.LeftButton, pos=spot)
     qtbot.waitUntil(lambda: editing.document.page != before)
     assert areas(editing) == ()
@@ -443,8 +443,8 @@ def test_remix_closes_an_open_area(editing, qtbot, session):
 
 def test_an_icon_is_left_out(marked, qtbot, session):
     thumbnails = marked.keyword_panel.thumbnails
-    qtbot.waitUntil(lambda: thumbnails.sheet().rowCount() == 60)
-    spot = thumbnails.visualRect(thumbnails.sheet().index(2)).center()
+    qtbot.waitUntil(lambda: thumbnails.model().rowCount() == 60)
+    spot = thumbnails.visualRect(thumbnails.model().index(2)).center()
     QTest.mouseClick(thumbnails.viewport(), Qt.MouseButton.LeftButton, pos=spot)
     marked.run()
     finish(marked, qtbot)

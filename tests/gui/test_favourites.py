@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QApplication, QMenu
 
 from iconstudio.gui.exchange.dragging import unpacked
 from iconstudio.gui.gallery.favourites import FavouritesPanel
-from iconstudio.gui.gallery.pictures import Picture, pictured
+from iconstudio.gui.gallery.pictures import Picture, pictured, titled
 from iconstudio.model import Polygon, Sketch
 
 LEFT = Qt.MouseButton.LeftButton
@@ -21,7 +21,7 @@ SQUARE = Polygon.of([(0, 0), (200, 0), (200, 200), (0, 200)])
 @pytest.fixture(scope="module")
 def pictures():
     """Different results."""
-    events = pictured(FakeSession(skip="").model(Sketch(SQUARE, "dog")), "dog")
+    events = pictured(FakeSession(skip="").model(Sketch(SQUARE, "dog")), titled("dog"))
     return [event for event in events if isinstance(event, Picture)][:12]
 
 

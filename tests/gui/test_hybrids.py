@@ -15,9 +15,9 @@ from PySide6.QtWidgets import QApplication
 from iconstudio.algorithms.raster import solid
 from iconstudio.gui.exchange.dragging import packed
 from iconstudio.gui.gallery.pictures import Picture
+from iconstudio.gui.gallery.sheet_model import Rule
 from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.gui.workspaces.hybrids.cards import on_shape
-from iconstudio.gui.workspaces.hybrids.sheet_model import Rule
 from iconstudio.model import Axis, IconstudioError
 from iconstudio.session import Session
 from iconstudio.workflows.hybrids.spec import HYBRIDS
@@ -67,7 +67,7 @@ def finish(place, qtbot):
 
 def rows(place):
     """Return what is on the sheet, row by row."""
-    model = place.sheet.hybrids
+    model = place.sheet.model()
     return [model.entry(model.index(row)) for row in range(model.rowCount())]
 
 
@@ -76,7 +76,7 @@ def totals(entries):
 
 
 def middle(place, picture):
-    return place.sheet.visualRect(place.sheet.hybrids.index_of(picture)).center()
+    return place.sheet.visualRect(place.sheet.model().index_of(picture)).center()
 
 
 def click(place, picture):
@@ -168,7 +168,7 @@ def test_icons_are_ticked_and_given_back(place, qtbot):
     chooser = place.column.chooser
     QTest.keyClicks(chooser.field, "lamp")
     QTest.keyClick(chooser.field, Qt.Key.Key_Return)
-    sheet = chooser.choices.sheet()
+    sheet = chooser.choices.model()
     qtbot.waitUntil(lambda: sheet.rowCount() == 60)
     for row in (3, 1, 3):
         box = chooser.choices.visualRect(sheet.index(row))
@@ -398,10 +398,10 @@ def test_results_that_arrive_do_not_scroll_the_sheet(mixed, qtbot, session):
     qtbot.waitUntil(lambda: len(totals(rows(mixed))) > 40)
     mixed.sheet.scrollToBottom()
     seen = mixed.sheet.indexAt(QPoint(30, 60))
-    entry, top = mixed.sheet.hybrids.entry(seen), mixed.sheet.visualRect(seen).top()
+    entry, top = mixed.sheet.model().entry(seen), mixed.sheet.visualRect(seen).top()
     session.gate.release(100)
     finish(mixed, qtbot)
-    now = mixed.sheet.hybrids.index_of(entry)
+    now = mixed.sheet.model().index_of(entry)
     assert mixed.sheet.visualRect(now).top() == top
 
 
@@ -424,8 +424,8 @@ def test_a_picked_hybrid_shows_large_and_is_kept_in_sight(mixed):
     assert mixed.picture is best
     assert mixed.window().recent.pictures == (best,)
     assert "Rank score" in mixed.detail._about.toolTip()
-    assert "smooth seams" in mixed.sheet.hybrids.data(
-        mixed.sheet.hybrids.index(0), Qt.ItemDataRole.ToolTipRole
+    assert "smooth seams" in mixed.sheet.model().data(
+        mixed.sheet.model().index(0), Qt.ItemDataRole.ToolTipRole
     )
     QTest.keyClick(mixed.sheet, Qt.Key.Key_Right)
     assert mixed.picture is rows(mixed)[1]
@@ -446,8 +446,8 @@ def test_favourites_by_key_button_and_menu_and_undo(mixed):
     click(mixed, first)
     QTest.keyClick(mixed.sheet, Qt.Key.Key_F)
     hover(mixed, second)
-    assert mixed.sheet.bar.isVisible()
-    QTest.mouseClick(mixed.sheet.bar._star, LEFT)
+    assert mixed.panel.bar.isVisible()
+    QTest.mouseClick(mixed.panel.bar._star, LEFT)
     open_menu(mixed, third)
     mixed.menu.actions()[0].trigger()
     mixed.menu.close()
@@ -628,22 +628,22 @@ def test_from_nothing_to_a_saved_svg_with_real_icons(qtbot, tmp_path, monkeypatc
 
 
 def test_a_new_mix_has_no_hybrids(mixed, qtbot):
-    assert mixed.picture is None or mixed.sheet.hybrids.pictures
+    assert mixed.picture is None or mixed.sections.pictures
     mixed.actions_by_name["new"].trigger()
-    assert not mixed.sheet.hybrids.pictures
+    assert not mixed.sections.pictures
     assert mixed.picture is None
     assert not mixed.actions_by_name["svg"].isEnabled()
     assert mixed.window().pane.status.label.text() == ""
     pick(mixed, qtbot, 4)
     run(mixed, qtbot)
-    assert len(mixed.sheet.hybrids.pictures) == 37
+    assert len(mixed.sections.pictures) == 37
 
 
 def test_the_hybrids_in_sight_are_counted(mixed, qtbot):
-    total = len(mixed.sheet.hybrids.pictures)
-    mixed.draw_like(mixed.sheet.hybrids.pictures[0])
+    total = len(mixed.sections.pictures)
+    mixed.draw_like(mixed.sections.pictures[0])
     qtbot.waitUntil(lambda: not mixed.draws.runner.running, timeout=20000)
-    alone = len(mixed.sheet.hybrids.alone.pictures)
+    alone = len(mixed.sections.alone.pictures)
     label = mixed.window().pane.status.label
     assert label.text() == f"{alone} hybrids · {total + alone} with the others"
     mixed.draws.show_all()

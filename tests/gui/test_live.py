@@ -15,7 +15,7 @@ from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.gui.window.preferences import preferred
 from iconstudio.model import CANVAS, Axis, Polygon, Sketch
 from iconstudio.output.colours import SIGNIFICANT
-from iconstudio.workflows.events import Recommended, StyleSkipped
+from iconstudio.workflows.events import Progress, Recommended, StyleSkipped
 from iconstudio.workflows.grid import ModelSettings
 from iconstudio.workflows.modelling import page as edits
 from iconstudio.workflows.workflow import FINE
@@ -32,7 +32,7 @@ def patient(place):
     """Switch live mode on; let each run show something, however long that takes."""
     place.actions_by_name["live"].trigger()
     assert place.runs.live
-    place.runs.coalescing.timer.setInterval(FOR_EVER)
+    place.runs.runner.timer.setInterval(FOR_EVER)
     return place
 
 
@@ -189,7 +189,7 @@ def test_the_icons_of_a_sketch_that_is_opened_again_are_shown_while_it_runs(draw
     qtbot.waitUntil(begun(session, 2))
     qtbot.waitUntil(lambda: "60 icons" in caption.text())
     assert drawn.runs.running
-    assert drawn.keyword_panel.thumbnails.sheet().rowCount() == 60
+    assert drawn.keyword_panel.thumbnails.model().rowCount() == 60
     session.gate.release(100)
     rest(drawn, qtbot, session)
 
@@ -257,7 +257,7 @@ def test_every_kind_of_change_starts_again(drawn, qtbot, session):
         stack.undo,
         stack.redo,
         lambda: drawn.hold_to(Axis.HORIZONTAL),
-        lambda: drawn.keyword_panel.toggled.emit("shapes:cross-2"),
+        lambda: drawn.keyword_panel.thumbnails.chosen.emit(exemplar(2)),
         lambda: type_keyword(drawn, "s"),
     ):
         count = len(runs(session))
@@ -279,7 +279,7 @@ def test_what_does_not_count_does_not_start_again(drawn, qtbot, session):
     drawn.dim.slider.setValue(90)
     drawn.view.zoom_in()
     pick(drawn, "light", LAMBDAS[1])
-    assert not drawn.runs.running and not drawn.runs.coalescing.pending
+    assert not drawn.runs.running and not drawn.runs.runner.pending
 
 
 # -- while the hand moves ----------------------------------------------------------------------
@@ -305,7 +305,7 @@ def test_a_run_that_has_shown_its_preview_is_dropped_at_once(drawn, qtbot, sessi
     qtbot.waitUntil(begun(session, 2))
     session.gate.release(3)
     qtbot.waitUntil(lambda: CellState.READY in states(drawn).values())
-    assert not drawn.runs.coalescing.holding
+    assert not drawn.runs.runner.holding
     drawn.document.undo_stack.undo()
     qtbot.waitUntil(begun(session, 3))
     assert session.generators_closed == 2
@@ -319,21 +319,21 @@ def test_what_is_not_looked_at_is_not_enough(drawn, qtbot, session):
     add_point(drawn)
     qtbot.waitUntil(begun(session, 2))
     drawn.runs.runner.event.emit(light)
-    assert drawn.runs.coalescing.holding
+    assert drawn.runs.runner.holding
     drawn.runs.runner.event.emit(StyleSkipped("dark", 1, "Too few."))
     drawn.runs.runner.event.emit(light)
-    assert drawn.runs.coalescing.holding
+    assert drawn.runs.runner.holding
     drawn.runs.runner.event.emit(StyleSkipped("medium", 1, "Too few."))
     drawn.runs.runner.event.emit(light)
-    assert not drawn.runs.coalescing.holding
+    assert not drawn.runs.runner.holding
 
 
 def test_a_run_that_shows_nothing_gives_way_after_a_while(drawn, qtbot, session):
     move(drawn)
     qtbot.waitUntil(begun(session, 2))
     move(drawn)
-    assert drawn.runs.coalescing.pending
-    drawn.runs.coalescing.timer.timeout.emit()
+    assert drawn.runs.runner.pending
+    drawn.runs.runner.timer.timeout.emit()
     qtbot.waitUntil(begun(session, 3))
     assert runs(session)[-1][0] == drawn.document.page.sketch
 
@@ -342,9 +342,9 @@ def test_going_back_to_what_runs_lets_it_go_on(drawn, qtbot, session):
     drawn.hold_to(Axis.HORIZONTAL)
     qtbot.waitUntil(begun(session, 2))
     drawn.hold_to(Axis.VERTICAL)
-    assert drawn.runs.coalescing.pending
+    assert drawn.runs.runner.pending
     drawn.document.undo_stack.undo()
-    assert not drawn.runs.coalescing.pending
+    assert not drawn.runs.runner.pending
     session.gate.release(100)
     rest(drawn, qtbot, session)
     assert len(runs(session)) == 2
@@ -541,16 +541,16 @@ def test_remix_takes_over_what_runs_already(drawn, qtbot, session, window):
 
 
 def test_a_short_run_shows_no_progress_but_can_be_cancelled(drawn, qtbot, session):
-    drawn.runs._calm.setInterval(FOR_EVER)
+    drawn.runs.runner._calm.setInterval(FOR_EVER)
     assert strip(drawn).label.text() == "Live · 24 icons"
     add_point(drawn)
     qtbot.waitUntil(begun(session, 2))
     told = []
-    drawn.runs.runner.progress.connect(told.append)
-    qtbot.waitUntil(lambda: len(told) > 3)
+    drawn.runs.runner._job.event.connect(told.append)
+    qtbot.waitUntil(lambda: sum(isinstance(one, Progress) for one in told) > 3)
     assert not strip(drawn).bar.isVisible()
     assert strip(drawn).label.text() == "Live"
-    drawn.runs._calm.stop()
+    drawn.runs.runner._calm.stop()
     qtbot.waitUntil(strip(drawn).bar.isVisible)
     press(drawn, Qt.Key.Key_Period, CONTROL)
     assert not drawn.runs.running
@@ -564,7 +564,7 @@ def test_cancel_stops_until_the_next_change(drawn, qtbot, session):
     qtbot.waitUntil(lambda: drawn.browser.results.finished == 1)
     press(drawn, Qt.Key.Key_Period, CONTROL)
     qtbot.waitUntil(lambda: session.generators_closed == 2)
-    assert not drawn.runs.running and not drawn.runs.coalescing.pending
+    assert not drawn.runs.running and not drawn.runs.runner.pending
     assert len(drawn.browser.results.pictures) == 24
     assert drawn.browser.results.finished == 1
     drawn.runs.renew()

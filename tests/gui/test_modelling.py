@@ -50,7 +50,7 @@ def finish(sketching, qtbot):
 def test_icons_are_found_while_the_user_still_draws(sketching, qtbot, session):
     click(sketching, SQUARE[0])
     type_keyword(sketching, "motorcycle")
-    sheet = sketching.keyword_panel.thumbnails.sheet()
+    sheet = sketching.keyword_panel.thumbnails.model()
     qtbot.waitUntil(lambda: sheet.rowCount() == 60)
     click(sketching, SQUARE[1])
     assert [call[1] for call in session.calls] == ["motorcycle"], "not once for each letter"
@@ -390,7 +390,7 @@ def test_how_results_are_shown_is_remembered_in_all_workspaces(ready):
     assert ready.actions_by_name["both"].isChecked()
     ready.actions_by_name["coded"].trigger()
     window.show_workspace(3)
-    assert window.workspace.switch.segments[Display.CODED].isChecked()
+    assert window.workspace.detail.switch.segments[Display.CODED].isChecked()
     window.workspace.actions_by_name["plain"].trigger()
     window.show_workspace(0)
     assert ready.browser.results.switch.segments[Display.PLAIN].isChecked()
@@ -402,15 +402,15 @@ def test_how_results_are_shown_is_remembered_in_all_workspaces(ready):
 
 def test_an_icon_is_left_out_and_taken_back(ready, qtbot, session):
     thumbnails = ready.keyword_panel.thumbnails
-    qtbot.waitUntil(lambda: thumbnails.sheet().rowCount() == 60)
-    spot = thumbnails.visualRect(thumbnails.sheet().index(2)).center()
+    qtbot.waitUntil(lambda: thumbnails.model().rowCount() == 60)
+    spot = thumbnails.visualRect(thumbnails.model().index(2)).center()
     QTest.mouseClick(thumbnails.viewport(), Qt.MouseButton.LeftButton, pos=spot)
     assert ready.document.page.sketch.exclude == {"shapes:cross-2"}
     assert "left out" in ready.keyword_panel.caption.text()
     qtbot.waitUntil(lambda: session.calls[-1][2] == {"shapes:cross-2"})
     qtbot.waitUntil(lambda: "59 icons" in ready.keyword_panel.caption.text())
-    assert thumbnails.sheet().rowCount() == 60, "it stays in sight, struck out"
-    assert thumbnails.sheet().index(2).data() == "shapes:cross-2, left out"
+    assert thumbnails.model().rowCount() == 60, "it stays in sight, struck out"
+    assert thumbnails.model().index(2).data() == "shapes:cross-2, left out"
     ready.keyword_panel.caption.linkActivated.emit("#")
     assert not ready.document.page.sketch.exclude
     ready.document.undo_stack.undo()

@@ -99,7 +99,7 @@ def event_move(view, spot, modifiers):
 
 
 def settled(place, qtbot):
-    qtbot.waitUntil(lambda: not place.live.busy, timeout=10000)
+    qtbot.waitUntil(lambda: not place.live.running, timeout=10000)
 
 
 def montages(session):
@@ -614,7 +614,7 @@ def test_of_many_strokes_only_the_newest_is_made_and_the_old_result_stays(two, q
 
 
 def test_a_run_that_hangs_gives_way_to_a_newer_one(two, qtbot, session):
-    two.live.coalescing.timer.setInterval(50)
+    two.live.timer.setInterval(50)
     session.gate = threading.Semaphore(0)
     stroke(two, (60, 60), (90, 60))
     stroke(two, (60, 80), (90, 80))
@@ -654,13 +654,13 @@ def test_a_failure_is_told_and_the_next_stroke_tries_again(two, qtbot, session, 
 
 
 def test_long_work_can_be_cancelled(two, qtbot, session):
-    two.live.coalescing.timer.setInterval(50)
+    two.live.timer.setInterval(50)
     session.gate = threading.Semaphore(0)
     stroke(two, (60, 60), (90, 60))
     strip = two.window().pane.status
     qtbot.waitUntil(strip.button.isVisible)
     QTest.mouseClick(strip.button, LEFT)
-    assert not two.live.busy
+    assert not two.live.running
     assert not strip.button.isVisible()
     session.gate = None
     stroke(two, (60, 80), (90, 80))
@@ -688,11 +688,11 @@ def test_the_colour_code_is_switched_by_button_and_key(two, qtbot):
     settled(two, qtbot)
     two.actions_by_name["plain"].trigger()
     plain = two.detail.large.grab().toImage()
-    QTest.mouseClick(two.switch.segments[Display.CODED], LEFT)
+    QTest.mouseClick(two.detail.switch.segments[Display.CODED], LEFT)
     assert two.actions_by_name["coded"].isChecked()
     assert two.detail.large.grab().toImage() != plain
     two.actions_by_name["plain"].trigger()
-    assert two.switch.segments[Display.PLAIN].isChecked()
+    assert two.detail.switch.segments[Display.PLAIN].isChecked()
     assert two.detail.large.grab().toImage() == plain
 
 

@@ -11,7 +11,7 @@ from PySide6.QtGui import QColor, QIcon, QPainter
 from iconstudio.gui.canvas.mipmap import Mipmap
 from iconstudio.gui.canvas.tools.polygon import PolygonTool
 from iconstudio.gui.canvas.vector import painter_path
-from iconstudio.gui.gallery.pictures import Display, Picture, pictured, placed, stencil
+from iconstudio.gui.gallery.pictures import Display, Picture, pictured, placed, stencil, titled
 from iconstudio.gui.theme import icons, theme
 from iconstudio.model import CANVAS, Contour, Icon, Path, Placement, Polygon, Sketch
 from iconstudio.workflows.grid import ModelSettings
@@ -97,7 +97,9 @@ def test_an_icon_is_drawn_as_its_path_at_any_size():
 def test_a_preview_is_shown_before_its_colour_code_is_made_and_a_result_with_it():
     sketch = Sketch(Polygon(tuple(SQUARE)), "bicycle")
     shown = []
-    for event in pictured(FakeSession().model(sketch, ModelSettings(previews=True)), "bicycle"):
+    for event in pictured(
+        FakeSession().model(sketch, ModelSettings(previews=True)), titled("bicycle")
+    ):
         if isinstance(event, Picture):
             assert ("coded" in vars(event)) != event.preview
             shown.append(event)
@@ -114,7 +116,7 @@ def painted(picture, display):
 
 def test_both_shows_the_icon_with_its_colour_code_small_beside_it():
     sketch = Sketch(Polygon(tuple(SQUARE)), "bicycle")
-    events = pictured(FakeSession().model(sketch), "bicycle")
+    events = pictured(FakeSession().model(sketch), titled("bicycle"))
     picture = next(event for event in events if isinstance(event, Picture))
     plain, both, coded = (painted(picture, one) for one in Display)
     colourful = [np.ptp(image[..., :3], axis=-1) > 0.25 for image in (plain, both, coded)]
@@ -132,7 +134,7 @@ def test_what_has_no_sources_is_shown_as_an_icon_in_any_case():
     assert all(np.array_equal(plain, one) for one in others)
 
 
-@pytest.mark.parametrize("name", sorted(icons._SHAPES))
+@pytest.mark.parametrize("name", sorted(icons._shapes()))
 @pytest.mark.parametrize("colours", [theme.LIGHT, theme.DARK], ids=["light", "dark"])
 def test_every_small_icon_shows_something(name, colours):
     shown = pixels(icons.pixmap(name, colours.color("text")).toImage())

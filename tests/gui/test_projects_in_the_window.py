@@ -163,7 +163,7 @@ def test_picked_results_and_favourites_are_read_back(window, another, qtbot, tmp
     hybrids.document.change("mix", mix)
     hybrids.run()
     qtbot.waitUntil(lambda: not hybrids.draws.runner.running, timeout=20000)
-    hybrids.keep(hybrids.sheet.hybrids.pictures[0])
+    hybrids.keep(hybrids.sections.pictures[0])
     path = tmp_path / "dog.iconstudio"
     save(window, qtbot, path, monkeypatch)
     other = another()

@@ -94,3 +94,15 @@ def test_its_results_are_saved_as_svg(mirror, qtbot, tmp_path, monkeypatch):
     qtbot.waitUntil(path.exists)
     assert "frame 1" in path.read_text("utf-8")
     assert mirror.picture.icon.path.svg() in path.read_text("utf-8")
+
+
+def test_what_has_no_sources_has_no_colour_code_to_save(mirror, window, qtbot):
+    mirror.chooser.chosen.emit(exemplar(1))
+    qtbot.waitUntil(lambda: len(titles(mirror)) == 1)
+    assert mirror.actions_by_name["png"].isEnabled()
+    assert not mirror.actions_by_name["code_png"].isEnabled()
+    window.recent.keep(mirror.picture)
+    window.recent.chosen.emit(mirror.picture)
+    items = {action.text(): action.isEnabled() for action in window.recent.menu.actions()}
+    assert items["Save PNG…"] and not items["Save colour code as PNG…"]
+    window.recent.menu.close()

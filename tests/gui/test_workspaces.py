@@ -21,7 +21,6 @@ from iconstudio.gui.workspaces.sketching.workspace import SketchWorkspace
 from iconstudio.workflows.criteria import set_keyword
 from iconstudio.workflows.grid import ModelSettings
 from iconstudio.workflows.modelling.page import SketchPage
-from iconstudio.workflows.modelling.page_format import SketchPages
 from iconstudio.workflows.modelling.spec import MODELLING
 
 LAMBDAS = ModelSettings().lambdas
@@ -31,14 +30,16 @@ LEFT = Qt.MouseButton.LeftButton
 class Pad(Workspace):
     """A workspace that takes icons and does nothing with them."""
 
-    page_format = SketchPages
+    entries = (Entry("dip", "Dip the pen", keys="D", do=lambda pad: pad.dip(), menu="&View"),)
 
     def __init__(self, workflow, session, files, saver):
         super().__init__(workflow, session, files, saver, Document(SketchPage()))
         self.taken = []
-        own = {"&View": [Entry("dip", "Dip the pen", keys="D")]}
-        self.make_actions({"dip": lambda: self.remarked.emit("dipped")}, own)
+        self.make_actions()
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+
+    def dip(self):
+        self.remarked.emit("dipped")
 
     def enter(self):
         self.setFocus()

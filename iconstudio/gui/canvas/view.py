@@ -23,6 +23,7 @@ from iconstudio.gui.canvas.scene import Scene
 from iconstudio.gui.canvas.tools.base import Pointer, Tool
 from iconstudio.gui.canvas.tools.pan import PanTool
 from iconstudio.gui.exchange.dragging import take_copy
+from iconstudio.gui.exchange.mime import holds_something
 from iconstudio.gui.theme import theme
 from iconstudio.gui.theme.theme import UNIT
 
@@ -42,11 +43,17 @@ class CanvasView(CameraView):
         self,
         scene: Scene,
         tool: Tool,
-        welcomes: Callable[[QMimeData], bool] = lambda data: False,
+        description: str = "",
+        welcomes: Callable[[QMimeData], bool] = holds_something,
         parent: QWidget | None = None,
     ) -> None:
-        """``welcomes`` says whether something may be dropped."""
+        """``description`` says what is done here; ``welcomes``, whether something may be dropped.
+
+        The scene belongs to the view.
+        """
         super().__init__(parent)
+        scene.setParent(self)
+        self.setAccessibleDescription(description)
         self._scene = scene
         self._tool = tool
         self._welcomes = welcomes

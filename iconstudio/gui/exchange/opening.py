@@ -58,7 +58,7 @@ class Opener(QObject):
     """Why there is no room for more, “an edit has one icon”."""
 
     def __init__(
-        self, session: Session, document: Document, worker: Worker, owner: QWidget
+        self, session: Session, document: Document | None, worker: Worker, owner: QWidget
     ) -> None:
         super().__init__(owner)
         self.session = session
@@ -78,13 +78,13 @@ class Opener(QObject):
     def open_work(self, path: str) -> None:
         """Open a file of this workspace's own."""
 
+    def try_example(self, path: str) -> None:
+        """Open an example."""
+        self.open_work(path)
+
     def open_file(self, path: str) -> None:
         """Open any other file."""
         self.open_items((mime.File(path),))
-
-    def open_image(self, image: mime.Image) -> None:
-        """Open an image of pixels that is in no file."""
-        self.open_items((image,))
 
     def take(self, pictogram: Pictogram) -> None:
         """Open an icon that is sent, or dropped here."""
@@ -153,8 +153,6 @@ class Opener(QObject):
                 self.take(pictogram)
             case mime.File(path):
                 (_way(self, path) if item.is_work else self.open_file)(path)
-            case mime.Image():
-                self.open_image(item)
             case mime.Elsewhere():
                 self.complain(
                     f"Only files on this computer can be opened. Save the {self.other} first."
@@ -270,6 +268,14 @@ class IconOpener(Opener):
                 self._scan(item, image)
             case _:
                 super().open_item(item)
+
+    def open_drawing(self, path: str) -> None:
+        """Open a file as a drawing, whatever it is called."""
+        item = mime.File(path)
+        if may_be_scan(path):
+            self._scan(item, Path(path))
+        else:
+            self.replace(lambda: read_together([item], self.reading, self.most, self.no_room))
 
     def reading(self, item: mime.Item) -> Generator[None, None, Any]:
         """Return an icon, drawn."""

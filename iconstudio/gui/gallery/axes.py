@@ -4,9 +4,10 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QPen, QResizeEvent
-from PySide6.QtWidgets import QGridLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGridLayout, QWidget
 
 from iconstudio.gui.theme import theme
+from iconstudio.gui.theme.layout import column, label
 from iconstudio.gui.theme.theme import UNIT
 
 HINTS = {
@@ -63,8 +64,8 @@ class Scale(QWidget):
             painter.setFont(font)
             painter.setPen(scheme.color("muted"))
             width = self.width() / max(1, len(self._lambdas))
-            for column, value in enumerate(self._lambdas):
-                box = QRectF(column * width, 18, width, 16)
+            for number, value in enumerate(self._lambdas):
+                box = QRectF(number * width, 18, width, 16)
                 painter.drawText(box, Qt.AlignmentFlag.AlignCenter, f"λ {value:.2f}")
 
 
@@ -74,19 +75,9 @@ class RowHead(QWidget):
     def __init__(self, style: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setFixedWidth(_HEAD)
-        name = QLabel(style.capitalize())
-        name.setProperty("heading", True)
-        self._hint = QLabel(HINTS.get(style, ""))
-        self._hint.setProperty("muted", True)
-        self._count = QLabel()
-        self._count.setProperty("muted", True)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, UNIT, 0)
-        layout.setSpacing(1)
-        layout.addStretch()
-        for label in (name, self._hint, self._count):
-            layout.addWidget(label)
-        layout.addStretch()
+        name, hint = label(style.capitalize(), "heading"), label(HINTS.get(style, ""))
+        self._count = label()
+        column(None, name, hint, self._count, None, of=self, spacing=1, margins=(0, 0, UNIT, 0))
 
     def set_count(self, count: int | None) -> None:
         """Say how many icons the style had to choose from."""

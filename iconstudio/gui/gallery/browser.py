@@ -58,7 +58,6 @@ class ResultsBrowser(QSplitter):
         results.picked.connect(self.picked)
         results.chosen.connect(self._choose)
         results.asked.connect(self._open_menu)
-        detail.sent.connect(lambda title: self.sent.emit(detail.picture, title))
 
     def show_display(self, display: Display) -> None:
         """Show results as icons, by their colour code, or both."""

@@ -3,12 +3,13 @@
 import math
 from enum import Enum, auto
 
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, QTimer
-from PySide6.QtGui import QEnterEvent, QPainter, QPainterPath, QPaintEvent, QPen
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt, QTimer
+from PySide6.QtGui import QPainter, QPainterPath, QPaintEvent, QPen
 from PySide6.QtWidgets import QAbstractButton, QSizePolicy, QWidget
 
 from iconstudio.gui.gallery.pictures import Display, Picture
 from iconstudio.gui.theme import theme
+from iconstudio.gui.theme.painting import RADIUS, fill_rounded, paint_frame, smooth_painter
 
 PALING = 700
 """Milliseconds after which a result that is out of date turns pale: not at once, so that one that
@@ -53,6 +54,7 @@ class ResultCell(QAbstractButton):
         self._paling.timeout.connect(self._turn_pale)
         self._pale = self._stale = False
         self.setCheckable(True)
+        self.setAttribute(Qt.WidgetAttribute.WA_Hover)  # it is painted anew when it is pointed at
         self.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.setMinimumSize(48, 48)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
@@ -99,32 +101,19 @@ class ResultCell(QAbstractButton):
         self._display = display
         self.update()
 
-    def enterEvent(self, event: QEnterEvent) -> None:
-        """Show that the cell can be picked."""
-        super().enterEvent(event)
-        self.update()
-
-    def leaveEvent(self, event: QEvent) -> None:
-        """Stop showing that the cell can be picked."""
-        super().leaveEvent(event)
-        self.update()
-
     def paintEvent(self, event: QPaintEvent) -> None:
         """Draw the result, or where it is going to be."""
         scheme = theme.current()
-        with QPainter(self) as painter:
-            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        with smooth_painter(self) as painter:
             box = QRectF(self.rect()).adjusted(2, 2, -2, -2)
             side = min(box.width(), box.height())
             if self.state is CellState.PENDING:
-                painter.setPen(Qt.PenStyle.NoPen)
-                painter.setBrush(scheme.color("sunken"))
-                painter.drawRoundedRect(box, 6, 6)
+                fill_rounded(painter, box, scheme.color("sunken"))
             elif self.state is CellState.BLANK:
                 painter.setPen(QPen(scheme.color("border"), 1, Qt.PenStyle.DotLine))
-                painter.drawRoundedRect(box, 6, 6)
+                painter.drawRoundedRect(box, RADIUS, RADIUS)
             else:
-                self._paint_frame(painter, scheme, box)
+                paint_frame(painter, box, self.isChecked(), self.hasFocus(), self.underMouse())
                 target = QRectF(0, 0, side, side)
                 target.moveCenter(box.center())
                 painter.setOpacity(PALE if self._pale or self._stale else 1.0)
@@ -150,18 +139,6 @@ class ResultCell(QAbstractButton):
     def _turn_pale(self) -> None:
         self._pale = True
         self.update()
-
-    def _paint_frame(self, painter: QPainter, scheme: theme.Theme, box: QRectF) -> None:
-        if self.isChecked():
-            painter.setPen(QPen(scheme.color("accent"), 2))
-            painter.setBrush(scheme.color("accent_soft"))
-        elif self.underMouse() or self.hasFocus():
-            framed = QPen(scheme.color("accent"), 1)
-            painter.setPen(framed if self.hasFocus() else Qt.PenStyle.NoPen)
-            painter.setBrush(scheme.color("sunken"))
-        else:
-            return
-        painter.drawRoundedRect(box, 6, 6)
 
     def _paint_mark(self, painter: QPainter, scheme: theme.Theme, icon: QRectF) -> None:
         painter.setPen(Qt.PenStyle.NoPen)

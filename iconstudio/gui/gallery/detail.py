@@ -3,26 +3,26 @@
 import math
 from collections.abc import Sequence
 
-from PySide6.QtCore import QEvent, QRectF, Qt, Signal
-from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent
+from PySide6.QtCore import QRectF, Qt, Signal
+from PySide6.QtGui import QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import (
     QFrame,
     QGridLayout,
     QHBoxLayout,
-    QLabel,
     QMenu,
-    QPushButton,
     QScrollArea,
     QSizePolicy,
     QStackedLayout,
-    QVBoxLayout,
     QWidget,
 )
 
+from iconstudio.gui.gallery.display_switch import DisplaySwitch
 from iconstudio.gui.gallery.pictures import Display, Picture, SourcePicture, source_pictures
 from iconstudio.gui.gallery.sending import Destination, offer
 from iconstudio.gui.panels.elided import ElidedLabel
 from iconstudio.gui.theme import theme
+from iconstudio.gui.theme.layout import column, label, push_button, row, scrolled
+from iconstudio.gui.theme.painting import fill_rounded, smooth_painter
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.model import Credit, Icon, Remix
 
@@ -61,14 +61,11 @@ class LargePicture(QWidget):
     def paintEvent(self, event: QPaintEvent) -> None:
         """Draw the sheet and the icon."""
         scheme = theme.current()
-        with QPainter(self) as painter:
-            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        with smooth_painter(self) as painter:
             side = min(self.width(), self.height())
             sheet = QRectF(0, 0, side, side)
             sheet.moveCenter(QRectF(self.rect()).center())
-            painter.setPen(Qt.PenStyle.NoPen)
-            painter.setBrush(scheme.color("window"))
-            painter.drawRoundedRect(sheet, 8, 8)
+            fill_rounded(painter, sheet, scheme.color("window"), 8)
             if self._picture is not None:
                 target = sheet.adjusted(UNIT, UNIT, -UNIT, -UNIT)
                 self._picture.paint(painter, target, scheme.color("text"), self._display)
@@ -85,13 +82,8 @@ class SourceThumbnail(QWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """Draw the source."""
-        with QPainter(self) as painter:
-            painter.setRenderHints(
-                QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform
-            )
-            painter.setPen(Qt.PenStyle.NoPen)
-            painter.setBrush(theme.current().color("window"))
-            painter.drawRoundedRect(QRectF(self.rect()), 6, 6)
+        with smooth_painter(self) as painter:
+            fill_rounded(painter, QRectF(self.rect()), theme.current().color("window"))
             box = QRectF(self.rect()).adjusted(2, 2, -2, -2)
             painter.drawImage(box, self._picture.image.at(box.width() * self.devicePixelRatioF()))
 
@@ -105,8 +97,7 @@ class SourceRow(QWidget):
         title = ElidedLabel(icon.name, icon.credit.url)
         title.setProperty("heading", True)
         title.setToolTip(f"{icon.name}: open {icon.credit.url}" if icon.credit.url else icon.name)
-        share = QLabel(f"{picture.share:.0%}")
-        share.setProperty("heading", True)
+        share = label(f"{picture.share:.0%}", "heading")
         share.setFixedWidth(5 * UNIT)
         share.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         share.setToolTip("Part of the icon's ink that comes from this source")
@@ -116,18 +107,9 @@ class SourceRow(QWidget):
         text = ElidedLabel(f"{who} · {icon.credit.license}")
         text.setProperty("muted", True)
         text.setToolTip("\n".join(_thanks(one.credit) for one in icon.origins))
-        words = QVBoxLayout()
-        words.setSpacing(1)
-        words.addStretch()
-        words.addWidget(title)
-        words.addWidget(text)
-        words.addStretch()
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, UNIT, 0)
-        row.setSpacing(UNIT * 3 // 2)
-        row.addWidget(SourceThumbnail(picture))
-        row.addLayout(words, 1)
-        row.addWidget(share)
+        words = column(None, title, text, None, spacing=1)
+        thumbnail, gap = SourceThumbnail(picture), UNIT * 3 // 2
+        row(thumbnail, (words, 1), share, of=self, spacing=gap, margins=(0, 0, UNIT, 0))
         self.setAccessibleName(f"{icon.name}, {picture.share:.0%}")
 
 
@@ -136,21 +118,16 @@ class DetailPanel(QFrame):
 
     Signals
     -------
-    save_svg(), save_png(), copy_svg()
-        What to do with the picked result.
     sent(str)
         It is to go to the workspace of that title.
     """
 
     sent = Signal(str)
-    save_svg = Signal()
-    save_png = Signal()
-    copy_svg = Signal()
 
     def __init__(
         self, upright: bool = False, invitation: str = INVITATION, parent: QWidget | None = None
     ) -> None:
-        """``upright``: the result stands above its sources, not beside them.
+        """``upright``: the result stands above its sources, not beside them, with a switch.
 
         ``invitation`` is shown as long as there is nothing to show.
         """
@@ -159,40 +136,30 @@ class DetailPanel(QFrame):
         self.picture: Picture | None = None
         self._columns = 1 if upright else 2
         self.large = LargePicture(wide=upright)
-        self._title = QLabel()
-        self._title.setProperty("title", True)
-        self._about = QLabel()
-        self._about.setProperty("muted", True)
+        self.switch = DisplaySwitch()
+        self._title, self._about = label(role="title"), label()
         self._about.setToolTip("How far the icon's filled shape and the drawn one cover each other")
         self._rows = QGridLayout()
         self._rows.setContentsMargins(0, 0, UNIT, 0)
         self._rows.setHorizontalSpacing(3 * UNIT)
         self._rows.setVerticalSpacing(UNIT // 2)
-        for column in range(self._columns):
-            self._rows.setColumnStretch(column, 1)
-        empty = QLabel(invitation, alignment=Qt.AlignmentFlag.AlignCenter, wordWrap=True)
-        empty.setProperty("muted", True)
+        for number in range(self._columns):
+            self._rows.setColumnStretch(number, 1)
+        empty = label(invitation, alignment=Qt.AlignmentFlag.AlignCenter, wordWrap=True)
         empty.setMargin(3 * UNIT)
         full = QWidget()
-        row = QVBoxLayout(full) if upright else QHBoxLayout(full)
-        row.setContentsMargins(UNIT * 3 // 2, UNIT * 3 // 2, UNIT, UNIT * 3 // 2)
-        row.setSpacing(UNIT if upright else 2 * UNIT)
-        self._heading = self._make_heading()
+        margins = UNIT * 3 // 2, UNIT * 3 // 2, UNIT, UNIT * 3 // 2
+        heading, buttons, sources = self._make_heading(), self._make_buttons(), self._make_sources()
         if upright:
-            row.addLayout(self._heading)
-            row.addWidget(self.large, 2)
-            row.addWidget(self._about)
-            row.addLayout(self._make_buttons())
-            row.addWidget(self._make_sources(), 1)
+            heading.addWidget(self.switch)
+            parts = heading, (self.large, 2), self._about, buttons, (sources, 1)
+            column(*parts, of=full, margins=margins)
         else:
-            self._heading.addLayout(self._make_buttons())
-            side = QVBoxLayout()
-            side.setSpacing(UNIT // 2)
-            side.addLayout(self._heading)
-            side.addWidget(self._about)
-            side.addWidget(self._make_sources(), 1)
-            row.addWidget(self.large)
-            row.addLayout(side, 1)
+            heading.addLayout(buttons)
+            self.switch.setParent(full)
+            self.switch.hide()
+            side = column(heading, self._about, (sources, 1), spacing=UNIT // 2)
+            row(self.large, (side, 1), of=full, spacing=2 * UNIT, margins=margins)
         self._stack = QStackedLayout(self)
         self._stack.addWidget(empty)
         self._stack.addWidget(full)
@@ -229,9 +196,9 @@ class DetailPanel(QFrame):
 
     def _show_sources(self, sources: Sequence[SourcePicture]) -> None:
         while self._rows.count():
-            row = self._rows.takeAt(0).widget()
-            row.hide()
-            row.deleteLater()
+            before = self._rows.takeAt(0).widget()
+            before.hide()
+            before.deleteLater()
         for number, source in enumerate(sources):
             self._rows.addWidget(SourceRow(source), *divmod(number, self._columns))
         self._rows.setRowStretch(self._rows.rowCount(), 1)
@@ -247,47 +214,30 @@ class DetailPanel(QFrame):
         self._send.setMenu(menu)
         self._send.setVisible(bool(destinations))
 
-    def changeEvent(self, event: QEvent) -> None:
-        """Draw again in the new colours."""
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange:
-            self.update()
-
-    def add_to_heading(self, widget: QWidget) -> None:
-        """Put a widget at the end of the heading."""
-        self._heading.addWidget(widget)
+    def show_display(self, display: Display) -> None:
+        """Show the icon, its colour code, or both."""
+        self.large.show_display(display)
+        self.switch.show_display(display)
 
     def _make_heading(self) -> QHBoxLayout:
-        for label in (self._title, self._about):
-            label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        heading = QHBoxLayout()
-        heading.setSpacing(UNIT)
-        heading.addWidget(self._title, 1)
-        return heading
+        for one in (self._title, self._about):
+            one.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        return row((self._title, 1))
 
     def _make_buttons(self) -> QHBoxLayout:
-        svg = QPushButton("Save SVG…", toolTip="Save the icon as SVG, with credits (Ctrl+E)")
-        png = QPushButton("Save PNG…", toolTip="Save the icon as PNG (Ctrl+Shift+E)")
-        copy = QPushButton("Copy SVG", toolTip="Copy the icon as SVG (Ctrl+Shift+C)")
-        svg.clicked.connect(self.save_svg)
-        png.clicked.connect(self.save_png)
-        copy.clicked.connect(self.copy_svg)
-        self._send = QPushButton("Send to", toolTip="Go on with the icon in another workspace")
+        self.buttons = {
+            "svg": push_button("Save SVG…", "Save the icon as SVG, with credits (Ctrl+E)"),
+            "png": push_button("Save PNG…", "Save the icon as PNG (Ctrl+Shift+E)"),
+            "copy": push_button("Copy SVG", "Copy the icon as SVG (Ctrl+Shift+C)"),
+        }
+        self._send = push_button("Send to", "Go on with the icon in another workspace")
         self._send.hide()
-        buttons = QHBoxLayout()
-        buttons.setSpacing(UNIT)
-        for button in (self._send, svg, png, copy):
-            buttons.addWidget(button)
-        return buttons
+        return row(self._send, *self.buttons.values())
 
     def _make_sources(self) -> QScrollArea:
         inner = QWidget()
         inner.setLayout(self._rows)
-        scroll = QScrollArea(widgetResizable=True)
-        scroll.setWidget(inner)
-        scroll.viewport().setAutoFillBackground(False)
-        inner.setAutoFillBackground(False)
-        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        scroll = scrolled(inner)
         scroll.setAccessibleName("Sources of the picked icon")
         return scroll
 

@@ -1,9 +1,10 @@
 """Switch between icons as they are, coded by source, and both."""
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QButtonGroup, QFrame, QHBoxLayout, QToolButton, QWidget
+from PySide6.QtWidgets import QButtonGroup, QFrame, QToolButton, QWidget
 
 from iconstudio.gui.gallery.pictures import Display
+from iconstudio.gui.theme.layout import segments
 
 _WORDS = {
     Display.PLAIN: ("Icon", "The icons as they are"),
@@ -28,19 +29,14 @@ class DisplaySwitch(QFrame):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setProperty("segments", True)
         self.segments: dict[Display, QToolButton] = {}
-        row = QHBoxLayout(self)
-        row.setContentsMargins(2, 2, 2, 2)
-        row.setSpacing(2)
         group = QButtonGroup(self)
         for display, (text, tip) in _WORDS.items():
             button = QToolButton(text=text, toolTip=tip, checkable=True)
-            button.setProperty("segment", True)
             button.clicked.connect(lambda _, display=display: self.chosen.emit(display))
             group.addButton(button)
-            row.addWidget(button)
             self.segments[display] = button
+        segments(self, *self.segments.values())
         self.show_display(Display.BOTH)
 
     def show_display(self, display: Display) -> None:

@@ -1,10 +1,14 @@
 """The favourites: the results that the user keeps."""
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QMenu, QPushButton, QWidget
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QFrame, QMenu, QWidget
 
-from iconstudio.gui.gallery.icon_list import IconList, same
-from iconstudio.gui.gallery.pictures import Picture
+from iconstudio.gui.gallery.pictures import Picture, same
+from iconstudio.gui.gallery.sending import pop_up
+from iconstudio.gui.gallery.sheet import Sheet
+from iconstudio.gui.gallery.sheet_delegate import framed
+from iconstudio.gui.gallery.sheet_model import results_with
+from iconstudio.gui.theme.layout import label, push_button, row, with_role
 from iconstudio.gui.theme.theme import UNIT
 
 SIDE = 7 * UNIT
@@ -35,25 +39,32 @@ class FavouritesPanel(QFrame):
 
     def __init__(self, hint: str = EMPTY, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setProperty("card", True)
+        with_role(self, "card")
         self.menu: QMenu | None = None
-        title = QLabel("Favourites")
-        title.setProperty("heading", True)
         advice = "Click to look at it, or drag it where you need it; Delete removes it"
-        self.icon_list = IconList(SIDE, hint, advice)
-        self.icon_list.setAccessibleName("Favourites")
-        self.button = QPushButton("Save all…", toolTip="Save every favourite as SVG, with credits")
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(UNIT * 3 // 2, UNIT, UNIT * 3 // 2, UNIT)
-        layout.setSpacing(UNIT * 3 // 2)
-        layout.addWidget(title)
-        layout.addWidget(self.icon_list, 1)
-        layout.addWidget(self.button)
+        self.icon_list = Sheet(
+            framed(SIDE),
+            results_with(advice),
+            "Favourites",
+            hint=hint,
+            one_row=True,
+            draggable=True,
+            removable=True,
+        )
+        tip = "Save every favourite as SVG, with credits"
+        self.button = push_button("Save all…", tip, self.save_all.emit)
+        self.button.setEnabled(False)
+        row(
+            label("Favourites", "heading"),
+            (self.icon_list, 1),
+            self.button,
+            of=self,
+            spacing=UNIT * 3 // 2,
+            margins=(UNIT * 3 // 2, UNIT, UNIT * 3 // 2, UNIT),
+        )
         self.icon_list.chosen.connect(self.picked)
         self.icon_list.asked.connect(self._open_menu)
         self.icon_list.changed.connect(self._tell)
-        self.button.clicked.connect(self.save_all)
-        self.button.setEnabled(False)
 
     @property
     def pictures(self) -> tuple[Picture, ...]:
@@ -67,7 +78,7 @@ class FavouritesPanel(QFrame):
     def add(self, picture: Picture) -> None:
         """Put a result at the end, unless it is there."""
         if not self.holds(picture):
-            self.icon_list.show_pictures([*self.pictures, picture])
+            self.icon_list.show_entries([*self.pictures, picture])
             self.icon_list.reveal(picture)
 
     def remove(self, picture: Picture) -> None:
@@ -77,11 +88,9 @@ class FavouritesPanel(QFrame):
                 self.icon_list.remove(one)
 
     def _open_menu(self, picture: Picture) -> None:
-        menu = QMenu(self)
-        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        menu = self.menu = QMenu(self)
         menu.addAction("Remove from the favourites", lambda: self.icon_list.remove(picture))
-        self.menu = menu
-        menu.popup(self.icon_list.below(picture))
+        pop_up(menu, self.icon_list.below(picture))
 
     def _tell(self) -> None:
         self.button.setEnabled(bool(self.pictures))

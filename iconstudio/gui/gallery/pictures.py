@@ -1,10 +1,10 @@
 """Pictures that the panels show, made from the values of the model."""
 
-from collections.abc import Generator
+from collections.abc import Callable, Generator
 from contextlib import closing
 from dataclasses import dataclass, replace
 from enum import Enum
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING
 from weakref import WeakValueDictionary
 
@@ -15,7 +15,7 @@ from PySide6.QtGui import QColor, QImage, QPainter, QPainterPath, QTransform
 
 from iconstudio.gui.canvas.mipmap import Mipmap
 from iconstudio.gui.canvas.vector import painter_path
-from iconstudio.model import CANVAS, Composite, Icon, Pictogram, Placement, Remix, Source
+from iconstudio.model import CANVAS, Composite, Exemplar, Icon, Pictogram, Placement, Remix, Source
 from iconstudio.workflows.events import Event, Result
 
 if TYPE_CHECKING:
@@ -69,6 +69,11 @@ class Picture:
         return None
 
     @property
+    def has_code(self) -> bool:
+        """Whether there are sources to colour it by."""
+        return isinstance(self.icon, Remix)
+
+    @property
     def title(self) -> str:
         """What it shows."""
         return self.icon.title
@@ -112,7 +117,7 @@ class Picture:
         painter.setRenderHints(
             QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform
         )
-        if not isinstance(self.icon, Remix):
+        if not self.has_code:
             display = Display.PLAIN
         side, icon, twin = target.width(), QRectF(target), QRectF(target)
         if display is Display.BOTH:
@@ -128,22 +133,45 @@ class Picture:
         painter.restore()
 
 
-def pictured(events: Generator[Event], title: str = "") -> Generator["Event | Picture"]:
-    """Pass ``events`` on, with a ``Picture`` in place of each result, of that title if given.
+def same(one: Picture, other: Picture) -> bool:
+    """Whether two results look the same."""
+    return one.icon.looks_like(other.icon)
+
+
+def titled(title: str) -> Callable[[Icon], Icon]:
+    """Return what gives icons a title, if there is one."""
+    return lambda icon: replace(icon, title=title) if title else icon
+
+
+def pictured(
+    events: Generator[Event],
+    change: Callable[[Icon], Icon | None] = lambda icon: icon,
+    side: int = COLOUR_CODE_SIZE,
+    colours: "Callable[[Icon], Palette | None]" = lambda icon: None,
+) -> Generator["Event | Picture"]:
+    """Pass ``events`` on, with a ``Picture`` in place of each result.
 
     Runs where the events are made, so that the window's thread has nothing to compute.
+
+    Parameters
+    ----------
+    change
+        Returns an icon as it is to be shown; None leaves it out.
+    side
+        Of the colour-coded pictures, in pixels.
+    colours
+        Returns the colours of an icon's sources; None: those that its composite gives them.
     """
     with closing(events):
         for event in events:
-            if isinstance(event, Result):
-                icon = replace(event.icon, title=title) if title else event.icon
-                picture = Picture(icon, painter_path(icon.path), preview=event.preview)
+            if not isinstance(event, Result):
+                yield event
+            elif (icon := change(event.icon)) is not None:
+                picture = _drawn(icon, side, colours(icon), event.preview)
                 if not picture.preview:
                     _ = picture.coded  # made here, as the window will show it at once
                 yield picture
                 _ = picture.coded
-            else:
-                yield event
 
 
 def picture_of(icon: Icon, size: int | None = None, colours: "Palette | None" = None) -> Picture:
@@ -152,11 +180,16 @@ def picture_of(icon: Icon, size: int | None = None, colours: "Palette | None" = 
     That one is made at once, for a thread that has nothing to do later; as long as somebody has
     the picture, it is not made again.
     """
-    picture = _made.get(id(icon))
-    if picture is None:
-        picture = Picture(icon, painter_path(icon.path), colours, size or COLOUR_CODE_SIZE)
-        _made[id(icon)] = picture
+    picture = _made.get(id(icon)) or _drawn(icon, size or COLOUR_CODE_SIZE, colours)
     _ = picture.coded
+    return picture
+
+
+def _drawn(
+    icon: Icon, side: int, colours: "Palette | None" = None, preview: bool = False
+) -> Picture:
+    picture = Picture(icon, painter_path(icon.path), colours, side, preview)
+    _made[id(icon)] = picture
     return picture
 
 
@@ -178,6 +211,12 @@ def stencil(coverage: NDArray[np.uint8], color: QColor) -> QImage:
         painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_SourceIn)
         painter.fillRect(image.rect(), QColor(color.rgb()))
     return image
+
+
+@lru_cache(64)
+def tinted(icon: Exemplar, color: str) -> Mipmap:
+    """Return an icon in one colour, at all sizes."""
+    return Mipmap.of(stencil(icon.coverage, QColor(color)), 32)
 
 
 def placed(image: QImage, placement: Placement) -> QImage:

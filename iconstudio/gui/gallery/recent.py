@@ -2,12 +2,15 @@
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QMenu, QWidget
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QMenu
 
-from iconstudio.gui.gallery.icon_list import IconList, same
-from iconstudio.gui.gallery.pictures import Picture
-from iconstudio.gui.gallery.sending import Destination, offer
+from iconstudio.gui.exchange.saving import Saver
+from iconstudio.gui.gallery.pictures import Picture, same
+from iconstudio.gui.gallery.sending import Destination, offer, pop_up
+from iconstudio.gui.gallery.sheet import Sheet
+from iconstudio.gui.gallery.sheet_delegate import framed
+from iconstudio.gui.gallery.sheet_model import results_with
 
 SIDE = 38
 """Side of an entry in device-independent pixels."""
@@ -18,49 +21,49 @@ MOST = 24
 EMPTY = "Results that you pick are kept here"
 
 
-class RecentResults(IconList):
+class RecentResults(Sheet):
     """One row of results; a click, Enter or the context menu says what can be done with one.
 
     Signals
     -------
     sent(Picture, str)
         A result is to go to the workspace of that title.
-    save_svg(Picture), save_png(Picture), save_code(Picture), copy_svg(Picture)
-        A result is to be taken out of the window.
     """
 
     sent = Signal(object, str)
-    save_svg = Signal(object)
-    save_png = Signal(object)
-    save_code = Signal(object)
-    copy_svg = Signal(object)
 
-    def __init__(self, destinations: Sequence[Destination], parent: QWidget | None = None) -> None:
-        advice = "Click for what to do with it, or drag it where you need it"
-        super().__init__(SIDE, EMPTY, advice, parent)
-        self._destinations = destinations
+    def __init__(self, destinations: Sequence[Destination], saver: Saver) -> None:
+        """``saver`` takes results out of the window."""
+        super().__init__(
+            framed(SIDE),
+            results_with("Click for what to do with it, or drag it where you need it"),
+            "Recent results",
+            hint=EMPTY,
+            one_row=True,
+            draggable=True,
+            removable=True,
+        )
+        self._destinations, self._saver = destinations, saver
         self.menu: QMenu | None = None
-        self.setAccessibleName("Recent results")
         self.chosen.connect(self._open_menu)
         self.asked.connect(self._open_menu)
 
     def keep(self, picture: Picture) -> None:
         """Put a result in front; if it is there already, it moves there."""
         kept = [one for one in self.pictures if not same(one, picture)]
-        self.show_pictures([picture, *kept][:MOST])
+        self.show_entries([picture, *kept][:MOST])
         self.reveal(picture)
 
     def _open_menu(self, picture: Picture) -> None:
-        menu = QMenu(self)
-        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        menu = self.menu = QMenu(self)
         offer(menu, self._destinations, lambda title: self.sent.emit(picture, title))
         if self._destinations:
             menu.addSeparator()
-        menu.addAction("Save SVG…", lambda: self.save_svg.emit(picture))
-        menu.addAction("Save PNG…", lambda: self.save_png.emit(picture))
-        menu.addAction("Save colour code as PNG…", lambda: self.save_code.emit(picture))
-        menu.addAction("Copy SVG", lambda: self.copy_svg.emit(picture))
+        menu.addAction("Save SVG…", lambda: self._saver.save_svg(picture))
+        menu.addAction("Save PNG…", lambda: self._saver.save_png(picture))
+        code = menu.addAction("Save colour code as PNG…", lambda: self._saver.save_code(picture))
+        code.setEnabled(picture.has_code)
+        menu.addAction("Copy SVG", lambda: self._saver.copy_svg(picture))
         menu.addSeparator()
         menu.addAction("Remove", lambda: self.remove(picture))
-        self.menu = menu
-        menu.popup(self.below(picture))
+        pop_up(menu, self.below(picture))

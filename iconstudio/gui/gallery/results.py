@@ -7,18 +7,18 @@ from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QButtonGroup,
     QFrame,
-    QHBoxLayout,
     QLabel,
     QSizePolicy,
     QStackedLayout,
-    QVBoxLayout,
     QWidget,
 )
 
+from iconstudio.gui.canvas.tools.base import NUDGES
 from iconstudio.gui.gallery.axes import Grid, RowHead, Scale
 from iconstudio.gui.gallery.cell import CellState, ResultCell
 from iconstudio.gui.gallery.display_switch import DisplaySwitch
 from iconstudio.gui.gallery.pictures import Display, Picture
+from iconstudio.gui.theme.layout import column, label, row, with_role
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.workflows.events import StyleMatched, StyleSkipped
 
@@ -26,13 +26,6 @@ WELCOME = (
     "Your icons appear here: a row for each style, from thin lines to solid.\n"
     "On the left they stay closer to your sketch; to the right, larger parts join more smoothly."
 )
-
-_STEPS = {
-    Qt.Key.Key_Left: (0, -1),
-    Qt.Key.Key_Right: (0, 1),
-    Qt.Key.Key_Up: (-1, 0),
-    Qt.Key.Key_Down: (1, 0),
-}
 
 
 class ResultsPanel(QFrame):
@@ -54,7 +47,7 @@ class ResultsPanel(QFrame):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setProperty("card", True)
+        with_role(self, "card")
         self._cells: dict[tuple[str, float], ResultCell] = {}
         self._heads: dict[str, RowHead] = {}
         self._reasons: dict[str, QLabel] = {}
@@ -66,32 +59,18 @@ class ResultsPanel(QFrame):
         self.display = Display.BOTH
 
         self.switch = DisplaySwitch()
-        title = QLabel("Results")
-        title.setProperty("title", True)
-        self.note = QLabel(wordWrap=True)
-        self.note.setProperty("muted", True)
-        top = QHBoxLayout()
-        top.setSpacing(UNIT)
-        top.addWidget(title)
-        top.addWidget(self.note, 1)
-        top.addWidget(self.switch)
+        self.note = label(wordWrap=True)
+        top = row(label("Results", "title"), (self.note, 1), self.switch)
         self.scale = Scale()
         self._sheet = Grid(self.scale)
         self._grid = self._sheet.cells
         below = QWidget()
-        column = QVBoxLayout(below)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
-        column.addWidget(self._sheet, 1000)  # nothing is left for what is below it until it is full
-        column.addStretch(1)
-        self._welcome = QLabel(WELCOME, alignment=Qt.AlignmentFlag.AlignCenter, wordWrap=True)
-        self._welcome.setProperty("muted", True)
+        # Nothing is left for what is below it until it is full.
+        column((self._sheet, 1000), (None, 1), of=below, spacing=0)
+        self._welcome = label(WELCOME, alignment=Qt.AlignmentFlag.AlignCenter, wordWrap=True)
         self._stack = QStackedLayout()
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(2 * UNIT, UNIT * 3 // 2, 2 * UNIT, UNIT)
-        layout.setSpacing(UNIT)
-        layout.addLayout(top)
-        layout.addLayout(self._stack, 1)
+        margins = 2 * UNIT, UNIT * 3 // 2, 2 * UNIT, UNIT
+        column(top, (self._stack, 1), of=self, margins=margins)
         # Only now that it has a place: elsewhere, its first page would open as a window.
         self._stack.addWidget(self._welcome)
         self._stack.addWidget(below)
@@ -166,24 +145,23 @@ class ResultsPanel(QFrame):
         self._sheet.set_shape(len(styles), len(lambdas))
         self._grid.addWidget(self.scale, 0, 1, 1, len(lambdas))
         self.scale.show()
-        for row, style in enumerate(styles, start=1):
+        for height, style in enumerate(styles, start=1):
             self._heads[style] = RowHead(style)
-            self._grid.addWidget(self._heads[style], row, 0)
+            self._grid.addWidget(self._heads[style], height, 0)
             cells = []
-            for column, value in enumerate(lambdas, start=1):
+            for place, value in enumerate(lambdas, start=1):
                 cell = ResultCell(f"{style.capitalize()}, λ {value:.2f}")
                 cell.show_display(self.display)
                 cell.customContextMenuRequested.connect(self._ask)
                 self._group.addButton(cell)
-                self._grid.addWidget(cell, row, column)
-                self._grid.setColumnStretch(column, 1)
+                self._grid.addWidget(cell, height, place)
+                self._grid.setColumnStretch(place, 1)
                 self._cells[style, value] = cell
                 cells.append(cell)
-            reason = QLabel(wordWrap=True)
-            reason.setProperty("muted", True)
+            reason = label(wordWrap=True)
             reason.setContentsMargins(UNIT, 0, UNIT, 0)
             reason.hide()
-            self._grid.addWidget(reason, row, 1, 1, -1)
+            self._grid.addWidget(reason, height, 1, 1, -1)
             self._reasons[style] = reason
             self._rows.append(cells)
         for key in kept.keys() & self._cells.keys():
@@ -203,9 +181,8 @@ class ResultsPanel(QFrame):
         self._set_skipped(event.style, event.reason)
 
     def _set_skipped(self, style: str, reason: str) -> None:
-        label = self._reasons[style]
-        label.setText(reason)
-        label.setVisible(bool(reason))
+        self._reasons[style].setText(reason)
+        self._reasons[style].setVisible(bool(reason))
         for cell in self._rows[list(self._heads).index(style)]:
             cell.setHidden(bool(reason))
 
@@ -251,17 +228,17 @@ class ResultsPanel(QFrame):
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Go from result to result with the arrow keys."""
         cell = self.focusWidget()
-        if event.key() not in _STEPS or not isinstance(cell, ResultCell):
+        if event.key() not in NUDGES or not isinstance(cell, ResultCell):
             super().keyPressEvent(event)
             return
-        row = next(i for i, cells in enumerate(self._rows) if cell in cells)
-        column = self._rows[row].index(cell)
-        down, right = _STEPS[event.key()]
+        y = next(i for i, cells in enumerate(self._rows) if cell in cells)
+        x = self._rows[y].index(cell)
+        right, down = NUDGES[event.key()]
         while True:
-            row, column = row + down, column + right
-            if not (0 <= row < len(self._rows) and 0 <= column < len(self._rows[row])):
+            y, x = y + down, x + right
+            if not (0 <= y < len(self._rows) and 0 <= x < len(self._rows[y])):
                 return
-            target = self._rows[row][column]
+            target = self._rows[y][x]
             if target.isEnabled() and target.isVisible():
                 target.setFocus(Qt.FocusReason.OtherFocusReason)
                 target.click()

@@ -1,8 +1,9 @@
-"""Menus that offer to send an icon to another workspace."""
+"""Menus of what can be done with an icon: it can be sent to another workspace, too."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QMenu
 
 
@@ -19,3 +20,9 @@ def offer(menu: QMenu, destinations: Sequence[Destination], send: Callable[[str]
     for destination in destinations:
         action = menu.addAction(destination.invitation)
         action.triggered.connect(lambda _=False, title=destination.title: send(title))
+
+
+def pop_up(menu: QMenu, spot: QPoint) -> None:
+    """Show a menu at a place of the screen, once."""
+    menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    menu.popup(spot)

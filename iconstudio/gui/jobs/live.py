@@ -1,233 +1,125 @@
-"""The runs of a workspace: started by hand, or in live mode by every change of the page."""
+"""Runs that follow the hand: of many requests, only the newest is met."""
 
-from collections.abc import Generator
-from dataclasses import replace
+from collections.abc import Callable, Generator
+from typing import Any
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from iconstudio.gui.gallery.pictures import Picture, pictured
-from iconstudio.gui.jobs.coalescing import Coalescing
-from iconstudio.gui.jobs.preparation import Preparation
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
-from iconstudio.gui.window.preferences import prefer, preferred
-from iconstudio.model import Remix
-from iconstudio.workflows.criteria import CriteriaDocument, CriteriaPage
-from iconstudio.workflows.events import Event, Progress, StyleSkipped
-from iconstudio.workflows.grid import ModelSettings
-from iconstudio.workflows.workflow import FINE as FINE_SIDE
-
-LIVE, FINE = "live", "fine"
-"""Under which it is remembered whether live mode is on, and fine quality."""
+from iconstudio.workflows.events import Progress
 
 PATIENCE = 700
 """Milliseconds that a run which is out of date may take until it shows something."""
 
 CALM = 800
-"""Milliseconds that a run of live mode may take before its progress is shown: those that the next
-movement of the hand puts an end to are shorter."""
+"""Milliseconds that a run may take before its progress is shown: those that the next movement of
+the hand puts an end to are shorter."""
 
 
-class LiveSource:
-    """A workspace, as far as it says what its page wants."""
+class LiveRunner(Runner):
+    """Runs what is wanted, which changes faster than it can be made.
 
-    document: CriteriaDocument
+    A run that has become out of date is still owed something to show: were it dropped at once, a
+    hand that never rests would see nothing at all. So what is wanted meanwhile waits until the run
+    has shown something (``release``) or is over, but no longer than ``patience`` milliseconds since
+    its start.
 
-    def inputs(self) -> object:
-        """Return what the results depend on, to be compared."""
-        raise NotImplementedError
-
-    def problem(self) -> str:
-        """Return what is missing before the page can be remixed, as a sentence; else nothing."""
-        raise NotImplementedError
-
-    def settings(self) -> ModelSettings:
-        """Return which results to make. Called only if there is no problem."""
-        raise NotImplementedError
-
-    def focus(self) -> tuple[str, float] | None:
-        """Return style and lambda_S of the result that the user looks at."""
-        raise NotImplementedError
-
-    def events(self, inputs: object, settings: ModelSettings) -> Generator[Event]:
-        """Return the run that makes the results. Called in the worker's thread."""
-        raise NotImplementedError
-
-
-class Runs(QObject):
-    """Remixes what a page says, one run at a time.
-
-    In live mode every change of what is wanted starts a run by itself, once the page is complete
-    and its icons are ready; a page that is not says nothing about it. While the hand moves, a run
-    gives way to the next one as soon as it has shown something: see ``Newest``.
+    Parameters
+    ----------
+    make
+        Returns the run for a request, which is any immutable value; in the worker's thread.
 
     Signals
     -------
-    began(ModelSettings, bool)
-        A run starts; whether it is of something else than the one before.
-    event(object)
-        What it has come to: events, results as Pictures.
-    progressed(Progress)
-        It takes so long that the user should know.
-    failed(str)
-        A sentence for the user.
-    ended(bool, bool)
-        It is over, and no other one has taken its place: whether it came to its end, and whether
-        the user himself had asked for it.
+    began(object)
+        A run starts, for that request.
     """
 
-    began = Signal(object, bool)
-    event = Signal(object)
-    progressed = Signal(object)
-    failed = Signal(str)
-    ended = Signal(bool, bool)
+    began = Signal(object)
 
     def __init__(
-        self, page: LiveSource, preparation: Preparation, worker: Worker, parent: QObject
+        self,
+        worker: Worker,
+        make: Callable[[Any], Generator[Any]],
+        parent: QObject | None = None,
+        patience: int = PATIENCE,
     ) -> None:
-        super().__init__(parent)
-        self._page = page
-        self._preparation = preparation
-        self.runner = Runner(worker, self)
-        self.coalescing = Coalescing(self.runner, self._follow, PATIENCE)
-        self.live = preferred(LIVE, True)
-        """Whether results follow by themselves."""
-        self.fine = preferred(FINE, False)
-        """Whether results are joined on a finer canvas."""
-        self.ran: object = None
-        """What the results are of."""
-        self._ran_page: CriteriaPage | None = None
-        self._ran_fine = self.fine
-        self._focus: tuple[str, float] | None = None
-        self._by_hand = False
+        super().__init__(worker, parent)
+        self._make = make
+        self._newest: Any = None
+        self.ran: Any = None
+        """What runs, or was finished last; None if it came to no end."""
+        self.timer = QTimer(self, singleShot=True, interval=patience)
+        self.timer.timeout.connect(self._go_on)
         self._calm = QTimer(self, singleShot=True, interval=CALM)
-        self.runner.event.connect(self._show)
-        self.runner.progress.connect(self._tell)
-        self.runner.failed.connect(self._fail)
-        self.runner.ended.connect(self._end)
-        preparation.settled.connect(self.renew)
+        self.ended.connect(self._rest)
 
     @property
-    def running(self) -> bool:
-        """Whether something runs."""
-        return self.runner.running
+    def pending(self) -> bool:
+        """Whether something newer is wanted than what runs."""
+        return self._newest is not None
 
     @property
-    def stale(self) -> bool:
-        """Whether the results are of something else than what is wanted."""
-        same = self.ran == self._page.inputs() and self._ran_fine == self.fine
-        return self.ran is not None and not same
+    def holding(self) -> bool:
+        """Whether the run under way is still waited for."""
+        return self.timer.isActive()
 
-    def set_live(self, on: bool) -> None:
-        """Let results follow by themselves, or not; remember which."""
-        self.live = on
-        prefer(LIVE, on)
-        self.coalescing.discard()
-        self.renew()
-
-    def set_fine(self, on: bool) -> None:
-        """Join results on a finer canvas, or not; remember which."""
-        self.fine = on
-        prefer(FINE, on)
-        self.renew()
-
-    def adopt(self) -> bool:
-        """Return whether what the page says is under way; if so, the user has asked for it."""
-        here = self.running and not self.stale
-        self._by_hand = self._by_hand or here
-        return here
-
-    def run(self) -> None:
-        """Remix what the page says, which has no problem, because the user asks for it."""
-        self.coalescing.discard()
-        self._calm.stop()
-        self._preparation.hurry()
-        self._begin(by_hand=True)
-
-    def renew(self) -> None:
-        """In live mode, remix what the page says now, unless that is done or cannot be done yet."""
-        if not self.live:
+    def request(self, wanted: Any) -> None:
+        """Run this as soon as may be, unless it is what runs or ran last."""
+        if wanted == self.ran:
+            self.discard()
             return
-        if self.ran is not None and not self.stale:
-            self.coalescing.discard()
-        elif self._preparation.ready and not self._page.problem():
-            self.coalescing.request()
-        else:
-            self._drop()
+        self._newest = wanted
+        if not self.holding:
+            self._go_on()
 
-    def leave(self) -> bool:
-        """Stop, and forget what ran before, if the page is of something else by now.
+    def run(self, wanted: Any) -> None:
+        """Run this now, because the user asks for it; he sees its progress."""
+        self.discard()
+        self._calm.stop()
+        self._begin(wanted)
 
-        Returns
-        -------
-        Whether it is.
-        """
-        page, before = self._page.document.page, self._ran_page
-        blank = page == type(page)()
-        if before is None or not (blank or page.elsewhere(before)):
-            return False
-        self.cancel()
-        self.ran = self._ran_page = None
-        return True
+    def release(self) -> None:
+        """The run under way has shown something: whatever is newer need not wait for it."""
+        self.timer.stop()
+        self._go_on()
+
+    def discard(self) -> None:
+        """Want nothing else than what runs."""
+        self._newest = None
 
     def cancel(self) -> None:
-        """Stop; in live mode, until the next change."""
-        self.coalescing.discard()
-        self.runner.cancel()
+        """Stop, and want nothing."""
+        self.discard()
+        self.ran = None
+        super().cancel()
 
-    def _follow(self) -> None:
-        self._calm.start()
-        self._begin(by_hand=False)
+    def _go_on(self) -> None:
+        wanted = self._newest
+        if wanted is not None:
+            self.discard()
+            self.timer.start()
+            self._calm.start()
+            self._begin(wanted)
 
-    def _begin(self, by_hand: bool) -> None:
-        page, sheet, before = self._page, self._page.document.page, self._ran_page
-        inputs, settings, title = page.inputs(), page.settings(), sheet.criteria.keyword.strip()
-        afresh = not self.live or before is None or sheet.elsewhere(before)
-        focus = page.focus() if self.live and not afresh else None
-        self._focus = focus if focus and focus[0] in settings.styles else None
-        if self.fine:
-            settings = replace(settings, side=FINE_SIDE)
-        if self.live:
-            settings = replace(settings, focus=self._focus or _middle(settings), previews=True)
-        self.ran, self._ran_page, self._by_hand = inputs, sheet, by_hand
-        self._ran_fine = self.fine
-        self.runner.start(lambda: pictured(page.events(inputs, settings), title))
-        self.began.emit(settings, afresh)
+    def _begin(self, wanted: Any) -> None:
+        make, self.ran = self._make, wanted
+        self.start(lambda: make(wanted))
+        self.began.emit(wanted)
 
-    def _drop(self) -> None:
-        """Stop a run that is out of date, though nothing can take its place."""
-        self.coalescing.discard()
-        if self.running:
-            self.ran = None
-            self.runner.cancel()
-
-    def _show(self, event: object) -> None:
-        self.event.emit(event)
-        match event:
-            case StyleSkipped(style) if self._focus and style == self._focus[0]:
-                self._focus = None
-            case Picture(icon) if self._focus in (None, _place(icon)):
-                self.coalescing.release()
+    def _tell(self, event: object) -> None:
+        if not (isinstance(event, Progress) and self._calm.isActive()):
+            super()._tell(event)
 
     def _fail(self, message: str) -> None:
-        if not self.coalescing.pending:
+        self._whole = False
+        if not self.pending:
             self.failed.emit(message)
 
-    def _tell(self, progress: Progress) -> None:
-        if not self._calm.isActive():
-            self.progressed.emit(progress)
-
-    def _end(self, whole: bool) -> None:
+    def _rest(self, whole: bool) -> None:
         if not self.running:
             self._calm.stop()
-            self.ended.emit(whole, self._by_hand)
-
-
-def _middle(settings: ModelSettings) -> tuple[str, float]:
-    """Return style and lambda_S in the middle of the grid."""
-    styles, lambdas = settings.styles, settings.lambdas
-    return styles[len(styles) // 2], lambdas[len(lambdas) // 2]
-
-
-def _place(icon: Remix) -> tuple[str, float]:
-    return icon.composite.style, icon.composite.lambda_s
+            if not whole:
+                self.ran = None
+            self.release()

@@ -4,9 +4,10 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import QSize
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QToolButton, QWidget
 
 from iconstudio.gui.canvas.view import CanvasView
+from iconstudio.gui.theme.layout import column, row, with_role
 from iconstudio.gui.theme.theme import UNIT
 
 
@@ -29,23 +30,14 @@ class CanvasPanel(QFrame):
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
-        self.setProperty("card", True)
-        bar = QHBoxLayout()
-        bar.setContentsMargins(UNIT // 2, UNIT // 2, UNIT, UNIT // 2)
-        bar.setSpacing(2)
-        for number, group in enumerate(groups):
-            if number:
-                bar.addSpacing(UNIT)
-            for item in group:
-                bar.addWidget(_button(item) if isinstance(item, QAction) else item)
-        bar.addStretch()
-        for widget in trailing:
-            bar.addWidget(widget)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(1, 1, 1, 1)
-        layout.setSpacing(0)
-        layout.addLayout(bar)
-        layout.addWidget(view, 1)
+        parts: list[QWidget | int] = []
+        for group in groups:
+            if parts:
+                parts.append(UNIT)
+            parts += (_button(item) if isinstance(item, QAction) else item for item in group)
+        margins = UNIT // 2, UNIT // 2, UNIT, UNIT // 2
+        bar = row(*parts, None, *trailing, spacing=2, margins=margins)
+        column(bar, (view, 1), of=with_role(self, "card"), spacing=0, margins=(1, 1, 1, 1))
 
 
 def _button(action: QAction) -> QToolButton:

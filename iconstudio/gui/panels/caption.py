@@ -3,6 +3,8 @@
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel, QWidget
 
+from iconstudio.gui.theme.layout import turn_role
+
 
 class Caption(QLabel):
     """A muted text, or an error in its colour."""
@@ -15,7 +17,5 @@ class Caption(QLabel):
         """Show ``text``; only with ``links``, it is HTML."""
         self.setTextFormat(Qt.TextFormat.RichText if links else Qt.TextFormat.PlainText)
         self.setText(text)
-        self.setProperty("muted", not error)
-        self.setProperty("error", error)
-        self.style().unpolish(self)
-        self.style().polish(self)
+        turn_role(self, "muted", not error)
+        turn_role(self, "error", error)

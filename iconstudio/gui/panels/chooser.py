@@ -2,24 +2,27 @@
 
 from collections.abc import Generator
 from contextlib import closing
-from pathlib import Path
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QDragEnterEvent, QDropEvent, QKeyEvent
-from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFileDialog, QWidget
 
 from iconstudio.gui.exchange.dragging import take_copy, unpacked
+from iconstudio.gui.exchange.opening import IconOpener
+from iconstudio.gui.exchange.together import Sprite
+from iconstudio.gui.gallery.sheet import Sheet
+from iconstudio.gui.gallery.sheet_delegate import Look
+from iconstudio.gui.gallery.sheet_model import credited
 from iconstudio.gui.jobs.preparation import DEBOUNCE
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.panels.caption import Caption
-from iconstudio.gui.panels.choices import Choices
-from iconstudio.gui.panels.scanning import ScanDialog, may_be_scan
-from iconstudio.gui.panels.symbols import SymbolDialog
+from iconstudio.gui.panels.scanning import may_be_scan
 from iconstudio.gui.panels.wordfield import WordField
+from iconstudio.gui.theme.layout import column, push_button, row
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.images.reading import SUFFIXES
-from iconstudio.model import Exemplar, Pictogram, SpriteError
+from iconstudio.model import Exemplar
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event, Retrieved
 
@@ -56,47 +59,34 @@ class IconChooser(QWidget):
     ) -> None:
         super().__init__(parent)
         self._session = session
-        self._worker = worker
         self._multiple = multiple
-        self._shown: dict[str, Exemplar] = {}
         self._keyword = ""
         self._found: tuple[Exemplar, ...] = ()
         self._opened: dict[str, Exemplar] = {}
         self.setAcceptDrops(True)
 
         self.field = SearchField()
-        self.button = QPushButton(
-            "Open drawing…", toolTip="Use a drawing of your own: an SVG, a scan or a PNG"
-        )
-        self.button.setAutoDefault(False)
+        tip = "Use a drawing of your own: an SVG, a scan or a PNG"
+        self.button = push_button("Open drawing…", tip, self.choose_file)
         self.caption = Caption()
-        self.choices = Choices()
-        self.choices.sheet().multiple = multiple
-        row = QHBoxLayout()
-        row.setSpacing(UNIT)
-        row.addWidget(self.field, 1)
-        row.addWidget(self.button)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(UNIT)
-        layout.addLayout(row)
-        layout.addWidget(self.caption)
-        layout.addWidget(self.choices, 1)
+        self.choices = Sheet(
+            Look(7 * UNIT, margin=6), self._describe, "Icons found", draggable=True
+        )
+        column(row((self.field, 1), self.button), self.caption, (self.choices, 1), of=self)
         self.setFocusProxy(self.field)
 
         self._search = Runner(worker, self)
         self._search.event.connect(self._show_found)
         self._search.failed.connect(self._fail)
-        self._file = Runner(worker, self)
-        self._file.event.connect(self._take_file)
-        self._file.failed.connect(self._fail)
+        self._opener = _FileOpener(session, worker, self)
+        self._opener.opened.connect(self.caption.say)
+        self._opener.failed.connect(self._fail)
         self._timer = QTimer(self, singleShot=True, interval=DEBOUNCE)
         self._timer.timeout.connect(self._look_up)
         self.field.textEdited.connect(self._timer.start)
         self.field.returnPressed.connect(self._look_up)
         self.field.left.connect(self._enter_choices)
-        self.button.clicked.connect(self.choose_file)
-        self.choices.toggled.connect(self._choose)
+        self.choices.chosen.connect(self._choose)
         self.caption.say(_WELCOME)
 
     def search(self, keyword: str) -> None:
@@ -105,8 +95,9 @@ class IconChooser(QWidget):
         self._look_up()
 
     def set_taken(self, identifiers: frozenset[str]) -> None:
-        """Say which icons are taken already."""
-        self.choices.sheet().set_taken(identifiers)
+        """Say which icons are taken already; it matters only if several can be."""
+        taken = identifiers if self._multiple else frozenset()
+        self.choices.model().mark(lambda icon: icon.id in taken)
 
     def choose_file(self) -> None:
         """Ask for a file: an SVG, or an image."""
@@ -116,20 +107,9 @@ class IconChooser(QWidget):
 
     def open_file(self, path: str) -> None:
         """Read and draw a file in the background, then choose it; of a scan, show what it gives."""
-        if may_be_scan(path):
-            dialog = ScanDialog(self._session, self._worker, Path(path), Path(path).name, self)
-            dialog.chosen.connect(
-                lambda icon: self._file.start(lambda: _drawn(self._session, icon))
-            )
-            dialog.failed.connect(self._fail)
-            dialog.no_image.connect(lambda: self._read_file(path))
-            dialog.open()
-        else:
-            self._read_file(path)
-
-    def _read_file(self, path: str) -> None:
-        self.caption.say(f"Opening “{path}”…")
-        self._file.start(lambda: _opened(self._session, path))
+        if not may_be_scan(path):
+            self.caption.say(f"Opening “{path}”…")
+        self._opener.open_drawing(path)
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         """Let a drawing be dropped; anything else is for the workspace around."""
@@ -165,44 +145,52 @@ class IconChooser(QWidget):
             what = "click to add or take away" if self._multiple else "click one to use it"
             self.caption.say(f"{icons} found · {what}")
 
-    def _take_file(self, found: Exemplar | tuple[str, tuple[str, ...]]) -> None:
-        if isinstance(found, tuple):
-            self._choose_symbol(*found)
-            return
-        exemplar = found
+    def take(self, exemplar: Exemplar) -> None:
+        """Choose an icon that was opened; it stays in front of what is found."""
         self._opened = {exemplar.id: exemplar} | self._opened
         self._fill()
-        self.caption.say(f"Opened “{exemplar.pictogram.credit.title}”.")
-        if not self.choices.sheet().is_taken(exemplar):
+        if not self.choices.model().is_marked(exemplar):
             self.chosen.emit(exemplar)
 
-    def _choose_symbol(self, path: str, names: tuple[str, ...]) -> None:
-        """Let the user choose a symbol of a sprite sheet."""
-        self.caption.say("Choose a symbol of the sprite sheet.")
-        find = self._session.icon
-        dialog = SymbolDialog(
-            self._session, self._worker, lambda name: find(f"{path}#{name}"), names, self
-        )
-        dialog.chosen.connect(lambda icon: self._file.start(lambda: _drawn(self._session, icon)))
-        dialog.open()
+    def _describe(self, icon: Exemplar, taken: bool) -> tuple[str, str]:
+        what = "take it away" if taken else "add it" if self._multiple else "use it"
+        name = f"{icon.name}, taken" if taken else icon.name
+        return name, f"{credited(icon)}\nClick to {what}, or drag it"
 
-    def _choose(self, identifier: str) -> None:
-        exemplar = self._shown[identifier]
-        taken = self.choices.sheet().is_taken(exemplar)
+    def _choose(self, exemplar: Exemplar) -> None:
+        taken = self.choices.model().is_marked(exemplar)
         (self.released if taken else self.chosen).emit(exemplar)
 
     def _fill(self) -> None:
-        self._shown = self._opened | {one.id: one for one in self._found}
-        self.choices.sheet().show(tuple(self._shown.values()))
+        shown = self._opened | {one.id: one for one in self._found}
+        self.choices.show_entries(tuple(shown.values()))
 
     def _fail(self, message: str) -> None:
         self.caption.say(message, error=True)
         self.failed.emit(message)
 
     def _enter_choices(self) -> None:
-        if self._shown:
+        if self.choices.model().entries:
             self.choices.setFocus(Qt.FocusReason.OtherFocusReason)
-            self.choices.setCurrentIndex(self.choices.sheet().index(0))
+            self.choices.setCurrentIndex(self.choices.model().index(0))
+
+
+class _FileOpener(IconOpener):
+    """Opens files for a chooser."""
+
+    def __init__(self, session: Session, worker: Worker, chooser: IconChooser) -> None:
+        super().__init__(session, None, worker, chooser)
+        self._chooser = chooser
+
+    def put(self, found: Exemplar) -> str:
+        """Choose an icon."""
+        self._chooser.take(found)
+        return f"Opened “{found.pictogram.credit.title}”."
+
+    def choose_symbol(self, sprite: Sprite) -> None:
+        """Let the user choose a symbol of a sprite sheet that was opened."""
+        self._chooser.caption.say("Choose a symbol of the sprite sheet.")
+        super().choose_symbol(sprite)
 
 
 class SearchField(WordField):
@@ -247,17 +235,3 @@ def _dropped_drawing(event: QDropEvent) -> str | None:
         return None
     path = urls[0].toLocalFile()
     return path if path.lower().endswith((".svg", ".svgz")) else None
-
-
-def _opened(session: Session, path: str) -> Generator[Exemplar | tuple[str, tuple[str, ...]]]:
-    """Yield a file's icon; of a sprite sheet, its path and the names of its symbols."""
-    try:
-        icon = session.icon(path)
-    except SpriteError as error:
-        yield path, error.names
-    else:
-        yield session.exemplar(icon)
-
-
-def _drawn(session: Session, icon: Pictogram) -> Generator[Exemplar]:
-    yield session.exemplar(icon)

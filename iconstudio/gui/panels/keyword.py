@@ -2,20 +2,20 @@
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import (
-    QFrame,
-    QHBoxLayout,
-    QPushButton,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtCore import QPoint, Qt, Signal
+from PySide6.QtWidgets import QFrame, QMenu
 
-from iconstudio.gui.gallery.thumbnails import Thumbnails
+from iconstudio.gui.gallery.sending import pop_up
+from iconstudio.gui.gallery.sheet import Sheet
+from iconstudio.gui.gallery.sheet_delegate import Look, Mark
+from iconstudio.gui.gallery.sheet_model import credited
 from iconstudio.gui.panels.caption import Caption
 from iconstudio.gui.panels.wordfield import Key, WordField
+from iconstudio.gui.theme.layout import column, push_button, row, with_role
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.model import Exemplar
+from iconstudio.workflows import criteria as edits
+from iconstudio.workflows.criteria import CriteriaDocument
 
 
 class KeywordField(WordField):
@@ -25,55 +25,47 @@ class KeywordField(WordField):
 
 
 class KeywordPanel(QFrame):
-    """The keyword field, the Remix button, and thumbnails of what the keyword finds.
+    """The keyword field, the Remix button, and thumbnails of what it finds: edits the page.
+
+    A click on a thumbnail, Space or its menu leaves an icon out, or takes it back.
 
     Signals
     -------
-    edited(str)
-        The user typed.
     run()
         The user pressed Remix or Enter.
-    toggled(str)
-        An icon is to be left out, or taken back.
-    restored()
-        All icons that were left out are to be taken back.
     """
 
-    edited = Signal(str)
     run = Signal()
-    toggled = Signal(str)
-    restored = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setProperty("card", True)
+    def __init__(self, document: CriteriaDocument) -> None:
+        super().__init__()
+        self._document = document
+        with_role(self, "card")
         self.field = KeywordField(placeholderText="What is it? For example: motorcycle")
         self.field.setAccessibleName("What the object is")
         self.field.setClearButtonEnabled(True)
-        self.button = QPushButton("Remix")
-        self.button.setProperty("primary", True)
-        self.button.setToolTip("Make new icons in four styles (Ctrl+Return)")
+        tip = "Make new icons in four styles (Ctrl+Return)"
+        self.button = push_button("Remix", tip, self.run.emit, role="primary")
         self.caption = Caption()
         self.caption.setTextInteractionFlags(Qt.TextInteractionFlag.LinksAccessibleByMouse)
-        self.thumbnails = Thumbnails()
+        self.thumbnails = Sheet(
+            Look(44, margin=6, mark=Mark.STRUCK), _described, "Icons found", parent=self
+        )
+        self.menu: QMenu | None = None
+        self._excluded: frozenset[str] = frozenset()
         self._found = 0
-
-        row = QHBoxLayout()
-        row.setSpacing(UNIT)
-        row.addWidget(self.field, 1)
-        row.addWidget(self.button)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(UNIT * 3 // 2, UNIT * 3 // 2, UNIT * 3 // 2, UNIT)
-        layout.setSpacing(UNIT)
-        layout.addLayout(row)
-        layout.addWidget(self.caption)
-        layout.addWidget(self.thumbnails, 1)
-
-        self.field.textEdited.connect(self.edited)
+        column(
+            row((self.field, 1), self.button),
+            self.caption,
+            (self.thumbnails, 1),
+            of=self,
+            margins=(UNIT * 3 // 2, UNIT * 3 // 2, UNIT * 3 // 2, UNIT),
+        )
+        self.field.textEdited.connect(lambda text: edits.set_keyword(document, text))
         self.field.returnPressed.connect(self.run)
-        self.button.clicked.connect(self.run)
-        self.thumbnails.toggled.connect(self.toggled)
-        self.caption.linkActivated.connect(self.restored)
+        self.thumbnails.chosen.connect(lambda icon: edits.toggle_icon(document, icon.id))
+        self.thumbnails.asked.connect(self._open_menu)
+        self.caption.linkActivated.connect(lambda _: edits.exclude_icons(document, frozenset()))
         self.set_searching("")
 
     def set_words(self, placeholder: str, tip: str) -> None:
@@ -85,15 +77,15 @@ class KeywordPanel(QFrame):
         """Show what the document says."""
         if self.field.text() != keyword:
             self.field.setText(keyword)
-        if self.thumbnails.sheet().excluded != excluded:
-            self.thumbnails.sheet().set_excluded(excluded)
+        if self._excluded != excluded:
+            self._excluded = excluded
+            self.thumbnails.model().mark(lambda icon: icon.id in excluded)
             if self._found:
                 self._tell_found()
 
     def set_searching(self, keyword: str) -> None:
         """Say that ``keyword`` is being looked up, or what to do if there is none."""
-        self._found = 0
-        self.thumbnails.sheet().clear()
+        self._clear()
         self.caption.say(
             f"Looking for “{keyword}”…"
             if keyword
@@ -101,22 +93,42 @@ class KeywordPanel(QFrame):
         )
 
     def show_exemplars(self, exemplars: Sequence[Exemplar]) -> None:
-        """Show what the keyword found."""
+        """Show what the keyword found; icons in sight that were left out stay in their places."""
         self._found = len(exemplars)
-        self.thumbnails.sheet().show(exemplars)
+        found = {icon.id for icon in exemplars}
+        merged = list(exemplars)
+        for place, icon in enumerate(self.thumbnails.model().entries):
+            if icon.id in self._excluded and icon.id not in found:
+                merged.insert(min(place, len(merged)), icon)
+        self.thumbnails.show_entries(merged)
         self._tell_found()
 
     def show_error(self, message: str) -> None:
         """Say why the keyword cannot be used."""
-        self._found = 0
-        self.thumbnails.sheet().clear()
+        self._clear()
         self.caption.say(message, error=True)
+
+    def _clear(self) -> None:
+        self._found = 0
+        self.thumbnails.show_entries(())
+
+    def _open_menu(self, icon: Exemplar, spot: QPoint) -> None:
+        out = icon.id in self._excluded
+        menu = self.menu = QMenu(self)
+        words = "Use this icon again" if out else "Leave this icon out"
+        menu.addAction(words, lambda: edits.toggle_icon(self._document, icon.id))
+        pop_up(menu, spot)
 
     def _tell_found(self) -> None:
         icons = "1 icon" if self._found == 1 else f"{self._found} icons"
-        out = len(self.thumbnails.sheet().excluded)
+        out = len(self._excluded)
         if out:
             undo = "<a href='#'>use all again</a>"
             self.caption.say(f"{icons} found · {out} left out · {undo}", links=True)
         else:
             self.caption.say(f"{icons} found · click one to leave it out")
+
+
+def _described(icon: Exemplar, out: bool) -> tuple[str, str]:
+    name = f"{icon.name}, left out" if out else icon.name
+    return name, f"{credited(icon)}\nClick to {'use it again' if out else 'leave it out'}"

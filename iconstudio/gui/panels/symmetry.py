@@ -1,10 +1,11 @@
 """Choose an axis of symmetry, and be offered one that nearly fits."""
 
-from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QActionGroup
 from PySide6.QtWidgets import QMenu, QPushButton, QToolButton, QWidget
 
 from iconstudio.gui.theme import icons
+from iconstudio.gui.theme.layout import OnResize, with_role
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.model import Axis
 
@@ -78,10 +79,10 @@ class SymmetryHint(QPushButton):
         super().__init__("Nearly symmetric · Hold to symmetry", canvas)
         self._canvas = canvas
         self._axis: Axis | None = None
-        self.setProperty("pill", True)
+        with_role(self, "pill")
         self.setCursor(Qt.CursorShape.PointingHandCursor)
         self.clicked.connect(lambda: self.accepted.emit(self._axis))
-        canvas.installEventFilter(self)
+        OnResize(canvas, self._place)
         self.hide()
 
     def offer(self, axis: Axis | None) -> None:
@@ -91,12 +92,6 @@ class SymmetryHint(QPushButton):
         if axis is not None:
             self.setToolTip(WORDS[axis])
             self._place()
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Stay in the corner."""
-        if event.type() == QEvent.Type.Resize:
-            self._place()
-        return False
 
     def _place(self) -> None:
         self.adjustSize()

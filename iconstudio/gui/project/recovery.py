@@ -5,9 +5,10 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QFrame, QLabel, QWidget
 
 from iconstudio.gui.project.journaling import Found
+from iconstudio.gui.theme.layout import push_button, row, with_role
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.workflows.workflow import Workflow
 
@@ -26,22 +27,19 @@ class RecoveryBar(QFrame):
 
     def __init__(self, workflows: Mapping[str, Workflow], parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setProperty("notice", True)
-        self.setProperty("hint", True)
+        with_role(with_role(self, "notice"), "hint")
         self._workflows = workflows
         self._offers: list[Found] = []
         self.label = QLabel(wordWrap=True)
         self.label.setTextFormat(Qt.TextFormat.PlainText)
-        self.restore_button = QPushButton("&Restore", toolTip="Open it here, still unsaved")
-        self.dismiss_button = QPushButton("&Dismiss", toolTip="Remove it for good")
-        self.restore_button.clicked.connect(lambda: self.restore.emit(self._offers[0]))
-        self.dismiss_button.clicked.connect(lambda: self.dismiss.emit(self._offers[0]))
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(UNIT * 3 // 2, UNIT // 2, UNIT, UNIT // 2)
-        layout.setSpacing(UNIT)
-        layout.addWidget(self.label, 1)
-        layout.addWidget(self.restore_button)
-        layout.addWidget(self.dismiss_button)
+        self.restore_button = push_button(
+            "&Restore", "Open it here, still unsaved", lambda: self.restore.emit(self._offers[0])
+        )
+        self.dismiss_button = push_button(
+            "&Dismiss", "Remove it for good", lambda: self.dismiss.emit(self._offers[0])
+        )
+        margins = UNIT * 3 // 2, UNIT // 2, UNIT, UNIT // 2
+        row((self.label, 1), self.restore_button, self.dismiss_button, of=self, margins=margins)
         self.hide()
 
     @property

@@ -73,4 +73,4 @@ class Work(QObject):
                 workspace.opener.cancel()
             workspace.document.load(workspace.blank)  # results of other work go from sight, too
             workspace.document.load(contents.pages.get(name, workspace.blank))
-        self._recent.show_pictures(map(picture_of, contents.recent))
+        self._recent.show_entries(tuple(map(picture_of, contents.recent)))

@@ -1,6 +1,7 @@
 """How the window looks: design tokens, palette and style sheet, light and dark."""
 
 from dataclasses import dataclass
+from pathlib import Path
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QFont, QFontDatabase, QGuiApplication, QPalette
@@ -147,93 +148,10 @@ def _palette(theme: Theme) -> QPalette:
 
 
 def _style_sheet(theme: Theme) -> str:
-    sheet = _SHEET.replace(
+    sheet = Path(__file__).with_name("style.qss").read_text("utf-8")
+    sheet = sheet.replace(
         "@strong;", f'font-family: "{STRONG}";' if _has_strong() else "font-weight: 600;"
     )
     for token in Theme.__slots__:
         sheet = sheet.replace(f"@{token};", f"{getattr(theme, token)};")
     return sheet
-
-
-_SHEET = """
-QToolTip { background: @text; color: @surface; border: 0; padding: 4px 8px; }
-QMenuBar { background: @window; padding: 2px 8px; }
-QMenuBar::item { padding: 4px 8px; border-radius: 4px; background: transparent; }
-QMenuBar::item:selected { background: @sunken; }
-QMenu { background: @surface; border: 1px solid @border; padding: 4px; }
-QMenu::item { padding: 6px 24px 6px 12px; border-radius: 4px; }
-QMenu::item:selected { background: @accent_soft; color: @text; }
-QMenu::item:disabled { color: @muted; }
-QMenu::separator { height: 1px; background: @border; margin: 4px 8px; }
-
-QFrame[card="true"] { background: @surface; border: 1px solid @border; border-radius: 8px; }
-QFrame[sheet="true"] { background: @surface; border: 0; border-radius: 8px; }
-QFrame[layer="true"] { border-radius: 6px; }
-QFrame[layer="true"]:hover { background: @sunken; }
-QFrame[layer="true"][chosen="true"] { background: @accent_soft; }
-QFrame[notice="true"] { background: @danger_soft; border: 1px solid @danger; border-radius: 8px; }
-QFrame[notice="true"][hint="true"] { background: @accent_soft; border-color: @accent; }
-QLabel[heading="true"] { @strong; }
-QLabel[title="true"] { font-size: 16px; @strong; }
-QLabel[muted="true"] { color: @muted; font-size: 12px; }
-QLabel[error="true"] { color: @danger; font-size: 12px; }
-
-QLineEdit { background: @surface; border: 1px solid @border; border-radius: 6px;
-            padding: 0 8px; min-height: 30px; selection-background-color: @accent;
-            selection-color: @on_accent; }
-QLineEdit:focus { border: 2px solid @accent; padding: 0 7px; min-height: 28px; }
-
-QPushButton { background: @surface; border: 1px solid @border; border-radius: 6px;
-              padding: 0 12px; min-height: 30px; }
-QPushButton:hover { background: @sunken; }
-QPushButton:pressed { background: @border; }
-QPushButton:focus { border: 2px solid @accent; padding: 0 11px; min-height: 28px; }
-QPushButton:disabled { color: @muted; background: @window; }
-QPushButton[primary="true"] { background: @accent; color: @on_accent; border: 0;
-              @strong; min-height: 32px; padding: 0 16px; }
-QPushButton[primary="true"]:focus { border: 2px solid @text; min-height: 28px; padding: 0 14px; }
-QPushButton[primary="true"]:disabled { background: @border; color: @muted; }
-
-QPushButton[pill="true"] { background: @surface; color: @accent; border: 1px solid @accent;
-              border-radius: 13px; min-height: 24px; padding: 0 12px; font-size: 12px; }
-QPushButton[pill="true"]:hover { background: @accent_soft; }
-QPushButton[pill="true"]:focus { border: 2px solid @accent; min-height: 22px; padding: 0 11px; }
-
-QToolButton { background: transparent; border: 1px solid transparent; border-radius: 6px;
-              padding: 5px; }
-QToolButton:hover { background: @sunken; }
-QToolButton:checked { background: @accent_soft; }
-QToolButton:pressed { background: @border; }
-QToolButton:focus { border: 1px solid @accent; }
-QToolButton::menu-indicator { image: none; }
-QToolButton[segment="true"] { padding: 4px 12px; min-height: 22px; }
-QToolButton[segment="true"]:checked { background: @surface; border: 1px solid @border; }
-QFrame[segments="true"] { background: @sunken; border-radius: 7px; }
-QToolButton[floating="true"] { background: @surface; border: 1px solid @border; padding: 2px; }
-QToolButton[floating="true"]:hover { background: @accent_soft; }
-QToolButton[floating="true"]:focus { border: 1px solid @accent; }
-
-QProgressBar { background: @sunken; border: 0; border-radius: 3px; max-height: 6px;
-               min-height: 6px; }
-QProgressBar::chunk { background: @accent; border-radius: 3px; }
-
-QSlider::groove:horizontal { height: 4px; background: @border; border-radius: 2px; }
-QSlider::sub-page:horizontal { background: @accent; border-radius: 2px; }
-QSlider::handle:horizontal { background: @surface; border: 1px solid @muted; width: 14px;
-                             height: 14px; margin: -6px 0; border-radius: 8px; }
-QSlider::handle:horizontal:focus { border: 2px solid @accent; }
-
-QScrollArea, QListView { background: transparent; border: 0; }
-QListWidget { background: @surface; border: 1px solid @border; border-radius: 8px; padding: 4px;
-    outline: 0; }
-QListWidget::item { padding: 6px 8px; border-radius: 4px; color: @text; }
-QListWidget::item:selected { background: @accent_soft; color: @text; }
-QScrollBar:vertical { background: transparent; width: 10px; margin: 0; }
-QScrollBar::handle:vertical { background: @border; border-radius: 4px; min-height: 24px;
-                              margin: 1px; }
-QScrollBar::handle:vertical:hover { background: @muted; }
-QScrollBar::add-line, QScrollBar::sub-line { height: 0; width: 0; }
-QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
-
-QSplitter::handle { background: transparent; }
-"""

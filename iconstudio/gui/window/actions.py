@@ -1,14 +1,21 @@
-"""What can be done, by name: words, shortcuts and icons; and the menus they stand in."""
+"""What can be done, declared by name: words, keys, what it does and when; and the menus."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
+from operator import attrgetter
+from typing import Any
 
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QMenu, QWidget
 
 from iconstudio.gui.theme import icons
+from iconstudio.gui.window.about import show_about
 
 Key = QKeySequence.StandardKey
+
+Ask = Callable[[Any], object]
+"""Asks the owner of an action, a workspace or the window, for something that is true or not."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,62 +27,123 @@ class Entry:
     tip: str = ""
     keys: QKeySequence.StandardKey | str | None = None
     icon: str = ""
+    do: str | Callable[..., object] = ""
+    """What it does: a method of its owner (``view.fit``), by default that of its own name; or a
+    function of its owner. One that is checkable gets its state, too."""
+    enabled: Ask | None = None
+    """Whether it makes sense at the moment."""
+    checked: Ask | None = None
+    """Whether the setting that it shows, and changes, is on."""
     checkable: bool = False
+    """Whether it is a setting of its own."""
+    choice: str = ""
+    """Of the actions with the same word here exactly one is checked; it does what it does."""
+    menu: str = ""
+    """The menu in which it stands, among those that only its owner has."""
+
+    @property
+    def is_setting(self) -> bool:
+        """Whether it is checked or not."""
+        return self.checkable or bool(self.choice) or self.checked is not None
 
 
-ENTRIES = {
-    entry.name: entry
-    for entry in (
-        Entry("new_project", "&New project", "Start another project", Key.New),
-        Entry("open_project", "&Open…", "Open a project, or a file of work", Key.Open),
-        Entry("recent", "Open &recent", "Open a project of late"),
-        Entry("save_project", "&Save", "Save the project: the pages of all workflows", Key.Save),
-        Entry("save_project_as", "Save &as…", "Save the project in another file", "Ctrl+Shift+S"),
-        Entry("new", "Ne&w", "Start afresh", "Ctrl+Shift+N", "new"),
-        Entry("examples", "E&xamples", "Start from an example", icon="examples"),
-        Entry("open", "&Import…", "Read the work in a JSON file"),
-        Entry("paste", "&Paste", "Use what is on the clipboard", Key.Paste),
-        Entry("save", "&Export as JSON…", "Write the work into a JSON file"),
-        Entry("svg", "Save icon as S&VG…", "Save the picked icon as SVG", "Ctrl+E"),
-        Entry("png", "Save icon as PN&G…", "Save the picked icon as PNG", "Ctrl+Shift+E"),
-        Entry("code_png", "Save colour co&de as PNG…", "Save what comes from where as PNG"),
-        Entry("copy", "&Copy icon as SVG", "Copy the picked icon as SVG", "Ctrl+Shift+C"),
-        Entry("quit", "&Quit", "", Key.Quit),
-        Entry("undo", "&Undo", "Undo", Key.Undo, "undo"),
-        Entry("redo", "&Redo", "Redo", Key.Redo, "redo"),
-        Entry("delete", "&Delete", "Remove what is selected", "Backspace"),
-        Entry("clear", "C&lear", "Remove everything", "Ctrl+Backspace", "clear"),
-        Entry("run", "&Remix", "Make new icons", "Ctrl+Return"),
-        Entry("live", "Li&ve", "Live: results follow while you draw", "Ctrl+L", "live", True),
-        Entry("fine", "F&ine quality", "Fine: smoother joins, five times as slow", checkable=True),
-        Entry("cancel", "&Cancel", "Stop; finished results stay", "Ctrl+."),
-        Entry("pan", "&Move the page", "Move the page (or hold Space)", "H", "pan", True),
-        Entry("zoom_in", "Zoom &in", "", Key.ZoomIn),
-        Entry("zoom_out", "Zoom &out", "", Key.ZoomOut),
-        Entry("fit", "&Fit the page", "Show the whole page", "Ctrl+0", "fit"),
-        Entry("plain", "&Icons", "Show the results as they are", checkable=True),
-        Entry(
-            "both",
-            "Icons and &colour code",
-            "Show results with their colour code",
-            "Ctrl+Shift+K",
-            "",
-            True,
-        ),
-        Entry("coded", "Colour co&de", "Colour the results by source", "Ctrl+K", "", True),
-        Entry("about", "&About Iconstudio"),
-    )
-}
-"""The actions that mean the same in several workspaces, or belong to the window."""
+def _holds_result(place: Any) -> bool:
+    return place.picture is not None
 
 
-def work_entries(noun: str) -> tuple[Entry, ...]:
-    """Return what ENTRIES say of the user's work, in words for work that is called ``noun``."""
+def _shows(display: str) -> dict[str, Any]:
+    """Return what an action does that shows results in another way, and when it is checked."""
+    return {
+        "do": lambda place, on: place.choose_display(display),
+        "checked": lambda place: place.display.value == display,
+        "choice": "display",
+    }
+
+
+WINDOW = (
+    Entry(
+        "new_project", "&New project", "Start another project", Key.New, do="project.new"
+    ),
+    Entry(
+        "open_project", "&Open…", "Open a project, or a file of work", Key.Open,
+        do="project.choose",
+    ),
+    Entry(
+        "save_project", "&Save", "Save the project: the pages of all workflows", Key.Save,
+        do="project.save",
+    ),
+    Entry(
+        "save_project_as", "Save &as…", "Save the project in another file", "Ctrl+Shift+S",
+        do="project.save_as",
+    ),
+    Entry("quit", "&Quit", "", Key.Quit, do="close"),
+    Entry("about", "&About Iconstudio", do=show_about),
+)  # fmt: skip
+"""What the window does, whatever workspace is in use."""
+
+RECENT = Entry("recent", "Open &recent", "Open a project of late")
+EXAMPLES = Entry("examples", "E&xamples", "Start from an example", icon="examples")
+UNDO = Entry("undo", "&Undo", "Undo", Key.Undo, "undo")
+REDO = Entry("redo", "&Redo", "Redo", Key.Redo, "redo")
+
+COMMON = (
+    Entry(
+        "svg", "Save icon as S&VG…", "Save the picked icon as SVG", "Ctrl+E",
+        do="save_svg", enabled=_holds_result,
+    ),
+    Entry(
+        "png", "Save icon as PN&G…", "Save the picked icon as PNG", "Ctrl+Shift+E",
+        do="save_png", enabled=_holds_result,
+    ),
+    Entry(
+        "code_png", "Save colour co&de as PNG…", "Save what comes from where as PNG",
+        do="save_code", enabled=lambda place: _holds_result(place) and place.picture.has_code,
+    ),
+    Entry(
+        "copy", "&Copy icon as SVG", "Copy the picked icon as SVG", "Ctrl+Shift+C",
+        do="copy_svg", enabled=_holds_result,
+    ),
+    Entry(
+        "cancel", "&Cancel", "Stop; finished results stay", "Ctrl+.",
+        enabled=lambda place: place.busy,
+    ),
+    Entry("plain", "&Icons", "Show the results as they are", **_shows("plain")),
+    Entry(
+        "both", "Icons and &colour code", "Show results with their colour code", "Ctrl+Shift+K",
+        **_shows("both"),
+    ),
+    Entry("coded", "Colour co&de", "Colour the results by source", "Ctrl+K", **_shows("coded")),
+)  # fmt: skip
+"""What every workspace does."""
+
+CANVAS = (
+    Entry(
+        "pan", "&Move the page", "Move the page (or hold Space)", "H", "pan",
+        do=lambda place: place.view.set_tool(place.view.pan_tool), choice="tool",
+    ),
+    Entry("zoom_in", "Zoom &in", "", Key.ZoomIn, do="view.zoom_in"),
+    Entry("zoom_out", "Zoom &out", "", Key.ZoomOut, do="view.zoom_out"),
+    Entry("fit", "&Fit the page", "Show the whole page", "Ctrl+0", "fit", do="view.fit"),
+)  # fmt: skip
+"""What every workspace with a canvas does."""
+
+
+def work_entries(noun: str, enabled: Ask) -> tuple[Entry, ...]:
+    """Return what is done with work that is called ``noun``; it is there if ``enabled``."""
+    json = f"&Export {noun} as JSON…"
     return (
         Entry("new", f"Ne&w {noun}", "Start afresh", "Ctrl+Shift+N", "new"),
-        Entry("open", f"&Import {noun}…", f"Read the {noun} in a JSON file"),
-        Entry("save", f"&Export {noun} as JSON…", f"Write the {noun} into a JSON file"),
-    )
+        Entry("open", f"&Import {noun}…", f"Read the {noun} in a JSON file",
+              do="opener.choose_work"),
+        Entry("save", json, f"Write the {noun} into a JSON file", enabled=enabled),
+        Entry("paste", "&Paste", "Use what is on the clipboard", Key.Paste, do="opener.paste"),
+    )  # fmt: skip
+
+
+def tool(name: str, text: str, tip: str, keys: str, icon: str) -> Entry:
+    """Return the action that takes a tool; see ``Workspace.use_tool``."""
+    use = {"do": lambda place: place.use_tool(name), "choice": "tool", "menu": "&View"}
+    return Entry(name, text, tip, keys, icon, **use)
 
 
 DISPLAYS = "plain", "both", "coded"
@@ -99,38 +167,26 @@ MENUS: dict[str, tuple[str, ...]] = {
 }
 
 
+_SHARED = {name for names in MENUS.values() for name in names}
+
+
 class Actions(Mapping[str, QAction]):
     """Actions by name, each connected to what it does: ``actions["run"]``.
 
-    They belong to ``owner``, and their shortcuts work while it is visible.
-
-    Parameters
-    ----------
-    slots
-        What each action does; checkable ones pass their state.
-    own
-        Menus of ``MENUS``, and the entries for them that only this owner has. An entry with the
-        name of one of ``ENTRIES`` says it in other words, wherever it stands.
+    They belong to ``owner``, and their shortcuts work while it is visible. Of entries with the same
+    name, the first one counts; of those to choose between, the first one is chosen.
     """
 
-    def __init__(
-        self,
-        owner: QWidget,
-        slots: Mapping[str, Callable[..., object]],
-        own: Mapping[str, Sequence[Entry]] | None = None,
-    ) -> None:
-        own = own or {}
-        entries = ENTRIES | {entry.name: entry for some in own.values() for entry in some}
+    def __init__(self, owner: QWidget, entries: Iterable[Entry]) -> None:
         self._owner = owner
+        self._entries: dict[str, Entry] = {}
         self._by_name: dict[str, QAction] = {}
-        self._own = {
-            menu: tuple(entry.name for entry in some if entry.name not in ENTRIES)
-            for menu, some in own.items()
-        }
-        for name, slot in slots.items():
-            action = _action(entries[name], owner)
-            (action.toggled if action.isCheckable() else action.triggered).connect(slot)
-            self.add(entries[name], action)
+        self._groups: dict[str, QActionGroup] = {}
+        for entry in entries:
+            self._entries.setdefault(entry.name, entry)
+        for entry in self._entries.values():
+            self.add(entry, QAction(entry.text, owner, checkable=entry.is_setting))
+            self._connect(entry, self[entry.name])
 
     def __getitem__(self, name: str) -> QAction:
         return self._by_name[name]
@@ -151,16 +207,36 @@ class Actions(Mapping[str, QAction]):
             # An icon beside some menu items only would be noise.
             action.setIconVisibleInMenu(False)
 
-    def choose_between(self, *names: str) -> None:
-        """Let exactly one of these checkable actions be checked, the first one now."""
-        group = QActionGroup(self._owner)
-        for name in names:
-            group.addAction(self[name])
-        self[names[0]].setChecked(True)
+    def refresh(self) -> None:
+        """Ask anew which actions make sense, and which settings are on."""
+        for name, entry in self._entries.items():
+            if entry.enabled is not None:
+                self[name].setEnabled(bool(entry.enabled(self._owner)))
+            if entry.checked is not None:
+                self[name].setChecked(bool(entry.checked(self._owner)))
 
     def own(self, menu: str) -> list[QAction]:
         """Return the actions for a menu that only this owner has."""
-        return [self[name] for name in self._own.get(menu, ())]
+        entries = self._entries.items()
+        return [self[name] for name, one in entries if one.menu == menu and name not in _SHARED]
+
+    def _connect(self, entry: Entry, action: QAction) -> None:
+        do, owner = entry.do or entry.name, self._owner
+        if isinstance(do, str):
+            do = partial(_call, do)
+        if entry.choice:
+            first = entry.choice not in self._groups
+            group = self._groups.setdefault(entry.choice, QActionGroup(owner))
+            group.addAction(action)
+            action.setChecked(first)
+        if entry.checked is not None:  # when it is shown, nothing is to be done
+            action.triggered.connect(lambda on: do(owner, on))
+        elif entry.choice:
+            action.toggled.connect(lambda on: on and do(owner))
+        elif entry.checkable:
+            action.toggled.connect(lambda on: do(owner, on))
+        else:
+            action.triggered.connect(lambda: do(owner))
 
 
 def fill_menu(
@@ -182,10 +258,8 @@ def fill_menu(
             menu.addAction(action)
 
 
-def _action(entry: Entry, owner: QWidget) -> QAction:
-    action = QAction(owner, checkable=entry.checkable)
-    action.setText(entry.text)
-    return action
+def _call(method: str, owner: QWidget, *on: bool) -> None:
+    attrgetter(method)(owner)(*on)
 
 
 def _describe(entry: Entry, action: QAction) -> None:

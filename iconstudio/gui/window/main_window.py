@@ -5,7 +5,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QMimeData, QTimer, QUrl
 from PySide6.QtGui import QAction, QCloseEvent, QGuiApplication
-from PySide6.QtWidgets import QHBoxLayout, QMainWindow, QMenu, QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QMainWindow, QMenu, QStackedWidget, QWidget
 
 from iconstudio.gui.exchange.saving import Saver
 from iconstudio.gui.gallery.pictures import Picture
@@ -17,9 +17,9 @@ from iconstudio.gui.project.files import ProjectFiles, WorkFile
 from iconstudio.gui.project.journaling import Found
 from iconstudio.gui.project.recovery import RecoveryBar
 from iconstudio.gui.project.work import Work
+from iconstudio.gui.theme.layout import column, row
 from iconstudio.gui.theme.theme import UNIT
-from iconstudio.gui.window.about import show_about
-from iconstudio.gui.window.actions import ENTRIES, MENUS, Actions, fill_menu
+from iconstudio.gui.window.actions import MENUS, RECENT, WINDOW, Actions, fill_menu
 from iconstudio.gui.window.modes import ModeSwitch
 from iconstudio.gui.window.pane import WorkspacePane
 from iconstudio.gui.workspaces.base import Workspace
@@ -55,7 +55,7 @@ class MainWindow(QMainWindow):
             Destination(one.title, one.invitation) for one in self._workflows if one.invitation
         )
         self.modes = ModeSwitch([one.title for one in self._workflows])
-        self.recent = RecentResults(self._destinations)
+        self.recent = RecentResults(self._destinations, self.saver)
         self.panes = QStackedWidget()
         by_name = {one.name: one for one in self._workflows}
         self.work = Work(by_name, self.recent, self._named, self._current, self._show_named, self)
@@ -68,50 +68,28 @@ class MainWindow(QMainWindow):
         self.show_workspace(0)
 
     def _make_actions(self) -> None:
-        project = self.project
-        self.actions_by_name = Actions(
-            self,
-            {
-                "new_project": project.new,
-                "open_project": project.choose,
-                "save_project": lambda: project.save(),
-                "save_project_as": lambda: project.save_as(),
-                "quit": self.close,
-                "about": lambda: show_about(self),
-            },
-        )
-        menu = QMenu(ENTRIES["recent"].text, self)
-        menu.aboutToShow.connect(lambda: recents.fill(menu, project.open))
-        self.actions_by_name.add(ENTRIES["recent"], menu.menuAction())
+        self.actions_by_name = Actions(self, WINDOW)
+        menu = QMenu(RECENT.text, self)
+        menu.aboutToShow.connect(lambda: recents.fill(menu, self.project.open))
+        self.actions_by_name.add(RECENT, menu.menuAction())
 
     def _lay_out(self) -> None:
-        top = QHBoxLayout()
-        top.setContentsMargins(UNIT, 0, UNIT, 0)
-        top.setSpacing(2 * UNIT)
-        top.addWidget(self.modes)
-        top.addWidget(self.recent, 1)
-        centre = QWidget()
-        layout = QVBoxLayout(centre)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(UNIT // 2)
-        layout.addLayout(top)
-        offers = QHBoxLayout()
-        offers.setContentsMargins(UNIT, 0, UNIT, 0)
-        offers.addWidget(self.recovery)
-        layout.addLayout(offers)
-        layout.addWidget(self.panes, 1)
+        margins = UNIT, 0, UNIT, 0
+        top = row(self.modes, (self.recent, 1), spacing=2 * UNIT, margins=margins)
+        offers, centre = row(self.recovery, margins=margins), QWidget()
+        column(top, offers, (self.panes, 1), of=centre, spacing=UNIT // 2)
         self.setCentralWidget(centre)
         room = QGuiApplication.primaryScreen().availableSize()
         self.resize(min(1360, room.width() - _FRAME), min(860, room.height() - _BAR))
 
     def _wire(self) -> None:
         self.modes.chosen.connect(self.show_workspace)
-        self.saver.failed.connect(lambda message: self.pane.notice.say(message))
-        self.saver.saved.connect(lambda remark: self.pane.say(remark))
         project = self.project
+        for remarked in (self.saver.saved, project.remarked):
+            remarked.connect(lambda remark: self.pane.say(remark))
+        for failed in (self.saver.failed, project.failed):
+            failed.connect(lambda message: self.pane.notice.say(message))
         project.changed.connect(self._show_title)
-        project.remarked.connect(lambda remark: self.pane.say(remark))
-        project.failed.connect(lambda message: self.pane.notice.say(message))
         project.imported.connect(self._import)
         project.restored.connect(self.recovery.withdraw)
         project.journaling.found.connect(self.recovery.offer)
@@ -120,10 +98,6 @@ class MainWindow(QMainWindow):
         QTimer.singleShot(_PATIENCE, self, project.journaling.look)
         self._show_title()
         self.recent.sent.connect(self._send_picture)
-        self.recent.save_svg.connect(self.saver.save_svg)
-        self.recent.save_png.connect(self.saver.save_png)
-        self.recent.save_code.connect(self.saver.save_code)
-        self.recent.copy_svg.connect(self.saver.copy_svg)
 
     # -- workspaces ----------------------------------------------------------------------------
 

@@ -4,7 +4,9 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QAction, QActionGroup
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QToolButton, QWidget
+from PySide6.QtWidgets import QFrame, QToolButton, QWidget
+
+from iconstudio.gui.theme.layout import segments
 
 
 class ModeSwitch(QFrame):
@@ -20,12 +22,9 @@ class ModeSwitch(QFrame):
 
     def __init__(self, titles: Sequence[str], parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setProperty("segments", True)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(2, 2, 2, 2)
-        row.setSpacing(2)
         group = QActionGroup(self)
         self.actions_in_order: list[QAction] = []
+        buttons: list[QToolButton] = []
         for number, title in enumerate(titles):
             action = QAction(title, self, checkable=True, shortcut=f"Ctrl+{number + 1}")
             keys = action.shortcut().toString(action.shortcut().SequenceFormat.NativeText)
@@ -33,11 +32,11 @@ class ModeSwitch(QFrame):
             action.triggered.connect(lambda _=False, number=number: self.chosen.emit(number))
             group.addAction(action)
             button = QToolButton()
-            button.setProperty("segment", True)
             button.setDefaultAction(action)
             button.setAccessibleName(title)
-            row.addWidget(button)
+            buttons.append(button)
             self.actions_in_order.append(action)
+        segments(self, *buttons)
 
     def show_current(self, number: int) -> None:
         """Mark the workspace in use."""

@@ -2,10 +2,11 @@
 
 from collections.abc import Iterable
 
-from PySide6.QtCore import QEvent, QObject, QRect, Qt, Signal
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QScrollArea, QToolButton, QWidget
+from PySide6.QtCore import QRect, Qt, Signal
+from PySide6.QtWidgets import QFrame, QLabel, QWidget
 
 from iconstudio.gui.theme import icons
+from iconstudio.gui.theme.layout import OnResize, row, scrolled, tool_button, turn_role, with_role
 from iconstudio.gui.theme.theme import UNIT
 
 _WIDEST = 110 * UNIT
@@ -29,7 +30,7 @@ class Notice(QFrame):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setProperty("notice", True)
+        with_role(self, "notice")
         self._messages: dict[str, bool] = {}
         """Each with whether it is a hint."""
         self._remarks: dict[str, None] = {}
@@ -38,24 +39,11 @@ class Notice(QFrame):
         self.label = QLabel(wordWrap=True)
         self.label.setTextFormat(Qt.TextFormat.PlainText)
         self.label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self._scroll = QScrollArea(widgetResizable=True)
-        self._scroll.setWidget(self.label)
-        self._scroll.setFrameShape(QFrame.Shape.NoFrame)
-        self._scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self._scroll.viewport().setAutoFillBackground(False)
-        self.label.setAutoFillBackground(False)
-        self._scroll.viewport().installEventFilter(self)
-        self._button = QToolButton(toolTip="Dismiss this message")
-        self._button.setAccessibleName("Dismiss this message")
-        self._button.setIcon(icons.icon("close", "muted"))
-        self._button.clicked.connect(self._dismiss)
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(UNIT * 3 // 2, UNIT // 2, UNIT // 2, UNIT // 2)
-        layout.setSpacing(UNIT)
-        for sign in self._signs:
-            layout.addWidget(sign)
-        layout.addWidget(self._scroll, 1)
-        layout.addWidget(self._button)
+        self._scroll = scrolled(self.label, frameShape=QFrame.Shape.NoFrame)
+        OnResize(self._scroll.viewport(), self._fit)
+        self._button = tool_button("close", "Dismiss this message", self._dismiss, token="muted")
+        margins = UNIT * 3 // 2, UNIT // 2, UNIT // 2, UNIT // 2
+        row(*self._signs, (self._scroll, 1), self._button, of=self, margins=margins)
         self.hide()
 
     def say(self, message: str, hint: bool = False) -> None:
@@ -88,12 +76,6 @@ class Notice(QFrame):
         self._dismissed &= self._remarks.keys()
         self._write()
 
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Be as high as the sentences at this width."""
-        if event.type() == QEvent.Type.Resize:
-            self._fit()
-        return False
-
     def _dismiss(self) -> None:
         self._dismissed |= self._remarks.keys()
         self.clear()
@@ -102,10 +84,7 @@ class Notice(QFrame):
         remarks = [one for one in self._remarks if one not in self._dismissed]
         text = "\n".join((*self._messages, *remarks))
         hint = bool(self._messages) and all(self._messages.values()) and not remarks
-        if hint != bool(self.property("hint")):
-            self.setProperty("hint", hint)
-            self.style().unpolish(self)
-            self.style().polish(self)
+        turn_role(self, "hint", hint)
         for sign, shown in zip(self._signs, (not hint, hint), strict=True):
             sign.setVisible(shown)
         self.setVisible(bool(text))
@@ -116,5 +95,6 @@ class Notice(QFrame):
         self.resized.emit()
 
     def _fit(self) -> None:
+        """Be as high as the sentences at this width."""
         height = self.label.heightForWidth(self._scroll.viewport().width())
         self._scroll.setFixedHeight(min(max(height, 2 * UNIT), _HIGHEST))

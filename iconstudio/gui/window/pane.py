@@ -1,11 +1,12 @@
 """A workspace with its progress below, and its messages floating over it."""
 
-from PySide6.QtGui import QDragEnterEvent, QDropEvent, QResizeEvent
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtGui import QDragEnterEvent, QDropEvent
+from PySide6.QtWidgets import QWidget
 
 from iconstudio.gui.exchange.dragging import take_copy, unpacked
 from iconstudio.gui.exchange.mime import holds_something
 from iconstudio.gui.exchange.together import named
+from iconstudio.gui.theme.layout import OnResize, column
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.window.notice import Notice
 from iconstudio.gui.window.progress import StatusStrip
@@ -24,25 +25,17 @@ class WorkspacePane(QWidget):
         self.notice = Notice(self)
         self.status = StatusStrip()
         self.setAcceptDrops(True)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(UNIT, 0, UNIT, 0)
-        layout.setSpacing(UNIT)
-        layout.addWidget(workspace, 1)
-        layout.addWidget(self.status)
+        column((workspace, 1), self.status, of=self, margins=(UNIT, 0, UNIT, 0))
         workspace.remarked.connect(self.say)
         workspace.failed.connect(self.notice.say)
         workspace.hinted.connect(self.notice.hint)
         self.notice.resized.connect(self._place_notice)
+        OnResize(workspace, self._place_notice)
         workspace.progressed.connect(self.status.show_progress)
         workspace.counted.connect(self.status.set_finished)
         workspace.idle.connect(self.status.rest)
         workspace.document.page_changed.connect(self._show_remarks)
         self.status.cancelled.connect(workspace.cancel)
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        """Keep the messages in their place."""
-        super().resizeEvent(event)
-        self._place_notice()
 
     def _place_notice(self) -> None:
         place = self.workspace.geometry()

@@ -1,8 +1,9 @@
 """What the program is doing, how far it is, and a button to stop it."""
 
 from PySide6.QtCore import QTimer, Signal
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QPushButton, QWidget
+from PySide6.QtWidgets import QProgressBar, QWidget
 
+from iconstudio.gui.theme.layout import label, push_button, row
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.workflows.estimating import spoken
 from iconstudio.workflows.events import Progress
@@ -30,20 +31,14 @@ class StatusStrip(QWidget):
         self._timer = QTimer(self, singleShot=True, interval=REMARK)
         self._timer.timeout.connect(self._forget)
         self.setFixedHeight(4 * UNIT + 4)
-        self.label = QLabel()
-        self.label.setProperty("muted", True)
+        self.label = label()
         self.bar = QProgressBar(textVisible=False, maximum=1000)
         self.bar.setFixedWidth(25 * UNIT)
         self.bar.setAccessibleName("Progress")
-        self.button = QPushButton("Cancel")
-        self.button.setToolTip("Stop; finished results stay (Ctrl+.)")
-        self.button.clicked.connect(self.cancelled)
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(UNIT, 0, 0, 4)
-        layout.setSpacing(UNIT * 3 // 2)
-        layout.addWidget(self.label, 1)
-        layout.addWidget(self.bar)
-        layout.addWidget(self.button)
+        tip = "Stop; finished results stay (Ctrl+.)"
+        self.button = push_button("Cancel", tip, self.cancelled.emit)
+        parts = (self.label, 1), self.bar, self.button
+        row(*parts, of=self, spacing=UNIT * 3 // 2, margins=(UNIT, 0, 0, 4))
         self.rest("")
 
     def show_progress(self, progress: Progress) -> None:

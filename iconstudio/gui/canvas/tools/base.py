@@ -9,6 +9,14 @@ from iconstudio.gui.canvas.camera import Camera
 from iconstudio.gui.theme.theme import Theme
 from iconstudio.model import Point
 
+NUDGES = {
+    Qt.Key.Key_Left: (-1, 0),
+    Qt.Key.Key_Right: (1, 0),
+    Qt.Key.Key_Up: (0, -1),
+    Qt.Key.Key_Down: (0, 1),
+}
+"""Which way the arrow keys lead."""
+
 
 @dataclass(frozen=True, slots=True)
 class Pointer:

@@ -11,7 +11,7 @@ from PySide6.QtGui import QKeyEvent, QPainter, QPen
 
 from iconstudio.gui.canvas import painters
 from iconstudio.gui.canvas.camera import Camera
-from iconstudio.gui.canvas.tools.base import Pointer, Tool
+from iconstudio.gui.canvas.tools.base import NUDGES, Pointer, Tool
 from iconstudio.gui.document.document import new_gesture
 from iconstudio.gui.theme.theme import Theme
 from iconstudio.model import Point
@@ -22,14 +22,6 @@ GRIP = 9.0
 
 EDGE_GRIP = 6.0
 """Pixels within which the pointer finds an edge."""
-
-NUDGES = {
-    Qt.Key.Key_Left: (-1, 0),
-    Qt.Key.Key_Right: (1, 0),
-    Qt.Key.Key_Up: (0, -1),
-    Qt.Key.Key_Down: (0, 1),
-}
-"""Which way the arrow keys move what is selected."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,8 +8,8 @@ from PySide6.QtGui import QKeyEvent, QPainter, QPen
 from iconstudio.algorithms.geometry import simplified
 from iconstudio.gui.canvas import painters
 from iconstudio.gui.canvas.camera import Camera
-from iconstudio.gui.canvas.tools.base import Pointer
-from iconstudio.gui.canvas.tools.polygon import NUDGES, PolygonTool
+from iconstudio.gui.canvas.tools.base import NUDGES, Pointer
+from iconstudio.gui.canvas.tools.polygon import PolygonTool
 from iconstudio.gui.document.document import new_gesture
 from iconstudio.gui.theme.theme import Theme
 from iconstudio.gui.workspaces.editing.areas import TOKENS, AreaOutline

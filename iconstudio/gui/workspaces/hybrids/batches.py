@@ -1,7 +1,6 @@
 """Draws a batch of hybrids: what a workspace's thread does, so that the window's need not."""
 
 from collections.abc import Generator, Sequence
-from contextlib import closing
 from dataclasses import replace
 
 import numpy as np
@@ -9,10 +8,10 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.iconification.energy import joined_ink
 from iconstudio.algorithms.iconification.ranking import Gallery
-from iconstudio.gui.gallery.pictures import Picture, picture_of
-from iconstudio.model import CANVAS, Composite, Drawing, Mix
+from iconstudio.gui.gallery.pictures import Picture, pictured
+from iconstudio.model import CANVAS, Composite, Drawing, Mix, Remix
 from iconstudio.session import Session
-from iconstudio.workflows.events import Event, Result
+from iconstudio.workflows.events import Event
 from iconstudio.workflows.hybrids.spec import HYBRIDS
 
 SIDE = 2 * CANVAS
@@ -50,14 +49,13 @@ def batch(session: Session, mix: Mix, title: str, seen: Seen) -> Generator[Event
 
     Their titles have numbers, in the order of the draws.
     """
-    with closing(session.run(HYBRIDS, mix)) as events:
-        for event in events:
-            if not isinstance(event, Result):
-                yield event
-            elif seen.add(event.icon.composite):
-                drawing = _reduced(event.icon.drawing)
-                icon = replace(event.icon, drawing=drawing, title=f"{title} {seen.count}")
-                yield picture_of(icon, CODED)
+
+    def new(icon: Remix) -> Remix | None:
+        if not seen.add(icon.composite):
+            return None
+        return replace(icon, drawing=_reduced(icon.drawing), title=f"{title} {seen.count}")
+
+    return pictured(session.run(HYBRIDS, mix), new, CODED)
 
 
 def _ink(composite: Composite) -> NDArray[np.bool_]:

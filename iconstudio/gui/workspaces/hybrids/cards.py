@@ -2,47 +2,46 @@
 
 import math
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import (
     QDragEnterEvent,
     QDropEvent,
-    QEnterEvent,
-    QFocusEvent,
     QKeyEvent,
     QMouseEvent,
     QPainter,
     QPaintEvent,
     QPen,
 )
-from PySide6.QtWidgets import QGridLayout, QScrollArea, QToolButton, QWidget
+from PySide6.QtWidgets import QGridLayout, QScrollArea, QWidget
 
 from iconstudio.algorithms.iconification.guidance import mirror_image
 from iconstudio.algorithms.raster import solid
-from iconstudio.gui.canvas.mipmap import Mipmap
+from iconstudio.gui.canvas.tools.base import NUDGES
 from iconstudio.gui.exchange.dragging import take_copy
 from iconstudio.gui.exchange.mime import holds_something
-from iconstudio.gui.gallery.pictures import stencil
-from iconstudio.gui.theme import icons, theme
+from iconstudio.gui.gallery.pictures import stencil, tinted
+from iconstudio.gui.gallery.sheet_model import credited
+from iconstudio.gui.theme import theme
+from iconstudio.gui.theme.layout import tool_button, with_role
+from iconstudio.gui.theme.painting import smooth_painter
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.model import CANVAS, Axis, Exemplar, Point
+from iconstudio.workflows.hybrids import page as edits
 from iconstudio.workflows.hybrids.hybrids import pinned
-from iconstudio.workflows.hybrids.page import Ingredient
+from iconstudio.workflows.hybrids.page import HybridsDocument, Ingredient
 
 SIDE = 9 * UNIT
 """Side of a card in device-independent pixels."""
 COLUMNS = 5
 NEAR = 7
 """A click within so many device-independent pixels of a pin means that pin."""
-_STEPS = {
-    Qt.Key.Key_Left: QPointF(-1, 0),
-    Qt.Key.Key_Right: QPointF(1, 0),
-    Qt.Key.Key_Up: QPointF(0, -1),
-    Qt.Key.Key_Down: QPointF(0, 1),
-}
-"""The ways of the mark that keys move over an icon."""
+
+
+_PRESENCE = QEvent.Type.Enter, QEvent.Type.Leave, QEvent.Type.FocusIn, QEvent.Type.FocusOut
 
 
 class IconCard(QWidget):
@@ -59,8 +58,6 @@ class IconCard(QWidget):
     pinned = Signal(str, tuple)
     removed = Signal(str)
 
-    _image: Mipmap | None = None
-
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._ingredient: Ingredient | None = None
@@ -71,12 +68,9 @@ class IconCard(QWidget):
         self.setFixedSize(SIDE, SIDE)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setCursor(Qt.CursorShape.CrossCursor)
-        self.button = QToolButton(self)
-        self.button.setProperty("floating", True)
-        self.button.setIcon(icons.icon("close", "muted"))
-        self.button.setIconSize(QSize(12, 12))
+        self.button = with_role(tool_button("close", "", self._remove, 12, "muted"), "floating")
+        self.button.setParent(self)
         self.button.setCursor(Qt.CursorShape.ArrowCursor)
-        self.button.clicked.connect(self._remove)
         self.button.adjustSize()
         self.button.move(SIDE - self.button.width() - 3, 3)
         self.button.installEventFilter(self)
@@ -90,12 +84,9 @@ class IconCard(QWidget):
         ``held`` is (CANVAS, CANVAS).
         """
         self._held = held if held is not None and held.any() else None
-        if self._ingredient is None or self._ingredient.exemplar is not ingredient.exemplar:
-            self._image = None
         self._ingredient, self._axis = ingredient, axis
-        credit = ingredient.exemplar.pictogram.credit
         self.setToolTip(
-            f"{ingredient.name}\n{credit.author} · {credit.license}\n"
+            f"{credited(ingredient.exemplar)}\n"
             "Click a part that every hybrid should keep; click its pin to free it.\n"
             "Or move a mark there with the arrow keys, and press Space"
         )
@@ -103,12 +94,6 @@ class IconCard(QWidget):
         self.button.setToolTip(f"Do not mix {ingredient.name} (Delete)")
         self.button.setAccessibleName(f"Do not mix {ingredient.name}")
         self.update()
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Draw the icon anew in other colours."""
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange:
-            self._image = None
 
     def at(self, point: Point) -> QPointF:
         """Return where a point of the canvas is on the card."""
@@ -127,9 +112,9 @@ class IconCard(QWidget):
         key = event.key()
         if key in (Qt.Key.Key_Delete, Qt.Key.Key_Backspace):
             self._remove()
-        elif key in _STEPS or (key == Qt.Key.Key_Space and self._mark is None):
+        elif key in NUDGES or (key == Qt.Key.Key_Space and self._mark is None):
             far = 12 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 3
-            spot = (self._mark or self._box().center()) + far * _STEPS.get(key, QPointF())
+            spot = (self._mark or self._box().center()) + far * QPointF(*NUDGES.get(key, (0, 0)))
             box = self._box()
             self._mark = QPointF(
                 min(max(spot.x(), box.left()), box.right()),
@@ -142,31 +127,15 @@ class IconCard(QWidget):
             super().keyPressEvent(event)
 
     def event(self, event: QEvent) -> bool:
-        """Claim the keys that remove the icon."""
+        """Claim the key that removes the icon; show where the user is."""
         if event.type() == QEvent.Type.ShortcutOverride and event.key() == Qt.Key.Key_Backspace:
             event.accept()
-        return super().event(event)
-
-    def enterEvent(self, event: QEnterEvent) -> None:
-        """Show that something can be done."""
-        super().enterEvent(event)
-        self._show_button()
-
-    def leaveEvent(self, event: QEvent) -> None:
-        """Show no more that something can be done."""
-        super().leaveEvent(event)
-        self._show_button()
-
-    def focusInEvent(self, event: QFocusEvent) -> None:
-        """Show that keys work here."""
-        super().focusInEvent(event)
-        self._show_button()
-
-    def focusOutEvent(self, event: QFocusEvent) -> None:
-        """Show no more that keys work here."""
-        super().focusOutEvent(event)
-        self._mark = None
-        self._show_button()
+        done = super().event(event)
+        if event.type() == QEvent.Type.FocusOut:
+            self._mark = None
+        if event.type() in _PRESENCE:
+            self._show_button()
+        return done
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Hide the button once it has lost the focus."""
@@ -179,20 +148,15 @@ class IconCard(QWidget):
         scheme = theme.current()
         if self._ingredient is None:
             return
-        if self._image is None:
-            ink = stencil(self._ingredient.exemplar.coverage, scheme.color("text"))
-            self._image = Mipmap.of(ink, 32)
-        with QPainter(self) as painter:
-            painter.setRenderHints(
-                QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform
-            )
+        image = tinted(self._ingredient.exemplar, scheme.text)
+        with smooth_painter(self) as painter:
             frame = QRectF(self.rect()).adjusted(1, 1, -1, -1)
             colour = "accent" if self.hasFocus() else "border"
             painter.setPen(QPen(scheme.color(colour), 1.5 if self.hasFocus() else 1))
             painter.setBrush(scheme.color("sunken" if self.underMouse() else "surface"))
             painter.drawRoundedRect(frame, 6, 6)
             box = self._box()
-            painter.drawImage(box, self._image.at(box.width() * self.devicePixelRatioF()))
+            painter.drawImage(box, image.at(box.width() * self.devicePixelRatioF()))
             if self._held is not None:
                 ink = np.where(self._held, self._ingredient.exemplar.coverage, 0).astype(np.uint8)
                 painter.drawImage(box, stencil(ink, scheme.color("accent")))
@@ -238,22 +202,19 @@ class IconCard(QWidget):
 
 
 class Cards(QScrollArea):
-    """The cards of all icons, in rows; icons and files can be dropped here.
+    """The cards of all icons, in rows: edit the page; icons and files can be dropped here.
 
     Signals
     -------
-    pinned(str, tuple), removed(str)
-        See ``IconCard``.
     dropped(QMimeData)
         Something was dropped.
     """
 
-    pinned = Signal(str, tuple)
-    removed = Signal(str)
     dropped = Signal(object)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, document: HybridsDocument) -> None:
+        super().__init__()
+        self._document = document
         self.setWidgetResizable(True)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setFrameShape(QScrollArea.Shape.NoFrame)
@@ -273,8 +234,8 @@ class Cards(QScrollArea):
         """Show these icons."""
         while len(self.cards) < len(ingredients):
             card = IconCard()
-            card.pinned.connect(self.pinned)
-            card.removed.connect(self.removed)
+            card.pinned.connect(partial(edits.set_pins, self._document))
+            card.removed.connect(partial(edits.remove_icon, self._document))
             place = divmod(len(self.cards), COLUMNS)
             self._grid.addWidget(card, *place)
             self.cards.append(card)

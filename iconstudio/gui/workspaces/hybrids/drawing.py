@@ -5,11 +5,12 @@ from dataclasses import replace
 from PySide6.QtCore import QObject, Signal
 
 from iconstudio.gui.gallery.pictures import Picture
+from iconstudio.gui.gallery.sheet_model import Rule
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.workspaces.hybrids.batches import Seen, batch
-from iconstudio.gui.workspaces.hybrids.sheet import Sheet
-from iconstudio.gui.workspaces.hybrids.sheet_model import Rule, Section
+from iconstudio.gui.workspaces.hybrids.panels import SheetPanel
+from iconstudio.gui.workspaces.hybrids.sections import Section
 from iconstudio.model import IconstudioError, Mix
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
@@ -22,18 +23,19 @@ class Draws(QObject):
     -------
     counted(int)
         How many hybrids there are.
-    section_changed(str)
-        The section of that title is shown alone; empty if all are shown.
+    section_changed()
+        Another section is shown alone, or all are.
     """
 
     counted = Signal(int)
-    section_changed = Signal(str)
+    section_changed = Signal()
 
-    def __init__(self, session: Session, worker: Worker, sheet: Sheet, parent: QObject) -> None:
+    def __init__(
+        self, session: Session, worker: Worker, panel: SheetPanel, parent: QObject
+    ) -> None:
         super().__init__(parent)
         self._session = session
-        self._sheet = sheet
-        self._model = sheet.hybrids
+        self._panel, self._sheet, self._sections = panel, panel.sheet, panel.sections
         self.ran: Mix | None = None
         """What the hybrids on the sheet are of."""
         self._name = ""
@@ -43,9 +45,9 @@ class Draws(QObject):
         self._scrolled = 0
         """Where the user was on the whole sheet."""
         self.runner = Runner(worker, self)
-        self.runner.event.connect(self._show)
         self.runner.ended.connect(self._end)
-        sheet.neared_end.connect(self.draw_on)
+        panel.sheet.neared_end.connect(self.draw_on)
+        panel.back.connect(self.show_all)
 
     def start(self, mix: Mix, name: str) -> None:
         """Draw on a new sheet, or more on the one that is there if it is of the same mix.
@@ -59,17 +61,17 @@ class Draws(QObject):
             self._sheet.scrollToBottom()
             return
         self.runner.cancel()
-        self._model.clear()
+        self._sections.clear()
         self._seen, self.ran, self._name = Seen(), mix, name
         section = Section("", mix)
-        self._model.open(section)
+        self._sections.open(section)
         self._show_section()
         self._draw(section)
 
     def clear(self) -> None:
         """Let go of all hybrids."""
         self.runner.cancel()
-        self._model.clear()
+        self._sections.clear()
         self._seen, self.ran, self._section = Seen(), None, None
         self._show_section()
 
@@ -81,34 +83,34 @@ class Draws(QObject):
         IconstudioError
             If it is none of those on the sheet.
         """
-        if not any(one is picture for one in self._model.pictures):
+        if not any(one is picture for one in self._sections.pictures):
             raise IconstudioError(
                 "This hybrid is of an earlier sheet. Mix its icons again to draw more like it."
             )
-        if self._model.alone is None:
+        if self._sections.alone is None:
             self._scrolled = self._sheet.verticalScrollBar().value()
         title = f"More like {picture.title}"
-        section = next((one for one in self._model.sections if one.title == title), None)
+        section = next((one for one in self._sections.all if one.title == title), None)
         if section is not None:
-            self._model.show_alone(section)
+            self._sections.show_alone(section)
         else:
             self.runner.cancel()
             section = Section(title, replace(self._main.mix, like=picture.icon.seeds))
-            self._model.open(section)
+            self._sections.open(section)
             self._draw(section)
         self._show_section()
 
     def draw_on(self) -> None:
         """Draw the next batch of what the user has scrolled to the end of."""
-        section = self._model.alone or self._main
+        section = self._sections.alone or self._main
         if section is not None and not self.runner.running and not section.exhausted:
             self._draw(section)
 
     def show_all(self) -> None:
         """Show the whole sheet again, where the user left it."""
-        if self._model.alone is None:
+        if self._sections.alone is None:
             return
-        self._model.show_alone(None)
+        self._sections.show_alone(None)
         self._show_section()
         self._sheet.executeDelayedItemsLayout()
         self._sheet.verticalScrollBar().setValue(self._scrolled)
@@ -116,18 +118,19 @@ class Draws(QObject):
     @property
     def _main(self) -> Section | None:
         """The section of all draws that resemble nothing."""
-        return self._model.sections[-1] if self._model.sections else None
+        return self._sections.all[-1] if self._sections.all else None
 
     def _draw(self, section: Section) -> None:
         self._section = section
-        self._model.begin(section)
+        self._sections.begin(section)
         mix, name, seen = replace(section.mix, first=section.drawn), self._name, self._seen
         self.runner.start(lambda: batch(self._session, mix, name, seen))
 
-    def _show(self, event: Event | Picture) -> None:
+    def show(self, event: Event | Picture) -> None:
+        """Put a hybrid that was drawn on the sheet."""
         if isinstance(event, Picture) and self._section is not None:
-            self._sheet.add(self._section, event)
-            self.counted.emit(len(self._model.in_sight))
+            self._sections.add(self._section, event)
+            self.counted.emit(len(self._sections.in_sight))
 
     def _end(self, whole: bool) -> None:
         section = self._section
@@ -140,11 +143,12 @@ class Draws(QObject):
         else:
             section.drawn = max([section.drawn, *(one.icon.draw + 1 for one in new)])
             # What was drawn but not shown any more may come again.
-            self._seen = Seen(self._model.pictures)
+            self._seen = Seen(self._sections.pictures)
         if whole or new:
             more = " · nothing new any more" if section.exhausted else " · scroll on for more"
-            self._sheet.end(section, Rule(f"{section.drawn} draws", more=more))
+            self._sections.end(section, Rule(f"{section.drawn} draws", more=more))
 
     def _show_section(self) -> None:
-        alone = self._model.alone
-        self.section_changed.emit("" if alone is None else alone.title)
+        alone = self._sections.alone
+        self._panel.show_way_back(alone is not None)
+        self.section_changed.emit()

@@ -54,7 +54,7 @@ class HybridsOpener(IconOpener):
         """Mix the icons that a file names."""
         self.replace(lambda: _opened(self.session, Path(path), example=False))
 
-    def open_example(self, path: str) -> None:
+    def try_example(self, path: str) -> None:
         """Mix the icons of an example."""
         self.replace(lambda: _opened(self.session, Path(path), example=True))
 

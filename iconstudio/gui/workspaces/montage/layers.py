@@ -1,32 +1,34 @@
 """The list of a montage's icons, the topmost first."""
 
-from PySide6.QtCore import QEvent, QPoint, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent
-from PySide6.QtWidgets import (
-    QFrame,
-    QHBoxLayout,
-    QLabel,
-    QScrollArea,
-    QToolButton,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtCore import QPoint, QRectF, Qt, Signal
+from PySide6.QtGui import QKeyEvent, QMouseEvent, QPaintEvent
+from PySide6.QtWidgets import QFrame, QSplitter, QWidget
 
-from iconstudio.gui.canvas.mipmap import Mipmap
-from iconstudio.gui.gallery.pictures import stencil
+from iconstudio.gui.gallery.pictures import tinted
 from iconstudio.gui.panels.elided import ElidedLabel
 from iconstudio.gui.theme import icons, theme
+from iconstudio.gui.theme.layout import (
+    card,
+    column,
+    label,
+    row,
+    scrolled,
+    splitter,
+    tool_button,
+    turn_role,
+    with_role,
+)
+from iconstudio.gui.theme.painting import fill_rounded, smooth_painter
 from iconstudio.gui.theme.theme import UNIT
+from iconstudio.gui.workspaces.montage import edits
 from iconstudio.gui.workspaces.montage.appearance import color_of
-from iconstudio.workflows.montage.page import MontagePage, PlacedIcon
+from iconstudio.workflows.montage.page import MontageDocument, MontagePage, PlacedIcon, choose
 
 EMPTY = "The icons of the montage are listed here."
 
 
 class LayerPicture(QWidget):
     """An icon as it is, on a stripe of its colour."""
-
-    _image: Mipmap | None = None
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -39,31 +41,18 @@ class LayerPicture(QWidget):
         self._layer = layer
         self.update()
 
-    def changeEvent(self, event: QEvent) -> None:
-        """Draw the icon anew in other colours."""
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange:
-            self._image = None
-
     def paintEvent(self, event: QPaintEvent) -> None:
         """Draw swatch and icon."""
         if self._layer is None:
             return
         color = color_of(self._layer)
-        if self._image is None:
-            ink = theme.current().color("text")
-            self._image = Mipmap.of(stencil(self._layer.icon.exemplar.coverage, ink), 32)
-        with QPainter(self) as painter:
-            painter.setRenderHints(
-                QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform
-            )
-            painter.setPen(Qt.PenStyle.NoPen)
-            painter.setBrush(color)
-            painter.drawRoundedRect(QRectF(0, 2, 5, self.height() - 4), 2.5, 2.5)
+        image = tinted(self._layer.icon.exemplar, theme.current().text)
+        with smooth_painter(self) as painter:
+            fill_rounded(painter, QRectF(0, 2, 5, self.height() - 4), color, 2.5)
             side = self.height()
             painter.setOpacity(0.35 if self._layer.hidden else 1.0)
             box = QRectF(self.width() - side, 0, side, side)
-            painter.drawImage(box, self._image.at(side * self.devicePixelRatioF()))
+            painter.drawImage(box, image.at(side * self.devicePixelRatioF()))
 
 
 class LayerRow(QFrame):
@@ -77,27 +66,17 @@ class LayerRow(QFrame):
         self._pressed: QPoint | None = None
         self.picture = LayerPicture()
         self.title = ElidedLabel(layer.title)
-        self.count = QLabel()
-        self.count.setProperty("muted", True)
-        self.eye = _button("Show or hide the icon on the canvas; its strokes count all the same")
-        self.bin = _button("Take the icon out of the montage")
-        self.bin.setIcon(icons.icon("clear"))
-        self.eye.clicked.connect(lambda: owner.hid.emit(number, not self._hidden))
-        self.bin.clicked.connect(lambda: owner.deleted.emit(number))
+        self.count = label()
+        tip = "Show or hide the icon on the canvas; its strokes count all the same"
+        self.eye = tool_button("eye", tip, lambda: owner.hid.emit(number, not self._hidden))
+        tip = "Take the icon out of the montage"
+        self.bin = tool_button("clear", tip, lambda: owner.deleted.emit(number))
+        for button in (self.eye, self.bin):
+            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self._hidden = False
-        words = QVBoxLayout()
-        words.setSpacing(0)
-        words.addWidget(self.title)
-        words.addWidget(self.count)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(UNIT // 2, UNIT // 2, UNIT // 2, UNIT // 2)
-        row.setSpacing(UNIT // 2)
-        row.addWidget(self.picture)
-        row.addSpacing(UNIT // 2)
-        row.addLayout(words, 1)
-        row.addWidget(self.eye)
-        row.addWidget(self.bin)
-        self.setProperty("layer", True)
+        words, half = column(self.title, self.count, spacing=0), UNIT // 2
+        parts = self.picture, half, (words, 1), self.eye, self.bin
+        row(*parts, of=with_role(self, "layer"), spacing=half, margins=(half,) * 4)
         self._show_eye()
 
     def show_layer(self, layer: PlacedIcon, chosen: bool) -> None:
@@ -109,10 +88,7 @@ class LayerRow(QFrame):
         self.count.setText(_counted(len(layer.strokes)))
         self.setToolTip(f"{layer.icon.pictogram.name}\nClick to scribble over it, drag to reorder")
         self.setAccessibleName(f"{layer.title}, {self.count.text()}")
-        if self.property("chosen") != chosen:
-            self.setProperty("chosen", chosen)
-            self.style().unpolish(self)
-            self.style().polish(self)
+        turn_role(self, "chosen", chosen)
 
     def _show_eye(self) -> None:
         self.eye.setIcon(icons.icon("eye-closed" if self._hidden else "eye"))
@@ -153,23 +129,21 @@ class LayerList(QWidget):
     hid = Signal(int, bool)
     moved = Signal(int, int)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._page = MontagePage()
+    def __init__(self, document: MontageDocument) -> None:
+        super().__init__()
+        self._page = document.page
         self._rows: dict[int, LayerRow] = {}
         self._target: int | None = None
-        self._hint = QLabel(EMPTY, wordWrap=True)
-        self._hint.setProperty("muted", True)
-        self._list = QVBoxLayout()
-        self._list.setContentsMargins(0, 0, 0, 0)
-        self._list.setSpacing(2)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(self._hint)
-        layout.addLayout(self._list)
-        layout.addStretch()
+        self._hint = label(EMPTY, wordWrap=True)
+        self._list = column(spacing=2)
+        column(self._hint, self._list, None, of=self)
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.setAccessibleName("Icons of the montage")
+        self.chosen.connect(lambda number: choose(document, number))
+        self.deleted.connect(lambda number: edits.delete(document, number))
+        self.hid.connect(lambda number, hidden: edits.hide(document, number, hidden))
+        self.moved.connect(lambda number, at: edits.reorder(document, number, at))
+        document.page_changed.connect(self.show_page)
 
     @property
     def rows(self) -> list[LayerRow]:
@@ -181,33 +155,33 @@ class LayerList(QWidget):
         self._page = page
         self._hint.setVisible(not page.layers)
         wanted = {one.number: one.icon for one in page.layers}
-        for number, row in [*self._rows.items()]:
-            if wanted.get(number) is not row.icon:
+        for number, one in [*self._rows.items()]:
+            if wanted.get(number) is not one.icon:
                 del self._rows[number]
-                self._list.removeWidget(row)
-                row.hide()
-                row.deleteLater()
+                self._list.removeWidget(one)
+                one.hide()
+                one.deleteLater()
         for at, layer in enumerate(reversed(page.layers)):
-            row = self._rows.get(layer.number)
-            if row is None:
-                row = self._rows[layer.number] = LayerRow(self, layer)
-            if self._list.indexOf(row) != at:
-                self._list.insertWidget(at, row)
-            row.show_layer(layer, layer is page.current)
+            one = self._rows.get(layer.number)
+            if one is None:
+                one = self._rows[layer.number] = LayerRow(self, layer)
+            if self._list.indexOf(one) != at:
+                self._list.insertWidget(at, one)
+            one.show_layer(layer, layer is page.current)
 
-    def drag_to(self, row: LayerRow, y: int) -> None:
+    def drag_to(self, dragged: LayerRow, y: int) -> None:
         """Mark the row's place where the pointer is."""
         rows = self.rows
-        at = sum(1 for one in rows if one is not row and one.geometry().center().y() < y)
-        self._target = None if at == rows.index(row) else at
-        if self._list.indexOf(row) != at:
-            self._list.insertWidget(at, row)
+        at = sum(1 for one in rows if one is not dragged and one.geometry().center().y() < y)
+        self._target = None if at == rows.index(dragged) else at
+        if self._list.indexOf(dragged) != at:
+            self._list.insertWidget(at, dragged)
 
-    def drop(self, row: LayerRow) -> None:
+    def drop(self, dragged: LayerRow) -> None:
         """End a drag."""
         target, self._target = self._target, None
         if target is not None:
-            self.moved.emit(row.number, len(self._page.layers) - 1 - target)
+            self.moved.emit(dragged.number, len(self._page.layers) - 1 - target)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Choose, reorder and delete."""
@@ -228,24 +202,14 @@ class LayerList(QWidget):
             super().keyPressEvent(event)
 
 
-def scrolling(widget: QWidget) -> QScrollArea:
-    """Return a scroll area around the list."""
-    area = QScrollArea(widgetResizable=True)
-    area.setWidget(widget)
-    area.viewport().setAutoFillBackground(False)
-    widget.setAutoFillBackground(False)
-    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+def left_side(chooser: QWidget, layers: LayerList) -> QSplitter:
+    """Return where icons are found, above the list of those that are there."""
+    finding = card(label("Find icons", "heading"), (chooser, 1))
+    area = scrolled(layers)
     area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-    return area
+    listed = card(label("Layers", "heading"), (area, 1))
+    return splitter(Qt.Orientation.Vertical, (finding, 300, 0), (listed, 260, 0))
 
 
 def _counted(strokes: int) -> str:
     return {0: "not marked yet", 1: "1 stroke"}.get(strokes, f"{strokes} strokes")
-
-
-def _button(tip: str) -> QToolButton:
-    button = QToolButton(toolTip=tip)
-    button.setAccessibleName(tip)
-    button.setIconSize(QSize(16, 16))
-    button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-    return button

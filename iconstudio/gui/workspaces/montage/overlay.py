@@ -1,9 +1,10 @@
 """What lies beside the tools, or over the canvas, only when a montage is made."""
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QHBoxLayout, QSlider, QWidget
+from PySide6.QtWidgets import QSlider, QWidget
 
 from iconstudio.gui.theme import icons
+from iconstudio.gui.theme.layout import row
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.workspaces.montage.tools.scribble import THINNEST, WIDEST, Brush
 
@@ -21,8 +22,4 @@ class BrushSlider(QWidget):
         self.slider.valueChanged.connect(brush.set_width)
         brush.changed.connect(self.slider.setValue)
         self.setToolTip("Brush size ([ and ])")
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(UNIT // 2)
-        row.addWidget(icons.Sign("brush"))
-        row.addWidget(self.slider)
+        row(icons.Sign("brush"), self.slider, of=self, spacing=UNIT // 2)

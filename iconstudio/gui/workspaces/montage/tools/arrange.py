@@ -7,7 +7,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QKeyEvent, QPainter, QPen
 
 from iconstudio.gui.canvas.camera import Camera
-from iconstudio.gui.canvas.tools.base import Pointer, Tool
+from iconstudio.gui.canvas.tools.base import NUDGES, Pointer, Tool
 from iconstudio.gui.document.document import new_gesture
 from iconstudio.gui.theme.theme import Theme
 from iconstudio.gui.workspaces.montage.appearance import rect_of
@@ -31,13 +31,6 @@ SNAP = 6.0
 """Pixels at which a dragged icon snaps."""
 
 _FREE = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
-
-_NUDGES = {
-    Qt.Key.Key_Left: (-1, 0),
-    Qt.Key.Key_Right: (1, 0),
-    Qt.Key.Key_Up: (0, -1),
-    Qt.Key.Key_Down: (0, 1),
-}
 
 
 class ArrangeTool(Tool):
@@ -160,10 +153,10 @@ class ArrangeTool(Tool):
         if layer_key(self._document, event):
             return True
         layer = self._document.page.current
-        if event.key() not in _NUDGES or layer is None or self._start is not None:
+        if event.key() not in NUDGES or layer is None or self._start is not None:
             return False
         far = 10 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1
-        dx, dy = (far * step for step in _NUDGES[event.key()])
+        dx, dy = (far * step for step in NUDGES[event.key()])
         old = layer.placement
         new = kept_in(layer.icon, replace(old, dx=old.dx + dx, dy=old.dy + dy))
         if new != old:

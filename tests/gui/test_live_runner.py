@@ -3,29 +3,38 @@
 import pytest
 from PySide6.QtCore import QObject, Signal
 
-from iconstudio.gui.jobs.coalescing import Coalescing
+from iconstudio.gui.jobs.live import LiveRunner
 
 
-class Hand(QObject):
-    """What is wanted, and a runner that is told when its run is over."""
+class PretendedJob(QObject):
+    """A run that ends when it is told to."""
 
-    ended = Signal(bool)
+    event = Signal(object)
+    failed = Signal(str)
+    finished = Signal()
+
+    def cancel(self):
+        """Nothing is heard of it any more."""
+
+
+class Hand:
+    """What is wanted, and a worker that notes which runs begin."""
 
     def __init__(self):
-        super().__init__()
-        self.running = False
-        self.inputs = 0
         self.begun = []
+        self.jobs = []
 
-    def begin(self):
-        if self.running:
-            self.ended.emit(False)  # as a runner does for the run that is replaced
-        self.running = True
-        self.begun.append(self.inputs)
+    def submit(self, make):
+        make()
+        self.jobs.append(PretendedJob())
+        return self.jobs[-1]
 
     def end(self):
-        self.running = False
-        self.ended.emit(True)
+        self.jobs[-1].finished.emit()
+
+    def fail(self):
+        self.jobs[-1].failed.emit("It cannot be done.")
+        self.end()
 
 
 @pytest.fixture
@@ -35,12 +44,13 @@ def hand(qapp):
 
 @pytest.fixture
 def newest(hand):
-    return Coalescing(hand, hand.begin, 10**6)
+    newest = LiveRunner(hand, hand.begun.append)
+    newest.timer.setInterval(10**6)
+    return newest
 
 
 def move(hand, newest, to):
-    hand.inputs = to
-    newest.request()
+    newest.request(to)
 
 
 def test_the_first_begins_at_once(hand, newest):
@@ -95,3 +105,35 @@ def test_what_is_forgotten_never_begins(hand, newest):
     newest.release()
     hand.end()
     assert hand.begun == [1]
+
+
+def test_what_runs_or_is_finished_does_not_begin_again(hand, newest):
+    move(hand, newest, 1)
+    move(hand, newest, 2)
+    move(hand, newest, 1)
+    assert not newest.pending, "back to what runs"
+    hand.end()
+    move(hand, newest, 1)
+    assert hand.begun == [1]
+
+
+def test_what_failed_or_was_stopped_begins_again(hand, newest):
+    told = []
+    newest.failed.connect(told.append)
+    move(hand, newest, 1)
+    hand.fail()
+    move(hand, newest, 1)
+    newest.cancel()
+    move(hand, newest, 1)
+    assert hand.begun == [1, 1, 1]
+    assert told == ["It cannot be done."]
+
+
+def test_the_failure_of_what_is_out_of_date_is_not_told(hand, newest):
+    told = []
+    newest.failed.connect(told.append)
+    move(hand, newest, 1)
+    move(hand, newest, 2)
+    hand.fail()
+    assert hand.begun == [1, 2]
+    assert told == []

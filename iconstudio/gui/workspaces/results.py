@@ -1,0 +1,96 @@
+"""What a workspace does with its results: shows, keeps, saves and sends them."""
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from PySide6.QtCore import Signal
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import QWidget
+
+from iconstudio.gui.exchange.saving import Saver
+from iconstudio.gui.gallery.detail import DetailPanel
+from iconstudio.gui.gallery.pictures import Display, Picture
+from iconstudio.gui.window.actions import Actions
+from iconstudio.gui.window.preferences import prefer, preferred
+
+DISPLAY = "display"
+"""Under which it is remembered how results are shown."""
+
+
+class ResultsWidget(QWidget):
+    """Shows results, of which one may be picked.
+
+    Signals
+    -------
+    picked(object)
+        The Picture that the user looks at, or None.
+    kept(Picture)
+        A result worth keeping in sight.
+    send(Pictogram, str)
+        An icon is to go to the workspace of that title.
+    """
+
+    picked = Signal(object)
+    kept = Signal(object)
+    send = Signal(object, str)
+
+    detail: DetailPanel | None = None
+    """Shows the picked result, if there are any."""
+    display = Display.BOTH
+    """How results are shown."""
+    displays: Sequence[Any] = ()
+    """What shows results; each has a method ``show_display``."""
+    actions_by_name: Actions
+    """What is declared in ``entries``. The menus show these, and their shortcuts work while this
+    is in sight. What makes no sense is disabled."""
+    saver: Saver
+    """Asks where results go."""
+
+    @property
+    def picture(self) -> Picture | None:
+        """The picked result, which Save SVG, Save PNG and Copy take."""
+        return None if self.detail is None else self.detail.picture
+
+    def save_svg(self) -> None:
+        """Save the picked result as SVG."""
+        self._keep(self.saver.save_svg)
+
+    def save_png(self) -> None:
+        """Save the picked result as PNG."""
+        self._keep(self.saver.save_png)
+
+    def save_code(self) -> None:
+        """Save the colour code of the picked result."""
+        self._keep(self.saver.save_code)
+
+    def copy_svg(self) -> None:
+        """Put the picked result on the clipboard."""
+        self._keep(self.saver.copy_svg)
+
+    def send_picture(self, picture: Picture, title: str) -> None:
+        """Send a result to the workspace of that title."""
+        self.kept.emit(picture)
+        self.send.emit(picture.pictogram(), title)
+
+    def choose_display(self, display: Display | str) -> None:
+        """Show results in another way, here and elsewhere, from now on."""
+        prefer(DISPLAY, Display(display).value)
+        self._show_display(Display(display))
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Show results as the user prefers by now, perhaps since another workspace."""
+        super().showEvent(event)
+        preference = preferred(DISPLAY, Display.BOTH.value)
+        if preference in [one.value for one in Display]:
+            self._show_display(Display(preference))
+
+    def _keep(self, save: Callable[[Picture], None]) -> None:
+        if self.picture is not None:
+            self.kept.emit(self.picture)
+            save(self.picture)
+
+    def _show_display(self, display: Display) -> None:
+        self.display = display
+        for one in self.displays:
+            one.show_display(display)
+        self.actions_by_name.refresh()

@@ -1,0 +1,223 @@
+"""The runs of a grid of results: started by hand, or in live mode by every change of the page."""
+
+from collections.abc import Generator
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+
+from iconstudio.gui.gallery.pictures import Picture, pictured, titled
+from iconstudio.gui.jobs.live import LiveRunner
+from iconstudio.gui.jobs.preparation import Preparation
+from iconstudio.gui.jobs.worker import Worker
+from iconstudio.gui.window.preferences import prefer, preferred
+from iconstudio.model import Remix
+from iconstudio.workflows.criteria import CriteriaDocument, CriteriaPage
+from iconstudio.workflows.events import Event, StyleSkipped
+from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.workflow import FINE as FINE_SIDE
+
+LIVE, FINE = "live", "fine"
+"""Under which it is remembered whether live mode is on, and fine quality."""
+
+Place = tuple[str, float]
+"""Style and lambda_S of a result."""
+
+
+class LiveSource:
+    """A workspace, as far as it says what its page wants."""
+
+    document: CriteriaDocument
+
+    def inputs(self) -> object:
+        """Return what the results depend on, to be compared."""
+        raise NotImplementedError
+
+    def problem(self) -> str:
+        """Return what is missing before the page can be remixed, as a sentence; else nothing."""
+        raise NotImplementedError
+
+    def settings(self) -> ModelSettings:
+        """Return which results to make: all. Called only if there is no problem."""
+        return ModelSettings()
+
+    def focus(self) -> Place | None:
+        """Return style and lambda_S of the result that the user looks at."""
+        raise NotImplementedError
+
+    def events(self, inputs: object, settings: ModelSettings) -> Generator[Event]:
+        """Return the run that makes the results. Called in the worker's thread."""
+        raise NotImplementedError
+
+
+@dataclass(frozen=True, slots=True)
+class _Request:
+    """What is to run; equal to another one if it gives the same results."""
+
+    inputs: object
+    fine: bool
+    page: CriteriaPage = field(compare=False)
+    settings: ModelSettings = field(compare=False)
+    afresh: bool = field(compare=False)
+    """Whether nothing that is there is of the same object."""
+    focus: Place | None = field(compare=False)
+    """Of the result that the user looks at."""
+
+
+class Runs(QObject):
+    """Remixes what a page says, one run at a time.
+
+    In live mode every change of what is wanted starts a run by itself, once the page is complete
+    and its icons are ready; a page that is not says nothing about it. While the hand moves, a run
+    gives way to the next one as soon as it has shown the result that the user looks at.
+
+    Signals
+    -------
+    began(ModelSettings, bool)
+        A run starts; whether it is of something else than the one before.
+    event(object)
+        What it has come to: events, results as Pictures.
+    ended(bool, bool)
+        It is over, and no other one has taken its place: whether it came to its end, and whether
+        the user himself had asked for it.
+    """
+
+    began = Signal(object, bool)
+    event = Signal(object)
+    ended = Signal(bool, bool)
+
+    def __init__(
+        self, page: LiveSource, preparation: Preparation, worker: Worker, parent: QObject
+    ) -> None:
+        super().__init__(parent)
+        self._page = page
+        self._preparation = preparation
+        self.runner = LiveRunner(worker, self._made, self)
+        """Its ``progress`` and ``failed`` may be listened to."""
+        self.live = preferred(LIVE, True)
+        """Whether results follow by themselves."""
+        self.fine = preferred(FINE, False)
+        """Whether results are joined on a finer canvas."""
+        self._ran: _Request | None = None
+        self._focus: Place | None = None
+        self._by_hand = False
+        self.runner.began.connect(self._begin)
+        self.runner.event.connect(self._show)
+        self.runner.ended.connect(self._end)
+        preparation.settled.connect(self.renew)
+
+    @property
+    def running(self) -> bool:
+        """Whether something runs."""
+        return self.runner.running
+
+    @property
+    def ran(self) -> Any:
+        """What the results are of."""
+        return None if self._ran is None else self._ran.inputs
+
+    @property
+    def stale(self) -> bool:
+        """Whether the results are of something else than what is wanted."""
+        same = self.ran == self._page.inputs() and self._ran.fine == self.fine
+        return self.ran is not None and not same
+
+    def set_live(self, on: bool) -> None:
+        """Let results follow by themselves, or not; remember which."""
+        self.live = on
+        prefer(LIVE, on)
+        self.runner.discard()
+        self.renew()
+
+    def set_fine(self, on: bool) -> None:
+        """Join results on a finer canvas, or not; remember which."""
+        self.fine = on
+        prefer(FINE, on)
+        self.renew()
+
+    def adopt(self) -> bool:
+        """Return whether what the page says is under way; if so, the user has asked for it."""
+        here = self.running and not self.stale
+        self._by_hand = self._by_hand or here
+        return here
+
+    def run(self) -> None:
+        """Remix what the page says, which has no problem, because the user asks for it."""
+        self._preparation.hurry()
+        self.runner.run(self._request())
+        self._by_hand = True
+
+    def renew(self) -> None:
+        """In live mode, remix what the page says now, unless that is done or cannot be done yet."""
+        if not self.live:
+            return
+        if self.ran is not None and not self.stale:
+            self.runner.discard()
+        elif self._preparation.ready and not self._page.problem():
+            self.runner.request(self._request())
+        elif self.running:  # out of date, though nothing can take its place
+            self._ran = None
+            self.runner.cancel()
+        else:
+            self.runner.discard()
+
+    def leave(self) -> bool:
+        """Stop, and forget what ran before, if the page is of something else by now.
+
+        Returns
+        -------
+        Whether it is.
+        """
+        page, before = self._page.document.page, self._ran
+        blank = page == type(page)()
+        if before is None or not (blank or page.elsewhere(before.page)):
+            return False
+        self.cancel()
+        self._ran = None
+        return True
+
+    def cancel(self) -> None:
+        """Stop; in live mode, until the next change."""
+        self.runner.cancel()
+
+    def _request(self) -> _Request:
+        page, settings, before = self._page.document.page, self._page.settings(), self._ran
+        afresh = not self.live or before is None or page.elsewhere(before.page)
+        focus = self._page.focus() if self.live and not afresh else None
+        if focus is not None and focus[0] not in settings.styles:
+            focus = None
+        if self.fine:
+            settings = replace(settings, side=FINE_SIDE)
+        if self.live:
+            settings = replace(settings, focus=focus or _middle(settings), previews=True)
+        return _Request(self._page.inputs(), self.fine, page, settings, afresh, focus)
+
+    def _made(self, request: _Request) -> Generator[Event | Picture]:
+        title = request.page.criteria.keyword.strip()
+        return pictured(self._page.events(request.inputs, request.settings), titled(title))
+
+    def _begin(self, request: _Request) -> None:
+        self._ran, self._focus, self._by_hand = request, request.focus, False
+        self.began.emit(request.settings, request.afresh)
+
+    def _show(self, event: object) -> None:
+        self.event.emit(event)
+        match event:
+            case StyleSkipped(style) if self._focus and style == self._focus[0]:
+                self._focus = None
+            case Picture(icon) if self._focus in (None, _place(icon)):
+                self.runner.release()
+
+    def _end(self, whole: bool) -> None:
+        if not self.running:
+            self.ended.emit(whole, self._by_hand)
+
+
+def _middle(settings: ModelSettings) -> Place:
+    """Return style and lambda_S in the middle of the grid."""
+    styles, lambdas = settings.styles, settings.lambdas
+    return styles[len(styles) // 2], lambdas[len(lambdas) // 2]
+
+
+def _place(icon: Remix) -> Place:
+    return icon.composite.style, icon.composite.lambda_s

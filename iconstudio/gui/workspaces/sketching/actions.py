@@ -1,0 +1,25 @@
+"""What can be done with a sketch."""
+
+from iconstudio.gui.window.actions import Entry, Key, tool, work_entries
+from iconstudio.gui.workspaces.remixing import GRID
+
+
+def _drawn(place) -> bool:
+    return bool(place.page.vertices)
+
+
+ENTRIES = (
+    Entry("photo", "Open &photo…", "Open a photo to trace over", "Ctrl+Shift+O", "photo",
+          do="opener.choose_photo", menu="&File"),
+    Entry("paste", "P&aste photo", "Use the image on the clipboard", Key.Paste, do="opener.paste"),
+    Entry("delete", "&Delete point", "Remove the selected or the last point", "Backspace",
+          do="tool.delete_selected", enabled=_drawn),
+    Entry("clear", "Clear &outline", "Remove the outline", "Ctrl+Backspace", "clear",
+          do="outline.clear", enabled=_drawn),
+    Entry("run", "&Remix", "Make new icons in four styles", "Ctrl+Return"),
+    tool("trace", "&Trace outline", "Trace the outline", "P", "polygon"),
+    Entry("regions", "&Salient regions", "Show the regions that are matched", "R", "regions",
+          do="show_regions", checkable=True, menu="&View"),
+    *work_entries("sketch", _drawn),
+    *GRID,
+)  # fmt: skip
