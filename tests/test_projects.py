@@ -16,7 +16,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from iconstudio.files import read_bytes
-from iconstudio.inputs.fields import Fields
 from iconstudio.model import (
     CANVAS,
     Composite,
@@ -36,13 +35,12 @@ from iconstudio.model import (
 from iconstudio.model import Path as Outline
 from iconstudio.output.svg import svg_document
 from iconstudio.project import archive
-from iconstudio.project.archive import Project
+from iconstudio.project.archive import Index, Project
 from iconstudio.project.journal import Journal, left_behind
 from iconstudio.project.parts import Parts, StoredParts
 from iconstudio.svg.reading import own_svg
 from tests.shapes import outline
 
-HERE = Path("dog.iconstudio")
 DRAWING = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M1 1H8V5Z"/></svg>'
 CAT = Pictogram("mdi:cat", DRAWING, Credit("cat", "Ada", "MIT", "https://e.org/l", "https://e.org"))
 
@@ -75,15 +73,15 @@ class Library:
         return Exemplar(pictogram, Frame(0, 0, 9), ink)
 
 
-def stored(index, contents, session=None):
-    return StoredParts(Fields(index, HERE), contents, session or Library())
+def stored(icons, contents, session=None):
+    return StoredParts(icons, contents, session or Library())
 
 
 def again(parts, session=None):
     """What was written, packed and unpacked."""
-    data = archive.packed(Project({"icons": parts.icons}, parts.contents))
-    index, contents = archive.unpacked(data, HERE)
-    return StoredParts(index, contents, session or Library())
+    data = archive.packed(Project(Index(icons=parts.icons), parts.contents))
+    index, contents = archive.unpacked(data)
+    return StoredParts(index.icons, contents, session or Library())
 
 
 class Gateless(Library):
@@ -99,8 +97,7 @@ def test_icons_are_read_back_whatever_they_are_called(icons):
     parts = Parts()
     references = [parts.icon(one) for one in icons]
     there = again(parts, Gateless())
-    page = Fields({"icons": references}, HERE)  # as a page names them
-    found = [there.icon(one) for one in page.references("icons")]
+    found = [there.icon(one) for one in references]
     assert [(one.id, one.credit) for one in found] == [(one.id, one.credit) for one in icons]
 
 
@@ -142,18 +139,18 @@ def test_an_icon_that_the_collection_has_lost_is_there_all_the_same():
 )
 def test_nothing_outside_of_the_file_is_opened(reference, monkeypatch):
     monkeypatch.setattr(Library, "icon_from", lambda *_: pytest.fail("it was opened"))
-    there = stored({"icons": {}}, {})
+    there = stored({}, {})
     with pytest.raises(IconstudioError):
-        there.icon(Fields({"icon": reference}, HERE).reference())
+        there.icon(reference)
 
 
 def test_a_stored_drawing_goes_through_the_gate():
     evil = b'<!DOCTYPE svg [<!ENTITY a SYSTEM "file:///etc/passwd">]><svg>&a;</svg>'
-    there = stored({"icons": {"own:a": {"part": "icons/a.svg"}}}, {"icons/a.svg": evil})
+    there = stored({"own:a": {"part": "icons/a.svg"}}, {"icons/a.svg": evil})
     with pytest.raises(IconstudioError, match="cannot be used"):
         there.icon("own:a")
     with pytest.raises(IconstudioError, match="missing"):
-        stored({"icons": {"own:a": {"part": "icons/b.svg"}}}, {}).icon("own:a")
+        stored({"own:a": {"part": "icons/b.svg"}}, {}).icon("own:a")
 
 
 # -- results --------------------------------------------------------------------------------------
@@ -264,10 +261,10 @@ WHOLE = zipped(project_json=b'{"version": 1, "pages": {}}', icons__a=b"a" * 1000
 
 def test_what_was_saved_is_read_back(tmp_path):
     path = tmp_path / "dog.iconstudio"
-    project = Project({"pages": {"model": {"keyword": "Hündchen"}}}, {"icons/a-1.svg": b"<svg/>"})
+    project = Project(Index(pages={"model": {"keyword": "Hündchen"}}), {"icons/a-1.svg": b"<svg/>"})
     archive.save(path, project)
     index, parts = archive.read(path)
-    assert index.object("pages").object("model").text("keyword") == "Hündchen"
+    assert index.pages == {"model": {"keyword": "Hündchen"}}
     assert dict(parts) == dict(project.parts)
     archive.save(tmp_path / "again.iconstudio", project)
     assert path.read_bytes() == (tmp_path / "again.iconstudio").read_bytes()
@@ -275,7 +272,7 @@ def test_what_was_saved_is_read_back(tmp_path):
 
 def test_what_has_no_place_in_a_project_is_not_looked_at():
     data = zipped(**{"project_json": b'{"version": 1}', "../evil": b"x", "icons/../../x": b"y"})
-    _, parts = archive.unpacked(data, HERE)
+    _, parts = archive.unpacked(data)
     assert not parts
 
 
@@ -311,7 +308,7 @@ def test_damage_ends_in_a_sentence_or_does_no_harm(data):
         broken[data.draw(st.integers(0, len(broken) - 1))] = data.draw(st.integers(0, 255))
     cut = data.draw(st.sampled_from([len(broken), len(broken) - 1, 90]))
     try:
-        archive.unpacked(bytes(broken[:cut]), HERE)
+        archive.unpacked(bytes(broken[:cut]))
     except IconstudioError as error:
         assert str(error).endswith(".")
 
@@ -319,30 +316,30 @@ def test_damage_ends_in_a_sentence_or_does_no_harm(data):
 def test_bombs_are_bounded(monkeypatch):
     monkeypatch.setattr(archive, "MOST_BYTES", 1_000_000)
     zeros = bytes(900_000)
-    assert len(archive.unpacked(zipped(project_json=b'{"version": 1}', icons__a=zeros), HERE)[1])
+    assert len(archive.unpacked(zipped(project_json=b'{"version": 1}', icons__a=zeros))[1])
     bomb = zipped(project_json=b'{"version": 1}', icons__a=zeros, icons__b=zeros)
     assert len(bomb) < 10_000
     with pytest.raises(IconstudioError, match=r"more than .* bytes"):
-        archive.unpacked(bomb, HERE)
+        archive.unpacked(bomb)
     # One that lies about its lengths is read no further, either.
     at = bomb.index(struct.pack("<L", 900_000))
     lying = bytearray(bomb)
     lying[at : at + 4] = struct.pack("<L", 5)
     with pytest.raises(IconstudioError):
-        archive.unpacked(bytes(lying), HERE)
+        archive.unpacked(bytes(lying))
     many = zipped(**{f"icons__{number}": b"" for number in range(archive.MOST_PARTS + 1)})
     with pytest.raises(IconstudioError, match="more than 10,000 parts"):
-        archive.unpacked(many, HERE)
+        archive.unpacked(many)
     monkeypatch.setattr(archive, "_MOST_DIRECTORY", 1000)
     with pytest.raises(IconstudioError, match="more than 10,000 parts"):
-        archive.unpacked(many, HERE)
+        archive.unpacked(many)
 
 
 def test_a_file_that_cannot_be_written_is_as_it_was(tmp_path):
     path = tmp_path / "dog.iconstudio"
     path.mkdir()
     with pytest.raises(IconstudioError, match="cannot be written"):
-        archive.save(path, Project({}, {}))
+        archive.save(path, Project(Index(), {}))
     assert path.is_dir()
     assert not list(tmp_path.glob(".*"))
 
@@ -352,11 +349,11 @@ def test_a_file_that_cannot_be_written_is_as_it_was(tmp_path):
 KILLED = """
 import sys
 from pathlib import Path
-from iconstudio.project.archive import Project
+from iconstudio.project.archive import Index, Project
 from iconstudio.project.journal import Journal
 journal = Journal(Path(sys.argv[1]))
-journal.write(Project({"edit": 1}, {"icons/a-1.svg": b"a"}))
-journal.write(Project({"edit": 2}, {"icons/b-2.svg": b"b"}))
+journal.write(Project(Index(current="1"), {"icons/a-1.svg": b"a"}))
+journal.write(Project(Index(current="2"), {"icons/b-2.svg": b"b"}))
 print("written", flush=True)
 sys.stdin.read()
 """
@@ -382,7 +379,7 @@ def test_the_work_of_a_window_that_was_killed_is_offered_once(tmp_path, writer):
     writer.wait()
     (left,) = left_behind(tmp_path)
     index, parts = left.read()
-    assert index.whole("edit", 0, 0, 9) == 2
+    assert index.current == "2"
     assert parts == {"icons/b-2.svg": b"b"}
     assert abs(left.when - time.time()) < 60
     assert list(left_behind(tmp_path)) == []  # it is held
@@ -398,7 +395,7 @@ def test_a_journal_that_is_cleared_leaves_nothing(tmp_path):
     assert not (tmp_path / "journals").exists()
     journal.clear()
     for _ in range(2):
-        journal.write(Project({}, {"photos/a-1.png": b"a"}))
+        journal.write(Project(Index(), {"photos/a-1.png": b"a"}))
         assert (journal.folder / "photos/a-1.png").read_bytes() == b"a"
         journal.clear()
         assert not journal.folder.exists()
@@ -407,18 +404,18 @@ def test_a_journal_that_is_cleared_leaves_nothing(tmp_path):
 def test_parts_are_written_once(tmp_path):
     journal = Journal(tmp_path)
     for number in range(3):
-        journal.write(Project({"edit": number}, {"photos/a-1.png": b"a"}))
+        journal.write(Project(Index(current=str(number)), {"photos/a-1.png": b"a"}))
         if not number:
             os.utime(journal.folder / "photos/a-1.png", (1, 1))
     assert (journal.folder / "photos/a-1.png").stat().st_mtime == 1
-    assert b'"edit": 2' in read_bytes(journal.folder / "project.json", 1000)
+    assert b'"current":"2"' in read_bytes(journal.folder / "project.json", 1000)
     journal.clear()
 
 
 def test_a_journal_that_cannot_be_written_is_told(tmp_path):
     (tmp_path / "journals").touch()
     with pytest.raises(IconstudioError, match="cannot be kept"):
-        Journal(tmp_path / "journals").write(Project({}, {}))
+        Journal(tmp_path / "journals").write(Project(Index(), {}))
 
 
 def test_a_damaged_journal_is_told_when_it_is_read(tmp_path, writer):

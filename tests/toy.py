@@ -5,10 +5,10 @@ from dataclasses import dataclass, replace
 
 from fontTools.misc.transform import Transform
 
-from iconstudio.inputs.fields import Fields
+from iconstudio.inputs.formats import Many, Reference
 from iconstudio.model import Icon, Pictogram
 from iconstudio.workflows.events import Event, Progress, Result
-from iconstudio.workflows.workflow import Refer, Resources, Settings, Workflow
+from iconstudio.workflows.workflow import File, Find, Refer, Resources, Settings, Workflow
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,13 +18,17 @@ class Mirroring:
     icons: tuple[Pictogram, ...] = ()
 
 
-def read(fields: Fields, resources: Resources) -> Generator[Event, None, Mirroring]:
-    yield Progress("search", 0.5, "Looking for the icons")
-    return Mirroring(tuple(map(resources.icon, fields.references("mirrored"))))
+class MirrorFile(File[Mirroring], frozen=True):
+    """A MIRROR.json: ``{"mirrored": ["set:name", ...]}``."""
 
+    mirrored: Many[Reference]
 
-def write(work: Mirroring, refer: Refer) -> dict[str, object]:
-    return {"mirrored": [refer(icon) for icon in work.icons]}
+    @classmethod
+    def of(cls, work: Mirroring, refer: Refer) -> "MirrorFile":
+        return cls(tuple(map(refer, work.icons)))
+
+    def resolved(self, find: Find) -> Mirroring:
+        return Mirroring(tuple(map(find, self.mirrored)))
 
 
 def run(
@@ -46,9 +50,7 @@ MIRROR = Workflow(
     help="Mirror icons, left to right.",
     invitation="Mirror it",
     work=Mirroring,
-    read=read,
-    write=write,
-    keys=frozenset({"mirrored"}),
+    file=MirrorFile,
     run=run,
     take=lambda work, icon: replace(work, icons=(*work.icons, icon)),
 )

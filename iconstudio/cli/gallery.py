@@ -1,14 +1,16 @@
 """``iconstudio gallery``: one picture of many subjects, in the manner of the paper's figure 17."""
 
-from dataclasses import dataclass
 from pathlib import Path
+from typing import Annotated
 
 import click
+from msgspec import Meta, field
 
 from iconstudio.algorithms.iconification.lattice import LAMBDAS
 from iconstudio.cli.progress import ProgressBar
 from iconstudio.cli.timing import profile_option, profiled
-from iconstudio.inputs.fields import read
+from iconstudio.inputs import json
+from iconstudio.inputs.formats import Record, Text
 from iconstudio.model import IconstudioError, Remix
 from iconstudio.output import png
 from iconstudio.output.sheet import Subject, gallery_sheet
@@ -20,29 +22,17 @@ from iconstudio.workflows.modelling.file import read_sketch
 from iconstudio.workflows.modelling.spec import MODELLING
 
 
-@dataclass(frozen=True, slots=True)
-class Choice:
+class Choice(Record, frozen=True):
     """Which of a sketch's results a person found best, and what they think of it.
 
-    Stands in the sketch's file as ``"best": {"style", "lambda", "remark", "failed"}``; ``lambda``
-    counts the columns of the grid from 1.
+    Stands in the sketch's file as ``"best"``; without it, the middle of the grid is shown.
     """
 
-    style: str = "medium"
-    column: int = 4
-    remark: str = ""
+    style: Text = "medium"
+    column: Annotated[int, Meta(ge=1, le=len(LAMBDAS))] = field(name="lambda", default=4)
+    """Of the grid, counted from 1."""
+    remark: Text = ""
     failed: bool = False
-
-    @classmethod
-    def read(cls, path: Path) -> "Choice":
-        """Return the choice in a sketch's file, or the middle of the grid if there is none."""
-        best, usual = read(path).object("best"), cls()
-        return cls(
-            best.text("style", usual.style),
-            best.whole("lambda", usual.column, 1, len(LAMBDAS)),
-            best.text("remark"),
-            best.flag("failed"),
-        )
 
 
 @click.command("gallery")
@@ -68,17 +58,19 @@ def command(sketches: Path | None, out: Path, profile: bool) -> None:
     subjects = []
     with profiled(profile) as stopwatch, Session() as session, ProgressBar() as bar:
         for number, path in enumerate(files):
-            sketch, choice = read_sketch(path), Choice.read(path)
+            file = read_sketch(path)
+            best = {} if file.best is None else file.best
+            sketch, choice = file.sketch, json.converted(best, Choice, path, ", best")
             remix = None
-            for event in session.run(MODELLING, sketch.sketch, _settings(choice)):
+            for event in session.run(MODELLING, sketch, _settings(choice)):
                 stopwatch.note(event)
                 match event:
                     case Result(icon=Remix() as icon):
                         remix = icon  # the last one has the lambda_S that was chosen
                     case Progress():
-                        bar.show((number + event.done) / len(files), sketch.title)
+                        bar.show((number + event.done) / len(files), file.title)
             subjects.append(
-                Subject(sketch.title, sketch.sketch.polygon, remix, choice.remark, choice.failed)
+                Subject(file.title, sketch.polygon, remix, choice.remark, choice.failed)
             )
         png.write(out, png.encoded(gallery_sheet(subjects)))
         stopwatch.wrote()

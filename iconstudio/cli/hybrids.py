@@ -1,10 +1,10 @@
 """``iconstudio hybrids``: random mixtures of icons, without a window."""
 
 from collections.abc import Generator
-from dataclasses import replace
 from pathlib import Path
 
 import click
+from msgspec.structs import replace
 
 from iconstudio.cli import running
 from iconstudio.cli.timing import profile_option, profiled
@@ -12,7 +12,7 @@ from iconstudio.model import IconstudioError
 from iconstudio.output.hybrids import HybridsReport
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
-from iconstudio.workflows.hybrids.file import LARGEST_SEED, HybridsFile, read_hybrids
+from iconstudio.workflows.hybrids.file import COUNT, LARGEST_SEED, HybridsFile, read_hybrids
 from iconstudio.workflows.hybrids.hybrids import MOST_DRAWS
 from iconstudio.workflows.hybrids.spec import HYBRIDS
 from iconstudio.workflows.workflow import Settings
@@ -47,9 +47,7 @@ def command(
     )
     with profiled(profile) as stopwatch, Session() as session:
         events = _mixing(session, hybrids, running.side_of(fine))
-        report = HybridsReport(
-            folder, hybrids.keyword, hybrids.draws, hybrids.seed, hybrids.symmetry
-        )
+        report = HybridsReport(folder, hybrids.word, hybrids.draws, hybrids.seed, hybrids.symmetry)
         results = running.run(session, events, report, stopwatch)
     if not results:
         raise IconstudioError(
@@ -60,12 +58,12 @@ def command(
 
 def _mixing(session: Session, hybrids: HybridsFile, side: int) -> Generator[Event]:
     """Find or pick the icons, then mix them."""
-    if not hybrids.keyword:
+    if hybrids.icons is not None:
         mix = hybrids.resolved(session.icon)
         running.tell_remarks(mix.icons)
         yield from session.run(HYBRIDS, mix, Settings(side=side))
         return
     icons = yield from session.choose(
-        hybrids.keyword, hybrids.count, hybrids.symmetry, hybrids.seed
+        hybrids.word, hybrids.count or COUNT, hybrids.symmetry, hybrids.seed
     )
     yield from session.run(HYBRIDS, hybrids.mix(icons), Settings(side=side))

@@ -3,7 +3,8 @@
 from dataclasses import dataclass
 from pathlib import Path
 
-from iconstudio.inputs.fields import read
+from iconstudio.inputs import json
+from iconstudio.inputs.formats import Record, Text
 from iconstudio.resources import resource
 
 
@@ -15,8 +16,12 @@ class Example:
     path: Path
 
 
+class _Titled(Record, frozen=True):
+    title: Text = ""
+
+
 def examples(folder: str) -> list[Example]:
     """Return the examples in a folder of ``resources/examples``, by title; "" has the sketches."""
     files = (resource("examples") / folder).glob("*.json")
-    some = (Example(read(file).text("title") or file.stem, file) for file in files)
+    some = (Example(json.read(file, _Titled).title or file.stem, file) for file in files)
     return sorted(some, key=lambda example: example.title)

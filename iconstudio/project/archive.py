@@ -5,7 +5,6 @@ Nothing is ever unpacked to a disk: parts are looked up by the names that ``proj
 
 import hashlib
 import io
-import json
 import re
 import struct
 import zipfile
@@ -13,11 +12,13 @@ import zlib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
+
+from msgspec import Meta, field
 
 from iconstudio.files import read_bytes, write_atomically
-from iconstudio.inputs import fields
-from iconstudio.inputs.fields import Fields
+from iconstudio.inputs import json
+from iconstudio.inputs.formats import Many, Record, Text
 from iconstudio.model import IconstudioError
 
 SUFFIX = ".iconstudio"
@@ -44,12 +45,33 @@ _EPOCH = (1980, 1, 1, 0, 0, 0)
 """The same work makes the same file."""
 
 
+class Version(Record, frozen=True):
+    """Of the format, as ``project.json`` says it; 0 if it does not."""
+
+    version: Annotated[int, Meta(ge=0, le=1 << 30)] = 0
+
+
+class Index(Record, frozen=True, omit_defaults=False):
+    """``project.json``; each page and each icon in it is read by itself, if it can be."""
+
+    version: int = VERSION
+    current: Text = ""
+    """The name of the workflow in sight."""
+    pages: dict[str, Any] = field(default_factory=dict)
+    """By the names of their workflows, as the format of each has it."""
+    recent: Many[Text] = ()
+    """The parts of the results that were picked."""
+    icons: dict[str, Any] = field(default_factory=dict)
+    """What is known of each, all but its drawing, by its reference."""
+    file: Text = ""
+    """Where it was saved, in a journal."""
+
+
 @dataclass(frozen=True, slots=True)
 class Project:
     """What a project file holds."""
 
-    index: Mapping[str, Any]
-    """``project.json``, without its version."""
+    index: Index
     parts: Mapping[str, bytes]
     """By their names, ``icons/cat-1a2b3c4d.svg``."""
 
@@ -80,20 +102,14 @@ def packed(project: Project) -> bytes:
     """Return a project as a zip."""
     file = io.BytesIO()
     with zipfile.ZipFile(file, "w") as archive:
-        for name, data in [(INDEX, index_text(project)), *sorted(project.parts.items())]:
+        for name, data in [(INDEX, json.encoded(project.index)), *sorted(project.parts.items())]:
             stored = name.lower().endswith(_STORED)
             how = zipfile.ZIP_STORED if stored else zipfile.ZIP_DEFLATED
             archive.writestr(zipfile.ZipInfo(name, _EPOCH), data, how)
     return file.getvalue()
 
 
-def index_text(project: Project) -> bytes:
-    """Return ``project.json``."""
-    data = {"version": VERSION, **project.index}
-    return json.dumps(data, ensure_ascii=False, allow_nan=False).encode(errors="replace")
-
-
-def read(path: Path) -> tuple[Fields, Mapping[str, bytes]]:
+def read(path: Path) -> tuple[Index, Mapping[str, bytes]]:
     """Return what a project file says, and its parts.
 
     Raises
@@ -102,13 +118,13 @@ def read(path: Path) -> tuple[Fields, Mapping[str, bytes]]:
         If it cannot be read, is none, is damaged, or of a later version.
     """
     try:
-        return unpacked(read_bytes(path, MOST_BYTES), path)
+        return unpacked(read_bytes(path, MOST_BYTES))
     except IconstudioError as error:
         raise IconstudioError(f"“{path.name}” cannot be opened. {error}") from None
 
 
-def unpacked(data: bytes, path: Path) -> tuple[Fields, Mapping[str, bytes]]:
-    """Return what the bytes of a project file say; ``path`` names it in messages.
+def unpacked(data: bytes) -> tuple[Index, Mapping[str, bytes]]:
+    """Return what the bytes of a project file say, and its parts.
 
     Raises
     ------
@@ -128,29 +144,30 @@ def unpacked(data: bytes, path: Path) -> tuple[Fields, Mapping[str, bytes]]:
         raise IconstudioError(f"It is packed in a way that is not understood. {_ANOTHER}") from None
     if INDEX not in parts:
         raise IconstudioError(_NONE)
-    return checked(parts.pop(INDEX), path), parts
+    return index_of(parts.pop(INDEX)), parts
 
 
-def checked(index: bytes, path: Path) -> Fields:
-    """Return the fields of a ``project.json`` of a version that can be read.
+def index_of(text: bytes) -> Index:
+    """Return a ``project.json`` of a version that can be read.
 
     Raises
     ------
     IconstudioError
         If it is no good, or of a later version.
     """
+    here = Path(INDEX)
     try:
-        found = fields.parsed(index, path)
+        data = json.parsed(text, here)
     except IconstudioError:
         raise IconstudioError(f"It is damaged: “{INDEX}” in it is no JSON. {_ANOTHER}") from None
-    version = found.whole("version", 0, 0, 1 << 30)
+    version = json.converted(data, Version, here).version
     if version > VERSION:
         raise IconstudioError(
             "It was saved by a later version of Iconstudio. Open it with that, or update this one."
         )
     if version < 1:
         raise IconstudioError(_NONE)
-    return found
+    return json.converted(data, Index, here)
 
 
 _NONE = "It is no Iconstudio project. Choose a file that was saved by Iconstudio."
@@ -181,7 +198,7 @@ def _parts(archive: zipfile.ZipFile) -> dict[str, bytes]:
             continue
         if info.filename in parts:
             raise IconstudioError(f"It holds “{info.filename}” twice. {_ANOTHER}")
-        most = min(room, fields.MOST_BYTES) if info.filename == INDEX else room
+        most = min(room, json.MOST_BYTES) if info.filename == INDEX else room
         with archive.open(info) as file:  # what it says of its length need not be true
             content = file.read(most + 1)
         if len(content) > most:

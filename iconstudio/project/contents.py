@@ -3,24 +3,27 @@
 from collections.abc import Generator, Mapping
 from contextlib import closing
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
 
-from iconstudio.inputs.fields import Fields
+from iconstudio.inputs import json
 from iconstudio.model import Icon, IconstudioError
-from iconstudio.project.archive import Project
+from iconstudio.project.archive import INDEX, Index, Project
 from iconstudio.project.parts import Finder, Parts, StoredParts
 from iconstudio.workflows.pages import Page, PageFormat
 from iconstudio.workflows.workflow import Workflow, named
 
+_HERE = Path(INDEX)
 
-class Formats(dict[str, PageFormat[Any]]):
+
+class Formats(dict[str, PageFormat[Any, Any]]):
     """Those of the pages of workflows, by their names; loaded when they are first needed."""
 
     def __init__(self, workflows: Mapping[str, Workflow[Any]]) -> None:
         super().__init__()
         self.workflows = workflows
 
-    def __missing__(self, name: str) -> PageFormat[Any]:
+    def __missing__(self, name: str) -> PageFormat[Any, Any]:
         workflow = self.workflows[name]
         self[name] = named(workflow.page_format)(workflow)
         return self[name]
@@ -47,18 +50,20 @@ class Contents:
             and _all_in(other.recent, self.recent)
         )
 
-    def project(self, formats: Formats, **index: Any) -> Project:
-        """Return them as they are stored, with more that is to be told."""
+    def project(self, formats: Formats, file: str = "") -> Project:
+        """Return them as they are stored; a journal tells in which ``file`` they were saved."""
         parts = Parts()
         pages = {name: formats[name].write(page, parts) for name, page in self.pages.items()}
-        recent = [parts.result(one) for one in self.recent if one.path]
-        stored = {"current": self.current, "pages": pages, "recent": recent, "icons": parts.icons}
-        return Project(stored | index, parts.contents)
+        recent = tuple(parts.result(one) for one in self.recent if one.path)
+        index = Index(
+            current=self.current, pages=pages, recent=recent, icons=parts.icons, file=file
+        )
+        return Project(index, parts.contents)
 
 
 def reading(
     session: Finder,
-    index: Fields,
+    index: Index,
     contents: Mapping[str, bytes],
     formats: Formats,
 ) -> Generator[Any]:
@@ -66,21 +71,21 @@ def reading(
 
     A page that cannot be read is told, and the others are there.
     """
-    parts = StoredParts(index, contents, session)
+    parts = StoredParts(index.icons, contents, session)
     pages: dict[str, Page] = {}
-    entries = index.object("pages")
-    for name in sorted(entries.keys):
+    for name in sorted(index.pages):
         if name not in formats.workflows:
             parts.complaints.append(f"There is no workflow “{name}” here: its page was left out.")
             continue
         try:
-            with closing(formats[name].read(entries.object(name), parts)) as steps:
+            stored = json.converted(index.pages[name], formats[name].stored, _HERE, f", {name}")
+            with closing(formats[name].read(stored, parts)) as steps:
                 pages[name] = yield from steps
         except IconstudioError as error:
             title = formats.workflows[name].title
             parts.complaints.append(f"The page of {title} could not be read. {error}")
-    recent = yield from parts.results(index.texts("recent"))
-    yield Contents(index.text("current"), pages, recent, tuple(parts.complaints))
+    recent = yield from parts.results(index.recent)
+    yield Contents(index.current, pages, recent, tuple(parts.complaints))
 
 
 def _all_in(some: tuple[Icon, ...], others: tuple[Icon, ...]) -> bool:

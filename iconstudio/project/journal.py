@@ -15,11 +15,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from iconstudio.files import read_bytes, write_atomically
-from iconstudio.inputs import fields
-from iconstudio.inputs.fields import Fields
+from iconstudio.inputs import json
 from iconstudio.model import IconstudioError
 from iconstudio.project import archive
-from iconstudio.project.archive import INDEX, Project
+from iconstudio.project.archive import INDEX, Index, Project
 
 if TYPE_CHECKING:
     from filelock import FileLock
@@ -86,7 +85,7 @@ class Journal:
         for name in project.parts.keys() - self._there:  # a part never changes
             write_atomically(self.folder / name, project.parts[name])
         self._there |= project.parts.keys()
-        write_atomically(self.folder / INDEX, archive.index_text(project))
+        write_atomically(self.folder / INDEX, json.encoded(project.index))
         for name in self._there - project.parts.keys():
             (self.folder / name).unlink(missing_ok=True)
         self._there &= project.parts.keys()
@@ -101,7 +100,7 @@ class LeftBehind:
     """Seconds since the epoch."""
     lock: "FileLock"
 
-    def index(self) -> Fields:
+    def index(self) -> Index:
         """Return what it says, without its parts.
 
         Raises
@@ -109,9 +108,9 @@ class LeftBehind:
         IconstudioError
             If it cannot be read.
         """
-        return archive.checked(read_bytes(self.folder / INDEX, fields.MOST_BYTES), Path(INDEX))
+        return archive.index_of(read_bytes(self.folder / INDEX, json.MOST_BYTES))
 
-    def read(self) -> tuple[Fields, Mapping[str, bytes]]:
+    def read(self) -> tuple[Index, Mapping[str, bytes]]:
         """Return what it says, and its parts.
 
         Raises

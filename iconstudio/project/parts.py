@@ -3,29 +3,58 @@
 import itertools
 import re
 from collections.abc import Generator, Mapping
-from dataclasses import asdict, fields, replace
+from dataclasses import asdict, replace
 from functools import lru_cache
 from pathlib import Path as FilePath
-from typing import Any, Protocol, cast
+from typing import Any, Protocol, Self, cast
 
 from iconstudio.images.photo import photo_of
 from iconstudio.images.reading import Image
-from iconstudio.inputs.fields import Fields, plain_text
+from iconstudio.inputs import json
+from iconstudio.inputs.formats import Many, Record, Reference, Text, plain_text
 from iconstudio.model import Credit, Exemplar, Icon, IconstudioError, Photo, Pictogram
 from iconstudio.model.pictogram import OWN, UNCOLLECTED
 from iconstudio.project import results
-from iconstudio.project.archive import part_name
+from iconstudio.project.archive import INDEX, part_name
 from iconstudio.svg.check import check
+from iconstudio.workflows.pages import StoredPhoto
 from iconstudio.workflows.workflow import Resources
-
-_LARGEST = 10_000_000
-"""No photo has more pixels a side."""
 
 _REFERENCE = re.compile(r"[^:/\\]+:[^:/\\]+")
 
 
 _photo_name = lru_cache(1)(part_name)
 """Each edit names the same photo again, which may be large."""
+
+
+class StoredOrigin(Record, frozen=True):
+    """An icon, and whom to thank for it."""
+
+    id: Text = ""
+    title: Text = ""
+    author: Text = ""
+    license: Text = ""
+    license_url: Text = ""
+    url: Text = ""
+
+    @classmethod
+    def of(cls, pictogram: Pictogram, **more: Any) -> Self:
+        """Describe an icon."""
+        texts = {"id": pictogram.id} | asdict(pictogram.credit)
+        return cls(**{key: plain_text(text) for key, text in texts.items()}, **more)
+
+    @property
+    def credit(self) -> Credit:
+        """Whom to thank."""
+        return Credit(self.title, self.author, self.license, self.license_url, self.url)
+
+
+class StoredIcon(StoredOrigin, frozen=True):
+    """An icon whose drawing is a part."""
+
+    part: Text = ""
+    made_of: Many[StoredOrigin] = ()
+    remarks: Many[Text] = ()
 
 
 class Finder(Protocol):
@@ -54,11 +83,11 @@ class Parts:
     def __init__(self) -> None:
         self.contents: dict[str, bytes] = {}
         """By the names of the parts."""
-        self.icons: dict[str, dict[str, Any]] = {}
+        self.icons: dict[str, StoredIcon] = {}
         """What is known of the icons, all but their drawings, by their references."""
         self._pictograms: dict[str, Pictogram] = {}
 
-    def icon(self, pictogram: Pictogram) -> str:
+    def icon(self, pictogram: Pictogram) -> Reference:
         """Take an icon in, and return the reference by which a page names it."""
         wanted = _reference(pictogram.id)
         names = itertools.chain([wanted], (f"{wanted}-{number}" for number in itertools.count(2)))
@@ -67,18 +96,21 @@ class Parts:
             if other is pictogram or _alike(other, pictogram):
                 break
         if name not in self.icons:
-            part = self._add("icons", pictogram.id, ".svg", pictogram.svg.encode(errors="replace"))
-            made_of = [_described(one) for one in pictogram.made_of]
-            remarks = [plain_text(one) for one in pictogram.remarks]
-            told = {"made_of": made_of, "remarks": remarks}
-            self.icons[name] = {"part": part} | _described(pictogram) | told
-        return name
+            self.icons[name] = StoredIcon.of(
+                pictogram,
+                part=self._add(
+                    "icons", pictogram.id, ".svg", pictogram.svg.encode(errors="replace")
+                ),
+                made_of=tuple(map(StoredOrigin.of, pictogram.made_of)),
+                remarks=tuple(map(plain_text, pictogram.remarks)),
+            )
+        return Reference(name)
 
-    def photo(self, photo: Photo) -> dict[str, Any]:
+    def photo(self, photo: Photo) -> StoredPhoto:
         """Take a photo in, and return what a page says of it."""
         part = _photo_name("photos", "photo", photo.suffix, photo.data)
         self.contents[part] = photo.data
-        return {"part": part, "width": photo.width, "height": photo.height}
+        return StoredPhoto(part, photo.width, photo.height)
 
     def result(self, icon: Icon) -> str:
         """Take a picked result in, and return the name of its part."""
@@ -99,11 +131,14 @@ class StoredParts:
     and photos through that of photos.
     """
 
-    def __init__(self, index: Fields, contents: Mapping[str, bytes], session: Finder) -> None:
+    def __init__(
+        self, icons: Mapping[str, Any], contents: Mapping[str, bytes], session: Finder
+    ) -> None:
+        """``icons`` is what ``project.json`` says of them."""
         self.session = session
         self.complaints: list[str] = []
         """What could not be read, where the rest was; a sentence for the user each."""
-        self._icons = index.object("icons")
+        self._icons = icons
         self._contents = contents
         self._found: dict[str, Pictogram] = {}
         self._drawn: dict[str, Exemplar] = {}
@@ -160,21 +195,19 @@ class StoredParts:
         """
         return self.session.icon_from(self.content(part), part)
 
-    def photo(self, entry: Fields) -> Generator[None, None, Photo]:
-        """Return the photo of which a page says ``entry``; yield while it is decoded.
+    def photo(self, stored: StoredPhoto) -> Generator[None, None, Photo]:
+        """Return the photo of which a page says this; yield while it is decoded.
 
         Raises
         ------
         IconstudioError
             If it is missing, or no good.
         """
-        part = entry.text("part")
-        data = self.content(part)
+        data = self.content(stored.part)
         image = yield from self.session.image(data)
-        width = entry.whole("width", image.width, 1, _LARGEST)
-        height = entry.whole("height", image.height, 1, _LARGEST)
+        width, height = stored.width or image.width, stored.height or image.height
         photo = photo_of(replace(image, width=width, height=height), data=data)
-        return replace(photo, suffix=FilePath(part).suffix)
+        return replace(photo, suffix=FilePath(stored.part).suffix)
 
     def results(self, names: tuple[str, ...]) -> Generator[None, None, tuple[Icon, ...]]:
         """Return those results that can be read; complain about the others."""
@@ -188,7 +221,7 @@ class StoredParts:
         return tuple(found)
 
     def _read_icon(self, reference: str) -> Pictogram:
-        stored = reference in self._icons.keys
+        stored = reference in self._icons
         if not reference.startswith(UNCOLLECTED):
             if not _REFERENCE.fullmatch(reference):
                 raise IconstudioError(f"“{reference}” is outside of the file, and is not opened.")
@@ -199,14 +232,13 @@ class StoredParts:
                     raise
         elif not stored:
             raise IconstudioError(f"The icon “{reference}” is missing in the file.")
-        entry = self._icons.object(reference)
-        part = entry.text("part")
+        entry = json.converted(self._icons[reference], StoredIcon, FilePath(INDEX), ", icons")
         return replace(
-            _as_stored(self.drawn(part), self.content(part)),
-            id=entry.text("id") or reference,
-            credit=_credit(entry),
-            made_of=tuple(map(_origin, entry.objects("made_of", "origin"))),
-            remarks=entry.texts("remarks"),
+            _as_stored(self.drawn(entry.part), self.content(entry.part)),
+            id=entry.id or reference,
+            credit=entry.credit,
+            made_of=tuple(Pictogram(one.id, "", one.credit) for one in entry.made_of),
+            remarks=entry.remarks,
         )
 
 
@@ -247,17 +279,3 @@ def _as_stored(drawn: Pictogram, data: bytes) -> Pictogram:
 
 def _alike(one: Pictogram, other: Pictogram) -> bool:
     return (one.id, one.svg, one.credit) == (other.id, other.svg, other.credit)
-
-
-def _described(pictogram: Pictogram) -> dict[str, Any]:
-    """Describe an icon, and whom to thank for it."""
-    credit = {key: plain_text(text) for key, text in asdict(pictogram.credit).items()}
-    return {"id": plain_text(pictogram.id)} | credit
-
-
-def _origin(entry: Fields) -> Pictogram:
-    return Pictogram(entry.text("id"), "", _credit(entry))
-
-
-def _credit(entry: Fields) -> Credit:
-    return Credit(*(entry.text(one.name) for one in fields(Credit)))

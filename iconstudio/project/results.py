@@ -1,18 +1,18 @@
 """A picked result in a project: its outline and how it was made as JSON, and its SVG beside."""
 
-import json
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, dataclass
 from math import isqrt
 from pathlib import Path as FilePath
-from typing import Any, Protocol
+from typing import Annotated, Protocol, Self
 from weakref import WeakKeyDictionary
 
 import numpy as np
+from msgspec import Meta, structs
 from numpy.typing import NDArray
 
-from iconstudio.inputs.fields import Fields, parsed, plain_text
-from iconstudio.inputs.placements import placement_in
+from iconstudio.inputs import json
+from iconstudio.inputs.formats import Many, Points, Record, Text, plain_text
 from iconstudio.model import (
     CANVAS,
     Composite,
@@ -21,18 +21,112 @@ from iconstudio.model import (
     Exemplar,
     Frame,
     Icon,
+    IconstudioError,
     Path,
     Pictogram,
+    Point,
     Remix,
     Score,
     Source,
 )
 from iconstudio.model.path import Segment
 from iconstudio.project.archive import part_name
+from iconstudio.workflows.pages import StoredPlacement
 
 LARGEST_SIDE = 4 * CANVAS
 """Of the pixels of a result."""
-_FAR, _HUGE = 1e6, 1e15
+
+Unit = Annotated[float, Meta(ge=0, le=1)]
+_Far = Annotated[float, Meta(ge=-1e6, le=1e6)]
+_Huge = Annotated[float, Meta(ge=-1e15, le=1e15)]
+
+
+class StoredContour(Record, frozen=True):
+    """A start, a list of one point, and segments: lists of one point, or of three."""
+
+    segments: Many[Points]
+    closed: bool = False
+
+    @classmethod
+    def of(cls, contour: Contour) -> Self:
+        """Return a contour as it is stored."""
+        return cls(((contour.start,), *contour.segments), contour.closed)
+
+    @property
+    def contour(self) -> Contour:
+        """The value."""
+        (start,), *segments = self.segments
+        return Contour(start, tuple(map(_segment, segments)), self.closed)
+
+    def check(self) -> None:
+        """Refuse lists of another number of points."""
+        counts = list(map(len, self.segments))
+        if counts[:1] != [1] or not {1, 3}.issuperset(counts):
+            raise IconstudioError("A contour begins with one point; a segment has one, or three.")
+
+
+class StoredFrame(Record, frozen=True):
+    """A square of an SVG's user space."""
+
+    x: _Far
+    y: _Far
+    size: _Far
+
+
+class StoredScore(Record, frozen=True):
+    """How good a remix looks."""
+
+    seam: Unit = 1.0
+    whole: Unit = 1.0
+    symmetry: Unit = 1.0
+    sharing: Unit = 1.0
+    likeness: Unit = 1.0
+
+
+class StoredSource(StoredPlacement, frozen=True, kw_only=True):
+    """An icon where it lies, and how much it gave."""
+
+    icon: Text
+    error: _Huge = 0.0
+    region: Annotated[int, Meta(ge=-1, le=1000)] = -1
+    share: Unit = 0.0
+
+
+class StoredRemix(Record, frozen=True, kw_only=True):
+    """How a remix was made."""
+
+    style: Text = ""
+    lambda_s: Annotated[float, Meta(ge=0, le=1e6)]
+    energy: _Huge = 0.0
+    data_cost: _Huge = 0.0
+    smoothness_cost: _Huge = 0.0
+    iou: Unit | None = None
+    score: StoredScore = StoredScore()
+    seeds: Many[Points] = ()
+    draw: Annotated[int, Meta(ge=-1, le=1 << 60)] = -1
+    unchanged: Unit | None = None
+    side: Annotated[int, Meta(ge=CANVAS, le=LARGEST_SIDE, multiple_of=CANVAS)] = CANVAS
+    frame: StoredFrame
+    sources: Many[StoredSource] = ()
+    labels: Text
+    """The part with the numbers of the sources, a byte a pixel."""
+    owners: Text | None = None
+    """The same for the pixels of the drawing."""
+
+    def check(self) -> None:
+        """Refuse seeds of other sources than there are."""
+        if self.seeds and len(self.seeds) != len(self.sources):
+            raise IconstudioError('"seeds" must be as many lists as there are sources.')
+
+
+class StoredResult(Record, frozen=True):
+    """A result."""
+
+    title: Text
+    svg: Text
+    """Its part."""
+    outline: Many[StoredContour] = ()
+    remix: StoredRemix | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,28 +186,20 @@ def read(part: str, store: Store) -> Icon:
     IconstudioError
         If it is no good.
     """
-    entry = parsed(store.content(part), FilePath(part))
-    title = entry.text("title")
-    path = Path(tuple(map(_contour, entry.objects("outline", "contour"))))
-    drawn = store.drawn(entry.text("svg"))
-    if not entry.has("remix"):
-        return Icon(path, title, drawn.made_of)
-    return _remix(entry.object("remix"), path, title, drawn.made_of, store)
+    here = FilePath(part)
+    stored = json.converted(json.parsed(store.content(part), here), StoredResult, here)
+    path = Path(tuple(one.contour for one in stored.outline))
+    drawn = store.drawn(stored.svg)
+    if stored.remix is None:
+        return Icon(path, stored.title, drawn.made_of)
+    return _remix(stored.remix, path, stored.title, drawn.made_of, store)
 
 
-def _contour(entry: Fields) -> Contour:
-    start, *rest = entry.point_lists("segments") or ((),)
-    if len(start) != 1:
-        raise entry.mistake("A contour begins with one point.")
-    return Contour(start[0], tuple(_segment(one, entry) for one in rest), entry.flag("closed"))
-
-
-def _segment(points: tuple[tuple[float, float], ...], entry: Fields) -> Segment:
+def _segment(points: tuple[Point, ...]) -> Segment:
     if len(points) == 1:
         return (points[0],)
-    if len(points) == 3:
-        return points[0], points[1], points[2]
-    raise entry.mistake("A segment has one point, or three.")
+    first, second, end = points
+    return first, second, end
 
 
 def _kept(icon: Icon) -> dict[int, Source]:
@@ -138,117 +224,106 @@ def _described(icon: Icon, kept: list[int], references: tuple[str, ...]) -> Writ
         parts[name] = data
         return name
 
-    entry: dict[str, Any] = {
-        "title": plain_text(icon.title),
-        "svg": add(".svg", svg_document(icon).encode(errors="replace")),
-        "outline": [
-            {"closed": one.closed, "segments": [[one.start], *one.segments]}
-            for one in icon.path.contours
-        ],
-    }
-    if isinstance(icon, Remix):
-        entry["remix"] = _made(icon, kept, references, add)
-    name = add(".json", json.dumps(entry, allow_nan=False).encode(errors="replace"))
+    stored = StoredResult(
+        plain_text(icon.title),
+        add(".svg", svg_document(icon).encode(errors="replace")),
+        tuple(map(StoredContour.of, icon.path.contours)),
+        _made(icon, kept, references, add) if isinstance(icon, Remix) else None,
+    )
+    name = add(".json", json.encoded(stored))
     return Written(references, name, parts)
 
 
 def _made(
     icon: Remix, kept: list[int], references: tuple[str, ...], add: Callable[[str, bytes], str]
-) -> dict[str, Any]:
+) -> StoredRemix:
     """Describe how a remix was made."""
     composite, drawing = icon.composite, icon.drawing
+    frame, owners = drawing.frame, drawing.owners
     numbers = np.zeros(256, np.uint8)
     numbers[kept] = range(len(kept))
-    return {
-        "style": composite.style,
-        "lambda_s": float(composite.lambda_s),
-        "energy": float(composite.energy),
-        "data_cost": float(composite.data_cost),
-        "smoothness_cost": float(composite.smoothness_cost),
-        "iou": None if composite.iou is None else float(composite.iou),
-        "score": {name: float(value) for name, value in asdict(icon.score).items()},
-        "seeds": icon.seeds,
-        "draw": icon.draw,
-        "unchanged": None if icon.unchanged is None else float(icon.unchanged),
-        "side": len(drawing.coverage),
-        "frame": asdict(drawing.frame),
-        "sources": [
+    return StoredRemix(
+        style=composite.style,
+        lambda_s=float(composite.lambda_s),
+        energy=float(composite.energy),
+        data_cost=float(composite.data_cost),
+        smoothness_cost=float(composite.smoothness_cost),
+        iou=None if composite.iou is None else float(composite.iou),
+        score=StoredScore(**{name: float(one) for name, one in asdict(icon.score).items()}),
+        seeds=icon.seeds,
+        draw=icon.draw,
+        unchanged=None if icon.unchanged is None else float(icon.unchanged),
+        side=len(drawing.coverage),
+        frame=StoredFrame(frame.x, frame.y, frame.size),
+        sources=tuple(
             _source(composite.sources[label], composite.shares[label], reference)
             for label, reference in zip(kept, references, strict=True)
-        ],
-        "labels": add(".labels", numbers[composite.labels].tobytes()),
-        "owners": (
-            None if drawing.owners is None else add(".labels", numbers[drawing.owners].tobytes())
         ),
-    }
+        labels=add(".labels", numbers[composite.labels].tobytes()),
+        owners=None if owners is None else add(".labels", numbers[owners].tobytes()),
+    )
 
 
-def _source(source: Source, share: float, reference: str) -> dict[str, Any]:
-    told = {"error": float(source.error), "region": int(source.region), "share": float(share)}
-    return {"icon": reference, **asdict(source.placement), **told}
+def _source(source: Source, share: float, reference: str) -> StoredSource:
+    at = source.placement
+    return StoredSource(
+        icon=reference,
+        scale=at.scale,
+        flip=at.flip,
+        dx=at.dx,
+        dy=at.dy,
+        error=float(source.error),
+        region=int(source.region),
+        share=float(share),
+    )
 
 
 def _remix(
-    entry: Fields, path: Path, title: str, credits: Iterable[Pictogram], store: Store
+    stored: StoredRemix, path: Path, title: str, credits: Iterable[Pictogram], store: Store
 ) -> Remix:
     from iconstudio.output.png import coverage
 
-    frame, entries = entry.object("frame"), list(entry.objects("sources", "source"))
-    shares = tuple(one.number("share", 0.0, 0.0, 1.0) for one in entries)
-    labels = _labels(store.content(entry.text("labels")), len(entries), entry)
+    count, owners, frame = len(stored.sources), None, stored.frame
+    labels = _labels(store.content(stored.labels), count)
     if len(labels) % CANVAS:
-        raise entry.mistake(f"The side of the labels must be a multiple of {CANVAS}.")
-    owners = (
-        _labels(store.content(entry.text("owners")), len(entries), entry)
-        if entry.has("owners")
-        else None
-    )
-    seeds = entry.point_lists("seeds", _FAR)
-    if seeds and len(seeds) != len(entries):
-        raise entry.mistake('"seeds" must be as many lists as there are sources.')
-    side = entry.whole("side", CANVAS, CANVAS, LARGEST_SIDE)
-    if side % CANVAS:
-        raise entry.mistake(f'"side" must be a multiple of {CANVAS}.')
+        raise IconstudioError(f"The side of the labels must be a multiple of {CANVAS}.")
+    if stored.owners is not None:
+        owners = _labels(store.content(stored.owners), count)
     composite = Composite(
-        entry.text("style"),
-        entry.number("lambda_s", None, 0.0, _FAR),
-        tuple(_placed(one, store) for one in entries),
+        stored.style,
+        stored.lambda_s,
+        tuple(_placed(one, store) for one in stored.sources),
         labels,
-        entry.number("energy", 0.0, -_HUGE, _HUGE),
-        entry.number("data_cost", 0.0, -_HUGE, _HUGE),
-        entry.number("smoothness_cost", 0.0, -_HUGE, _HUGE),
-        shares,
-        entry.number("iou", None, 0.0, 1.0) if entry.has("iou") else None,
+        stored.energy,
+        stored.data_cost,
+        stored.smoothness_cost,
+        tuple(one.share for one in stored.sources),
+        stored.iou,
     )
-    square = (frame.number(key, None, -_FAR, _FAR) for key in ("x", "y", "size"))
+    square = Frame(frame.x, frame.y, frame.size)
     return Remix(
         path,
         title,
         tuple(credits),
         composite=composite,
-        drawing=Drawing(path, coverage(path, side), owners, Frame(*square)),
-        score=_score(entry.object("score")),
-        seeds=seeds,
-        draw=entry.whole("draw", -1, -1, 1 << 60),
-        unchanged=entry.number("unchanged", None, 0.0, 1.0) if entry.has("unchanged") else None,
+        drawing=Drawing(path, coverage(path, stored.side), owners, square),
+        score=Score(**structs.asdict(stored.score)),
+        seeds=stored.seeds,
+        draw=stored.draw,
+        unchanged=stored.unchanged,
     )
 
 
-def _placed(entry: Fields, store: Store) -> Source:
-    exemplar = store.exemplar(store.icon(entry.reference()))
-    error = entry.number("error", 0.0, -_HUGE, _HUGE)
-    return Source(exemplar, placement_in(entry), error, entry.whole("region", -1, -1, 1000))
+def _placed(stored: StoredSource, store: Store) -> Source:
+    exemplar = store.exemplar(store.icon(stored.icon))
+    return Source(exemplar, stored.placement, stored.error, stored.region)
 
 
-def _score(entry: Fields) -> Score:
-    return Score(*(entry.number(one.name, 1.0, 0.0, 1.0) for one in fields(Score)))
-
-
-def _labels(data: bytes, count: int, entry: Fields) -> NDArray[np.uint8]:
+def _labels(data: bytes, count: int) -> NDArray[np.uint8]:
     side = isqrt(len(data))
     labels = np.frombuffer(data, np.uint8)
     if side * side != len(data) or not 0 < side <= LARGEST_SIDE:
-        raise entry.mistake("The labels are no square of pixels.")
+        raise IconstudioError("The labels are no square of pixels.")
     if labels.max() >= count:
-        raise entry.mistake("The labels name sources that are not there.")
+        raise IconstudioError("The labels name sources that are not there.")
     return labels.reshape(side, side)

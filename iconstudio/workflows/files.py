@@ -1,36 +1,50 @@
 """The files of the user's work: read and written as their workflows declare."""
 
-from collections.abc import Generator
+from collections.abc import Generator, Iterable
 from pathlib import Path
 from typing import Any, TypeVar
 
-from iconstudio.inputs.fields import Fields, read, relative, write
-from iconstudio.inputs.icons import reference_to
-from iconstudio.workflows.events import Event
-from iconstudio.workflows.workflow import Resources, Workflow
+from msgspec.structs import replace
 
+from iconstudio.inputs import json
+from iconstudio.inputs.formats import Reference
+from iconstudio.inputs.icons import reference_to
+from iconstudio.model import IconstudioError
+from iconstudio.workflows.events import Event
+from iconstudio.workflows.workflow import File, Resources, Workflow
+
+F = TypeVar("F", bound=File[Any])
 W = TypeVar("W")
 
 
-def open_file(path: Path, name: str) -> Fields:
-    """Return the fields of a file with work of the workflow of that name.
+def open_file(path: Path, kind: type[F]) -> F:
+    """Return what a file says that is of this kind.
 
     Raises
     ------
     IconstudioError
         If it cannot be read, or is plainly of another workflow.
     """
-    from iconstudio.workflows.registry import workflow_of, workflows
+    from iconstudio.workflows.registry import workflows
 
-    fields, wanted = read(path), workflow_of(name)
-    if not wanted.keys & fields.keys:
-        for other in workflows():
-            if other.keys & fields.keys:
-                raise fields.mistake(
-                    f"this is no {wanted.noun}, but looks like a {other.noun}. Open it in "
-                    f"{other.title}, or with iconstudio {other.name}."
-                )
-    return fields
+    data = json.load(path)
+    likely = likely_workflow(data, workflows())
+    if likely is not None and likely.file is not kind:
+        wanted = next(one for one in workflows() if one.file is kind)
+        raise IconstudioError(
+            f"In “{path.name}”: this is no {wanted.noun}, but looks like a {likely.noun}. "
+            f"Open it in {likely.title}, or with iconstudio {likely.name}."
+        )
+    return json.converted(data, kind, path)
+
+
+def likely_workflow(data: object, some: Iterable[Workflow[Any]]) -> Workflow[Any] | None:
+    """Return the workflow whose files have most of the fields that are there; None if in doubt."""
+    keys = set(data) if isinstance(data, dict) else set()
+    known = {one: len(keys.intersection(one.file.__struct_encode_fields__)) for one in some}
+    most = max(known.values(), default=0)
+    best = [one for one, count in known.items() if count == most > 0]
+    return best[0] if len({one.file for one in best}) == 1 else None
 
 
 def read_file(path: Path, workflow: Workflow[W], resources: Resources) -> Generator[Event, None, W]:
@@ -41,7 +55,7 @@ def read_file(path: Path, workflow: Workflow[W], resources: Resources) -> Genera
     IconstudioError
         If it cannot be read, or is plainly of another workflow.
     """
-    return (yield from workflow.read(open_file(path, workflow.name), resources))
+    return (yield from open_file(path, workflow.file).resolving(resources))
 
 
 def write_file(path: Path, workflow: Workflow[W], work: W, **more: Any) -> None:
@@ -54,5 +68,5 @@ def write_file(path: Path, workflow: Workflow[W], work: W, **more: Any) -> None:
     IconstudioError
         If a file cannot be written.
     """
-    data = workflow.write(work, lambda icon: relative(reference_to(icon, path), path))
-    write(path, data | more)
+    file = workflow.file.of(work, lambda icon: Reference(reference_to(icon, path)))
+    json.write(path, replace(file, **more))

@@ -1,10 +1,12 @@
 """The page of a workflow: what its user works on; how it is edited, and kept in projects."""
 
 from collections.abc import Generator
-from typing import Any, Generic, Protocol, Self, TypeVar
+from typing import Annotated, Any, Generic, Protocol, Self, TypeVar
 
-from iconstudio.inputs.fields import Fields
-from iconstudio.model import Exemplar, Icon, Photo, Pictogram
+from msgspec import Meta
+
+from iconstudio.inputs.formats import Record, Reference, Text
+from iconstudio.model import Exemplar, Icon, Photo, Pictogram, Placement
 from iconstudio.workflows.workflow import Resources, Workflow
 
 
@@ -17,6 +19,7 @@ class Page(Protocol):
 
 
 P = TypeVar("P", bound=Page)
+R = TypeVar("R", bound=Record)
 
 
 class Document(Protocol[P]):
@@ -40,14 +43,40 @@ class Document(Protocol[P]):
         ...
 
 
+_Shift = Annotated[float, Meta(ge=-1e6, le=1e6)]
+_Side = Annotated[int, Meta(ge=1, le=10_000_000)]
+
+
+class StoredPlacement(Record, frozen=True, kw_only=True):
+    """Where an icon lies, in a project file."""
+
+    scale: Annotated[float, Meta(gt=0, le=1000)] = 1.0
+    flip: bool = False
+    dx: _Shift = 0
+    dy: _Shift = 0
+
+    @property
+    def placement(self) -> Placement:
+        """The value."""
+        return Placement(self.scale, self.flip, round(self.dx), round(self.dy))
+
+
+class StoredPhoto(Record, frozen=True):
+    """A photo, in a project file; without a size, it has that of its image."""
+
+    part: Text = ""
+    width: _Side | None = None
+    height: _Side | None = None
+
+
 class Parts(Protocol):
     """Takes in what the pages of a project refer to."""
 
-    def icon(self, pictogram: Pictogram) -> str:
+    def icon(self, pictogram: Pictogram) -> Reference:
         """Take an icon in, and return the reference by which a page names it."""
         ...
 
-    def photo(self, photo: Photo) -> dict[str, Any]:
+    def photo(self, photo: Photo) -> StoredPhoto:
         """Take a photo in, and return what a page says of it."""
         ...
 
@@ -75,8 +104,8 @@ class StoredParts(Protocol):
         """Return an icon on the canvas; the same one for the same icon."""
         ...
 
-    def photo(self, entry: Fields) -> Generator[None, None, Photo]:
-        """Return the photo of which a page says ``entry``."""
+    def photo(self, stored: StoredPhoto) -> Generator[None, None, Photo]:
+        """Return the photo of which a page says this."""
         ...
 
     def results(self, names: tuple[str, ...]) -> Generator[None, None, tuple[Icon, ...]]:
@@ -84,20 +113,23 @@ class StoredParts(Protocol):
         ...
 
 
-class PageFormat(Generic[P]):
+class PageFormat(Generic[P, R]):
     """Writes and reads the pages of one workflow, in whatever thread: pages are immutable.
 
     Whatever can be on a page is read back as it was, be it unfinished or no good.
     """
 
+    stored: type[R]
+    """What the JSON of a page says."""
+
     def __init__(self, workflow: Workflow[Any]) -> None:
         self.workflow = workflow
 
-    def write(self, page: P, parts: Parts) -> dict[str, Any]:
-        """Return a page as JSON; icons, photos and results go into ``parts``."""
+    def write(self, page: P, parts: Parts) -> R:
+        """Return a page as it is stored; icons, photos and results go into ``parts``."""
         raise NotImplementedError
 
-    def read(self, fields: Fields, parts: StoredParts) -> Generator[Any, None, P]:
+    def read(self, stored: R, parts: StoredParts) -> Generator[Any, None, P]:
         """Return the page that was written; yield progress, or None, where it can be stopped.
 
         Raises

@@ -1,12 +1,12 @@
-"""The page of any workflow that declares none: its work, and how its spec writes and reads it."""
+"""The page of any workflow that declares none: its work, as its files say it."""
 
 from collections.abc import Generator
 from dataclasses import dataclass
 from typing import Any
 
-from iconstudio.inputs.fields import Fields
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.pages import PageFormat, Parts, StoredParts
+from iconstudio.workflows.workflow import File, Workflow
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,13 +20,17 @@ class WorkPage:
         return False
 
 
-class WorkPages(PageFormat[WorkPage]):
-    """Work that the spec knows how to write and to read."""
+class WorkPages(PageFormat[WorkPage, File[Any]]):
+    """Work in the format of its files."""
 
-    def write(self, page: WorkPage, parts: Parts) -> dict[str, Any]:
-        """Return a page as JSON."""
-        return self.workflow.write(page.work, parts.icon)
+    def __init__(self, workflow: Workflow[Any]) -> None:
+        super().__init__(workflow)
+        self.stored = workflow.file
 
-    def read(self, fields: Fields, parts: StoredParts) -> Generator[Event, None, WorkPage]:
+    def write(self, page: WorkPage, parts: Parts) -> File[Any]:
+        """Return a page as it is stored."""
+        return self.workflow.file.of(page.work, parts.icon)
+
+    def read(self, stored: File[Any], parts: StoredParts) -> Generator[Event, None, WorkPage]:
         """Return the page that was written."""
-        return WorkPage((yield from self.workflow.read(fields, parts.resources)))
+        return WorkPage((yield from stored.resolving(parts.resources)))

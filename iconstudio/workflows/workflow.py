@@ -3,10 +3,10 @@
 from collections.abc import Callable, Generator
 from dataclasses import dataclass
 from importlib import import_module
-from typing import Any, Generic, Protocol, TypeVar
+from typing import Any, Generic, Protocol, Self, TypeVar
 
 from iconstudio.algorithms.iconification.matching import Matcher
-from iconstudio.inputs.fields import Fields
+from iconstudio.inputs.formats import Reference, StrictRecord, Text
 from iconstudio.model import CANVAS, Composite, Drawing, Exemplar, Pictogram
 from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import Render
@@ -61,10 +61,31 @@ class Resources(Protocol):
         ...
 
 
-Read = Callable[[Fields, Resources], Generator[Event, None, W]]
-Refer = Callable[[Pictogram], str]
+Find = Callable[[str], Pictogram]
+"""Returns the icon of a reference."""
+Refer = Callable[[Pictogram], Reference]
 """Returns the reference of an icon for a file, once it can be found there."""
 Run = Callable[[Resources, W, Any], Generator[Event]]
+
+
+class File(StrictRecord, Generic[W], frozen=True, kw_only=True):
+    """The file of some work: its fields are those of the JSON, their types what may be in them."""
+
+    title: Text = ""
+
+    @classmethod
+    def of(cls, work: W, refer: Refer) -> Self:
+        """Return the file of some work; ``refer`` returns the references of its icons."""
+        raise NotImplementedError
+
+    def resolved(self, find: Find) -> W:
+        """Return the work, its icons found by ``find``."""
+        raise NotImplementedError
+
+    def resolving(self, resources: Resources) -> Generator[Event, None, W]:
+        """Return the work; yield progress where that takes a while."""
+        yield from ()
+        return self.resolved(resources.icon)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -81,12 +102,8 @@ class Workflow(Generic[W]):
     """What its command does, in a sentence."""
     invitation: str = ""
     """The words that offer to send an icon to it; empty if it takes none."""
-    read: Read[W]
-    """Returns the work in a file; yields progress."""
-    write: Callable[[W, Refer], dict[str, Any]]
-    """Returns what the file of some work says."""
-    keys: frozenset[str]
-    """Fields that tell its files from others'."""
+    file: type[File[W]]
+    """The format of its files; its fields tell them from others'."""
     run: Run[W]
     """Makes icons of some work; yields events."""
     examples: str | None = None

@@ -10,9 +10,10 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from iconstudio.algorithms.iconification.guidance import points_on, scribble
-from iconstudio.inputs.fields import write
+from iconstudio.inputs.formats import Reference
+from iconstudio.inputs.json import write
 from iconstudio.model import CANVAS, IconstudioError, Placement, Stroke
-from iconstudio.workflows.montage.file import LayerFile, MontageFile, montage_data, read_montage
+from iconstudio.workflows.montage.file import MontageFile, read_montage
 from iconstudio.workflows.montage.montage import check
 
 pytest.importorskip("PySide6.QtGui")
@@ -36,6 +37,10 @@ step = st.one_of(
 )
 
 
+def named(icon):
+    return Reference(icon.id)
+
+
 def three_icons():
     return MontagePage().with_icons(Icon(exemplar(n)) for n in range(3))
 
@@ -55,10 +60,7 @@ def test_after_any_edits_the_montage_is_accepted_or_nothing_is_marked(tmp_path_f
     else:
         assert page.marked
         path = tmp_path_factory.getbasetemp() / "montage.json"
-        layers = tuple(
-            LayerFile(one.icon.id, one.placement, one.strokes) for one in page.montage().layers
-        )
-        write(path, montage_data(MontageFile(layers)))
+        write(path, MontageFile.of(page.montage(), named))
         check(read_montage(path).resolved(lambda _: page.layers[0].icon.pictogram))
 
 
@@ -136,6 +138,6 @@ def test_a_stroke_that_is_enlarged_beyond_all_bounds_can_be_saved(tmp_path):
     (layer,) = page.montage().layers
     assert scribble(layer.strokes)[128].all()
     path = tmp_path / "large.json"
-    file = MontageFile((LayerFile(icon.id, layer.placement, layer.strokes),))
-    write(path, montage_data(file))
-    assert scribble(read_montage(path).layers[0].strokes)[128].all()
+    write(path, MontageFile.of(page.montage(), named))
+    (layer,) = read_montage(path).resolved(lambda _: icon.pictogram).layers
+    assert scribble(layer.strokes)[128].all()

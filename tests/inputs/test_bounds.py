@@ -13,7 +13,8 @@ import pytest
 
 from iconstudio.algorithms.geometry import near
 from iconstudio.algorithms.iconification.guidance import scribble
-from iconstudio.inputs import fields
+from iconstudio.inputs import formats, lines
+from iconstudio.inputs import json as files
 from iconstudio.model import CANVAS, MARGIN, IconstudioError, Stroke
 from iconstudio.resources import resource
 from iconstudio.workflows.editing.file import read_edit
@@ -75,30 +76,30 @@ def test_an_outline_of_many_points_is_taken_in_a_moment(tmp_path, size):
 
 
 def test_what_a_hand_draws_is_not_simplified(tmp_path):
-    points = outline(fields.MANY)
+    points = outline(lines.MANY)
     read = read_sketch(saved(tmp_path, {"polygon": points})).sketch.polygon
     assert read.vertices == tuple(map(tuple, points))
 
 
 def test_an_area_and_a_stroke_of_many_points(tmp_path):
     points = outline(MANY)
-    (area,) = read_edit(saved(tmp_path, {"icon": "a:b", "add": [points]})).add
+    file = read_edit(saved(tmp_path, {"icon": "a:b", "add": [points]}))
+    (area,) = file.resolved(lambda _: None).add
     assert len(area.vertices) < 500
     assert near(np.array(points), (*area.vertices, area.vertices[0]), 0.2 + 1e-9).all()
-    points = outline(fields.MOST_POINTS)
+    points = outline(formats.MOST_POINTS)
     layer = {"icon": "a:b", "strokes": [{"width": 9, "points": points}]}
-    ((stroke,),) = (
-        one.strokes for one in read_montage(saved(tmp_path, {"layers": [layer]})).layers
-    )
+    file = read_montage(saved(tmp_path, {"layers": [layer]}))
+    ((stroke,),) = (one.strokes for one in file.resolved(lambda _: None).layers)
     assert len(stroke.points) < 500
     assert near(np.array(points), stroke.points, 0.2 + 1e-9).all()
     whole = scribble([Stroke(9, tuple(map(tuple, points)))])
     assert (scribble([stroke]) != whole).sum() < 0.02 * whole.sum()
 
 
-LINE = [[9, 9], [90, 90]] * (fields.MOST_POINTS // 2) + [[9, 9]]
+LINE = [[9, 9], [90, 90]] * (formats.MOST_POINTS // 2) + [[9, 9]]
 LAYER = {"icon": "a:b", "strokes": [{"width": 9, "points": LINE}]}
-TEXTS = ["a:b"] * (fields.MOST_IN_LIST + 1)
+TEXTS = ["a:b"] * (formats.MOST_IN_LIST + 1)
 
 
 @pytest.mark.parametrize(
@@ -111,7 +112,8 @@ TEXTS = ["a:b"] * (fields.MOST_IN_LIST + 1)
         (read_edit, {"icon": "a:b", "remove": [SQUARE] * 10_001}, "10,001 entries"),
         (read_sketch, {"polygon": SQUARE, "exclude": TEXTS}, "10,001 entries"),
         (read_hybrids, {"icons": TEXTS}, "10,001 entries"),
-        (read_hybrids, {"icons": ["a:b"], "pins": [SQUARE * 3000]}, "too many points"),
+        (read_hybrids, {"icons": ["a:b"], "pins": [SQUARE * 3000]}, "at most 10,000 are read"),
+        (read_hybrids, {"icons": ["a:b"], "pins": [SQUARE * 1500] * 2}, "too many points"),
         (read_sketch, {"polygon": SQUARE, "keyword": "x" * 5000}, "5,000 characters"),
         (read_edit, {"icon": "x" * 5000, "add": [SQUARE]}, "5,000 characters"),
         (read_edit, '{"icon": "a:b", "add": [], "icon": "a:c"}', '"icon" is there twice'),
@@ -121,7 +123,7 @@ TEXTS = ["a:b"] * (fields.MOST_IN_LIST + 1)
         (read_sketch, '{"polygon": [[0, 0], [1, 1e999], [1, 0]]}', "not a number, or too large"),
         (read_sketch, '{"polygon": ' + "[" * 900 + "]" * 900 + "}", "pair of numbers"),
         (read_sketch, '{"polygon": ' + "[" * 100_000, "nested too deeply"),
-        (read_sketch, " " * (fields.MOST_BYTES + 1), "more than 32,000,000 bytes"),
+        (read_sketch, " " * (files.MOST_BYTES + 1), "more than 32,000,000 bytes"),
     ],
 )  # fmt: skip
 def test_bounds_are_told(tmp_path, read, data, words):

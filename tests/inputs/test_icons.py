@@ -2,10 +2,10 @@
 
 import pytest
 
-from iconstudio.inputs.fields import read
 from iconstudio.inputs.icons import reference_to
 from iconstudio.model import Credit, IconstudioError, Pictogram
 from iconstudio.svg.reading import own_svg
+from iconstudio.workflows.editing.file import read_edit
 
 CREDIT = Credit("Dog", "Ada", "MIT", "", "")
 
@@ -51,4 +51,4 @@ def test_its_title_comes_back(tmp_path, title):
 def test_an_address_stays_one(tmp_path):
     path = tmp_path / "edit.json"
     path.write_text('{"icon": "http://example.com/a.svg"}')
-    assert read(path).reference() == "http://example.com/a.svg"
+    assert read_edit(path).icon == "http://example.com/a.svg"

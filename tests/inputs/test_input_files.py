@@ -2,19 +2,31 @@
 
 import json
 import math
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from msgspec.structs import replace
 
-from iconstudio.inputs.fields import relative, write
-from iconstudio.model import Axis, Edit, IconstudioError, Placement, Polygon, Sketch, Stroke
-from iconstudio.workflows.editing.file import EditFile, edit_data, read_edit
-from iconstudio.workflows.hybrids.file import HybridsFile, hybrids_data, read_hybrids
-from iconstudio.workflows.modelling.file import read_sketch, sketch_data
-from iconstudio.workflows.montage.file import LayerFile, MontageFile, montage_data, read_montage
+from iconstudio.inputs.formats import Reference
+from iconstudio.inputs.json import write
+from iconstudio.model import (
+    Axis,
+    Edit,
+    IconstudioError,
+    Layer,
+    Mix,
+    Montage,
+    Placement,
+    Polygon,
+    Sketch,
+    Stroke,
+)
+from iconstudio.workflows.editing.file import EditFile, read_edit
+from iconstudio.workflows.hybrids.file import HybridsFile, read_hybrids
+from iconstudio.workflows.modelling.file import SketchFile, read_sketch
+from iconstudio.workflows.montage.file import LayerFile, MontageFile, read_montage
 from tests.shapes import pictogram
 
 SQUARE = [[0, 0], [100, 0], [100, 80], [0, 80]]
@@ -34,6 +46,7 @@ polygons = st.builds(triangle, hundredths(-200, 400), hundredths(-200, 400), st.
 axes = st.none() | st.sampled_from(Axis)
 words = st.text(st.characters(exclude_categories=["Cs", "Cc"]), max_size=9)
 names = st.text("abz09-", min_size=1, max_size=9).map(lambda name: f"game-icons:{name}")
+icons = st.text("abz09-", min_size=1, max_size=9).map(lambda name: pictogram(name, ""))
 inside = st.tuples(hundredths(0, 256), hundredths(0, 256))
 strokes = st.builds(
     Stroke, st.floats(0.01, 300), st.lists(inside, min_size=2, unique=True).map(tuple)
@@ -48,20 +61,12 @@ def path(tmp_path_factory):
     return tmp_path_factory.mktemp("inputs") / "input.json"
 
 
-def write_sketch(path, sketch):
-    write(path, sketch_data(sketch))
+def named(icon):
+    return Reference(icon.id)
 
 
-def write_edit(path, edit):
-    write(path, edit_data(replace(edit, icon=relative(edit.icon, path))))
-
-
-def write_hybrids(path, hybrids):
-    write(path, hybrids_data(hybrids))
-
-
-def write_montage(path, montage):
-    write(path, montage_data(montage))
+def found(reference):
+    return pictogram(reference.partition(":")[2], "")
 
 
 def saved(path, data):
@@ -71,61 +76,65 @@ def saved(path, data):
 
 @given(st.builds(Sketch, polygons, words, st.frozensets(names), axes))
 def test_sketches_come_back(path, sketch):
-    write_sketch(path, sketch)
+    write(path, SketchFile.of(sketch, named))
     assert read_sketch(path).sketch == sketch
 
 
-@given(
-    st.builds(
-        EditFile, names, words, st.tuples(polygons, polygons), st.tuples(polygons), axes,
-        st.frozensets(names), words,
-    )
-)  # fmt: skip
-def test_edits_come_back(path, edit):
-    write_edit(path, edit)
-    assert read_edit(path) == edit
+areas = st.lists(polygons, max_size=2).map(tuple)
 
 
-given_icons = st.builds(
-    HybridsFile,
-    icons=st.lists(names, min_size=2, max_size=12, unique=True).map(tuple),
+@given(st.builds(Edit, icons, words, areas, areas, axes, st.frozensets(names)), words)
+def test_edits_come_back(path, edit, title):
+    write(path, replace(EditFile.of(edit, named), title=title))
+    assert read_edit(path).resolved(found) == edit
+    assert read_edit(path).title == title
+
+
+mixes = st.builds(
+    Mix,
+    icons=st.lists(icons, min_size=2, max_size=12, unique=True).map(tuple),
     draws=st.integers(1, 1000),
     seed=st.integers(0, 2**63 - 1),
     symmetry=axes,
-    title=words,
-)
-picked_icons = st.builds(
-    HybridsFile,
-    keyword=words.map(str.strip).filter(bool),
-    count=st.integers(2, 12),
-    draws=st.integers(1, 1000),
-    symmetry=axes,
+    pins=st.lists(st.lists(inside, max_size=2).map(tuple), max_size=2).map(tuple),
 )
 
 
-@given(given_icons | picked_icons)
-def test_hybrids_come_back(path, hybrids):
-    write_hybrids(path, hybrids)
-    assert read_hybrids(path) == hybrids
+@given(mixes, words)
+def test_mixes_come_back(path, mix, title):
+    write(path, replace(HybridsFile.of(mix, named), title=title))
+    assert read_hybrids(path).resolved(found) == mix
+    assert read_hybrids(path).title == title
 
 
 @given(
     st.builds(
-        MontageFile,
-        st.lists(
-            st.builds(LayerFile, names, placements, st.lists(strokes, max_size=3).map(tuple))
-        ).map(tuple),
-        words,
+        HybridsFile,
+        keyword=words.filter(str.strip),
+        count=st.none() | st.integers(2, 12),
+        draws=st.integers(1, 1000),
+        symmetry=axes,
     )
 )
-def test_montages_come_back(path, montage):
-    write_montage(path, montage)
-    assert read_montage(path) == montage
+def test_icons_to_be_picked_come_back(path, hybrids):
+    write(path, hybrids)
+    assert read_hybrids(path) == hybrids
+
+
+layers_of_icons = st.builds(Layer, icons, placements, st.lists(strokes, max_size=3).map(tuple))
+
+
+@given(st.builds(Montage, st.lists(layers_of_icons).map(tuple)), words)
+def test_montages_come_back(path, montage, title):
+    write(path, replace(MontageFile.of(montage, named), title=title))
+    assert read_montage(path).resolved(found) == montage
+    assert read_montage(path).title == title
 
 
 def test_a_dot_is_written_as_a_short_stroke_at_its_place(path):
     dot = Stroke(12, ((30.0, 40.0),))
-    write_montage(path, MontageFile((LayerFile("mdi:dog", Placement(), (dot,)),)))
+    montage = Montage((Layer(found("test:dog"), Placement(), (dot,)),))
+    write(path, MontageFile.of(montage, named))
     ((stroke,),) = (layer.strokes for layer in read_montage(path).layers)
     assert stroke.width == 12
     assert all(math.dist(point, (30, 40)) < 0.2 for point in stroke.points)
@@ -133,12 +142,12 @@ def test_a_dot_is_written_as_a_short_stroke_at_its_place(path):
 
 def test_what_may_be_left_out(path):
     edit = read_edit(saved(path, {"icon": "mdi:dog", "add": [SQUARE]}))
-    assert edit == EditFile("mdi:dog", add=(Polygon.of(SQUARE),))
+    assert edit == EditFile(icon="mdi:dog", add=(tuple(map(tuple, SQUARE)),))
     assert read_hybrids(saved(path, {"keyword": "lamp", "symmetry": "none"})).symmetry is None
     hybrids = read_hybrids(saved(path, {"keyword": "lamp", "symmetry": None}))
-    assert hybrids == HybridsFile(keyword="lamp", count=5, draws=40, seed=0)
+    assert hybrids == HybridsFile(keyword="lamp", draws=40, seed=0)
     montage = read_montage(saved(path, {"layers": [{"icon": "mdi:dog"}]}))
-    assert montage == MontageFile((LayerFile("mdi:dog", Placement()),))
+    assert montage == MontageFile(layers=(LayerFile("mdi:dog", 1.0, False, 0, 0),))
 
 
 def test_notes_of_the_users_own_are_no_mistakes(path):
@@ -148,7 +157,7 @@ def test_notes_of_the_users_own_are_no_mistakes(path):
 
 def test_shifts_are_rounded_to_whole_pixels(path):
     layer = {"icon": "mdi:dog", "dx": 3.6, "dy": -0.4, "scale": 2, "flip": True}
-    (read,) = read_montage(saved(path, {"layers": [layer]})).layers
+    (read,) = read_montage(saved(path, {"layers": [layer]})).resolved(found).layers
     assert read.placement == Placement(2.0, True, 4, 0)
     assert isinstance(read.placement.dx, int)
 
@@ -157,10 +166,10 @@ def test_files_are_found_from_the_folder_of_the_input(tmp_path):
     path = saved(tmp_path / "edit.json", {"icon": "icons/mine.svg", "add": [SQUARE]})
     read = read_edit(path)
     assert read.icon == str(tmp_path.resolve() / "icons" / "mine.svg")
-    write_edit(path, read)
+    write(path, read)
     assert json.loads(path.read_text("utf-8"))["icon"] == "icons/mine.svg"
-    elsewhere = replace(read, icon=str(Path(tmp_path.anchor) / "other" / "mine.svg"))
-    write_edit(path, elsewhere)
+    elsewhere = replace(read, icon=Reference(Path(tmp_path.anchor) / "other" / "mine.svg"))
+    write(path, elsewhere)
     assert read_edit(path) == elsewhere
 
 
@@ -172,17 +181,15 @@ def test_what_is_no_name_of_a_collection_is_a_file(tmp_path, name):
 
 def test_references_are_resolved_into_pictograms(path):
     known = {f"test:{name}": pictogram(name, "") for name in ("dog", "cat")}
-    edit = EditFile("test:dog", "dog", (Polygon.of(SQUARE),), (), Axis.DIAGONAL, frozenset({"a:b"}))
+    area = tuple(map(tuple, SQUARE))
+    edit = EditFile(icon="test:dog", keyword="dog", remove=(area,), exclude=frozenset({"a:b"}))
     assert edit.resolved(known.__getitem__) == Edit(
-        known["test:dog"], "dog", edit.remove, (), Axis.DIAGONAL, edit.exclude
+        known["test:dog"], "dog", (Polygon(area),), (), None, frozenset({"a:b"})
     )
-    mix = HybridsFile(("test:cat", "test:dog"), draws=3, seed=9).resolved(known.__getitem__)
+    mix = HybridsFile(icons=("test:cat", "test:dog"), draws=3, seed=9).resolved(known.__getitem__)
     assert (mix.icons, mix.draws, mix.seed) == ((known["test:cat"], known["test:dog"]), 3, 9)
-    stroke = Stroke(2, ((1, 2), (3, 4)))
-    file = MontageFile((LayerFile("test:cat", Placement(0.5), (stroke,)),))
-    (layer,) = file.resolved(known.__getitem__).layers
-    assert (layer.icon, layer.placement) == (known["test:cat"], Placement(0.5))
-    assert layer.strokes == (stroke,)
+    file = MontageFile(layers=(LayerFile("test:cat", 0.5),))
+    assert file.resolved(known.__getitem__) == Montage((Layer(known["test:cat"], Placement(0.5)),))
 
 
 def edit(**fields):
@@ -257,10 +264,11 @@ MISTAKES = [
     (read_montage, layers(dy=math.inf), '"dy" must be a number'),
     (read_montage, layers(strokes=3), '"strokes" must be a list of strokes'),
     (read_montage, layers(strokes=[[1, 2]]), "layer 1, stroke 1: An object"),
-    (read_montage, stroke(width=None), '"width" must be a number above 0'),
+    (read_montage, stroke(width=None), '"width" is missing: a number above 0 and up to 512'),
     (read_montage, stroke(width=0), '"width" must be a number above 0'),
     (read_montage, stroke(width=1e6), '"width" must be a number above 0 and up to'),
-    (read_montage, stroke(points=None), '"points" must be a list'),
+    (read_montage, stroke(points=None), '"points" is missing: a list of [x, y] points'),
+    (read_montage, stroke(points={}), '"points" must be a list of [x, y] points'),
     (read_montage, stroke(points=[]), "no point"),
     (read_montage, stroke(points=[[9, 9]]), "one point"),
     (read_montage, stroke(points=[[9, 9], [9, 9]]), "one point"),
@@ -300,4 +308,4 @@ def test_files_that_cannot_be_read(tmp_path, read):
 
 def test_files_that_cannot_be_written(tmp_path):
     with pytest.raises(IconstudioError, match="cannot be written"):
-        write_edit(tmp_path / "no" / "edit.json", EditFile("mdi:dog"))
+        write(tmp_path / "no" / "edit.json", EditFile(icon="mdi:dog"))

@@ -16,12 +16,14 @@ from iconstudio.gui.project import questions, recents
 from iconstudio.gui.project.journaling import Found, Journaling
 from iconstudio.gui.project.questions import Answer
 from iconstudio.gui.project.work import Work
-from iconstudio.inputs import fields
+from iconstudio.inputs import json
+from iconstudio.inputs.formats import plain_text
 from iconstudio.model import IconstudioError
 from iconstudio.project import archive
 from iconstudio.project.archive import SUFFIX, Project
 from iconstudio.project.contents import Contents, Formats, reading
 from iconstudio.session import Session
+from iconstudio.workflows.files import likely_workflow
 
 _Stamp = tuple[int, int, int]
 """Time, size and number of a file: another one, and it was written since."""
@@ -257,7 +259,7 @@ class ProjectFiles(QObject):
     def _taken(self) -> Callable[[], Project]:
         contents, formats = self._work.contents(), self._work.formats
         file = "" if self._path is None else str(self._path.absolute())
-        return lambda: contents.project(formats, file=fields.plain_text(file))
+        return lambda: contents.project(formats, file=plain_text(file))
 
 
 def _stamp(path: Path) -> _Stamp | None:
@@ -303,8 +305,7 @@ def _drawn(contents: Contents, formats: Formats) -> tuple[Picture, ...]:
 
 def _workflow_of(path: Path, formats: Formats) -> Generator[WorkFile]:
     """Yield a file with the workflow that it is of, as its fields say."""
-    if path.suffix.lower() != ".json":
-        yield WorkFile(path, "")
-        return
-    keys = fields.read(path).keys
-    yield WorkFile(path, next((n for n, one in formats.workflows.items() if one.keys & keys), ""))
+    likely = None
+    if path.suffix.lower() == ".json":
+        likely = likely_workflow(json.load(path), formats.workflows.values())
+    yield WorkFile(path, "" if likely is None else likely.name)

@@ -160,7 +160,7 @@ def _looking() -> Generator[Found]:
     for left in left_behind(journals_folder()):
         try:
             index = left.index()
-            found = Found(left, index.text("file"), index.text("current"))
+            found = Found(left, index.file, index.current)
         except IconstudioError:  # it is told when it is to be restored
             found = Found(left, "", "")
         yield found

@@ -1,44 +1,52 @@
-"""EDIT.json: what to change on an icon (section 4.2).
+"""EDIT.json: what to change on an icon (section 4.2)."""
 
-``{"icon": "set:name", "keyword": "camera", "remove": [polygon, ...], "add": [polygon, ...],
-"symmetry": "horizontal", "exclude": ["set:name", ...]}``. ``icon`` may be the path of an
-SVG or a scan, from the file's folder. A polygon is ``[[x, y], ...]`` in canvas units (0 to 256) of
-the normalised icon. Of ``remove`` and ``add`` one may be left out; ``symmetry``, ``exclude`` and a
-``title`` may.
-"""
-
-from collections.abc import Callable
-from dataclasses import dataclass
 from pathlib import Path
+from typing import Self
 
-from iconstudio.inputs.fields import Fields, written
-from iconstudio.model import Axis, Edit, Pictogram, Polygon
+from iconstudio.inputs.formats import Polygons, Reference, Text, TextSet
+from iconstudio.inputs.lines import area, rounded
+from iconstudio.model import Axis, Edit, IconstudioError, Polygon
 from iconstudio.workflows.files import open_file
+from iconstudio.workflows.workflow import File, Find, Refer
 
 
-@dataclass(frozen=True, slots=True)
-class EditFile:
-    """What an EDIT.json says; ``icon`` is a reference, ``set:name`` or a path."""
+class EditFile(File[Edit], frozen=True):
+    """An EDIT.json. Polygons are in canvas units (0 to 256) of the normalised icon."""
 
-    icon: str
-    keyword: str = ""
-    remove: tuple[Polygon, ...] = ()
-    add: tuple[Polygon, ...] = ()
+    icon: Reference
+    keyword: Text = ""
+    remove: Polygons = ()
+    add: Polygons = ()
     symmetry: Axis | None = None
-    exclude: frozenset[str] = frozenset()
-    title: str = ""
+    exclude: TextSet = frozenset()
 
     @classmethod
-    def of(cls, edit: Edit, refer: Callable[[Pictogram], str]) -> "EditFile":
-        """Return the file of an edit; ``refer`` returns the reference of its icon."""
-        icon = refer(edit.icon)
-        return cls(icon, edit.keyword, edit.remove, edit.add, edit.symmetry, edit.exclude)
-
-    def resolved(self, find: Callable[[str], Pictogram]) -> Edit:
-        """Return the edit, its icon found by ``find``."""
-        return Edit(
-            find(self.icon), self.keyword, self.remove, self.add, self.symmetry, self.exclude
+    def of(cls, edit: Edit, refer: Refer) -> Self:
+        """Return the file of an edit."""
+        return cls(
+            icon=refer(edit.icon),
+            keyword=edit.keyword,
+            remove=tuple(rounded(polygon.vertices) for polygon in edit.remove),
+            add=tuple(rounded(polygon.vertices) for polygon in edit.add),
+            symmetry=edit.symmetry,
+            exclude=edit.exclude,
         )
+
+    def resolved(self, find: Find) -> Edit:
+        """Return the edit, its icon found by ``find``."""
+        remove, add = tuple(map(area, self.remove)), tuple(map(area, self.add))
+        return Edit(find(self.icon), self.keyword, remove, add, self.symmetry, self.exclude)
+
+    def check(self) -> None:
+        """Refuse polygons that enclose nothing."""
+        for key, polygons in (("remove", self.remove), ("add", self.add)):
+            for number, points in enumerate(polygons, start=1):
+                try:
+                    Polygon.of(points).check_area()
+                except IconstudioError as error:
+                    raise IconstudioError(
+                        f'The polygon {number} of "{key}" is no good. {error}'
+                    ) from None
 
 
 def read_edit(path: Path) -> EditFile:
@@ -49,37 +57,4 @@ def read_edit(path: Path) -> EditFile:
     IconstudioError
         If the file cannot be read or does not hold an edit.
     """
-    return edit_in(open_file(path, "edit"))
-
-
-def edit_in(fields: Fields) -> EditFile:
-    """Return what the fields of an EDIT.json say.
-
-    Raises
-    ------
-    IconstudioError
-        If they are not what they must be.
-    """
-    fields.check_keys(("icon", "keyword", "remove", "add", "symmetry", "exclude", "title"))
-    return EditFile(
-        fields.reference(),
-        fields.text("keyword"),
-        fields.polygons("remove"),
-        fields.polygons("add"),
-        fields.axis(),
-        frozenset(fields.texts("exclude")),
-        fields.text("title"),
-    )
-
-
-def edit_data(edit: EditFile) -> dict[str, object]:
-    """Return what the file of an edit says."""
-    return {
-        "title": edit.title or None,
-        "icon": edit.icon,
-        "keyword": edit.keyword,
-        "remove": [written(polygon.vertices) for polygon in edit.remove],
-        "add": [written(polygon.vertices) for polygon in edit.add],
-        "symmetry": edit.symmetry,
-        "exclude": sorted(edit.exclude),
-    }
+    return open_file(path, EditFile)

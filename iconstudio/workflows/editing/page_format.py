@@ -1,44 +1,49 @@
 """An edit in a project file."""
 
 from collections.abc import Generator
-from typing import Any
 
-from iconstudio.inputs.fields import Fields, plain_text
+from iconstudio.inputs.formats import Many, Points, Record, Text, TextSet, plain_text
+from iconstudio.model import Axis
 from iconstudio.workflows.editing.page import Area, EditPage, Kind
 from iconstudio.workflows.pages import PageFormat, Parts, StoredParts
 
 
-class EditPages(PageFormat[EditPage]):
+class StoredArea(Record, frozen=True):
+    """An area, finished or not."""
+
+    kind: Kind
+    points: Points
+    closed: bool = False
+
+
+class StoredEdit(Record, frozen=True):
+    """The page of an edit."""
+
+    icon: Text | None = None
+    keyword: Text = ""
+    areas: Many[StoredArea] = ()
+    symmetry: Axis | None = None
+    exclude: TextSet = frozenset()
+
+
+class EditPages(PageFormat[EditPage, StoredEdit]):
     """The icon, and all areas, the one too that is still being traced."""
 
-    def write(self, page: EditPage, parts: Parts) -> dict[str, Any]:
-        """Return a page as JSON."""
-        return {
-            "icon": None if page.icon is None else parts.icon(page.icon.pictogram),
-            "keyword": plain_text(page.keyword),
-            "areas": [
-                {"kind": one.kind.value, "closed": one.closed, "points": one.vertices}
-                for one in page.areas
-            ],
-            "symmetry": page.symmetry,
-            "exclude": sorted(page.exclude),
-        }
+    stored = StoredEdit
 
-    def read(self, fields: Fields, parts: StoredParts) -> Generator[None, None, EditPage]:
-        """Return the page that was written."""
-        icon = parts.exemplar(parts.icon(fields.reference())) if fields.has("icon") else None
-        yield
-        return EditPage(
-            icon,
-            fields.text("keyword"),
-            tuple(map(_area, fields.objects("areas", "area"))),
-            fields.axis(),
-            frozenset(fields.texts("exclude")),
+    def write(self, page: EditPage, parts: Parts) -> StoredEdit:
+        """Return a page as it is stored."""
+        return StoredEdit(
+            None if page.icon is None else parts.icon(page.icon.pictogram),
+            plain_text(page.keyword),
+            tuple(StoredArea(one.kind, one.vertices, one.closed) for one in page.areas),
+            page.symmetry,
+            page.exclude,
         )
 
-
-def _area(fields: Fields) -> Area:
-    kind = fields.text("kind")
-    if kind not in [one.value for one in Kind]:
-        raise fields.mistake('"kind" must be "remove" or "add".')
-    return Area(Kind(kind), fields.points("points"), fields.flag("closed"))
+    def read(self, stored: StoredEdit, parts: StoredParts) -> Generator[None, None, EditPage]:
+        """Return the page that was written."""
+        icon = None if stored.icon is None else parts.exemplar(parts.icon(stored.icon))
+        yield
+        areas = tuple(Area(one.kind, one.points, one.closed) for one in stored.areas)
+        return EditPage(icon, stored.keyword, areas, stored.symmetry, stored.exclude)

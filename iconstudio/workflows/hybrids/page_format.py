@@ -1,61 +1,92 @@
 """A mix and its favourites in a project file."""
 
 from collections.abc import Generator
-from dataclasses import asdict
-from typing import Any
+from typing import Annotated
 
-from iconstudio.inputs.fields import Fields, plain_text
-from iconstudio.model import CANVAS, Remix
-from iconstudio.workflows.hybrids.file import LARGEST_SEED
-from iconstudio.workflows.hybrids.hybrids import MOST, MOST_DRAWS
+from msgspec import Meta
+
+from iconstudio.inputs.formats import Many, Record, Text, plain_text
+from iconstudio.model import Axis, IconstudioError, Remix
+from iconstudio.model.mix import DRAWS
+from iconstudio.workflows.hybrids.file import COUNT, Draws, Pins, Seed
+from iconstudio.workflows.hybrids.hybrids import MOST
 from iconstudio.workflows.hybrids.page import Ask, HybridsPage, Ingredient
 from iconstudio.workflows.pages import PageFormat, Parts, StoredParts
 
 
-class HybridsPages(PageFormat[HybridsPage]):
+class StoredIngredient(Record, frozen=True):
+    """An icon to mix, and what is pinned on it."""
+
+    icon: Text
+    pins: Pins = ()
+
+
+class StoredAsk(Record, frozen=True):
+    """How the program picked the icons."""
+
+    keyword: Text = ""
+    count: Annotated[int, Meta(ge=1, le=MOST)] = COUNT
+    symmetry: Axis | None = None
+    group: Seed = 0
+
+
+class StoredMix(Record, frozen=True):
+    """The page of hybrids."""
+
+    icons: Many[StoredIngredient] = ()
+    ask: StoredAsk | None = None
+    seed: Seed = 0
+    draws: Draws = DRAWS
+    symmetry: Axis | None = None
+    favourites: Many[Text] = ()
+    name: Text = ""
+
+    def check(self) -> None:
+        """Refuse more icons than can be mixed."""
+        if len({one.icon for one in self.icons}) > MOST:
+            raise IconstudioError(f"At most {MOST} icons can be mixed.")
+
+
+class HybridsPages(PageFormat[HybridsPage, StoredMix]):
     """The icons with their pins, how they are mixed, and the favourites."""
 
-    def write(self, page: HybridsPage, parts: Parts) -> dict[str, Any]:
-        """Return a page as JSON."""
-        return {
-            "icons": [
-                {"icon": parts.icon(one.exemplar.pictogram), "pins": one.pins}
-                for one in page.ingredients
-            ],
-            "ask": None if page.ask is None else asdict(page.ask),
-            "seed": page.seed,
-            "draws": page.draws,
-            "symmetry": page.symmetry,
-            "favourites": [parts.result(one) for one in page.favourites],
-            "name": plain_text(page.name),
-        }
+    stored = StoredMix
 
-    def read(self, fields: Fields, parts: StoredParts) -> Generator[None, None, HybridsPage]:
+    def write(self, page: HybridsPage, parts: Parts) -> StoredMix:
+        """Return a page as it is stored."""
+        ask = page.ask
+        return StoredMix(
+            tuple(
+                StoredIngredient(parts.icon(one.exemplar.pictogram), one.pins)
+                for one in page.ingredients
+            ),
+            None if ask is None else StoredAsk(ask.keyword, ask.count, ask.symmetry, ask.group),
+            page.seed,
+            page.draws,
+            page.symmetry,
+            tuple(map(parts.result, page.favourites)),
+            plain_text(page.name),
+        )
+
+    def read(self, stored: StoredMix, parts: StoredParts) -> Generator[None, None, HybridsPage]:
         """Return the page that was written; favourites that are no good are told and left out."""
         mixed: dict[str, Ingredient] = {}
-        for entry in fields.objects("icons", "icon"):
-            icon = parts.exemplar(parts.icon(entry.reference()))
-            mixed[icon.id] = Ingredient(icon, entry.points("pins", CANVAS))
+        for one in stored.icons:
+            icon = parts.exemplar(parts.icon(one.icon))
+            mixed[icon.id] = Ingredient(icon, one.pins)
             yield
-        if len(mixed) > MOST:
-            raise fields.mistake(f"At most {MOST} icons can be mixed.")
-        favourites = yield from parts.results(fields.texts("favourites"))
-        hybrids = tuple(one for one in favourites if isinstance(one, Remix))
+        favourites = yield from parts.results(stored.favourites)
+        ask = stored.ask
         return HybridsPage(
             tuple(mixed.values()),
-            _ask(fields.object("ask")) if fields.has("ask") else None,
-            fields.whole("seed", 0, 0, LARGEST_SEED),
-            fields.whole("draws", HybridsPage().draws, 1, MOST_DRAWS),
-            fields.axis(),
-            hybrids,
-            fields.text("name"),
+            None if ask is None else Ask(ask.keyword, ask.count, ask.symmetry, ask.group),
+            stored.seed,
+            stored.draws,
+            stored.symmetry,
+            tuple(one for one in favourites if isinstance(one, Remix)),
+            stored.name,
         )
 
     def kept(self, page: HybridsPage) -> tuple[Remix, ...]:
         """Return the favourites."""
         return page.favourites
-
-
-def _ask(fields: Fields) -> Ask:
-    count, group = fields.whole("count", 5, 1, MOST), fields.whole("group", 0, 0, LARGEST_SEED)
-    return Ask(fields.text("keyword"), count, fields.axis(), group)

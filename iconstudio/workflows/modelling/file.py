@@ -1,29 +1,48 @@
-"""SKETCH.json: a sketch in a file, and the examples that come with the program.
+"""SKETCH.json: a sketch in a file, and the examples that come with the program."""
 
-``{"keyword": "dog", "polygon": [[x, y], ...], "exclude": ["set:name", ...],
-"symmetry": "horizontal"}``; the polygon is in any unit, y down, and ``symmetry`` names an ``Axis``.
-All but ``polygon`` are optional, and so are ``title`` and ``photo``, the file that the polygon was
-traced over.
-"""
-
-import os
-from dataclasses import dataclass
 from pathlib import Path
+from typing import Any, Self
 
-from iconstudio.inputs.fields import Fields, written
-from iconstudio.model import IconstudioError, Sketch
+from msgspec.structs import replace
+
+from iconstudio.inputs.formats import Points, Text, TextSet
+from iconstudio.inputs.lines import outline, rounded
+from iconstudio.model import Axis, IconstudioError, Sketch
 from iconstudio.resources import resource
 from iconstudio.workflows.files import open_file
+from iconstudio.workflows.workflow import File, Find, Refer
 
 
-@dataclass(frozen=True, slots=True)
-class SketchFile:
-    """What a SKETCH.json says."""
+class SketchFile(File[Sketch], frozen=True):
+    """A SKETCH.json. The polygon is in any unit, y down."""
 
-    title: str
-    sketch: Sketch
+    polygon: Points
+    keyword: Text = ""
+    exclude: TextSet = frozenset()
+    symmetry: Axis | None = None
     photo: Path | None = None
     """The photo that the polygon was traced over."""
+    best: Any = None
+    """What the gallery knows of its results."""
+
+    @classmethod
+    def of(cls, sketch: Sketch, refer: Refer) -> Self:
+        """Return the file of a sketch."""
+        return cls(
+            polygon=rounded(sketch.polygon.vertices),
+            keyword=sketch.keyword,
+            exclude=sketch.exclude,
+            symmetry=sketch.symmetry,
+        )
+
+    def resolved(self, find: Find) -> Sketch:
+        """Return the sketch, which names no icons to be found."""
+        return self.sketch
+
+    @property
+    def sketch(self) -> Sketch:
+        """The sketch; of very many points, to simplify it takes a moment."""
+        return Sketch(outline(self.polygon), self.keyword, self.exclude, self.symmetry)
 
 
 def example(name: str) -> SketchFile:
@@ -42,41 +61,12 @@ def example(name: str) -> SketchFile:
 
 
 def read_sketch(path: Path) -> SketchFile:
-    """Read a SKETCH.json.
+    """Read a SKETCH.json; without a title, it is called as the file.
 
     Raises
     ------
     IconstudioError
         If the file cannot be read or does not hold a sketch.
     """
-    return sketch_in(open_file(path, "model"))
-
-
-def sketch_in(fields: Fields) -> SketchFile:
-    """Return what the fields of a SKETCH.json say.
-
-    Raises
-    ------
-    IconstudioError
-        If they are not what they must be.
-    """
-    fields.check_keys(("polygon", "keyword", "exclude", "symmetry", "photo", "title", "best"))
-    sketch = Sketch(
-        fields.outline("polygon"),
-        fields.text("keyword"),
-        frozenset(fields.texts("exclude")),
-        fields.axis(),
-    )
-    photo = fields.path.parent / fields.text("photo") if fields.has("photo") else None
-    title = fields.text("title") or fields.path.stem
-    return SketchFile(title, sketch, photo and Path(os.path.realpath(photo)))
-
-
-def sketch_data(sketch: Sketch) -> dict[str, object]:
-    """Return what the file of a sketch says."""
-    return {
-        "keyword": sketch.keyword,
-        "polygon": written(sketch.polygon.vertices),
-        "exclude": sorted(sketch.exclude),
-        "symmetry": sketch.symmetry,
-    }
+    file = open_file(path, SketchFile)
+    return replace(file, title=file.title or path.stem)

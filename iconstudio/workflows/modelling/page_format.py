@@ -1,41 +1,49 @@
 """A sketch over its photo in a project file."""
 
 from collections.abc import Generator
-from typing import Any
 
-from iconstudio.inputs.fields import Fields, plain_text
-from iconstudio.model import IconstudioError, Polygon, Sketch
+from iconstudio.inputs.formats import Points, Record, Text, TextSet, plain_text
+from iconstudio.model import Axis, IconstudioError, Polygon, Sketch
 from iconstudio.workflows.modelling.page import SketchPage
-from iconstudio.workflows.pages import PageFormat, Parts, StoredParts
+from iconstudio.workflows.pages import PageFormat, Parts, StoredParts, StoredPhoto
 
 
-class SketchPages(PageFormat[SketchPage]):
+class StoredSketch(Record, frozen=True):
+    """The page of a sketch."""
+
+    polygon: Points
+    closed: bool = False
+    keyword: Text = ""
+    exclude: TextSet = frozenset()
+    symmetry: Axis | None = None
+    photo: StoredPhoto | None = None
+
+
+class SketchPages(PageFormat[SketchPage, StoredSketch]):
     """The sketch, finished or not, and the photo."""
 
-    def write(self, page: SketchPage, parts: Parts) -> dict[str, Any]:
-        """Return a page as JSON."""
-        sketch = page.sketch
-        return {
-            "keyword": plain_text(sketch.keyword),
-            "polygon": sketch.polygon.vertices,
-            "closed": page.closed,
-            "exclude": sorted(sketch.exclude),
-            "symmetry": sketch.symmetry,
-            "photo": None if page.photo is None else parts.photo(page.photo),
-        }
+    stored = StoredSketch
 
-    def read(self, fields: Fields, parts: StoredParts) -> Generator[None, None, SketchPage]:
-        """Return the page that was written; without its photo, if only that is no good."""
-        sketch = Sketch(
-            Polygon(fields.points("polygon")),
-            fields.text("keyword"),
-            frozenset(fields.texts("exclude")),
-            fields.axis(),
+    def write(self, page: SketchPage, parts: Parts) -> StoredSketch:
+        """Return a page as it is stored."""
+        sketch = page.sketch
+        return StoredSketch(
+            sketch.polygon.vertices,
+            page.closed,
+            plain_text(sketch.keyword),
+            sketch.exclude,
+            sketch.symmetry,
+            None if page.photo is None else parts.photo(page.photo),
         )
+
+    def read(self, stored: StoredSketch, parts: StoredParts) -> Generator[None, None, SketchPage]:
+        """Return the page that was written; without its photo, if only that is no good."""
+        polygon = Polygon(stored.polygon)
+        sketch = Sketch(polygon, stored.keyword, stored.exclude, stored.symmetry)
         photo = None
-        if fields.has("photo"):
+        if stored.photo is not None:
             try:
-                photo = yield from parts.photo(fields.object("photo"))
+                photo = yield from parts.photo(stored.photo)
             except IconstudioError as error:
                 parts.complaints.append(f"The sketch was opened without its photo: {error}")
-        return SketchPage(sketch, fields.flag("closed"), photo)
+        return SketchPage(sketch, stored.closed, photo)

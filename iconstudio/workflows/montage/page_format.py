@@ -1,56 +1,84 @@
 """A montage in a project file."""
 
 from collections.abc import Generator
-from dataclasses import asdict, replace
-from typing import Any
+from dataclasses import replace
+from typing import Annotated
 
-from iconstudio.inputs.fields import Fields
-from iconstudio.inputs.placements import placement_in
-from iconstudio.model import CANVAS, Stroke
+from msgspec import Meta
+
+from iconstudio.inputs.formats import Many, Points, Record, Text
+from iconstudio.model import CANVAS, IconstudioError, Stroke
 from iconstudio.workflows.montage.montage import MOST
 from iconstudio.workflows.montage.page import Icon, MontagePage, PlacedIcon
-from iconstudio.workflows.pages import PageFormat, Parts, StoredParts
+from iconstudio.workflows.pages import PageFormat, Parts, StoredParts, StoredPlacement
 
 
-class MontagePages(PageFormat[MontagePage]):
+class StoredStroke(Record, frozen=True):
+    """A scribble; of one point, a dot."""
+
+    width: Annotated[float, Meta(gt=0, le=2 * CANVAS)]
+    points: Points
+
+    def check(self) -> None:
+        """Refuse what is nowhere."""
+        if not self.points:
+            raise IconstudioError("The stroke has no point.")
+
+
+class StoredLayer(StoredPlacement, frozen=True, kw_only=True):
+    """An icon where it lies."""
+
+    number: Annotated[int, Meta(ge=0, le=MOST - 1)]
+    icon: Text
+    hidden: bool = False
+    strokes: Many[StoredStroke] = ()
+
+
+class StoredMontage(Record, frozen=True):
+    """The page of a montage."""
+
+    chosen: Annotated[int, Meta(ge=-1, le=MOST - 1)] = -1
+    layers: Many[StoredLayer] = ()
+
+    def check(self) -> None:
+        """Refuse two layers of one number."""
+        if len({one.number for one in self.layers}) < len(self.layers):
+            raise IconstudioError("Two layers have the same number.")
+
+
+class MontagePages(PageFormat[MontagePage, StoredMontage]):
     """The icons from back to front, wherever they lie, with all their strokes."""
 
-    def write(self, page: MontagePage, parts: Parts) -> dict[str, Any]:
-        """Return a page as JSON."""
-        return {"chosen": page.chosen, "layers": [_written(one, parts) for one in page.layers]}
+    stored = StoredMontage
 
-    def read(self, fields: Fields, parts: StoredParts) -> Generator[None, None, MontagePage]:
+    def write(self, page: MontagePage, parts: Parts) -> StoredMontage:
+        """Return a page as it is stored."""
+        return StoredMontage(page.chosen, tuple(_stored(one, parts) for one in page.layers))
+
+    def read(self, stored: StoredMontage, parts: StoredParts) -> Generator[None, None, MontagePage]:
         """Return the page that was written."""
-        layers: dict[int, PlacedIcon] = {}
-        for entry in fields.objects("layers", "layer"):
-            number = entry.whole("number", len(layers), 0, MOST - 1)
-            if number in layers:
-                raise entry.mistake(f"There is a layer of number {number} already.")
-            icon = Icon(parts.exemplar(parts.icon(entry.reference())))
-            strokes = tuple(map(_stroke, entry.objects("strokes", "stroke")))
-            layers[number] = PlacedIcon(
-                number, icon, placement_in(entry), strokes, entry.flag("hidden")
-            )
+        layers = []
+        for one in stored.layers:
+            icon = Icon(parts.exemplar(parts.icon(one.icon)))
+            strokes = tuple(Stroke(each.width, each.points) for each in one.strokes)
+            layers.append(PlacedIcon(one.number, icon, one.placement, strokes, one.hidden))
             yield
-        return MontagePage(tuple(layers.values()), fields.whole("chosen", -1, -1, MOST - 1))
+        return MontagePage(tuple(layers), stored.chosen)
 
     def alike(self, page: MontagePage, other: MontagePage) -> bool:
         """Whether the layers are the same; to choose one of them is no edit."""
         return page == replace(other, chosen=page.chosen)
 
 
-def _written(layer: PlacedIcon, parts: Parts) -> dict[str, Any]:
-    return {
-        "number": layer.number,
-        "icon": parts.icon(layer.icon.pictogram),
-        **asdict(layer.placement),
-        "hidden": layer.hidden,
-        "strokes": [{"width": one.width, "points": one.points} for one in layer.strokes],
-    }
-
-
-def _stroke(fields: Fields) -> Stroke:
-    points = fields.points("points")
-    if not points:
-        raise fields.mistake("The stroke has no point.")
-    return Stroke(fields.number("width", None, 0, 2 * CANVAS, above=True), points)
+def _stored(layer: PlacedIcon, parts: Parts) -> StoredLayer:
+    at = layer.placement
+    return StoredLayer(
+        scale=at.scale,
+        flip=at.flip,
+        dx=at.dx,
+        dy=at.dy,
+        number=layer.number,
+        icon=parts.icon(layer.icon.pictogram),
+        hidden=layer.hidden,
+        strokes=tuple(StoredStroke(one.width, one.points) for one in layer.strokes),
+    )

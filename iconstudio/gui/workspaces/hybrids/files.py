@@ -5,7 +5,7 @@ from pathlib import Path
 
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
-from iconstudio.workflows.hybrids.file import read_hybrids
+from iconstudio.workflows.hybrids.file import COUNT, read_hybrids
 from iconstudio.workflows.hybrids.hybrids import check
 from iconstudio.workflows.hybrids.page import Ask, HybridsPage, Ingredient
 
@@ -20,9 +20,9 @@ def read_page(session: Session, path: Path) -> Generator[Event, None, HybridsPag
     """
     file = read_hybrids(path)
     ask = None
-    if file.keyword:
+    if file.icons is None:
         # As without the window: the seed picks the group, too.
-        ask = Ask(file.keyword, file.count, file.symmetry, file.seed)
+        ask = Ask(file.word, file.count or COUNT, file.symmetry, file.seed)
         icons = yield from session.choose(ask.keyword, ask.count, ask.symmetry, ask.group)
         mix = file.mix(icons)
     else:

@@ -9,7 +9,7 @@ from iconstudio.gui.exchange.mime import Drawing, File, Image, Item
 from iconstudio.gui.exchange.opening import Opener
 from iconstudio.images.photo import photo_of
 from iconstudio.images.reading import MAX_BYTES, SUFFIXES
-from iconstudio.model import IconstudioError, Photo
+from iconstudio.model import IconstudioError, Photo, Sketch
 from iconstudio.workflows.modelling import page
 from iconstudio.workflows.modelling.file import SketchFile, read_sketch
 
@@ -52,14 +52,14 @@ class SketchOpener(Opener):
             f"Open {_quoted(item)} in Edit, Hybrids or Montage."
         )
 
-    def put(self, found: Photo | tuple[SketchFile, Photo | None]) -> str:
+    def put(self, found: Photo | tuple[str, Sketch, Photo | None]) -> str:
         """Show a photo, or a sketch and its photo."""
         if isinstance(found, Photo):
             page.set_photo(self.document, found)
             return _about(found)
-        file, photo = found
-        page.load_sketch(self.document, file.sketch, photo, "open sketch")
-        return f"Opened “{file.title}”."
+        title, sketch, photo = found
+        page.load_sketch(self.document, sketch, photo, "open sketch")
+        return f"Opened “{title}”."
 
     def _photo(self, path: Path) -> Generator[None, None, Photo]:
         image = yield from self.session.image(path)
@@ -67,7 +67,7 @@ class SketchOpener(Opener):
 
     def _sketch_and_photo(
         self, read: Callable[[], SketchFile]
-    ) -> Generator[tuple[SketchFile, Photo | None] | None]:
+    ) -> Generator[tuple[str, Sketch, Photo | None] | None]:
         """Yield a sketch with its photo; if only the photo is missing, none, and then say so."""
         file = read()
         photo, trouble = None, None
@@ -76,7 +76,7 @@ class SketchOpener(Opener):
                 photo = yield from self._photo(file.photo)
             except IconstudioError as error:
                 trouble = error
-        yield file, photo
+        yield file.title, file.sketch, photo
         if trouble is not None:
             raise IconstudioError(f"The sketch was opened without its photo: {trouble}")
 

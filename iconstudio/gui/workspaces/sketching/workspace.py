@@ -133,7 +133,7 @@ class SketchWorkspace(RemixWorkspace):
         title = page.sketch.keyword
 
         def write(path: Path) -> None:
-            photo = None if page.photo is None else str(file_beside(page.photo, path))
+            photo = None if page.photo is None else file_beside(page.photo, path)
             write_file(path, self.workflow, page.sketch, photo=photo)
 
         self.saver.save_work("sketch", title, write)

@@ -1,0 +1,188 @@
+"""What is wrong in a JSON file, and where: sentences made of what its format declares there."""
+
+import json
+import re
+import sys
+from difflib import get_close_matches
+from typing import Any
+
+from msgspec import ValidationError
+from msgspec.inspect import (
+    BoolType,
+    CollectionType,
+    CustomType,
+    EnumType,
+    Field,
+    FloatType,
+    IntType,
+    Metadata,
+    NoneType,
+    StrType,
+    StructType,
+    TupleType,
+    Type,
+    UnionType,
+    type_info,
+)
+
+from iconstudio.inputs.formats import LONGEST_TEXT, ODD, Record, Reference
+from iconstudio.model import IconstudioError
+
+_FIELD = re.compile(r"\.(\w+)((?:\[[\d.]+\])*)")
+"""A step of a path of msgspec's, ``$.layers[0].strokes[1].width``."""
+_OBJECT = 'n object such as {"key": "value"}'
+_ICON = '"set:name", or the path of an SVG or a scan'
+
+
+def refused(record: Record) -> str | None:
+    """Return what the ``check`` of a record, or of one in it, refuses; its place comes first."""
+    for key in record.__struct_fields__:
+        value = getattr(record, key)
+        for number, one in enumerate(value if isinstance(value, tuple) else (value,), start=1):
+            if not isinstance(one, Record):
+                break
+            if found := refused(one):
+                return f", {_named(key, number if isinstance(value, tuple) else None)}{found}"
+    try:
+        record.check()
+    except IconstudioError as error:
+        return f": {error}"
+    return None
+
+
+def mistake(error: ValidationError, data: Any, kind: type[Record]) -> str:
+    """Return what is wrong in ``data``, and where; ``error`` is what converting it raised."""
+    record, place = type_info(kind), ""
+    for key, indices in _FIELD.findall(str(error).rpartition(" - at `$")[2]):
+        assert isinstance(record, StructType)
+        field = next(one for one in record.fields if one.encode_name == key)
+        numbers = [int(index) + 1 for index in re.findall(r"\d+", indices)]
+        inner = _plain(field.type)
+        if numbers and isinstance(inner, CollectionType):
+            inner = _plain(inner.item_type)
+        if not isinstance(inner, StructType):
+            return f"{place}: {_in_value(field.type, data[key], numbers, json.dumps(key), key)}"
+        place += f", {_named(key, *numbers)}"
+        record, data = inner, data[key][numbers[0] - 1] if numbers else data[key]
+    assert isinstance(record, StructType)
+    return f"{place}: {_in_object(record, data)}"
+
+
+def _in_object(kind: StructType, data: Any) -> str:
+    """Say what is wrong with an object itself: that it is none, has too many fields or too few."""
+    if not isinstance(data, dict):
+        return f"A{_OBJECT} is needed."
+    known = [field.encode_name for field in kind.fields]
+    for key in data if kind.forbid_unknown_fields else ():
+        if key not in known:
+            near = get_close_matches(key.lower(), known, n=1)
+            cure = (
+                f"Write {json.dumps(near[0])} if you mean that."
+                if near
+                else f"There are {', '.join(map(json.dumps, known))}. Remove it, or mend its name."
+            )
+            return f"{json.dumps(key[:60], ensure_ascii=False)} is not known here. {cure}"
+    missing = next(one for one in kind.fields if one.required and one.encode_name not in data)
+    return f"{json.dumps(missing.encode_name)} is missing: {_needed(missing)}."
+
+
+def _needed(field: Field) -> str:
+    reference = isinstance(field.type, CustomType) and field.type.cls is Reference
+    return _ICON if reference else _wanted(field.type, field.encode_name)
+
+
+def _in_value(kind: Type, value: Any, numbers: list[int], name: str, key: str) -> str:
+    """Say what is wrong with a value, or with what ``numbers`` lead to in its lists."""
+    inner, the = _plain(kind), name if name == json.dumps(key) else f"The {name}"
+    if not isinstance(inner, CollectionType):
+        texts, leaf = [value], inner
+    elif not isinstance(value, list):
+        return f"{the} must be {_wanted(kind, key)}."
+    else:
+        if inner.max_length is not None and len(value) > inner.max_length:
+            entries = "entries" if the == name else "points"
+            return f"{the} has {len(value):,} {entries}; at most {inner.max_length:,} are read."
+        texts, leaf = value, _plain(inner.item_type)
+    if numbers and isinstance(leaf, TupleType):
+        return f"Point {numbers[0]} of {name} {_in_point(value[numbers[0] - 1])}"
+    if numbers and isinstance(leaf, CollectionType) and isinstance(inner, CollectionType):
+        first, *rest = numbers
+        title = f"{_title(inner.item_type)} {first} of {name}"
+        return _in_value(inner.item_type, value[first - 1], rest, title, key)
+    if isinstance(leaf, StrType | CustomType) and all(isinstance(one, str) for one in texts):
+        return f"{name} {next(filter(None, map(_in_text, texts)))}"
+    return f"{the} must be {_wanted(kind, key)}."
+
+
+def _in_text(text: str) -> str:
+    if len(text) > LONGEST_TEXT:
+        return f"has {len(text):,} characters; at most {LONGEST_TEXT:,} are read."
+    if ODD.search(text):
+        return "holds characters that are none."
+    return "" if text.strip() else f"is empty: write {_ICON}."
+
+
+def _in_point(point: Any) -> str:
+    if not isinstance(point, list) or len(point) != 2 or not all(map(_is_number, point)):
+        return "is not a pair of numbers such as [12, 34.5]."
+    x, y = point
+    if not all(abs(one) <= sys.float_info.max for one in point):
+        return "is not a number, or too large. Remove it."
+    return f"is out of all scale: [{x:g}, {y:g}]."
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool)
+
+
+def _wanted(kind: Type, key: str) -> str:
+    """Describe what a value must be."""
+    match _plain(kind):
+        case BoolType():
+            return "true or false"
+        case IntType(ge=least, le=most):
+            return f"a whole number from {least} to {most}"
+        case FloatType(gt=None, ge=least, le=most):
+            return f"a number from {least:g} to {most:g}"
+        case FloatType(gt=least, le=most):
+            return f"a number above {least:g} and up to {most:g}"
+        case EnumType(cls=axes):
+            null = "null or " if isinstance(kind, UnionType) else ""
+            return f"{null}one of {', '.join(str(one.value) for one in axes)}"
+        case StrType() | CustomType():
+            return "a text"
+        case CollectionType(item_type=item):
+            return f"a list of {_wanted_in_list(item, key)}"
+    return f"a{_OBJECT}"
+
+
+def _wanted_in_list(item: Type, key: str) -> str:
+    match _plain(item):
+        case StrType() | CustomType():
+            return "texts"
+        case TupleType():
+            return "[x, y] points"
+        case CollectionType():
+            title = _title(item)
+            return f"{title}s" if title != "list" else "lists of [x, y] points"
+    return key if key.endswith("s") else "objects"
+
+
+def _named(key: str, number: int | None = None) -> str:
+    """Return what to call a field, or one entry of its list: ``layers`` hold ``layer 1``."""
+    return key if number is None else f"{key.removesuffix('s')} {number}"
+
+
+def _title(kind: Type) -> str:
+    """Return what the format calls the lists in a list."""
+    schema = kind.extra_json_schema if isinstance(kind, Metadata) else None
+    return str((schema or {}).get("title", "list"))
+
+
+def _plain(kind: Type) -> Type:
+    """Return a type without what is said about it, and without null."""
+    if isinstance(kind, Metadata):
+        return _plain(kind.type)
+    if isinstance(kind, UnionType):
+        return _plain(next(one for one in kind.types if not isinstance(one, NoneType)))
+    return kind
