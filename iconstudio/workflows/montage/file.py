@@ -43,10 +43,8 @@ class StrokeFile(StrictRecord, frozen=True):
     def meets_canvas(self) -> bool:
         """Whether the box around it has a part of the canvas."""
         reach = self.width / 2
-        return all(
-            -reach < max(values) and min(values) < CANVAS + reach
-            for values in zip(*self.points, strict=True)
-        )
+        xs, ys = ([point[axis] for point in self.points] for axis in (0, 1))
+        return all(-reach < max(some) and min(some) < CANVAS + reach for some in (xs, ys))
 
     def check(self) -> None:
         """Refuse what is no line."""
