@@ -1,5 +1,7 @@
 """What the formats of files are declared with: records, and types with bounds.
 
+Every number needs some: those of JSON may be infinite, or none.
+
 A format is a ``Record`` beside what it is of: its fields are those of the JSON object, and their
 types say what may be in them. ``json`` reads and writes it, and says what is wrong in a sentence.
 """

@@ -91,6 +91,8 @@ def converted(data: object, kind: type[R], path: Path, place: str = "") -> R:
         wrong = mistake(error, data, kind)
     except UnicodeEncodeError:  # at half of a surrogate pair msgspec stops without a place
         return converted(_whole_characters(data), kind, path, place)
+    except RecursionError:
+        wrong = ": It is nested too deeply. Save it again, or mend it in an editor."
     if wrong:
         raise IconstudioError(f"In “{path.name}”{place}{wrong}")
     return record

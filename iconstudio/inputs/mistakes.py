@@ -53,19 +53,20 @@ def refused(record: Record) -> str | None:
 def mistake(error: ValidationError, data: Any, kind: type[Record]) -> str:
     """Return what is wrong in ``data``, and where; ``error`` is what converting it raised."""
     record, place = type_info(kind), ""
-    for key, indices in _FIELD.findall(str(error).rpartition(" - at `$")[2]):
-        assert isinstance(record, StructType)
+    steps = iter(_FIELD.findall(str(error).rpartition(" - at `$")[2]))
+    while isinstance(record, StructType) and not (wrong := _in_object(record, data)):
+        key, indices = next(steps)
         field = next(one for one in record.fields if one.encode_name == key)
         numbers = [int(index) + 1 for index in re.findall(r"\d+", indices)]
-        inner = _plain(field.type)
-        if numbers and isinstance(inner, CollectionType):
-            inner = _plain(inner.item_type)
-        if not isinstance(inner, StructType):
-            return f"{place}: {_in_value(field.type, data[key], numbers, json.dumps(key), key)}"
-        place += f", {_named(key, *numbers)}"
-        record, data = inner, data[key][numbers[0] - 1] if numbers else data[key]
-    assert isinstance(record, StructType)
-    return f"{place}: {_in_object(record, data)}"
+        record, value = _plain(field.type), data[key]
+        if numbers and isinstance(record, CollectionType):
+            record = _plain(record.item_type)
+        if isinstance(record, StructType):
+            place += f", {_named(key, *numbers)}"
+            data = value[numbers[0] - 1] if numbers else value
+        else:
+            wrong = _in_value(field.type, value, numbers, json.dumps(key), key)
+    return f"{place}: {wrong}"
 
 
 def _in_object(kind: StructType, data: Any) -> str:
@@ -73,17 +74,17 @@ def _in_object(kind: StructType, data: Any) -> str:
     if not isinstance(data, dict):
         return f"A{_OBJECT} is needed."
     known = [field.encode_name for field in kind.fields]
-    for key in data if kind.forbid_unknown_fields else ():
-        if key not in known:
-            near = get_close_matches(key.lower(), known, n=1)
-            cure = (
-                f"Write {json.dumps(near[0])} if you mean that."
-                if near
-                else f"There are {', '.join(map(json.dumps, known))}. Remove it, or mend its name."
-            )
-            return f"{json.dumps(key[:60], ensure_ascii=False)} is not known here. {cure}"
-    missing = next(one for one in kind.fields if one.required and one.encode_name not in data)
-    return f"{json.dumps(missing.encode_name)} is missing: {_needed(missing)}."
+    unknown = [key for key in data if key not in known] if kind.forbid_unknown_fields else []
+    if unknown:
+        return f"{json.dumps(unknown[0][:60], ensure_ascii=False)} is not known here. " + (
+            f"Write {json.dumps(near[0])} if you mean that."
+            if (near := get_close_matches(unknown[0].lower(), known, n=1))
+            else f"There are {', '.join(map(json.dumps, known))}. Remove it, or mend its name."
+        )
+    missing = [one for one in kind.fields if one.required and one.encode_name not in data]
+    if missing:
+        return f"{json.dumps(missing[0].encode_name)} is missing: {_needed(missing[0])}."
+    return ""
 
 
 def _needed(field: Field) -> str:
@@ -110,7 +111,8 @@ def _in_value(kind: Type, value: Any, numbers: list[int], name: str, key: str) -
         title = f"{_title(inner.item_type)} {first} of {name}"
         return _in_value(inner.item_type, value[first - 1], rest, title, key)
     if isinstance(leaf, StrType | CustomType) and all(isinstance(one, str) for one in texts):
-        return f"{name} {next(filter(None, map(_in_text, texts)))}"
+        wrong = filter(None, map(_in_text, texts))
+        return f"{name} {next(wrong, f'is empty: write {_ICON}.')}"
     return f"{the} must be {_wanted(kind, key)}."
 
 
@@ -119,7 +121,7 @@ def _in_text(text: str) -> str:
         return f"has {len(text):,} characters; at most {LONGEST_TEXT:,} are read."
     if ODD.search(text):
         return "holds characters that are none."
-    return "" if text.strip() else f"is empty: write {_ICON}."
+    return ""
 
 
 def _in_point(point: Any) -> str:
@@ -141,19 +143,29 @@ def _wanted(kind: Type, key: str) -> str:
         case BoolType():
             return "true or false"
         case IntType(ge=least, le=most):
-            return f"a whole number from {least} to {most}"
-        case FloatType(gt=None, ge=least, le=most):
-            return f"a number from {least:g} to {most:g}"
-        case FloatType(gt=least, le=most):
-            return f"a number above {least:g} and up to {most:g}"
-        case EnumType(cls=axes):
+            return f"a whole number{_bounds(least, None, most)}"
+        case FloatType(ge=least, gt=below, le=most):
+            return f"a number{_bounds(least, below, most)}"
+        case EnumType(cls=some):
             null = "null or " if isinstance(kind, UnionType) else ""
-            return f"{null}one of {', '.join(str(one.value) for one in axes)}"
+            return f"{null}one of {', '.join(str(one.value) for one in some)}"
         case StrType() | CustomType():
             return "a text"
         case CollectionType(item_type=item):
             return f"a list of {_wanted_in_list(item, key)}"
     return f"a{_OBJECT}"
+
+
+def _bounds(least: float | None, below: float | None, most: float | None) -> str:
+    """Say from where to where a number may be: whole ones exactly, others in few digits."""
+    low, lower, high = (
+        f"{one:.15g}" if isinstance(one, float) else one for one in (least, below, most)
+    )
+    if below is not None:
+        return f" above {lower}" + ("" if most is None else f" and up to {high}")
+    if least is not None:
+        return f" of {low} or more" if most is None else f" from {low} to {high}"
+    return "" if most is None else f" up to {high}"
 
 
 def _wanted_in_list(item: Type, key: str) -> str:
@@ -162,6 +174,8 @@ def _wanted_in_list(item: Type, key: str) -> str:
             return "texts"
         case TupleType():
             return "[x, y] points"
+        case IntType() | FloatType():
+            return "numbers"
         case CollectionType():
             title = _title(item)
             return f"{title}s" if title != "list" else "lists of [x, y] points"

@@ -217,6 +217,7 @@ MISTAKES = [
     (read_edit, edit(keyword="\ud800"), "characters that are none"),
     (read_edit, edit(exclude="mdi:dog"), '"exclude" must be a list'),
     (read_edit, edit(exclude=[1]), '"exclude" must be a list of texts'),
+    (read_edit, edit(exclude=["", "a\0b"]), '"exclude" holds characters that are none'),
     (read_edit, edit(symmetry="sideways"), "one of horizontal, vertical, diagonal, antidiagonal"),
     (read_edit, edit(symmetry=["horizontal"]), "null or one of"),
     (read_edit, edit(add=SQUARE), "Point 1 of polygon 1"),
@@ -284,6 +285,11 @@ MISTAKES = [
     (read_montage, layers(stroke=[]), 'layer 1: "stroke" is not known here. Write "strokes" if'),
     (read_montage, layers(at=9), '"at" is not known here. There are "icon"'),
     (read_montage, stroke(point=LINE), 'stroke 1: "point" is not known here.'),
+    (read_sketch, {"polygon": SQUARE, "a.b": 1}, '"a.b" is not known here.'),
+    (read_sketch, {"polygon": SQUARE, " - at `$.title": 1}, '" - at `$.title" is not known here.'),
+    (read_sketch, {"polygon": SQUARE, "symmetry": " - at `$.polygon[0]`"}, "null or one of"),
+    (read_sketch, {"polygon": [], "titel": 1, "keyword": 7}, 'Write "title" if you mean that.'),
+    (read_montage, layers(strokes=[{"points": [[9, 9], 7]}]), '"width" is missing: a number above'),
 ]  # fmt: skip
 
 
