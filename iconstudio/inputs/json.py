@@ -176,9 +176,11 @@ def _decoding(path: Path) -> Callable[[type, Any], Any]:
 
 
 def _encoding(path: Path | None) -> Callable[[Any], Any]:
-    """Return what writes references and paths: near files by short ones."""
+    """Return what writes references and paths, near files by short ones, and NumPy's floats."""
 
-    def encode(value: object) -> str:
+    def encode(value: object) -> str | float:
+        if isinstance(value, float):
+            return float(value)
         if not isinstance(value, Path | Reference):
             raise NotImplementedError(type(value))
         file = Path(value)

@@ -239,7 +239,7 @@ def _made(
 ) -> StoredRemix:
     """Describe how a remix was made."""
     composite, drawing = icon.composite, icon.drawing
-    frame, owners = drawing.frame, drawing.owners
+    owners = drawing.owners
     numbers = np.zeros(256, np.uint8)
     numbers[kept] = range(len(kept))
     return StoredRemix(
@@ -254,7 +254,7 @@ def _made(
         draw=icon.draw,
         unchanged=None if icon.unchanged is None else float(icon.unchanged),
         side=len(drawing.coverage),
-        frame=StoredFrame(frame.x, frame.y, frame.size),
+        frame=StoredFrame(**asdict(drawing.frame)),
         sources=tuple(
             _source(composite.sources[label], composite.shares[label], reference)
             for label, reference in zip(kept, references, strict=True)
@@ -265,16 +265,12 @@ def _made(
 
 
 def _source(source: Source, share: float, reference: str) -> StoredSource:
-    at = source.placement
     return StoredSource(
         icon=reference,
-        scale=at.scale,
-        flip=at.flip,
-        dx=at.dx,
-        dy=at.dy,
         error=float(source.error),
         region=int(source.region),
         share=float(share),
+        **asdict(source.placement),
     )
 
 
@@ -283,7 +279,7 @@ def _remix(
 ) -> Remix:
     from iconstudio.output.png import coverage
 
-    count, owners, frame = len(stored.sources), None, stored.frame
+    count, owners = len(stored.sources), None
     labels = _labels(store.content(stored.labels), count)
     if len(labels) % CANVAS:
         raise IconstudioError(f"The side of the labels must be a multiple of {CANVAS}.")
@@ -300,13 +296,13 @@ def _remix(
         tuple(one.share for one in stored.sources),
         stored.iou,
     )
-    square = Frame(frame.x, frame.y, frame.size)
+    frame = Frame(**structs.asdict(stored.frame))
     return Remix(
         path,
         title,
         tuple(credits),
         composite=composite,
-        drawing=Drawing(path, coverage(path, stored.side), owners, square),
+        drawing=Drawing(path, coverage(path, stored.side), owners, frame),
         score=Score(**structs.asdict(stored.score)),
         seeds=stored.seeds,
         draw=stored.draw,

@@ -4,6 +4,7 @@ from enum import Enum
 from pathlib import Path
 from typing import Annotated, Any
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -173,6 +174,10 @@ def test_fields_tell_whose_file_it_is(keys, name):
 def test_names_of_files_that_are_no_text_are_written(tmp_path):
     car = Car("a\ud800", icon=Reference("x:\udcff"))
     assert json.parsed(json.encoded(car), HERE) == {"name": "a?", "icon": "x:?"}
+
+
+def test_floats_of_numpy_are_floats():
+    assert b"[[0.1,2.0]]" in json.encoded(Car("a", outline=((np.float64(0.1), np.float64(2)),)))
 
 
 def test_files_nearby_are_named_by_short_paths(tmp_path):

@@ -1,9 +1,10 @@
 """A mix and its favourites in a project file."""
 
 from collections.abc import Generator
+from dataclasses import asdict
 from typing import Annotated
 
-from msgspec import Meta
+from msgspec import Meta, structs
 
 from iconstudio.inputs.formats import Many, Record, Text, plain_text
 from iconstudio.model import Axis, IconstudioError, Remix
@@ -54,13 +55,12 @@ class HybridsPages(PageFormat[HybridsPage, StoredMix]):
 
     def write(self, page: HybridsPage, parts: Parts) -> StoredMix:
         """Return a page as it is stored."""
-        ask = page.ask
         return StoredMix(
             tuple(
                 StoredIngredient(parts.icon(one.exemplar.pictogram), one.pins)
                 for one in page.ingredients
             ),
-            None if ask is None else StoredAsk(ask.keyword, ask.count, ask.symmetry, ask.group),
+            None if page.ask is None else StoredAsk(**asdict(page.ask)),
             page.seed,
             page.draws,
             page.symmetry,
@@ -76,10 +76,9 @@ class HybridsPages(PageFormat[HybridsPage, StoredMix]):
             mixed[icon.id] = Ingredient(icon, one.pins)
             yield
         favourites = yield from parts.results(stored.favourites)
-        ask = stored.ask
         return HybridsPage(
             tuple(mixed.values()),
-            None if ask is None else Ask(ask.keyword, ask.count, ask.symmetry, ask.group),
+            None if stored.ask is None else Ask(**structs.asdict(stored.ask)),
             stored.seed,
             stored.draws,
             stored.symmetry,

@@ -1,7 +1,7 @@
 """A montage in a project file."""
 
 from collections.abc import Generator
-from dataclasses import replace
+from dataclasses import asdict, replace
 from typing import Annotated
 
 from msgspec import Meta
@@ -53,7 +53,17 @@ class MontagePages(PageFormat[MontagePage, StoredMontage]):
 
     def write(self, page: MontagePage, parts: Parts) -> StoredMontage:
         """Return a page as it is stored."""
-        return StoredMontage(page.chosen, tuple(_stored(one, parts) for one in page.layers))
+        layers = (
+            StoredLayer(
+                number=one.number,
+                icon=parts.icon(one.icon.pictogram),
+                hidden=one.hidden,
+                strokes=tuple(StoredStroke(each.width, each.points) for each in one.strokes),
+                **asdict(one.placement),
+            )
+            for one in page.layers
+        )
+        return StoredMontage(page.chosen, tuple(layers))
 
     def read(self, stored: StoredMontage, parts: StoredParts) -> Generator[None, None, MontagePage]:
         """Return the page that was written."""
@@ -68,17 +78,3 @@ class MontagePages(PageFormat[MontagePage, StoredMontage]):
     def alike(self, page: MontagePage, other: MontagePage) -> bool:
         """Whether the layers are the same; to choose one of them is no edit."""
         return page == replace(other, chosen=page.chosen)
-
-
-def _stored(layer: PlacedIcon, parts: Parts) -> StoredLayer:
-    at = layer.placement
-    return StoredLayer(
-        scale=at.scale,
-        flip=at.flip,
-        dx=at.dx,
-        dy=at.dy,
-        number=layer.number,
-        icon=parts.icon(layer.icon.pictogram),
-        hidden=layer.hidden,
-        strokes=tuple(StoredStroke(one.width, one.points) for one in layer.strokes),
-    )
