@@ -44,7 +44,7 @@ def write(folder, text):
         ('{"polygon": [[0, 0], [1', "not valid JSON"),
         ("[" * 5000, "not valid JSON"),
         ("[]", "An object"),
-        ({"keyword": "dog"}, '"polygon" must be a list'),
+        ({"keyword": "dog"}, '"polygon" is missing: a list'),
         ({"keyword": 7, "polygon": SQUARE}, '"keyword" must be a text'),
         ({"keyword": "dog", "polygon": []}, "at least 3"),
         ({"keyword": "dog", "polygon": [[0, 0], [1, 1]]}, "at least 3"),

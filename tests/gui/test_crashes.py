@@ -105,7 +105,7 @@ def journalled(qtbot, keyword="", points=0):
     def there():
         journals = list(journals_folder().glob("*/project.json"))
         pages = [json.loads(one.read_text("utf-8"))["pages"] for one in journals]
-        found = [(one["model"]["keyword"], len(one["model"]["polygon"])) for one in pages]
+        found = [(one["model"].get("keyword", ""), len(one["model"]["polygon"])) for one in pages]
         return len(found) == 1 and found[0][0] == keyword and found[0][1] >= points
 
     qtbot.waitUntil(there)
