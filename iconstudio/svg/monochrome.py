@@ -185,7 +185,9 @@ def _picture(
     """
     if not fonts and not heavy and is_of_one_paint(content):
         black = document(_painted(copy.deepcopy(content), Paints.ALL), box)
-        return _Picture(None, render_coverage(black, frame, _SIDE), frozenset())
+        coverage = render_coverage(black, frame, _SIDE)
+        if not _is_thin(coverage):  # else antialiasing makes it pale, which is judged below
+            return _Picture(None, coverage, frozenset())
     svg, size = document(content, box), _SIDE
     if heavy:
         start = perf_counter()
