@@ -112,5 +112,5 @@ def test_a_small_pale_dot_is_ink():
 
 
 def test_the_faint_layer_of_a_duotone_is_left_out_and_told():
-    document = svg(f'{BAR}<g opacity=".2">{DOT}</g>')
+    document = svg(f'{BAR}<g opacity=".15">{DOT}</g>')
     assert_shows(document, BAR, remarks=["hardly opaque"])
