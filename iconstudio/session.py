@@ -50,7 +50,10 @@ _PLENTY = 8
 """With so many others, icons of two tones are left out: only their dark part could be used."""
 _SECONDS, _MEMORY = 20.0, 1 << 30
 """How long reading a file from outside may take, and how many bytes."""
-_SIMPLER = "Simplify the drawing, or save it as a PNG and open that."
+_SIMPLER = (
+    "Try again when the machine has less to do; else simplify the drawing, "
+    "or save it as a PNG and open that."
+)
 """What to do about a drawing that reaches the limits."""
 _SHOWN = 200
 """Most characters of a reference that a message repeats."""

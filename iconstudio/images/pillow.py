@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from iconstudio.images.truncated import coarser, completed
 from iconstudio.model import IconstudioError
+from iconstudio.svg import signatures
 
 if TYPE_CHECKING:
     from PIL.Image import Image as PillowImage
@@ -149,7 +150,7 @@ def _what(data: bytes) -> str:
         return "It is an HEIC picture that cannot be read here. Save it as a JPEG file."
     if is_image(data):
         return _UNREADABLE
-    return (
+    return signatures.binary(data) or (
         "It is no picture that can be read. Choose a PNG, JPEG, WebP, AVIF, HEIC, TIFF, GIF, BMP, "
         "JPEG 2000 or TGA file."
     )
