@@ -24,6 +24,7 @@ from PySide6.QtWidgets import QApplication
 
 from iconstudio.gui.app import application, keep_going
 from iconstudio.gui.gallery.cell import ResultCell
+from iconstudio.gui.project import questions
 from iconstudio.gui.theme import theme
 from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.session import Session
@@ -300,6 +301,7 @@ def main() -> int:
         player = Player(probe, chain.from_iterable(chosen), app.quit)
         app.exec()
     probe.begin("")
+    questions.ask_about_unsaved = lambda *_: questions.Answer.DISCARD
     print(f"collecting garbage\t{1000 * probe.collecting:.0f}")
     window.close()
     if player.error is not None:

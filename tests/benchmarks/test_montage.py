@@ -58,12 +58,13 @@ def test_session(benchmark, session, montage):
 
 
 @pytest.mark.benchmark(group="a montage of 4 icons after one more stroke")
-def test_window(benchmark, session, montage, qtbot):
+def test_window(benchmark, session, montage, qtbot, monkeypatch):
     """From lifting the pen to the picture on the screen."""
     pytest.importorskip("PySide6.QtWidgets")
     from PySide6.QtCore import QPoint, Qt
     from PySide6.QtTest import QTest
 
+    from iconstudio.gui.project import questions
     from iconstudio.gui.window.main_window import MainWindow
     from iconstudio.gui.workspaces.montage.opening import page_of
     from iconstudio.workflows.montage.page import Icon
@@ -100,4 +101,5 @@ def test_window(benchmark, session, montage, qtbot):
     rest()
     benchmark.pedantic(lift, setup=press_and_draw, rounds=ROUNDS, warmup_rounds=4)
     rest()
+    monkeypatch.setattr(questions, "ask_about_unsaved", lambda *_: questions.Answer.DISCARD)
     window.close()
