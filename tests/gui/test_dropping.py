@@ -2,6 +2,7 @@
 
 import base64
 import json
+import threading
 from urllib.parse import quote
 
 import numpy as np
@@ -297,6 +298,35 @@ def test_all_of_several_files_are_taken_by_one_step(roomy, qtbot, own):
 def test_several_files_are_pasted(roomy, qtbot, own):
     paste(roomy, urls(*own(2)))
     there(roomy, qtbot, 2)
+
+
+def slowly(opener, monkeypatch):
+    """Let an opener wait until an event is set before it reads."""
+    go, read = threading.Event(), opener.reading
+
+    def reading(item):
+        while not go.wait(0.01):
+            yield None
+        return (yield from read(item))
+
+    monkeypatch.setattr(opener, "reading", reading)
+    return go
+
+
+@pytest.mark.parametrize("good", [True, False])
+def test_what_takes_long_to_open_is_told_meanwhile(place, qtbot, own, monkeypatch, good):
+    go, (path,), told, failures = slowly(place.opener, monkeypatch), own(1), [], []
+    path.write_text(SVG.format(0) if good else "no drawing")
+    place.remarked.connect(told.append)
+    place.failed.connect(failures.append)
+    place.open_mime(urls(path))
+    qtbot.waitUntil(lambda: told[-1] == "Opening…")
+    go.set()
+    qtbot.waitUntil(lambda: told[-1] != "Opening…")
+    qtbot.waitUntil(lambda: good or bool(failures))
+    assert bool(told[-1]) == good
+    assert bool(failures) != good
+    assert place.window().pane.notice.isVisible() != good
 
 
 def test_of_several_files_an_edit_takes_one_and_says_so(edit, qtbot, own):

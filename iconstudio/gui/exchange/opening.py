@@ -4,7 +4,7 @@ from collections.abc import Callable, Generator, Sequence
 from pathlib import Path
 from typing import Any, ClassVar
 
-from PySide6.QtCore import QMimeData, QObject, Signal
+from PySide6.QtCore import QMimeData, QObject, QTimer, Signal
 from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
 from iconstudio.gui.document.document import Document
@@ -16,6 +16,9 @@ from iconstudio.gui.panels.scanning import ScanDialog, Source, may_be_scan, pict
 from iconstudio.gui.panels.symbols import SymbolDialog
 from iconstudio.model import IconstudioError, Pictogram
 from iconstudio.session import Session
+
+_PATIENCE = 300
+"""Milliseconds after which it is told that something is being opened."""
 
 
 class Opener(QObject):
@@ -67,6 +70,10 @@ class Opener(QObject):
         self._owner = owner
         self._adding: list[Job] = []
         self._complaints: list[str] = []
+        self._waiting = False
+        """Whether it stands in the status line that something is being opened."""
+        self._timer = QTimer(self, singleShot=True, interval=_PATIENCE)
+        self._timer.timeout.connect(self._ask_for_patience)
         self.runner = Runner(worker, self)
         """Does what ``replace`` starts; its ``progress`` and ``ended`` may be listened to."""
         self.runner.event.connect(self.receive)
@@ -223,12 +230,14 @@ class Opener(QObject):
         except IconstudioError as error:
             self.complain(str(error))
             return
+        self._waiting = False
         self.opened.emit(done)
         for complaint in self._complaints:  # what was told before has gone from sight with that
             self.failed.emit(complaint)
 
     def complain(self, message: str) -> None:
         """Tell the user of something that was not opened, until all is opened that is to be."""
+        self._end_waiting()  # which takes from sight what was told before
         if self._busy:
             self._complaints.append(message)
         self.failed.emit(message)
@@ -240,6 +249,7 @@ class Opener(QObject):
     def _begin_anew(self) -> None:
         if not self._busy:
             self.began.emit()
+        self._timer.start()
 
     def _added(self) -> None:
         if (job := self.sender()) in self._adding:  # else it was cancelled
@@ -249,6 +259,18 @@ class Opener(QObject):
     def _rest(self) -> None:
         if not self._busy:
             self._complaints.clear()
+            self._end_waiting()
+
+    def _ask_for_patience(self) -> None:
+        if self._busy:
+            self._waiting = True
+            self.opened.emit("Opening…")
+
+    def _end_waiting(self) -> None:
+        self._timer.stop()
+        if self._waiting:
+            self._waiting = False
+            self.opened.emit("")
 
 
 def _way(opener: Opener, path: str) -> Callable[[str], object]:
