@@ -1,7 +1,7 @@
 """What can be done with a montage."""
 
 from iconstudio.gui.window.actions import CANVAS, Entry, Key, tool, work_entries
-from iconstudio.gui.workspaces.montage import edits
+from iconstudio.workflows.montage import edits
 
 
 def _holds_icons(place) -> bool:

@@ -20,8 +20,8 @@ from iconstudio.gui.theme.layout import (
 )
 from iconstudio.gui.theme.painting import fill_rounded, smooth_painter
 from iconstudio.gui.theme.theme import UNIT
-from iconstudio.gui.workspaces.montage import edits
 from iconstudio.gui.workspaces.montage.appearance import color_of
+from iconstudio.workflows.montage import edits
 from iconstudio.workflows.montage.page import MontageDocument, MontagePage, PlacedIcon, choose
 
 EMPTY = "The icons of the montage are listed here."
