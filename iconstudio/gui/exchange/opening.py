@@ -4,11 +4,12 @@ from collections.abc import Callable, Generator, Sequence
 from pathlib import Path
 from typing import Any, ClassVar
 
-from PySide6.QtCore import QMimeData, QObject, QTimer, Signal
+from PySide6.QtCore import QMimeData, QObject, Signal
 from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
 from iconstudio.gui.document.document import Document
 from iconstudio.gui.exchange import mime
+from iconstudio.gui.exchange.patience import Patience
 from iconstudio.gui.exchange.together import ReadTogether, Sprite, named, read_together, was
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Job, Worker
@@ -16,9 +17,6 @@ from iconstudio.gui.panels.scanning import ScanDialog, Source, may_be_scan, pict
 from iconstudio.gui.panels.symbols import SymbolDialog
 from iconstudio.model import IconstudioError, Pictogram
 from iconstudio.session import Session
-
-_PATIENCE = 300
-"""Milliseconds after which it is told that something is being opened."""
 
 
 class Opener(QObject):
@@ -70,10 +68,7 @@ class Opener(QObject):
         self._owner = owner
         self._adding: list[Job] = []
         self._complaints: list[str] = []
-        self._waiting = False
-        """Whether it stands in the status line that something is being opened."""
-        self._timer = QTimer(self, singleShot=True, interval=_PATIENCE)
-        self._timer.timeout.connect(self._ask_for_patience)
+        self._patience = Patience(self.opened.emit, self)
         self.runner = Runner(worker, self)
         """Does what ``replace`` starts; its ``progress`` and ``ended`` may be listened to."""
         self.runner.event.connect(self.receive)
@@ -230,14 +225,14 @@ class Opener(QObject):
         except IconstudioError as error:
             self.complain(str(error))
             return
-        self._waiting = False
+        self._patience.end(silently=True)
         self.opened.emit(done)
         for complaint in self._complaints:  # what was told before has gone from sight with that
             self.failed.emit(complaint)
 
     def complain(self, message: str) -> None:
         """Tell the user of something that was not opened, until all is opened that is to be."""
-        self._end_waiting()  # which takes from sight what was told before
+        self._patience.end()  # which takes from sight what was told before
         if self._busy:
             self._complaints.append(message)
         self.failed.emit(message)
@@ -249,7 +244,7 @@ class Opener(QObject):
     def _begin_anew(self) -> None:
         if not self._busy:
             self.began.emit()
-        self._timer.start()
+        self._patience.begin()
 
     def _added(self) -> None:
         if (job := self.sender()) in self._adding:  # else it was cancelled
@@ -259,18 +254,7 @@ class Opener(QObject):
     def _rest(self) -> None:
         if not self._busy:
             self._complaints.clear()
-            self._end_waiting()
-
-    def _ask_for_patience(self) -> None:
-        if self._busy:
-            self._waiting = True
-            self.opened.emit("Opening…")
-
-    def _end_waiting(self) -> None:
-        self._timer.stop()
-        if self._waiting:
-            self._waiting = False
-            self.opened.emit("")
+            self._patience.end()
 
 
 def _way(opener: Opener, path: str) -> Callable[[str], object]:

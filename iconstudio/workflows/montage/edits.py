@@ -28,8 +28,10 @@ def reorder(document: MontageDocument, number: int, at: int) -> None:
 
 
 def mirror(document: MontageDocument) -> None:
-    """Mirror the chosen icon."""
+    """Mirror the chosen icon, if there is one."""
     layer = document.page.current
+    if layer is None:
+        return
     placement = replace(layer.placement, flip=not layer.placement.flip)
     _change(document, "mirror icon", lambda page: page.placed(layer.number, placement))
 
