@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.scanning.flat import flat_drawing
 from iconstudio.algorithms.scanning.free import LARGE, free_drawing
+from iconstudio.algorithms.scanning.margin import with_margin
 from iconstudio.algorithms.scanning.paper import lighting, page, trend
 from iconstudio.algorithms.scanning.resampling import COARSE, reconstructed, resized, shrunk
 from iconstudio.algorithms.tones.tone import Inked, pictogram
@@ -135,6 +136,8 @@ def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
 
     These tell only if nobody says whether it is lighter than its ground.
     """
+    if not inverted:
+        pixels = with_margin(pixels)
     drawing = _coloured_drawing(pixels) if inverted is None else None
     coloured = None if drawing is None else pictogram(drawing)
     if coloured is None or not (coloured.coverage > 127).any():

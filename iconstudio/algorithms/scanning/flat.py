@@ -12,6 +12,7 @@ import scipy
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.scanning.free import SIDE, has_colours, on_square
+from iconstudio.algorithms.scanning.margin import PAPER
 from iconstudio.algorithms.scanning.palette import CLEAR, Palette, palette_of
 from iconstudio.algorithms.scanning.resampling import (
     premultiplied,
@@ -40,14 +41,20 @@ _NEAR = 7
 """Pixels across, of what is near."""
 _AROUND = 0.97
 """How much of the rim of a bitmap has the colour of the ground, if not all corners have."""
-_PAPER, _AT_RIM = 225.0, 0.3
-"""Levels from which a colour is that of white paper, and how much of the rim that has at least."""
+_AT_RIM = 0.3
+"""How much of the rim the colour of white paper has, at least."""
+_BLEEDS = 0.5
+"""How much of the rim a coloured ground has, at least; less is what shows beside an app icon."""
 _DESK = 0.75
 """How much of the rim a desk has at least around a sheet of paper, whose corners are sharp."""
 _TINGE = 70.0
 """Levels by which the channels of paper differ, at most."""
 _CLEAN = 3.0
 """Levels by which the ground of a drawing with shades strays at most; that of a photo does."""
+_EVENLY = 0.4
+"""How much of a bitmap without a page is evenly painted, at least."""
+_GRAIN = 1.2
+"""Levels that its pixels stray from those around, in the mean, at most."""
 _FULL = 0.7
 """How much of its bounding box a tile or a badge fills, and a little air."""
 
@@ -67,12 +74,27 @@ def flat_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
     if palette is None:
         return None
     ground, around = _ground(palette, blended)
-    if ground is None or (around > _DESK and _lies_on_a_desk(small, palette.colours[ground])):
+    if ground is not None and around > _DESK and _lies_on_a_desk(small, palette.colours[ground]):
+        return None
+    if _is_full_bleed(palette, blended, ground, around):
+        return _full_bleed(blended, palette)
+    if ground is None:
         return None
     if small.shape[2] == 3 and palette.shades:
         if palette.noise(ground, blended) > _CLEAN:
             return None
         palette = _without_fading(palette, ground)
+    palette, parts = _completed(blended, palette)
+    return None if parts is None else _painted(parts, palette, ground, around < _AROUND)
+
+
+def _completed(
+    blended: NDArray[np.float32], palette: Palette
+) -> tuple[Palette, NDArray[np.float32] | None]:
+    """Return a palette with what it lacks, and how much of each pixel has each colour, (k, h, w).
+
+    None if too much is of other colours still.
+    """
     most = _MISSED if palette.is_exact(blended) else _LOSSY
     parts, amiss = _parts(blended, palette, most)
     for _ in range(_LACKING):
@@ -80,9 +102,45 @@ def flat_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
             break
         palette = palette.with_colour(amiss)
         parts, amiss = _parts(blended, palette, most)
-    if amiss is not None:
+    return palette, parts if amiss is None else None
+
+
+def _is_full_bleed(
+    palette: Palette, blended: NDArray[np.float32], ground: int | None, around: float
+) -> bool:
+    """Whether colours reach the edge of a bitmap that are no page: a flag, or a full tile.
+
+    Paper has no strong colour, wherever it lies in the shadow, and its picture has grain.
+    """
+    if ground is not None:
+        full = around > _BLEEDS and np.ptp(palette.colours[ground, :3]) > _TINGE
+    elif palette.shades:
+        full = all(np.ptp(palette.colours[one, :3]) > _TINGE for one in palette.shades)
+    else:
+        full = bool((np.ptp(palette.colours[:, :3], axis=1) > _TINGE).any())
+    return bool(
+        full
+        and (palette.colours[:, 3] >= CLEAR).all()
+        and (palette.number >= 0).mean() > _EVENLY
+        and _grain(palette, blended) < _GRAIN
+    )
+
+
+def _grain(palette: Palette, blended: NDArray[np.float32]) -> float:
+    """Return by how many levels pixels of even areas stray from those around, in the mean."""
+    even = scipy.ndimage.binary_erosion(palette.number >= 0)
+    away = abs(blended - scipy.ndimage.uniform_filter(blended, (3, 3, 1)))[even]
+    return float(away.max(axis=1).mean()) if even.any() else np.inf
+
+
+def _full_bleed(blended: NDArray[np.float32], palette: Palette) -> NDArray[np.uint8] | None:
+    """Return a drawing that covers all of a bitmap, opaque; None if its colours do not make it."""
+    palette, parts = _completed(blended, palette)
+    if parts is None:
         return None
-    return _painted(parts, palette, ground, around < _AROUND)
+    scale = _FILLED * SIDE / max(parts.shape[1:])
+    shape = tuple(max(1, round(side * scale)) for side in parts.shape[1:])
+    return on_square(_at(list(parts), palette.shades, palette, shape)[1])
 
 
 def _ground(palette: Palette, blended: NDArray[np.float32]) -> tuple[int | None, float]:
@@ -96,7 +154,7 @@ def _ground(palette: Palette, blended: NDArray[np.float32]) -> tuple[int | None,
     on_rim = np.concatenate([away[:, 0], away[:, -1], away[:, :, 0], away[:, :, -1]], axis=1)
     shares = (on_rim < _ASTRAY).mean(axis=1)
     shares[list(palette.shades)] = 0
-    paper = (palette.colours.min(axis=1) > _PAPER) & (shares > _AT_RIM)
+    paper = (palette.colours.min(axis=1) > PAPER) & (shares > _AT_RIM)
     cornered = (away[:, [0, 0, -1, -1], [0, -1, 0, -1]] < _ASTRAY).all(axis=1)
     # Paper of which a part lies in the shadow, or beside a desk, has shades.
     grounds = [shares > _AROUND, cornered] + ([] if palette.shades else [paper])
@@ -109,16 +167,21 @@ def _ground(palette: Palette, blended: NDArray[np.float32]) -> tuple[int | None,
 
 def _lies_on_a_desk(small: NDArray[np.float32], ground: NDArray[np.float32]) -> bool:
     """Whether it is a sheet of paper; a ground as white as that is no desk."""
-    if small.shape[2] == 4 or ground.min() > _PAPER:
+    if small.shape[2] == 4 or ground.min() > PAPER:
         return False
     sheet = sheet_on_desk(small / np.float32(255))
     return sheet is not None and bool(np.ptp(np.median(small[sheet], axis=0)) < _TINGE)
 
 
 def _without_fading(palette: Palette, ground: int) -> Palette:
-    """Return a palette without shades that fade into the ground, as soft shadows do."""
+    """Return a palette without shades that fade into the ground, as soft shadows do.
+
+    A ball may have a highlight of the colour of the ground, but not where it meets that.
+    """
+    beside = scipy.ndimage.binary_dilation(palette.number == ground, np.ones((_NEAR, _NEAR)))
     for one, shade in palette.shades.items():
-        away = np.linalg.norm(shade[palette.number == one] - palette.colours[ground], axis=1)
+        meets = beside & (palette.number == one)
+        away = np.linalg.norm(shade[meets] - palette.colours[ground], axis=1)
         if (away < _ASTRAY).any():
             palette = palette.without(one, ground)
     return palette
@@ -204,15 +267,28 @@ def _enlarged(
     padded = [np.pad(one, pad, constant_values=n == ground) for n, one in enumerate(parts)]
     scale = SIDE * min(_FILLED / max(parts.shape[1:]), 1 / max(padded[0].shape))
     shape = tuple(max(1, round(side * scale)) for side in padded[0].shape)
+    shades = {
+        number: np.pad(shade[crop], [*pad, (0, 0)], mode="edge")
+        for number, shade in palette.shades.items()
+    }
+    return _at(padded, shades, palette, shape)
+
+
+def _at(
+    parts: list[NDArray[np.float32]],
+    shades: dict[int, NDArray[np.float32]],
+    palette: Palette,
+    shape: tuple[int, ...],
+) -> tuple[NDArray[np.intp], NDArray[np.float32]]:
+    """Return the number (h, w) of each pixel's colour at another resolution, and it (h, w, 4)."""
     best = np.full(shape, -np.inf, np.float32)
-    labels = np.full(shape, ground)
-    for number, one in enumerate(padded):
+    labels = np.zeros(shape, np.intp)
+    for number, one in enumerate(parts):
         here = reconstructed(one, shape)
         labels = np.where(here > best, number, labels)
         best = np.maximum(here, best)
     colours = palette.colours[labels]
-    for number, shade in palette.shades.items():
+    for number, shade in shades.items():
         at = labels == number
-        wide = resized(np.pad(shade[crop], [*pad, (0, 0)], mode="edge"), shape)
-        colours[at] = wide[at]
+        colours[at] = resized(shade, shape)[at]
     return labels, colours

@@ -31,6 +31,8 @@ _GRAIN = 0.05
 """How much of the evenly painted pixels may belong to such, as JPEG leaves beside edges."""
 _BESIDE = 0.1
 """So many pixels, as part of its own, an edge has beside it of what it lies between, at least."""
+_OF_MEDIAN = 1.48
+"""Root of the mean square of noise, as a multiple of the median."""
 _MOST = 20
 """Colours of a palette."""
 
@@ -58,8 +60,10 @@ class Palette(NamedTuple):
         return self._replace(colours=colours, counts=np.append(self.counts, 0))
 
     def noise(self, one: int, blended: NDArray[np.float32]) -> float:
-        """Return by how many levels the pixels of a colour stray."""
-        return _strays(blended[self.number == one])
+        """Return by how many levels the pixels of a colour stray, but for those beside edges."""
+        here = blended[self.number == one]
+        away = abs(here - np.median(here, axis=0))
+        return _OF_MEDIAN * float(np.median(away, axis=0).max())
 
     def is_exact(self, blended: NDArray[np.float32]) -> bool:
         """Whether most of what is flat has the very same colour, as lossy files do not keep it."""

@@ -1,0 +1,66 @@
+"""Bitmaps that are cropped tightly get back the margin of their page."""
+
+import numpy as np
+import scipy
+from numpy.typing import NDArray
+
+PAPER = 225.0
+"""Levels from which a colour is that of white paper."""
+_LEAST, _ALL = 0.3, 0.995
+"""How much of the rim shows the page, at least; a page that shows nearly all along is margin."""
+_CLEAN = 1.5
+"""Levels by which a page that a computer drew strays in the median; that of a scan does by more."""
+_STRIPE = 0.9
+"""How much of its bounding box a stripe of a flag fills."""
+_MARGIN = 0.06
+"""Width of the margin that is added, as part of the longer side."""
+
+
+def with_margin(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """Return a bitmap (h, w, 3) with more of its white page around, if what it shows is cut by it.
+
+    So letters that touch the edge of a wordmark are neither scraps nor ground. It is as it is where
+    its page shows in the corners alone, as beside an app icon, or in stripes, as on flags.
+    """
+    if pixels.shape[2] != 3 or min(pixels.shape[:2]) < 8:
+        return pixels
+    rim = _rim(pixels)
+    white = rim.min(axis=1) > PAPER
+    if not _LEAST < white.mean() < _ALL:
+        return pixels
+    page = np.median(rim[white], axis=0)
+    if np.median(abs(rim[white] - page).max(axis=1)) > _CLEAN:
+        return pixels
+    light = pixels.min(axis=2) > PAPER
+    if _is_in_corners(light) or _is_striped(light):
+        return pixels
+    wide = round(_MARGIN * max(light.shape)) + 2
+    padded = np.empty((light.shape[0] + 2 * wide, light.shape[1] + 2 * wide, 3), np.uint8)
+    padded[:] = page
+    padded[wide:-wide, wide:-wide] = pixels
+    return padded
+
+
+def _rim(pixels: NDArray[np.generic]) -> NDArray[np.generic]:
+    return np.concatenate([pixels[0], pixels[-1], pixels[1:-1, 0], pixels[1:-1, -1]])
+
+
+def _is_in_corners(light: NDArray[np.bool_]) -> bool:
+    """Whether all corners are of the page, and the middles of all sides are not."""
+    middle, centre = light.shape[0] // 2, light.shape[1] // 2
+    corners = light[[0, 0, -1, -1], [0, -1, 0, -1]]
+    sides = light[[0, -1, middle, middle], [centre, centre, 0, -1]]
+    return bool(corners.all() and not sides.any())
+
+
+def _is_striped(light: NDArray[np.bool_]) -> bool:
+    """Whether most of what is white along the rim belongs to rectangles."""
+    pieces, _ = scipy.ndimage.label(light)
+    on_rim = np.bincount(_rim(pieces).ravel(), minlength=pieces.max() + 1)
+    on_rim[0] = 0
+    stripes = 0
+    boxes = scipy.ndimage.find_objects(pieces)
+    for number in np.flatnonzero(on_rim):
+        if (pieces[boxes[number - 1]] == number).mean() > _STRIPE:
+            stripes += on_rim[number]
+    return bool(2 * stripes > on_rim.sum())
