@@ -11,6 +11,7 @@ from skimage.data import camera, chelsea, coffee
 from iconstudio.algorithms.scanning.binarisation import ink_of, recognised, scanned
 from iconstudio.algorithms.scanning.flat import flat_drawing
 from iconstudio.algorithms.scanning.free import SIDE
+from iconstudio.algorithms.tones import tone
 from iconstudio.algorithms.tones.layers import flattened
 from tests import scans
 from tests.algorithms.test_scanning import house
@@ -182,3 +183,95 @@ def test_what_is_tiny_is_looked_at(shape):
     pixels = np.random.default_rng(0).integers(0, 256, shape, np.uint8)
     flat = flat_drawing(pixels)
     assert flat is None or flat.shape == (SIDE, SIDE, 4)
+
+
+CROPPED = {
+    "letters": '<g fill="none" stroke="{0}" stroke-width="10"><circle cx="22" cy="30" r="17"/>'
+    '<path d="M5 0v60M95 0L56 32M62 28l33 32M57 0v60"/></g>',
+    "hourglass": '<path d="M0 0h100L60 30l40 30H0l40-30z" fill="{}"/>',
+    "card": '<rect x="3" y="3" width="94" height="54" rx="12" fill="none" stroke="{0}" '
+    'stroke-width="6"/><path d="M3 20h94" stroke="{0}" stroke-width="6"/>',
+}
+
+
+def on_page(drawing, side, quality=0, box="0 0 100 60"):
+    """The drawing without a margin, (h, w, 3)."""
+    width, height = (int(n) for n in box.split()[2:])
+    square = rgba(drawing, side, f"0 {(height - width) // 2} {width} {width}")
+    rows = side * (width - height) // width // 2
+    picture = Image.fromarray(square[rows : side - rows])
+    page = Image.new("RGB", picture.size, "white")
+    page.paste(picture, (0, 0), picture)
+    if not quality:
+        return np.asarray(page)
+    file = io.BytesIO()
+    page.save(file, "JPEG", quality=quality)
+    return np.asarray(Image.open(file))
+
+
+@pytest.mark.parametrize("name", CROPPED)
+@pytest.mark.parametrize("colour", ["#111", "#8fbffa"])
+@pytest.mark.parametrize(("side", "quality"), [(100, 0), (200, 95)])
+def test_what_touches_the_edge_of_a_tightly_cropped_page_is_drawn(name, colour, side, quality):
+    drawing = CROPPED[name].format(colour)
+    right = scans.fitted(rgba(drawing, 512, "0 -20 100 100")[..., 3] / 255)
+    scan = recognised(on_page(drawing, side, quality))
+    assert scan.found and not scan.shaded
+    assert scans.iou(scans.fitted(ink_of(scan).astype(float)), right) > 0.93
+
+
+FLAGS = {
+    "stripes": '<path d="M0 0h100v60H0z" fill="#fff"/><path d="M0 0h100v20H0z" fill="#a12"/>'
+    '<path d="M0 40h100v20H0z" fill="#148"/>',
+    "cross": '<path d="M0 0h100v60H0z" fill="#059"/>'
+    '<path d="M30 0h12v24h58v12H42v24H30V36H0V24h30z" fill="#fc0"/>',
+    "lozenge": '<path d="M0 0h100v60H0z" fill="#093"/><path d="M50 6l40 24-40 24-40-24z"'
+    ' fill="#fd0"/><circle cx="50" cy="30" r="12" fill="#127"/>',
+    "badge": '<path d="M0 0h100v60H0z" fill="#d22"/><path d="M44 12h12v12h12v12H56v12H44V36H32V24'
+    'h12z" fill="#fff"/>',
+}
+
+
+@pytest.mark.parametrize("name", FLAGS)
+@pytest.mark.parametrize(("side", "quality"), [(80, 0), (200, 80)])
+def test_colours_that_reach_the_edge_are_no_page(name, side, quality):
+    """What is left out is told, as of the same drawing as SVG."""
+    drawing = FLAGS[name]
+    whole = Image.fromarray(rgba(drawing, 482, "0 -20 100 100"))
+    square = Image.new("RGBA", (512, 512))
+    square.paste(whole, (15, 15))
+    right = tone.pictogram(np.asarray(square))
+    scan = recognised(on_page(drawing, side, quality))
+    assert scan.coloured is not None and scan.coloured.omissions == right.omissions
+    found = scans.fitted(ink_of(scan).astype(float))
+    assert scans.iou(found, scans.fitted(right.coverage / 255)) > 0.88
+
+
+@pytest.mark.parametrize(("side", "quality"), [(32, 0), (48, 0), (200, 65)])
+@pytest.mark.parametrize("corners", [True, False])
+def test_a_ring_on_a_gradient_is_the_drawing_on_it(side, quality, corners):
+    drawing = GRADIENT + TILES["rounded"].format('fill="url(#g)"')
+    drawing += '<circle cx="50" cy="50" r="24" fill="none" stroke="#fff" stroke-width="10"/>'
+    right = scans.fitted(pictogram(rgba(drawing, 512, "0 0 100 100")) / 255)
+    pixels = on_page(drawing, side, quality, "0 0 100 100")
+    if not corners and not quality:
+        pixels = rgba(drawing, side, "0 0 100 100")
+    assert scans.iou(scans.fitted(ink_of(recognised(pixels)).astype(float)), right) > 0.88
+
+
+def test_a_ball_with_a_highlight_of_the_colour_of_the_page_is_whole():
+    ball = (
+        '<radialGradient id="r" cx=".35" cy=".35"><stop stop-color="#fff"/><stop offset=".5" '
+        'stop-color="#39f"/><stop offset="1" stop-color="#036"/></radialGradient>'
+        '<circle cx="50" cy="50" r="44" fill="url(#r)"/>'
+    )
+    found = scans.fitted(ink_of(recognised(on_page(ball, 160, 85, "0 0 100 100"))).astype(float))
+    right = scans.fitted(pictogram(rgba(ball, 512, "0 0 100 100")) / 255)
+    assert scans.iou(found, right) > 0.95
+
+
+@pytest.mark.parametrize("side", [16, 20, 24])
+def test_a_small_drawing_in_one_colour_is_not_judged_by_tones(side):
+    body = '<path d="M3 12l9-8 9 8M6 10v10h12V10" fill="none" stroke="#000" stroke-width="2"/>'
+    scan = recognised(rgba(body, side))
+    assert scan.coloured is None and ndimage.label(ink_of(scan))[1] == 1

@@ -141,7 +141,7 @@ def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
     drawing = _coloured_drawing(pixels) if inverted is None else None
     coloured = None if drawing is None else pictogram(drawing)
     if coloured is None or not (coloured.coverage > 127).any():
-        return scanned(pixels, inverted)
+        return scanned(pixels if inverted else with_margin(pixels, tiles=True), inverted)
     return replace(scanned(pixels), found=True, shaded=False, coloured=coloured)
 
 

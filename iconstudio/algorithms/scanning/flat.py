@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.scanning.free import SIDE, has_colours, on_square
 from iconstudio.algorithms.scanning.margin import PAPER
-from iconstudio.algorithms.scanning.palette import CLEAR, Palette, palette_of
+from iconstudio.algorithms.scanning.palette import CLEAR, Palette, is_in_one_colour, palette_of
 from iconstudio.algorithms.scanning.resampling import (
     premultiplied,
     reconstructed,
@@ -26,6 +26,8 @@ from iconstudio.algorithms.tones.tone import pictogram
 
 _LONGEST = 384
 """Pixels of the longer side of the bitmap that is looked at."""
+_TINY = 64
+"""Pixels of the longer side of a bitmap in which there is as much of edges as of colours."""
 _FILLED = 0.94
 """How much of the longer side of the crisp drawing is not air."""
 _MISSED, _LOSSY = 0.04, 0.15
@@ -53,8 +55,10 @@ _CLEAN = 3.0
 """Levels by which the ground of a drawing with shades strays at most; that of a photo does."""
 _EVENLY = 0.4
 """How much of a bitmap without a page is evenly painted, at least."""
-_GRAIN = 1.2
+_GRAIN = 1.8
 """Levels that its pixels stray from those around, in the mean, at most."""
+_LINES = 0.08
+"""Half the width of the thickest lines, as part of the drawing."""
 _FULL = 0.7
 """How much of its bounding box a tile or a badge fills, and a little air."""
 
@@ -70,6 +74,9 @@ def flat_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
         return None
     small = shrunk(pixels, -(-max(pixels.shape[:2]) // _LONGEST)) * np.float32(255)
     blended = premultiplied(small)
+    tiny = max(pixels.shape[:2]) <= _TINY and pixels.shape[2] == 4
+    if tiny and is_in_one_colour(blended):
+        return None
     palette = palette_of(blended)
     if palette is None:
         return None
@@ -112,12 +119,18 @@ def _is_full_bleed(
 
     Paper has no strong colour, wherever it lies in the shadow, and its picture has grain.
     """
-    if ground is not None:
-        full = around > _BLEEDS and np.ptp(palette.colours[ground, :3]) > _TINGE
+    coloured = np.ptp(palette.colours[:, :3], axis=1) > _TINGE
+    if ground is not None and palette.colours[ground].min() > PAPER:
+        # Stripes of white, as on flags: more of a page was added around.
+        corners = blended[[0, 0, -1, -1], [0, -1, 0, -1]] - palette.colours[ground]
+        at_corners = np.linalg.norm(corners, axis=1) < _ASTRAY
+        full = around < _AROUND and not at_corners.all() and coloured.any() and not palette.shades
+    elif ground is not None:
+        full = around > _BLEEDS and coloured[ground]
     elif palette.shades:
-        full = all(np.ptp(palette.colours[one, :3]) > _TINGE for one in palette.shades)
+        full = coloured[list(palette.shades)].all()
     else:
-        full = bool((np.ptp(palette.colours[:, :3], axis=1) > _TINGE).any())
+        full = coloured.any()
     return bool(
         full
         and (palette.colours[:, 3] >= CLEAR).all()
@@ -254,6 +267,9 @@ def _painted(
     own = has_colours(colours[inside & (labels != ground)])
     if not own and not (has_colours(colours[inside]) and inside.mean() > _FULL):
         return None
+    depth = scipy.ndimage.distance_transform_edt(np.pad(inside & (labels != ground), 1))
+    if not own and depth.max() < _LINES * max(labels.shape):
+        return None  # the frame of a drawing in lines is no tile
     painted = on_square(np.where(inside[..., None], colours, 0))
     on_tile = own or cut or Omission.TILE in pictogram(painted).omissions
     return painted if on_tile else None

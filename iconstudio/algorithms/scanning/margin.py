@@ -6,21 +6,24 @@ from numpy.typing import NDArray
 
 PAPER = 225.0
 """Levels from which a colour is that of white paper."""
-_LEAST, _ALL = 0.3, 0.995
+_LEAST, _ALL = 0.2, 0.995
 """How much of the rim shows the page, at least; a page that shows nearly all along is margin."""
-_CLEAN = 1.5
+_CLEAN = 2.5
 """Levels by which a page that a computer drew strays in the median; that of a scan does by more."""
+_EDGE, _STEP = 3, 40.0
+"""Pixels within which an edge falls from the page to a drawing, and by how many levels at least."""
 _STRIPE = 0.9
 """How much of its bounding box a stripe of a flag fills."""
 _MARGIN = 0.06
 """Width of the margin that is added, as part of the longer side."""
 
 
-def with_margin(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+def with_margin(pixels: NDArray[np.uint8], tiles: bool = False) -> NDArray[np.uint8]:
     """Return a bitmap (h, w, 3) with more of its white page around, if what it shows is cut by it.
 
     So letters that touch the edge of a wordmark are neither scraps nor ground. It is as it is where
-    its page shows in the corners alone, as beside an app icon, or in stripes, as on flags.
+    its page shows in stripes, as on flags, or, unless ``tiles``, in the corners alone, as beside an
+    app icon.
     """
     if pixels.shape[2] != 3 or min(pixels.shape[:2]) < 8:
         return pixels
@@ -32,13 +35,23 @@ def with_margin(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
     if np.median(abs(rim[white] - page).max(axis=1)) > _CLEAN:
         return pixels
     light = pixels.min(axis=2) > PAPER
-    if _is_in_corners(light) or _is_striped(light):
+    if _is_blurred(pixels) or (not tiles and _is_in_corners(light)) or _is_striped(light):
         return pixels
     wide = round(_MARGIN * max(light.shape)) + 2
     padded = np.empty((light.shape[0] + 2 * wide, light.shape[1] + 2 * wide, 3), np.uint8)
     padded[:] = page
     padded[wide:-wide, wide:-wide] = pixels
     return padded
+
+
+def _is_blurred(pixels: NDArray[np.uint8]) -> bool:
+    """Whether the page goes over by degrees along the rim, as into a shadow."""
+    steps = []
+    for side in (pixels[0], pixels[-1], pixels[:, 0], pixels[:, -1]):
+        level = np.pad(side.min(axis=1).astype(float), _EDGE, mode="edge")
+        at = np.flatnonzero(np.diff(level[_EDGE:-_EDGE] > PAPER)) + _EDGE
+        steps += list(abs(level[at + _EDGE] - level[at - _EDGE + 1]))
+    return bool(steps and np.median(steps) < _STEP)
 
 
 def _rim(pixels: NDArray[np.generic]) -> NDArray[np.generic]:

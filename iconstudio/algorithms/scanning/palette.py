@@ -92,8 +92,7 @@ def palette_of(blended: NDArray[np.float32]) -> Palette | None:
         return None
     least = max(_FEWEST, _SHARE * even.sum())
     shaded = [piece for piece in _pieces(blended, wide, least) if _strays(blended[piece]) > _SPREAD]
-    if small:
-        shaded = [_grown(blended, piece, even) for piece in shaded]
+    shaded = [_grown(blended, piece, even) for piece in shaded]
     flat = even & ~np.any(shaded, axis=0) if shaded else even
     areas = list(_clusters(blended, flat, least))
     if small:
@@ -131,6 +130,19 @@ def evenly_painted(blended: NDArray[np.float32], size: int) -> NDArray[np.bool_]
         even[0] = even[:, 0] = False
         even = scipy.ndimage.binary_dilation(even, np.ones((2, 2)), origin=-1)
     return even | (blended[..., 3] < CLEAR)
+
+
+def is_in_one_colour(blended: NDArray[np.float32]) -> bool:
+    """Whether a bitmap (h, w, 4) shows one colour on one ground, and else the blends of edges."""
+    even = evenly_painted(blended, 3)
+    ground = np.median(blended[even] if even.any() else blended.reshape(-1, 4), axis=0)
+    away = np.linalg.norm(blended - ground, axis=2)
+    colour = blended[np.unravel_index(away.argmax(), away.shape)]
+    way = colour - ground
+    share = np.clip((blended - ground) @ way / max(way @ way, 1), 0, 1)
+    strays = np.linalg.norm(blended - ground - share[..., None] * way, axis=2)
+    between = even & (np.minimum(share, 1 - share) * np.linalg.norm(way) > _EVEN)
+    return bool(strays.max() < _EVEN and not between.any())
 
 
 def _clusters(
@@ -221,10 +233,21 @@ def _joined(
 def _grown(
     blended: NDArray[np.float32], piece: NDArray[np.bool_], even: NDArray[np.bool_]
 ) -> NDArray[np.bool_]:
-    """Return a piece with what continues it of what is even in squares of two pixels only."""
-    alike = abs(_extended(blended, piece) - blended).max(axis=2) < _EVEN
-    grown: NDArray[np.bool_] = scipy.ndimage.binary_propagation(piece, mask=piece | (alike & even))
+    """Return a piece with what continues its shade: beside it, or, as within a ring, beyond."""
+    beside = abs(_extended(blended, piece) - blended).max(axis=2) < _EVEN
+    beyond = abs(_polynomial(blended, piece) - blended).max(axis=2) < _EVEN / 2
+    grown: NDArray[np.bool_] = scipy.ndimage.binary_propagation(piece, mask=piece | (beside & even))
+    grown |= beyond & even
     return grown
+
+
+def _polynomial(blended: NDArray[np.float32], piece: NDArray[np.bool_]) -> NDArray[np.float32]:
+    """Return (h, w, 4) the polynomial of the second degree that fits a piece best."""
+    y, x = np.mgrid[-1 : 1 : piece.shape[0] * 1j, -1 : 1 : piece.shape[1] * 1j]
+    terms = np.stack([np.ones_like(x), x, y, x * x, x * y, y * y], axis=2).astype(np.float32)
+    weights = np.linalg.lstsq(terms[piece], blended[piece], rcond=None)[0]
+    fitted: NDArray[np.float32] = terms @ weights
+    return fitted
 
 
 def _strays(colours: NDArray[np.float32]) -> float:
