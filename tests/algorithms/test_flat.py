@@ -275,3 +275,16 @@ def test_a_small_drawing_in_one_colour_is_not_judged_by_tones(side):
     body = '<path d="M3 12l9-8 9 8M6 10v10h12V10" fill="none" stroke="#000" stroke-width="2"/>'
     scan = recognised(rgba(body, side))
     assert scan.coloured is None and ndimage.label(ink_of(scan))[1] == 1
+
+
+@pytest.mark.parametrize("frame", [4, 6])
+def test_the_windows_of_a_black_card_without_a_margin_are_neither_sheets_nor_the_drawing(frame):
+    inner = 100 - 2 * frame
+    body = (
+        f'<path d="M0 0h100v100H0z" fill="#fff"/><rect y="15" width="100" height="70" rx="8"/>'
+        f'<path d="M{frame} 29h{inner}v10H{frame}zm0 20h{inner}v30H{frame}z" fill="#fff"/>'
+        '<path d="M12 65h20v6H12z"/>'
+    )
+    pixels = rgba(body, 400, "0 0 100 100")[60:340, :, :3]
+    ink = scans.fitted(ink_of(recognised(pixels)).astype(float))
+    assert scans.iou(ink, scans.fitted(pixels[..., 0] < 128)) > 0.9

@@ -59,6 +59,8 @@ _GRAIN = 1.8
 """Levels that its pixels stray from those around, in the mean, at most."""
 _LINES = 0.08
 """Half the width of the thickest lines, as part of the drawing."""
+_SPARSE = 0.6
+"""How much of its bounding box a drawing in lines fills at most."""
 _FULL = 0.7
 """How much of its bounding box a tile or a badge fills, and a little air."""
 
@@ -267,9 +269,11 @@ def _painted(
     own = has_colours(colours[inside & (labels != ground)])
     if not own and not (has_colours(colours[inside]) and inside.mean() > _FULL):
         return None
-    depth = scipy.ndimage.distance_transform_edt(np.pad(inside & (labels != ground), 1))
-    if not own and depth.max() < _LINES * max(labels.shape):
-        return None  # the frame of a drawing in lines is no tile
+    ink = inside & (labels != ground)
+    depth = scipy.ndimage.distance_transform_edt(np.pad(ink, 1))
+    if not own and depth.max() < _LINES * max(labels.shape) and ink.mean() < _SPARSE:
+        # The frame of a drawing in lines is no tile, nor a desk with sheets on it.
+        return on_square(np.where(ink[..., None], colours, 0))
     painted = on_square(np.where(inside[..., None], colours, 0))
     on_tile = own or cut or Omission.TILE in pictogram(painted).omissions
     return painted if on_tile else None
