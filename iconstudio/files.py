@@ -100,6 +100,20 @@ def write_atomically(path: Path, data: bytes) -> None:
         raise
 
 
+def write_bytes(path: Path, data: bytes) -> None:
+    """Write a file in one step; see ``write_atomically``.
+
+    Raises
+    ------
+    IconstudioError
+        If it cannot be written.
+    """
+    try:
+        write_atomically(path, data)
+    except OSError as error:
+        raise IconstudioError(f"“{path}” cannot be written: {error.strerror}.") from None
+
+
 def _why(path: Path, error: OSError) -> str:
     """Say why what is there cannot be read."""
     if os.path.isdir(path):

@@ -12,7 +12,7 @@ from iconstudio.model import IconstudioError
 from iconstudio.output.hybrids import HybridsReport
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
-from iconstudio.workflows.hybrids.file import COUNT, LARGEST_SEED, HybridsFile, read_hybrids
+from iconstudio.workflows.hybrids.file import LARGEST_SEED, HybridsFile, read_hybrids
 from iconstudio.workflows.hybrids.hybrids import MOST_DRAWS
 from iconstudio.workflows.hybrids.spec import HYBRIDS
 from iconstudio.workflows.workflow import Settings
@@ -59,12 +59,7 @@ def command(
 
 def _mixing(session: Session, hybrids: HybridsFile, side: int) -> Generator[Event]:
     """Find or pick the icons, then mix them."""
+    mix = yield from hybrids.resolving(session)
     if hybrids.icons is not None:
-        mix = hybrids.resolved(session.icon)
         running.tell_remarks(mix.icons)
-        yield from session.run(HYBRIDS, mix, Settings(side=side))
-        return
-    icons = yield from session.choose(
-        hybrids.word, hybrids.count or COUNT, hybrids.symmetry, hybrids.seed
-    )
-    yield from session.run(HYBRIDS, hybrids.mix(icons), Settings(side=side))
+    yield from session.run(HYBRIDS, mix, Settings(side=side))

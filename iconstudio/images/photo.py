@@ -6,9 +6,9 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.files import write_atomically
+from iconstudio.files import write_bytes
 from iconstudio.images.reading import SUFFIXES, Image
-from iconstudio.model import IconstudioError, Photo
+from iconstudio.model import Photo
 
 _LARGE = 64_000_000
 """Of a file with more bytes, only the pixels that are shown are kept."""
@@ -46,10 +46,7 @@ def file_beside(photo: Photo, path: Path) -> Path:
     if photo.path:
         return Path(photo.path)
     file = path.resolve().parent / f"{path.stem}-photo{photo.suffix}"
-    try:
-        write_atomically(file, photo.data)
-    except OSError as error:
-        raise IconstudioError(f"“{file}” cannot be written: {error.strerror}.") from None
+    write_bytes(file, photo.data)
     return file
 
 

@@ -14,7 +14,7 @@ from iconstudio.model import Path as Outline
 from iconstudio.model.pictogram import OWN
 from iconstudio.svg.credits import UNLICENSED, UNNAMED
 from iconstudio.svg.mark import IN_MARKUP
-from iconstudio.svg.omitted import OMITTED
+from iconstudio.svg.omitted import OMITTED, THIN
 from iconstudio.workers import Workers
 
 _SECONDS = 30.0
@@ -33,7 +33,6 @@ _THIN = 1.5
 """Canvas units that the thickest lines must measure."""
 _FAINTEST = 32
 """A threshold below which ink is hardly darker than paper: by less than a quarter."""
-THIN = "Its lines are too thin to be seen at the size of an icon; they were drawn thicker."
 _PHOTO = "This looks like a photo rather than a drawing."
 
 

@@ -2,8 +2,8 @@
 
 from pathlib import Path
 
-from iconstudio.files import write_atomically
-from iconstudio.model import IconstudioError, Pictogram
+from iconstudio.files import write_bytes
+from iconstudio.model import Pictogram
 from iconstudio.model.pictogram import UNCOLLECTED
 from iconstudio.svg.credits import titled
 
@@ -23,8 +23,5 @@ def reference_to(pictogram: Pictogram, path: Path) -> str:
         return pictogram.id
     name = "".join(c if c.isalnum() else "-" for c in pictogram.id.partition(":")[2])
     file = path.resolve().parent / f"{path.stem}-{name}.svg"
-    try:
-        write_atomically(file, titled(pictogram.svg, pictogram.credit.title).encode())
-    except OSError as error:
-        raise IconstudioError(f"“{file}” cannot be written: {error.strerror}.") from None
+    write_bytes(file, titled(pictogram.svg, pictogram.credit.title).encode())
     return str(file)

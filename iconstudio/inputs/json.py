@@ -14,7 +14,7 @@ from typing import Any, TypeVar
 
 import msgspec
 
-from iconstudio.files import is_address, read_bytes, write_atomically
+from iconstudio.files import is_address, read_bytes, write_bytes
 from iconstudio.inputs.formats import ODD, Record, Reference, Text
 from iconstudio.inputs.mistakes import mistake, refused
 from iconstudio.model import IconstudioError
@@ -116,11 +116,7 @@ def write(path: Path, record: Record) -> None:
     IconstudioError
         If it cannot be written.
     """
-    text = msgspec.json.format(encoded(record, path), indent=2)
-    try:
-        write_atomically(path, text + b"\n")
-    except OSError as error:
-        raise IconstudioError(f"“{path}” cannot be written: {error.strerror}.") from None
+    write_bytes(path, msgspec.json.format(encoded(record, path), indent=2) + b"\n")
 
 
 def _whole(digits: str) -> int | float:

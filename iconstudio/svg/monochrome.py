@@ -29,7 +29,7 @@ from iconstudio.svg.geometry import missing_letters
 from iconstudio.svg.lengths import Box, mapped
 from iconstudio.svg.mark import in_black_and_white
 from iconstudio.svg.near import brought_near
-from iconstudio.svg.omitted import OMITTED
+from iconstudio.svg.omitted import OMITTED, THIN
 from iconstudio.svg.paint import is_of_one_paint
 from iconstudio.svg.plain import Plain, document
 from iconstudio.svg.resvg import render_colours, render_coverage
@@ -57,7 +57,6 @@ _EFFECTS = ("filter", "style")
 """Filters, and the blending that is left in styles."""
 
 OFF_PAGE = "It lies outside of its page; all of it was taken."
-THIN = "Its lines are too thin to be seen at the size of an icon; they were drawn thicker."
 SOME_THIN = (
     "Some of its lines are too thin to be seen at the size of an icon; they were drawn thicker."
 )
@@ -75,6 +74,8 @@ class _Picture(NamedTuple):
     coverage: NDArray[np.uint8]
     """(n, n), 255 = ink: the pictogram of it."""
     omissions: frozenset[Omission]
+    thin: bool
+    """Whether nearly all of its lines are too thin."""
 
 
 def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ...]]:
@@ -121,18 +122,18 @@ def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ..
     if frame is not None:
         picture = _picture(content, box, frame, fonts, drawing.heavy)
         even = evened(content, frame.size, box, _EVEN)
-        if even is not None and not _is_thin(picture.coverage):
+        if even is not None and not picture.thin:
             content, frame = even, fitted(document(even, box), _common(box, drawn), fonts) or frame
             picture = _picture(content, box, frame, fonts, drawing.heavy)
             remarks.append(SOME_THIN)
-    if frame is None or picture is None or _is_thin(picture.coverage):
+    if frame is None or picture is None or picture.thin:
         content = thickened(content, around.size, box)
         box = widened(box, around.size)
         frame = fitted(document(content, box), _common(box, drawn), fonts)
         if frame is None:
             raise _nothing(remarks)
         picture = _picture(content, box, frame, fonts, drawing.heavy)
-        if _is_thin(picture.coverage):
+        if picture.thin:
             raise IconstudioError(
                 "Its lines are too thin to be seen at the size of an icon. Make them thicker."
             )
@@ -187,14 +188,15 @@ def _picture(
         black = document(_painted(copy.deepcopy(content), Paints.ALL), box)
         coverage = render_coverage(black, frame, _SIDE)
         if not _is_thin(coverage):  # else antialiasing makes it pale, which is judged below
-            return _Picture(None, coverage, frozenset())
+            return _Picture(None, coverage, frozenset(), False)
     svg, size = document(content, box), _SIDE
     if heavy:
         start = perf_counter()
         render_colours(svg, frame, CANVAS, fonts)
         size = CANVAS if perf_counter() - start > _SLOW else 2 * CANVAS
     colours = flattened(render_colours(svg, frame, size, fonts))
-    return _Picture(colours, *pictogram(colours))
+    coverage, omissions = pictogram(colours)
+    return _Picture(colours, coverage, omissions, _is_thin(coverage))
 
 
 def _is_thin(coverage: NDArray[np.uint8]) -> bool:

@@ -1,6 +1,8 @@
-"""What is told of the parts of a drawing that its pictogram leaves out."""
+"""What is told of a pictogram that is not all of its drawing, or not as it was."""
 
 from iconstudio.algorithms.tones.alternation import Omission
+
+THIN = "Its lines are too thin to be seen at the size of an icon; they were drawn thicker."
 
 OMITTED = {
     Omission.TILE: "The tile behind the drawing was left out.",
@@ -9,3 +11,4 @@ OMITTED = {
     Omission.FAINT: "Parts that are hardly opaque, such as shadows, were left out.",
     Omission.DECORATION: "Colour that lies behind or beside its lines was left out.",
 }
+"""Of what was left out."""

@@ -98,7 +98,8 @@ def _read(
 ) -> tuple[str, Credit, tuple[Pictogram, ...], tuple[str, ...]]:
     """Return a drawing in black, whose it is, what it is made of, and what to say of it."""
     # They load libraries, which the window's own process can do without.
-    from iconstudio.svg.monochrome import THIN, EmptyError, in_black
+    from iconstudio.svg.monochrome import EmptyError, in_black
+    from iconstudio.svg.omitted import THIN
     from iconstudio.svg.plain import plain
 
     text = decode(data)

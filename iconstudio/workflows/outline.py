@@ -1,6 +1,6 @@
 """The edits of an outline, on any page that has one."""
 
-from typing import Any, Protocol, Self
+from typing import Protocol, Self
 
 from iconstudio.model import Point
 from iconstudio.workflows.pages import Document, Page
@@ -30,19 +30,18 @@ class Outline:
     A page of several outlines needs a subclass, which says which one is meant.
     """
 
-    def __init__(self, document: Document[Any]) -> None:
+    def __init__(self, document: Document[OutlinedPage]) -> None:
         self.document = document
 
     @property
     def vertices(self) -> tuple[Point, ...]:
         """The vertices, finished or not."""
-        vertices: tuple[Point, ...] = self.document.page.vertices
-        return vertices
+        return self.document.page.vertices
 
     @property
     def closed(self) -> bool:
         """Whether the last vertex is joined to the first."""
-        return bool(self.document.page.closed)
+        return self.document.page.closed
 
     def put(
         self, text: str, vertices: tuple[Point, ...], closed: bool, gesture: object = None

@@ -18,11 +18,6 @@ def workflows() -> tuple[Workflow[Any], ...]:
     return _workflows
 
 
-def workflow_of(name: str) -> Workflow[Any]:
-    """Return the workflow of that name."""
-    return {one.name: one for one in _workflows}[name]
-
-
 @contextmanager
 def registered(workflow: Workflow[Any]) -> Iterator[None]:
     """Have one more workflow for a while: for tests, and for trying one out."""

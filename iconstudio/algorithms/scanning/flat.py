@@ -11,7 +11,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.scanning.free import SIDE, has_colours, on_square
+from iconstudio.algorithms.scanning.free import FILLED, has_colours, on_square, scaled
 from iconstudio.algorithms.scanning.margin import PAPER
 from iconstudio.algorithms.scanning.palette import CLEAR, Palette, is_in_one_colour, palette_of
 from iconstudio.algorithms.scanning.resampling import (
@@ -28,8 +28,6 @@ _LONGEST = 384
 """Pixels of the longer side of the bitmap that is looked at."""
 _TINY = 64
 """Pixels of the longer side of a bitmap in which there is as much of edges as of colours."""
-_FILLED = 0.94
-"""How much of the longer side of the crisp drawing is not air."""
 _MISSED, _LOSSY = 0.04, 0.15
 """Part of the drawing that may be of other colours than those of the palette and their blends; in
 lossy files, edges are."""
@@ -153,8 +151,7 @@ def _full_bleed(blended: NDArray[np.float32], palette: Palette) -> NDArray[np.ui
     palette, parts = _completed(blended, palette)
     if parts is None:
         return None
-    scale = _FILLED * SIDE / max(parts.shape[1:])
-    shape = tuple(max(1, round(side * scale)) for side in parts.shape[1:])
+    shape = scaled(parts.shape[1:], FILLED / max(parts.shape[1:]))
     return on_square(_at(list(parts), palette.shades, palette, shape)[1])
 
 
@@ -285,8 +282,8 @@ def _enlarged(
     """Return the number (h, w) of the colour of each pixel of the drawing, and it (h, w, 4)."""
     pad = [(2, 2), (2, 2)]
     padded = [np.pad(one, pad, constant_values=n == ground) for n, one in enumerate(parts)]
-    scale = SIDE * min(_FILLED / max(parts.shape[1:]), 1 / max(padded[0].shape))
-    shape = tuple(max(1, round(side * scale)) for side in padded[0].shape)
+    scale = min(FILLED / max(parts.shape[1:]), 1 / max(padded[0].shape))
+    shape = scaled(padded[0].shape, scale)
     shades = {
         number: np.pad(shade[crop], [*pad, (0, 0)], mode="edge")
         for number, shade in palette.shades.items()

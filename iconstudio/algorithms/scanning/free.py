@@ -11,7 +11,7 @@ SIDE = 512
 """Pixels to a side of the drawing."""
 LARGE = 192
 """Pixels of the longer side of a drawing that is as good as one of any size."""
-_FILLED = 0.94
+FILLED = 0.94
 """How much of the longer side of the drawing is not air."""
 _SMALL, _PAINTED = 64, 0.5
 """Of a drawing that is longer than the one, so much is evenly painted at least; photos are not."""
@@ -41,9 +41,12 @@ def free_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
         return None
     if not has_colours(blended[even]):
         return None
-    scale = _FILLED * SIDE / max(blended.shape[:2])
-    shape = tuple(max(1, round(side * scale)) for side in blended.shape[:2])
-    return on_square(resized(blended, shape))
+    return on_square(resized(blended, scaled(blended.shape[:2], FILLED / max(blended.shape[:2]))))
+
+
+def scaled(shape: tuple[int, ...], scale: float) -> tuple[int, ...]:
+    """Return (h, w) of something on a square of which a pixel takes the part ``scale``."""
+    return tuple(max(1, round(side * scale * SIDE)) for side in shape)
 
 
 def has_colours(blended: NDArray[np.float32]) -> bool:

@@ -4,13 +4,15 @@ A colour is flat, or the shade that an area has as its own: a gradient, or a blu
 are sRGB times alpha, and alpha, from 0 to 255, so that nothing is a colour, too.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
 import scipy
 from numpy.typing import NDArray
+
+from iconstudio.algorithms.tones.regions import Mask, nearest
 
 CLEAR = 12.0
 """Levels of alpha of what is not there."""
@@ -23,6 +25,7 @@ _BIN = 8
 _SHARE, _FEWEST = 0.0015, 6
 """Least part of the evenly painted pixels that have a colour of the palette, and their number."""
 _EXACT = 0.9
+"""How much of what is flat has the very same colour, in files that lose nothing."""
 _SPREAD = 9.0
 """Levels by which the pixels of one colour stray, as root of the mean square."""
 _GRAINY = 4.0
@@ -97,12 +100,12 @@ def palette_of(blended: NDArray[np.float32]) -> Palette | None:
     areas = list(_clusters(blended, flat, least))
     if small:
         areas = _without_blends(blended, areas, shaded, wide)
-    grainy = [piece for piece in shaded if _is_grainy(blended, piece)]
-    grainy += [area for area in areas if _strays(blended[area]) > _SPREAD]
-    if len(areas) > _MOST or sum(map(np.sum, grainy)) > _GRAIN * even.sum():
+    if len(areas) > _MOST:
         return None
-    shaded = [piece for piece in shaded if not _is_grainy(blended, piece)]
-    areas = [area for area in areas if _strays(blended[area]) <= _SPREAD]
+    shaded, grainy = _divided(shaded, lambda piece: _is_grainy(blended, piece))
+    areas, straying = _divided(areas, lambda area: _strays(blended[area]) > _SPREAD)
+    if sum(map(np.sum, grainy + straying)) > _GRAIN * even.sum():
+        return None
     colours = [np.median(blended[area], axis=0) for area in areas]
     number = np.full(even.shape, -1)
     for one, area in enumerate(areas):
@@ -266,8 +269,14 @@ def _is_grainy(blended: NDArray[np.float32], piece: NDArray[np.bool_]) -> bool:
 
 def _extended(blended: NDArray[np.float32], piece: NDArray[np.bool_]) -> NDArray[np.float32]:
     """Return (h, w, 4) the colours of a piece, and around it those of its nearest pixel."""
-    rows, columns = scipy.ndimage.distance_transform_edt(
-        ~piece, return_distances=False, return_indices=True
-    )
-    extended: NDArray[np.float32] = blended[rows, columns]
+    extended: NDArray[np.float32] = blended[nearest(piece)]
     return extended
+
+
+def _divided(masks: list[Mask], bad: Callable[[Mask], bool]) -> tuple[list[Mask], list[Mask]]:
+    """Return which masks are good, and which are bad."""
+    good: list[Mask] = []
+    others: list[Mask] = []
+    for mask in masks:
+        (others if bad(mask) else good).append(mask)
+    return good, others

@@ -4,6 +4,18 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+_FINER = 8
+"""Pixels to a side into which one is divided to reconstruct a shape."""
+COARSE = 6
+"""How many times a bitmap must be enlarged for that to be worth while."""
+_ROUNDS, _STEEP, _SMOOTH = 3, 3.0, 0.2
+"""How often it is corrected, how steep its edges are, per pixel of the bitmap, and how many of its
+pixels contours are smoothed by."""
+_JAGGED = 0.6
+"""By how many pixels contours are smoothed where there are no greys; lines of one pixel stay."""
+_GREY, _FEW = 0.4, 0.1
+"""How far from half of 1 greys are at most, and what part of the pixels at edges is few."""
+
 
 def shrunk(pixels: NDArray[np.uint8], step: int) -> NDArray[np.float32]:
     """Return means of ``step`` x ``step`` pixels, from 0 to 1; colours weighted by their alpha."""
@@ -19,21 +31,6 @@ def shrunk(pixels: NDArray[np.uint8], step: int) -> NDArray[np.float32]:
     total = alpha.sum(axis=(1, 3))
     colours = (blocks[..., :3] * alpha).sum(axis=(1, 3)) / np.maximum(total, 1)
     return np.concatenate([colours, total / step**2], axis=2, dtype=np.float32) / np.float32(255)
-
-
-_FINER = 8
-"""Pixels to a side into which one is divided to reconstruct a shape."""
-COARSE = 6
-"""How many times a bitmap must be enlarged for that to be worth while."""
-_ROUNDS, _STEEP, _SMOOTH = 3, 3.0, 0.2
-"""How often it is corrected, how steep its edges are, per pixel of the bitmap, and how many of its
-pixels contours are smoothed by."""
-
-
-_JAGGED = 0.6
-"""By how many pixels contours are smoothed where there are no greys; lines of one pixel stay."""
-_GREY, _FEW = 0.4, 0.1
-"""How far from half of 1 greys are at most, and what part of the pixels at edges is few."""
 
 
 def reconstructed(coverage: NDArray[np.float32], shape: tuple[int, ...]) -> NDArray[np.float32]:
