@@ -26,7 +26,7 @@ from iconstudio.workflows.events import (
     staged,
 )
 from iconstudio.workflows.remixing import Finish, Remixing
-from iconstudio.workflows.solving import Posed, RemixJob
+from iconstudio.workflows.solving import CutSeries, Posed
 from iconstudio.workflows.workflow import Resources, Settings
 
 UNTOUCHED = 0.98
@@ -136,7 +136,7 @@ def remix_styles(
                 remixing.expect_fewer(len(settings.lambdas))
                 continue
             sources = (*always, *distinct(rows))
-            job = RemixJob(
+            series = CutSeries(
                 style.name,
                 sources,
                 partial(pose, sources),
@@ -146,7 +146,7 @@ def remix_styles(
                 earlier if preview and earlier and earlier.style == style.name else None,
             )
             preview = False
-            remixing.start(job, finish)
+            remixing.start(series, finish)
             yield from recommending.after(remixing.ready())
         while remixing.busy:
             yield from recommending.after(remixing.ready(wanted=True))

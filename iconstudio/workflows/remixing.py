@@ -1,4 +1,4 @@
-"""Remixing placed sources, several jobs at once: what all workflows share (section 3.4)."""
+"""Remixing placed sources, several series at once: what all workflows share (section 3.4)."""
 
 import itertools
 from collections import deque
@@ -10,7 +10,7 @@ from iconstudio.model import Composite, Remix
 from iconstudio.workers import Workers, answer
 from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import Progress, Result
-from iconstudio.workflows.solving import RemixJob, Solved, Step, solve
+from iconstudio.workflows.solving import CutSeries, Solved, Step, solve
 
 PIPELINED = 2
 """How many steps are sent to a process ahead, so that it need not wait for the next."""
@@ -21,10 +21,10 @@ Finish = Callable[[Remix], Remix]
 
 
 class Remixing:
-    """Solves jobs in worker processes; results come out as they are ready.
+    """Solves several series in worker processes; results come out as they are ready.
 
-    All steps of a job are made by one process, which takes up the next job when it has nothing
-    left to do: jobs come first that were started first.
+    All steps of a series are made by one process, which takes up the next one when it has nothing
+    left to do: what was started first comes first.
 
     Parameters
     ----------
@@ -38,7 +38,7 @@ class Remixing:
         self._total = total
         self._done = 0
         self._ticket = workers.ticket()
-        self._jobs: deque[tuple[RemixJob, Finish]] = deque()
+        self._waiting: deque[tuple[CutSeries, Finish]] = deque()
         self._lanes: list[deque[_Task]] = [deque() for _ in range(workers.count)]
         self._running: dict[Future[Solved], _Task] = {}
 
@@ -49,15 +49,15 @@ class Remixing:
 
     @property
     def hungry(self) -> bool:
-        """Whether another job would keep the processes from running dry."""
-        return not self._jobs
+        """Whether another series would keep the processes from running dry."""
+        return not self._waiting
 
-    def start(self, job: RemixJob, finish: Finish = lambda icon: icon) -> None:
-        """Begin a job as soon as a process is free.
+    def start(self, series: CutSeries, finish: Finish = lambda icon: icon) -> None:
+        """Begin a series as soon as a process is free.
 
         ``finish`` is what the workflow adds to each result.
         """
-        self._jobs.append((job, finish))
+        self._waiting.append((series, finish))
         self._feed()
 
     def expect_fewer(self, count: int) -> None:
@@ -76,14 +76,14 @@ class Remixing:
             solved = answer(future, "Joining the parts, or drawing the result,")
             self._feed()
             self._done += not task.step.preview
-            icon = task.finish(remix_of(task.job, task.step, solved))
+            icon = task.finish(remix_of(task.series, task.step, solved))
             yield Result(icon, *solved.seconds, preview=task.step.preview)
         yield Progress("remix", self._done / max(1, self._total), "Joining parts")
 
     def cancel(self) -> None:
         """Stop what still runs; its processes live on."""
         self._ticket.stop()
-        self._jobs.clear()
+        self._waiting.clear()
         self._running.clear()
 
     def _feed(self) -> None:
@@ -95,8 +95,8 @@ class Remixing:
         for lane in sorted(range(self._workers.count), key=self._workers.load):
             under_way = sum(task.lane == lane for task in self._running.values())
             for _ in range(PIPELINED - under_way):
-                if not self._lanes[lane] and self._jobs and not previewing:
-                    self._lanes[lane].extend(_tasks(*self._jobs.popleft(), lane))
+                if not self._lanes[lane] and self._waiting and not previewing:
+                    self._lanes[lane].extend(_tasks(*self._waiting.popleft(), lane))
                     previewing = self._lanes[lane][0].step.preview
                 if self._lanes[lane]:
                     self._submit(self._lanes[lane].popleft())
@@ -105,7 +105,7 @@ class Remixing:
         future = self._workers.submit(
             solve,
             task.number,
-            task.job,
+            task.series,
             task.step,
             self._render,
             lane=task.lane,
@@ -116,10 +116,10 @@ class Remixing:
 
 @dataclass(frozen=True, eq=False)
 class _Task:
-    """A step of a job, in one of the processes."""
+    """A step of a series, in one of the processes."""
 
     number: int
-    job: RemixJob
+    series: CutSeries
     finish: Finish
     step: Step
     lane: int
@@ -128,18 +128,18 @@ class _Task:
 _numbers = itertools.count()
 
 
-def _tasks(job: RemixJob, finish: Finish, lane: int) -> list[_Task]:
+def _tasks(series: CutSeries, finish: Finish, lane: int) -> list[_Task]:
     number = next(_numbers)
-    return [_Task(number, job, finish, step, lane) for step in job.steps]
+    return [_Task(number, series, finish, step, lane) for step in series.steps]
 
 
-def remix_of(job: RemixJob, step: Step, solved: Solved) -> Remix:
-    """Return the icon that a step of a job has come to."""
+def remix_of(series: CutSeries, step: Step, solved: Solved) -> Remix:
+    """Return the icon that a step of a series has come to."""
     data_cost, smoothness_cost = solved.costs
     composite = Composite(
-        style=job.style,
+        style=series.style,
         lambda_s=step.lambda_s,
-        sources=job.sources,
+        sources=series.sources,
         labels=solved.labels,
         energy=solved.energy,
         data_cost=data_cost,

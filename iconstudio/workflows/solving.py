@@ -1,6 +1,6 @@
 """Solving a remix in a worker process, one step after another (section 3.4).
 
-The process remembers what it has found for a job, so that each step builds on those before.
+The process remembers what it has found for a series, so that each step builds on those before.
 """
 
 from collections.abc import Callable
@@ -50,7 +50,7 @@ class Posed:
 
 
 @dataclass(frozen=True, eq=False)
-class RemixJob:
+class CutSeries:
     """A problem to solve for several lambda_S. It goes to a worker process, so it can be pickled.
 
     The problem is posed there: it is many times as large as what it is made of.
@@ -83,12 +83,12 @@ class RemixJob:
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """What to do next for a job: a coarse result, or a finished one."""
+    """What to do next for a series: a coarse result, or a finished one."""
 
     lambda_s: float
     preview: bool = False
     last: bool = False
-    """Whether the job is done after it."""
+    """Whether the series is done after it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -111,7 +111,7 @@ class Solved:
 
 @dataclass(eq=False)
 class _Bench:
-    """What a process keeps of a job between its steps."""
+    """What a process keeps of a series between its steps."""
 
     posed: Posed
     sweep: "Sweep"
@@ -119,10 +119,10 @@ class _Bench:
     """What the explored lambda_S come to on the canvas."""
 
 
-def solve(key: object, job: RemixJob, step: Step, render: Render) -> Solved:
+def solve(key: object, series: CutSeries, step: Step, render: Render) -> Solved:
     """Cut, judge, redraw and trace: one result. Runs in a worker process.
 
-    What is found is remembered under ``key`` for the other steps of the job.
+    What is found is remembered under ``key`` for the other steps of the series.
 
     Raises
     ------
@@ -133,7 +133,7 @@ def solve(key: object, job: RemixJob, step: Step, render: Render) -> Solved:
 
     began = perf_counter()
     try:
-        bench = remembered(key, lambda: _begin(job))
+        bench = remembered(key, lambda: _begin(series))
         labels = _cut(bench, step)
     except Stopped:
         forget(key)
@@ -142,20 +142,20 @@ def solve(key: object, job: RemixJob, step: Step, render: Render) -> Solved:
         forget(key)
     cut = perf_counter()
     with limited(SECONDS, MEMORY):
-        solved = finished(bench.posed, job, step, labels, render)
+        solved = finished(bench.posed, series, step, labels, render)
     return replace(solved, seconds=(cut - began, perf_counter() - cut))
 
 
-def finished(posed: Posed, job: RemixJob, step: Step, labels: Labels, render: Render) -> Solved:
+def finished(posed: Posed, series: CutSeries, step: Step, labels: Labels, render: Render) -> Solved:
     """Judge, redraw and trace a labelling (m, m) that a step has come to."""
     problem, kept = posed.problem, posed.kept(labels)
     scale = PREVIEW if step.preview else SCALE
-    drawing = draw(labels, problem.ink, job.sources, render, scale, kept)
-    shares = _shares(drawing, labels, len(job.sources))
+    drawing = draw(labels, problem.ink, series.sources, render, scale, kept)
+    shares = _shares(drawing, labels, len(series.sources))
     data_cost, smoothness_cost = problem.costs(labels)
     iou, likeness = _compared(posed, drawing)
     score = ranking.score(problem, labels, marked=kept)
-    sharing = ranking.evenness(shares) if job.sharing else 1.0
+    sharing = ranking.evenness(shares) if series.sharing else 1.0
     return Solved(
         labels,
         (data_cost, smoothness_cost),
@@ -179,16 +179,16 @@ def warm_up(render: Render) -> None:
     trace(render(dot, Frame(0, 0, 8), Placement(), CANVAS))
 
 
-def _begin(job: RemixJob) -> _Bench:
+def _begin(series: CutSeries) -> _Bench:
     from iconstudio.algorithms.iconification.sweep import Sweep
 
-    posed = job.pose()
+    posed = series.pose()
     sweep = Sweep(posed.problem, stopped)
-    before = job.earlier
+    before = series.earlier
     if before is not None and before.labels.shape == posed.problem.data.shape[1:]:
         data = posed.problem.data
-        sweep.add(transferred(before.labels, before.sources, job.sources, data))
-    return _Bench(posed, sweep, tuple(map(posed.weight, job.explored)))
+        sweep.add(transferred(before.labels, before.sources, series.sources, data))
+    return _Bench(posed, sweep, tuple(map(posed.weight, series.explored)))
 
 
 def _cut(bench: _Bench, step: Step) -> Labels:

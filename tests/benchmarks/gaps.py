@@ -159,7 +159,7 @@ def sketching(window: MainWindow, folder: Path) -> Stages:
     yield "run of the motorbike"
     place.demonstrate(example("motorbike"))
     yield lambda: len(place.browser.results.pictures) > 0
-    yield lambda: not (place.runs.running or place.preparation.runner.running)
+    yield lambda: not (place.runner.running or place.preparation.runner.running)
     yield 200
     yield "picking cells"
     for cell in place.browser.results.findChildren(ResultCell):

@@ -15,7 +15,7 @@ from iconstudio.gui.project import questions
 from iconstudio.gui.project.questions import Answer
 from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.gui.window.preferences import prefer
-from iconstudio.gui.workspaces.runs import LIVE
+from iconstudio.gui.workspaces.grid_runner import LIVE
 
 _HARMLESS = tuple(
     f"This plugin does not support {what}"

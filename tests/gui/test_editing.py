@@ -83,7 +83,7 @@ def notice(place):
 
 
 def finish(place, qtbot):
-    qtbot.waitUntil(lambda: not place.runs.running, timeout=20000)
+    qtbot.waitUntil(lambda: not place.runner.running, timeout=20000)
 
 
 def drop(place, data):
@@ -491,7 +491,7 @@ def test_cancel_keeps_what_is_finished(marked, qtbot, session):
     marked.run()
     qtbot.waitUntil(lambda: len(marked.browser.results.pictures) == 3)
     marked.actions_by_name["cancel"].trigger()
-    assert not marked.runs.running
+    assert not marked.runner.running
     session.gate.release(100)
     assert len(marked.browser.results.pictures) == 3
 

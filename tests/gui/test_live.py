@@ -31,8 +31,8 @@ CONTROL = Qt.KeyboardModifier.ControlModifier
 def patient(place):
     """Switch live mode on; let each run show something, however long that takes."""
     place.actions_by_name["live"].trigger()
-    assert place.runs.live
-    place.runs.runner.timer.setInterval(FOR_EVER)
+    assert place.runner.live
+    place.runner.live_runner.timer.setInterval(FOR_EVER)
     return place
 
 
@@ -61,9 +61,9 @@ def rest(place, qtbot, session):
     """Wait until the last run that was wanted is over."""
     qtbot.waitUntil(
         lambda: (
-            not place.runs.running
+            not place.runner.running
             and bool(runs(session))
-            and runs(session)[-1][0] == (place.runs.ran and wish(place))
+            and runs(session)[-1][0] == (place.runner.ran and wish(place))
         ),
         timeout=20000,
     )
@@ -120,11 +120,11 @@ def test_it_is_on_until_it_is_switched_off_for_good(qtbot, tmp_path):
         qtbot.addWidget(window)
         for title in ("Sketch", "Edit"):
             place = window.workspace_of(title)
-            assert place.runs.live is expected
+            assert place.runner.live is expected
             assert place.actions_by_name["live"].isChecked() is expected
         window.workspace.actions_by_name["live"].trigger()
         window.show_workspace(1)
-        assert window.workspace.runs.live is not expected, "the mode is the same everywhere"
+        assert window.workspace.runner.live is not expected, "the mode is the same everywhere"
         if not expected:
             window.workspace.actions_by_name["live"].trigger()
         window.close()
@@ -133,7 +133,7 @@ def test_it_is_on_until_it_is_switched_off_for_good(qtbot, tmp_path):
 def test_it_is_switched_with_a_key(sketching):
     for expected in (True, False):
         press(sketching, Qt.Key.Key_L, CONTROL)
-        assert sketching.runs.live is expected
+        assert sketching.runner.live is expected
 
 
 def test_the_switch_says_in_the_tool_tip_what_it_does(sketching):
@@ -188,7 +188,7 @@ def test_the_icons_of_a_sketch_that_is_opened_again_are_shown_while_it_runs(draw
     drawn.document.change("open", page)
     qtbot.waitUntil(begun(session, 2))
     qtbot.waitUntil(lambda: "60 icons" in caption.text())
-    assert drawn.runs.running
+    assert drawn.runner.running
     assert drawn.keyword_panel.thumbnails.model().rowCount() == 60
     session.gate.release(100)
     rest(drawn, qtbot, session)
@@ -243,7 +243,7 @@ def test_a_page_that_is_no_good_yet_says_nothing(live, qtbot, session, points, c
         click(live, point)
     if closed:
         click(live, points[0])
-    assert not live.runs.running
+    assert not live.runner.running
     assert not runs(session)
     assert not live.window().pane.notice.isVisible()
 
@@ -279,7 +279,7 @@ def test_what_does_not_count_does_not_start_again(drawn, qtbot, session):
     drawn.dim.slider.setValue(90)
     drawn.view.zoom_in()
     pick(drawn, "light", LAMBDAS[1])
-    assert not drawn.runs.running and not drawn.runs.runner.pending
+    assert not drawn.runner.running and not drawn.runner.live_runner.pending
 
 
 # -- while the hand moves ----------------------------------------------------------------------
@@ -305,7 +305,7 @@ def test_a_run_that_has_shown_its_preview_is_dropped_at_once(drawn, qtbot, sessi
     qtbot.waitUntil(begun(session, 2))
     session.gate.release(3)
     qtbot.waitUntil(lambda: CellState.READY in states(drawn).values())
-    assert not drawn.runs.runner.holding
+    assert not drawn.runner.live_runner.holding
     drawn.document.undo_stack.undo()
     qtbot.waitUntil(begun(session, 3))
     assert session.generators_closed == 2
@@ -318,22 +318,22 @@ def test_what_is_not_looked_at_is_not_enough(drawn, qtbot, session):
     light = drawn.browser.results.cell("light", LAMBDAS[0]).picture
     add_point(drawn)
     qtbot.waitUntil(begun(session, 2))
-    drawn.runs.runner.event.emit(light)
-    assert drawn.runs.runner.holding
-    drawn.runs.runner.event.emit(StyleSkipped("dark", 1, "Too few."))
-    drawn.runs.runner.event.emit(light)
-    assert drawn.runs.runner.holding
-    drawn.runs.runner.event.emit(StyleSkipped("medium", 1, "Too few."))
-    drawn.runs.runner.event.emit(light)
-    assert not drawn.runs.runner.holding
+    drawn.runner.live_runner.event.emit(light)
+    assert drawn.runner.live_runner.holding
+    drawn.runner.live_runner.event.emit(StyleSkipped("dark", 1, "Too few."))
+    drawn.runner.live_runner.event.emit(light)
+    assert drawn.runner.live_runner.holding
+    drawn.runner.live_runner.event.emit(StyleSkipped("medium", 1, "Too few."))
+    drawn.runner.live_runner.event.emit(light)
+    assert not drawn.runner.live_runner.holding
 
 
 def test_a_run_that_shows_nothing_gives_way_after_a_while(drawn, qtbot, session):
     move(drawn)
     qtbot.waitUntil(begun(session, 2))
     move(drawn)
-    assert drawn.runs.runner.pending
-    drawn.runs.runner.timer.timeout.emit()
+    assert drawn.runner.live_runner.pending
+    drawn.runner.live_runner.timer.timeout.emit()
     qtbot.waitUntil(begun(session, 3))
     assert runs(session)[-1][0] == drawn.document.page.sketch
 
@@ -342,9 +342,9 @@ def test_going_back_to_what_runs_lets_it_go_on(drawn, qtbot, session):
     drawn.hold_to(Axis.HORIZONTAL)
     qtbot.waitUntil(begun(session, 2))
     drawn.hold_to(Axis.VERTICAL)
-    assert drawn.runs.runner.pending
+    assert drawn.runner.live_runner.pending
     drawn.document.undo_stack.undo()
-    assert not drawn.runs.runner.pending
+    assert not drawn.runner.live_runner.pending
     session.gate.release(100)
     rest(drawn, qtbot, session)
     assert len(runs(session)) == 2
@@ -356,7 +356,7 @@ def test_a_page_that_becomes_incomplete_stops_the_run_and_keeps_what_is_there(
     move(drawn)
     qtbot.waitUntil(begun(session, 2))
     drawn.actions_by_name["clear"].trigger()
-    assert not drawn.runs.running
+    assert not drawn.runner.running
     assert len(drawn.browser.results.pictures) == 24
     assert not drawn.window().pane.notice.isVisible()
     drawn.document.undo_stack.undo()
@@ -541,19 +541,19 @@ def test_remix_takes_over_what_runs_already(drawn, qtbot, session, window):
 
 
 def test_a_short_run_shows_no_progress_but_can_be_cancelled(drawn, qtbot, session):
-    drawn.runs.runner._calm.setInterval(FOR_EVER)
+    drawn.runner.live_runner._calm.setInterval(FOR_EVER)
     assert strip(drawn).label.text() == "Live · 24 icons"
     add_point(drawn)
     qtbot.waitUntil(begun(session, 2))
     told = []
-    drawn.runs.runner._job.event.connect(told.append)
+    drawn.runner.live_runner._job.event.connect(told.append)
     qtbot.waitUntil(lambda: sum(isinstance(one, Progress) for one in told) > 3)
     assert not strip(drawn).bar.isVisible()
     assert strip(drawn).label.text() == "Live"
-    drawn.runs.runner._calm.stop()
+    drawn.runner.live_runner._calm.stop()
     qtbot.waitUntil(strip(drawn).bar.isVisible)
     press(drawn, Qt.Key.Key_Period, CONTROL)
-    assert not drawn.runs.running
+    assert not drawn.runner.running
     assert not strip(drawn).bar.isVisible()
 
 
@@ -564,11 +564,11 @@ def test_cancel_stops_until_the_next_change(drawn, qtbot, session):
     qtbot.waitUntil(lambda: drawn.browser.results.finished == 1)
     press(drawn, Qt.Key.Key_Period, CONTROL)
     qtbot.waitUntil(lambda: session.generators_closed == 2)
-    assert not drawn.runs.running and not drawn.runs.runner.pending
+    assert not drawn.runner.running and not drawn.runner.live_runner.pending
     assert len(drawn.browser.results.pictures) == 24
     assert drawn.browser.results.finished == 1
-    drawn.runs.renew()
-    assert not drawn.runs.running
+    drawn.runner.renew()
+    assert not drawn.runner.running
     drawn.document.undo_stack.undo()
     qtbot.waitUntil(begun(session, 3))
 
@@ -647,7 +647,7 @@ def test_an_edit_follows_its_areas_and_the_styles(editing, qtbot, session):
     session.gate.release(100)
     rest(editing, qtbot, session)
     editing.actions_by_name["clear"].trigger()
-    assert not editing.runs.running
+    assert not editing.runner.running
     assert not editing.window().pane.notice.isVisible()
 
 

@@ -44,7 +44,7 @@ def ready(sketching, qtbot):
 
 
 def finish(sketching, qtbot):
-    qtbot.waitUntil(lambda: not sketching.runs.running, timeout=20000)
+    qtbot.waitUntil(lambda: not sketching.runner.running, timeout=20000)
 
 
 def test_icons_are_found_while_the_user_still_draws(sketching, qtbot, session):
@@ -67,7 +67,7 @@ def test_an_unknown_name_says_what_is_near(sketching, qtbot):
 def test_a_run_fills_the_grid_cell_by_cell(ready, qtbot, session):
     session.gate = threading.Semaphore(0)
     press(ready, Qt.Key.Key_Return, Qt.KeyboardModifier.ControlModifier)
-    assert ready.runs.running
+    assert ready.runner.running
     assert len(cells(ready, CellState.PENDING)) == 32
     for count in (1, 2, 3):
         session.gate.release()
@@ -120,7 +120,7 @@ def test_what_is_missing_is_said_in_the_window(sketching, session, points, keywo
     QTest.mouseClick(sketching.keyword_panel.button, Qt.MouseButton.LeftButton)
     assert sketching.window().pane.notice.isVisible()
     assert part in sketching.window().pane.notice.label.text()
-    assert not sketching.runs.running
+    assert not sketching.runner.running
     assert not [call for call in session.calls if call[0] == "model"]
 
 
@@ -155,7 +155,7 @@ def test_cancel_keeps_what_is_finished(ready, qtbot, session):
     ready.run()
     qtbot.waitUntil(lambda: len(ready.browser.results.pictures) == 5)
     QTest.mouseClick(ready.window().pane.status.button, Qt.MouseButton.LeftButton)
-    assert not ready.runs.running
+    assert not ready.runner.running
     assert len(cells(ready, CellState.BLANK)) == 27
     qtbot.waitUntil(lambda: session.generators_closed == 1)
     session.gate.release(100)

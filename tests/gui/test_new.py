@@ -11,7 +11,7 @@ def drawn(sketching, qtbot):
     trace(sketching)
     type_keyword(sketching, "motorcycle")
     sketching.run()
-    qtbot.waitUntil(lambda: not sketching.runs.running and shown(sketching) == 24, timeout=20000)
+    qtbot.waitUntil(lambda: not sketching.runner.running and shown(sketching) == 24, timeout=20000)
     return sketching
 
 

@@ -156,7 +156,7 @@ def test_picked_results_and_favourites_are_read_back(window, another, qtbot, tmp
     trace(sketching)
     type_keyword(sketching, "motorcycle")
     sketching.run()
-    qtbot.waitUntil(lambda: not sketching.runs.running, timeout=20000)
+    qtbot.waitUntil(lambda: not sketching.runner.running, timeout=20000)
     window.show_workspace(2)
     hybrids = window.workspace
     mix = HybridsPage((Ingredient(icon(3)), Ingredient(icon(4))))

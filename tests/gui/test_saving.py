@@ -43,7 +43,7 @@ def done(sketching, qtbot):
     trace(sketching)
     type_keyword(sketching, "Motor cycle")
     sketching.run()
-    qtbot.waitUntil(lambda: not sketching.runs.running, timeout=20000)
+    qtbot.waitUntil(lambda: not sketching.runner.running, timeout=20000)
     return sketching
 
 

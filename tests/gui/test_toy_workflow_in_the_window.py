@@ -58,7 +58,7 @@ def test_results_of_others_are_sent_to_it_and_its_own_to_others(window, qtbot):
     trace(sketching)
     type_keyword(sketching, "motorcycle")
     sketching.run()
-    qtbot.waitUntil(lambda: not sketching.runs.running, timeout=20000)
+    qtbot.waitUntil(lambda: not sketching.runner.running, timeout=20000)
     sketching.send_picture(sketching.picture, "Mirror")
     mirror = window.workspace
     assert mirror.workflow is MIRROR

@@ -71,7 +71,7 @@ def sketch(house):
 def done(sketch, qtbot):
     """The workspace of the sketch, with a finished run."""
     sketch.run()
-    qtbot.waitUntil(lambda: not sketch.runs.running, timeout=20000)
+    qtbot.waitUntil(lambda: not sketch.runner.running, timeout=20000)
     return sketch
 
 
@@ -145,7 +145,7 @@ def test_a_run_goes_on_while_the_user_is_elsewhere(house, sketch, qtbot, session
     switch(house, 1)
     assert not house.pane.status.button.isVisible(), "the progress is that of the other workspace"
     session.gate.release(100)
-    qtbot.waitUntil(lambda: not sketch.runs.running, timeout=20000)
+    qtbot.waitUntil(lambda: not sketch.runner.running, timeout=20000)
     switch(house, 0)
     assert len(sketch.browser.results.pictures) == 24
     assert house.pane.status.label.text() == "24 icons"
@@ -159,7 +159,7 @@ def test_what_went_wrong_elsewhere_is_told_there(house, sketch, qtbot, session, 
     monkeypatch.setattr(session, "_model", broken)
     sketch.run()
     switch(house, 1)
-    qtbot.waitUntil(lambda: not sketch.runs.running)
+    qtbot.waitUntil(lambda: not sketch.runner.running)
     assert not house.pane.notice.isVisible()
     switch(house, 0)
     assert "no room" in house.pane.notice.label.text()

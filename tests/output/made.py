@@ -20,7 +20,7 @@ from iconstudio.model import (
 )
 from iconstudio.svg.resvg import render_placed
 from iconstudio.workflows.remixing import remix_of
-from iconstudio.workflows.solving import Posed, RemixJob, Step, finished
+from iconstudio.workflows.solving import CutSeries, Posed, Step, finished
 from tests.shapes import exemplar
 
 SQUARE = Polygon.of([(0, 0), (100, 0), (100, 100), (0, 100)])
@@ -60,9 +60,9 @@ def made(
 ) -> Remix:
     """The icon of a labelling, with its true energy."""
     posed = Posed(remix_problem(tsdf(TARGET), sources), TARGET)
-    job = RemixJob(style, sources, lambda: posed, (lambda_s,))
+    series = CutSeries(style, sources, lambda: posed, (lambda_s,))
     step = Step(lambda_s)
-    return remix_of(job, step, finished(posed, job, step, labels, render_placed))
+    return remix_of(series, step, finished(posed, series, step, labels, render_placed))
 
 
 def titled(icon: Remix, title: str, composite: Composite | None = None) -> Remix:

@@ -47,7 +47,7 @@ class LiveRunner(Runner):
     ) -> None:
         super().__init__(worker, parent)
         self._make = make
-        self._newest: Any = None
+        self._pending: Any = None
         self.ran: Any = None
         """What runs, or was finished last; None if it came to no end."""
         self.timer = QTimer(self, singleShot=True, interval=patience)
@@ -58,27 +58,27 @@ class LiveRunner(Runner):
     @property
     def pending(self) -> bool:
         """Whether something newer is wanted than what runs."""
-        return self._newest is not None
+        return self._pending is not None
 
     @property
     def holding(self) -> bool:
         """Whether the run under way is still waited for."""
         return self.timer.isActive()
 
-    def request(self, wanted: Any) -> None:
+    def request(self, request: Any) -> None:
         """Run this as soon as may be, unless it is what runs or ran last."""
-        if wanted == self.ran:
+        if request == self.ran:
             self.discard()
             return
-        self._newest = wanted
+        self._pending = request
         if not self.holding:
             self._go_on()
 
-    def run(self, wanted: Any) -> None:
+    def run(self, request: Any) -> None:
         """Run this now, because the user asks for it; he sees its progress."""
         self.discard()
         self._calm.stop()
-        self._begin(wanted)
+        self._begin(request)
 
     def release(self) -> None:
         """The run under way has shown something: whatever is newer need not wait for it."""
@@ -87,7 +87,7 @@ class LiveRunner(Runner):
 
     def discard(self) -> None:
         """Want nothing else than what runs."""
-        self._newest = None
+        self._pending = None
 
     def cancel(self) -> None:
         """Stop, and want nothing."""
@@ -96,17 +96,17 @@ class LiveRunner(Runner):
         super().cancel()
 
     def _go_on(self) -> None:
-        wanted = self._newest
-        if wanted is not None:
+        request = self._pending
+        if request is not None:
             self.discard()
             self.timer.start()
             self._calm.start()
-            self._begin(wanted)
+            self._begin(request)
 
-    def _begin(self, wanted: Any) -> None:
-        make, self.ran = self._make, wanted
-        self.start(lambda: make(wanted))
-        self.began.emit(wanted)
+    def _begin(self, request: Any) -> None:
+        make, self.ran = self._make, request
+        self.start(lambda: make(request))
+        self.began.emit(request)
 
     def _tell(self, event: object) -> None:
         if not (isinstance(event, Progress) and self._calm.isActive()):

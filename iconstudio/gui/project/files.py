@@ -30,7 +30,7 @@ _Stamp = tuple[int, int, int]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Opened:
+class _OpenedProject:
     """What was read, and where."""
 
     contents: Contents
@@ -112,7 +112,7 @@ class ProjectFiles(QObject):
     def new(self) -> None:
         """Start another project."""
         self._runner.cancel()
-        self._replace(_Opened(Contents(), None))
+        self._replace(_OpenedProject(Contents(), None))
 
     def choose(self) -> None:
         """Ask for a file, and open it."""
@@ -170,7 +170,7 @@ class ProjectFiles(QObject):
 
     # -- how it is done ------------------------------------------------------------------------
 
-    def _replace(self, opened: _Opened) -> None:
+    def _replace(self, opened: _OpenedProject) -> None:
         """Put another project in place, once it is certain that nothing is lost."""
         if self.may_go(lambda: self._replace(opened)):  # more may have been done while it was saved
             self._load(opened)
@@ -214,12 +214,12 @@ class ProjectFiles(QObject):
 
     def _receive(self, event: object) -> None:
         match event:
-            case _Opened():
+            case _OpenedProject():
                 self._replace(event)
             case WorkFile():
                 self.imported.emit(event)
 
-    def _load(self, opened: _Opened) -> None:
+    def _load(self, opened: _OpenedProject) -> None:
         contents, found = opened.contents, opened.found
         self._project += 1
         self._loading = True  # half of it is nothing to keep
@@ -282,7 +282,7 @@ def _opening(session: Session, path: Path, formats: Formats) -> Generator[Any]:
     with closing(reading(session, index, parts, formats)) as steps:
         for step in steps:
             if isinstance(step, Contents):
-                yield _Opened(step, path, None, stamp, _drawn(step, formats))
+                yield _OpenedProject(step, path, None, stamp, _drawn(step, formats))
             else:
                 yield step
 
@@ -293,7 +293,7 @@ def _restoring(session: Session, found: Found, formats: Formats) -> Generator[An
     with closing(reading(session, index, parts, formats)) as steps:
         for step in steps:
             if isinstance(step, Contents):
-                yield _Opened(step, path, found, pictures=_drawn(step, formats))
+                yield _OpenedProject(step, path, found, pictures=_drawn(step, formats))
             else:
                 yield step
 

@@ -22,7 +22,7 @@ from iconstudio.gui.theme.layout import row, splitter
 from iconstudio.gui.window.actions import CANVAS, Entry
 from iconstudio.gui.window.preferences import preferred
 from iconstudio.gui.workspaces.base import Workspace
-from iconstudio.gui.workspaces.runs import FINE, LIVE, LiveSource, Runs
+from iconstudio.gui.workspaces.grid_runner import FINE, LIVE, GridRunner, LiveSource
 from iconstudio.gui.workspaces.symmetry import SymmetryDetection
 from iconstudio.session import Session
 from iconstudio.workflows import criteria as edits
@@ -33,9 +33,9 @@ from iconstudio.workflows.workflow import Workflow
 
 GRID = (
     Entry("live", "Li&ve", "Live: results follow while you draw", "Ctrl+L", "live",
-          do="set_live", checked=lambda place: place.runs.live),
+          do="set_live", checked=lambda place: place.runner.live),
     Entry("fine", "F&ine quality", "Fine: smoother joins, five times as slow",
-          do="set_fine", checked=lambda place: place.runs.fine),
+          do="set_fine", checked=lambda place: place.runner.fine),
     *CANVAS,
 )  # fmt: skip
 """What every workspace with a grid of results does."""
@@ -58,7 +58,7 @@ class RemixWorkspace(Workspace, LiveSource):
     ) -> None:
         super().__init__(workflow, session, files, saver, document)
         self.preparation = Preparation(session, self.worker, self)
-        self.runs = Runs(self, self.preparation, self.worker, self)
+        self.runner = GridRunner(self, self.preparation, self.worker, self)
         self._opening = Runner(self.worker, self)
         self.keyword_panel = KeywordPanel(document)
         self.browser = ResultsBrowser()
@@ -70,15 +70,15 @@ class RemixWorkspace(Workspace, LiveSource):
 
     def enter(self) -> None:
         """Begin on the canvas, and in the modes that were switched to elsewhere."""
-        if self.runs.live != preferred(LIVE, True):
-            self.set_live(not self.runs.live)
-        if self.runs.fine != preferred(FINE, False):
-            self.set_fine(not self.runs.fine)
+        if self.runner.live != preferred(LIVE, True):
+            self.set_live(not self.runner.live)
+        if self.runner.fine != preferred(FINE, False):
+            self.set_fine(not self.runner.fine)
         self.view.setFocus()
 
     def run(self) -> None:
         """Remix what lies on the canvas; an outline that is still open is closed first."""
-        if self.runs.adopt():
+        if self.runner.adopt():
             return
         self.remarked.emit("")
         self.complete()
@@ -86,7 +86,7 @@ class RemixWorkspace(Workspace, LiveSource):
             self.hinted.emit(problem)
             self.help_out()
         else:
-            self.runs.run()
+            self.runner.run()
 
     def set_destinations(self, destinations: tuple[Destination, ...]) -> None:
         """Say where results can be sent to."""
@@ -95,7 +95,7 @@ class RemixWorkspace(Workspace, LiveSource):
     def cancel(self) -> None:
         """Stop the run and the search; results that are finished stay."""
         self.preparation.cancel()
-        self.runs.cancel()
+        self.runner.cancel()
 
     # -- what a subclass says ------------------------------------------------------------------
 
@@ -146,7 +146,7 @@ class RemixWorkspace(Workspace, LiveSource):
         document, panel, browser = self.document, self.keyword_panel, self.browser
         panel.run.connect(self.run)
         self.symmetry.chosen.connect(self.hold_to)
-        preparation, runs = self.preparation, self.runs
+        preparation, runner = self.preparation, self.runner
         preparation.started.connect(panel.set_searching)
         preparation.retrieved.connect(panel.show_exemplars)
         preparation.failed.connect(panel.show_error)
@@ -155,11 +155,11 @@ class RemixWorkspace(Workspace, LiveSource):
         self.follow(self._opening)
         self._opening.failed.connect(self.failed)
         document.page_changed.connect(self._renew)
-        runs.began.connect(self._begin_run)
-        runs.event.connect(self.show_event)
-        runs.runner.progress.connect(self.progressed)
-        runs.runner.failed.connect(self.failed)
-        runs.ended.connect(self._end_run)
+        runner.began.connect(self._begin_run)
+        runner.event.connect(self.show_event)
+        runner.live_runner.progress.connect(self.progressed)
+        runner.live_runner.failed.connect(self.failed)
+        runner.ended.connect(self._end_run)
         browser.picked.connect(self.picked)
         browser.kept.connect(self.kept)
         browser.counted.connect(self.counted)
@@ -180,9 +180,9 @@ class RemixWorkspace(Workspace, LiveSource):
         self.preparation.request(Query.of(criteria.keyword, criteria.exclude))
         self.symmetry.set_axis(criteria.symmetry)
         note = ""
-        if self.runs.live:
+        if self.runner.live:
             note = self.problem() if self.finished() else ""
-        elif self.runs.stale:
+        elif self.runner.stale:
             note = f"of an earlier {name} – press Remix to renew"
         self.browser.results.note.setText(note)
 
@@ -193,41 +193,41 @@ class RemixWorkspace(Workspace, LiveSource):
 
     def set_live(self, on: bool) -> None:
         """Let results follow by themselves, or not."""
-        self.runs.set_live(on)
+        self.runner.set_live(on)
         self.actions_by_name.refresh()
         self.show_page()
         self.rest()
 
     def set_fine(self, on: bool) -> None:
         """Join results on a finer canvas, or not."""
-        self.runs.set_fine(on)
+        self.runner.set_fine(on)
         self.actions_by_name.refresh()
         self.show_page()
 
     def rest(self) -> None:
         """Tell what came out, unless something is still under way."""
-        if not self.runs.running:
+        if not self.runner.running:
             super().rest()
 
     def outcome(self) -> str:
         """Return whether results follow, and how many there are of the page as it is now."""
-        count = 0 if self.runs.stale else self.browser.results.finished
-        parts = "Live" if self.runs.live else "", f"{count} icons" if count else ""
+        count = 0 if self.runner.stale else self.browser.results.finished
+        parts = "Live" if self.runner.live else "", f"{count} icons" if count else ""
         return " · ".join(part for part in parts if part)
 
     def _renew(self) -> None:
         """Follow a change of the page; results of something else have nothing to do here."""
-        if self.runs.leave():
+        if self.runner.leave():
             self.browser.clear()
-        self.runs.renew()
-        runs = self.runs
-        self.browser.results.set_stale(runs.live and runs.stale and not runs.running)
+        self.runner.renew()
+        runner = self.runner
+        self.browser.results.set_stale(runner.live and runner.stale and not runner.running)
         self.rest()
 
     def _begin_run(self, settings: ModelSettings, afresh: bool) -> None:
         self.browser.begin(settings, afresh)
         self.browser.results.set_stale(False)
-        if self.runs.live:
+        if self.runner.live:
             self.idle.emit("Live")  # no progress to be seen yet
         self.note_busy(True)
         self.show_page()

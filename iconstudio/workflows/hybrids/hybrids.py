@@ -36,7 +36,7 @@ from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import Event, Progress, Result
 from iconstudio.workflows.remixing import Remixing
-from iconstudio.workflows.solving import Posed, RemixJob
+from iconstudio.workflows.solving import CutSeries, Posed
 from iconstudio.workflows.workflow import Resources, Settings
 
 LAMBDA_S = 3.0
@@ -126,8 +126,8 @@ def mix_icons(
             while remixing.hungry and (number := next(numbers, None)) is not None:
                 seeds = draw_seeds(mix, number, filled)
                 pose = partial(_pose, mix, seeds, *posed)
-                job = RemixJob("hybrid", sources, pose, (LAMBDA_S,), sharing=True)
-                remixing.start(job, partial(replace, seeds=seeds, draw=number))
+                series = CutSeries("hybrid", sources, pose, (LAMBDA_S,), sharing=True)
+                remixing.start(series, partial(replace, seeds=seeds, draw=number))
             for event in remixing.ready(wanted=True):
                 match event:
                     case Result(icon=Remix() as icon):

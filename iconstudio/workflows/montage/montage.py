@@ -31,7 +31,7 @@ from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.remixing import Remixing
-from iconstudio.workflows.solving import Posed, RemixJob
+from iconstudio.workflows.solving import CutSeries, Posed
 from iconstudio.workflows.workflow import Resources, Settings
 
 LAMBDA_S = 3.0
@@ -73,7 +73,7 @@ def montage_icons(
     remixing = Remixing(workers, render, total=1)
     try:
         remixing.start(
-            RemixJob("montage", sources, partial(_pose, sources, scribbles), (LAMBDA_S,))
+            CutSeries("montage", sources, partial(_pose, sources, scribbles), (LAMBDA_S,))
         )
         while remixing.busy:
             yield from remixing.ready(wanted=True)

@@ -144,7 +144,7 @@ class EditWorkspace(RemixWorkspace):
     def follow_styles(self, on: bool) -> None:
         """Follow a change of the styles that are wanted."""
         self.show_page()
-        self.runs.renew()
+        self.runner.renew()
 
     def _begin(self) -> None:
         """Begin to mark: something has been put on the page."""

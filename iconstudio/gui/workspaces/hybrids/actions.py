@@ -3,7 +3,7 @@
 from iconstudio.gui.window.actions import Entry, Key, work_entries
 
 
-def _gathered(place) -> bool:
+def _has_icons(place) -> bool:
     return bool(place.page.ids)
 
 
@@ -19,11 +19,11 @@ ENTRIES = (
     Entry("paste", "&Paste icon", "Mix the drawing on the clipboard", Key.Paste,
           do="opener.paste"),
     Entry("clear", "&Remove all icons", "Remove all icons", "Ctrl+Backspace", "clear",
-          enabled=_gathered),
+          enabled=_has_icons),
     Entry("favourite", "&Favourite", "Keep the picked hybrid, or no longer", "F", menu="&Edit",
           do=lambda place: place.keep(place.picture), enabled=_picked),
     Entry("like", "More &like this", "Draw hybrids like the picked one", "L", menu="&Edit",
           do=lambda place: place.draw_like(place.picture), enabled=_picked),
     Entry("run", "&Mix", "Draw hybrids of the icons", "Ctrl+Return"),
-    *work_entries("mix", _gathered),
+    *work_entries("mix", _has_icons),
 )  # fmt: skip

@@ -9,13 +9,13 @@ from PySide6.QtCore import Signal
 
 from iconstudio.gui.exchange.opening import IconOpener
 from iconstudio.gui.exchange.together import ReadTogether, named
-from iconstudio.gui.workspaces.hybrids import files
 from iconstudio.model import Exemplar
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.hybrids import page as edits
-from iconstudio.workflows.hybrids.hybrids import MOST
-from iconstudio.workflows.hybrids.page import Ask, HybridsPage
+from iconstudio.workflows.hybrids.file import COUNT, read_hybrids
+from iconstudio.workflows.hybrids.hybrids import MOST, check
+from iconstudio.workflows.hybrids.page import Ask, HybridsPage, Ingredient
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,7 +27,7 @@ class Picked:
 
 
 @dataclass(frozen=True, slots=True)
-class Opened:
+class OpenedMix:
     """What a file says."""
 
     page: HybridsPage
@@ -66,7 +66,7 @@ class HybridsOpener(IconOpener):
             ask = replace(ask, group=page.ask.group + 1)
         self.replace(lambda: _picked(self.session, ask))
 
-    def put(self, found: Exemplar | Picked | Opened) -> str:
+    def put(self, found: Exemplar | Picked | OpenedMix) -> str:
         """Add an icon, or put those that were picked or named on the page."""
         match found:
             case Exemplar():
@@ -74,7 +74,7 @@ class HybridsOpener(IconOpener):
             case Picked():
                 edits.set_icons(self.document, found.exemplars, found.ask)
                 return f"Picked {len(found.exemplars)} icons for “{found.ask.keyword}”."
-            case Opened(page):
+            case OpenedMix(page):
                 page = replace(page, favourites=self.document.page.favourites)
                 self.document.change("open mix", page)
                 if found.example:
@@ -102,12 +102,39 @@ def _there(names: Sequence[str]) -> str:
     return f"{named(names)} {'is' if len(names) == 1 else 'are'} among the icons already."
 
 
-def _opened(session: Session, path: Path, example: bool) -> Generator[Event | Opened]:
-    page = yield from files.read_page(session, path)
-    yield Opened(page, example)
+def _opened(session: Session, path: Path, example: bool) -> Generator[Event | OpenedMix]:
+    page = yield from _page(session, path)
+    yield OpenedMix(page, example)
 
 
 def _picked(session: Session, ask: Ask) -> Generator[Event | Picked]:
     with closing(session.choose(ask.keyword, ask.count, ask.symmetry, ask.group)) as choosing:
         icons = yield from choosing
     yield Picked(ask, tuple(map(session.exemplar, icons)))
+
+
+def _page(session: Session, path: Path) -> Generator[Event, None, HybridsPage]:
+    """Return the page that a file describes; yield the progress of picking its icons.
+
+    Raises
+    ------
+    IconstudioError
+        If the file is no good, an icon is not there, or the icons cannot be mixed.
+    """
+    file = read_hybrids(path)
+    ask = None
+    if file.icons is None:
+        # As without the window: the seed picks the group, too.
+        ask = Ask(file.word, file.count or COUNT, file.symmetry, file.seed)
+        icons = yield from session.choose(ask.keyword, ask.count, ask.symmetry, ask.group)
+        mix = file.mix(icons)
+    else:
+        mix = file.resolved(session.icon)
+    check(mix)
+    pins = mix.pins or ((),) * len(mix.icons)
+    ingredients = tuple(
+        Ingredient(session.exemplar(icon), points)
+        for icon, points in zip(mix.icons, pins, strict=True)
+    )
+    name = file.title or path.stem
+    return HybridsPage(ingredients, ask, mix.seed, mix.draws, mix.symmetry, name=name)

@@ -18,7 +18,7 @@ _OVERLAP = (
 
 
 @dataclass(frozen=True, slots=True)
-class Opened:
+class OpenedMontage:
     """A montage from a file of that name."""
 
     title: str
@@ -41,7 +41,7 @@ class MontageOpener(IconOpener):
         """Return an icon to be added."""
         return Icon(super().drawn(pictogram))
 
-    def put(self, found: Opened) -> str:
+    def put(self, found: OpenedMontage) -> str:
         """Show a montage."""
         self.document.change("open montage", found.page)
         return f"Opened “{found.title}”."
@@ -56,11 +56,11 @@ class MontageOpener(IconOpener):
             self.complain(self.no_room(gathered.names[:room], left))
         return f"Added {named([one.title for one in after.layers[len(page.layers) :]])}."
 
-    def _read_montage(self, path: Path) -> Generator[Opened]:
+    def _read_montage(self, path: Path) -> Generator[OpenedMontage]:
         file = read_montage(path)
         layers = file.resolved(self.session.icon).layers
         page = page_of(layers, [Icon(self.session.exemplar(one.icon)) for one in layers])
-        yield Opened(file.title or path.stem, page)
+        yield OpenedMontage(file.title or path.stem, page)
         if [one.strokes for one in page.layers] != [one.strokes for one in layers]:
             raise IconstudioError(_OVERLAP)
 

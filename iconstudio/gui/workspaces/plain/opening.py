@@ -20,7 +20,7 @@ from iconstudio.workflows.workflow import Workflow
 
 
 @dataclass(frozen=True, slots=True)
-class Read:
+class OpenedWork:
     """Work from a file of that name."""
 
     name: str
@@ -50,7 +50,7 @@ class WorkOpener(IconOpener):
         """Put the work in a file in place of what is there."""
         self.replace(lambda: self._read(Path(path)))
 
-    def put(self, found: Read) -> str:
+    def put(self, found: OpenedWork) -> str:
         """Show the work in a file."""
         self.document.change(f"open {self._workflow.noun}", WorkPage(found.work))
         return f"Opened “{found.name}”."
@@ -69,6 +69,6 @@ class WorkOpener(IconOpener):
             page = replace(page, work=take(page.work, icon.pictogram))
         self.document.change("add icon" if len(icons) == 1 else "add icons", page)
 
-    def _read(self, path: Path) -> Generator[Event | Read]:
+    def _read(self, path: Path) -> Generator[Event | OpenedWork]:
         work = yield from read_file(path, self._workflow, self.session)
-        yield Read(path.stem, work)
+        yield OpenedWork(path.stem, work)

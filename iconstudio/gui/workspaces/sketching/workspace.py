@@ -74,7 +74,7 @@ class SketchWorkspace(RemixWorkspace):
     def run(self) -> None:
         """Remix for the sketch; an outline that is still open is closed first."""
         super().run()
-        if self.runs.running and crosses_itself(self.page.sketch.polygon):
+        if self.runner.running and crosses_itself(self.page.sketch.polygon):
             self.hinted.emit(
                 "The outline crosses itself; everything that it encloses counts as inside."
             )
@@ -121,10 +121,10 @@ class SketchWorkspace(RemixWorkspace):
 
     def show_regions(self, on: bool = True) -> None:
         """Show the salient regions of the outline, if they are wanted and known."""
-        ran = self.runs.ran
+        ran = self.runner.ran
         same = ran is not None and ran.polygon == self.page.sketch.polygon
         # In live mode those of a moment ago stay until the new ones come.
-        wanted = self.actions_by_name["regions"].isChecked() and (same or self.runs.live)
+        wanted = self.actions_by_name["regions"].isChecked() and (same or self.runner.live)
         self.scene.set_regions(self._regions if wanted else ())
 
     def save(self) -> None:

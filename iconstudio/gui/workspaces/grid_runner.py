@@ -64,7 +64,7 @@ class _Request:
     """Of the result that the user looks at."""
 
 
-class Runs(QObject):
+class GridRunner(QObject):
     """Remixes what a page says, one run at a time.
 
     In live mode every change of what is wanted starts a run by itself, once the page is complete
@@ -92,7 +92,7 @@ class Runs(QObject):
         super().__init__(parent)
         self._page = page
         self._preparation = preparation
-        self.runner = LiveRunner(worker, self._made, self)
+        self.live_runner = LiveRunner(worker, self._made, self)
         """Its ``progress`` and ``failed`` may be listened to."""
         self.live = preferred(LIVE, True)
         """Whether results follow by themselves."""
@@ -101,15 +101,15 @@ class Runs(QObject):
         self._ran: _Request | None = None
         self._focus: Place | None = None
         self._by_hand = False
-        self.runner.began.connect(self._begin)
-        self.runner.event.connect(self._show)
-        self.runner.ended.connect(self._end)
+        self.live_runner.began.connect(self._begin)
+        self.live_runner.event.connect(self._show)
+        self.live_runner.ended.connect(self._end)
         preparation.settled.connect(self.renew)
 
     @property
     def running(self) -> bool:
         """Whether something runs."""
-        return self.runner.running
+        return self.live_runner.running
 
     @property
     def ran(self) -> Any:
@@ -126,7 +126,7 @@ class Runs(QObject):
         """Let results follow by themselves, or not; remember which."""
         self.live = on
         prefer(LIVE, on)
-        self.runner.discard()
+        self.live_runner.discard()
         self.renew()
 
     def set_fine(self, on: bool) -> None:
@@ -144,7 +144,7 @@ class Runs(QObject):
     def run(self) -> None:
         """Remix what the page says, which has no problem, because the user asks for it."""
         self._preparation.hurry()
-        self.runner.run(self._request())
+        self.live_runner.run(self._request())
         self._by_hand = True
 
     def renew(self) -> None:
@@ -152,14 +152,14 @@ class Runs(QObject):
         if not self.live:
             return
         if self.ran is not None and not self.stale:
-            self.runner.discard()
+            self.live_runner.discard()
         elif self._preparation.ready and not self._page.problem():
-            self.runner.request(self._request())
+            self.live_runner.request(self._request())
         elif self.running:  # out of date, though nothing can take its place
             self._ran = None
-            self.runner.cancel()
+            self.live_runner.cancel()
         else:
-            self.runner.discard()
+            self.live_runner.discard()
 
     def leave(self) -> bool:
         """Stop, and forget what ran before, if the page is of something else by now.
@@ -178,7 +178,7 @@ class Runs(QObject):
 
     def cancel(self) -> None:
         """Stop; in live mode, until the next change."""
-        self.runner.cancel()
+        self.live_runner.cancel()
 
     def _request(self) -> _Request:
         page, settings, before = self._page.document.page, self._page.settings(), self._ran
@@ -206,7 +206,7 @@ class Runs(QObject):
             case StyleSkipped(style) if self._focus and style == self._focus[0]:
                 self._focus = None
             case Picture(icon) if self._focus in (None, _place(icon)):
-                self.runner.release()
+                self.live_runner.release()
 
     def _end(self, whole: bool) -> None:
         if not self.running:
