@@ -6,6 +6,8 @@ from iconstudio.model.edit import Edit
 from iconstudio.model.errors import IconstudioError, SpriteError
 from iconstudio.model.exemplar import Exemplar, Frame
 from iconstudio.model.icon import Icon, Remix
+from iconstudio.model.line import Line
+from iconstudio.model.line_style import LineStyle, StylePair
 from iconstudio.model.mix import Mix, Seeds
 from iconstudio.model.montage import Layer, Montage, Stroke
 from iconstudio.model.path import Contour, Path, PathPen
@@ -30,6 +32,8 @@ __all__ = [
     "Icon",
     "IconstudioError",
     "Layer",
+    "Line",
+    "LineStyle",
     "Mix",
     "Montage",
     "Path",
@@ -46,4 +50,5 @@ __all__ = [
     "Source",
     "SpriteError",
     "Stroke",
+    "StylePair",
 ]

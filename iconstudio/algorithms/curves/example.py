@@ -1,0 +1,56 @@
+"""Examples to learn from: pairs of a plain curve A and a styled one A' (section 3.3).
+
+The two have the same parameters: a point of A corresponds to the point of A' at its parameter.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from iconstudio.algorithms.curves.curve import Curve, Points
+
+
+@dataclass(frozen=True, eq=False)
+class Pair:
+    """A and A', with parameters from 0 to 1."""
+
+    plain: Curve
+    styled: Curve
+
+    @classmethod
+    def of(cls, plain: Points | None, styled: Points, closed: bool = False) -> "Pair":
+        """Return a pair that corresponds by relative arc length.
+
+        Without a plain curve it is the straight line that runs along the styled one; of a closed
+        one, the ellipse.
+        """
+        after = Curve.of(styled, closed)
+        before = _sweep(after) if plain is None else Curve.of(plain, closed)
+        return cls(_from_0_to_1(before), _from_0_to_1(after))
+
+    def scaled(self, size: float, strength: float = 1.0) -> "Pair":
+        """Return the pair in another size, A' nearer to A or farther from it."""
+        plain, styled = self.plain, self.styled
+        near = plain.at(styled.parameters)
+        points = near + strength * (styled.points - near)
+        return Pair(
+            Curve(size * plain.points, plain.parameters, 1.0, plain.closed),
+            Curve(size * points, styled.parameters, 1.0, styled.closed),
+        )
+
+
+def _sweep(styled: Curve) -> Curve:
+    even = np.linspace(0, 1, 257)[:-1] if styled.closed else np.linspace(0, 1, 257)
+    points = styled.at_arc(even * styled.length)
+    if styled.closed:
+        turn = np.fft.fft(points) / len(points)
+        kept = np.zeros_like(turn)
+        kept[[0, 1, -1]] = turn[[0, 1, -1]]
+        return Curve.of(np.fft.ifft(kept * len(points)), True)
+    design = np.stack([np.ones_like(even), even], axis=1)
+    start, way = np.linalg.lstsq(design, points, rcond=None)[0]
+    return Curve.of(start + way * np.array([0.0, 1.0]))
+
+
+def _from_0_to_1(curve: Curve) -> Curve:
+    return Curve(curve.points, curve.parameters / curve.end, 1.0, curve.closed)

@@ -1,0 +1,103 @@
+"""Gaussian pyramids of the example's curves, ready to be searched (sections 3.4 and 3.5)."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from iconstudio.algorithms.curves.curve import Curve, Numbers
+from iconstudio.algorithms.curves.example import Pair
+from iconstudio.algorithms.curves.neighbourhoods import Neighbourhoods, weights
+from iconstudio.algorithms.curves.parameters import Parameters
+from iconstudio.algorithms.curves.search import Columns, Order
+
+
+@dataclass(frozen=True, eq=False)
+class Level:
+    """One level of an example's pyramid: the neighbourhoods of its candidates."""
+
+    spacing: float
+    """D"""
+    styled: Columns
+    """Of A'."""
+    plain: Columns
+    """Of A."""
+    coarser: Columns | None
+    """Of A' at the next coarser level; None at the coarsest."""
+    order: Order
+    lengthening: float
+    """The arc length of A' over that of A."""
+
+
+def spacings(parameters: Parameters) -> list[float]:
+    """Return D of each level, from the coarsest on.
+
+    >>> spacings(Parameters(spacing=1.0, levels=2))
+    [1.44, 1.2, 1.0]
+    """
+    return [parameters.spacing * parameters.coarser**n for n in range(parameters.levels, -1, -1)]
+
+
+def blurred(curve: Curve, spacing: float, parameters: Parameters) -> Curve:
+    """Return a curve as it is at the level of this spacing."""
+    finest = parameters.spacing
+    sigma = parameters.blur * np.sqrt(max(0.0, spacing**2 - finest**2))
+    return curve.blurred(float(sigma), finest / 2)
+
+
+def pyramid(pairs: Sequence[Pair], parameters: Parameters) -> list[Level]:
+    """Return the levels of the pairs of an example, from the coarsest on."""
+    levels: list[Level] = []
+    before: list[Curve] = []
+    places = [_candidates(pair.styled, parameters.spacing) for pair in pairs]
+    for spacing in spacings(parameters):
+        styled = [blurred(pair.styled, spacing, parameters) for pair in pairs]
+        plain = [blurred(pair.plain, spacing, parameters) for pair in pairs]
+
+        def columns(curves: list[Curve], hole: bool, spacing: float = spacing) -> Columns:
+            found = [
+                Neighbourhoods.of(curve, curve.arc_at(at), spacing, parameters.reach)
+                for curve, at in zip(curves, places, strict=True)
+            ]
+            return _columns(Neighbourhoods.joined(found), weights(parameters), hole)
+
+        order = Order(
+            np.concatenate([one.arc_at(at) for one, at in zip(styled, places, strict=True)]),
+            np.repeat(np.arange(len(pairs)), [len(at) for at in places]),
+            np.concatenate(
+                [
+                    np.full(len(at), one.length if one.closed else 0.0)
+                    for one, at in zip(styled, places, strict=True)
+                ]
+            ),
+        )
+        coarser = columns(before, False) if before else None
+        lengthening = sum(one.length for one in styled) / sum(one.length for one in plain)
+        level = columns(styled, True), columns(plain, False), coarser
+        levels.append(Level(spacing, *level, order, lengthening))
+        before = styled
+    return levels
+
+
+def _candidates(styled: Curve, spacing: float) -> Numbers:
+    """Return the parameters of candidates, the finest spacing apart."""
+    count = max(3, int(styled.length / spacing))
+    return styled.parameters_at((np.arange(count) + 0.5) / count * styled.length)
+
+
+def _columns(found: Neighbourhoods, w: Numbers, hole: bool) -> Columns:
+    w = w.copy()
+    if hole:
+        w[len(w) // 2] = 0
+    centre = (w @ found.samples) / w.sum()
+    energy = w @ abs(found.samples - centre) ** 2
+    samples, ways = found.samples, found.directions
+    return Columns(
+        np.ascontiguousarray(samples.real),
+        np.ascontiguousarray(samples.imag),
+        np.ascontiguousarray(ways.real),
+        np.ascontiguousarray(ways.imag),
+        found.middles,
+        centre,
+        energy,
+    )

@@ -1,0 +1,423 @@
+"""The search for the example's neighbourhood that fits best, and for where it puts the point
+(equations 3 to 6).
+
+Compiled: all neighbourhoods of the example are scored at once for each point. With
+``S = sum w conj(a) b`` of two centred neighbourhoods, the best rotation is S / |S|, and their
+distance is ``E_a + E_b - 2 Re(conj(R) S)``. The plain loop is the oracle in the tests.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from iconstudio.algorithms.compiled import entry, part
+
+Floats = NDArray[np.float64]
+Complexes = NDArray[np.complex128]
+Integers = NDArray[np.int64]
+
+
+class Columns(NamedTuple):
+    """One curve of the example at n candidates: samples and directions, real and imaginary.
+
+    Samples are (K, n), relative to the middle one; directions (K - 1, n). ``centre`` and
+    ``energy``, (n,), are their weighted mean and ``sum w |a - mean|²`` where all samples count, or
+    all but the middle one.
+    """
+
+    real: Floats
+    imag: Floats
+    ways_real: Floats
+    ways_imag: Floats
+    middles: Complexes
+    centre: Complexes
+    energy: Floats
+
+
+class Rows(NamedTuple):
+    """One curve of the result's side at N points: samples (N, K), directions (N, K - 1).
+
+    Samples ``first`` to ``last`` (N,) of a row lie on the curve.
+    """
+
+    samples: Complexes
+    ways: Complexes
+    first: Integers
+    last: Integers
+
+
+class Costs(NamedTuple):
+    """The weights of the terms of equation 6, at one level."""
+
+    samples: Floats
+    """w_k (K,)"""
+    ways: Floats
+    """w_delta w_k (K - 1,)"""
+    shape: float
+    """w_B: how much the neighbourhoods of A and B count for the cost ..."""
+    alignment: float
+    """... and for the rotation."""
+    coarse: float
+    """The same of the next coarser level; 0 at the coarsest."""
+    offset: float
+    """w_offset of A and B; 0 without them."""
+    coarse_offset: float
+    incoherent: float
+    epsilon: float
+    rotation: bool
+
+
+class Order(NamedTuple):
+    """Where candidates lie, (n,): the arc length along their curve, which curve, and its length
+    if it is closed, else 0."""
+
+    arc: Floats
+    curve: Integers
+    period: Floats
+
+
+@part
+def _random(state):  # type: ignore[no-untyped-def]
+    """Return a number from 0 to 1, and the next state (xorshift64*)."""
+    x = state[0]
+    x ^= x >> np.uint64(12)
+    x ^= x << np.uint64(25)
+    x ^= x >> np.uint64(27)
+    state[0] = x
+    return ((x * np.uint64(2685821657736338717)) >> np.uint64(11)) * (1.0 / 9007199254740992.0)
+
+
+@part
+def _compare(columns, w, wt, b, ways, first, last, hole, sr, si, cr, ci, energy):  # type: ignore[no-untyped-def]
+    """Compare one neighbourhood with all candidates: fill S, their centres and energies.
+
+    Samples first to last count, without the middle one if ``hole``. Returns the centre of b, the
+    energy of b and of the directions, and the sum of the weights.
+    """
+    count, n = columns.real.shape
+    middle = count // 2
+    total = 0.0
+    centre = 0.0j
+    for k in range(first, last + 1):
+        if not (hole and k == middle):
+            total += w[k]
+            centre += w[k] * b[k]
+    if total == 0.0:
+        return centre, 0.0, 0.0
+    centre /= total
+    whole = first == 0 and last == count - 1
+    own = 0.0
+    if whole:
+        for j in range(n):
+            cr[j] = columns.centre[j].real
+            ci[j] = columns.centre[j].imag
+            energy[j] = columns.energy[j]
+    else:
+        cr[:] = 0.0
+        ci[:] = 0.0
+        energy[:] = 0.0
+    sr[:] = 0.0
+    si[:] = 0.0
+    for k in range(first, last + 1):
+        if hole and k == middle:
+            continue
+        wk = w[k]
+        x = wk * (b[k] - centre)
+        xr = x.real
+        xi = x.imag
+        own += (x * (b[k] - centre).conjugate()).real
+        ar = columns.real[k]
+        ai = columns.imag[k]
+        for j in range(n):
+            sr[j] += ar[j] * xr + ai[j] * xi
+            si[j] += ar[j] * xi - ai[j] * xr
+        if not whole:
+            for j in range(n):
+                cr[j] += wk * ar[j]
+                ci[j] += wk * ai[j]
+                energy[j] += wk * (ar[j] * ar[j] + ai[j] * ai[j])
+    if not whole:
+        for j in range(n):
+            cr[j] /= total
+            ci[j] /= total
+            energy[j] -= total * (cr[j] * cr[j] + ci[j] * ci[j])
+    for k in range(first, last):
+        if hole and (k == middle or k == middle - 1):
+            continue
+        own += 2.0 * wt[k]
+        xr = wt[k] * ways[k].real
+        xi = wt[k] * ways[k].imag
+        ar = columns.ways_real[k]
+        ai = columns.ways_imag[k]
+        for j in range(n):
+            sr[j] += ar[j] * xr + ai[j] * xi
+            si[j] += ar[j] * xi - ai[j] * xr
+    return centre, own, total
+
+
+@part
+def _choose(  # type: ignore[no-untyped-def]
+    styled, plain, coarser, order, costs, b, ways, first, last, has_plain, row_b, ways_b, first_b,
+    last_b, has_coarse, row_c, ways_c, first_c, last_c, source, previous, pull, pull_weight, state,
+    work,
+):  # fmt: skip
+    """Return where the best candidate puts the point, and which it is."""
+    w = costs.samples
+    wt = costs.ways
+    n = styled.real.shape[1]
+    middle = len(w) // 2
+    # Of the sum of all pairs: S, what tells the rotation, cost, place; of the pair at hand, S and
+    # the energy; the centres of A', A and the coarser A'.
+    tr, ti, rr, ri, cost = work[0], work[1], work[2], work[3], work[4]
+    pr, pi, sr, si, energy = work[5], work[6], work[7], work[8], work[9]
+    hr, hi, br, bi, kr, ki = work[10], work[11], work[12], work[13], work[14], work[15]
+    constant = 0.0
+    centre, own, mass = _compare(styled, w, wt, b, ways, first, last, True, sr, si, hr, hi, energy)
+    known = mass > 0.0
+    if known:
+        constant += own
+        for j in range(n):
+            tr[j] = sr[j]
+            ti[j] = si[j]
+            cost[j] = energy[j]
+    else:
+        tr[:] = 0.0
+        ti[:] = 0.0
+        cost[:] = 0.0
+        hr[:] = 0.0
+        hi[:] = 0.0
+    coarse_centre = 0.0j
+    if has_coarse:
+        coarse_centre, own, _ = _compare(
+            coarser, w, wt, row_c, ways_c, first_c, last_c, False, sr, si, kr, ki, energy
+        )
+        constant += costs.coarse * own
+        for j in range(n):
+            tr[j] += costs.coarse * sr[j]
+            ti[j] += costs.coarse * si[j]
+            cost[j] += costs.coarse * energy[j]
+    for j in range(n):
+        rr[j] = tr[j]
+        ri[j] = ti[j]
+    plain_centre = 0.0j
+    if has_plain:
+        plain_centre, own, _ = _compare(
+            plain, w, wt, row_b, ways_b, first_b, last_b, False, sr, si, br, bi, energy
+        )
+        for j in range(n):
+            rr[j] += costs.alignment * sr[j]
+            ri[j] += costs.alignment * si[j]
+        if costs.shape > 0.0:
+            constant += costs.shape * own
+            for j in range(n):
+                tr[j] += costs.shape * sr[j]
+                ti[j] += costs.shape * si[j]
+                cost[j] += costs.shape * energy[j]
+    # the rotation of each
+    if costs.rotation:
+        for j in range(n):
+            size = np.sqrt(rr[j] * rr[j] + ri[j] * ri[j])
+            if size > 1e-12:
+                rr[j] /= size
+                ri[j] /= size
+            else:
+                rr[j] = 1.0
+                ri[j] = 0.0
+    else:
+        rr[:] = 1.0
+        ri[:] = 0.0
+    for j in range(n):
+        cost[j] += constant - 2.0 * (rr[j] * tr[j] + ri[j] * ti[j])
+    # the masses of the new point and of its neighbours
+    total = mass + w[middle]
+    share = w[middle] / total
+    rest = centre * (mass / total)
+    # virtual constraints: where the neighbourhood, the offsets and the user put the point
+    spring = costs.offset * share * share if has_plain else 0.0
+    spring_c = costs.coarse_offset * share * share if has_coarse else 0.0
+    match = 1.0 if known else 0.0
+    weight = match + spring + spring_c + pull_weight
+    # the whole neighbourhood of A', with its middle: hr, hi are centres of the others
+    for j in range(n):
+        mr = hr[j] * (mass / total)
+        mi = hi[j] * (mass / total)
+        sumr = 0.0
+        sumi = 0.0
+        square = 0.0
+        if known:
+            qr = centre.real - (rr[j] * hr[j] - ri[j] * hi[j])
+            qi = centre.imag - (rr[j] * hi[j] + ri[j] * hr[j])
+            sumr += qr
+            sumi += qi
+            square += qr * qr + qi * qi
+        if spring > 0.0:
+            er = mr + styled.middles[j].real - br[j] - plain.middles[j].real
+            ei = mi + styled.middles[j].imag - bi[j] - plain.middles[j].imag
+            qr = (plain_centre.real + rr[j] * er - ri[j] * ei - rest.real) / share
+            qi = (plain_centre.imag + rr[j] * ei + ri[j] * er - rest.imag) / share
+            sumr += spring * qr
+            sumi += spring * qi
+            square += spring * (qr * qr + qi * qi)
+        if spring_c > 0.0:
+            er = mr + styled.middles[j].real - kr[j] - coarser.middles[j].real
+            ei = mi + styled.middles[j].imag - ki[j] - coarser.middles[j].imag
+            qr = (coarse_centre.real + rr[j] * er - ri[j] * ei - rest.real) / share
+            qi = (coarse_centre.imag + rr[j] * ei + ri[j] * er - rest.imag) / share
+            sumr += spring_c * qr
+            sumi += spring_c * qi
+            square += spring_c * (qr * qr + qi * qi)
+        sumr += pull_weight * pull.real
+        sumi += pull_weight * pull.imag
+        square += pull_weight * (pull.real * pull.real + pull.imag * pull.imag)
+        pr[j] = sumr / weight
+        pi[j] = sumi / weight
+        cost[j] += square - weight * (pr[j] * pr[j] + pi[j] * pi[j])
+        if cost[j] < 0.0:
+            cost[j] = 0.0
+    if source >= 0:
+        for j in range(n):
+            step = order.arc[j] - order.arc[source]
+            if order.period[j] > 0.0 and step < 0.0:
+                step += order.period[j]
+            gap = 1.5 * np.sqrt((pr[j] - previous.real) ** 2 + (pi[j] - previous.imag) ** 2)
+            if not (order.curve[j] == order.curve[source] and 0.0 < step < gap):
+                cost[j] *= costs.incoherent
+    least = np.inf
+    for j in range(n):
+        if cost[j] < least:
+            least = cost[j]
+    bound = least * (1.0 + costs.epsilon)
+    good = 0
+    for j in range(n):
+        if cost[j] <= bound:
+            good += 1
+    nth = int(_random(state) * good)
+    best = 0
+    for j in range(n):
+        if cost[j] <= bound:
+            if nth == 0:
+                best = j
+                break
+            nth -= 1
+    return pr[best] + 1j * pi[best], best
+
+
+@part
+def _around(points, count, i, closed, spacing, samples):  # type: ignore[no-untyped-def]
+    """Sample the first ``count`` points' polyline around the i-th, ``spacing`` apart by arc length.
+
+    Returns the first and the last sample that lie on it.
+    """
+    middle = len(samples) // 2
+    samples[middle] = points[i]
+    first = middle
+    last = middle
+    for way in (-1, 1):
+        at = points[i]
+        k = i
+        left = spacing
+        sample = middle + way
+        walked = 0
+        while 0 <= sample < len(samples) and walked <= count:
+            following = k + way
+            if closed:
+                following %= count
+            elif following < 0 or following >= count:
+                break
+            gap = points[following] - at
+            far = np.abs(gap)
+            if far >= left:
+                at += gap * (left / far)
+                samples[sample] = at
+                sample += way
+                left = spacing
+            else:
+                left -= far
+                at = points[following]
+                k = following
+                walked += 1
+        if way < 0:
+            first = sample + 1
+        else:
+            last = sample - 1
+    return first, last
+
+
+@part
+def _point_out(samples, first, last, ways):  # type: ignore[no-untyped-def]
+    """Fill the directions between samples that lie on a curve."""
+    for k in range(first, last):
+        gap = samples[k + 1] - samples[k]
+        far = np.abs(gap)
+        ways[k] = gap / far if far > 0.0 else 0.0j
+
+
+@entry
+def begin(  # type: ignore[no-untyped-def]
+    styled, plain, order, costs, spacing, has_plain, rows, pulls, pull_weights, state, points,
+    sources, done,
+):  # fmt: skip
+    """Fill points and sources from the ``done``-th on, each from the neighbourhood before it."""
+    width = len(costs.samples)
+    middle = width // 2
+    work = np.empty((16, styled.real.shape[1]))
+    back = np.zeros(width, np.complex128)
+    samples = np.zeros(width, np.complex128)
+    ways = np.zeros(width - 1, np.complex128)
+    for i in range(done, len(points)):
+        first = middle + 1
+        source = -1
+        previous = 0.0j
+        if i > 0:
+            # The sample before the new point is the point before it, and so on back from there.
+            found, _ = _around(points, i, i - 1, False, spacing, back)
+            first = max(found - 1, 0)
+            for k in range(first, middle):
+                samples[k] = back[k + 1]
+            _point_out(samples, first, middle - 1, ways)
+            source = sources[i - 1]
+            previous = points[i - 1]
+        points[i], sources[i] = _choose(
+            styled, plain, plain, order, costs, samples, ways, first, middle, has_plain,
+            rows.samples[i], rows.ways[i], rows.first[i], rows.last[i], False, samples, ways,
+            0, 0, source, previous, pulls[i], pull_weights[i], state, work,
+        )  # fmt: skip
+
+
+@entry
+def refine(  # type: ignore[no-untyped-def]
+    styled, plain, coarser, order, costs, spacing, closed, has_plain, rows, has_coarse,
+    coarse_rows, pulls, pull_weights, state, points, sources,
+):  # fmt: skip
+    """Go once over all points, each from the whole neighbourhood around it.
+
+    A closed curve is gone over from a random point on.
+    """
+    width = len(costs.samples)
+    count = len(points)
+    work = np.empty((16, styled.real.shape[1]))
+    samples = np.zeros(width, np.complex128)
+    ways = np.zeros(width - 1, np.complex128)
+    start = int(_random(state) * count) if closed else 0
+    for nth in range(count):
+        i = (start + nth) % count
+        if pull_weights[i] == np.inf:
+            points[i] = pulls[i]
+        first, last = _around(points, count, i, closed, spacing, samples)
+        _point_out(samples, first, last, ways)
+        source = -1
+        previous = 0.0j
+        if i > 0 or closed:
+            source = sources[(i - 1) % count]
+            previous = points[(i - 1) % count]
+        hard = pull_weights[i] == np.inf
+        place, sources[i] = _choose(
+            styled, plain, coarser, order, costs, samples, ways, first, last, has_plain,
+            rows.samples[i], rows.ways[i], rows.first[i], rows.last[i], has_coarse,
+            coarse_rows.samples[i], coarse_rows.ways[i], coarse_rows.first[i],
+            coarse_rows.last[i], source, previous, pulls[i],
+            0.0 if hard else pull_weights[i], state, work,
+        )  # fmt: skip
+        if not hard:
+            points[i] = place
