@@ -1,13 +1,15 @@
-"""A : A' :: B : B' at one level (section 3.3): SYNTHESIZEANALOGY and REFINEANALOGY."""
+"""Curves at one level: new ones (section 3.1: SYNTHESIZECURVE), and A : A' :: B : B' (section 3.3:
+SYNTHESIZEANALOGY and REFINEANALOGY).
+"""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.curves.constraints import Constraint, combined
-from iconstudio.algorithms.curves.curve import Curve, Numbers
+from iconstudio.algorithms.curves.curve import Curve, Numbers, Points
 from iconstudio.algorithms.curves.neighbourhoods import directions, weights
 from iconstudio.algorithms.curves.parameters import Parameters
 from iconstudio.algorithms.curves.pyramid import Level
@@ -23,10 +25,12 @@ class Synthesised:
 
 
 class Search:
-    """Makes a curve B' for B from an example at one level.
+    """Makes curves at one level from an example: B' for B, or any if there is no B.
 
     Parameters
     ----------
+    plain
+        B, at this level.
     random
         (1,) the state of the random numbers, which goes on.
     """
@@ -34,11 +38,11 @@ class Search:
     def __init__(
         self,
         level: Level,
-        plain: Curve,
+        plain: Curve | None,
         parameters: Parameters,
-        rotation: bool,
-        shape: bool,
         random: NDArray[np.uint64],
+        rotation: bool = True,
+        shape: bool = False,
     ) -> None:
         self._level, self._plain, self._random = level, plain, random
         self._reach = parameters.reach
@@ -50,9 +54,10 @@ class Search:
             shape=parameters.shape if shape else 0.0,
             alignment=parameters.shape if shape else parameters.alignment,
             coarse=coarse,
-            offset=parameters.offset,
+            offset=parameters.offset if plain else 0.0,
             coarse_offset=parameters.offset if coarse else 0.0,
             incoherent=parameters.incoherent,
+            stride=parameters.reach * level.spacing,
             epsilon=parameters.epsilon,
             rotation=rotation,
         )
@@ -60,17 +65,48 @@ class Search:
     def begin(self, constraints: Sequence[Constraint] = ()) -> Synthesised:
         """Return a curve made from its start on (SYNTHESIZEANALOGY)."""
         level, plain = self._level, self._plain
+        assert plain is not None
         count = max(4, round(plain.length * level.lengthening / level.spacing))
         at = np.linspace(0, plain.end, count + 1)
         if plain.closed:
             at = at[:-1]
         points, sources = np.empty(len(at), complex), np.empty(len(at), np.int64)
-        pulls = combined(constraints, at)
-        begin(
-            level.styled, level.plain, level.order, self._costs, level.spacing, True,
-            self._rows(plain, at), *pulls, self._random, points, sources, 0,
-        )  # fmt: skip
+        self._begin(at, points, sources, 0, constraints)
         return Synthesised(Curve(points, at, plain.end, plain.closed), sources)
+
+    def scribbled(self, start: Points, sources: NDArray[np.int64], length: float) -> Synthesised:
+        """Return a curve that goes on from a start, a few points long (SYNTHESIZECURVE)."""
+        count = max(len(start), round(length / self._level.spacing) + 1)
+        points, taken = np.zeros(count, complex), np.zeros(count, np.int64)
+        points[: len(start)], taken[: len(start)] = start, sources
+        at = np.linspace(0, 1, count)
+        self._begin(at, points, taken, len(start), ())
+        return Synthesised(Curve(points, at, 1.0), taken)
+
+    def sharpened(self, coarser: Synthesised) -> Synthesised:
+        """Return a curve of the level above with each point where its candidate is at this one.
+
+        Beyond the paper: refinement alone begins with a blurred curve, and loops never come back.
+        """
+        level, curve = self._level, coarser.curve
+        assert level.coarser is not None
+        w = self._costs.samples
+        rows = self._rows(curve, curve.parameters)
+        inside = (rows.first[:, None] <= np.arange(len(w))) & (
+            np.arange(len(w)) <= rows.last[:, None]
+        )
+        weight = w * inside
+        total = weight.sum(axis=1)
+        centre = (weight * rows.samples).sum(axis=1) / total
+        taken = coarser.sources
+        before = (level.coarser.real + 1j * level.coarser.imag)[:, taken].T
+        mean = (weight * before).sum(axis=1) / total
+        products = (weight * before.conj() * (rows.samples - centre[:, None])).sum(axis=1)
+        turn = np.ones(len(taken), complex)
+        if self._costs.rotation:
+            turn = products / np.maximum(abs(products), 1e-12)
+        off = level.styled.middles[taken] - level.coarser.middles[taken] - mean
+        return Synthesised(replace(curve, points=centre + turn * off), taken)
 
     def refined(
         self,
@@ -81,25 +117,44 @@ class Search:
         """Return a curve whose points have been looked for once more (REFINEANALOGY)."""
         level, curve = self._level, made.curve
         points, sources = curve.points.copy(), made.sources.copy()
-        rows = self._rows(self._plain, curve.parameters)
-        coarse_rows = rows if coarser is None else self._rows(coarser, curve.parameters)
         refine(
             level.styled, level.plain, level.coarser or level.plain, level.order, self._costs,
-            level.spacing, curve.closed, True, rows, coarser is not None, coarse_rows,
+            level.spacing, curve.closed, self._plain is not None,
+            self._rows(self._plain, curve.parameters), coarser is not None,
+            self._rows(coarser, curve.parameters),
             *combined(constraints, curve.parameters), self._random, points, sources,
         )  # fmt: skip
         return Synthesised(Curve(points, curve.parameters, curve.end, curve.closed), sources)
 
-    def _rows(self, curve: Curve, parameters: Numbers) -> Rows:
+    def _begin(
+        self,
+        at: Numbers,
+        points: Points,
+        sources: NDArray[np.int64],
+        done: int,
+        constraints: Sequence[Constraint],
+    ) -> None:
+        level = self._level
+        begin(
+            level.styled, level.plain, level.order, self._costs, level.spacing,
+            self._plain is not None, self._rows(self._plain, at),
+            *combined(constraints, at), self._random, points, sources, done,
+        )  # fmt: skip
+
+    def _rows(self, curve: Curve | None, parameters: Numbers) -> Rows:
         """Return the neighbourhoods of a curve at parameters; those of an open one end with it."""
+        count = 2 * self._reach + 1
+        if curve is None:
+            nothing = np.zeros((len(parameters), count), complex)
+            none = np.zeros(len(parameters), np.int64)
+            return Rows(nothing, nothing[:, 1:].copy(), none, none)
         offsets = self._level.spacing * np.arange(-self._reach, self._reach + 1)
         along = curve.arc_at(parameters)[:, None] + offsets
         samples = curve.at_arc(along)
         first = np.zeros(len(along), np.int64)
-        last = np.full(len(along), 2 * self._reach)
+        last = np.full(len(along), count - 1)
         if not curve.closed:
-            first = np.minimum((along < -1e-9).sum(axis=1), self._reach)
-            last = 2 * self._reach - np.minimum(
-                (along > curve.length + 1e-9).sum(axis=1), self._reach
-            )
+            before, after = along < -1e-9, along > curve.length + 1e-9
+            first = np.minimum(before.sum(axis=1), self._reach)
+            last = count - 1 - np.minimum(after.sum(axis=1), self._reach)
         return Rows(samples, np.ascontiguousarray(directions(samples.T).T), first, last)

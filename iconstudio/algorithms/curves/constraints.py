@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from iconstudio.algorithms.curves.curve import Numbers, Points
+from iconstudio.algorithms.curves.curve import Curve, Numbers, Points
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,3 +49,31 @@ def combined(constraints: Sequence[Constraint], parameters: Numbers) -> tuple[Po
             places[index] += (one.place - places[index]) * (one.weight / total)
             pulls[index] = total
     return places, pulls
+
+
+def pulled(curve: Curve, constraints: Sequence[Constraint], reach: float) -> Curve:
+    """Return a curve that goes through its constraints, or as far as they weigh.
+
+    A point alone would make a needle, so those within some ``reach`` of it by arc length go along.
+    """
+    if not constraints:
+        return curve
+    at = np.array([one.parameter for one in constraints])
+    places = np.array([one.place for one in constraints])
+    far = np.array([1 / (1 + 1 / one.weight) for one in constraints])
+    wanted = far * (places - curve.at(at))
+    knots = curve.arc_at(at)
+    along = curve.arc[: len(curve.points)]
+    shares = _bell(_apart(knots, knots, curve), reach) + 1e-6 * np.eye(len(at))
+    moved = _bell(_apart(along, knots, curve), reach) @ np.linalg.solve(shares, wanted)
+    return replace(curve, points=curve.points + moved)
+
+
+def _apart(here: Numbers, there: Numbers, curve: Curve) -> Numbers:
+    gaps = abs(here[:, None] - there[None, :])
+    return np.minimum(gaps, curve.length - gaps) if curve.closed else gaps
+
+
+def _bell(gaps: Numbers, reach: float) -> Numbers:
+    bell: Numbers = np.exp(-0.5 * (gaps / reach) ** 2)
+    return bell

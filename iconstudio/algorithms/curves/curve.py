@@ -95,6 +95,31 @@ class Curve:
             along = along[:-1]
         return Curve(self.at_arc(along), self.parameters_at(along), self.end, self.closed)
 
+    def smoothly(self, parameters: Numbers) -> Points:
+        """Return the points at these parameters, which lie on the curve, on cubics between points.
+
+        They are Catmull and Rom's, by arc length: polylines cut corners each time that they are
+        resampled.
+        """
+        points, knots = self._knots
+        if len(points) < 4:
+            return self.at(parameters)
+        arc = self.arc
+        gaps = np.maximum(np.diff(arc), 1e-12)
+        slopes = np.diff(points) / gaps
+        before, after = np.roll(slopes, 1), np.roll(gaps, 1)
+        inner = (slopes * after + before * gaps) / (gaps + after)
+        if not self.closed:
+            inner[0] = slopes[0]
+        ways = np.append(inner, inner[0] if self.closed else slopes[-1])
+        index = np.clip(np.searchsorted(knots, parameters, "right") - 1, 0, len(gaps) - 1)
+        width = knots[index + 1] - knots[index]
+        u = (parameters - knots[index]) / np.where(width > 0, width, 1)
+        p, q, gap = points[index], points[index + 1], gaps[index]
+        m, n = ways[index] * gap, ways[index + 1] * gap
+        found: Points = p + u * m + u**2 * (3 * (q - p) - 2 * m - n) + u**3 * (2 * (p - q) + m + n)
+        return found
+
     def blurred(self, sigma: float, spacing: float) -> "Curve":
         """Return the curve, its points ``spacing`` apart, blurred by a Gaussian along arc length.
 
@@ -132,5 +157,6 @@ def _interpolated(places: Numbers, knots: Numbers, points: Points) -> Points:
     if len(points) < 2:
         return np.full(np.shape(places), points[0])
     index = np.clip(np.searchsorted(knots, places, "right") - 1, 0, len(knots) - 2)
-    part = (places - knots[index]) / (knots[index + 1] - knots[index])
+    gaps = knots[index + 1] - knots[index]
+    part = (places - knots[index]) / np.where(gaps > 0, gaps, 1)  # points may be repeated
     return points[index] + part * (points[index + 1] - points[index])

@@ -1,15 +1,21 @@
-"""Analogies from coarse to fine (sections 3.4 and 3.5): SYNTHESIZEANALOGYMULTIRES."""
+"""From coarse to fine: SYNTHESIZECURVEMULTIRES (section 3.4), SYNTHESIZEANALOGYMULTIRES (3.5)."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.curves.analogy import Search, Synthesised
-from iconstudio.algorithms.curves.constraints import Constraint, softened
+from iconstudio.algorithms.curves.constraints import Constraint, pulled, softened
 from iconstudio.algorithms.curves.curve import Curve
 from iconstudio.algorithms.curves.parameters import Parameters
 from iconstudio.algorithms.curves.pyramid import Level, blurred
+
+_REACH = 4.0
+"""How many spacings from a constraint the curve goes along with it."""
+_START = 3
+"""Points that a new curve begins with, copied from A'."""
 
 
 def analogy(
@@ -27,30 +33,65 @@ def analogy(
     coarser: Curve | None = None
     for above, level in zip(range(len(levels) - 1, -1, -1), levels, strict=True):
         sweep = blurred(plain, level.spacing, parameters)
-        search = Search(level, sweep, parameters, rotation, shape, random)
+        search = Search(level, sweep, parameters, random, rotation, shape)
         pulls = [softened(one, above) for one in constraints]
-        made = search.begin(pulls) if made is None else _resampled(made, level.spacing, pulls)
+        made = search.begin(pulls) if made is None else search.sharpened(made)
         for _ in range(parameters.passes):
-            made = search.refined(made, coarser, pulls)
-            made = _resampled(made, level.spacing, pulls)
+            made = search.refined(_through(made, level.spacing, pulls), coarser, pulls)
+        made = _through(made, level.spacing, pulls)
         coarser = made.curve
     assert made is not None
     return made
 
 
-def _resampled(made: Synthesised, spacing: float, constraints: Sequence[Constraint]) -> Synthesised:
-    """Return a curve with points ``spacing`` apart, and at the constraints."""
-    curve = made.curve.resampled(spacing)
-    parameters, points = curve.parameters, curve.points
+def scribble(
+    levels: Sequence[Level],
+    length: float,
+    parameters: Parameters,
+    seed: int = 0,
+    rotation: bool = False,
+) -> Synthesised:
+    """Return a new curve of about this length in the style of A' (SYNTHESIZECURVEMULTIRES).
+
+    It begins as the example does somewhere.
+    """
+    random = _state(seed)
+    coarsest = levels[0]
+    count = coarsest.styled.middles.size
+    first = int(np.random.default_rng(seed).integers(max(1, count - _START * 4)))
+    step = max(1, round(coarsest.spacing / levels[-1].spacing))
+    taken = first + step * np.arange(_START)
+    start = coarsest.styled.middles[taken[taken < count]]
+    made = Search(coarsest, None, parameters, random, rotation).scribbled(
+        start - start[0], taken[taken < count], length * coarsest.shortening
+    )
+    coarser = None
+    for level in levels:
+        search = Search(level, None, parameters, random, rotation)
+        if coarser is not None:
+            made = search.sharpened(made)
+        for _ in range(parameters.passes):
+            made = search.refined(_through(made, level.spacing, ()), coarser)
+        made = _through(made, level.spacing, ())
+        coarser = made.curve
+    return made
+
+
+def _through(made: Synthesised, spacing: float, constraints: Sequence[Constraint]) -> Synthesised:
+    """Return a curve with points ``spacing`` apart, and one at each constraint, as far as it pulls.
+
+    A point is taken from where the one before it was taken from.
+    """
+    curve = pulled(made.curve, constraints, _REACH * spacing)
+    even = curve.resampled(spacing)
+    parameters = even.parameters
     if constraints:
-        wanted = np.array([one.parameter for one in constraints])
-        nearest = abs(parameters[:, None] - wanted).argmin(axis=0)
-        parameters = parameters.copy()
-        parameters[nearest] = wanted
-        points = made.curve.at(parameters)
-        curve = Curve(points, parameters, curve.end, curve.closed)
+        fixed = np.unique([one.parameter for one in constraints])
+        gaps = abs(curve.arc_at(parameters)[:, None] - curve.arc_at(fixed)).min(axis=1)
+        parameters = np.union1d(parameters[gaps > spacing / 3], fixed)
+    even = replace(even, parameters=parameters, points=curve.smoothly(parameters))
     before = np.searchsorted(made.curve.parameters, parameters, "right") - 1
-    return Synthesised(curve, made.sources[np.clip(before, 0, len(made.sources) - 1)])
+    return Synthesised(even, made.sources[np.clip(before, 0, len(made.sources) - 1)])
 
 
 def _state(seed: int) -> NDArray[np.uint64]:

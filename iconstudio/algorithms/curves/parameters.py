@@ -24,7 +24,7 @@ class Parameters:
     """D at the finest level."""
     coarser: float = 1.2
     """How many times as large D is at the next coarser level."""
-    levels: int = 5
+    levels: int = 4
     """How many coarser levels there are."""
     blur: float = 0.8
     """Standard deviation of a level's blur, over sqrt(D_l² - D_L²)."""

@@ -27,6 +27,8 @@ class Level:
     order: Order
     lengthening: float
     """The arc length of A' over that of A."""
+    shortening: float
+    """The arc length of A' at this level over that at the finest."""
 
 
 def spacings(parameters: Parameters) -> list[float]:
@@ -61,27 +63,36 @@ def pyramid(pairs: Sequence[Pair], parameters: Parameters) -> list[Level]:
             ]
             return _columns(Neighbourhoods.joined(found), weights(parameters), hole)
 
-        order = Order(
-            np.concatenate([one.arc_at(at) for one, at in zip(styled, places, strict=True)]),
-            np.repeat(np.arange(len(pairs)), [len(at) for at in places]),
-            np.concatenate(
-                [
-                    np.full(len(at), one.length if one.closed else 0.0)
-                    for one, at in zip(styled, places, strict=True)
-                ]
-            ),
-        )
+        order = _order(styled, places, parameters.reach * spacing)
         coarser = columns(before, False) if before else None
         lengthening = sum(one.length for one in styled) / sum(one.length for one in plain)
+        shortening = sum(one.length for one in styled) / sum(one.styled.length for one in pairs)
         level = columns(styled, True), columns(plain, False), coarser
-        levels.append(Level(spacing, *level, order, lengthening))
+        levels.append(Level(spacing, *level, order, lengthening, shortening))
         before = styled
     return levels
 
 
+def _order(curves: Sequence[Curve], places: Sequence[Numbers], run: float) -> Order:
+    """Return where candidates lie; jumps lead to those that go on for ``run``, if many do."""
+    arcs = [curve.arc_at(at) for curve, at in zip(curves, places, strict=True)]
+    counts = [len(at) for at in places]
+    rest = [
+        np.full(len(arc), np.inf) if one.closed else one.length - arc
+        for one, arc in zip(curves, arcs, strict=True)
+    ]
+    runs = [min(run, one.length / 4) for one in curves]
+    return Order(
+        np.concatenate(arcs),
+        np.repeat(np.arange(len(curves)), counts),
+        np.repeat([one.length if one.closed else 0.0 for one in curves], counts),
+        np.concatenate(rest) < np.repeat(runs, counts),
+    )
+
+
 def _candidates(styled: Curve, spacing: float) -> Numbers:
     """Return the parameters of candidates, the finest spacing apart."""
-    count = max(3, int(styled.length / spacing))
+    count = max(3, int(styled.length / spacing + 1e-9))
     return styled.parameters_at((np.arange(count) + 0.5) / count * styled.length)
 
 

@@ -13,6 +13,12 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.compiled import entry, part
 
+_EXACT = 1e-7
+"""What differs by less is the same, but for rounding."""
+
+_SENSELESS = 100.0
+"""How many times as much a jump costs after which the same jump would follow."""
+
 Floats = NDArray[np.float64]
 Complexes = NDArray[np.complex128]
 Integers = NDArray[np.int64]
@@ -64,17 +70,23 @@ class Costs(NamedTuple):
     """w_offset of A and B; 0 without them."""
     coarse_offset: float
     incoherent: float
+    stride: float
+    """No jump goes back by less than that much arc length."""
     epsilon: float
     rotation: bool
 
 
 class Order(NamedTuple):
-    """Where candidates lie, (n,): the arc length along their curve, which curve, and its length
-    if it is closed, else 0."""
+    """Where candidates lie, (n,)."""
 
     arc: Floats
+    """The arc length along their curve,"""
     curve: Integers
+    """which curve that is,"""
     period: Floats
+    """and its length if it is closed, else 0."""
+    ending: NDArray[np.bool_]
+    """Those near the end of an open curve, where a jump would lead nowhere."""
 
 
 @part
@@ -278,16 +290,21 @@ def _choose(  # type: ignore[no-untyped-def]
     if source >= 0:
         for j in range(n):
             step = order.arc[j] - order.arc[source]
-            if order.period[j] > 0.0 and step < 0.0:
+            if order.period[j] > 0.0 and step < -0.5 * order.period[j]:
                 step += order.period[j]
             gap = 1.5 * np.sqrt((pr[j] - previous.real) ** 2 + (pi[j] - previous.imag) ** 2)
-            if not (order.curve[j] == order.curve[source] and 0.0 < step < gap):
+            same = order.curve[j] == order.curve[source]
+            if not (same and 0.0 < step < gap):
                 cost[j] *= costs.incoherent
+                # A jump back by a little, or to the end, would come again and again.
+                if order.ending[j] or (same and -costs.stride < step <= 0.0):
+                    cost[j] *= _SENSELESS
     least = np.inf
     for j in range(n):
         if cost[j] < least:
             least = cost[j]
-    bound = least * (1.0 + costs.epsilon)
+    # Where several fit, rounding must not tell which: the same result, however B is turned.
+    bound = least * (1.0 + costs.epsilon) + _EXACT * costs.ways[middle]
     good = 0
     for j in range(n):
         if cost[j] <= bound:
@@ -327,7 +344,7 @@ def _around(points, count, i, closed, spacing, samples):  # type: ignore[no-unty
                 break
             gap = points[following] - at
             far = np.abs(gap)
-            if far >= left:
+            if far >= left * (1.0 - _EXACT) and far > 0.0:
                 at += gap * (left / far)
                 samples[sample] = at
                 sample += way
