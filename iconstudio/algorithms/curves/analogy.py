@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.curves.constraints import Constraint, combined
 from iconstudio.algorithms.curves.curve import Curve, Numbers, Points
-from iconstudio.algorithms.curves.neighbourhoods import directions, weights
+from iconstudio.algorithms.curves.neighbourhoods import Neighbourhoods, bend, directions, weights
 from iconstudio.algorithms.curves.parameters import Parameters
 from iconstudio.algorithms.curves.pyramid import Level
 from iconstudio.algorithms.curves.search import Costs, Rows, begin, refine
@@ -31,6 +31,8 @@ class Search:
     ----------
     plain
         B, at this level.
+    sweep
+        What B's neighbourhoods are unbent along, unless their shape counts.
     random
         (1,) the state of the random numbers, which goes on.
     """
@@ -43,8 +45,10 @@ class Search:
         random: NDArray[np.uint64],
         rotation: bool = True,
         shape: bool = False,
+        sweep: Curve | None = None,
     ) -> None:
         self._level, self._plain, self._random = level, plain, random
+        self._sweep = sweep
         self._reach = parameters.reach
         w = weights(parameters)
         coarse = 0.0 if level.coarser is None else parameters.coarse
@@ -117,12 +121,14 @@ class Search:
         """Return a curve whose points have been looked for once more (REFINEANALOGY)."""
         level, curve = self._level, made.curve
         points, sources = curve.points.copy(), made.sources.copy()
+        around = 0.0 if self._sweep is None else self._sweep.length
         refine(
             level.styled, level.plain, level.coarser or level.plain, level.order, self._costs,
             level.spacing, curve.closed, self._plain is not None,
             self._rows(self._plain, curve.parameters), coarser is not None,
             self._rows(coarser, curve.parameters),
-            *combined(constraints, curve.parameters), self._random, points, sources,
+            *combined(constraints, curve.parameters), *self._bends(curve.parameters), around,
+            self._random, points, sources,
         )  # fmt: skip
         return Synthesised(Curve(points, curve.parameters, curve.end, curve.closed), sources)
 
@@ -138,7 +144,7 @@ class Search:
         begin(
             level.styled, level.plain, level.order, self._costs, level.spacing,
             self._plain is not None, self._rows(self._plain, at),
-            *combined(constraints, at), self._random, points, sources, done,
+            *combined(constraints, at), *self._bends(at), self._random, points, sources, done,
         )  # fmt: skip
 
     def _rows(self, curve: Curve | None, parameters: Numbers) -> Rows:
@@ -148,13 +154,17 @@ class Search:
             nothing = np.zeros((len(parameters), count), complex)
             none = np.zeros(len(parameters), np.int64)
             return Rows(nothing, nothing[:, 1:].copy(), none, none)
-        offsets = self._level.spacing * np.arange(-self._reach, self._reach + 1)
-        along = curve.arc_at(parameters)[:, None] + offsets
-        samples = curve.at_arc(along)
-        first = np.zeros(len(along), np.int64)
-        last = np.full(len(along), count - 1)
-        if not curve.closed:
-            before, after = along < -1e-9, along > curve.length + 1e-9
-            first = np.minimum(before.sum(axis=1), self._reach)
-            last = count - 1 - np.minimum(after.sum(axis=1), self._reach)
-        return Rows(samples, np.ascontiguousarray(directions(samples.T).T), first, last)
+        found = Neighbourhoods.of(curve, parameters, self._level.spacing, self._reach, self._sweep)
+        first = np.argmax(found.inside, axis=0)
+        last = count - 1 - np.argmax(found.inside[::-1], axis=0)
+        samples = np.ascontiguousarray(found.samples.T)
+        ways = np.ascontiguousarray(directions(found.samples).T)
+        return Rows(samples, ways, first, last)
+
+    def _bends(self, parameters: Numbers) -> tuple[Points, Numbers]:
+        """Return how the sweep bends around parameters (N, K), and the arc length there (N,)."""
+        if self._sweep is None:
+            return np.zeros((len(parameters), 2 * self._reach + 1), complex), parameters
+        middle = self._sweep.arc_at(parameters)
+        off: Numbers = self._level.spacing * np.arange(-self._reach, self._reach + 1.0)
+        return np.ascontiguousarray(bend(self._sweep, middle, off[:, None]).T), middle

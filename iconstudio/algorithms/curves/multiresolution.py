@@ -10,7 +10,7 @@ from iconstudio.algorithms.curves.analogy import Search, Synthesised
 from iconstudio.algorithms.curves.constraints import Constraint, pulled, softened
 from iconstudio.algorithms.curves.curve import Curve
 from iconstudio.algorithms.curves.parameters import Parameters
-from iconstudio.algorithms.curves.pyramid import Level, blurred
+from iconstudio.algorithms.curves.pyramid import Level, blurred, swept
 
 _REACH = 4.0
 """How many spacings from a constraint the curve goes along with it."""
@@ -31,9 +31,10 @@ def analogy(
     random = _state(seed)
     made: Synthesised | None = None
     coarser: Curve | None = None
+    bending = None if shape else swept(plain, parameters)
     for above, level in zip(range(len(levels) - 1, -1, -1), levels, strict=True):
         sweep = blurred(plain, level.spacing, parameters)
-        search = Search(level, sweep, parameters, random, rotation, shape)
+        search = Search(level, sweep, parameters, random, rotation, shape, bending)
         pulls = [softened(one, above) for one in constraints]
         made = search.begin(pulls) if made is None else search.sharpened(made)
         for _ in range(parameters.passes):

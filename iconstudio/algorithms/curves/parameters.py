@@ -28,6 +28,8 @@ class Parameters:
     """How many coarser levels there are."""
     blur: float = 0.8
     """Standard deviation of a level's blur, over sqrt(D_l² - D_L²)."""
+    sweep: float = 1.5
+    """Standard deviation, over D, of the blur after which a plain line has no texture."""
     reach: int = 6
     """Samples of a neighbourhood to each side."""
     sigma: float = 2.0

@@ -7,7 +7,7 @@ import numpy as np
 
 from iconstudio.algorithms.curves.curve import Curve, Numbers
 from iconstudio.algorithms.curves.example import Pair
-from iconstudio.algorithms.curves.neighbourhoods import Neighbourhoods, weights
+from iconstudio.algorithms.curves.neighbourhoods import Neighbourhoods, Samples, directions, weights
 from iconstudio.algorithms.curves.parameters import Parameters
 from iconstudio.algorithms.curves.search import Columns, Order
 
@@ -47,21 +47,32 @@ def blurred(curve: Curve, spacing: float, parameters: Parameters) -> Curve:
     return curve.blurred(float(sigma), finest / 2)
 
 
-def pyramid(pairs: Sequence[Pair], parameters: Parameters) -> list[Level]:
-    """Return the levels of the pairs of an example, from the coarsest on."""
+def swept(curve: Curve, parameters: Parameters) -> Curve:
+    """Return the sweep of a plain curve: what of its shape is no texture."""
+    finest = parameters.spacing
+    return curve.blurred(parameters.sweep * finest, finest / 2)
+
+
+def pyramid(pairs: Sequence[Pair], parameters: Parameters, shape: bool = False) -> list[Level]:
+    """Return the levels of the pairs of an example, from the coarsest on.
+
+    If the ``shape`` of the plain curves counts, they are not unbent.
+    """
     levels: list[Level] = []
     before: list[Curve] = []
     places = [_candidates(pair.styled, parameters.spacing) for pair in pairs]
+    sweeps = [None if shape else swept(pair.plain, parameters) for pair in pairs]
+    w = weights(parameters)
     for spacing in spacings(parameters):
         styled = [blurred(pair.styled, spacing, parameters) for pair in pairs]
         plain = [blurred(pair.plain, spacing, parameters) for pair in pairs]
 
         def columns(curves: list[Curve], hole: bool, spacing: float = spacing) -> Columns:
             found = [
-                Neighbourhoods.of(curve, curve.arc_at(at), spacing, parameters.reach)
-                for curve, at in zip(curves, places, strict=True)
+                Neighbourhoods.of(curve, at, spacing, parameters.reach, sweep).samples
+                for curve, at, sweep in zip(curves, places, sweeps, strict=True)
             ]
-            return _columns(Neighbourhoods.joined(found), weights(parameters), hole)
+            return _columns(np.concatenate(found, axis=1), w, hole)
 
         order = _order(styled, places, parameters.reach * spacing)
         coarser = columns(before, False) if before else None
@@ -96,19 +107,21 @@ def _candidates(styled: Curve, spacing: float) -> Numbers:
     return styled.parameters_at((np.arange(count) + 0.5) / count * styled.length)
 
 
-def _columns(found: Neighbourhoods, w: Numbers, hole: bool) -> Columns:
+def _columns(samples: Samples, w: Numbers, hole: bool) -> Columns:
     w = w.copy()
     if hole:
         w[len(w) // 2] = 0
-    centre = (w @ found.samples) / w.sum()
-    energy = w @ abs(found.samples - centre) ** 2
-    samples, ways = found.samples, found.directions
+    middles = samples[len(w) // 2].copy()
+    samples = samples - middles
+    ways = directions(samples)
+    centre = (w @ samples) / w.sum()
+    energy = w @ abs(samples - centre) ** 2
     return Columns(
         np.ascontiguousarray(samples.real),
         np.ascontiguousarray(samples.imag),
         np.ascontiguousarray(ways.real),
         np.ascontiguousarray(ways.imag),
-        found.middles,
+        middles,
         centre,
         energy,
     )

@@ -63,7 +63,7 @@ def prepare(style: LineStyle, strength: float = 1.0, size: float = 1.0) -> Prepa
     for number in range(_SIZES):
         smaller = [one.scaled(_SMALLER**number) for one in pairs]
         parameters = Parameters(spacing=max(_FINEST, finest * _SMALLER**number))
-        sizes.append((parameters, pyramid(smaller, parameters)))
+        sizes.append((parameters, pyramid(smaller, parameters, style.shape)))
     return Prepared(style, sizes, _offset(pairs), max(longest_loop(one) for one in pairs))
 
 

@@ -321,13 +321,16 @@ def _choose(  # type: ignore[no-untyped-def]
 
 
 @part
-def _around(points, count, i, closed, spacing, samples):  # type: ignore[no-untyped-def]
+def _around(points, arcs, count, i, around, closed, spacing, samples, places):  # type: ignore[no-untyped-def]
     """Sample the first ``count`` points' polyline around the i-th, ``spacing`` apart by arc length.
 
-    Returns the first and the last sample that lie on it.
+    ``places`` tells where along the sweep samples are, relative to the middle one; points are at
+    ``arcs``, and a closed sweep is ``around`` long. Returns the first and the last sample that lie
+    on the polyline.
     """
     middle = len(samples) // 2
     samples[middle] = points[i]
+    places[middle] = 0.0
     first = middle
     last = middle
     for way in (-1, 1):
@@ -335,6 +338,7 @@ def _around(points, count, i, closed, spacing, samples):  # type: ignore[no-unty
         k = i
         left = spacing
         sample = middle + way
+        swept = 0.0
         walked = 0
         while 0 <= sample < len(samples) and walked <= count:
             following = k + way
@@ -344,14 +348,20 @@ def _around(points, count, i, closed, spacing, samples):  # type: ignore[no-unty
                 break
             gap = points[following] - at
             far = np.abs(gap)
+            onward = arcs[following] - arcs[i] - swept
+            if closed:
+                onward -= around * np.rint((onward - way * left) / around) if around > 0.0 else 0.0
             if far >= left * (1.0 - _EXACT) and far > 0.0:
                 at += gap * (left / far)
+                swept += onward * (left / far)
                 samples[sample] = at
+                places[sample] = swept
                 sample += way
                 left = spacing
             else:
                 left -= far
                 at = points[following]
+                swept += onward
                 k = following
                 walked += 1
         if way < 0:
@@ -359,6 +369,16 @@ def _around(points, count, i, closed, spacing, samples):  # type: ignore[no-unty
         else:
             last = sample - 1
     return first, last
+
+
+@part
+def _unbend(samples, places, first, last, bends, spacing):  # type: ignore[no-untyped-def]
+    """Take the bend of the sweep, given ``spacing`` apart, out of samples at these places of it."""
+    middle = len(samples) // 2
+    for k in range(first, last + 1):
+        at = min(max(places[k] / spacing + middle, 0.0), len(samples) - 1.000001)
+        low = int(at)
+        samples[k] -= bends[low] + (at - low) * (bends[low + 1] - bends[low])
 
 
 @part
@@ -372,14 +392,15 @@ def _point_out(samples, first, last, ways):  # type: ignore[no-untyped-def]
 
 @entry
 def begin(  # type: ignore[no-untyped-def]
-    styled, plain, order, costs, spacing, has_plain, rows, pulls, pull_weights, state, points,
-    sources, done,
+    styled, plain, order, costs, spacing, has_plain, rows, pulls, pull_weights, bends, arcs, state,
+    points, sources, done,
 ):  # fmt: skip
     """Fill points and sources from the ``done``-th on, each from the neighbourhood before it."""
     width = len(costs.samples)
     middle = width // 2
     work = np.empty((16, styled.real.shape[1]))
     back = np.zeros(width, np.complex128)
+    places = np.zeros(width)
     samples = np.zeros(width, np.complex128)
     ways = np.zeros(width - 1, np.complex128)
     for i in range(done, len(points)):
@@ -388,10 +409,12 @@ def begin(  # type: ignore[no-untyped-def]
         previous = 0.0j
         if i > 0:
             # The sample before the new point is the point before it, and so on back from there.
-            found, _ = _around(points, i, i - 1, False, spacing, back)
+            found, _ = _around(points, arcs, i, i - 1, 0.0, False, spacing, back, places)
             first = max(found - 1, 0)
             for k in range(first, middle):
                 samples[k] = back[k + 1]
+                places[k] = places[k + 1] + arcs[i - 1] - arcs[i]
+            _unbend(samples, places, first, middle - 1, bends[i], spacing)
             _point_out(samples, first, middle - 1, ways)
             source = sources[i - 1]
             previous = points[i - 1]
@@ -405,7 +428,7 @@ def begin(  # type: ignore[no-untyped-def]
 @entry
 def refine(  # type: ignore[no-untyped-def]
     styled, plain, coarser, order, costs, spacing, closed, has_plain, rows, has_coarse,
-    coarse_rows, pulls, pull_weights, state, points, sources,
+    coarse_rows, pulls, pull_weights, bends, arcs, around, state, points, sources,
 ):  # fmt: skip
     """Go once over all points, each from the whole neighbourhood around it.
 
@@ -415,13 +438,15 @@ def refine(  # type: ignore[no-untyped-def]
     count = len(points)
     work = np.empty((16, styled.real.shape[1]))
     samples = np.zeros(width, np.complex128)
+    places = np.zeros(width)
     ways = np.zeros(width - 1, np.complex128)
     start = int(_random(state) * count) if closed else 0
     for nth in range(count):
         i = (start + nth) % count
         if pull_weights[i] == np.inf:
             points[i] = pulls[i]
-        first, last = _around(points, count, i, closed, spacing, samples)
+        first, last = _around(points, arcs, count, i, around, closed, spacing, samples, places)
+        _unbend(samples, places, first, last, bends[i], spacing)
         _point_out(samples, first, last, ways)
         source = -1
         previous = 0.0j
