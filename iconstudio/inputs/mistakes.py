@@ -104,8 +104,9 @@ def _in_value(kind: Type, value: Any, numbers: list[int], name: str, key: str) -
             entries = "entries" if the == name else "points"
             return f"{the} has {len(value):,} {entries}; at most {inner.max_length:,} are read."
         texts, leaf = value, _plain(inner.item_type)
-    if numbers and isinstance(leaf, TupleType):
-        return f"Point {numbers[0]} of {name} {_in_point(value[numbers[0] - 1])}"
+    if numbers and isinstance(inner, CollectionType) and _is_point(inner.item_type):
+        longest = leaf.max_length if isinstance(leaf, CollectionType) else None
+        return f"Point {numbers[0]} of {name} {_in_point(value[numbers[0] - 1], longest or 2)}"
     if numbers and isinstance(leaf, CollectionType) and isinstance(inner, CollectionType):
         first, *rest = numbers
         title = f"{_title(inner.item_type)} {first} of {name}"
@@ -124,13 +125,19 @@ def _in_text(text: str) -> str:
     return ""
 
 
-def _in_point(point: Any) -> str:
-    if not isinstance(point, list) or len(point) != 2 or not all(map(_is_number, point)):
-        return "is not a pair of numbers such as [12, 34.5]."
-    x, y = point
+def _is_point(kind: Type) -> bool:
+    """Whether a type is that of points: pairs, or lists that may have more numbers."""
+    return isinstance(_plain(kind), TupleType) or _title(kind) == "point"
+
+
+def _in_point(point: Any, longest: int) -> str:
+    numbers = isinstance(point, list) and all(map(_is_number, point))
+    if not numbers or not 2 <= len(point) <= longest:
+        more = " or [12, 34.5, 6]" if longest > 2 else ""
+        return f"is not {'a pair of ' if longest == 2 else ''}numbers such as [12, 34.5]{more}."
     if not all(abs(one) <= sys.float_info.max for one in point):
         return "is not a number, or too large. Remove it."
-    return f"is out of all scale: [{x:g}, {y:g}]."
+    return f"is out of all scale: [{', '.join(f'{one:g}' for one in point)}]."
 
 
 def _is_number(value: object) -> bool:
@@ -172,7 +179,7 @@ def _wanted_in_list(item: Type, key: str) -> str:
     match _plain(item):
         case StrType() | CustomType():
             return "texts"
-        case TupleType():
+        case _ if _is_point(item):
             return "[x, y] points"
         case IntType() | FloatType():
             return "numbers"

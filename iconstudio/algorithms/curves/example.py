@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from iconstudio.algorithms.curves.curve import Curve, Points
+from iconstudio.algorithms.curves.curve import Curve, Numbers, Points
 
 
 @dataclass(frozen=True, eq=False)
@@ -19,11 +19,13 @@ class Pair:
 
     @classmethod
     def of(cls, plain: Points | None, styled: Points, closed: bool = False) -> "Pair":
-        """Return a pair that corresponds by relative arc length.
+        """Return a pair that corresponds point by point if both have as many, else by arc length.
 
         Without a plain curve it is the straight line that runs along the styled one; of a closed
         one, the ellipse.
         """
+        if plain is not None and len(plain) == len(styled):
+            return cls(*_side_by_side(plain, styled, closed))
         after = Curve.of(styled, closed)
         before = _sweep(after) if plain is None else Curve.of(plain, closed)
         return cls(_from_0_to_1(before), _from_0_to_1(after))
@@ -37,6 +39,32 @@ class Pair:
             Curve(size * plain.points, plain.parameters, 1.0, plain.closed),
             Curve(size * points, styled.parameters, 1.0, styled.closed),
         )
+
+
+def _side_by_side(plain: Points, styled: Points, closed: bool) -> tuple[Curve, Curve]:
+    """Return two curves of as many points with the same parameters, from 0 to 1.
+
+    They are the means of the relative arc lengths. Where both stand still, one point is left.
+    """
+    both = np.stack([plain, styled]).astype(complex)
+    moves = np.append(True, (both[:, 1:] != both[:, :-1]).any(axis=0))
+    both = both[:, moves]
+    again = np.append(both, both[:, :1], axis=1) if closed else both
+    steps = abs(np.diff(again, axis=1))
+    steps /= steps.sum(axis=1, keepdims=True)
+    along = np.append(0.0, np.cumsum(steps.mean(axis=0)))
+    along /= along[-1]
+    before, after = (_moving(one, along[: len(one)], closed) for one in both)
+    return before, after
+
+
+def _moving(points: Points, parameters: Numbers, closed: bool) -> Curve:
+    """Return a curve that does not stand still at its ends, so that it goes on beyond them."""
+    kept = np.ones(len(points), bool)
+    kept[1 : np.flatnonzero(points != points[0])[0]] = False
+    last = np.flatnonzero(points != points[0 if closed else -1])[-1]
+    kept[last + 1 : None if closed else -1] = False
+    return Curve(points[kept], parameters[kept], 1.0, closed)
 
 
 def _sweep(styled: Curve) -> Curve:

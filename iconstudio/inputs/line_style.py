@@ -1,0 +1,251 @@
+"""Files of line styles: strokes to learn from, in units of a 256 canvas, as JSON.
+
+``{"name", "author", "license", "pairs": [{"plain": [[x, y], ...], "styled": [[x, y], ...],
+"closed": false}, ...], "rotation": true, "shape": false}``; a styled point may have a width,
+``[x, y, width]``. Strokes of as many points correspond point by point, others by arc length.
+"""
+
+from collections.abc import Callable, Iterable, Sequence
+from math import dist
+from pathlib import Path
+from typing import Annotated, Self, TypeVar
+
+from msgspec import Meta
+
+from iconstudio.files import write_bytes
+from iconstudio.inputs import json
+from iconstudio.inputs.formats import MOST_POINTS, Many, StrictRecord, Text, plain_text
+from iconstudio.inputs.lines import rounded
+from iconstudio.model import CANVAS, IconstudioError, Line, LineStyle, Point, StylePair
+
+VERSION = 1
+"""Files of a later version say so, and are not read."""
+MOST_LEARNED = 20_000
+"""Points of a stroke; one of more is thinned."""
+LONGEST = 20_000.0
+"""Length of all styled strokes together; learning takes time and memory in proportion."""
+SHORTEST = 10.0
+"""Length of a styled stroke: about a neighbourhood of the finest texture."""
+FAR = 20.0 * CANVAS
+"""No coordinate is larger."""
+
+T = TypeVar("T")
+_Length = Annotated[float, Meta(ge=-FAR, le=FAR)]
+_Points = Annotated[tuple[tuple[_Length, _Length], ...], Meta(max_length=MOST_POINTS)]
+_WidePoint = Annotated[
+    tuple[_Length, ...],
+    Meta(min_length=2, max_length=3, title="point"),
+]
+_WidePoints = Annotated[tuple[_WidePoint, ...], Meta(max_length=MOST_POINTS)]
+
+
+class PairFile(StrictRecord, frozen=True):
+    """An example: a stroke in the style, and the plain one it was made of, if any."""
+
+    styled: _WidePoints
+    plain: _Points = ()
+    closed: bool = False
+
+    @classmethod
+    def of(cls, pair: StylePair) -> Self:
+        """Return a pair as it is written: to a hundredth of a unit."""
+        styled: _WidePoints = rounded(pair.styled)
+        if pair.widths:
+            styled = tuple(
+                (x, y, round(width, 2)) for (x, y), width in zip(styled, pair.widths, strict=True)
+            )
+        return cls(styled, rounded(pair.plain), pair.closed)
+
+    @property
+    def pair(self) -> StylePair:
+        """The value."""
+        points = tuple((point[0], point[1]) for point in self.styled)
+        widths = tuple(point[2] for point in self.styled if len(point) == 3)
+        if len(points) == len(self.plain):  # they stay side by side
+            kept = _thinned(range(len(points)))
+            plain = tuple(self.plain[index] for index in kept)
+        else:
+            plain = _thinned(self.plain)
+        return StylePair(_thinned(points), plain, self.closed, _thinned(widths))
+
+    @property
+    def length(self) -> float:
+        """The length of the styled stroke."""
+        return _length(tuple((point[0], point[1]) for point in self.styled), self.closed)
+
+    def check(self) -> None:
+        """Refuse what nothing can be learned from."""
+        if len(self.styled) < 3:
+            raise IconstudioError(
+                f"The styled stroke has {_count(len(self.styled))}; it needs at least 3."
+            )
+        if len({len(point) for point in self.styled}) > 1:
+            raise IconstudioError(
+                "Some points of the styled stroke have a width, and some have none. "
+                "Give all of them one, or none."
+            )
+        if any(len(point) == 3 and not 0 <= point[2] <= CANVAS for point in self.styled):
+            raise IconstudioError(f"Widths of the styled stroke are from 0 to {CANVAS}.")
+        if self.length < SHORTEST:
+            raise IconstudioError(
+                f"The styled stroke is {self.length:.3g} units long; it needs at least "
+                f"{SHORTEST:g}, on a canvas of {CANVAS}. Draw it longer, or scale it up."
+            )
+        if self.plain and _length(self.plain, self.closed) < SHORTEST:
+            raise IconstudioError(
+                f"The plain stroke is {_length(self.plain, self.closed):.3g} units long; it needs "
+                f"at least {SHORTEST:g}. Draw it longer, or leave it out."
+            )
+
+
+class StyleFile(StrictRecord, frozen=True):
+    """A line style."""
+
+    name: Text
+    pairs: Many[PairFile]
+    author: Text = ""
+    license: Text = ""
+    rotation: bool = True
+    shape: bool = False
+
+    @classmethod
+    def of(cls, style: LineStyle) -> Self:
+        """Return the file of a style."""
+        return cls(
+            style.name,
+            tuple(map(PairFile.of, style.pairs)),
+            style.author,
+            style.license,
+            style.rotation,
+            style.shape,
+        )
+
+    @property
+    def style(self) -> LineStyle:
+        """The value."""
+        pairs = tuple(one.pair for one in self.pairs)
+        return LineStyle(self.name, pairs, self.author, self.license, self.rotation, self.shape)
+
+    def check(self) -> None:
+        """Refuse what nothing can be learned from, or too much to learn."""
+        if not self.name.strip():
+            raise IconstudioError('"name" is empty: give the style a name.')
+        if not self.pairs:
+            raise IconstudioError(
+                'There is no pair. Add at least one: {"styled": [[x, y], ...]} is enough.'
+            )
+        if len({bool(one.plain) for one in self.pairs}) > 1:
+            raise IconstudioError(
+                "Some pairs have a plain stroke, and some have none. Give one to all, or to none."
+            )
+        length = sum(one.length for one in self.pairs)
+        if length > LONGEST:
+            raise IconstudioError(
+                f"The styled strokes are {length:,.0f} units long together; at most "
+                f"{LONGEST:,.0f} are learned, on a canvas of {CANVAS}. Scale them down, or leave "
+                "some out."
+            )
+
+
+def read_style(path: Path, tell: Callable[[str], None] = lambda sentence: None) -> LineStyle:
+    """Return the style in a file; ``tell`` is called with what a user should know of it.
+
+    Raises
+    ------
+    IconstudioError
+        If it cannot be read, or holds no style.
+    """
+    return _read(json.load(path), path, tell)
+
+
+def style_of(text: str, tell: Callable[[str], None] = lambda sentence: None) -> LineStyle:
+    """Return the style in a text, as of the clipboard.
+
+    Raises
+    ------
+    IconstudioError
+        If it holds none.
+    """
+    path = Path("the text")
+    return _read(json.parsed(text.encode(errors="replace"), path), path, tell)
+
+
+def written(style: LineStyle) -> str:
+    """Return the text of a style's file."""
+    return json.encoded(StyleFile.of(style)).decode() + "\n"
+
+
+def write_style(path: Path, style: LineStyle) -> None:
+    """Write the file of a style.
+
+    Raises
+    ------
+    IconstudioError
+        If it cannot be written.
+    """
+    write_bytes(path, written(style).encode())
+
+
+def style_of_lines(lines: Iterable[Line], name: str) -> LineStyle:
+    """Return the style of lines, as of an SVG file: each long enough is an example by itself.
+
+    Raises
+    ------
+    IconstudioError
+        If none is long enough.
+    """
+    strokes = tuple(
+        StylePair(line.points, closed=line.closed, widths=line.widths)
+        for line in lines
+        if len(line.points) >= 3 and _length(line.points, line.closed) >= SHORTEST
+    )
+    if not strokes:
+        raise IconstudioError(
+            f"“{name}” has no line of at least 3 points and {SHORTEST:g} units of a canvas of "
+            f"{CANVAS} to learn from. Draw a longer one."
+        )
+    file = StyleFile(plain_text(name), tuple(map(PairFile.of, strokes)))
+    file.check()
+    return file.style
+
+
+def _read(data: object, path: Path, tell: Callable[[str], None]) -> LineStyle:
+    if isinstance(data, dict):
+        data = dict(data)
+        version = data.pop("version", VERSION)
+        if version != VERSION:
+            raise IconstudioError(
+                f"“{path.name}” is of version {str(version)[:20]} of line styles; this program "
+                f"reads version {VERSION}. Update Iconstudio, or save it as version {VERSION}."
+            )
+        if "pairs" not in data:
+            raise IconstudioError(
+                f"In “{path.name}”: this is no line style, which has pairs of strokes in "
+                '"pairs". Choose another file, or open this one with Open.'
+            )
+    file = json.converted(data, StyleFile, path)
+    for number, pair in enumerate(file.pairs, start=1):
+        count = max(len(pair.styled), len(pair.plain))
+        if count > MOST_LEARNED:
+            tell(
+                f"In “{path.name}”, pair {number}: of {count:,} points of a stroke "
+                f"{MOST_LEARNED:,} are learned from."
+            )
+    return file.style
+
+
+def _thinned(some: Sequence[T]) -> tuple[T, ...]:
+    """Return at most ``MOST_LEARNED`` of some, evenly, with the first and the last."""
+    last, most = len(some) - 1, MOST_LEARNED - 1
+    if last <= most:
+        return tuple(some)
+    return tuple(some[index * last // most] for index in range(MOST_LEARNED))
+
+
+def _length(points: Sequence[Point], closed: bool) -> float:
+    following = (*points[1:], *points[:1]) if closed else points[1:]
+    return sum(map(dist, points, following))
+
+
+def _count(points: int) -> str:
+    return ("no point", "one point", "two points")[points]
