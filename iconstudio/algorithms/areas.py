@@ -82,6 +82,28 @@ def stroked(
     )
 
 
+def brushed(points: Points, closed: bool, widths: NDArray[np.float64]) -> Area:
+    """Return what a round brush covers along a line, with its width at each point, (n,)."""
+    if closed:
+        points, widths = np.concatenate([points, points[:1]]), np.append(widths, widths[:1])
+    radii = np.maximum(widths, 0) / 2
+    sides = min(max(math.ceil(math.pi * math.sqrt(radii.max() / 2 / FINE)), 16), 128)
+    circle = np.exp(2j * np.pi * np.arange(sides) / sides)
+    discs = (points @ (1, 1j))[:, None] + radii[:, None] * circle
+    pairs = np.concatenate([discs[:-1], discs[1:]], axis=1) if len(points) > 1 else discs
+    rows = np.stack([pairs.real, pairs.imag], axis=-1)
+    return united(shapely.convex_hull(shapely.multipoints(rows)))
+
+
+def simplified(points: Points, closed: bool, stray: float) -> Points:
+    """Return a line with fewer of its points, at most ``stray`` from it."""
+    if len(points) < 3:
+        return points
+    row = np.concatenate([points, points[:1]]) if closed else points
+    found: Points = shapely.get_coordinates(shapely.simplify(shapely.linestrings(row), stray))
+    return found[:-1] if closed else found
+
+
 def united(areas: Iterable[Area]) -> Area:
     """Return what is in any of some areas."""
     return shapely.union_all(list(areas))
