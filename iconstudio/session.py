@@ -32,10 +32,12 @@ from iconstudio.model import (
     Drawing,
     Exemplar,
     IconstudioError,
+    Line,
     Pictogram,
     Placement,
     Source,
 )
+from iconstudio.svg.lines import lines_of
 from iconstudio.svg.reading import file_and_symbol, own_svg, read_file
 from iconstudio.svg.resvg import render_placed
 from iconstudio.workers import Workers, answer
@@ -99,6 +101,7 @@ class Session(AbstractContextManager["Session"]):
         self._cold = True
         self._prepared: OrderedDict[_Key, Matcher] = OrderedDict()
         self._drawn = lru_cache(_AT_HAND)(self._draw)
+        self._lines = lru_cache(_AT_HAND)(self._read_lines)
         self.earlier: dict[str, Composite] = {}
 
     def open(self) -> Iterator[Progress]:
@@ -227,6 +230,22 @@ class Session(AbstractContextManager["Session"]):
         whole = Source(exemplar, Placement())
         drawing = draw_whole(whole, exemplar.ink, self.workers, render_placed)
         return answer(drawing, f"Drawing “{exemplar.name}”")
+
+    def lines(self, pictogram: Pictogram) -> tuple[Line, ...]:
+        """Return the lines of an icon on the canvas: contours, and centre lines of its strokes.
+
+        Raises
+        ------
+        IconstudioError
+            If it has none, or reading them takes too long or too much memory.
+        """
+        return self._lines(pictogram)
+
+    def _read_lines(self, pictogram: Pictogram) -> tuple[Line, ...]:
+        exemplar = self.exemplar(pictogram)
+        task = lines_of, pictogram.svg, exemplar.frame, exemplar.coverage
+        reading = self._readers.submit(*task, timeout=_SECONDS, memory=_MEMORY)
+        return answer(reading, f"Reading the lines of “{exemplar.name}”", _SIMPLER)
 
     def picture(self, exemplar: Exemplar, size: int) -> NDArray[np.uint8]:
         """Draw an icon on its canvas as it is: (size, size) uint8, 255 = ink.

@@ -20,7 +20,7 @@ ADAPTERS = {
     "tinycss2": {"svg/stylesheet.py"},
     "cssselect2": {"svg/stylesheet.py"},
     "coloraide": {"svg/colours.py"},
-    "shapely": {"algorithms/geometry.py"},
+    "shapely": {"algorithms/areas.py", "algorithms/geometry.py"},
     "pillow_heif": {"images/pillow.py"},
     "potrace": {"algorithms/tracing/potrace.py"},
     "tqdm": {"cli/progress.py"},

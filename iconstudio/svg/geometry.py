@@ -10,6 +10,7 @@ from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
+from fontTools.pens.basePen import BasePen
 from fontTools.pens.boundsPen import ControlBoundsPen
 from fontTools.pens.perimeterPen import PerimeterPen
 from fontTools.pens.recordingPen import RecordingPen
@@ -18,6 +19,8 @@ from fontTools.pens.transformPen import TransformPen
 from fontTools.svgLib.path.parser import parse_path
 from fontTools.ttLib import TTFont
 
+from iconstudio.model.path import Path as Outline
+from iconstudio.model.path import PathPen
 from iconstudio.svg.lengths import (
     Box,
     Matrix,
@@ -93,6 +96,22 @@ def moved(data: str, matrix: Matrix) -> str:
     _recorded(data).replay(TransformPen(pen, matrix))
     commands: str = pen.getCommands()
     return commands
+
+
+def outline(data: str, matrix: Matrix) -> Outline:
+    """Return path data mapped by a matrix, as lines and cubics; arcs are cubics nearly."""
+    pen = PathPen()
+    _recorded(data).replay(TransformPen(_Cubics(pen), matrix))
+    return pen.path
+
+
+class _Cubics(BasePen):  # type: ignore[misc]  # it has no types
+    """Hands on what is drawn, quadratic curves as cubics."""
+
+    def __init__(self, pen: PathPen) -> None:
+        super().__init__()
+        self._moveTo, self._lineTo, self._curveToOne = pen.moveTo, pen.lineTo, pen.curveTo
+        self._closePath, self._endPath = pen.closePath, pen.endPath
 
 
 def missing_letters(texts: Iterable[str], font: Path) -> str:

@@ -7,7 +7,7 @@ from typing import Any, Generic, Protocol, Self, TypeVar
 
 from iconstudio.algorithms.iconification.matching import Matcher
 from iconstudio.inputs.formats import Reference, StrictRecord, Text
-from iconstudio.model import CANVAS, Composite, Drawing, Exemplar, Pictogram
+from iconstudio.model import CANVAS, Composite, Drawing, Exemplar, Line, Pictogram
 from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import Event
@@ -52,6 +52,10 @@ class Resources(Protocol):
 
     def drawing(self, exemplar: Exemplar) -> Drawing:
         """Return an icon drawn and traced as results are."""
+        ...
+
+    def lines(self, pictogram: Pictogram) -> tuple[Line, ...]:
+        """Return the lines of an icon on the canvas."""
         ...
 
     def prepare(

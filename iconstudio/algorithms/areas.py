@@ -1,0 +1,170 @@
+"""Areas: polygons with holes, filled, stroked, united and cut (with GEOS).
+
+Outlines and lines are rows of points (n, 2). An area is a polygon or several of shapely's, valid
+and without overlaps.
+"""
+
+import math
+from collections.abc import Iterable, Sequence
+from typing import Any, Literal
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+
+Points = NDArray[np.float64]
+Area = Any
+"""A polygon, or several, of shapely's, which has no types."""
+Cap = Literal["round", "flat", "square"]
+Join = Literal["round", "mitre", "bevel"]
+
+FINE = 0.02
+"""How far the sides of a stroke, in canvas units, may stray from its arcs."""
+_FEWEST, _MOST = 4, 64
+"""Sides of a quarter of a circle."""
+NOTHING: Area = shapely.Polygon()
+
+
+def filled(contours: Iterable[Points], even_odd: bool = False) -> Area:
+    """Return what closed contours enclose together, by the nonzero rule or the even-odd rule."""
+    rings = [np.concatenate([one, one[:1]]) for one in contours if len(one) > 2]
+    if not rings:
+        return NOTHING
+    if len(rings) == 1:
+        whole = shapely.polygons(rings[0])
+        if shapely.is_valid(whole):
+            return whole
+    noded = shapely.node(shapely.multilinestrings([shapely.linestrings(one) for one in rings]))
+    faces = shapely.get_parts(shapely.polygonize(shapely.get_parts(noded)))
+    turns = _turns(shapely.get_coordinates(shapely.point_on_surface(faces)), rings)
+    inside = turns % 2 == 1 if even_odd else turns != 0
+    return shapely.union_all(faces[inside])
+
+
+def _turns(points: Points, rings: Sequence[Points]) -> NDArray[np.intp]:
+    """Return how often rings go round each point, (n,)."""
+    starts = np.concatenate([one[:-1] for one in rings])
+    ends = np.concatenate([one[1:] for one in rings])
+    x, y = points.T[:, :, None]
+    (x0, y0), (x1, y1) = starts.T, ends.T
+    side = (x1 - x0) * (y - y0) - (x - x0) * (y1 - y0)
+    up = (y0 <= y) & (y1 > y) & (side > 0)
+    down = (y0 > y) & (y1 <= y) & (side < 0)
+    turns: NDArray[np.intp] = up.sum(axis=1) - down.sum(axis=1)
+    return turns
+
+
+def stroked(
+    points: Points,
+    closed: bool,
+    width: float,
+    cap: Cap = "round",
+    join: Join = "round",
+    mitre: float = 4.0,
+) -> Area:
+    """Return what a pen of some width covers along a line; a dot if it has no length."""
+    quarter = min(max(math.ceil(math.pi / 4 * math.sqrt(width / 4 / FINE)), _FEWEST), _MOST)
+    if not (points != points[0]).any():
+        if cap == "flat":
+            return NOTHING
+        shape: Cap = "square" if cap == "square" else "round"
+        dot = shapely.points(points[0])
+        return shapely.buffer(dot, width / 2, quad_segs=quarter, cap_style=shape)
+    if closed:
+        points = np.concatenate([points, points[:1]])
+    return shapely.buffer(
+        shapely.linestrings(points) if not closed else shapely.linearrings(points),
+        width / 2,
+        quad_segs=quarter,
+        cap_style=cap,
+        join_style=join,
+        mitre_limit=mitre,
+    )
+
+
+def brushed(points: Points, closed: bool, widths: NDArray[np.float64]) -> Area:
+    """Return what a round brush covers along a line, with its width at each point, (n,)."""
+    if closed:
+        points, widths = np.concatenate([points, points[:1]]), np.append(widths, widths[:1])
+    radii = np.maximum(widths, 0) / 2
+    sides = min(max(math.ceil(math.pi * math.sqrt(radii.max() / 2 / FINE)), 16), 128)
+    circle = np.exp(2j * np.pi * np.arange(sides) / sides)
+    discs = (points @ (1, 1j))[:, None] + radii[:, None] * circle
+    pairs = np.concatenate([discs[:-1], discs[1:]], axis=1) if len(points) > 1 else discs
+    rows = np.stack([pairs.real, pairs.imag], axis=-1)
+    return united(shapely.convex_hull(shapely.multipoints(rows)))
+
+
+def simplified(points: Points, closed: bool, stray: float) -> Points:
+    """Return a line with fewer of its points, at most ``stray`` from it."""
+    if len(points) < 3:
+        return points
+    row = np.concatenate([points, points[:1]]) if closed else points
+    found: Points = shapely.get_coordinates(shapely.simplify(shapely.linestrings(row), stray))
+    return found[:-1] if closed else found
+
+
+def united(areas: Iterable[Area]) -> Area:
+    """Return what is in any of some areas."""
+    return shapely.union_all(list(areas))
+
+
+def common(one: Area, other: Area) -> Area:
+    """Return what is in both of two areas."""
+    return _areal(shapely.intersection(one, other))
+
+
+def without(one: Area, other: Area) -> Area:
+    """Return what is in the one area and not in the other."""
+    return _areal(shapely.difference(one, other))
+
+
+def without_specks(area: Area, least: float) -> Area:
+    """Return an area without pieces and holes that are smaller."""
+    kept = []
+    for one in shapely.get_parts(area):
+        if shapely.area(one) >= least:
+            outer, *holes = shapely.get_rings(one)
+            large = [hole for hole in holes if shapely.area(shapely.polygons(hole)) >= least]
+            kept.append(shapely.Polygon(outer, large))
+    return shapely.MultiPolygon(kept)
+
+
+def rectangle(left: float, top: float, right: float, bottom: float) -> Area:
+    """Return a rectangle."""
+    return shapely.box(left, top, right, bottom)
+
+
+def holds(area: Area, point: Points) -> bool:
+    """Whether a point (2,) is within an area, not at its edge."""
+    return bool(shapely.contains(area, shapely.points(point)))
+
+
+def size_of(area: Area) -> float:
+    """Return how large an area is."""
+    return float(shapely.area(area))
+
+
+def outlines(area: Area, stray: float = 0.0) -> list[Points]:
+    """Return the contours of an area, holes the other way round than what is around them.
+
+    Their last point is not their first. They may ``stray`` so far from the area's.
+    """
+    if stray:
+        area = shapely.simplify(area, stray)
+    found = []
+    for part in shapely.get_parts(shapely.orient_polygons(area)):
+        found += [shapely.get_coordinates(ring)[:-1] for ring in shapely.get_rings(part)]
+    return found
+
+
+def mapped(area: Area, matrix: Sequence[float]) -> Area:
+    """Return an area whose points are mapped by a matrix a, b, c, d, e, f, as SVG has them."""
+    a, b, c, d, e, f = matrix
+    return shapely.transform(area, lambda at: at @ np.array([[a, b], [c, d]]) + (e, f))
+
+
+def _areal(found: Area) -> Area:
+    """Return an area without the lines and points that touching sides have in common."""
+    parts = shapely.get_parts(found)
+    return shapely.union_all(parts[shapely.get_dimensions(parts) == 2])

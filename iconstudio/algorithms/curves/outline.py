@@ -1,0 +1,69 @@
+"""Lines as a drawing: one filled outline of few cubics, or strokes for who draws them."""
+
+from collections.abc import Iterable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from iconstudio.algorithms import areas
+from iconstudio.algorithms.areas import Area, Points
+from iconstudio.algorithms.curves.fitting import fitted
+from iconstudio.model import Line
+from iconstudio.model.path import Contour, Path
+
+_STRAY = 0.02
+"""Canvas units by which points may be left out before curves are fitted."""
+_SPECK = 0.25
+"""Square canvas units: smaller pieces and holes are left out."""
+
+
+def path_of(lines: Iterable[Line]) -> Path:
+    """Return what lines draw as one outline without overlaps, filled by the nonzero rule.
+
+    Contours are filled together; strokes are drawn with round ends and joins.
+    """
+    contours: list[Points] = []
+    strokes: list[Area] = []
+    for line in lines:
+        points = _points(line)
+        if line.widths:
+            widths = np.array(line.widths, dtype=float)
+            strokes.append(areas.brushed(points, line.closed, widths))
+        elif line.width > 0:
+            strokes.append(areas.stroked(_without_repeats(points), line.closed, line.width))
+        else:
+            contours.append(_without_repeats(points))
+    whole = areas.united([areas.filled(contours), *strokes])
+    rings = areas.outlines(areas.without_specks(whole, _SPECK), _STRAY)
+    return Path(tuple(_fitted(ring, True) for ring in rings))
+
+
+def strokes_of(lines: Iterable[Line]) -> tuple[tuple[Path, float], ...]:
+    """Return what lines draw as paths, each with the width of its stroke; 0 is filled instead.
+
+    Strokes of one width are one path, with round ends and joins; those whose width is not the same
+    all along are filled, as contours are.
+    """
+    lines = tuple(lines)
+    filled = path_of(line for line in lines if line.widths or line.width <= 0)
+    strokes: dict[float, list[Contour]] = {}
+    for line in lines:
+        if line.width > 0 and not line.widths:
+            points = areas.simplified(_without_repeats(_points(line)), line.closed, _STRAY)
+            strokes.setdefault(line.width, []).append(_fitted(points, line.closed))
+    found = [(Path(tuple(contours)), width) for width, contours in strokes.items()]
+    return tuple([(filled, 0.0)] * bool(filled) + found)
+
+
+def _fitted(points: Points, closed: bool) -> Contour:
+    return fitted(points[:, 0] + 1j * points[:, 1], closed)
+
+
+def _points(line: Line) -> Points:
+    return np.array(line.points, dtype=float).reshape(-1, 2)
+
+
+def _without_repeats(points: Points) -> Points:
+    """Return points without those that are where the one before is."""
+    new: NDArray[np.bool_] = np.append(True, (points[1:] != points[:-1]).any(axis=1))
+    return points[new]
