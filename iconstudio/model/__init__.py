@@ -5,7 +5,7 @@ from iconstudio.model.composite import Composite, Drawing
 from iconstudio.model.edit import Edit
 from iconstudio.model.errors import IconstudioError, SpriteError
 from iconstudio.model.exemplar import Exemplar, Frame
-from iconstudio.model.icon import Icon, Remix
+from iconstudio.model.icon import Icon, Remix, Restyled
 from iconstudio.model.line import Line
 from iconstudio.model.line_style import LineStyle, StylePair
 from iconstudio.model.mix import Mix, Seeds
@@ -14,6 +14,7 @@ from iconstudio.model.path import Contour, Path, PathPen
 from iconstudio.model.photo import Photo
 from iconstudio.model.pictogram import Credit, Pictogram
 from iconstudio.model.placement import Placement, Source
+from iconstudio.model.restyling import Restyling
 from iconstudio.model.score import Score
 from iconstudio.model.sketch import Point, Polygon, Sketch
 from iconstudio.model.symmetry import Axis
@@ -44,6 +45,8 @@ __all__ = [
     "Point",
     "Polygon",
     "Remix",
+    "Restyled",
+    "Restyling",
     "Score",
     "Seeds",
     "Sketch",

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from iconstudio.model.composite import Composite, Drawing
+from iconstudio.model.line import Line
 from iconstudio.model.mix import Seeds
 from iconstudio.model.path import Path
 from iconstudio.model.pictogram import Pictogram
@@ -53,3 +54,11 @@ class Remix(Icon):
             drawing=drawing,
             score=score,
         )
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Restyled(Icon):
+    """An icon whose lines are drawn in a style (*Curve Analogies*)."""
+
+    lines: tuple[Line, ...]
+    """As they were drawn: what was a stroke still is one."""

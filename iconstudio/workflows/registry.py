@@ -6,11 +6,18 @@ from typing import Any
 
 from iconstudio.workflows.editing.spec import EDITING
 from iconstudio.workflows.hybrids.spec import HYBRIDS
+from iconstudio.workflows.line_style.spec import LINE_STYLE
 from iconstudio.workflows.modelling.spec import MODELLING
 from iconstudio.workflows.montage.spec import MONTAGE
 from iconstudio.workflows.workflow import Workflow
 
-_workflows: tuple[Workflow[Any], ...] = (MODELLING, EDITING, HYBRIDS, MONTAGE)
+_workflows: tuple[Workflow[Any], ...] = (
+    MODELLING,
+    EDITING,
+    HYBRIDS,
+    MONTAGE,
+    LINE_STYLE,
+)
 
 
 def workflows() -> tuple[Workflow[Any], ...]:

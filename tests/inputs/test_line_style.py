@@ -17,7 +17,7 @@ from iconstudio.inputs.line_style import (
     write_style,
     written,
 )
-from iconstudio.library.styles import bundled, named
+from iconstudio.inputs.styles import bundled, named
 from iconstudio.model import CANVAS, IconstudioError, Line, LineStyle, StylePair
 
 STROKE = [[0, 0], [50, 5], [100, 0]]

@@ -1,0 +1,103 @@
+"""RESTYLE.json: an icon or lines, and the style that they take."""
+
+from typing import Annotated, Self
+
+from msgspec import Meta
+
+from iconstudio.inputs.formats import MOST_POINTS, Many, Reference, StrictRecord, Text
+from iconstudio.inputs.line_style import StyleFile
+from iconstudio.inputs.lines import line, rounded
+from iconstudio.inputs.styles import bundled, named
+from iconstudio.model import CANVAS, IconstudioError, Line, LineStyle, Restyling
+from iconstudio.workflows.line_style.restyling import LARGEST, SMALLEST, STRONGEST, WEAKEST
+from iconstudio.workflows.workflow import File, Find, Refer
+
+FAR = 20.0 * CANVAS
+"""No coordinate of a line is larger."""
+
+_Length = Annotated[float, Meta(ge=-FAR, le=FAR)]
+_Points = Annotated[tuple[tuple[_Length, _Length], ...], Meta(max_length=MOST_POINTS)]
+Seed = Annotated[int, Meta(ge=0, le=2**53)]
+
+
+class LineFile(StrictRecord, frozen=True):
+    """A stroke, or a contour of a filled shape if it has no width."""
+
+    points: _Points
+    width: Annotated[float, Meta(ge=0, le=2 * CANVAS)] = 0.0
+    closed: bool = False
+
+    @classmethod
+    def of(cls, drawn: Line) -> Self:
+        """Return a line as it is written."""
+        return cls(rounded(drawn.points), drawn.width, drawn.closed)
+
+    @property
+    def line(self) -> Line:
+        """The value."""
+        return Line(line(self.points), self.closed, self.width)
+
+    def check(self) -> None:
+        """Refuse what is no line."""
+        if len(set(self.points)) < 2:
+            raise IconstudioError("A line needs at least 2 different points.")
+
+
+class OtherStyle(StrictRecord, frozen=True):
+    """The style of one line, by its number: the icon's come first, from 0."""
+
+    line: Annotated[int, Meta(ge=0, le=100_000)]
+    style: Text | StyleFile
+
+
+class RestyleFile(File[Restyling], frozen=True):
+    """A RESTYLE.json."""
+
+    style: Text | StyleFile = ""
+    icon: Reference | None = None
+    lines: Many[LineFile] = ()
+    strength: Annotated[float, Meta(ge=WEAKEST, le=STRONGEST)] = 1.0
+    size: Annotated[float, Meta(ge=SMALLEST, le=LARGEST)] = 1.0
+    seed: Seed = 0
+    rotation: bool | None = None
+    others: Many[OtherStyle] = ()
+
+    @classmethod
+    def of(cls, work: Restyling, refer: Refer) -> Self:
+        """Return the file of some work."""
+        return cls(
+            style="" if work.style is None else _written(work.style),
+            icon=None if work.icon is None else refer(work.icon),
+            lines=tuple(map(LineFile.of, work.strokes)),
+            strength=work.strength,
+            size=work.size,
+            seed=work.seed,
+            rotation=work.turning,
+            others=tuple(OtherStyle(number, _written(style)) for number, style in work.others),
+        )
+
+    def resolved(self, find: Find) -> Restyling:
+        """Return the work, its icon found by ``find``."""
+        return Restyling(
+            _read(self.style),
+            None if self.icon is None else find(self.icon),
+            tuple(one.line for one in self.lines),
+            self.strength,
+            self.size,
+            self.seed,
+            self.rotation,
+            tuple((one.line, _style(one.style)) for one in self.others),
+        )
+
+
+def _written(style: LineStyle) -> str | StyleFile:
+    """Return a style that comes with the program by its name, another one whole."""
+    return style.name if style in bundled() else StyleFile.of(style)
+
+
+def _read(said: str | StyleFile) -> LineStyle | None:
+    return None if said == "" else _style(said)
+
+
+def _style(said: str | StyleFile) -> LineStyle:
+    return named(said) if isinstance(said, str) else said.style

@@ -1,0 +1,134 @@
+"""Restyling the lines of an icon (*Curve Analogies*, section 4)."""
+
+from collections.abc import Generator, Sequence
+from dataclasses import dataclass, replace
+
+from iconstudio.model import (
+    Credit,
+    Icon,
+    IconstudioError,
+    Line,
+    LineStyle,
+    Path,
+    Pictogram,
+    Restyled,
+    Restyling,
+)
+from iconstudio.workers import answer
+from iconstudio.workflows.events import Event, Progress, Result
+from iconstudio.workflows.workflow import Resources, Settings
+
+WEAKEST, STRONGEST = 0.1, 3.0
+SMALLEST, LARGEST = 0.25, 4.0
+STRENGTHS = (1.0, 0.6, 1.5)
+"""Of variations, over the one that is wanted: a row each."""
+SEEDS = 4
+"""Of variations: a column each."""
+SECONDS, MEMORY = 60.0, 2 << 30
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RestyleSettings(Settings):
+    """Which results to make."""
+
+    variations: bool = False
+    """Whether other seeds and strengths follow the one that is wanted."""
+
+
+def run(
+    resources: Resources, work: Restyling, settings: Settings | None = None
+) -> Generator[Event]:
+    """Restyle lines: yield the icon that is wanted, then variations if ``settings`` ask for them.
+
+    Raises
+    ------
+    IconstudioError
+        If there is no style, or there are no lines.
+    """
+    yield Progress("remix", 0.0, "Reading the lines")
+    lines = lines_of(resources, work)
+    styles = [_style_of(work, number) for number in range(len(lines))]
+    varied = isinstance(settings, RestyleSettings) and settings.variations
+    wanted = variations(work) if varied else [work]
+    ticket = resources.workers.ticket()
+    try:
+        tasks = [
+            resources.workers.submit(
+                restyled_path, lines, styles, one.strength, one.size, one.seed,
+                timeout=SECONDS, memory=MEMORY, ticket=ticket,
+            )
+            for one in wanted
+        ]  # fmt: skip
+        for number, (one, task) in enumerate(zip(wanted, tasks, strict=True), start=1):
+            path, drawn = answer(task, "Restyling the lines")
+            yield Result(icon_of(one, path, drawn, styles))
+            yield Progress("remix", number / len(wanted), "Restyling the lines")
+    finally:
+        ticket.stop()
+
+
+def lines_of(resources: Resources, work: Restyling) -> tuple[Line, ...]:
+    """Return the lines to restyle: the icon's, then those drawn beside them.
+
+    Raises
+    ------
+    IconstudioError
+        If there are none.
+    """
+    own = resources.lines(work.icon) if work.icon is not None else ()
+    if not (own or work.strokes):
+        raise IconstudioError("There are no lines yet. Choose an icon, or draw some.")
+    return (*own, *work.strokes)
+
+
+def variations(work: Restyling) -> list[Restyling]:
+    """Return the work itself, and the same in other strengths and with other seeds."""
+    return [
+        replace(
+            work,
+            strength=min(max(factor * work.strength, WEAKEST), STRONGEST),
+            seed=work.seed + number,
+        )
+        for factor in STRENGTHS
+        for number in range(SEEDS)
+    ]
+
+
+def restyled_path(
+    lines: Sequence[Line], styles: Sequence[LineStyle], strength: float, size: float, seed: int
+) -> tuple[Path, tuple[Line, ...]]:
+    """Return lines in their styles, and what they draw. Runs in a worker process."""
+    from iconstudio.algorithms.curves.outline import path_of
+    from iconstudio.algorithms.curves.restyle import prepare, restyled
+
+    prepared = [prepare(style, strength, size) for style in styles]
+    drawn = tuple(restyled(zip(lines, prepared, strict=True), seed))
+    return path_of(drawn), drawn
+
+
+def icon_of(
+    work: Restyling, path: Path, lines: tuple[Line, ...], styles: Sequence[LineStyle]
+) -> Icon:
+    """Return a restyled icon: thanks to the icon's makers, and to the styles' authors."""
+    own = work.icon.origins if work.icon is not None else ()
+    thanks = dict.fromkeys(map(_thanks, filter(lambda style: style.author, styles)))
+    subject = work.icon.credit.title if work.icon is not None else "lines"
+    return Restyled(
+        path,
+        f"{subject}, {styles[0].name}",
+        (*own, *thanks),
+        lines=lines,
+    )
+
+
+def _style_of(work: Restyling, number: int) -> LineStyle:
+    style = work.style_of(number)
+    if style is None:
+        raise IconstudioError("There is no style yet. Choose one, or draw an example.")
+    return style
+
+
+def _thanks(style: LineStyle) -> Pictogram:
+    """Return a line style as what an icon was made of."""
+    credit = Credit(f"{style.name} (line style)", style.author, style.license, "", "")
+    return Pictogram(f"style:{style.name}", "", credit)
