@@ -12,8 +12,11 @@ from iconstudio.algorithms.curves.constraints import Constraint, combined
 from iconstudio.algorithms.curves.curve import Curve, Numbers, Points
 from iconstudio.algorithms.curves.neighbourhoods import Neighbourhoods, bend, directions, weights
 from iconstudio.algorithms.curves.parameters import Parameters
-from iconstudio.algorithms.curves.pyramid import Level
+from iconstudio.algorithms.curves.pyramid import Level, carried
 from iconstudio.algorithms.curves.search import Costs, Rows, begin, refine
+
+_START = 3
+"""Points that a new curve begins with, copied from A'."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,6 +65,7 @@ class Search:
             coarse_offset=parameters.offset if coarse else 0.0,
             incoherent=parameters.incoherent,
             stride=parameters.reach * level.spacing,
+            late=parameters.late,
             epsilon=parameters.epsilon,
             rotation=rotation,
         )
@@ -78,17 +82,23 @@ class Search:
         self._begin(at, points, sources, 0, constraints)
         return Synthesised(Curve(points, at, plain.end, plain.closed), sources)
 
-    def scribbled(self, start: Points, sources: NDArray[np.int64], length: float) -> Synthesised:
-        """Return a curve that goes on from a start, a few points long (SYNTHESIZECURVE)."""
-        count = max(len(start), round(length / self._level.spacing) + 1)
-        points, taken = np.zeros(count, complex), np.zeros(count, np.int64)
-        points[: len(start)], taken[: len(start)] = start, sources
+    def scribbled(self, length: float, seed: int) -> Synthesised:
+        """Return a curve that goes on from a few points of A' (SYNTHESIZECURVE)."""
+        level = self._level
+        step = max(1, round(level.spacing / (level.order.arc[1] - level.order.arc[0])))
+        free = np.flatnonzero(~level.order.ending)
+        first = int(np.random.default_rng(seed).choice(free if len(free) else [0]))
+        taken = np.minimum(first + step * np.arange(_START), len(level.order.arc) - 1)
+        count = max(_START, round(length / level.spacing) + 1)
+        points, sources = np.zeros(count, complex), np.zeros(count, np.int64)
+        sources[:_START] = taken
+        points[:_START] = level.styled.middles[taken] - level.styled.middles[taken[0]]
         at = np.linspace(0, 1, count)
-        self._begin(at, points, taken, len(start), ())
-        return Synthesised(Curve(points, at, 1.0), taken)
+        self._begin(at, points, sources, _START, ())
+        return Synthesised(Curve(points, at, 1.0), sources)
 
-    def sharpened(self, coarser: Synthesised) -> Synthesised:
-        """Return a curve of the level above with each point where its candidate is at this one.
+    def sharpened(self, coarser: Synthesised, above: Level) -> Synthesised:
+        """Return a curve of the level ``above`` with its points where their candidates are here.
 
         Beyond the paper: refinement alone begins with a blurred curve, and loops never come back.
         """
@@ -102,8 +112,8 @@ class Search:
         weight = w * inside
         total = weight.sum(axis=1)
         centre = (weight * rows.samples).sum(axis=1) / total
-        taken = coarser.sources
-        before = (level.coarser.real + 1j * level.coarser.imag)[:, taken].T
+        taken = carried(coarser.sources, above, level)
+        before = (level.coarser.real + 1j * level.coarser.imag)[: len(w), taken].T
         mean = (weight * before).sum(axis=1) / total
         products = (weight * before.conj() * (rows.samples - centre[:, None])).sum(axis=1)
         turn = np.ones(len(taken), complex)

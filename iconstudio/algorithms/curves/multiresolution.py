@@ -14,8 +14,6 @@ from iconstudio.algorithms.curves.pyramid import Level, blurred, swept
 
 _REACH = 4.0
 """How many spacings from a constraint the curve goes along with it."""
-_START = 3
-"""Points that a new curve begins with, copied from A'."""
 
 
 def analogy(
@@ -31,16 +29,17 @@ def analogy(
     random = _state(seed)
     made: Synthesised | None = None
     coarser: Curve | None = None
+    before = levels[0]
     bending = None if shape else swept(plain, parameters)
     for above, level in zip(range(len(levels) - 1, -1, -1), levels, strict=True):
         sweep = blurred(plain, level.spacing, parameters)
         search = Search(level, sweep, parameters, random, rotation, shape, bending)
         pulls = [softened(one, above) for one in constraints]
-        made = search.begin(pulls) if made is None else search.sharpened(made)
+        made = search.begin(pulls) if made is None else search.sharpened(made, before)
         for _ in range(parameters.passes):
             made = search.refined(_through(made, level.spacing, pulls), coarser, pulls)
         made = _through(made, level.spacing, pulls)
-        coarser = made.curve
+        coarser, before = made.curve, level
     assert made is not None
     return made
 
@@ -57,24 +56,20 @@ def scribble(
     It begins as the example does somewhere.
     """
     random = _state(seed)
-    coarsest = levels[0]
-    count = coarsest.styled.middles.size
-    first = int(np.random.default_rng(seed).integers(max(1, count - _START * 4)))
-    step = max(1, round(coarsest.spacing / levels[-1].spacing))
-    taken = first + step * np.arange(_START)
-    start = coarsest.styled.middles[taken[taken < count]]
-    made = Search(coarsest, None, parameters, random, rotation).scribbled(
-        start - start[0], taken[taken < count], length * coarsest.shortening
-    )
-    coarser = None
+    made: Synthesised | None = None
+    coarser: Curve | None = None
+    before = levels[0]
     for level in levels:
         search = Search(level, None, parameters, random, rotation)
-        if coarser is not None:
-            made = search.sharpened(made)
+        if made is None:
+            made = search.scribbled(length * level.shortening, seed)
+        else:
+            made = search.sharpened(made, before)
         for _ in range(parameters.passes):
             made = search.refined(_through(made, level.spacing, ()), coarser)
         made = _through(made, level.spacing, ())
-        coarser = made.curve
+        coarser, before = made.curve, level
+    assert made is not None
     return made
 
 

@@ -46,6 +46,9 @@ class Parameters:
     """w_B if it does."""
     incoherent: float = 9.0
     """How many times as much a candidate costs that does not go on where the one before was."""
+    late: float = 3.0
+    """By how much more a jump costs the later it comes in an open example, which goes on from there
+    to its end: without it, ends would be seen more often than beginnings."""
     epsilon: float = 0.03
     """Candidates within 1 + epsilon of the best are as good."""
     passes: int = 2

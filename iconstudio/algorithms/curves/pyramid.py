@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from iconstudio.algorithms.curves.curve import Curve, Numbers
 from iconstudio.algorithms.curves.example import Pair
@@ -25,10 +26,21 @@ class Level:
     coarser: Columns | None
     """Of A' at the next coarser level; None at the coarsest."""
     order: Order
+    parameters: Numbers
+    """(n,) of the candidates, on their curves."""
     lengthening: float
     """The arc length of A' over that of A."""
     shortening: float
     """The arc length of A' at this level over that at the finest."""
+
+
+def carried(sources: NDArray[np.int64], above: Level, level: Level) -> NDArray[np.int64]:
+    """Return the candidates of a level that are nearest to those of the level above."""
+    at = above.order.curve[sources] + above.parameters[sources] / 2  # parameters are at most 1
+    here = level.order.curve + level.parameters / 2
+    right = np.clip(np.searchsorted(here, at), 1, len(here) - 1)
+    nearer = at - here[right - 1] < here[right] - at
+    return np.where(nearer, right - 1, right)
 
 
 def spacings(parameters: Parameters) -> list[float]:
@@ -60,14 +72,19 @@ def pyramid(pairs: Sequence[Pair], parameters: Parameters, shape: bool = False) 
     """
     levels: list[Level] = []
     before: list[Curve] = []
-    places = [_candidates(pair.styled, parameters.spacing) for pair in pairs]
     sweeps = [None if shape else swept(pair.plain, parameters) for pair in pairs]
     w = weights(parameters)
     for spacing in spacings(parameters):
         styled = [blurred(pair.styled, spacing, parameters) for pair in pairs]
         plain = [blurred(pair.plain, spacing, parameters) for pair in pairs]
+        places = [_candidates(one, spacing, parameters.spacing) for one in styled]
 
-        def columns(curves: list[Curve], hole: bool, spacing: float = spacing) -> Columns:
+        def columns(
+            curves: list[Curve],
+            hole: bool,
+            spacing: float = spacing,
+            places: list[Numbers] = places,
+        ) -> Columns:
             found = [
                 Neighbourhoods.of(curve, at, spacing, parameters.reach, sweep).samples
                 for curve, at, sweep in zip(curves, places, sweeps, strict=True)
@@ -79,7 +96,8 @@ def pyramid(pairs: Sequence[Pair], parameters: Parameters, shape: bool = False) 
         lengthening = sum(one.length for one in styled) / sum(one.length for one in plain)
         shortening = sum(one.length for one in styled) / sum(one.styled.length for one in pairs)
         level = columns(styled, True), columns(plain, False), coarser
-        levels.append(Level(spacing, *level, order, lengthening, shortening))
+        at = np.concatenate(places)
+        levels.append(Level(spacing, *level, order, at, lengthening, shortening))
         before = styled
     return levels
 
@@ -92,19 +110,32 @@ def _order(curves: Sequence[Curve], places: Sequence[Numbers], run: float) -> Or
         np.full(len(arc), np.inf) if one.closed else one.length - arc
         for one, arc in zip(curves, arcs, strict=True)
     ]
+    late = [
+        np.zeros(len(arc)) if one.closed else arc / one.length
+        for one, arc in zip(curves, arcs, strict=True)
+    ]
     runs = [min(run, one.length / 4) for one in curves]
     return Order(
         np.concatenate(arcs),
         np.repeat(np.arange(len(curves)), counts),
         np.repeat([one.length if one.closed else 0.0 for one in curves], counts),
+        np.concatenate(
+            [arc * (not one.closed) / one.length for one, arc in zip(curves, arcs, strict=True)]
+        ),
         np.concatenate(rest) < np.repeat(runs, counts),
     )
 
 
-def _candidates(styled: Curve, spacing: float) -> Numbers:
-    """Return the parameters of candidates, the finest spacing apart."""
-    count = max(3, int(styled.length / spacing + 1e-9))
-    return styled.parameters_at((np.arange(count) + 0.5) / count * styled.length)
+def _candidates(styled: Curve, spacing: float, finest: float) -> Numbers:
+    """Return the parameters of candidates, about the finest spacing apart.
+
+    A whole number of them makes a step of the level: else steps would be rounded, all alike, and
+    textures stretched.
+    """
+    apart = spacing / np.ceil(spacing / finest - 1e-9)
+    count = max(3, int(styled.length / apart + 1e-9))
+    first = (styled.length - (count - 1) * apart) / 2
+    return styled.parameters_at(np.maximum(first, 0) + apart * np.arange(count))
 
 
 def _columns(samples: Samples, w: Numbers, hole: bool) -> Columns:
@@ -117,10 +148,8 @@ def _columns(samples: Samples, w: Numbers, hole: bool) -> Columns:
     centre = (w @ samples) / w.sum()
     energy = w @ abs(samples - centre) ** 2
     return Columns(
-        np.ascontiguousarray(samples.real),
-        np.ascontiguousarray(samples.imag),
-        np.ascontiguousarray(ways.real),
-        np.ascontiguousarray(ways.imag),
+        np.concatenate([samples.real, ways.real]),
+        np.concatenate([samples.imag, ways.imag]),
         middles,
         centre,
         energy,

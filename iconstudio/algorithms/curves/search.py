@@ -25,17 +25,15 @@ Integers = NDArray[np.int64]
 
 
 class Columns(NamedTuple):
-    """One curve of the example at n candidates: samples and directions, real and imaginary.
+    """One curve of the example at n candidates.
 
-    Samples are (K, n), relative to the middle one; directions (K - 1, n). ``centre`` and
-    ``energy``, (n,), are their weighted mean and ``sum w |a - mean|²`` where all samples count, or
-    all but the middle one.
+    ``real`` and ``imag``, (2K - 1, n), are K samples, relative to the middle one, and the K - 1
+    directions from each to the next. ``centre`` and ``energy``, (n,), are the weighted mean of the
+    samples and ``sum w |a - mean|²``, of all, or of all but the middle one.
     """
 
     real: Floats
     imag: Floats
-    ways_real: Floats
-    ways_imag: Floats
     middles: Complexes
     centre: Complexes
     energy: Floats
@@ -72,6 +70,7 @@ class Costs(NamedTuple):
     incoherent: float
     stride: float
     """No jump goes back by less than that much arc length."""
+    late: float
     epsilon: float
     rotation: bool
 
@@ -85,6 +84,8 @@ class Order(NamedTuple):
     """which curve that is,"""
     period: Floats
     """and its length if it is closed, else 0."""
+    lateness: Floats
+    """From 0 at the start of an open curve to 1 at its end; 0 on a closed one."""
     ending: NDArray[np.bool_]
     """Those near the end of an open curve, where a jump would lead nowhere."""
 
@@ -101,14 +102,54 @@ def _random(state):  # type: ignore[no-untyped-def]
 
 
 @part
-def _compare(columns, w, wt, b, ways, first, last, hole, sr, si, cr, ci, energy):  # type: ignore[no-untyped-def]
+def _products(columns, rows, factors, count, sr, si):  # type: ignore[no-untyped-def]
+    """Fill S, the sum of ``conj(a) factor`` over rows of the columns, for all candidates.
+
+    Four rows at a time, so that the sums are read and written less often.
+    """
+    n = len(sr)
+    sr[:] = 0.0
+    si[:] = 0.0
+    for first in range(0, count, 4):
+        a0 = columns.real[rows[first]]
+        b0 = columns.imag[rows[first]]
+        a1 = columns.real[rows[first + 1]]
+        b1 = columns.imag[rows[first + 1]]
+        a2 = columns.real[rows[first + 2]]
+        b2 = columns.imag[rows[first + 2]]
+        a3 = columns.real[rows[first + 3]]
+        b3 = columns.imag[rows[first + 3]]
+        x0, y0 = factors[first].real, factors[first].imag
+        x1, y1 = factors[first + 1].real, factors[first + 1].imag
+        x2, y2 = factors[first + 2].real, factors[first + 2].imag
+        x3, y3 = factors[first + 3].real, factors[first + 3].imag
+        for j in range(n):  # one sum a loop: the compiler gives up on more arrays
+            sr[j] += (
+                (a0[j] * x0 + b0[j] * y0)
+                + (a1[j] * x1 + b1[j] * y1)
+                + (a2[j] * x2 + b2[j] * y2)
+                + (a3[j] * x3 + b3[j] * y3)
+            )
+        for j in range(n):
+            si[j] += (
+                (a0[j] * y0 - b0[j] * x0)
+                + (a1[j] * y1 - b1[j] * x1)
+                + (a2[j] * y2 - b2[j] * x2)
+                + (a3[j] * y3 - b3[j] * x3)
+            )
+
+
+@part
+def _compare(  # type: ignore[no-untyped-def]
+    columns, w, wt, b, ways, first, last, hole, rows, factors, sr, si, cr, ci, energy
+):
     """Compare one neighbourhood with all candidates: fill S, their centres and energies.
 
     Samples first to last count, without the middle one if ``hole``. Returns the centre of b, the
     energy of b and of the directions, and the sum of the weights.
     """
-    count, n = columns.real.shape
-    middle = count // 2
+    width = len(w)
+    middle = width // 2
     total = 0.0
     centre = 0.0j
     for k in range(first, last + 1):
@@ -118,53 +159,46 @@ def _compare(columns, w, wt, b, ways, first, last, hole, sr, si, cr, ci, energy)
     if total == 0.0:
         return centre, 0.0, 0.0
     centre /= total
-    whole = first == 0 and last == count - 1
     own = 0.0
-    if whole:
+    count = 0
+    for k in range(first, last + 1):
+        if not (hole and k == middle):
+            rows[count] = k
+            factors[count] = w[k] * (b[k] - centre)
+            own += (factors[count] * (b[k] - centre).conjugate()).real
+            count += 1
+    samples = count
+    for k in range(first, last):
+        if not (hole and (k == middle or k == middle - 1)):
+            rows[count] = width + k
+            factors[count] = wt[k] * ways[k]
+            own += 2.0 * wt[k]
+            count += 1
+    for k in range(count, count + 3):
+        rows[k] = 0
+        factors[k] = 0.0j
+    _products(columns, rows, factors, count, sr, si)
+    n = len(sr)
+    if first == 0 and last == width - 1:
         for j in range(n):
             cr[j] = columns.centre[j].real
             ci[j] = columns.centre[j].imag
             energy[j] = columns.energy[j]
-    else:
-        cr[:] = 0.0
-        ci[:] = 0.0
-        energy[:] = 0.0
-    sr[:] = 0.0
-    si[:] = 0.0
-    for k in range(first, last + 1):
-        if hole and k == middle:
-            continue
-        wk = w[k]
-        x = wk * (b[k] - centre)
-        xr = x.real
-        xi = x.imag
-        own += (x * (b[k] - centre).conjugate()).real
+        return centre, own, total
+    cr[:] = 0.0
+    ci[:] = 0.0
+    energy[:] = 0.0
+    for k in rows[:samples]:
         ar = columns.real[k]
         ai = columns.imag[k]
         for j in range(n):
-            sr[j] += ar[j] * xr + ai[j] * xi
-            si[j] += ar[j] * xi - ai[j] * xr
-        if not whole:
-            for j in range(n):
-                cr[j] += wk * ar[j]
-                ci[j] += wk * ai[j]
-                energy[j] += wk * (ar[j] * ar[j] + ai[j] * ai[j])
-    if not whole:
-        for j in range(n):
-            cr[j] /= total
-            ci[j] /= total
-            energy[j] -= total * (cr[j] * cr[j] + ci[j] * ci[j])
-    for k in range(first, last):
-        if hole and (k == middle or k == middle - 1):
-            continue
-        own += 2.0 * wt[k]
-        xr = wt[k] * ways[k].real
-        xi = wt[k] * ways[k].imag
-        ar = columns.ways_real[k]
-        ai = columns.ways_imag[k]
-        for j in range(n):
-            sr[j] += ar[j] * xr + ai[j] * xi
-            si[j] += ar[j] * xi - ai[j] * xr
+            cr[j] += w[k] * ar[j]
+            ci[j] += w[k] * ai[j]
+            energy[j] += w[k] * (ar[j] * ar[j] + ai[j] * ai[j])
+    for j in range(n):
+        cr[j] /= total
+        ci[j] /= total
+        energy[j] -= total * (cr[j] * cr[j] + ci[j] * ci[j])
     return centre, own, total
 
 
@@ -184,8 +218,12 @@ def _choose(  # type: ignore[no-untyped-def]
     tr, ti, rr, ri, cost = work[0], work[1], work[2], work[3], work[4]
     pr, pi, sr, si, energy = work[5], work[6], work[7], work[8], work[9]
     hr, hi, br, bi, kr, ki = work[10], work[11], work[12], work[13], work[14], work[15]
+    rows = np.empty(2 * len(w) + 3, np.int64)
+    factors = np.empty(2 * len(w) + 3, np.complex128)
     constant = 0.0
-    centre, own, mass = _compare(styled, w, wt, b, ways, first, last, True, sr, si, hr, hi, energy)
+    centre, own, mass = _compare(
+        styled, w, wt, b, ways, first, last, True, rows, factors, sr, si, hr, hi, energy
+    )
     known = mass > 0.0
     if known:
         constant += own
@@ -202,7 +240,21 @@ def _choose(  # type: ignore[no-untyped-def]
     coarse_centre = 0.0j
     if has_coarse:
         coarse_centre, own, _ = _compare(
-            coarser, w, wt, row_c, ways_c, first_c, last_c, False, sr, si, kr, ki, energy
+            coarser,
+            w,
+            wt,
+            row_c,
+            ways_c,
+            first_c,
+            last_c,
+            False,
+            rows,
+            factors,
+            sr,
+            si,
+            kr,
+            ki,
+            energy,
         )
         constant += costs.coarse * own
         for j in range(n):
@@ -215,7 +267,21 @@ def _choose(  # type: ignore[no-untyped-def]
     plain_centre = 0.0j
     if has_plain:
         plain_centre, own, _ = _compare(
-            plain, w, wt, row_b, ways_b, first_b, last_b, False, sr, si, br, bi, energy
+            plain,
+            w,
+            wt,
+            row_b,
+            ways_b,
+            first_b,
+            last_b,
+            False,
+            rows,
+            factors,
+            sr,
+            si,
+            br,
+            bi,
+            energy,
         )
         for j in range(n):
             rr[j] += costs.alignment * sr[j]
@@ -295,7 +361,7 @@ def _choose(  # type: ignore[no-untyped-def]
             gap = 1.5 * np.sqrt((pr[j] - previous.real) ** 2 + (pi[j] - previous.imag) ** 2)
             same = order.curve[j] == order.curve[source]
             if not (same and 0.0 < step < gap):
-                cost[j] *= costs.incoherent
+                cost[j] *= costs.incoherent * (1.0 + costs.late * order.lateness[j])
                 # A jump back by a little, or to the end, would come again and again.
                 if order.ending[j] or (same and -costs.stride < step <= 0.0):
                     cost[j] *= _SENSELESS
@@ -318,6 +384,27 @@ def _choose(  # type: ignore[no-untyped-def]
                 break
             nth -= 1
     return pr[best] + 1j * pi[best], best
+
+
+@part
+def _between(points, count, closed, k, following, at):  # type: ignore[no-untyped-def]
+    """Return the place of a point of a side, on Catmull and Rom's cubic instead of the side."""
+    p = points[k]
+    q = points[following]
+    way = following - k
+    if way > 1 or way < -1:  # around the start of a closed curve
+        way = -1 if way > 0 else 1
+    before = k - way
+    after = following + way
+    if closed:
+        before %= count
+        after %= count
+    elif before < 0 or before >= count or after < 0 or after >= count:
+        return at
+    u = np.abs(at - p) / np.abs(q - p)
+    m = 0.5 * (q - points[before])
+    n = 0.5 * (points[after] - p)
+    return p + u * m + u * u * (3.0 * (q - p) - 2.0 * m - n) + u * u * u * (2.0 * (p - q) + m + n)
 
 
 @part
@@ -354,7 +441,7 @@ def _around(points, arcs, count, i, around, closed, spacing, samples, places):  
             if far >= left * (1.0 - _EXACT) and far > 0.0:
                 at += gap * (left / far)
                 swept += onward * (left / far)
-                samples[sample] = at
+                samples[sample] = _between(points, count, closed, k, following, at)
                 places[sample] = swept
                 sample += way
                 left = spacing
