@@ -24,16 +24,34 @@ class Refinement:
         finest = self.parameters.spacing
         return plain.blurred(self.parameters.sweep * finest, finest / 2)
 
-    def neighbourhood(self, curve: Curve, parameter: float, sweep: Curve):
+    def neighbourhood(self, curve: Curve, parameter: float, sweep: Curve, smooth: bool = False):
         """The samples around a parameter, unbent, and which of them are on the curve."""
         middle = curve.arc_at(np.array([parameter]))[0]
         at = middle + self.offsets
         samples = curve.at_arc(at)
+        if smooth:
+            samples = np.array([self.between(curve, along) for along in at])
         inside = (at > -1e-9) & (at < curve.length + 1e-9)
         clipped = np.clip(at, 0, curve.length)
         along = sweep.arc_at(curve.parameters_at(clipped)) + (at - clipped)
         here = sweep.arc_at(np.array([parameter]))[0]
         return samples - self.bend(sweep, here, along - here), inside
+
+    def between(self, curve: Curve, along: float) -> complex:
+        """The point after so much arc length on Catmull and Rom's cubics, not at the ends."""
+        points = curve.points
+        k = int(np.searchsorted(curve.arc, along, "right")) - 1
+        if not 1 <= k < len(points) - 2:
+            return curve.at_arc(np.array([along]))[0]
+        before, p, q, after = points[k - 1 : k + 3]
+        u = (along - curve.arc[k]) / (curve.arc[k + 1] - curve.arc[k])
+        basis = [
+            -0.5 * u**3 + u**2 - 0.5 * u,
+            1.5 * u**3 - 2.5 * u**2 + 1,
+            -1.5 * u**3 + 2 * u**2 + 0.5 * u,
+            0.5 * u**3 - 0.5 * u**2,
+        ]
+        return sum(b * one for b, one in zip(basis, (before, p, q, after), strict=True))
 
     def bend(self, sweep: Curve, here: float, off: np.ndarray) -> np.ndarray:
         start, back, on = sweep.at_arc(np.array([here, here - STEP, here + STEP]))
@@ -92,14 +110,14 @@ class Refinement:
         run = min(stride, self.pair.styled.length / 4)
         for i, parameter in enumerate(made.parameters):
             now = Curve(points.copy(), made.parameters, made.end)
-            b, inside = self.neighbourhood(now, parameter, sweep)
+            b, inside = self.neighbourhood(now, parameter, sweep, smooth=True)
             target, target_inside = self.neighbourhood(plain, parameter, sweep)
             best = None
             for j, candidate in enumerate(candidates):
                 place, cost = self.place(candidate, b, inside, target, target_inside)
                 if i > 0:
                     step = arcs[j] - arcs[sources[-1]]
-                    if not 0 < step < 1.5 * abs(place - points[i - 1]):
+                    if not 1e-7 < step < 1.5 * abs(place - points[i - 1]):
                         cost *= self.parameters.incoherent
                         ending = self.pair.styled.length - arcs[j] < run
                         if ending or -stride < step <= 0:

@@ -64,7 +64,7 @@ class Search:
             offset=parameters.offset if plain else 0.0,
             coarse_offset=parameters.offset if coarse else 0.0,
             incoherent=parameters.incoherent,
-            stride=parameters.reach * level.spacing,
+            stride=(parameters.reach + 0.01) * level.spacing,
             late=parameters.late,
             epsilon=parameters.epsilon,
             rotation=rotation,

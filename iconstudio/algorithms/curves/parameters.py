@@ -40,13 +40,13 @@ class Parameters:
     """Weight of the next coarser level's neighbourhoods."""
     offset: float = 3.8
     """w_offset."""
-    alignment: float = 4.0
+    alignment: float = 20.0
     """Weight of A and B for the rotation if their shape does not count."""
     shape: float = 2.0
     """w_B if it does."""
     incoherent: float = 9.0
     """How many times as much a candidate costs that does not go on where the one before was."""
-    late: float = 3.0
+    late: float = 2.0
     """By how much more a jump costs the later it comes in an open example, which goes on from there
     to its end: without it, ends would be seen more often than beginnings."""
     epsilon: float = 0.03

@@ -110,10 +110,6 @@ def _order(curves: Sequence[Curve], places: Sequence[Numbers], run: float) -> Or
         np.full(len(arc), np.inf) if one.closed else one.length - arc
         for one, arc in zip(curves, arcs, strict=True)
     ]
-    late = [
-        np.zeros(len(arc)) if one.closed else arc / one.length
-        for one, arc in zip(curves, arcs, strict=True)
-    ]
     runs = [min(run, one.length / 4) for one in curves]
     return Order(
         np.concatenate(arcs),
@@ -122,7 +118,7 @@ def _order(curves: Sequence[Curve], places: Sequence[Numbers], run: float) -> Or
         np.concatenate(
             [arc * (not one.closed) / one.length for one, arc in zip(curves, arcs, strict=True)]
         ),
-        np.concatenate(rest) < np.repeat(runs, counts),
+        np.concatenate(rest) < np.repeat(runs, counts) + 1e-6,
     )
 
 

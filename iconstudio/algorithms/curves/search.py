@@ -358,12 +358,14 @@ def _choose(  # type: ignore[no-untyped-def]
             step = order.arc[j] - order.arc[source]
             if order.period[j] > 0.0 and step < -0.5 * order.period[j]:
                 step += order.period[j]
-            gap = 1.5 * np.sqrt((pr[j] - previous.real) ** 2 + (pi[j] - previous.imag) ** 2)
+            gap = (1.5 + _EXACT) * np.sqrt(
+                (pr[j] - previous.real) ** 2 + (pi[j] - previous.imag) ** 2
+            )
             same = order.curve[j] == order.curve[source]
-            if not (same and 0.0 < step < gap):
+            if not (same and _EXACT < step < gap):
                 cost[j] *= costs.incoherent * (1.0 + costs.late * order.lateness[j])
                 # A jump back by a little, or to the end, would come again and again.
-                if order.ending[j] or (same and -costs.stride < step <= 0.0):
+                if order.ending[j] or (same and -costs.stride < step <= _EXACT):
                     cost[j] *= _SENSELESS
     least = np.inf
     for j in range(n):
