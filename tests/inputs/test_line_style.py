@@ -136,12 +136,12 @@ def test_lines_long_enough_are_examples():
 
 
 def test_bundled_styles_are_what_their_files_say_and_found_by_name():
-    assert len(bundled()) >= 3
+    assert len(bundled()) >= 12
     for style in bundled():
         assert style_of(written(style)) == style
         assert style.author and style.license
         assert named(f" {style.name.upper()}") is style
     with pytest.raises(IconstudioError, match="Do you mean “Wobbly”"):
         named("wobly")
-    with pytest.raises(IconstudioError, match=r"There are .*, Wobbly"):
+    with pytest.raises(IconstudioError, match=r"There are .*, Zigzag"):
         named("xyzxyz")
