@@ -34,23 +34,30 @@ def filled(contours: Iterable[Points], even_odd: bool = False) -> Area:
         whole = shapely.polygons(rings[0])
         if shapely.is_valid(whole):
             return whole
-    noded = shapely.node(shapely.multilinestrings([shapely.linestrings(one) for one in rings]))
+    noded = shapely.union_all([shapely.linestrings(one) for one in rings])
     faces = shapely.get_parts(shapely.polygonize(shapely.get_parts(noded)))
     turns = _turns(shapely.get_coordinates(shapely.point_on_surface(faces)), rings)
     inside = turns % 2 == 1 if even_odd else turns != 0
-    return shapely.union_all(faces[inside])
+    return shapely.coverage_union_all(faces[inside])
 
 
 def _turns(points: Points, rings: Sequence[Points]) -> NDArray[np.intp]:
     """Return how often rings go round each point, (n,)."""
-    starts = np.concatenate([one[:-1] for one in rings])
-    ends = np.concatenate([one[1:] for one in rings])
-    x, y = points.T[:, :, None]
-    (x0, y0), (x1, y1) = starts.T, ends.T
-    side = (x1 - x0) * (y - y0) - (x - x0) * (y1 - y0)
-    up = (y0 <= y) & (y1 > y) & (side > 0)
-    down = (y0 > y) & (y1 <= y) & (side < 0)
-    turns: NDArray[np.intp] = up.sum(axis=1) - down.sum(axis=1)
+    order = np.argsort(points[:, 1])
+    x, y = points[order].T
+    (x0, y0), (x1, y1) = (
+        np.concatenate(ends).T for ends in ([one[:-1] for one in rings], [one[1:] for one in rings])
+    )
+    # Every edge that a level ray to the right of a point meets turns once about it.
+    first = np.searchsorted(y, np.minimum(y0, y1), "left")
+    met = np.searchsorted(y, np.maximum(y0, y1), "left") - first
+    edge = np.repeat(np.arange(len(met)), met)
+    point = np.arange(met.sum()) + np.repeat(first - np.cumsum(met) + met, met)
+    up = np.sign(y1 - y0)[edge]
+    side = (x1 - x0)[edge] * (y[point] - y0[edge]) - (x[point] - x0[edge]) * (y1 - y0)[edge]
+    counted = np.bincount(point, np.where(side * up > 0, up, 0), len(points))
+    turns = np.empty(len(points), np.intp)
+    turns[order] = counted.round()
     return turns
 
 
@@ -80,19 +87,6 @@ def stroked(
         join_style=join,
         mitre_limit=mitre,
     )
-
-
-def brushed(points: Points, closed: bool, widths: NDArray[np.float64]) -> Area:
-    """Return what a round brush covers along a line, with its width at each point, (n,)."""
-    if closed:
-        points, widths = np.concatenate([points, points[:1]]), np.append(widths, widths[:1])
-    radii = np.maximum(widths, 0) / 2
-    sides = min(max(math.ceil(math.pi * math.sqrt(radii.max() / 2 / FINE)), 16), 128)
-    circle = np.exp(2j * np.pi * np.arange(sides) / sides)
-    discs = (points @ (1, 1j))[:, None] + radii[:, None] * circle
-    pairs = np.concatenate([discs[:-1], discs[1:]], axis=1) if len(points) > 1 else discs
-    rows = np.stack([pairs.real, pairs.imag], axis=-1)
-    return united(shapely.convex_hull(shapely.multipoints(rows)))
 
 
 def simplified(points: Points, closed: bool, stray: float) -> Points:

@@ -65,7 +65,7 @@ def _broken(points: Row, closed: bool) -> tuple[Row, Marks, Row, Row]:
 def _joints(points: Row, closed: bool) -> tuple[Marks, Row, Row]:
     """Return which points are breaks, and the directions into and out of each."""
     sides = np.diff(points)
-    lengths: Numbers = abs(sides)
+    lengths: Numbers = np.abs(sides)
     ways = sides / lengths
     if closed:
         before, after = np.append(ways[-1], ways), np.append(ways, ways[0])
