@@ -295,6 +295,9 @@ def _cubic(
             break
     if furthest <= a or furthest >= b:
         furthest = middle
+    if b == a + 1 and least > tolerance:
+        best[1], best[2] = best[0], best[3]
+        least = 0.0
     return best, least, furthest
 
 
