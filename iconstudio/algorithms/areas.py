@@ -22,32 +22,82 @@ FINE = 0.02
 """How far the sides of a stroke, in canvas units, may stray from its arcs."""
 _FEWEST, _MOST = 4, 64
 """Sides of a quarter of a circle."""
+_SAMPLES = 16
+"""Points of a contour that tell what it is in."""
 NOTHING: Area = shapely.Polygon()
 
 
 def filled(contours: Iterable[Points], even_odd: bool = False) -> Area:
     """Return what closed contours enclose together, by the nonzero rule or the even-odd rule."""
-    rings = [np.concatenate([one, one[:1]]) for one in contours if len(one) > 2]
+    rings = _rings(contours)
     if not rings:
         return NOTHING
     if len(rings) == 1:
         whole = shapely.polygons(rings[0])
         if shapely.is_valid(whole):
             return whole
+    faces = _faces(rings)
+    turns = _turns(_within(faces), rings).sum(axis=0)
+    return _joined(faces[turns % 2 == 1 if even_odd else turns != 0])
+
+
+def inked(contours: Iterable[Points]) -> Area:
+    """Return what contours that may cross themselves, and each other, are meant to enclose.
+
+    As long as they do not, that is what the nonzero rule says. A hole that reaches out of what it
+    is in, or goes round twice somewhere, is no ink there.
+    """
+    rings = _rings(contours)
+    if len(rings) < 2:
+        return filled(one[:-1] for one in rings)
+    faces = _faces(rings)
+    signs = np.sign([_signed_area(one) for one in rings])
+    some = [one[:-1][:: max(1, len(one) // _SAMPLES)] for one in rings]
+    around = signs @ (_turns(np.concatenate(some), rings) != 0)
+    kinds = np.ones(len(rings))
+    end = 0
+    for number, points in enumerate(some):
+        start, end = end, end + len(points)
+        inside = _turns(points, [rings[number]])[0] != 0
+        others = np.median(around[start:end] - signs[number] * inside)
+        kinds[number] = -1 if others == -signs[number] else 1
+    depth = kinds @ (_turns(_within(faces), rings) != 0)
+    return _joined(faces[depth > 0])
+
+
+def _rings(contours: Iterable[Points]) -> list[Points]:
+    return [np.concatenate([one, one[:1]]) for one in contours if len(one) > 2]
+
+
+def _faces(rings: Sequence[Points]) -> NDArray[np.object_]:
+    """Return the polygons into which contours divide the plane."""
     noded = shapely.union_all([shapely.linestrings(one) for one in rings])
-    faces = shapely.get_parts(shapely.polygonize(shapely.get_parts(noded)))
-    turns = _turns(shapely.get_coordinates(shapely.point_on_surface(faces)), rings)
-    inside = turns % 2 == 1 if even_odd else turns != 0
-    return shapely.coverage_union_all(faces[inside])
+    faces: NDArray[np.object_] = shapely.get_parts(shapely.polygonize(shapely.get_parts(noded)))
+    return faces
+
+
+def _joined(faces: NDArray[np.object_]) -> Area:
+    return shapely.coverage_union_all(faces) if len(faces) else NOTHING
+
+
+def _within(faces: NDArray[np.object_]) -> Points:
+    """Return a point of each face, (n, 2)."""
+    points: Points = shapely.get_coordinates(shapely.point_on_surface(faces))
+    return points
+
+
+def _signed_area(ring: Points) -> float:
+    (x, y), (x_end, y_end) = ring[:-1].T, ring[1:].T
+    return float((x * y_end - x_end * y).sum())
 
 
 def _turns(points: Points, rings: Sequence[Points]) -> NDArray[np.intp]:
-    """Return how often rings go round each point, (n,)."""
+    """Return how often each ring goes round each point, (rings, n)."""
     order = np.argsort(points[:, 1])
     x, y = points[order].T
-    (x0, y0), (x1, y1) = (
-        np.concatenate(ends).T for ends in ([one[:-1] for one in rings], [one[1:] for one in rings])
-    )
+    starts, ends = ([one[part] for one in rings] for part in (slice(-1), slice(1, None)))
+    ring = np.repeat(np.arange(len(rings)), [len(one) for one in starts])
+    (x0, y0), (x1, y1) = np.concatenate(starts).T, np.concatenate(ends).T
     # Every edge that a level ray to the right of a point meets turns once about it.
     first = np.searchsorted(y, np.minimum(y0, y1), "left")
     met = np.searchsorted(y, np.maximum(y0, y1), "left") - first
@@ -55,9 +105,10 @@ def _turns(points: Points, rings: Sequence[Points]) -> NDArray[np.intp]:
     point = np.arange(met.sum()) + np.repeat(first - np.cumsum(met) + met, met)
     up = np.sign(y1 - y0)[edge]
     side = (x1 - x0)[edge] * (y[point] - y0[edge]) - (x[point] - x0[edge]) * (y1 - y0)[edge]
-    counted = np.bincount(point, np.where(side * up > 0, up, 0), len(points))
-    turns = np.empty(len(points), np.intp)
-    turns[order] = counted.round()
+    place = ring[edge] * len(points) + point
+    counted = np.bincount(place, np.where(side * up > 0, up, 0), len(rings) * len(points))
+    turns = np.empty((len(rings), len(points)), np.intp)
+    turns[:, order] = counted.reshape(turns.shape).round()
     return turns
 
 

@@ -21,7 +21,7 @@ _SPECK = 0.25
 def path_of(lines: Iterable[Line]) -> Path:
     """Return what lines draw as one outline without overlaps, filled by the nonzero rule.
 
-    Contours are filled together; strokes are drawn with round ends and joins.
+    Contours are filled together (``areas.inked``); strokes have round ends and joins.
     """
     contours: list[Points] = []
     strokes: list[Area] = []
@@ -33,7 +33,7 @@ def path_of(lines: Iterable[Line]) -> Path:
             strokes.append(areas.stroked(_without_repeats(points), line.closed, line.width))
         else:
             contours.append(_without_repeats(points))
-    whole = areas.united([areas.filled(contours), *strokes])
+    whole = areas.united([areas.inked(contours), *strokes])
     rings = areas.outlines(areas.without_specks(whole, _SPECK), _STRAY)
     return Path(tuple(_fitted(ring, True) for ring in rings))
 
