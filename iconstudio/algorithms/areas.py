@@ -22,7 +22,7 @@ FINE = 0.02
 """How far the sides of a stroke, in canvas units, may stray from its arcs."""
 _FEWEST, _MOST = 4, 64
 """Sides of a quarter of a circle."""
-_SAMPLES = 16
+_SAMPLES = 24
 """Points of a contour that tell what it is in."""
 NOTHING: Area = shapely.Polygon()
 
@@ -52,15 +52,11 @@ def inked(contours: Iterable[Points]) -> Area:
         return filled(one[:-1] for one in rings)
     faces = _faces(rings)
     signs = np.sign([_signed_area(one) for one in rings])
-    some = [one[:-1][:: max(1, len(one) // _SAMPLES)] for one in rings]
-    around = signs @ (_turns(np.concatenate(some), rings) != 0)
-    kinds = np.ones(len(rings))
-    end = 0
-    for number, points in enumerate(some):
-        start, end = end, end + len(points)
-        inside = _turns(points, [rings[number]])[0] != 0
-        others = np.median(around[start:end] - signs[number] * inside)
-        kinds[number] = -1 if others == -signs[number] else 1
+    some = np.concatenate([_spread(one) for one in rings])
+    around = signs[:, None] * (_turns(some, rings) != 0)
+    others = around.sum(axis=0) - around.reshape(len(rings), len(rings), -1).diagonal().T.ravel()
+    within = others.reshape(len(rings), -1) == -signs[:, None]
+    kinds = np.where(within.mean(axis=1) > 0.5, -1, 1)
     depth = kinds @ (_turns(_within(faces), rings) != 0)
     return _joined(faces[depth > 0])
 
@@ -84,6 +80,13 @@ def _within(faces: NDArray[np.object_]) -> Points:
     """Return a point of each face, (n, 2)."""
     points: Points = shapely.get_coordinates(shapely.point_on_surface(faces))
     return points
+
+
+def _spread(ring: Points) -> Points:
+    """Return points at equal distances along a ring."""
+    along = np.append(0.0, np.cumsum(np.hypot(*np.diff(ring, axis=0).T)))
+    places = (np.arange(_SAMPLES) + 0.5) / _SAMPLES * along[-1]
+    return np.column_stack([np.interp(places, along, ring[:, axis]) for axis in (0, 1)])
 
 
 def _signed_area(ring: Points) -> float:

@@ -16,6 +16,8 @@ Indices = NDArray[np.int64]
 
 TOLERANCE = 0.12
 """How far, in canvas units, a cubic may be off the points and what is straight between them."""
+_DOT = 0.01
+"""Canvas units that a dot measures: of a line of no length, some programs draw no round ends."""
 _LINE, _LEVEL = 3.0, 0.03
 """Canvas units that a row of points measures at least, and is off a line at most, to be one."""
 _STEP = 1.0
@@ -31,14 +33,15 @@ def fitted(points: Row, closed: bool, tolerance: float = TOLERANCE) -> Contour:
     """Return a contour of lines and cubics through points (n,), no two in a row the same.
 
     Corners stay corners; where cubics join elsewhere, the direction is continuous. The error is at
-    most ``tolerance``. Fewer than three points are a line, perhaps of no length.
+    most ``tolerance``. Fewer than three points are a line.
 
     >>> circle = 50 * np.exp(2j * np.pi * np.arange(100) / 100)
     >>> len(fitted(circle, closed=True).segments)
     4
     """
     if len(points) < 3:
-        return Contour(_pair(points[0]), ((_pair(points[-1]),),), False)
+        end = points[-1] + (_DOT if len(points) == 1 else 0)
+        return Contour(_pair(points[0]), ((_pair(end),),), False)
     breaks, into, out = joints(points, closed)
     if closed:
         row = (int(breaks.argmax()) + np.arange(len(points) + 1)) % len(points)
@@ -101,7 +104,13 @@ def _cubic(
     middle = max(a + 1, (a + b) // 2)
     away = _off_chord(points, a, b)
     length = abs(points[b] - points[a])
-    if (b == a + 1 and length > STRAIGHT) or (b > a + 1 and length > _LINE and away < _LEVEL):
+    if b == a + 1:
+        chord = points[b] - points[a]
+        bend = max(abs(chord - length * start), abs(chord - length * end))
+        straight = length > STRAIGHT or bend < _LEVEL
+    else:
+        straight = length > _LINE and away < _LEVEL
+    if straight:
         return best, away, middle
     row, owner = _sampled(points, a, b)
     u = np.empty(len(row))
