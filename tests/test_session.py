@@ -72,3 +72,16 @@ def test_a_drawing_that_reaches_a_limit_ends_with_what_to_do(session, monkeypatc
 def test_nothing_is_downloaded(session, address):
     with pytest.raises(IconstudioError, match=rf"“{address}” is an address, and nothing is down"):
         session.icon(address)
+
+
+def test_the_lines_of_an_icon_are_read_once(session):
+    icon = session.icon("lucide:house")
+    lines = session.lines(icon)
+    assert all(line.width > 0 for line in lines)
+    assert session.lines(icon) is lines
+
+
+def test_lines_that_take_too_long_to_read_end_with_what_to_do(session, monkeypatch):
+    monkeypatch.setattr("iconstudio.session._SECONDS", 1e-3)
+    with pytest.raises(IconstudioError, match=r"^Reading the lines of .* takes too long\. Try"):
+        session.lines(session.icon("lucide:bird"))

@@ -83,11 +83,12 @@ class _Ink:
             self._add(inside) if shape.fill == "ink" else self._cut(inside)
         if shape.stroke == "none":
             return
+        is_solid = shape.fill == "ink" and areas.size_of(inside) > _SPECK
         for stroke in _strokes(shape, rows):
             left = _clipped(stroke.area, clips)
             if shape.stroke == "paper":
                 self._cut(left)
-            elif shape.fill == "ink" or not stroke.width or _is_cut(stroke.area, left):
+            elif is_solid or not stroke.width or _is_cut(stroke.area, left):
                 self._add(left)
             else:
                 self._strokes.append(stroke)
