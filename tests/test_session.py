@@ -81,7 +81,8 @@ def test_the_lines_of_an_icon_are_read_once(session):
     assert session.lines(icon) is lines
 
 
-def test_lines_that_take_too_long_to_read_end_with_what_to_do(session, monkeypatch):
-    monkeypatch.setattr("iconstudio.session._SECONDS", 1e-3)
-    with pytest.raises(IconstudioError, match=r"^Reading the lines of .* takes too long\. Try"):
-        session.lines(session.icon("lucide:bird"))
+def test_where_reading_the_lines_takes_too_long_the_picture_is_traced(session, monkeypatch):
+    monkeypatch.setattr("iconstudio.session._LINES_SECONDS", 1e-3)
+    lines = session.lines(session.icon("lucide:bird"))
+    assert lines
+    assert all(line.closed and not line.width for line in lines)

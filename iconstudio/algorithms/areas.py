@@ -188,6 +188,11 @@ def holds(area: Area, point: Points) -> bool:
     return bool(shapely.contains(area, shapely.points(point)))
 
 
+def meet(one: Area, other: Area) -> bool:
+    """Whether two areas have a point in common."""
+    return bool(shapely.intersects(one, other))
+
+
 def size_of(area: Area) -> float:
     """Return how large an area is."""
     return float(shapely.area(area))
