@@ -37,10 +37,10 @@ from iconstudio.model import (
     Placement,
     Source,
 )
-from iconstudio.svg.lines import lines_of
+from iconstudio.svg.lines import lines_of, lines_of_path
 from iconstudio.svg.reading import file_and_symbol, own_svg, read_file
 from iconstudio.svg.resvg import render_placed
-from iconstudio.workers import Workers, answer
+from iconstudio.workers import Workers, answer, loss
 from iconstudio.workflows.drawing import MEMORY, SECONDS, draw_whole
 from iconstudio.workflows.estimating import estimated
 from iconstudio.workflows.events import Event, Progress, Retrieved
@@ -52,6 +52,8 @@ _PLENTY = 8
 """With so many others, icons of two tones are left out: only their dark part could be used."""
 _SECONDS, _MEMORY = 20.0, 1 << 30
 """How long reading a file from outside may take, and how many bytes."""
+_LINES_SECONDS = 5.0
+"""How long reading the lines of an icon's own shapes may take."""
 _SIMPLER = (
     "Try again when the machine has less to do; else simplify the drawing, "
     "or save it as a PNG and open that."
@@ -244,8 +246,13 @@ class Session(AbstractContextManager["Session"]):
     def _read_lines(self, pictogram: Pictogram) -> tuple[Line, ...]:
         exemplar = self.exemplar(pictogram)
         task = lines_of, pictogram.svg, exemplar.frame, exemplar.coverage
-        reading = self._readers.submit(*task, timeout=_SECONDS, memory=_MEMORY)
-        return answer(reading, f"Reading the lines of “{exemplar.name}”", _SIMPLER)
+        reading = self._readers.submit(*task, timeout=_LINES_SECONDS, memory=_MEMORY)
+        doing = f"Reading the lines of “{exemplar.name}”"
+        if loss(reading.exception(), doing) is None:
+            return answer(reading, doing)
+        # Its own shapes are too much: the outline of its picture is not.
+        path = self.drawing(exemplar).path
+        return answer(self._readers.submit(lines_of_path, path, timeout=_SECONDS), doing)
 
     def picture(self, exemplar: Exemplar, size: int) -> NDArray[np.uint8]:
         """Draw an icon on its canvas as it is: (size, size) uint8, 255 = ink.

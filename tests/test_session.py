@@ -72,3 +72,17 @@ def test_a_drawing_that_reaches_a_limit_ends_with_what_to_do(session, monkeypatc
 def test_nothing_is_downloaded(session, address):
     with pytest.raises(IconstudioError, match=rf"“{address}” is an address, and nothing is down"):
         session.icon(address)
+
+
+def test_the_lines_of_an_icon_are_read_once(session):
+    icon = session.icon("lucide:house")
+    lines = session.lines(icon)
+    assert all(line.width > 0 for line in lines)
+    assert session.lines(icon) is lines
+
+
+def test_where_reading_the_lines_takes_too_long_the_picture_is_traced(session, monkeypatch):
+    monkeypatch.setattr("iconstudio.session._LINES_SECONDS", 1e-3)
+    lines = session.lines(session.icon("lucide:bird"))
+    assert lines
+    assert all(line.closed and not line.width for line in lines)

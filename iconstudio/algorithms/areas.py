@@ -22,35 +22,96 @@ FINE = 0.02
 """How far the sides of a stroke, in canvas units, may stray from its arcs."""
 _FEWEST, _MOST = 4, 64
 """Sides of a quarter of a circle."""
+_SAMPLES = 24
+"""Points of a contour that tell what it is in."""
 NOTHING: Area = shapely.Polygon()
 
 
 def filled(contours: Iterable[Points], even_odd: bool = False) -> Area:
     """Return what closed contours enclose together, by the nonzero rule or the even-odd rule."""
-    rings = [np.concatenate([one, one[:1]]) for one in contours if len(one) > 2]
+    rings = _rings(contours)
     if not rings:
         return NOTHING
     if len(rings) == 1:
         whole = shapely.polygons(rings[0])
         if shapely.is_valid(whole):
             return whole
-    noded = shapely.node(shapely.multilinestrings([shapely.linestrings(one) for one in rings]))
-    faces = shapely.get_parts(shapely.polygonize(shapely.get_parts(noded)))
-    turns = _turns(shapely.get_coordinates(shapely.point_on_surface(faces)), rings)
-    inside = turns % 2 == 1 if even_odd else turns != 0
-    return shapely.union_all(faces[inside])
+    faces = _faces(rings)
+    turns = _turns(_within(faces), rings).sum(axis=0)
+    return _joined(faces[turns % 2 == 1 if even_odd else turns != 0])
+
+
+def inked(contours: Iterable[Points]) -> Area:
+    """Return what contours that may cross themselves, and each other, are meant to enclose.
+
+    As long as they do not, that is what the nonzero rule says. A hole that reaches out of what it
+    is in, or goes round twice somewhere, is no ink there.
+    """
+    rings = _rings(contours)
+    if len(rings) < 2:
+        return filled(one[:-1] for one in rings)
+    faces = _faces(rings)
+    signs = np.sign([_signed_area(one) for one in rings])
+    some = np.concatenate([_spread(one) for one in rings])
+    around = signs[:, None] * (_turns(some, rings) != 0)
+    others = around.sum(axis=0) - around.reshape(len(rings), len(rings), -1).diagonal().T.ravel()
+    within = others.reshape(len(rings), -1) == -signs[:, None]
+    kinds = np.where(within.mean(axis=1) > 0.5, -1, 1)
+    depth = kinds @ (_turns(_within(faces), rings) != 0)
+    return _joined(faces[depth > 0])
+
+
+def _rings(contours: Iterable[Points]) -> list[Points]:
+    return [np.concatenate([one, one[:1]]) for one in contours if len(one) > 2]
+
+
+def _faces(rings: Sequence[Points]) -> NDArray[np.object_]:
+    """Return the polygons into which contours divide the plane."""
+    noded = shapely.union_all([shapely.linestrings(one) for one in rings])
+    faces: NDArray[np.object_] = shapely.get_parts(shapely.polygonize(shapely.get_parts(noded)))
+    return faces
+
+
+def _joined(faces: NDArray[np.object_]) -> Area:
+    return shapely.coverage_union_all(faces) if len(faces) else NOTHING
+
+
+def _within(faces: NDArray[np.object_]) -> Points:
+    """Return a point of each face, (n, 2)."""
+    points: Points = shapely.get_coordinates(shapely.point_on_surface(faces))
+    return points
+
+
+def _spread(ring: Points) -> Points:
+    """Return points at equal distances along a ring."""
+    along = np.append(0.0, np.cumsum(np.hypot(*np.diff(ring, axis=0).T)))
+    places = (np.arange(_SAMPLES) + 0.5) / _SAMPLES * along[-1]
+    return np.column_stack([np.interp(places, along, ring[:, axis]) for axis in (0, 1)])
+
+
+def _signed_area(ring: Points) -> float:
+    (x, y), (x_end, y_end) = ring[:-1].T, ring[1:].T
+    return float((x * y_end - x_end * y).sum())
 
 
 def _turns(points: Points, rings: Sequence[Points]) -> NDArray[np.intp]:
-    """Return how often rings go round each point, (n,)."""
-    starts = np.concatenate([one[:-1] for one in rings])
-    ends = np.concatenate([one[1:] for one in rings])
-    x, y = points.T[:, :, None]
-    (x0, y0), (x1, y1) = starts.T, ends.T
-    side = (x1 - x0) * (y - y0) - (x - x0) * (y1 - y0)
-    up = (y0 <= y) & (y1 > y) & (side > 0)
-    down = (y0 > y) & (y1 <= y) & (side < 0)
-    turns: NDArray[np.intp] = up.sum(axis=1) - down.sum(axis=1)
+    """Return how often each ring goes round each point, (rings, n)."""
+    order = np.argsort(points[:, 1])
+    x, y = points[order].T
+    starts, ends = ([one[part] for one in rings] for part in (slice(-1), slice(1, None)))
+    ring = np.repeat(np.arange(len(rings)), [len(one) for one in starts])
+    (x0, y0), (x1, y1) = np.concatenate(starts).T, np.concatenate(ends).T
+    # Every edge that a level ray to the right of a point meets turns once about it.
+    first = np.searchsorted(y, np.minimum(y0, y1), "left")
+    met = np.searchsorted(y, np.maximum(y0, y1), "left") - first
+    edge = np.repeat(np.arange(len(met)), met)
+    point = np.arange(met.sum()) + np.repeat(first - np.cumsum(met) + met, met)
+    up = np.sign(y1 - y0)[edge]
+    side = (x1 - x0)[edge] * (y[point] - y0[edge]) - (x[point] - x0[edge]) * (y1 - y0)[edge]
+    place = ring[edge] * len(points) + point
+    counted = np.bincount(place, np.where(side * up > 0, up, 0), len(rings) * len(points))
+    turns = np.empty((len(rings), len(points)), np.intp)
+    turns[:, order] = counted.reshape(turns.shape).round()
     return turns
 
 
@@ -80,19 +141,6 @@ def stroked(
         join_style=join,
         mitre_limit=mitre,
     )
-
-
-def brushed(points: Points, closed: bool, widths: NDArray[np.float64]) -> Area:
-    """Return what a round brush covers along a line, with its width at each point, (n,)."""
-    if closed:
-        points, widths = np.concatenate([points, points[:1]]), np.append(widths, widths[:1])
-    radii = np.maximum(widths, 0) / 2
-    sides = min(max(math.ceil(math.pi * math.sqrt(radii.max() / 2 / FINE)), 16), 128)
-    circle = np.exp(2j * np.pi * np.arange(sides) / sides)
-    discs = (points @ (1, 1j))[:, None] + radii[:, None] * circle
-    pairs = np.concatenate([discs[:-1], discs[1:]], axis=1) if len(points) > 1 else discs
-    rows = np.stack([pairs.real, pairs.imag], axis=-1)
-    return united(shapely.convex_hull(shapely.multipoints(rows)))
 
 
 def simplified(points: Points, closed: bool, stray: float) -> Points:
@@ -138,6 +186,11 @@ def rectangle(left: float, top: float, right: float, bottom: float) -> Area:
 def holds(area: Area, point: Points) -> bool:
     """Whether a point (2,) is within an area, not at its edge."""
     return bool(shapely.contains(area, shapely.points(point)))
+
+
+def meet(one: Area, other: Area) -> bool:
+    """Whether two areas have a point in common."""
+    return bool(shapely.intersects(one, other))
 
 
 def size_of(area: Area) -> float:

@@ -6,5 +6,6 @@ All of it may meet hostile input: it runs in worker processes with limits of tim
 ``parse`` (elements; ``lenient``, ``names``) -> ``plain`` (``animation``, ``styles``, ``embedding``,
 ``sprites``, ``references``, ``shadows``, ``placing``, ``clipping``) -> ``monochrome`` (``near``,
 ``fitting``, ``strokes``) -> ``reading`` (a pictogram).
+``lines`` are those of a pictogram's own shapes (``shapes``, ``ink``), or traced.
 ``check`` guards ``resvg``, the renderer; ``rasterise`` brings a pictogram onto the canvas.
 """

@@ -70,7 +70,8 @@ class _Ink:
     """What has been painted so far: filled areas, and strokes that nothing has cut yet."""
 
     def __init__(self) -> None:
-        self._filled: Area = NOTHING
+        self._parts: list[Area] = []
+        """All that is filled; united only when that is needed."""
         self._strokes: list[_Stroke] = []
 
     def paint(self, shape: Shape) -> None:
@@ -80,45 +81,45 @@ class _Ink:
         inside = NOTHING
         if shape.fill != "none":
             inside = _clipped(areas.filled((row for row, _ in rows), shape.even_odd), clips)
-            self._add(inside) if shape.fill == "ink" else self._cut(inside)
+            self._parts.append(inside) if shape.fill == "ink" else self._cut(inside)
         if shape.stroke == "none":
             return
+        is_solid = shape.fill == "ink" and areas.size_of(inside) > _SPECK
         for stroke in _strokes(shape, rows):
             left = _clipped(stroke.area, clips)
             if shape.stroke == "paper":
                 self._cut(left)
-            elif shape.fill == "ink" or not stroke.width or _is_cut(stroke.area, left):
-                self._add(left)
+            elif is_solid or not stroke.width or _is_cut(stroke.area, left):
+                self._parts.append(left)
             else:
                 self._strokes.append(stroke)
 
     def cut_to(self, page: Area) -> None:
         """Cut off what lies outside of the page."""
-        self._filled = areas.common(self._filled, page)
+        self._parts = [areas.common(self._filled(), page)]
         self._keep_strokes(lambda one: areas.common(one, page))
 
     def area(self) -> Area:
         """Return all that is ink."""
-        return areas.united([self._filled, *(one.area for one in self._strokes)])
+        return areas.united([*self._parts, *(one.area for one in self._strokes)])
 
     def lines(self) -> tuple[Line, ...]:
         """Return the contours, then the strokes that are not hidden by what is filled."""
-        seen = [one for one in self._strokes if self._shows(one)]
+        filled = self._filled()
+        seen = [one for one in self._strokes if not _is_within(one.area, filled)]
         return (
-            *contours_of(areas.without_specks(self._filled, _SPECK)),
+            *contours_of(areas.without_specks(filled, _SPECK)),
             *(_centre_line(one, seen) for one in seen),
         )
 
-    def _shows(self, stroke: _Stroke) -> bool:
-        seen = areas.size_of(areas.without(stroke.area, self._filled))
-        return seen > _COVERED * areas.size_of(stroke.area)
-
-    def _add(self, area: Area) -> None:
-        self._filled = areas.united([self._filled, area])
+    def _filled(self) -> Area:
+        if len(self._parts) > 1:
+            self._parts = [areas.united(self._parts)]
+        return self._parts[0] if self._parts else NOTHING
 
     def _cut(self, area: Area) -> None:
-        self._filled = areas.without(self._filled, area)
-        self._keep_strokes(lambda one: areas.without(one, area))
+        self._parts = [areas.without(self._filled(), area)]
+        self._keep_strokes(lambda one: areas.without(one, area) if areas.meet(one, area) else one)
 
     def _keep_strokes(self, cut: Callable[[Area], Area]) -> None:
         """Let those strokes be areas of which ``cut`` leaves only a part."""
@@ -126,7 +127,7 @@ class _Ink:
         for stroke in self._strokes:
             left = cut(stroke.area)
             if _is_cut(stroke.area, left):
-                self._filled = areas.united([self._filled, left])
+                self._parts.append(left)
             else:
                 kept.append(stroke)
         self._strokes = kept
@@ -157,8 +158,8 @@ def _strokes(shape: Shape, rows: Sequence[tuple[Points, bool]]) -> list[_Stroke]
             flat = areas.stroked(local, closed, pen.width, pen.cap, pen.join, pen.mitre)
             area = areas.mapped(flat, shape.matrix)
         is_flat = pen.cap == "flat" and not closed
-        if is_flat and length_of(points) <= width:
-            width = 0.0
+        if pen.cap != "round" and not closed and length_of(points) <= width:
+            width = 0.0  # with round ends it would be another shape
         found.append(_Stroke(points, closed, width, is_flat, area))
     return found
 
@@ -208,6 +209,10 @@ def _clipped(area: Area, clips: Sequence[Area]) -> Area:
 def _is_cut(whole: Area, left: Area) -> bool:
     missing = areas.size_of(whole) - areas.size_of(left)
     return missing > max(_SPECK, _COVERED * areas.size_of(whole))
+
+
+def _is_within(one: Area, other: Area) -> bool:
+    return areas.size_of(areas.without(one, other)) <= _COVERED * areas.size_of(one)
 
 
 def _on_canvas(page: Box, matrix: Matrix) -> Area:

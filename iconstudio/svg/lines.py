@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.model import CANVAS, Frame, IconstudioError, Line
+from iconstudio.model.path import Path
 
 _TRACED = 4 * CANVAS
 """Side of the picture that is traced, in pixels."""
@@ -24,7 +25,6 @@ def lines_of(svg: str, frame: Frame, coverage: NDArray[np.uint8]) -> tuple[Line,
         If there are none.
     """
     # They load libraries, which the window's own process can do without.
-    from iconstudio.algorithms.contours import contours_of_path
     from iconstudio.algorithms.iconification.redraw import two_tone
     from iconstudio.algorithms.tracing.vectorize import trace
     from iconstudio.svg.ink import own_lines
@@ -32,10 +32,16 @@ def lines_of(svg: str, frame: Frame, coverage: NDArray[np.uint8]) -> tuple[Line,
 
     lines = own_lines(svg, frame, coverage)
     if lines is None:
-        path = trace(two_tone(render_coverage(svg, frame, _TRACED)), _SPECK)
-        lines = contours_of_path(path)
+        lines = lines_of_path(trace(two_tone(render_coverage(svg, frame, _TRACED)), _SPECK))
     if not lines:
         raise IconstudioError(
             "It has no lines: all of it is too small to be seen. Draw something larger."
         )
     return lines
+
+
+def lines_of_path(path: Path) -> tuple[Line, ...]:
+    """Return the contours of what a path fills by the nonzero rule."""
+    from iconstudio.algorithms.contours import contours_of_path
+
+    return contours_of_path(path)

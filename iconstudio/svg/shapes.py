@@ -11,6 +11,7 @@ from iconstudio.model.path import Path
 from iconstudio.svg.bounds import viewport
 from iconstudio.svg.geometry import SHAPES, outline, path_data
 from iconstudio.svg.lengths import (
+    IDENTITY,
     Box,
     Matrix,
     length,
@@ -23,8 +24,8 @@ from iconstudio.svg.lengths import (
 Tone = Literal["ink", "paper", "none"]
 """What becomes dark, what covers the dark, and what does neither."""
 
-_MOST = 5_000
-"""Shapes, each time that one is used."""
+_MOST, _MOST_SEGMENTS = 2_000, 20_000
+"""Shapes, each time that one is used, and segments of all: no icon has as many."""
 _DEEPEST = 60
 _CAPS = {"round": "round", "square": "square", "butt": "flat"}
 _JOINS = {"round": "round", "bevel": "bevel"}
@@ -119,7 +120,7 @@ class _Painter:
     def __init__(self, page: Box, ids: dict[str, ET.Element]) -> None:
         self._page = page
         self._ids = ids
-        self._count = 0
+        self._count = self._segments = 0
 
     def painted(self, element: ET.Element, space: _Space) -> Iterator[Shape]:
         if element.tag in _UNDRAWN or element.get("display") == "none":
@@ -209,7 +210,10 @@ class _Painter:
         pen = self._pen(said)
         if pen.width <= 0:
             stroke = "none"
-        path = outline(path_data(element, self._page), (1, 0, 0, 1, 0, 0))
+        path = outline(path_data(element, self._page), IDENTITY)
+        self._segments += sum(len(one.segments) for one in path.contours)
+        if self._segments > _MOST_SEGMENTS:
+            raise NotOfShapesError
         if not path or fill == stroke == "none":
             return None
         return Shape(

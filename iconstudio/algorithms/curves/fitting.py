@@ -8,141 +8,46 @@ import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.compiled import entry, part
+from iconstudio.algorithms.curves.joints import STRAIGHT, Marks, Numbers, Row, joints
 from iconstudio.model import Point
 from iconstudio.model.path import Contour, Segment
 
-Row = NDArray[np.complex128]
-Numbers = NDArray[np.float64]
-Marks = NDArray[np.bool_]
+Indices = NDArray[np.int64]
 
 TOLERANCE = 0.12
 """How far, in canvas units, a cubic may be off the points and what is straight between them."""
-_SHARP = np.radians(55)
-"""A turn that is a corner, however short its sides."""
-_BLUNT = np.radians(15)
-"""A turn that is a corner if its sides are long."""
-_BULGE = 0.2
-"""How far, in canvas units, an arc along a corner's shorter side would be off it."""
-_REACH = 0.4
-"""Canvas units along which a corner turns."""
-_STRAIGHT = 8.0
-"""Canvas units from which on what is straight between two points is meant to be."""
+_DOT = 0.01
+"""Canvas units that a dot measures: of a line of no length, some programs draw no round ends."""
+_LINE, _LEVEL = 3.0, 0.03
+"""Canvas units that a row of points measures at least, and is off a line at most, to be one."""
 _STEP = 1.0
 """Canvas units between points at which errors are measured, at most."""
 _ROUNDS = 4
-_LONGEST = 1.5
-"""A handle longer than this many times the row would loop."""
+_HOPELESS = 8
+"""A fit so many times further off than is allowed will not come near."""
+_SHORTEST, _LONGEST = 1e-3, 1.5
+"""Lengths of handles, as parts of the row, beyond which they are of no use."""
 
 
 def fitted(points: Row, closed: bool, tolerance: float = TOLERANCE) -> Contour:
     """Return a contour of lines and cubics through points (n,), no two in a row the same.
 
     Corners stay corners; where cubics join elsewhere, the direction is continuous. The error is at
-    most ``tolerance``. A single point is a line of no length.
+    most ``tolerance``. Fewer than three points are a line.
+
+    >>> circle = 50 * np.exp(2j * np.pi * np.arange(100) / 100)
+    >>> len(fitted(circle, closed=True).segments)
+    4
     """
     if len(points) < 3:
-        ends = [(complex(one), complex(one), complex(one), complex(one)) for one in points]
-        return Contour(_pair(ends[0][0]), ((_pair(ends[-1][0]),),), False)
-    pieces = fit(*_broken(points, closed), tolerance)
-    return _contour(pieces, closed)
-
-
-def _broken(points: Row, closed: bool) -> tuple[Row, Marks, Row, Row]:
-    """Return a row, where it breaks, and the directions into and out of each point.
-
-    A closed row begins at a break, if there is one, and its first point is its last again.
-    """
+        end = points[-1] + (_DOT if len(points) == 1 else 0)
+        return Contour(_pair(points[0]), ((_pair(end),),), False)
+    breaks, into, out = joints(points, closed)
     if closed:
-        breaks, _, _ = _joints(np.append(points, points[0]), True)
-        start = int(breaks[:-1].argmax())
-        points = np.roll(points, -start)
-        points = np.append(points, points[0])
-    breaks, into, out = _joints(points, closed)
+        row = (int(breaks.argmax()) + np.arange(len(points) + 1)) % len(points)
+        points, breaks, into, out = points[row], breaks[row], into[row], out[row]
     breaks[0] = breaks[-1] = True
-    return points, breaks, into, out
-
-
-def _joints(points: Row, closed: bool) -> tuple[Marks, Row, Row]:
-    """Return which points are breaks, and the directions into and out of each."""
-    sides = np.diff(points)
-    lengths: Numbers = abs(sides)
-    ways = sides / lengths
-    if closed:
-        before, after = np.append(ways[-1], ways), np.append(ways, ways[0])
-        one, other = np.append(lengths[-1], lengths), np.append(lengths, lengths[0])
-    else:
-        before, after = np.append(ways[0], ways), np.append(ways, ways[-1])
-        one, other = np.append(lengths[0], lengths), np.append(lengths, lengths[-1])
-    turn = np.angle(after * before.conj())
-    corner = _corners(points, closed, turn, np.minimum(one, other))
-    # A circle through three points turns along its chords in proportion to them.
-    smooth = before * np.exp(1j * turn * one / (one + other))
-    straight = lengths > _STRAIGHT
-    ends = np.zeros(len(points), bool)
-    ends[:-1] |= straight
-    ends[1:] |= straight
-    if closed:
-        ends[0] = ends[-1] = ends[0] | ends[-1]
-    line_in, line_out = one > _STRAIGHT, other > _STRAIGHT
-    way = np.where(line_in & ~line_out, before, np.where(line_out & ~line_in, after, smooth))
-    loose = corner.copy()
-    if not closed:
-        loose[0] = loose[-1] = True
-    into, out = way.copy(), way.copy()
-    at = np.flatnonzero(loose)
-    into[at], out[at] = before[at], after[at]
-    _bend_ends(at, into, out, ways, lengths, loose, closed)
-    return corner | ends, into, out
-
-
-def _corners(points: Row, closed: bool, turn: Numbers, shorter: Numbers) -> Marks:
-    """Return which points are corners."""
-    along = np.append(0.0, np.cumsum(abs(np.diff(points))))
-    places = along[:, None] + (-_REACH, _REACH)
-    if closed:
-        places = places % along[-1]
-    near = np.interp(places, along, points)
-    whole = abs(np.angle((near[:, 1] - points) * (points - near[:, 0]).conj()))
-    if not closed:
-        whole[0] = whole[-1] = 0.0
-        turn = turn.copy()
-        turn[0] = turn[-1] = 0.0
-    sizes = abs(turn)
-    found: Marks = (sizes > _BLUNT) & ((sizes * shorter / 8 > _BULGE) | (sizes > _SHARP))
-    # Of a turn in several steps, the sharpest is the corner.
-    for one in np.flatnonzero((whole > _SHARP) & ~found & (sizes > _BLUNT)):
-        apart = abs(along - along[one])
-        if closed:
-            apart = np.minimum(apart, along[-1] - apart)
-        around = apart <= _REACH
-        if not found[around].any() and sizes[one] >= sizes[around].max():
-            found[one] = True
-    if closed:
-        found[0] = found[-1] = found[0] | found[-1]
-    return found
-
-
-def _bend_ends(
-    at: NDArray[np.intp], into: Row, out: Row, ways: Row, lengths: Numbers,
-    loose: Marks, closed: bool,
-) -> None:  # fmt: skip
-    """Turn the directions at corners from the chords next to them to the arcs along these."""
-    count = len(ways)
-    for corner in at:
-        for step, found in ((1, out), (-1, into)):
-            first = corner if step == 1 else corner - 1
-            second = first + step
-            if closed:
-                first, second = first % count, second % count
-            elif not (0 <= first < count and 0 <= second < count):
-                continue
-            between = (max(first, second)) % (count if closed else count + 1)
-            if loose[between] or max(lengths[first], lengths[second]) > _STRAIGHT:
-                continue
-            turned = np.angle(ways[second] * np.conj(ways[first]))
-            if abs(turned) < _SHARP:
-                share = lengths[first] / (lengths[first] + lengths[second])
-                found[corner] = ways[first] * np.exp(-1j * turned * share)
+    return _contour(fit(points, breaks, into, out, tolerance), closed)
 
 
 @entry
@@ -190,112 +95,130 @@ def fit(points: Row, breaks: Marks, into: Row, out: Row, tolerance: float) -> Ro
 def _cubic(
     points: Row, a: int, b: int, start: complex, end: complex, tolerance: float
 ) -> tuple[Row, float, int]:
-    """Return the cubic from one point to another, its error, and the point that is furthest off."""
-    cubic = np.empty(4, np.complex128)
-    cubic[0], cubic[3] = points[a], points[b]
-    chord = points[b] - points[a]
-    middle = (a + b) // 2
-    if middle == a:
-        middle = a + 1
-    straight = 0.0
-    size = abs(chord)
-    if size > 0:
-        way = chord / size
-        for k in range(a + 1, b):
-            away = points[k] - points[a]
-            ahead = (away * way.conjugate()).real
-            off = abs((away * way.conjugate()).imag)
-            if ahead < 0 or ahead > size:
-                off = tolerance
-            straight = max(straight, off)
-    if size > 0 and (
-        (b == a + 1 and size > 8.0) or (b > a + 1 and size > 3.0 and straight < tolerance / 4)
-    ):
-        cubic[1], cubic[2] = cubic[0], cubic[3]
-        return cubic, straight, middle
-    # Points no more than a step apart.
-    many = 0
+    """Return the piece from one point to another, its error, and the point that is furthest off.
+
+    It leaves the one in the direction ``start``, and comes to the other in the direction ``end``.
+    """
+    best = np.empty(4, np.complex128)
+    best[0], best[1], best[2], best[3] = points[a], points[a], points[b], points[b]
+    middle = max(a + 1, (a + b) // 2)
+    away = _off_chord(points, a, b)
+    length = abs(points[b] - points[a])
+    if b == a + 1:
+        chord = points[b] - points[a]
+        bend = max(abs(chord - length * start), abs(chord - length * end))
+        straight = length > STRAIGHT or bend < _LEVEL
+    else:
+        straight = length > _LINE and away < _LEVEL
+    if straight:
+        return best, away, middle
+    row, owner = _sampled(points, a, b)
+    u = np.empty(len(row))
+    u[0] = 0.0
+    for k in range(1, len(row)):
+        u[k] = u[k - 1] + abs(row[k] - row[k - 1])
+    whole = u[-1]
+    u /= whole
+    cubic = best.copy()
+    least, furthest = np.inf, middle
+    for _ in range(_ROUNDS):
+        first, second = _handles(row, u, cubic, start, end, whole)
+        cubic[1], cubic[2] = cubic[0] + first * start, cubic[3] - second * end
+        worst, where = _step(row, u, cubic)
+        if worst < least:
+            best[:] = cubic
+            least, furthest = worst, owner[where]
+        if worst < tolerance or worst > _HOPELESS * tolerance:
+            break
+    if b == a + 1 and least > tolerance:  # a side between two corners missed
+        best[1], best[2] = best[0], best[3]
+        return best, 0.0, middle
+    return best, least, furthest if a < furthest < b else middle
+
+
+@part
+def _off_chord(points: Row, a: int, b: int) -> float:
+    """Return how far points are from what is straight between the first and the last."""
+    way = points[b] - points[a]
+    length = abs(way)
+    if length == 0:
+        return np.inf
+    way /= length
+    most = 0.0
+    for k in range(a + 1, b):
+        ahead = (points[k] - points[a]) * way.conjugate()
+        if not 0 <= ahead.real <= length:
+            return np.inf
+        most = max(most, abs(ahead.imag))
+    return most
+
+
+@part
+def _sampled(points: Row, a: int, b: int) -> tuple[Row, Indices]:
+    """Return points along a row no more than a step apart, and which of its own is nearest."""
+    many = 1
     for k in range(a, b):
-        many += max(1, int(np.ceil(abs(points[k + 1] - points[k]) / 1.0)))
-    row = np.empty(many + 1, np.complex128)
-    owner = np.empty(many + 1, np.int64)
+        many += max(1, int(np.ceil(abs(points[k + 1] - points[k]) / _STEP)))
+    row, owner = np.empty(many, np.complex128), np.empty(many, np.int64)
     at = 0
     for k in range(a, b):
-        steps = max(1, int(np.ceil(abs(points[k + 1] - points[k]) / 1.0)))
+        steps = max(1, int(np.ceil(abs(points[k + 1] - points[k]) / _STEP)))
         for i in range(steps):
             row[at] = points[k] + (points[k + 1] - points[k]) * (i / steps)
             owner[at] = k if 2 * i < steps else k + 1
             at += 1
-    row[at] = points[b]
-    owner[at] = b
-    u = np.empty(many + 1)
-    u[0] = 0.0
-    for k in range(many):
-        u[k + 1] = u[k] + abs(row[k + 1] - row[k])
-    whole = u[many]
-    u /= whole
-    best = cubic.copy()
-    least = np.inf
-    furthest = middle
-    for _ in range(4):
-        c00, c01, c11, x0, x1 = 0.0, 0.0, 0.0, 0.0, 0.0
-        for k in range(1, many):
-            t = u[k]
-            v = 1 - t
-            b0, b1, b2, b3 = v * v * v, 3 * v * v * t, 3 * v * t * t, t * t * t
-            one, other = start * b1, -end * b2
-            rest = row[k] - cubic[0] * (b0 + b1) - cubic[3] * (b2 + b3)
-            c00 += b1 * b1
-            c01 += (one * other.conjugate()).real
-            c11 += b2 * b2
-            x0 += (one.conjugate() * rest).real
-            x1 += (other.conjugate() * rest).real
-        det = c00 * c11 - c01 * c01
-        if det > 1e-9 * c00 * c11:
-            first, second = (x0 * c11 - x1 * c01) / det, (c00 * x1 - c01 * x0) / det
-        else:
-            first = second = whole / 3
-        if first < 1e-3 * whole or first > 1.5 * whole:
-            first = whole / 3
-            det = 0.0
-        if second < 1e-3 * whole or second > 1.5 * whole:
-            second = whole / 3
-            det = 0.0
-        cubic[1], cubic[2] = cubic[0] + start * first, cubic[3] - end * second
-        worst, where = 0.0, middle
-        for k in range(1, many):
-            t = u[k]
-            v = 1 - t
-            spot = (
-                v * v * v * cubic[0]
-                + 3 * v * v * t * cubic[1]
-                + 3 * v * t * t * cubic[2]
-                + t * t * t * cubic[3]
-            )
-            gap = spot - row[k]
-            if abs(gap) > worst:
-                worst, where = abs(gap), owner[k]
-            # A Newton step moves each parameter to the foot of its point.
-            speed = 3 * (
-                v * v * (cubic[1] - cubic[0])
-                + 2 * v * t * (cubic[2] - cubic[1])
-                + t * t * (cubic[3] - cubic[2])
-            )
-            bend = 6 * (
-                v * (cubic[2] - 2 * cubic[1] + cubic[0]) + t * (cubic[3] - 2 * cubic[2] + cubic[1])
-            )
-            slope = abs(speed) ** 2 + (gap.conjugate() * bend).real
-            if slope > 1e-9:
-                u[k] = min(max(t - (gap.conjugate() * speed).real / slope, 0.0), 1.0)
-        if worst < least:
-            best[:] = cubic
-            least = worst
-            furthest = where
-        if worst < tolerance or worst > 8 * tolerance:
-            break
-    if furthest <= a or furthest >= b:
-        furthest = middle
-    return best, least, furthest
+    row[at], owner[at] = points[b], b
+    return row, owner
+
+
+@part
+def _handles(
+    row: Row, u: Numbers, cubic: Row, start: complex, end: complex, whole: float
+) -> tuple[float, float]:
+    """Return the lengths of the handles by least squares; a third of the row if they are odd."""
+    c00, c01, c11, x0, x1 = 0.0, 0.0, 0.0, 0.0, 0.0
+    for k in range(1, len(row) - 1):
+        t, v = u[k], 1 - u[k]
+        b1, b2 = 3 * v * v * t, 3 * v * t * t
+        one, other = start * b1, -end * b2
+        rest = row[k] - cubic[0] * (v * v * v + b1) - cubic[3] * (b2 + t * t * t)
+        c00 += b1 * b1
+        c01 += (one * other.conjugate()).real
+        c11 += b2 * b2
+        x0 += (one.conjugate() * rest).real
+        x1 += (other.conjugate() * rest).real
+    determinant = c00 * c11 - c01 * c01
+    first = second = 0.0
+    if determinant > 1e-9 * c00 * c11:
+        first = (x0 * c11 - x1 * c01) / determinant
+        second = (c00 * x1 - c01 * x0) / determinant
+    if not _SHORTEST * whole < first < _LONGEST * whole:
+        first = whole / 3
+    if not _SHORTEST * whole < second < _LONGEST * whole:
+        second = whole / 3
+    return first, second
+
+
+@part
+def _step(row: Row, u: Numbers, cubic: Row) -> tuple[float, int]:
+    """Return the largest error and where it is, and move each parameter to the foot of its point.
+
+    That is a step of Newton's method, in place.
+    """
+    worst, where = 0.0, 0
+    p0, p1, p2, p3 = cubic[0], cubic[1], cubic[2], cubic[3]
+    for k in range(1, len(row) - 1):
+        t, v = u[k], 1 - u[k]
+        spot = v * v * v * p0 + 3 * v * v * t * p1 + 3 * v * t * t * p2 + t * t * t * p3
+        gap = spot - row[k]
+        if abs(gap) > worst:
+            worst, where = abs(gap), k
+        speed = 3 * (v * v * (p1 - p0) + 2 * v * t * (p2 - p1) + t * t * (p3 - p2))
+        bend = 6 * (v * (p2 - 2 * p1 + p0) + t * (p3 - 2 * p2 + p1))
+        slope = abs(speed) ** 2 + (gap.conjugate() * bend).real
+        if slope > 1e-9:
+            u[k] = min(max(t - (gap.conjugate() * speed).real / slope, 0.0), 1.0)
+    return worst, where
 
 
 def _contour(pieces: Row, closed: bool) -> Contour:

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms import areas
 from iconstudio.algorithms.areas import Area, Points
+from iconstudio.algorithms.curves.brush import sides, turns
 from iconstudio.algorithms.curves.fitting import fitted
 from iconstudio.model import Line
 from iconstudio.model.path import Contour, Path
@@ -20,20 +21,19 @@ _SPECK = 0.25
 def path_of(lines: Iterable[Line]) -> Path:
     """Return what lines draw as one outline without overlaps, filled by the nonzero rule.
 
-    Contours are filled together; strokes are drawn with round ends and joins.
+    Contours are filled together (``areas.inked``); strokes have round ends and joins.
     """
     contours: list[Points] = []
     strokes: list[Area] = []
     for line in lines:
         points = _points(line)
         if line.widths:
-            widths = np.array(line.widths, dtype=float)
-            strokes.append(areas.brushed(points, line.closed, widths))
+            strokes.append(_brushed(points, line.closed, np.array(line.widths, dtype=float)))
         elif line.width > 0:
             strokes.append(areas.stroked(_without_repeats(points), line.closed, line.width))
         else:
             contours.append(_without_repeats(points))
-    whole = areas.united([areas.filled(contours), *strokes])
+    whole = areas.united([areas.inked(contours), *strokes])
     rings = areas.outlines(areas.without_specks(whole, _SPECK), _STRAY)
     return Path(tuple(_fitted(ring, True) for ring in rings))
 
@@ -59,11 +59,27 @@ def _fitted(points: Points, closed: bool) -> Contour:
     return fitted(points[:, 0] + 1j * points[:, 1], closed)
 
 
+def _brushed(points: Points, closed: bool, widths: NDArray[np.float64]) -> Area:
+    """Return what a round brush covers along a line, with its width at each point."""
+    new = _is_new(points)
+    points, widths = points[new], np.maximum(widths[new], 0)
+    row = points[:, 0] + 1j * points[:, 1]
+    rings = sides(row, closed, widths / 2)
+    discs = [areas.stroked(points[[at]], False, widths[at]) for at in turns(row, closed)]
+    return areas.united(
+        [areas.filled(np.column_stack([one.real, one.imag]) for one in rings), *discs]
+    )
+
+
 def _points(line: Line) -> Points:
     return np.array(line.points, dtype=float).reshape(-1, 2)
 
 
 def _without_repeats(points: Points) -> Points:
-    """Return points without those that are where the one before is."""
+    return points[_is_new(points)]
+
+
+def _is_new(points: Points) -> NDArray[np.bool_]:
+    """Return which points are not where the one before is."""
     new: NDArray[np.bool_] = np.append(True, (points[1:] != points[:-1]).any(axis=1))
-    return points[new]
+    return new
