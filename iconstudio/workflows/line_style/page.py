@@ -1,0 +1,138 @@
+"""The page of line styles: lines, the style that they take, and which lines are selected."""
+
+from dataclasses import dataclass, field, replace
+
+from iconstudio.model import CANVAS, Line, LineStyle, Pictogram, Point, Restyling, StylePair
+from iconstudio.workflows.line_style.restyling import LARGEST, SMALLEST, STRONGEST, WEAKEST
+from iconstudio.workflows.pages import Document
+
+OWN = "My style"
+"""The name of a style that is being drawn."""
+WIDTH = 14.0
+"""Of strokes that are drawn freehand, in canvas units."""
+
+
+@dataclass(frozen=True, slots=True)
+class RestylePage:
+    """What is restyled, and how."""
+
+    work: Restyling = field(default_factory=Restyling)
+    selected: frozenset[int] = frozenset()
+    """The lines that a style is chosen for, by number; all if there are none."""
+
+    @property
+    def empty(self) -> bool:
+        """Whether there are neither lines nor a style."""
+        return self == RestylePage()
+
+    @property
+    def has_lines(self) -> bool:
+        """Whether there is something to restyle."""
+        return self.work.icon is not None or bool(self.work.strokes)
+
+    @property
+    def complete(self) -> bool:
+        """Whether there are lines, and a style for all of them."""
+        return self.has_lines and self.work.style is not None
+
+    @property
+    def drawn(self) -> LineStyle | None:
+        """The style that is being drawn, if it is."""
+        style = self.work.style
+        return style if style is not None and style.name == OWN else None
+
+    def elsewhere(self, before: "RestylePage") -> bool:
+        """Whether so much differs from ``before`` that the view should be fitted anew."""
+        return self.work.icon != before.work.icon
+
+
+RestyleDocument = Document[RestylePage]
+
+
+def take_icon(document: RestyleDocument, icon: Pictogram) -> None:
+    """Restyle the lines of another icon; strokes that were drawn stay."""
+    work = replace(document.page.work, icon=icon, others=())
+    document.change("choose icon", RestylePage(work))
+
+
+def set_style(document: RestyleDocument, style: LineStyle) -> None:
+    """Choose a style for the selected lines, or for all."""
+    page = document.page
+    if not page.selected or page.work.style is None:
+        document.change(
+            "choose style", replace(page, work=replace(page.work, style=style, others=()))
+        )
+        return
+    others = dict(page.work.others) | dict.fromkeys(page.selected, style)
+    some = tuple(sorted((n, one) for n, one in others.items() if one != page.work.style))
+    document.change("choose style", replace(page, work=replace(page.work, others=some)))
+
+
+def add_example(document: RestyleDocument, points: tuple[Point, ...], plain: bool) -> None:
+    """Draw an example of a style: a styled stroke, or the plain one that belongs to the last."""
+    page = document.page
+    pairs = page.drawn.pairs if page.drawn is not None else ()
+    if not plain:
+        pairs = (*pairs, StylePair(points))
+    elif pairs:
+        pairs = (*pairs[:-1], replace(pairs[-1], plain=points))
+    else:
+        return
+    style = replace(page.drawn or LineStyle(OWN, ()), pairs=pairs)
+    _change(document, "draw example", style=style)
+
+
+def clear_example(document: RestyleDocument) -> None:
+    """Draw the example anew."""
+    if document.page.drawn is not None:
+        _change(document, "clear example", style=None)
+
+
+def add_stroke(document: RestyleDocument, points: tuple[Point, ...], width: float) -> None:
+    """Draw a line freehand."""
+    strokes = (*document.page.work.strokes, Line(points, width=width))
+    _change(document, "draw line", strokes=strokes)
+
+
+def clear_lines(document: RestyleDocument) -> None:
+    """Remove all lines, and the icon."""
+    work = replace(document.page.work, icon=None, strokes=(), others=())
+    document.change("remove lines", RestylePage(work))
+
+
+def select(document: RestyleDocument, lines: frozenset[int]) -> None:
+    """Select lines; that is no edit."""
+    document.show(replace(document.page, selected=lines))
+
+
+def set_strength(document: RestyleDocument, strength: float) -> None:
+    """Set how far lines go from the plain ones."""
+    value = min(max(strength, WEAKEST), STRONGEST)
+    _change(document, "change strength", "strength", strength=value)
+
+
+def set_size(document: RestyleDocument, size: float) -> None:
+    """Set how large the texture is."""
+    _change(document, "change size", "size", size=min(max(size, SMALLEST), LARGEST))
+
+
+def set_seed(document: RestyleDocument, seed: int) -> None:
+    """Set what random choices depend on."""
+    _change(document, "change seed", "seed", seed=seed)
+
+
+def set_turning(document: RestyleDocument, turning: bool | None) -> None:
+    """Let the style turn with the line, or not; None as it says itself."""
+    _change(document, "turn with the line", turning=turning)
+
+
+def on_canvas(points: tuple[Point, ...]) -> bool:
+    """Whether a line has a part on the canvas."""
+    return any(0 <= x <= CANVAS and 0 <= y <= CANVAS for x, y in points)
+
+
+def _change(document: RestyleDocument, text: str, gesture: object = None, **fields: object) -> None:
+    page = document.page
+    work = replace(page.work, **fields)  # type: ignore[arg-type]  # as their callers say
+    if work != page.work:
+        document.change(text, replace(page, work=work), gesture)
