@@ -24,6 +24,7 @@ ADAPTERS = {
     "pillow_heif": {"images/pillow.py"},
     "potrace": {"algorithms/tracing/potrace.py"},
     "tqdm": {"cli/progress.py"},
+    "distributed": {"cluster.py"},
 }
 
 
@@ -92,7 +93,8 @@ def test_rooms_stay_small():
 
 
 @pytest.mark.parametrize(
-    "command", ["", "demo", "edit", "hybrids", "model", "montage", "search", "show"]
+    "command",
+    ["", "demo", "edit", "hybrids", "model", "montage", "restyle", "scribble", "search", "show"],
 )
 def test_no_command_but_the_window_imports_qt(command):
     code = (

@@ -39,6 +39,7 @@ class _Commands(click.Group):
         "demo": "Remix an example sketch, in the window if one can open.",
         "gallery": "Draw sketches with their chosen results in one picture.",
         "library": "Build the collection of icons.",
+        "scribble": "Draw a new line in a line style.",
         "search": "List the icons that a word retrieves.",
         "show": "Say whose an icon is, and draw it on its canvas.",
     }

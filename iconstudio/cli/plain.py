@@ -7,7 +7,7 @@ from typing import Any
 import click
 
 from iconstudio.cli import running
-from iconstudio.cli.timing import profile_option, profiled
+from iconstudio.cli.timing import Stopwatch, profile_option, profiled
 from iconstudio.output.icons import IconsReport
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
@@ -26,12 +26,18 @@ def command_of(workflow: Workflow[Any]) -> click.Command:
     def command(file: Path, folder: Path, fine: bool, profile: bool) -> None:
         with profiled(profile) as stopwatch, Session() as session:
             events = _reading_and_running(session, workflow, file, running.side_of(fine))
-            report = IconsReport(folder, workflow.name)
-            results = running.run(session, events, report, stopwatch)
-        icons = "1 icon" if results == 1 else f"{results} icons"
-        click.echo(f"{icons}; see {click.format_filename(folder / 'sheet.png')}")
+            into_folder(session, events, folder, workflow.name, stopwatch)
 
     return command
+
+
+def into_folder(
+    session: Session, events: Generator[Event], folder: Path, name: str, stopwatch: Stopwatch
+) -> None:
+    """Run a workflow, write its icons into a folder, and say what is there."""
+    results = running.run(session, events, IconsReport(folder, name), stopwatch)
+    icons = "1 icon" if results == 1 else f"{results} icons"
+    click.echo(f"{icons}; see {click.format_filename(folder / 'sheet.png')}")
 
 
 def _reading_and_running(

@@ -32,6 +32,8 @@ T = TypeVar("T")
 LIMIT = 200
 """Most pictograms for a keyword (section 3.1)."""
 
+_PART = 500
+"""Icons that are asked for at a time: a question has room for so many."""
 _DAMAGED = "The unpacked icon collection is damaged, and unpacked anew: %s"
 _LOOK_UP = " Search for what it shows instead, with a word such as 'dog'."
 _FEW = 20
@@ -98,7 +100,8 @@ class Collection:
         except BaseException:
             self._database.close()
             raise
-        self._prefixes = frozenset(credits[0] for credits in self._sets.values())
+        self.sets = frozenset(credits[0] for credits in self._sets.values())
+        """The names of all sets."""
         self._lookup = Lookup(self._rows)
         self._cells: NDArray[np.uint64] = stack([cells])
         self._blackness = np.frombuffer(blackness, dtype=np.uint8)
@@ -207,7 +210,7 @@ class Collection:
         IconstudioError
             If there is none; the message names what is near.
         """
-        spelt = list(query.identifiers(identifier, self._prefixes))
+        spelt = list(query.identifiers(identifier, self.sets))
         numbers = self._numbers([identifier]) or self._numbers(spelt)
         if not numbers:
             meant = spelt[0] if spelt else identifier
@@ -216,6 +219,16 @@ class Collection:
                 f"{_hint(self._near(meant)) or _LOOK_UP}"
             )
         return self._pictograms(numbers[:1])[0]
+
+    @_mended
+    def of_set(self, name: str) -> tuple[Pictogram, ...]:
+        """Return all icons of a set, in the order of their names."""
+        rows = self._rows(
+            "SELECT number FROM icon WHERE id GLOB ? ORDER BY id", (f"{_glob(name)}:*",)
+        )
+        numbers = [row[0] for row in rows]
+        parts = (numbers[start : start + _PART] for start in range(0, len(numbers), _PART))
+        return tuple(icon for part in parts for icon in self._pictograms(part))
 
     def _near(self, identifier: str) -> tuple[str, ...]:
         """Return identifiers near to ``identifier``: of that name, or else spelt alike.
@@ -258,7 +271,7 @@ class Collection:
 
         If the keyword is an identifier, its icon comes first, then what has the same name.
         """
-        spelt = list(query.identifiers(keyword, self._prefixes))
+        spelt = list(query.identifiers(keyword, self.sets))
         meant = dict.fromkeys(self._numbers(spelt)[:1], -1)
         if ":" in keyword:
             return self._lookup.scores(_name(keyword)) | meant

@@ -2,15 +2,17 @@
 
 import hashlib
 import re
+from collections.abc import Iterable, Sequence
 from xml.sax.saxutils import escape, quoteattr
 
-from iconstudio.model import CANVAS, Credit, Icon, Pictogram
+from iconstudio.model import CANVAS, Credit, Icon, Path, Pictogram
 from iconstudio.svg.mark import IN_MARKUP
 
 _NO_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 """Characters that XML cannot hold."""
 _REPLACEMENT = "\ufffd"
 _NO_WORD = re.compile(r"[\W_]+")
+_ROUND = ' stroke-linecap="round" stroke-linejoin="round"'
 _SLUG = 40
 """Most characters that a title lends to an identifier."""
 
@@ -18,16 +20,35 @@ _SLUG = 40
 def svg_document(icon: Icon) -> str:
     """Return an icon as an SVG document: one path in ``currentColor``, with a title.
 
-    It is as large as the canvas, a unit a pixel, where nothing else is said.
+    It is as large as the canvas, a unit a pixel, where nothing else is said; see ``document``.
+    """
+    return document(icon.title, icon.credits, [(icon.path, 0.0)])
+
+
+def document(
+    title: str,
+    credits: Sequence[Pictogram],
+    drawn: Iterable[tuple[Path, float]],
+    size: tuple[float, float] = (CANVAS, CANVAS),
+) -> str:
+    """Return paths as an SVG document in ``currentColor``, a unit a pixel.
 
     The metadata credit everyone whose icon it was made of, in Dublin Core for machines and in
     words for people. Characters that XML cannot hold are replaced by U+FFFD.
+
+    Parameters
+    ----------
+    drawn
+        Paths, each with the width of its stroke, whose ends and joins are round; 0 is filled.
+    size
+        Width and height.
     """
-    works = "".join(_work(pictogram) for pictogram in icon.credits)
-    title = _text(icon.title)
+    works = "".join(map(_work, credits))
+    title = _text(title)
+    width, height = (f"{side:g}" for side in size)
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" {IN_MARKUP}'
-        f' width="{CANVAS}" height="{CANVAS}" viewBox="0 0 {CANVAS} {CANVAS}"'
+        f' width="{width}" height="{height}" viewBox="0 0 {width} {height}"'
         ' fill="currentColor">\n'
         f"<title>{title}</title>\n"
         "<metadata>\n"
@@ -37,20 +58,19 @@ def svg_document(icon: Icon) -> str:
         '<cc:Work rdf:about="">\n'
         f"<dc:title>{title}</dc:title>\n"
         "<dc:format>image/svg+xml</dc:format>\n"
-        f"<dc:rights>{_text(credits_text(icon))}</dc:rights>\n"
+        f"<dc:rights>{_text(_in_words(credits))}</dc:rights>\n"
         f"<dc:source>\n<rdf:Bag>\n{works}</rdf:Bag>\n</dc:source>\n"
         "</cc:Work>\n"
         "</rdf:RDF>\n"
         "</metadata>\n"
-        f"<path d={quoteattr(icon.path.svg())}/>\n"
+        f"{''.join(_path(path, stroke) for path, stroke in drawn)}"
         "</svg>\n"
     )
 
 
 def credits_text(icon: Icon) -> str:
     """Return the credits of an icon as plain text, one a line."""
-    lines = [_line(pictogram.credit) for pictogram in icon.credits]
-    return "\n".join(["Made of parts of:", *lines]) if lines else ""
+    return _in_words(icon.credits)
 
 
 def pictogram_of(icon: Icon) -> Pictogram:
@@ -68,6 +88,16 @@ def pictogram_of(icon: Icon) -> Pictogram:
         credit=Credit(icon.title, "you, with Iconstudio", ", ".join(licences), "", ""),
         made_of=icon.credits,
     )
+
+
+def _in_words(credits: Sequence[Pictogram]) -> str:
+    lines = [_line(pictogram.credit) for pictogram in credits]
+    return "\n".join(["Made of parts of:", *lines]) if lines else ""
+
+
+def _path(path: Path, stroke: float) -> str:
+    painted = f' fill="none" stroke="currentColor" stroke-width="{stroke:.6g}"{_ROUND}'
+    return f"<path d={quoteattr(path.svg())}{painted if stroke else ''}/>\n"
 
 
 def _line(credit: Credit) -> str:

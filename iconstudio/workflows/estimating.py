@@ -58,6 +58,14 @@ def spoken(seconds: float) -> str:
     return f"about {max(1, round(seconds / 60))} min left"
 
 
+def remaining(done: int, left: int, seconds: float) -> float | None:
+    """Return the seconds that as many tasks still take, or None if that cannot be told yet.
+
+    Of tasks in no special order, ``done`` took ``seconds``.
+    """
+    return seconds * left / done if done else None
+
+
 class Estimate:
     """What is known of a run's length; times are seconds of one clock. See ``estimated``."""
 

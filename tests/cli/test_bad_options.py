@@ -18,6 +18,7 @@ FILES = {
     "edit": {"icon": "no:such", "keyword": "xqzvw", "add": [SQUARE]},
     "hybrids": {"icons": ["no:such", "no:other"]},
     "montage": {"layers": [{"icon": "no:such"}]},
+    "restyle": {"icon": "no:such"},
 }
 """What each command takes, of icons and words that there are not."""
 GRID = ["--keyword", "--exclude", "--styles", "--lambdas", "--scales", "--dump", "--fine"]
@@ -26,6 +27,8 @@ OPTIONS = {
     "edit": GRID,
     "hybrids": ["--draws", "--seed", "--fine"],
     "montage": ["--fine"],
+    "restyle": ["--style", "--seed", "--strength", "--size", "--strokes", "--set", "--scheduler"],
+    "scribble": ["--style", "--seed"],
     "show": [],
     "search": ["--exclude"],
     "demo": [],
@@ -58,6 +61,8 @@ def test_bad_options_are_told(tmp_path, capsys, command, data):
         file = tmp_path / "input.json"
         file.write_text(json.dumps(FILES[command]), "utf-8")
         words += [str(file), "--out", str(tmp_path / "out")]
+    elif command == "scribble":
+        words += ["--out", str(tmp_path / "out.svg"), "--length", data.draw(values)]
     elif command == "gallery":
         words += ["--out", str(tmp_path / "no" / "gallery.png")]
     elif command == "demo":
@@ -66,7 +71,7 @@ def test_bad_options_are_told(tmp_path, capsys, command, data):
     else:
         words.append(data.draw(values.filter(str.isalpha).map("xqzvw{}".format)))
     for option in data.draw(st.lists(st.sampled_from(OPTIONS[command] or ["--x"]), max_size=3)):
-        value = None if option in ("--dump", "--fine") else data.draw(values)
+        value = None if option in ("--dump", "--fine", "--strokes") else data.draw(values)
         if option == "--keyword" and value and value.strip():
             value = f"xqzvw{value}"  # else there may be icons of it
         words += [option, *([] if value is None else [value])]

@@ -111,12 +111,12 @@ def icon_of(
 ) -> Icon:
     """Return a restyled icon: thanks to the icon's makers, and to the styles' authors."""
     own = work.icon.origins if work.icon is not None else ()
-    thanks = dict.fromkeys(map(_thanks, filter(lambda style: style.author, styles)))
+    authors = dict.fromkeys(map(thanks, filter(lambda style: style.author, styles)))
     subject = work.icon.credit.title if work.icon is not None else "lines"
     return Restyled(
         path,
         f"{subject}, {styles[0].name}",
-        (*own, *thanks),
+        (*own, *authors),
         lines=lines,
     )
 
@@ -128,7 +128,7 @@ def _style_of(work: Restyling, number: int) -> LineStyle:
     return style
 
 
-def _thanks(style: LineStyle) -> Pictogram:
+def thanks(style: LineStyle) -> Pictogram:
     """Return a line style as what an icon was made of."""
     credit = Credit(f"{style.name} (line style)", style.author, style.license, "", "")
     return Pictogram(f"style:{style.name}", "", credit)

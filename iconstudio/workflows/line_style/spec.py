@@ -19,6 +19,7 @@ LINE_STYLE = Workflow(
     invitation="Restyle its lines",
     file=RestyleFile,
     run=lazily("iconstudio.workflows.line_style.restyling:run"),
+    command="iconstudio.cli.restyle:command",
     work=Restyling,
     take=_with_icon,
 )

@@ -1,0 +1,142 @@
+"""What ``iconstudio restyle`` and ``iconstudio scribble`` share: the options of line styles."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import click
+
+from iconstudio.cli.rows import row
+from iconstudio.files import replaceable
+from iconstudio.inputs.line_style import read_style
+from iconstudio.inputs.styles import bundled, named
+from iconstudio.model import IconstudioError, LineStyle
+from iconstudio.workflows.line_style.restyling import LARGEST, SMALLEST, STRONGEST, WEAKEST
+
+LARGEST_SEED = 2**53
+_SUFFIXES = (".json",)
+
+
+class Between(click.ParamType):  # type: ignore[type-arg]  # generic only since Click 8.5
+    """A number within bounds; click's own takes NaN for one."""
+
+    name = "number"
+
+    def __init__(self, smallest: float, largest: float) -> None:
+        self._bounds = smallest, largest
+
+    def convert(
+        self, value: Any, param: click.Parameter | None, ctx: click.Context | None
+    ) -> float:
+        """Read a number."""
+        smallest, largest = self._bounds
+        try:
+            number = float(value)
+        except ValueError:
+            self.fail(f"{value!r} is no number", param, ctx)
+        if not smallest <= number <= largest:
+            self.fail(f"give a number from {smallest:g} to {largest:g}", param, ctx)
+        return number
+
+
+def style_option(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Add the option ``--style``, which gives a ``LineStyle`` or None, and ``--list-styles``."""
+    function = click.option(
+        "--list-styles",
+        is_flag=True,
+        is_eager=True,
+        expose_value=False,
+        callback=_list,
+        help="List the styles that come with the program.",
+    )(function)
+    return click.option(
+        "--style",
+        metavar="NAME|FILE",
+        callback=lambda ctx, param, value: None if value is None else style_of(value),
+        help="A style that comes with the program, or the file of one (JSON).",
+    )(function)
+
+
+def seed_option(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Add the option ``--seed``, None if it is not given."""
+    return click.option(
+        "--seed",
+        type=click.IntRange(0, LARGEST_SEED),
+        metavar="N",
+        help="The same seed gives the same lines. Default: 0.",
+    )(function)
+
+
+strength_option = click.option(
+    "--strength",
+    type=Between(WEAKEST, STRONGEST),
+    metavar="S",
+    help="How far lines go from the plain ones, over what the style's example does. Default: 1.",
+)
+size_option = click.option(
+    "--size",
+    type=Between(SMALLEST, LARGEST),
+    metavar="S",
+    help="How large the texture is, over that of the example. Default: 1.",
+)
+
+
+def style_of(reference: str) -> LineStyle:
+    """Return a style by its name, or from its file.
+
+    Raises
+    ------
+    IconstudioError
+        If there is none.
+    """
+    path = Path(reference)
+    if path.suffix.lower() in _SUFFIXES or "/" in reference or "\\" in reference:
+        return read_style(path, lambda sentence: click.echo(sentence, err=True))
+    return named(reference)
+
+
+def need_style(style: LineStyle | None) -> LineStyle:
+    """Return a style that was given.
+
+    Raises
+    ------
+    IconstudioError
+        If none was.
+    """
+    if style is None:
+        raise IconstudioError(
+            "Which style? Say --style NAME, or --style FILE.json; iconstudio restyle --list-styles "
+            "lists those that come with the program."
+        )
+    return style
+
+
+def svg_name(name: str) -> Path:
+    """Return the path of an SVG that is to be written.
+
+    Raises
+    ------
+    IconstudioError
+        If its name does not end in .svg, or it cannot be written.
+    """
+    path = Path(name)
+    if path.suffix.lower() != ".svg":
+        raise IconstudioError(
+            f"The icon is written as SVG, and “{path.name}” does not say so. "
+            f"Call it “{path.stem or 'icon'}.svg”."
+        )
+    try:
+        replaceable(path)
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or error
+        raise IconstudioError(
+            f"“{path}” cannot be written: {reason}. Choose another place."
+        ) from None
+    return path
+
+
+def _list(ctx: click.Context, _: click.Parameter, wanted: bool) -> None:
+    if wanted:
+        for style in bundled():
+            click.echo(row(style.name, style.author, style.license))
+        ctx.exit()

@@ -1,0 +1,188 @@
+"""The folder of a restyled set: an SVG for each icon, contact sheets, ``CREDITS.md``, a manifest.
+
+The manifest says what each file was made of, and how. So a run that was stopped goes on where it
+was, and only what would come out the same is taken over.
+"""
+
+import hashlib
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from pathlib import Path
+from time import monotonic
+
+import msgspec
+
+from iconstudio import __version__
+from iconstudio.files import read_bytes, remove_abandoned
+from iconstudio.model import Credit, IconstudioError, Pictogram
+from iconstudio.model.icon_set import Member
+from iconstudio.output.credits import credits_page
+from iconstudio.output.filenames import file_stems
+from iconstudio.output.folder import Folder
+from iconstudio.output.set_sheet import PER_SHEET, set_sheet
+from iconstudio.output.svg import document
+from iconstudio.workflows.line_style.sets import Manner, MemberRestyled, MemberSkipped
+
+MANIFEST = "restyled.json"
+CREDITS = "CREDITS.md"
+_FORMAT = 1
+"""To be raised when icons come out differently: those of before are then made again."""
+_MOST_BYTES = 100_000_000
+_EVERY = 2.0
+"""Seconds between two versions of the manifest; what is newer would be made again."""
+
+
+class _Entry(msgspec.Struct, frozen=True):
+    """What a file was made of."""
+
+    icon: str
+    seed: int
+    made_of: str
+    """A digest of all that it depends on."""
+    digest: str
+    """Of the file."""
+    credits: tuple[Credit, ...]
+
+
+class _Manifest(msgspec.Struct, frozen=True):
+    program: str
+    set: str
+    style: str
+    strength: float
+    size: float
+    seed: int
+    strokes: bool
+    files: dict[str, _Entry]
+    skipped: dict[str, str]
+
+
+class RestyledSet:
+    """Writes the icons of a set as they are finished.
+
+    Raises
+    ------
+    IconstudioError
+        On construction and from every method, if the folder cannot be written.
+    """
+
+    def __init__(self, folder: Path, name: str, members: Sequence[Member], manner: Manner) -> None:
+        self._path, self._folder = folder, Folder(folder)
+        self._name, self._manner = name, manner
+        self._how = _digest(repr((_FORMAT, __version__, manner)).encode(errors="replace"))
+        stems = file_stems({one.id: one.name for one in members})
+        self._files = {identifier: f"{stem}.svg" for identifier, stem in stems.items()}
+        self._before = _read(folder / MANIFEST)
+        self._done: dict[str, _Entry] = {}
+        self.skipped: dict[str, str] = {}
+        """The icons that could not be restyled, and why."""
+        self._saved = monotonic()
+        remove_abandoned(folder)
+
+    def __len__(self) -> int:
+        """How many icons are finished."""
+        return len(self._done)
+
+    def is_done(self, member: Member, source: Pictogram | bytes) -> bool:
+        """Whether the file of an icon is there, made of the same, and as it was written."""
+        file = self._files[member.id]
+        entry = self._before.get(file)
+        if entry is None or entry.made_of != self._made_of(member, source):
+            return False
+        if _digest_of(self._path / file) != entry.digest:
+            return False
+        self._done[file] = entry
+        return True
+
+    def add(self, event: MemberRestyled | MemberSkipped) -> None:
+        """Write the file of an icon, or note why there is none."""
+        if isinstance(event, MemberSkipped):
+            self.skipped[event.member.id] = event.reason
+            return
+        member, file = event.member, self._files[event.member.id]
+        data = document(event.title, event.credits, event.drawn).encode()
+        self._folder.write(file, data)
+        self._done[file] = _Entry(
+            member.id,
+            self._manner.seed_of(member.id),
+            self._made_of(member, event.source),
+            _digest(data),
+            tuple(one.credit for one in event.credits),
+        )
+        if monotonic() - self._saved > _EVERY:
+            self.save()
+
+    def save(self) -> None:
+        """Write the manifest, if there is anything to say."""
+        files = self._before | self._done
+        if files or self.skipped:
+            self._folder.write(MANIFEST, self._encoded(files))
+        self._saved = monotonic()
+
+    def finish(self) -> Iterator[float]:
+        """Write the rest, yielding how far that is; remove what earlier runs left.
+
+        Files that were changed since are not removed.
+        """
+        for file in self._before.keys() - self._done.keys():
+            if _digest_of(self._path / file) == self._before[file].digest:
+                with suppress(OSError):  # it is in nobody's way
+                    (self._path / file).unlink()
+        self._before = {}
+        self.save()
+        files = sorted(self._done)
+        sheets = [files[at : at + PER_SHEET] for at in range(0, len(files), PER_SHEET)]
+        for number, shown in enumerate(sheets):
+            title = f"{self._name}, {self._manner.style.name}"
+            paths = [self._path / file for file in shown]
+            picture = yield from set_sheet(title, len(files), paths)
+            self._folder.write_picture(
+                f"sheet-{number + 1}.png" if number else "sheet.png", picture
+            )
+        said = {file: self._done[file].credits for file in files}
+        page = credits_page(self._name, self._manner.style.name, said)
+        self._folder.write(CREDITS, page.encode(errors="replace"))
+
+    def _made_of(self, member: Member, source: Pictogram | bytes) -> str:
+        own = source if isinstance(source, bytes) else repr(source).encode(errors="replace")
+        said = self._how, member.id, _digest(own)
+        return _digest(repr(said).encode(errors="replace"))
+
+    def _encoded(self, files: dict[str, _Entry]) -> bytes:
+        manner = self._manner
+        manifest = _Manifest(
+            __version__,
+            self._name,
+            manner.style.name,
+            manner.strength,
+            manner.size,
+            manner.seed,
+            manner.strokes,
+            dict(sorted(files.items())),
+            dict(sorted(self.skipped.items())),
+        )
+        return msgspec.json.format(msgspec.json.encode(manifest), indent=1)
+
+
+def _read(path: Path) -> dict[str, _Entry]:
+    """Return what a manifest says of files beside it; nothing if there is none, or it is broken."""
+    try:
+        files = msgspec.json.decode(read_bytes(path, _MOST_BYTES), type=_Manifest).files
+    except (IconstudioError, msgspec.MsgspecError, RecursionError, UnicodeDecodeError):
+        return {}
+    return {
+        name: entry
+        for name, entry in files.items()
+        if Path(name).name == name and "\\" not in name and name.endswith(".svg")
+    }
+
+
+def _digest(data: bytes) -> str:
+    return hashlib.sha256(data).hexdigest()
+
+
+def _digest_of(path: Path) -> str:
+    """Return the digest of a file; empty if it cannot be read."""
+    try:
+        return _digest(read_bytes(path, _MOST_BYTES))
+    except IconstudioError:
+        return ""

@@ -1,0 +1,27 @@
+"""New lines in a style, along nothing (*Curve Analogies*, sections 3.1 and 3.4)."""
+
+from iconstudio.model import Line, LineStyle
+from iconstudio.model.sketch import Point
+
+SHORTEST, LONGEST = 20.0, 20_000.0
+WIDTH = 4.0
+"""Of the stroke, in canvas units."""
+
+
+def scribbled(style: LineStyle, length: float, seed: int) -> tuple[Line, Point]:
+    """Return a new line of about this length in a style, and the size of what it draws.
+
+    It lies as near to the origin as its width lets it. Runs in a worker process.
+    """
+    import numpy as np
+
+    from iconstudio.algorithms.curves.multiresolution import scribble
+    from iconstudio.algorithms.curves.restyle import prepare
+
+    parameters, levels = prepare(style).sizes[0]
+    made = scribble(levels, length, parameters, seed, style.rotation).curve
+    points = np.stack([made.points.real, made.points.imag], axis=1)
+    points += WIDTH - points.min(axis=0)
+    across, down = np.ceil(points.max(axis=0) + WIDTH)
+    line = Line(tuple((x, y) for x, y in points.tolist()), width=WIDTH)
+    return line, (float(across), float(down))

@@ -1,0 +1,235 @@
+"""Restyling whole sets: every icon in one style, each with a seed of its own.
+
+An icon depends on itself, the style and its seed alone: however many processes work on a set, on
+whatever machines, and however often they were stopped, the result is the same.
+"""
+
+import hashlib
+import logging
+from collections import deque
+from collections.abc import Callable, Generator, Iterable, Sequence
+from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, wait
+from dataclasses import dataclass
+from functools import lru_cache
+from time import perf_counter
+from typing import Any, Protocol
+
+from iconstudio.model import Credit, IconstudioError, LineStyle, Path, Pictogram
+from iconstudio.model.icon_set import Member
+from iconstudio.workers import Workers, loss
+from iconstudio.workflows.estimating import remaining
+from iconstudio.workflows.events import Progress
+from iconstudio.workflows.line_style.restyling import MEMORY, SECONDS, thanks
+
+Drawn = tuple[tuple[Path, float], ...]
+"""What is drawn of an icon: paths, each with the width of its stroke; 0 is filled."""
+
+_AHEAD = 3
+"""Tasks that are handed out for each process: the next ones wait where they are worked on."""
+_PATIENCE = 300.0
+"""Seconds without any result after which a cluster is taken for dead."""
+_log = logging.getLogger(__name__)
+
+
+@dataclass(frozen=True, slots=True)
+class Manner:
+    """How all icons of a set are restyled."""
+
+    style: LineStyle
+    strength: float = 1.0
+    size: float = 1.0
+    seed: int = 0
+    strokes: bool = False
+    """Whether what was a stroke stays one."""
+
+    def seed_of(self, identifier: str) -> int:
+        """Return the seed of an icon, which no other icon changes; below 2**48."""
+        digest = hashlib.sha256(f"{self.seed}:{identifier}".encode(errors="replace")).digest()
+        return int.from_bytes(digest[:6], "big")
+
+
+@dataclass(frozen=True, slots=True)
+class MemberRestyled:
+    """An icon of a set, restyled."""
+
+    member: Member
+    source: Pictogram | bytes
+    drawn: Drawn
+    title: str
+    credits: tuple[Pictogram, ...]
+    """Whom to thank: the icon's makers, and the style's author."""
+
+
+@dataclass(frozen=True, slots=True)
+class MemberSkipped:
+    """An icon that cannot be restyled, and the sentence that says why."""
+
+    member: Member
+    reason: str
+
+
+SetEvent = Progress | MemberRestyled | MemberSkipped
+
+
+class Processes(Protocol):
+    """Where icons are restyled."""
+
+    @property
+    def count(self) -> int:
+        """How many icons are restyled at a time."""
+        ...
+
+    def submit(self, function: Callable[..., Any], *args: object) -> "Future[Any]":
+        """Call a function of a module there."""
+        ...
+
+
+class Here:
+    """The worker processes of this machine."""
+
+    def __init__(self, workers: Workers) -> None:
+        self._workers = workers
+
+    @property
+    def count(self) -> int:
+        """How many processes there are."""
+        return self._workers.count
+
+    def submit(self, function: Callable[..., Any], *args: object) -> "Future[Any]":
+        """Call a function in one of them, within limits of time and memory."""
+        return self._workers.submit(function, *args, timeout=SECONDS, memory=MEMORY)
+
+
+def restyle_set(
+    members: Sequence[Member],
+    manner: Manner,
+    processes: Processes,
+    is_done: Callable[[Member, Pictogram | bytes], bool] = lambda member, source: False,
+    clock: Callable[[], float] = perf_counter,
+) -> Generator[SetEvent]:
+    """Restyle the icons of a set; yield each as soon as it is finished, in any order.
+
+    One that cannot be restyled is skipped. Closing the generator leaves undone what has not begun.
+
+    Parameters
+    ----------
+    is_done
+        Whether an icon need not be restyled: what was made before is still there.
+    clock
+        Seconds since any moment.
+
+    Raises
+    ------
+    IconstudioError
+        If no process answers any more.
+    """
+    began, settled, worked = clock(), 0, 0
+    coming = deque(members)
+    waiting: dict[Future[Any], tuple[Member, Pictogram | bytes]] = {}
+
+    def progress() -> Progress:
+        left = remaining(worked, len(members) - settled, clock() - began)
+        done = settled / max(1, len(members))
+        return Progress("remix", done, f"{settled} of {len(members)} icons", left)
+
+    yield progress()
+    try:
+        while coming or waiting:
+            while coming and len(waiting) < _AHEAD * max(1, processes.count):
+                member = coming.popleft()
+                try:
+                    source = member.read()
+                except IconstudioError as error:
+                    settled += 1
+                    yield MemberSkipped(member, str(error))
+                    continue
+                if is_done(member, source):
+                    settled += 1
+                    continue
+                task = processes.submit(restyled_member, member.id, source, manner)
+                waiting[task] = member, source
+            for future in _finished(waiting):
+                member, source = waiting.pop(future)
+                settled, worked = settled + 1, worked + 1
+                yield _outcome(member, source, manner, future)
+            yield progress()
+    finally:
+        for future in waiting:
+            future.cancel()
+
+
+def restyled_member(
+    identifier: str, source: Pictogram | bytes, manner: Manner
+) -> tuple[Credit, tuple[Pictogram, ...], Drawn]:
+    """Return whose an icon is, what it was made of, and what is drawn of it in a style.
+
+    The drawing may be hostile: runs in a worker process, here or in a cluster.
+
+    Raises
+    ------
+    IconstudioError
+        If it cannot be drawn, or has no lines.
+    """
+    from iconstudio.algorithms.curves.outline import path_of, strokes_of
+    from iconstudio.algorithms.curves.restyle import restyled
+    from iconstudio.svg.lines import lines_of
+    from iconstudio.svg.rasterise import rasterise
+    from iconstudio.svg.reading import own_svg
+
+    icon = own_svg(source, identifier) if isinstance(source, bytes) else source
+    frame, coverage = rasterise(icon.svg)
+    prepared = _prepared(manner.style, manner.strength, manner.size)
+    lines = [(line, prepared) for line in lines_of(icon.svg, frame, coverage)]
+    made = restyled(lines, manner.seed_of(identifier))
+    drawn = strokes_of(made) if manner.strokes else ((path_of(made), 0.0),)
+    if not any(path for path, _ in drawn):
+        raise IconstudioError("Nothing of it is left in this style. Make the style smaller.")
+    return icon.credit, icon.made_of, drawn
+
+
+@lru_cache(2)
+def _prepared(style: LineStyle, strength: float, size: float) -> Any:
+    """Return a style ready to be applied, which takes as long as a small icon."""
+    from iconstudio.algorithms.curves.restyle import prepare
+
+    return prepare(style, strength, size)
+
+
+def _finished(waiting: Iterable["Future[Any]"]) -> Iterable["Future[Any]"]:
+    """Return the futures that are finished; wait until one is."""
+    futures = tuple(waiting)
+    if not futures:
+        return ()
+    finished = wait(futures, _PATIENCE, FIRST_COMPLETED).done
+    if not finished:
+        raise IconstudioError(
+            f"No icon was finished in {_PATIENCE / 60:.0f} minutes. See whether the workers run, "
+            "and give the same command again: it goes on where it was."
+        )
+    return [one for one in futures if one in finished]
+
+
+def _outcome(
+    member: Member, source: Pictogram | bytes, manner: Manner, future: "Future[Any]"
+) -> MemberRestyled | MemberSkipped:
+    """Return what has come of an icon."""
+    try:
+        credit, made_of, drawn = future.result()
+    except IconstudioError as error:
+        return MemberSkipped(member, str(error))
+    except ImportError as error:
+        raise IconstudioError(
+            f"A worker cannot run this program: {error}. Install the same version of it there."
+        ) from error
+    except CancelledError:
+        raise IconstudioError("The work was stopped.") from None
+    except Exception as error:
+        reason = loss(error, "Restyling it")
+        if reason is None:  # one icon less is better than none at all
+            _log.warning("Restyling %s failed", member.id, exc_info=error)
+            reason = f"The program fails on it: {type(error).__name__}."
+        return MemberSkipped(member, reason)
+    own = source if isinstance(source, Pictogram) else Pictogram(member.id, "", credit, made_of)
+    credits = (*own.origins, *([thanks(manner.style)] if manner.style.author else ()))
+    title = f"{credit.title}, {manner.style.name}"
+    return MemberRestyled(member, source, drawn, title, credits)

@@ -1,0 +1,105 @@
+"""Whole sets in a Dask cluster: a real scheduler, and real worker processes on this machine."""
+
+import contextlib
+import os
+import signal
+import socket
+import subprocess
+import sys
+from hashlib import sha256
+
+import pytest
+
+from iconstudio.cli.app import run
+from iconstudio.cluster import Cluster
+
+pytest.importorskip("distributed", reason="needs the extra “cluster”")
+
+ICONS = 10
+SHAPE = (
+    '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24" fill="none" stroke="black" '
+    'stroke-width="2"><path d="M{x} 4V20M4 {x}H20"/></svg>'
+)
+
+
+def free_port():
+    with socket.socket() as one:
+        one.bind(("127.0.0.1", 0))
+        return one.getsockname()[1]
+
+
+@contextlib.contextmanager
+def started(module, *arguments, folder):
+    """A process of Dask's, ended at last."""
+    process = subprocess.Popen(
+        [sys.executable, "-P", "-m", f"distributed.cli.{module}", *arguments],
+        cwd=folder,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))},
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+    )
+    try:
+        yield process
+    finally:
+        process.kill()
+        process.wait()
+
+
+@pytest.fixture
+def scheduler(tmp_path):
+    port = free_port()
+    options = "--host", "127.0.0.1", "--port", str(port), "--no-dashboard"
+    with started("dask_scheduler", *options, folder=tmp_path):
+        yield f"tcp://127.0.0.1:{port}"
+
+
+@contextlib.contextmanager
+def worker(scheduler, folder):
+    options = "--nthreads", "1", "--no-nanny", "--no-dashboard", "--host", "127.0.0.1"
+    with started("dask_worker", scheduler, *options, folder=folder) as process:
+        yield process
+
+
+@pytest.fixture
+def icons(tmp_path):
+    folder = tmp_path / "icons"
+    folder.mkdir()
+    for number in range(ICONS):
+        (folder / f"icon-{number}.svg").write_text(SHAPE.format(x=5 + number))
+    return folder
+
+
+def digests(folder):
+    return {one.name: sha256(one.read_bytes()).hexdigest() for one in sorted(folder.iterdir())}
+
+
+def test_a_worker_is_killed_half_way_and_all_icons_are_there_once(
+    tmp_path, icons, scheduler, monkeypatch, capsys
+):
+    from iconstudio.output.restyled_set import RestyledSet
+
+    arguments = "restyle", "--set", str(icons), "--style", "Shaky", "--seed", "7", "--out"
+    assert run([*arguments, str(tmp_path / "here")], None) == 0
+    alone = digests(tmp_path / "here")
+    assert len(alone) == ICONS + 3
+
+    written = []
+    add = RestyledSet.add
+    with worker(scheduler, tmp_path) as first, worker(scheduler, tmp_path) as second:
+        with Cluster(scheduler, 60) as cluster:
+            cluster._client.wait_for_workers(2, timeout=60)
+
+        def adding(self, event):
+            written.append(event.member.id)
+            if len(written) == ICONS // 3:
+                first.send_signal(signal.SIGKILL)
+                first.wait()
+            add(self, event)
+
+        monkeypatch.setattr(RestyledSet, "add", adding)
+        words = [*arguments, str(tmp_path / "there"), "--scheduler", scheduler]
+        assert run(words, None) == 0
+        assert second.poll() is None
+    assert sorted(written) == sorted(f"icon-{number}.svg" for number in range(ICONS))
+    assert digests(tmp_path / "there") == alone
+    assert capsys.readouterr().err == ""
