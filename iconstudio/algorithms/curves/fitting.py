@@ -20,12 +20,12 @@ _DOT = 0.01
 """Canvas units that a dot measures: of a line of no length, some programs draw no round ends."""
 _LINE, _LEVEL = 3.0, 0.03
 """Canvas units that a row of points measures at least, and is off a line at most, to be one."""
-_STEP = 1.0
+_STEP = 0.5
 """Canvas units between points at which errors are measured, at most."""
 _ROUNDS = 4
 _HOPELESS = 8
 """A fit so many times further off than is allowed will not come near."""
-_SHORTEST, _LONGEST = 1e-3, 1.5
+_SHORTEST, _LONGEST = 1e-3, 0.8
 """Lengths of handles, as parts of the row, beyond which they are of no use."""
 
 
