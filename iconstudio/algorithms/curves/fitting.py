@@ -43,6 +43,9 @@ def fitted(points: Row, closed: bool, tolerance: float = TOLERANCE) -> Contour:
         end = points[-1] + (_DOT if len(points) == 1 else 0)
         return Contour(_pair(points[0]), ((_pair(end),),), False)
     breaks, into, out = joints(points, closed)
+    if not breaks.any():  # curves then join where they are level or upright
+        for heights in (points.real, points.imag):
+            breaks[[heights.argmin(), heights.argmax()]] = True
     if closed:
         row = (int(breaks.argmax()) + np.arange(len(points) + 1)) % len(points)
         points, breaks, into, out = points[row], breaks[row], into[row], out[row]
