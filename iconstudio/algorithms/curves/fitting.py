@@ -20,12 +20,12 @@ _DOT = 0.01
 """Canvas units that a dot measures: of a line of no length, some programs draw no round ends."""
 _LINE, _LEVEL = 3.0, 0.03
 """Canvas units that a row of points measures at least, and is off a line at most, to be one."""
-_STEP = 1.0
+_STEP = 0.5
 """Canvas units between points at which errors are measured, at most."""
 _ROUNDS = 4
 _HOPELESS = 8
 """A fit so many times further off than is allowed will not come near."""
-_SHORTEST, _LONGEST = 1e-3, 1.5
+_SHORTEST, _LONGEST = 1e-3, 0.8
 """Lengths of handles, as parts of the row, beyond which they are of no use."""
 
 
@@ -43,6 +43,9 @@ def fitted(points: Row, closed: bool, tolerance: float = TOLERANCE) -> Contour:
         end = points[-1] + (_DOT if len(points) == 1 else 0)
         return Contour(_pair(points[0]), ((_pair(end),),), False)
     breaks, into, out = joints(points, closed)
+    if not breaks.any():  # curves then join where they are level or upright
+        for heights in (points.real, points.imag):
+            breaks[[heights.argmin(), heights.argmax()]] = True
     if closed:
         row = (int(breaks.argmax()) + np.arange(len(points) + 1)) % len(points)
         points, breaks, into, out = points[row], breaks[row], into[row], out[row]
