@@ -4,6 +4,7 @@ On its machines this program must be installed, and nothing else be set up. Dask
 process that dies to another one; one that several processes died of is given up.
 """
 
+import asyncio
 import logging
 from collections.abc import Callable
 from concurrent.futures import CancelledError, Future, InvalidStateError
@@ -15,7 +16,7 @@ from iconstudio import __version__
 from iconstudio.model import IconstudioError
 from iconstudio.workers import ProcessDied
 
-_SECONDS = 10.0
+SECONDS = 10.0
 """How long the scheduler has to answer, and workers to be there."""
 _CLOSING = 5.0
 _RECOUNT = 5.0
@@ -35,7 +36,7 @@ class Cluster(AbstractContextManager["Cluster"]):
         If Dask is missing, no scheduler answers, or it has no workers.
     """
 
-    def __init__(self, address: str, seconds: float = _SECONDS) -> None:
+    def __init__(self, address: str, seconds: float = SECONDS) -> None:
         try:
             from distributed import Client
         except ImportError:
@@ -45,6 +46,7 @@ class Cluster(AbstractContextManager["Cluster"]):
         # What a user should know is said by this program.
         logging.getLogger("distributed").setLevel(logging.CRITICAL)
         try:
+            asyncio.run(asyncio.wait_for(_greet(address), seconds))
             self._client = Client(address, timeout=seconds, set_as_default=False)
         except Exception as error:  # whatever an address that is none leads to
             raise IconstudioError(
@@ -94,6 +96,18 @@ class Cluster(AbstractContextManager["Cluster"]):
         self.close()
 
 
+async def _greet(address: str) -> None:
+    """Ask a scheduler who it is: Dask's client waits for ever for what is none, and cannot end."""
+    from distributed.comm import connect
+
+    comm = await connect(address)
+    try:
+        await comm.write({"op": "identity", "reply": True})
+        await comm.read()
+    finally:
+        comm.abort()
+
+
 def _call(version: str, function: Callable[..., Any], args: tuple[object, ...]) -> Any:
     """Call a function in a worker of the cluster."""
     if version != __version__:
@@ -114,3 +128,4 @@ def _settle(future: "Future[Any]", task: Any) -> None:
             future.set_exception(CancelledError())
         except Exception as error:
             future.set_exception(error)
+    task.release()  # nothing of it is kept in the cluster

@@ -91,7 +91,7 @@ def command(
             work = asked.of(Restyling())
             style = line_styles.need_style(style)
             manner = Manner(style, work.strength, work.size, work.seed, strokes)
-            restyle_set(session, icons, manner, Path(out), scheduler)
+            restyle_set(session, icons, manner, Path(out), scheduler, stopwatch)
         elif reference is not None and Path(reference).suffix.lower() == ".json":
             _restyle_file(session, Path(reference), asked, out, strokes, stopwatch)
         elif reference is not None:

@@ -1,27 +1,34 @@
 """Restyling whole sets without a window: progress on the terminal, all into a folder."""
 
-from contextlib import closing, nullcontext
+from collections.abc import Mapping
+from contextlib import ExitStack, closing
 from pathlib import Path
 
 import click
 
 from iconstudio.cli.progress import ProgressBar
+from iconstudio.cli.timing import Stopwatch
 from iconstudio.cluster import Cluster
 from iconstudio.library.sets import is_folder, members
 from iconstudio.model import IconstudioError
 from iconstudio.output.folder import check_folder
-from iconstudio.output.restyled_set import RestyledSet
+from iconstudio.output.restyled_set import MANIFEST, RestyledSet
 from iconstudio.session import Session
 from iconstudio.workflows.events import Progress
 from iconstudio.workflows.line_style import sets
-from iconstudio.workflows.line_style.sets import Here, Manner
+from iconstudio.workflows.line_style.sets import Here, Manner, Processes
 
 _TOLD = 20
-"""Most skipped icons that are named; the manifest has all."""
+"""Most icons of which something is said."""
 
 
 def restyle_set(
-    session: Session, reference: str, manner: Manner, folder: Path, scheduler: str | None
+    session: Session,
+    reference: str,
+    manner: Manner,
+    folder: Path,
+    scheduler: str | None,
+    stopwatch: Stopwatch,
 ) -> None:
     """Restyle a set into a folder, here or in a cluster, and say what is there.
 
@@ -31,28 +38,37 @@ def restyle_set(
         If there is no such set, folder or cluster, or no icon could be restyled.
     """
     check_folder(folder)
-    icons = members(reference, session.collection)
-    if is_folder(reference, session.collection):
-        _check_apart(folder, Path(reference))
-    name = Path(reference).resolve().name if Path(reference).is_dir() else reference
-    written = RestyledSet(folder, name, icons, manner)
-    with (
-        ProgressBar() as bar,
-        nullcontext() if scheduler is None else Cluster(scheduler) as cluster,
-    ):
-        events = sets.restyle_set(icons, manner, cluster or Here(session.workers), written.is_done)
+    with ProgressBar() as bar, ExitStack() as closed_at_last:
+        for step in session.open():
+            bar.show(step.done, step.message)
+        icons = members(reference, session.collection)
+        if is_folder(reference, session.collection):
+            _check_apart(folder, Path(reference))
+        name = Path(reference).resolve().name if Path(reference).is_dir() else reference
+        written = RestyledSet(folder, name, icons, manner)
+        processes: Processes = Here(session.workers)
+        if scheduler is not None:
+            processes = closed_at_last.enter_context(Cluster(scheduler))
+        events = sets.restyle_set(icons, manner, processes, written.is_done)
         try:
             with closing(events):
                 for event in events:
                     if isinstance(event, Progress):
+                        stopwatch.note(event)
                         bar.show(event.done, event.message, event.remaining)
                     else:
                         written.add(event)
         finally:
             written.save()
-        for done in written.finish():
+        for done in written.finish() if written else ():
             bar.show(done, "Drawing the contact sheet")
-    _tell(written, folder)
+    _tell("Skipped ", written.skipped)
+    _tell("", written.remarks)
+    if not written:
+        raise IconstudioError("No icon of the set could be restyled.")
+    count = "1 icon" if len(written) == 1 else f"{len(written):,} icons"
+    without = f", {len(written.skipped):,} skipped" if written.skipped else ""
+    click.echo(f"{count}{without}; see {click.format_filename(folder / 'sheet.png')}")
 
 
 def _check_apart(folder: Path, source: Path) -> None:
@@ -63,14 +79,9 @@ def _check_apart(folder: Path, source: Path) -> None:
         )
 
 
-def _tell(written: RestyledSet, folder: Path) -> None:
-    skipped = sorted(written.skipped.items())
-    for identifier, reason in skipped[:_TOLD]:
-        click.echo(" ".join(f"Skipped {identifier}: {reason}".split()), err=True)
-    if len(skipped) > _TOLD:
-        click.echo(f"Skipped {len(skipped) - _TOLD} more; all are named in the manifest.", err=True)
-    if not len(written):
-        raise IconstudioError("No icon of the set could be restyled.")
-    count = "1 icon" if len(written) == 1 else f"{len(written):,} icons"
-    without = f", {len(skipped):,} skipped" if skipped else ""
-    click.echo(f"{count}{without}; see {click.format_filename(folder / 'sheet.png')}")
+def _tell(beginning: str, sentences: Mapping[str, str]) -> None:
+    """Say what is to be known of icons, a line each."""
+    for identifier, sentence in sorted(sentences.items())[:_TOLD]:
+        click.echo(" ".join(f"{beginning}{identifier}: {sentence}".split()), err=True)
+    if (more := len(sentences) - _TOLD) > 0:
+        click.echo(f"So of {more} more icons; {MANIFEST} names all.", err=True)

@@ -5,6 +5,7 @@ was, and only what would come out the same is taken over.
 """
 
 import hashlib
+import re
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from pathlib import Path
@@ -27,6 +28,8 @@ MANIFEST = "restyled.json"
 CREDITS = "CREDITS.md"
 _FORMAT = 1
 """To be raised when icons come out differently: those of before are then made again."""
+_ICON = re.compile(r"[^./\\:][^/\\:]*\.svg")
+_SHEET = re.compile(r"sheet(-\d+)?\.png")
 _MOST_BYTES = 100_000_000
 _EVERY = 2.0
 """Seconds between two versions of the manifest; what is newer would be made again."""
@@ -42,6 +45,8 @@ class _Entry(msgspec.Struct, frozen=True):
     digest: str
     """Of the file."""
     credits: tuple[Credit, ...]
+    remarks: tuple[str, ...] = ()
+    """What could not be read of its drawing."""
 
 
 class _Manifest(msgspec.Struct, frozen=True):
@@ -54,6 +59,7 @@ class _Manifest(msgspec.Struct, frozen=True):
     strokes: bool
     files: dict[str, _Entry]
     skipped: dict[str, str]
+    sheets: tuple[str, ...] = ()
 
 
 class RestyledSet:
@@ -71,12 +77,18 @@ class RestyledSet:
         self._how = _digest(repr((_FORMAT, __version__, manner)).encode(errors="replace"))
         stems = file_stems({one.id: one.name for one in members})
         self._files = {identifier: f"{stem}.svg" for identifier, stem in stems.items()}
-        self._before = _read(folder / MANIFEST)
+        self._before, self._sheets = _read(folder / MANIFEST)
         self._done: dict[str, _Entry] = {}
         self.skipped: dict[str, str] = {}
         """The icons that could not be restyled, and why."""
         self._saved = monotonic()
         remove_abandoned(folder)
+
+    @property
+    def remarks(self) -> dict[str, str]:
+        """What could not be read of icons that are finished."""
+        done = self._done.values()
+        return {one.icon: " ".join(one.remarks) for one in done if one.remarks}
 
     def __len__(self) -> int:
         """How many icons are finished."""
@@ -107,6 +119,7 @@ class RestyledSet:
             self._made_of(member, event.source),
             _digest(data),
             tuple(one.credit for one in event.credits),
+            event.remarks,
         )
         if monotonic() - self._saved > _EVERY:
             self.save()
@@ -123,24 +136,30 @@ class RestyledSet:
 
         Files that were changed since are not removed.
         """
+        files = sorted(self._done)
+        sheets = []
+        for start in range(0, len(files), PER_SHEET):
+            title = f"{self._name}, {self._manner.style.name}"
+            paths = [self._path / file for file in files[start : start + PER_SHEET]]
+            picture = yield from set_sheet(title, len(files), paths)
+            sheets.append(f"sheet-{len(sheets) + 1}.png" if sheets else "sheet.png")
+            self._folder.write_picture(sheets[-1], picture)
+        said = {file: self._done[file].credits for file in files}
+        page = credits_page(self._name, self._manner.style.name, said)
+        self._folder.write(CREDITS, page.encode(errors="replace"))
+        self._remove_others(sheets)
+        self.save()
+
+    def _remove_others(self, sheets: Sequence[str]) -> None:
+        """Remove what earlier runs have written, and this one has not."""
         for file in self._before.keys() - self._done.keys():
             if _digest_of(self._path / file) == self._before[file].digest:
                 with suppress(OSError):  # it is in nobody's way
                     (self._path / file).unlink()
-        self._before = {}
-        self.save()
-        files = sorted(self._done)
-        sheets = [files[at : at + PER_SHEET] for at in range(0, len(files), PER_SHEET)]
-        for number, shown in enumerate(sheets):
-            title = f"{self._name}, {self._manner.style.name}"
-            paths = [self._path / file for file in shown]
-            picture = yield from set_sheet(title, len(files), paths)
-            self._folder.write_picture(
-                f"sheet-{number + 1}.png" if number else "sheet.png", picture
-            )
-        said = {file: self._done[file].credits for file in files}
-        page = credits_page(self._name, self._manner.style.name, said)
-        self._folder.write(CREDITS, page.encode(errors="replace"))
+        for file in set(self._sheets).difference(sheets):
+            with suppress(OSError):
+                (self._path / file).unlink()
+        self._before, self._sheets = {}, tuple(sheets)
 
     def _made_of(self, member: Member, source: Pictogram | bytes) -> str:
         own = source if isinstance(source, bytes) else repr(source).encode(errors="replace")
@@ -159,21 +178,22 @@ class RestyledSet:
             manner.strokes,
             dict(sorted(files.items())),
             dict(sorted(self.skipped.items())),
+            self._sheets,
         )
         return msgspec.json.format(msgspec.json.encode(manifest), indent=1)
 
 
-def _read(path: Path) -> dict[str, _Entry]:
-    """Return what a manifest says of files beside it; nothing if there is none, or it is broken."""
+def _read(path: Path) -> tuple[dict[str, _Entry], tuple[str, ...]]:
+    """Return what a manifest says of files beside it, and the sheets that it names.
+
+    That is nothing if there is none, or it is broken.
+    """
     try:
-        files = msgspec.json.decode(read_bytes(path, _MOST_BYTES), type=_Manifest).files
+        manifest = msgspec.json.decode(read_bytes(path, _MOST_BYTES), type=_Manifest)
     except (IconstudioError, msgspec.MsgspecError, RecursionError, UnicodeDecodeError):
-        return {}
-    return {
-        name: entry
-        for name, entry in files.items()
-        if Path(name).name == name and "\\" not in name and name.endswith(".svg")
-    }
+        return {}, ()
+    icons = {name: one for name, one in manifest.files.items() if _ICON.fullmatch(name)}
+    return icons, tuple(filter(_SHEET.fullmatch, manifest.sheets))
 
 
 def _digest(data: bytes) -> str:

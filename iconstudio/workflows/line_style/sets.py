@@ -9,12 +9,12 @@ import logging
 from collections import deque
 from collections.abc import Callable, Generator, Iterable, Sequence
 from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, wait
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from time import perf_counter
 from typing import Any, Protocol
 
-from iconstudio.model import Credit, IconstudioError, LineStyle, Path, Pictogram
+from iconstudio.model import IconstudioError, LineStyle, Path, Pictogram
 from iconstudio.model.icon_set import Member
 from iconstudio.workers import Workers, loss
 from iconstudio.workflows.estimating import remaining
@@ -58,6 +58,8 @@ class MemberRestyled:
     title: str
     credits: tuple[Pictogram, ...]
     """Whom to thank: the icon's makers, and the style's author."""
+    remarks: tuple[str, ...]
+    """What could not be read of its drawing; a sentence for the user each."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -160,8 +162,8 @@ def restyle_set(
 
 def restyled_member(
     identifier: str, source: Pictogram | bytes, manner: Manner
-) -> tuple[Credit, tuple[Pictogram, ...], Drawn]:
-    """Return whose an icon is, what it was made of, and what is drawn of it in a style.
+) -> tuple[Pictogram, Drawn]:
+    """Return an icon without its drawing, and what is drawn of it in a style.
 
     The drawing may be hostile: runs in a worker process, here or in a cluster.
 
@@ -184,7 +186,7 @@ def restyled_member(
     drawn = strokes_of(made) if manner.strokes else ((path_of(made), 0.0),)
     if not any(path for path, _ in drawn):
         raise IconstudioError("Nothing of it is left in this style. Make the style smaller.")
-    return icon.credit, icon.made_of, drawn
+    return replace(icon, svg=""), drawn
 
 
 @lru_cache(2)
@@ -214,7 +216,7 @@ def _outcome(
 ) -> MemberRestyled | MemberSkipped:
     """Return what has come of an icon."""
     try:
-        credit, made_of, drawn = future.result()
+        icon, drawn = future.result()
     except IconstudioError as error:
         return MemberSkipped(member, str(error))
     except ImportError as error:
@@ -229,7 +231,6 @@ def _outcome(
             _log.warning("Restyling %s failed", member.id, exc_info=error)
             reason = f"The program fails on it: {type(error).__name__}."
         return MemberSkipped(member, reason)
-    own = source if isinstance(source, Pictogram) else Pictogram(member.id, "", credit, made_of)
-    credits = (*own.origins, *([thanks(manner.style)] if manner.style.author else ()))
-    title = f"{credit.title}, {manner.style.name}"
-    return MemberRestyled(member, source, drawn, title, credits)
+    credits = (*icon.origins, *([thanks(manner.style)] if manner.style.author else ()))
+    title = f"{icon.credit.title}, {manner.style.name}"
+    return MemberRestyled(member, source, drawn, title, credits, icon.remarks)
