@@ -144,15 +144,19 @@ class Lookup:
     def _answers(self, words: tuple[str, ...]) -> Scores:
         """Return the icons that answer plain words, however they are spelt, or what is near.
 
-        What informal words stand for comes behind what is called by them.
+        What is called as it is typed comes first, and what informal words stand for last.
         """
         formal = query.spelt_out(words)
-        spelt = self._spellings.of(words)
+        _, *others = self._spellings.of(words)
         meant = self._spellings.of(formal) if formal != words else []
         found = _merged(
-            (*map(self._together, spelt), *(_behind(self._together(one)) for one in meant))
+            (
+                self._together(words),
+                *(_at_least(0, self._together(one)) for one in others),
+                *(_at_least(1, self._together(one)) for one in meant),
+            )
         )
-        return found or next(filter(None, map(self._near, (*spelt, *meant))), {})
+        return found or next(filter(None, map(self._near, (words, *others, *meant))), {})
 
     def _together(self, words: tuple[str, ...]) -> Scores:
         """Return the icons that answer words together, or have all that tell in their names."""
@@ -253,8 +257,8 @@ class Lookup:
         return [row[0] for row in self._rows(sql, wanted)]
 
 
-def _behind(scores: Scores) -> Scores:
-    return {icon: score + 1 for icon, score in scores.items()}
+def _at_least(least: int, scores: Scores) -> Scores:
+    return {icon: max(score, least) for icon, score in scores.items()}
 
 
 def _merged(parts: Iterable[Scores]) -> Scores:
