@@ -53,7 +53,9 @@ def obstacle() -> str | None:
     if _uses_x11():
         if _x11_answers():
             return None
-        return f"The screen “{os.environ.get('DISPLAY', '')}” (DISPLAY) does not answer."
+        if not (screen := os.environ.get("DISPLAY")):
+            return "There is no screen (DISPLAY is not set)."
+        return f"The screen “{screen}” (DISPLAY) does not answer."
     if not platform and _wayland_answers():
         return None
     return None if _opens_in_another_process() else _refused(platform)
