@@ -125,9 +125,12 @@ TECHNICAL = words(
 """Words that collections of icons use for machines and marks, though WordNet also knows a horse,
 a dog or a fish of that name: they are no kinds of anything."""
 
-FALSE_FRIENDS = words("doc ref tec eft server doge guardian copilot afters bum git bottom")
-"""Words that mean a living being, a dessert or a sole in WordNet, but never in a collection of
-icons: no other word leads to them."""
+FALSE_FRIENDS = words("doc ref tec eft server doge guardian copilot afters bum git bottom") | {
+    "bulls eye",
+    "four oclock",
+}
+"""Words that mean a living being, a dessert, a sole or a lamp in WordNet, but never in a collection
+of icons: no other word leads to them."""
 
 FIGURATIVE = frozenset(
     {
