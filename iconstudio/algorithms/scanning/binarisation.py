@@ -47,6 +47,9 @@ _BLACK = 0.1
 _PLAIN = 0.25
 """Colours that differ by no more are one."""
 
+_BEYOND = 2
+"""Pixels beyond the edge of a small picture that are taken for paper."""
+
 _Seeing = Callable[[NDArray[np.float32]], NDArray[np.float32]]
 """Tells how dark a picture is, of its colours."""
 
@@ -247,7 +250,13 @@ def _enlarged(dark: NDArray[np.float32], shape: tuple[int, ...]) -> NDArray[np.f
     if threshold is None:
         return resized(dark, shape)
     whole = 2 * threshold
-    return whole * reconstructed(np.clip(dark / whole, 0, 1), shape)
+    ink = np.pad(np.clip(dark / whole, 0, 1), _BEYOND)
+    scale = shape[0] / dark.shape[0]
+    larger = reconstructed(
+        np.stack([ink, 1 - ink]), tuple(round(side * scale) for side in ink.shape)
+    )
+    at = round(_BEYOND * scale)
+    return whole * larger[0, at : at + shape[0], at : at + shape[1]]
 
 
 def _bounds(dark: NDArray[np.float32]) -> tuple[int, int, int, int] | None:

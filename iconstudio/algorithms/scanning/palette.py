@@ -12,13 +12,14 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.scanning.blending import unblended
 from iconstudio.algorithms.tones.regions import Mask, nearest
 
 CLEAR = 12.0
 """Levels of alpha of what is not there."""
 _EVEN = 20.0
 """Levels by which a channel differs within three pixels of an evenly painted area, at most."""
-_SMALL = 40
+SMALL = 40
 """Pixels of the longer side of a bitmap in which areas of two by two pixels count."""
 _BIN = 8
 """Levels of a channel that are counted as one."""
@@ -88,7 +89,7 @@ def palette_of(blended: NDArray[np.float32]) -> Palette | None:
 
     It has two colours at least.
     """
-    small = max(blended.shape[:2]) <= _SMALL
+    small = max(blended.shape[:2]) <= SMALL
     wide = evenly_painted(blended, 3)
     even = wide | evenly_painted(blended, 2) if small else wide
     if not even.any():
@@ -99,6 +100,7 @@ def palette_of(blended: NDArray[np.float32]) -> Palette | None:
     flat = even & ~np.any(shaded, axis=0) if shaded else even
     areas = list(_clusters(blended, flat, least))
     if small:
+        areas = [_trimmed(blended, area) for area in areas]
         areas = _without_blends(blended, areas, shaded, wide)
     if len(areas) > _MOST:
         return None
@@ -115,7 +117,7 @@ def palette_of(blended: NDArray[np.float32]) -> Palette | None:
         number[piece] = len(colours)
         shades[len(colours)] = _extended(blended, piece)
         colours.append(np.median(blended[piece], axis=0))
-    if not 2 <= len(colours) <= _MOST:
+    if not 2 - small <= len(colours) <= _MOST:
         return None
     counts = np.bincount(number[number >= 0], minlength=len(colours))
     return Palette(np.stack(colours).astype(np.float32), counts, number, shades)
@@ -168,6 +170,12 @@ def _clusters(
             yield cluster
 
 
+def _trimmed(blended: NDArray[np.float32], area: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return an area without what goes over into another colour, as edges that run aslant do."""
+    away = abs(blended - np.median(blended[area], axis=0)).max(axis=2)
+    return area & (away < _EVEN)
+
+
 def _without_blends(
     blended: NDArray[np.float32],
     areas: list[NDArray[np.bool_]],
@@ -176,13 +184,14 @@ def _without_blends(
 ) -> list[NDArray[np.bool_]]:
     """Return the areas without those of edges: slim, between two others in place and in colour."""
     colours = [np.median(blended[area], axis=0) for area in areas]
+    alike = [abs(blended - colour).max(axis=2) < _EVEN for colour in colours]
     kept = []
     for number, area in enumerate(areas):
-        around = scipy.ndimage.binary_dilation(area, np.ones((3, 3))) & ~area
+        around = scipy.ndimage.binary_dilation(area, np.ones((5, 5))) & ~area
         others = [
             colours[n]
-            for n, other in enumerate(areas)
-            if n != number and (around & other).sum() > _BESIDE * area.sum()
+            for n in range(len(areas))
+            if n != number and (around & alike[n]).sum() > _BESIDE * area.sum()
         ]
         others += [np.median(_extended(blended, piece)[area], axis=0) for piece in shaded]
         if (area & wide).any() or not _is_blend(colours[number], others):
@@ -191,12 +200,9 @@ def _without_blends(
 
 
 def _is_blend(colour: NDArray[np.float32], others: list[NDArray[np.float32]]) -> bool:
-    for one, other in combinations(others, 2):
-        way = other - one
-        at = float((colour - one) @ way / max(way @ way, 1))
-        if 0 < at < 1 and np.linalg.norm(one + at * way - colour) < _EVEN:
-            return True
-    return False
+    """Whether a colour (4,) blends two or three others."""
+    some = (one for size in (2, 3) for one in combinations(others, size))
+    return any(unblended(colour[None], [one[None] for one in of])[1] < _EVEN**2 for of in some)
 
 
 def _pieces(
