@@ -39,7 +39,7 @@ def _solved(
     other = ways[1]
     its, both, across = _dot(other, other), _dot(one, other), _dot(other, rest)
     area = own * its - both**2
-    flat = area < 1e-3 * own * its
+    flat = area <= 1e-3 * own * its
     area = np.where(flat, 1, area)
     return [
         np.where(flat, -1, (along * its - across * both) / area),

@@ -16,7 +16,13 @@ from numpy.typing import NDArray
 from iconstudio.algorithms.scanning.blending import unblended
 from iconstudio.algorithms.scanning.free import FILLED, has_colours, on_square, scaled
 from iconstudio.algorithms.scanning.margin import PAPER
-from iconstudio.algorithms.scanning.palette import CLEAR, SMALL, Palette, is_in_one_colour, palette_of
+from iconstudio.algorithms.scanning.palette import (
+    CLEAR,
+    SMALL,
+    Palette,
+    is_in_one_colour,
+    palette_of,
+)
 from iconstudio.algorithms.scanning.resampling import (
     premultiplied,
     reconstructed,
@@ -29,11 +35,9 @@ from iconstudio.algorithms.tones.tone import pictogram
 
 _LONGEST = 384
 """Pixels of the longer side of the bitmap that is looked at."""
-_TINY = 64
-"""Pixels of the longer side of a bitmap in which there is as much of edges as of colours."""
-_MISSED, _LOSSY = 0.04, 0.15
+_MISSED, _MISSED_SMALL, _LOSSY = 0.04, 0.08, 0.15
 """Part of the drawing that may be of other colours than those of the palette and their blends; in
-lossy files, edges are."""
+small bitmaps, more lies where colours meet; in lossy files, edges do."""
 _ASTRAY = 28.0
 """Levels by which a pixel misses its blend if it is no such blend."""
 _LACKING = 4
@@ -79,8 +83,8 @@ def flat_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
         return None
     small = shrunk(pixels, -(-max(pixels.shape[:2]) // _LONGEST)) * np.float32(255)
     blended = premultiplied(small)
-    tiny = max(pixels.shape[:2]) <= _TINY and pixels.shape[2] == 4
-    if tiny and is_in_one_colour(blended):
+    small_on_nothing = max(pixels.shape[:2]) <= SMALL and pixels.shape[2] == 4
+    if small_on_nothing and is_in_one_colour(blended):
         return None
     palette = palette_of(blended)
     if palette is None:
@@ -107,13 +111,17 @@ def _completed(
 
     None if too much is of other colours still.
     """
-    most = _MISSED if palette.is_exact(blended) else _LOSSY
-    few = most / 4 if max(blended.shape) <= SMALL else most
+    small = max(blended.shape) <= SMALL
+    exact = _MISSED_SMALL if small else _MISSED
+    most = exact if palette.is_exact(blended) else _LOSSY
+    few = most / 4 if small else most
     parts, amiss, lacking = _parts(blended, palette)
     for _ in range(_LACKING):
         if lacking is None or amiss <= few:
             break
         palette = palette.with_colour(lacking)
+        if small:
+            palette = palette.without_blends(blended)
         parts, amiss, lacking = _parts(blended, palette)
     return palette, parts if amiss <= most else None
 

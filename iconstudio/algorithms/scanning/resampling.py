@@ -6,16 +6,16 @@ from numpy.typing import NDArray
 
 COARSE = 6
 """How many times a bitmap must be enlarged for its shapes to be reconstructed."""
-_FINER, _FINEST = 8, 320
+_FINER, _FINEST = 8, 160
 """Pixels to a side into which one is divided for that, so that there are no more than so many."""
-_ROUNDS, _WIDTH, _STEEP = 12, 0.5, 6.0
+_ROUNDS, _WIDTH, _STEEP = 12, 0.3, 3.0
 """How often shapes are smoothed and corrected; by how much, in pixels; how steep edges are then."""
 _GAIN, _KEPT = 1.5, 0.7
 """What of an error is added each time, and what of it is kept."""
 _SLACK = 0.25
 """What part of a pixel may be amiss where there are no greys."""
-_GREY, _FEW = 0.4, 0.1
-"""How far from half of 1 greys are at most, and what part of the pixels at edges is few."""
+_PURE, _FEW = 0.95, 0.2
+"""How much of a pixel a shape takes that has it all; how many greys a corner has at least."""
 
 
 def shrunk(pixels: NDArray[np.uint8], step: int) -> NDArray[np.float32]:
@@ -41,18 +41,21 @@ def reconstructed(parts: NDArray[np.float32], shape: tuple[int, ...]) -> NDArray
     cover as much of each of its pixels as is given: by turns they are smoothed, made sharp, and
     corrected by what is amiss (threshold dynamics: B. Merriman, J. Bence, S. Osher, 1992; S.
     Esedoglu, F. Otto, 2015). So lines of a pixel are straight, and keep their width. Where there
-    are no greys, they cover about as much; but squares that touch at their corners stay squares.
+    are no greys, squares are squares, but steps of one pixel are contours that run aslant.
     """
     count, height, width = parts.shape
     if shape[0] < COARSE * height:
         return np.stack([resized(one, shape) for one in parts])
-    jagged = _are_jagged(parts)
-    if jagged and _touch_at_corners(parts.argmax(axis=0)):
-        rows, columns = (np.arange(n) * old // n for n, old in zip(shape, parts.shape[1:], strict=True))
+    jagged = _has_no_greys(parts)
+    if jagged and not _has_steps(parts.argmax(axis=0)):
+        rows, columns = (
+            np.arange(n) * old // n for n, old in zip(shape, parts.shape[1:], strict=True)
+        )
         return parts[:, rows[:, None], columns]
     finer = max(2, min(_FINER, _FINEST // max(height, width)))
     block = np.ones((1, finer, finer), np.float32)
-    sharp, error = np.kron(parts, block), np.zeros_like(parts)
+    sharp = _sharpened(np.stack([resized(one, (height * finer, width * finer)) for one in parts]))
+    error = np.zeros_like(parts)
     for _ in range(_ROUNDS):
         smooth = scipy.ndimage.gaussian_filter(
             sharp + np.kron(error, block), (0, _WIDTH * finer, _WIDTH * finer), mode="nearest"
@@ -74,21 +77,38 @@ def _sharpened(parts: NDArray[np.float32]) -> NDArray[np.float32]:
     return sharp
 
 
-def _are_jagged(parts: NDArray[np.float32]) -> bool:
-    """Whether the edges of shapes have no greys, which tell where within a pixel they run."""
-    high = scipy.ndimage.maximum_filter(parts, (1, 3, 3))
-    low = scipy.ndimage.minimum_filter(parts, (1, 3, 3))
-    edge = high - low > 0.5
-    grey = edge & (abs(parts - 0.5) < _GREY)
-    return bool(grey.sum() < _FEW * edge.sum())
+def _has_no_greys(parts: NDArray[np.float32]) -> bool:
+    """Whether pixels at the corners of shapes have no greys, which tell how round these are."""
+    labels = parts.argmax(axis=0)
+    one, right, below, across = _squares(labels)
+    corners = ((one != right) | (below != across)) & ((one != below) | (right != across))
+    greys = parts.max(axis=0) < _PURE
+    return bool(greys.sum() <= _FEW * corners.sum())
 
 
-def _touch_at_corners(labels: NDArray[np.intp]) -> bool:
-    """Whether four pixels somewhere are of the same shape crosswise only."""
-    one, right, below, across = labels[:-1, :-1], labels[:-1, 1:], labels[1:, :-1], labels[1:, 1:]
+def _has_steps(labels: NDArray[np.intp]) -> bool:
+    """Whether contours run in steps of one pixel, as aslant or round ones do without greys.
+
+    Where pixels touch at their corners, steps are the shape's own.
+    """
+    one, right, below, across = _squares(labels)
     falling = (one == across) & (one != right) & (one != below)
     rising = (right == below) & (right != one) & (right != across)
-    return bool((falling | rising).any())
+    if (falling | rising).any():
+        return False
+    for turned in (labels, labels.T):
+        a, b, c = turned[:-1, :-2], turned[:-1, 1:-1], turned[:-1, 2:]
+        d, e, f = turned[1:, :-2], turned[1:, 1:-1], turned[1:, 2:]
+        up = (a == b) & (b != c) & (d != e) & (e == f)
+        down = (a != b) & (b == c) & (d == e) & (e != f)
+        if ((b != e) & (up | down)).any():
+            return True
+    return False
+
+
+def _squares(labels: NDArray[np.intp]) -> tuple[NDArray[np.intp], ...]:
+    """Return the upper left, upper right, lower left and lower right of all four pixels."""
+    return labels[:-1, :-1], labels[:-1, 1:], labels[1:, :-1], labels[1:, 1:]
 
 
 def resized(values: NDArray[np.float32], shape: tuple[int, ...]) -> NDArray[np.float32]:
