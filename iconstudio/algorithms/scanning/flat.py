@@ -100,8 +100,11 @@ def flat_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
         if palette.noise(ground, blended) > _CLEAN:
             return None
         palette = _without_fading(palette, ground)
-    palette, parts = _completed(blended, palette)
-    return None if parts is None else _painted(parts, palette, ground, around < _AROUND)
+    completed, parts = _completed(blended, palette)
+    if parts is None:
+        return None
+    away = abs(completed.colours - palette.colours[ground]).max(axis=1)
+    return _painted(parts, completed, int(away.argmin()), around < _AROUND)
 
 
 def _completed(

@@ -68,29 +68,21 @@ class Palette(NamedTuple):
     def without_blends(self, blended: NDArray[np.float32]) -> "Palette":
         """Return it without the colours of edges: slim, between others in place and in colour."""
         wide = evenly_painted(blended, 3)
-        alike = [abs(blended - colour).max(axis=2) < _EVEN for colour in self.colours]
-        kept = list(range(len(self.colours)))
-        for one in kept[::-1]:
-            area = (
-                alike[one]
-                if one not in self.shades and not self.counts[one]
-                else self.number == one
-            )
-            if one in self.shades or (area & wide).any():
+        flat = [one for one in range(len(self.colours)) if one not in self.shades]
+        alike = {one: abs(blended - self.colours[one]).max(axis=2) < _EVEN for one in flat}
+        kept = set(range(len(self.colours)))
+        for one in flat[::-1]:
+            area = self.number == one if self.counts[one] else alike[one]
+            if not area.any() or (area & wide).any():
                 continue
             around = scipy.ndimage.binary_dilation(area, np.ones((5, 5))) & ~area
-            near = [
-                n
-                for n in kept
-                if n != one
-                and n not in self.shades
-                and (around & alike[n]).sum() > _BESIDE * area.sum()
-            ]
+            least = _BESIDE * area.sum()
+            near = [n for n in flat if n in kept - {one} and (around & alike[n]).sum() > least]
             others = [self.colours[n] for n in near]
             others += [np.median(shade[area], axis=0) for shade in self.shades.values()]
             if _is_blend(self.colours[one], others):
                 kept.remove(one)
-        return self._only(kept)
+        return self._only(sorted(kept))
 
     def _only(self, kept: list[int]) -> "Palette":
         """Return it with some of its colours."""
