@@ -209,7 +209,8 @@ def _clusters(
 def _trimmed(blended: NDArray[np.float32], area: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Return an area without what goes over into another colour, as edges that run aslant do."""
     away = abs(blended - np.median(blended[area], axis=0)).max(axis=2)
-    return area & (away < _EVEN)
+    trimmed: NDArray[np.bool_] = area & (away < _EVEN)
+    return trimmed
 
 
 def _is_blend(colour: NDArray[np.float32], others: list[NDArray[np.float32]]) -> bool:
