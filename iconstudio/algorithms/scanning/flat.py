@@ -46,6 +46,9 @@ _ABSENT = 14.0
 """Levels that it costs to blend a colour that no even area near has."""
 _GROUND = 0.9
 """How much of a pixel at the edge of a drawing is ground, at most."""
+_PURE, _BY_DEGREES = 0.9, 0.045
+"""How much of a pixel has one colour, if it is no blend; what part of a drawing may be blends in
+the midst of blends."""
 _NEAR = 7
 """Pixels across, of what is near."""
 _AROUND = 0.97
@@ -83,8 +86,8 @@ def flat_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
         return None
     small = shrunk(pixels, -(-max(pixels.shape[:2]) // _LONGEST)) * np.float32(255)
     blended = premultiplied(small)
-    small_on_nothing = max(pixels.shape[:2]) <= SMALL and pixels.shape[2] == 4
-    if small_on_nothing and is_in_one_colour(blended):
+    free = pixels.shape[2] == 4 or _is_sparse(blended)
+    if free and max(pixels.shape[:2]) <= SMALL and is_in_one_colour(blended):
         return None
     palette = palette_of(blended)
     if palette is None:
@@ -107,6 +110,15 @@ def flat_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
     return _painted(parts, completed, int(away.argmin()), around < _AROUND)
 
 
+def _is_sparse(blended: NDArray[np.float32]) -> bool:
+    """Whether what is on white paper fills so little of its bounding box as lines do."""
+    ink = blended.min(axis=2) <= PAPER
+    rows, columns = np.flatnonzero(ink.any(axis=1)), np.flatnonzero(ink.any(axis=0))
+    if not len(rows):
+        return False
+    return bool(ink[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1].mean() < _SPARSE)
+
+
 def _completed(
     blended: NDArray[np.float32], palette: Palette
 ) -> tuple[Palette, NDArray[np.float32] | None]:
@@ -126,7 +138,16 @@ def _completed(
         if small:
             palette = palette.without_blends(blended)
         parts, amiss, lacking = _parts(blended, palette)
-    return palette, parts if amiss <= most else None
+    if amiss > most or (small and _change_by_degrees(parts)):
+        return palette, None
+    return palette, parts
+
+
+def _change_by_degrees(parts: NDArray[np.float32]) -> bool:
+    """Whether colours go over into each other within areas, as those of steep gradients do."""
+    mixed = scipy.ndimage.binary_erosion(parts.max(axis=0) < _PURE, np.ones((3, 3)))
+    drawn = parts.argmax(axis=0) != parts.sum(axis=(1, 2)).argmax()
+    return bool(mixed.sum() > _BY_DEGREES * drawn.sum())
 
 
 def _is_full_bleed(
