@@ -138,7 +138,8 @@ def _completed(
         if small:
             palette = palette.without_blends(blended)
         parts, amiss, lacking = _parts(blended, palette)
-    if amiss > most or (small and _change_by_degrees(parts)):
+    on_nothing = small and bool((palette.colours[:, 3] < CLEAR).any())
+    if amiss > most or (on_nothing and _change_by_degrees(parts)):
         return palette, None
     return palette, parts
 
