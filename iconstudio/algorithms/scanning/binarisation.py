@@ -12,7 +12,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.scanning.flat import flat_drawing
+from iconstudio.algorithms.scanning.flat import flat_drawing, on_nothing
 from iconstudio.algorithms.scanning.free import LARGE, free_drawing
 from iconstudio.algorithms.scanning.margin import with_margin
 from iconstudio.algorithms.scanning.paper import lighting, page, trend
@@ -139,6 +139,8 @@ def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
 
     These tell only if nobody says whether it is lighter than its ground.
     """
+    if inverted is None:
+        pixels = on_nothing(pixels)
     if not inverted:
         pixels = with_margin(pixels)
     drawing = _coloured_drawing(pixels) if inverted is None else None

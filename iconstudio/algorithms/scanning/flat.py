@@ -86,7 +86,7 @@ def flat_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
         return None
     small = shrunk(pixels, -(-max(pixels.shape[:2]) // _LONGEST)) * np.float32(255)
     blended = premultiplied(small)
-    free = pixels.shape[2] == 4 or _is_sparse(blended)
+    free = pixels.shape[2] == 4
     if free and max(pixels.shape[:2]) <= SMALL and is_in_one_colour(blended):
         return None
     palette = palette_of(blended)
@@ -108,6 +108,21 @@ def flat_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
         return None
     away = abs(completed.colours - palette.colours[ground]).max(axis=1)
     return _painted(parts, completed, int(away.argmin()), around < _AROUND)
+
+
+def on_nothing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """Return lines in one colour on white, on a small bitmap (h, w, 3), as the same on nothing.
+
+    What is given is (h, w, 4); any other bitmap is as it is.
+    """
+    if pixels.shape[2] == 4 or not 8 <= min(pixels.shape[:2]) <= max(pixels.shape[:2]) <= SMALL:
+        return pixels
+    blended = premultiplied(pixels.astype(np.float32))
+    if not _is_sparse(blended) or not is_in_one_colour(blended):
+        return pixels
+    away = (255 - blended[..., :3]).max(axis=2)
+    alpha = np.rint(np.clip((away - away.min()) / np.ptp(away), 0, 1) * 255).astype(np.uint8)
+    return np.dstack([np.zeros_like(pixels), alpha])
 
 
 def _is_sparse(blended: NDArray[np.float32]) -> bool:
@@ -138,8 +153,8 @@ def _completed(
         if small:
             palette = palette.without_blends(blended)
         parts, amiss, lacking = _parts(blended, palette)
-    on_nothing = small and bool((palette.colours[:, 3] < CLEAR).any())
-    if amiss > most or (on_nothing and _change_by_degrees(parts)):
+    free = small and bool((palette.colours[:, 3] < CLEAR).any())
+    if amiss > most or (free and _change_by_degrees(parts)):
         return palette, None
     return palette, parts
 

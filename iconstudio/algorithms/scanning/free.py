@@ -50,7 +50,7 @@ def free_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
         return None
     larger = resized(blended, scaled(blended.shape[:2], FILLED / max(blended.shape[:2])))
     layered = blended[..., 3][even & shown].min() < _OPAQUE
-    return on_square(larger if layered else _with_edges(larger, blended[..., 3] / 255))
+    return on_square(larger if layered else _with_edges(larger, blended[..., 3] / np.float32(255)))
 
 
 def _with_edges(larger: NDArray[np.float32], alpha: NDArray[np.float32]) -> NDArray[np.float32]:
@@ -59,8 +59,9 @@ def _with_edges(larger: NDArray[np.float32], alpha: NDArray[np.float32]) -> NDAr
     What its ``alpha`` (h, w) tells of are edges, and no layers that are hardly opaque.
     """
     inside = reconstructed(np.stack([alpha, 1 - alpha]), larger.shape[:2])[0] > 0.5
-    sharp: NDArray[np.float32] = larger * (255 / np.maximum(larger[..., 3:], 1))
-    return np.where(inside[..., None], sharp, np.float32(0))
+    straight = larger * (np.float32(255) / np.maximum(larger[..., 3:], 1))
+    sharp: NDArray[np.float32] = np.where(inside[..., None], straight, np.float32(0))
+    return sharp
 
 
 def scaled(shape: tuple[int, ...], scale: float) -> tuple[int, ...]:
