@@ -2,6 +2,7 @@
 
 import os
 import time
+from dataclasses import replace
 
 import pytest
 
@@ -34,6 +35,13 @@ def prepared():
 
 def results(events):
     return [event for event in events if isinstance(event, Result)]
+
+
+def first(events):
+    """The first result of a run that ends with it."""
+    found = next(event for event in events if isinstance(event, Result))
+    events.close()
+    return found
 
 
 def cells(events):
@@ -77,9 +85,10 @@ def test_without_its_style_the_focus_is_still_a_lambda_s(prepared, workers):
 
 
 def test_a_fine_result_is_of_the_same_shape(prepared, workers):
-    settings = {"styles": ("dark",), "focus": ("dark", 0.2)}
-    (plain, *_), (fine, *_) = (
-        results(run(prepared, workers, side=side, **settings)) for side in (CANVAS, FINE)
+    settings = ModelSettings(lambdas=LAMBDAS, styles=("dark",), focus=("dark", 0.2))
+    plain, fine = (
+        first(model(SKETCH, prepared, replace(settings, side=side), workers, render_placed))
+        for side in (CANVAS, FINE)
     )
     assert fine.icon.composite.labels.shape == (FINE, FINE)
     assert fine.icon.drawing.coverage.shape == plain.icon.drawing.coverage.shape
