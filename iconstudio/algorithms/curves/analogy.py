@@ -12,8 +12,9 @@ from iconstudio.algorithms.curves.constraints import Constraint, combined
 from iconstudio.algorithms.curves.curve import Curve, Numbers, Points
 from iconstudio.algorithms.curves.neighbourhoods import Neighbourhoods, bend, directions, weights
 from iconstudio.algorithms.curves.parameters import Parameters
+from iconstudio.algorithms.curves.passes import begin, refine
 from iconstudio.algorithms.curves.pyramid import Level, carried
-from iconstudio.algorithms.curves.search import Costs, Rows, begin, refine
+from iconstudio.algorithms.curves.search import Costs, Rows
 
 _START = 3
 """Points that a new curve begins with, copied from A'."""
@@ -77,9 +78,16 @@ class Search:
         count = max(4, round(plain.length * level.lengthening / level.spacing))
         at = np.linspace(0, plain.end, count + 1)
         if plain.closed:
-            at = at[:-1]
+            # Once more over the start, to be cross-faded: so the end meets it.
+            over = min(count // 3, 2 * self._reach)
+            at = np.concatenate([at[:-1], plain.end + at[:over]])
         points, sources = np.empty(len(at), complex), np.empty(len(at), np.int64)
         self._begin(at, points, sources, 0, constraints)
+        if plain.closed:
+            new = (np.arange(over) + 0.5) / over
+            points[:over] = new * points[:over] + (1 - new) * points[count:]
+            sources[:over] = np.where(new < 0.5, sources[count:], sources[:over])
+            at, points, sources = at[:count], points[:count], sources[:count]
         return Synthesised(Curve(points, at, plain.end, plain.closed), sources)
 
     def scribbled(self, length: float, seed: int) -> Synthesised:

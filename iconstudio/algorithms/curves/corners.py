@@ -4,6 +4,7 @@ Beyond the paper: its neighbourhoods turn as a whole, so that at a tip points pi
 """
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 import numpy as np
 
@@ -30,10 +31,7 @@ def parted(curve: Curve, constraints: Sequence[Constraint]) -> list[Piece]:
         ends = np.append(corners, corners[0] + curve.end)
     else:
         ends = np.concatenate([[0.0], corners, [curve.end]])
-    pieces = []
-    for first, last in zip(ends[:-1], ends[1:], strict=True):
-        pieces.append(_part(curve, float(first), float(last), constraints))
-    return pieces
+    return [_part(curve, float(first), float(last), constraints) for first, last in pairwise(ends)]
 
 
 def joined(curve: Curve, pieces: Sequence[tuple[Curve, float, float]]) -> Curve:
@@ -75,10 +73,9 @@ def _corners(curve: Curve) -> np.ndarray:
     return np.sort(knots[found])
 
 
-def _part(
-    curve: Curve, first: float, last: float, constraints: Sequence[Constraint]
-) -> Piece:
-    count = max(2, int(np.ceil((curve.arc_at(np.array([last])) - curve.arc_at(np.array([first])))[0])))
+def _part(curve: Curve, first: float, last: float, constraints: Sequence[Constraint]) -> Piece:
+    start, stop = curve.arc_at(np.array([first, last]))
+    count = max(2, int(np.ceil(stop - start)))
     inner = np.concatenate([curve.parameters, curve.parameters + curve.end])
     inner = inner[(inner > first) & (inner < last)]
     at = np.union1d(inner, np.linspace(first, last, count + 1))

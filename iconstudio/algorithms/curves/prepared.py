@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
+from numpy.typing import NDArray
 
 from iconstudio.algorithms.curves.curve import Curve, Numbers
 from iconstudio.algorithms.curves.example import Pair
@@ -41,6 +42,11 @@ class Prepared:
     loop: float
     """The length of the plain line that the longest loop of the style takes."""
 
+    @property
+    def whole(self) -> tuple[Parameters, Sequence[Level]]:
+        """What has the size that is wanted, whatever it fits on."""
+        return _sized(self.style, self.strength, self.size, 0)
+
     def room(self, line: Curve) -> tuple[Parameters, Sequence[Level]]:
         """Return what fits on a line: smaller by and by where there is no room."""
         radius, length = _room(line)
@@ -48,16 +54,17 @@ class Prepared:
         number = int(np.ceil(np.log(max(part, 1e-9)) / np.log(_SMALLER) - 1e-9))
         return _sized(self.style, self.strength, self.size, min(number, _SIZES - 1))
 
-    def widths(self, levels: Sequence[Level], sources: Numbers) -> Numbers:
+    def widths(self, levels: Sequence[Level], sources: NDArray[np.int64]) -> Numbers:
         """Return the width at the candidates of points (n,), over the mean of the example."""
         finest = levels[-1]
         found = np.ones(len(sources))
         for number, pair in enumerate(self.style.pairs):
             here = finest.order.curve[sources] == number
             if pair.widths and here.any():
-                at = np.linspace(0, 1, len(pair.widths))
-                ratio = np.array(pair.widths) / max(np.mean(pair.widths), 1e-9)
-                own = np.interp(_along(self.style, number, finest.parameters[sources[here]]), at, ratio)
+                width = np.array(pair.widths) / max(float(np.mean(pair.widths)), 1e-9)
+                at, even = _knots(self.style, number)
+                along = np.interp(finest.parameters[sources[here]], at, even)
+                own = np.interp(along, np.linspace(0, 1, len(width)), width)
                 found[here] = np.maximum(0.1, 1 + self.strength * (own - 1))
         return found
 
@@ -113,11 +120,6 @@ def _knots(style: LineStyle, number: int) -> tuple[Numbers, Numbers]:
     arc = np.concatenate([[0.0], np.cumsum(steps)])
     at = curve.parameters_at(arc / max(arc[-1], 1e-9) * curve.length)
     return at, np.linspace(0, 1, len(points))
-
-
-def _along(style: LineStyle, number: int, parameters: Numbers) -> Numbers:
-    knots, even = _knots(style, number)
-    return np.interp(parameters, knots, even)
 
 
 def _room(line: Curve) -> tuple[float, float]:

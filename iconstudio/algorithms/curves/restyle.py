@@ -68,9 +68,7 @@ def _fitting(
     curve: Curve, pieces: Sequence[tuple[Curve, float, float]], widths: Sequence[Numbers]
 ) -> Numbers:
     """Return the widths of a curve's parts at its own points, blurred a little."""
-    at = np.concatenate(
-        [first + one.parameters * (last - first) for one, first, last in pieces]
-    )
+    at = np.concatenate([first + one.parameters * (last - first) for one, first, last in pieces])
     found = np.concatenate(widths)
     order = np.argsort(np.mod(at, curve.end) if curve.closed else at, kind="stable")
     at = np.mod(at, curve.end)[order] if curve.closed else at[order]

@@ -11,10 +11,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.compiled import entry, part
-
-_EXACT = 1e-7
-"""What differs by less is the same, but for rounding."""
+from iconstudio.algorithms.compiled import part
+from iconstudio.algorithms.curves.sampling import EXACT
 
 _SENSELESS = 100.0
 """How many times as much a jump costs after which the same jump would follow."""
@@ -91,7 +89,7 @@ class Order(NamedTuple):
 
 
 @part
-def _random(state):  # type: ignore[no-untyped-def]
+def random_number(state):  # type: ignore[no-untyped-def]
     """Return a number from 0 to 1, and the next state (xorshift64*)."""
     x = state[0]
     x ^= x >> np.uint64(12)
@@ -203,7 +201,7 @@ def _compare(  # type: ignore[no-untyped-def]
 
 
 @part
-def _choose(  # type: ignore[no-untyped-def]
+def choose(  # type: ignore[no-untyped-def]
     styled, plain, coarser, order, costs, b, ways, first, last, has_plain, row_b, ways_b, first_b,
     last_b, has_coarse, row_c, ways_c, first_c, last_c, source, previous, pull, pull_weight, state,
     work,
@@ -358,26 +356,26 @@ def _choose(  # type: ignore[no-untyped-def]
             step = order.arc[j] - order.arc[source]
             if order.period[j] > 0.0 and step < -0.5 * order.period[j]:
                 step += order.period[j]
-            gap = (1.5 + _EXACT) * np.sqrt(
+            gap = (1.5 + EXACT) * np.sqrt(
                 (pr[j] - previous.real) ** 2 + (pi[j] - previous.imag) ** 2
             )
             same = order.curve[j] == order.curve[source]
-            if not (same and _EXACT < step < gap):
+            if not (same and EXACT < step < gap):
                 cost[j] *= costs.incoherent * (1.0 + costs.late * order.lateness[j])
                 # A jump back by a little, or to the end, would come again and again.
-                if order.ending[j] or (same and -costs.stride < step <= _EXACT):
+                if order.ending[j] or (same and -costs.stride < step <= EXACT):
                     cost[j] *= _SENSELESS
     least = np.inf
     for j in range(n):
         if cost[j] < least:
             least = cost[j]
     # Where several fit, rounding must not tell which: the same result, however B is turned.
-    bound = least * (1.0 + costs.epsilon) + _EXACT * costs.ways[middle]
+    bound = least * (1.0 + costs.epsilon) + EXACT * costs.ways[middle]
     good = 0
     for j in range(n):
         if cost[j] <= bound:
             good += 1
-    nth = int(_random(state) * good)
+    nth = int(random_number(state) * good)
     best = 0
     for j in range(n):
         if cost[j] <= bound:
@@ -386,169 +384,3 @@ def _choose(  # type: ignore[no-untyped-def]
                 break
             nth -= 1
     return pr[best] + 1j * pi[best], best
-
-
-@part
-def _between(points, count, closed, k, following, at):  # type: ignore[no-untyped-def]
-    """Return the place of a point of a side, on Catmull and Rom's cubic instead of the side."""
-    p = points[k]
-    q = points[following]
-    way = following - k
-    if way > 1 or way < -1:  # around the start of a closed curve
-        way = -1 if way > 0 else 1
-    before = k - way
-    after = following + way
-    if closed:
-        before %= count
-        after %= count
-    elif before < 0 or before >= count or after < 0 or after >= count:
-        return at
-    u = np.abs(at - p) / np.abs(q - p)
-    m = 0.5 * (q - points[before])
-    n = 0.5 * (points[after] - p)
-    return p + u * m + u * u * (3.0 * (q - p) - 2.0 * m - n) + u * u * u * (2.0 * (p - q) + m + n)
-
-
-@part
-def _around(points, arcs, count, i, around, closed, spacing, samples, places):  # type: ignore[no-untyped-def]
-    """Sample the first ``count`` points' polyline around the i-th, ``spacing`` apart by arc length.
-
-    ``places`` tells where along the sweep samples are, relative to the middle one; points are at
-    ``arcs``, and a closed sweep is ``around`` long. Returns the first and the last sample that lie
-    on the polyline.
-    """
-    middle = len(samples) // 2
-    samples[middle] = points[i]
-    places[middle] = 0.0
-    first = middle
-    last = middle
-    for way in (-1, 1):
-        at = points[i]
-        k = i
-        left = spacing
-        sample = middle + way
-        swept = 0.0
-        walked = 0
-        while 0 <= sample < len(samples) and walked <= count:
-            following = k + way
-            if closed:
-                following %= count
-            elif following < 0 or following >= count:
-                break
-            gap = points[following] - at
-            far = np.abs(gap)
-            onward = arcs[following] - arcs[i] - swept
-            if closed:
-                onward -= around * np.rint((onward - way * left) / around) if around > 0.0 else 0.0
-            if far >= left * (1.0 - _EXACT) and far > 0.0:
-                at += gap * (left / far)
-                swept += onward * (left / far)
-                samples[sample] = _between(points, count, closed, k, following, at)
-                places[sample] = swept
-                sample += way
-                left = spacing
-            else:
-                left -= far
-                at = points[following]
-                swept += onward
-                k = following
-                walked += 1
-        if way < 0:
-            first = sample + 1
-        else:
-            last = sample - 1
-    return first, last
-
-
-@part
-def _unbend(samples, places, first, last, bends, spacing):  # type: ignore[no-untyped-def]
-    """Take the bend of the sweep, given ``spacing`` apart, out of samples at these places of it."""
-    middle = len(samples) // 2
-    for k in range(first, last + 1):
-        at = min(max(places[k] / spacing + middle, 0.0), len(samples) - 1.000001)
-        low = int(at)
-        samples[k] -= bends[low] + (at - low) * (bends[low + 1] - bends[low])
-
-
-@part
-def _point_out(samples, first, last, ways):  # type: ignore[no-untyped-def]
-    """Fill the directions between samples that lie on a curve."""
-    for k in range(first, last):
-        gap = samples[k + 1] - samples[k]
-        far = np.abs(gap)
-        ways[k] = gap / far if far > 0.0 else 0.0j
-
-
-@entry
-def begin(  # type: ignore[no-untyped-def]
-    styled, plain, order, costs, spacing, has_plain, rows, pulls, pull_weights, bends, arcs, state,
-    points, sources, done,
-):  # fmt: skip
-    """Fill points and sources from the ``done``-th on, each from the neighbourhood before it."""
-    width = len(costs.samples)
-    middle = width // 2
-    work = np.empty((16, styled.real.shape[1]))
-    back = np.zeros(width, np.complex128)
-    places = np.zeros(width)
-    samples = np.zeros(width, np.complex128)
-    ways = np.zeros(width - 1, np.complex128)
-    for i in range(done, len(points)):
-        first = middle + 1
-        source = -1
-        previous = 0.0j
-        if i > 0:
-            # The sample before the new point is the point before it, and so on back from there.
-            found, _ = _around(points, arcs, i, i - 1, 0.0, False, spacing, back, places)
-            first = max(found - 1, 0)
-            for k in range(first, middle):
-                samples[k] = back[k + 1]
-                places[k] = places[k + 1] + arcs[i - 1] - arcs[i]
-            _unbend(samples, places, first, middle - 1, bends[i], spacing)
-            _point_out(samples, first, middle - 1, ways)
-            source = sources[i - 1]
-            previous = points[i - 1]
-        points[i], sources[i] = _choose(
-            styled, plain, plain, order, costs, samples, ways, first, middle, has_plain,
-            rows.samples[i], rows.ways[i], rows.first[i], rows.last[i], False, samples, ways,
-            0, 0, source, previous, pulls[i], pull_weights[i], state, work,
-        )  # fmt: skip
-
-
-@entry
-def refine(  # type: ignore[no-untyped-def]
-    styled, plain, coarser, order, costs, spacing, closed, has_plain, rows, has_coarse,
-    coarse_rows, pulls, pull_weights, bends, arcs, around, state, points, sources,
-):  # fmt: skip
-    """Go once over all points, each from the whole neighbourhood around it.
-
-    A closed curve is gone over from a random point on.
-    """
-    width = len(costs.samples)
-    count = len(points)
-    work = np.empty((16, styled.real.shape[1]))
-    samples = np.zeros(width, np.complex128)
-    places = np.zeros(width)
-    ways = np.zeros(width - 1, np.complex128)
-    start = int(_random(state) * count) if closed else 0
-    for nth in range(count):
-        i = (start + nth) % count
-        if pull_weights[i] == np.inf:
-            points[i] = pulls[i]
-        first, last = _around(points, arcs, count, i, around, closed, spacing, samples, places)
-        _unbend(samples, places, first, last, bends[i], spacing)
-        _point_out(samples, first, last, ways)
-        source = -1
-        previous = 0.0j
-        if i > 0 or closed:
-            source = sources[(i - 1) % count]
-            previous = points[(i - 1) % count]
-        hard = pull_weights[i] == np.inf
-        place, sources[i] = _choose(
-            styled, plain, coarser, order, costs, samples, ways, first, last, has_plain,
-            rows.samples[i], rows.ways[i], rows.first[i], rows.last[i], has_coarse,
-            coarse_rows.samples[i], coarse_rows.ways[i], coarse_rows.first[i],
-            coarse_rows.last[i], source, previous, pulls[i],
-            0.0 if hard else pull_weights[i], state, work,
-        )  # fmt: skip
-        if not hard:
-            points[i] = place

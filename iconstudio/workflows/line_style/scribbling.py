@@ -18,7 +18,7 @@ def scribbled(style: LineStyle, length: float, seed: int) -> tuple[Line, Point]:
     from iconstudio.algorithms.curves.multiresolution import scribble
     from iconstudio.algorithms.curves.restyle import prepare
 
-    parameters, levels = prepare(style).sizes[0]
+    parameters, levels = prepare(style).whole
     made = scribble(levels, length, parameters, seed, style.rotation).curve
     points = np.stack([made.points.real, made.points.imag], axis=1)
     points += WIDTH - points.min(axis=0)
