@@ -61,6 +61,27 @@ def test_each_foreign_library_has_one_adapter():
         assert users == adapters, (library, users)
 
 
+def test_the_toy_workflow_keeps_the_rules_of_the_house():
+    toy = ROOT / "tests" / "toy.py"
+    modules = {
+        name.module
+        for name in ast.walk(ast.parse(toy.read_text("utf-8")))
+        if isinstance(name, ast.ImportFrom)
+    }
+    ours = {name for name in modules if name.startswith("iconstudio.")}
+    assert modules - ours <= sys.stdlib_module_names | {"collections.abc"}
+    assert {name.split(".")[1] for name in ours} <= {"inputs", "model", "workflows"}
+    run = subprocess.run(
+        [sys.executable, "-m", "ruff", "check", "--stdin-filename", "iconstudio/workflows/toy.py"],
+        cwd=ROOT,
+        input=toy.read_text("utf-8"),
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert run.returncode == 0, run.stdout + run.stderr
+
+
 def test_the_first_page_is_short_and_its_links_lead_somewhere():
     pages = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *PACKAGE.rglob("README.md")]
     assert pages[0].read_text("utf-8").count("\n") < 150

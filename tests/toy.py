@@ -3,10 +3,8 @@
 from collections.abc import Generator
 from dataclasses import dataclass, replace
 
-from fontTools.misc.transform import Transform
-
 from iconstudio.inputs.formats import Many, Reference
-from iconstudio.model import Icon, Pictogram
+from iconstudio.model import Icon, Pictogram, Transform
 from iconstudio.workflows.events import Event, Progress, Result
 from iconstudio.workflows.workflow import File, Find, Refer, Resources, Settings, Workflow
 
@@ -25,15 +23,18 @@ class MirrorFile(File[Mirroring], frozen=True):
 
     @classmethod
     def of(cls, work: Mirroring, refer: Refer) -> "MirrorFile":
+        """Return the file of some work."""
         return cls(tuple(map(refer, work.icons)))
 
     def resolved(self, find: Find) -> Mirroring:
+        """Return the work, its icons found by ``find``."""
         return Mirroring(tuple(map(find, self.mirrored)))
 
 
 def run(
     resources: Resources, work: Mirroring, settings: Settings | None = None
 ) -> Generator[Event]:
+    """Mirror icons, one after the other."""
     for number, icon in enumerate(work.icons, start=1):
         drawing = resources.drawing(resources.exemplar(icon))
         yield Progress("remix", number / len(work.icons), "Mirroring")
