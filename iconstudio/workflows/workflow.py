@@ -72,6 +72,8 @@ class File(StrictRecord, Generic[W], frozen=True, kw_only=True):
     """The file of some work: its fields are those of the JSON, their types what may be in them."""
 
     title: Text = ""
+    workflow: Text = ""
+    """The name of the workflow that it is of, in files that the program writes."""
 
     @classmethod
     def of(cls, work: W, refer: Refer) -> Self:
@@ -103,7 +105,7 @@ class Workflow(Generic[W]):
     invitation: str = ""
     """The words that offer to send an icon to it; empty if it takes none."""
     file: type[File[W]]
-    """The format of its files; its fields tell them from others'."""
+    """The format of its files."""
     run: Run[W]
     """Makes icons of some work; yields events."""
     examples: str | None = None

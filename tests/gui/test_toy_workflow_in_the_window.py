@@ -78,7 +78,10 @@ def test_its_files_are_saved_and_opened(mirror, qtbot, tmp_path, monkeypatch):
         mirror.chooser.chosen.emit(exemplar(number))
     mirror.actions_by_name["save"].trigger()
     qtbot.waitUntil(path.exists)
-    assert json.loads(path.read_text()) == {"mirrored": ["shapes:frame-1", "shapes:cross-2"]}
+    assert json.loads(path.read_text()) == {
+        "mirrored": ["shapes:frame-1", "shapes:cross-2"],
+        "workflow": "mirror",
+    }
     mirror.actions_by_name["new"].trigger()
     qtbot.waitUntil(lambda: titles(mirror) == [])
     mirror.opener.open_work(str(path))
