@@ -2,6 +2,7 @@
 
 import json
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -60,6 +61,20 @@ def test_its_command_makes_icons_with_their_credits(mirroring, tmp_path, capsys)
     saved = own_svg((out / "mirror-1.svg").read_bytes(), "mirror-1.svg")
     assert saved.credit.title.startswith("mirrored")
     assert [one.id for one in saved.origins] == ["mdi:cat"]
+
+
+def test_a_workflow_without_a_workspace_declares_its_work():
+    with pytest.raises(TypeError, match="it must declare `work`"):
+        replace(MIRROR, work=None)
+
+
+def test_its_command_tells_what_it_could_not_read(tmp_path, capsys):
+    text = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M1 1h5v5z"/>{}</svg>'
+    (tmp_path / "own.svg").write_text(text.format('<foreignObject width="9" height="9"/>'))
+    path = tmp_path / "own.json"
+    path.write_text(json.dumps({"mirrored": ["own.svg"]}))
+    assert run(["mirror", str(path), "--out", str(tmp_path / "out")], NoWindow()) == 0
+    assert "“own.svg”: A part that only web pages show" in capsys.readouterr().err
 
 
 def test_its_files_are_told_from_others(mirroring, tmp_path, capsys):

@@ -53,5 +53,6 @@ MIRROR = Workflow(
     work=Mirroring,
     file=MirrorFile,
     run=run,
-    take=lambda work, icon: replace(work, icons=(*work.icons, icon)),
+    icons=lambda work: work.icons,
+    with_icons=lambda work, icons: replace(work, icons=icons),
 )

@@ -38,4 +38,5 @@ def _reading_and_running(
     session: Session, workflow: Workflow[Any], file: Path, side: int
 ) -> Generator[Event]:
     work = yield from read_file(file, workflow, session)
+    running.tell_remarks(workflow.icons(work))
     yield from session.run(workflow, work, Settings(side=side))

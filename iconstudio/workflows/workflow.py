@@ -113,14 +113,20 @@ class Workflow(Generic[W]):
     command: str = ""
     """``module:name`` of its command; empty: one that reads, runs and writes."""
     workspace: str = ""
-    """``module:name`` of its class in the window; empty: one that collects icons, by the two
+    """``module:name`` of its class in the window; empty: one that collects icons, by the three
     functions below, and shows results."""
     page_format: str = "iconstudio.workflows.plain:WorkPages"
     """``module:name`` of the ``PageFormat`` that keeps its pages in projects."""
     work: Callable[[], W] | None = None
     """Returns the work to begin with."""
-    take: Callable[[W, Pictogram], W] | None = None
-    """Returns the work with one more icon; None if it takes none."""
+    icons: Callable[[W], tuple[Pictogram, ...]] = lambda work: ()
+    """Returns the icons of some work."""
+    with_icons: Callable[[W, tuple[Pictogram, ...]], W] | None = None
+    """Returns the work with these icons in place of its own; None if it takes none."""
+
+    def __post_init__(self) -> None:
+        if not self.workspace and self.work is None:
+            raise TypeError(f"{self.name}: without a workspace of its own, it must declare `work`")
 
 
 def named(reference: str) -> Any:
