@@ -82,6 +82,12 @@ def test_the_toy_workflow_keeps_the_rules_of_the_house():
     assert run.returncode == 0, run.stdout + run.stderr
 
 
+def test_what_all_workflows_share_knows_nothing_of_cuts():
+    for name in ("workflow", "events", "pages", "plain", "files"):
+        text = (PACKAGE / "workflows" / f"{name}.py").read_text("utf-8")
+        assert "iconstudio.algorithms" not in text, name
+
+
 def test_the_first_page_is_short_and_its_links_lead_somewhere():
     pages = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *PACKAGE.rglob("README.md")]
     assert pages[0].read_text("utf-8").count("\n") < 150

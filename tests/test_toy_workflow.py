@@ -46,7 +46,8 @@ def test_the_command_line_knows_it(capsys):
     assert run(["--help"], NoWindow()) == 0
     assert re.search(r"mirror +Mirror icons, left to right\.", capsys.readouterr().out)
     assert run(["mirror", "--help"], NoWindow()) == 0
-    assert "MIRROR.json" in capsys.readouterr().out
+    told = capsys.readouterr().out
+    assert "MIRROR.json" in told and "--fine" not in told
 
 
 def test_its_command_makes_icons_with_their_credits(mirroring, tmp_path, capsys):
@@ -55,6 +56,7 @@ def test_its_command_makes_icons_with_their_credits(mirroring, tmp_path, capsys)
     assert "2 icons" in capsys.readouterr().out
     report = json.loads((out / "results.json").read_text("utf-8"))
     assert [one["credits"][0]["icon"] for one in report["results"]] == ["mdi:cat", "mdi:coffee"]
+    assert set(report["timings"]) >= {"mirror", "total"} and "remix" not in report["timings"]
     assert set(report["files"]) == {
         "mirror-1.svg", "mirror-1.png", "mirror-2.svg", "mirror-2.png", "sheet.png",
     }  # fmt: skip

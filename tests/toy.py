@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from iconstudio.inputs.formats import Many, Reference
 from iconstudio.model import Icon, Pictogram, Transform
 from iconstudio.workflows.events import Event, Progress, Result
-from iconstudio.workflows.workflow import File, Find, Refer, Resources, Settings, Workflow
+from iconstudio.workflows.workflow import File, Find, Refer, Resources, Workflow
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,13 +31,11 @@ class MirrorFile(File[Mirroring], frozen=True):
         return Mirroring(tuple(map(find, self.mirrored)))
 
 
-def run(
-    resources: Resources, work: Mirroring, settings: Settings | None = None
-) -> Generator[Event]:
+def run(resources: Resources, work: Mirroring) -> Generator[Event]:
     """Mirror icons, one after the other."""
     for number, icon in enumerate(work.icons, start=1):
         drawing = resources.drawing(resources.exemplar(icon))
-        yield Progress("remix", number / len(work.icons), "Mirroring")
+        yield Progress("mirror", number / len(work.icons), "Mirroring")
         path = drawing.path.transformed(LEFT_TO_RIGHT)
         yield Result(Icon(path, f"mirrored {icon.credit.title}", icon.origins))
 

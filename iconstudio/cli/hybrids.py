@@ -15,7 +15,7 @@ from iconstudio.workflows.events import Event
 from iconstudio.workflows.hybrids.file import LARGEST_SEED, HybridsFile, read_hybrids
 from iconstudio.workflows.hybrids.hybrids import MOST_DRAWS
 from iconstudio.workflows.hybrids.spec import HYBRIDS
-from iconstudio.workflows.workflow import Settings
+from iconstudio.workflows.remixing import CutSettings
 
 
 @click.command("hybrids")
@@ -62,4 +62,4 @@ def _mixing(session: Session, hybrids: HybridsFile, side: int) -> Generator[Even
     mix = yield from hybrids.resolving(session)
     if hybrids.icons is not None:
         running.tell_remarks(mix.icons)
-    yield from session.run(HYBRIDS, mix, Settings(side=side))
+    yield from session.run(HYBRIDS, mix, CutSettings(side=side))

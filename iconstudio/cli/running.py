@@ -13,7 +13,7 @@ from iconstudio.model import CANVAS, IconstudioError, Pictogram
 from iconstudio.output.folder import check_folder
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event, Progress, Result, Retrieved, StyleSkipped
-from iconstudio.workflows.workflow import FINE
+from iconstudio.workflows.remixing import FINE
 
 
 class Report(Protocol):

@@ -25,9 +25,8 @@ from iconstudio.workflows.events import (
     StyleSkipped,
     staged,
 )
-from iconstudio.workflows.remixing import Finish, Remixing
+from iconstudio.workflows.remixing import CutSettings, Finish, Remixing, RemixResources
 from iconstudio.workflows.solving import CutSeries, Posed
-from iconstudio.workflows.workflow import Resources, Settings
 
 UNTOUCHED = 0.98
 """A source with this part of the ink is the result, but for crumbs."""
@@ -36,7 +35,7 @@ Matches = tuple[tuple[Source, ...], ...]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class ModelSettings(Settings):
+class ModelSettings(CutSettings):
     """Which results to make, and at which scales to try the exemplars."""
 
     styles: tuple[str, ...] = tuple(style.name for style in STYLES)
@@ -186,7 +185,7 @@ def _matched(
 
 
 def focused(
-    resources: Resources, subject: str, events: Generator[Event], settings: ModelSettings
+    resources: RemixResources, subject: str, events: Generator[Event], settings: ModelSettings
 ) -> Generator[Event]:
     """Pass on a run, and keep its result in focus: the next run of that subject begins with it."""
     with closing(events):

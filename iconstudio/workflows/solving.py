@@ -3,9 +3,9 @@
 The process remembers what it has found for a series, so that each step builds on those before.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from concurrent.futures import CancelledError
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from time import perf_counter
 from typing import TYPE_CHECKING
 
@@ -105,8 +105,8 @@ class Solved:
     """Overlap with the silhouette, if there is one."""
     score: Score
     drawing: Drawing
-    seconds: tuple[float, float] = (0.0, 0.0)
-    """To cut, and to draw."""
+    seconds: Mapping[str, float] = field(default_factory=dict)
+    """To cut and to draw, by stage."""
 
 
 @dataclass(eq=False)
@@ -143,7 +143,7 @@ def solve(key: object, series: CutSeries, step: Step, render: Render) -> Solved:
     cut = perf_counter()
     with limited(SECONDS, MEMORY):
         solved = finished(bench.posed, series, step, labels, render)
-    return replace(solved, seconds=(cut - began, perf_counter() - cut))
+    return replace(solved, seconds={"remix": cut - began, "vectorize": perf_counter() - cut})
 
 
 def finished(posed: Posed, series: CutSeries, step: Step, labels: Labels, render: Render) -> Solved:

@@ -3,43 +3,22 @@
 from collections.abc import Callable, Generator
 from dataclasses import dataclass
 from importlib import import_module
-from typing import Any, Generic, Protocol, Self, TypeVar
+from typing import Any, Concatenate, Generic, Protocol, Self, TypeVar
 
-from iconstudio.algorithms.iconification.matching import Matcher
 from iconstudio.inputs.formats import Reference, StrictRecord, Text
-from iconstudio.model import CANVAS, Composite, Drawing, Exemplar, Pictogram
+from iconstudio.model import Drawing, Exemplar, Pictogram
 from iconstudio.workers import Workers
-from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import Event
 
 W = TypeVar("W")
-
-FINE = 2 * CANVAS
-"""The side of fine results: seams run between half pixels of the canvas."""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Settings:
-    """How results are made, whatever of."""
-
-    side: int = CANVAS
-    """m, the sites in a row of the graph cut: the paper's, or ``FINE``."""
 
 
 class Resources(Protocol):
     """What a run works with: a ``Session``, as far as workflows know it."""
 
-    earlier: dict[str, Composite]
-    """The result in focus of the run before, by what it is of: a preview may begin with it."""
-
     @property
     def workers(self) -> Workers:
         """The worker processes."""
-        ...
-
-    @property
-    def render(self) -> Render:
-        """Draws a source at its placement; can be pickled."""
         ...
 
     def icon(self, reference: str) -> Pictogram:
@@ -54,10 +33,10 @@ class Resources(Protocol):
         """Return an icon drawn and traced as results are."""
         ...
 
-    def prepare(
-        self, keyword: str, exclude: frozenset[str] = ..., scales: tuple[float, ...] = ...
-    ) -> Generator[Event, None, Matcher]:
-        """Retrieve a keyword's icons, and make them ready for matching."""
+    def retrieve(
+        self, keyword: str, exclude: frozenset[str] = ...
+    ) -> Generator[Event, None, tuple[Exemplar, ...]]:
+        """Return a keyword's icons on the canvas, best first."""
         ...
 
 
@@ -65,7 +44,8 @@ Find = Callable[[str], Pictogram]
 """Returns the icon of a reference."""
 Refer = Callable[[Pictogram], Reference]
 """Returns the reference of an icon for a file, once it can be found there."""
-Run = Callable[[Resources, W, Any], Generator[Event]]
+Run = Callable[Concatenate[Any, W, ...], Generator[Event]]
+"""Called with a ``Session``, the work, and the settings if the workflow has any."""
 
 
 class File(StrictRecord, Generic[W], frozen=True, kw_only=True):

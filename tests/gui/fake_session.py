@@ -52,7 +52,7 @@ from iconstudio.workflows.events import (
 from iconstudio.workflows.grid import ModelSettings
 from iconstudio.workflows.hybrids.hybrids import check as check_mix
 from iconstudio.workflows.montage.montage import check as check_montage
-from iconstudio.workflows.workflow import Settings, Workflow
+from iconstudio.workflows.workflow import Workflow
 from tests.shapes import outline
 
 RECOMMENDED = 2
@@ -229,7 +229,7 @@ class FakeSession:
     def keyword(self, pictogram: Pictogram) -> str:
         return pictogram.credit.title.split()[0]
 
-    def run(self, workflow: Workflow, work, settings: Settings | None = None):
+    def run(self, workflow: Workflow, work, settings=None):
         """What is faked of a workflow; others run as they are."""
         match workflow.name:
             case "model":
@@ -240,7 +240,7 @@ class FakeSession:
                 return self.mix(work)
             case "montage":
                 return self.montage(work)
-        return workflow.run(self, work, settings)
+        return workflow.run(self, work)
 
     def edit(self, edit: Edit, settings: ModelSettings) -> Iterator[Event]:
         """The results of ``model`` for the icon's frame, nine tenths of them unchanged."""

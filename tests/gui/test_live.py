@@ -18,7 +18,7 @@ from iconstudio.output.colours import SIGNIFICANT
 from iconstudio.workflows.events import Progress, Recommended, StyleSkipped
 from iconstudio.workflows.grid import ModelSettings
 from iconstudio.workflows.modelling import page as edits
-from iconstudio.workflows.workflow import FINE
+from iconstudio.workflows.remixing import FINE
 
 STYLES = ModelSettings().styles
 LAMBDAS = ModelSettings().lambdas

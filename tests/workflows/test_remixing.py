@@ -13,7 +13,7 @@ from iconstudio.workers import Workers
 from iconstudio.workflows.events import Progress, Recommended, Result
 from iconstudio.workflows.grid import ModelSettings
 from iconstudio.workflows.modelling.modelling import model
-from iconstudio.workflows.workflow import FINE
+from iconstudio.workflows.remixing import FINE
 from tests.shapes import blob, exemplar, icons
 
 SKETCH = Sketch(Polygon.of([(30, 30), (220, 40), (200, 230), (60, 210)]), "blob")

@@ -15,7 +15,7 @@ from iconstudio.model import Remix
 from iconstudio.workflows.criteria import CriteriaDocument, CriteriaPage
 from iconstudio.workflows.events import Event, StyleSkipped
 from iconstudio.workflows.grid import ModelSettings
-from iconstudio.workflows.workflow import FINE as FINE_SIDE
+from iconstudio.workflows.remixing import FINE as FINE_SIDE
 
 LIVE, FINE = "live", "fine"
 """Under which it is remembered whether live mode is on, and fine quality."""

@@ -38,8 +38,8 @@ from iconstudio.workers import Workers, answer
 from iconstudio.workflows.drawing import Render, draw_whole
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.grid import Matches, ModelSettings, focused, remix_styles
+from iconstudio.workflows.remixing import RemixResources
 from iconstudio.workflows.solving import Posed
-from iconstudio.workflows.workflow import Resources
 
 
 @dataclass(frozen=True, eq=False)
@@ -115,7 +115,7 @@ def own_styles(icon: Exemplar) -> tuple[str, ...]:
 
 
 def run(
-    resources: Resources, edit: Edit, settings: ModelSettings | None = None
+    resources: RemixResources, edit: Edit, settings: ModelSettings | None = None
 ) -> Generator[Event]:
     """Retrieve the icons of an edit's keyword, and remix its icon with them: see ``edit_icon``.
 

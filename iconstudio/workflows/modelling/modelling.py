@@ -14,8 +14,8 @@ from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.grid import Matches, ModelSettings, focused, remix_styles
+from iconstudio.workflows.remixing import RemixResources
 from iconstudio.workflows.solving import Posed
-from iconstudio.workflows.workflow import Resources
 
 FEWEST = 4
 """A style with fewer exemplars is skipped: all its regions would keep the same three."""
@@ -27,7 +27,7 @@ of some forty sketches: those that it skips were beyond recognition."""
 
 
 def run(
-    resources: Resources, sketch: Sketch, settings: ModelSettings | None = None
+    resources: RemixResources, sketch: Sketch, settings: ModelSettings | None = None
 ) -> Generator[Event]:
     """Retrieve the icons of a sketch's keyword, and remix them in its shape: see ``model``.
 
