@@ -104,6 +104,16 @@ def test_the_modules_that_pages_name_are_there():
             assert found, (page, name)
 
 
+def test_the_names_in_tables_are_there():
+    sources = [*PACKAGE.rglob("*.py"), *(ROOT / "tests" / "oracles").rglob("*.py")]
+    known = set(re.findall(r"\w+", " ".join(path.read_text("utf-8") for path in sources)))
+    for page in PACKAGE.rglob("README.md"):
+        for row in re.findall(r"^\|.*\|$", page.read_text("utf-8"), re.MULTILINE):
+            for name in re.findall(r"`([A-Za-z_][\w.]*)`", row):
+                if not name.endswith(".py"):
+                    assert set(name.split(".")) <= known, (page, name)
+
+
 def test_pymaxflow_is_an_oracle_only():
     assert not [path for path in PACKAGE.rglob("*.py") if "maxflow" in imported(path)]
 

@@ -4,12 +4,11 @@ from dataclasses import replace
 
 import pytest
 
-from iconstudio.algorithms.iconification.lattice import LAMBDAS
 from iconstudio.model import Polygon
 from iconstudio.output.svg import svg_document
 from iconstudio.session import Session
 from iconstudio.workflows.events import Result
-from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.grid import LAMBDAS, ModelSettings
 from iconstudio.workflows.modelling.file import example
 from iconstudio.workflows.modelling.spec import MODELLING
 

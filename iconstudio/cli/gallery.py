@@ -6,7 +6,6 @@ from typing import Annotated
 import click
 from msgspec import Meta, field
 
-from iconstudio.algorithms.iconification.lattice import LAMBDAS
 from iconstudio.cli.progress import ProgressBar
 from iconstudio.cli.timing import profile_option, profiled
 from iconstudio.inputs import json
@@ -17,7 +16,7 @@ from iconstudio.output.sheet import Subject, gallery_sheet
 from iconstudio.resources import resource
 from iconstudio.session import Session
 from iconstudio.workflows.events import Progress, Result
-from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.grid import LAMBDAS, ModelSettings
 from iconstudio.workflows.modelling.file import read_sketch
 from iconstudio.workflows.modelling.spec import MODELLING
 

@@ -7,7 +7,6 @@ from typing import Any, TypeVar
 
 import click
 
-from iconstudio.algorithms.iconification.lattice import LAMBDAS
 from iconstudio.algorithms.iconification.matching import SCALES
 from iconstudio.algorithms.iconification.style import STYLES
 from iconstudio.cli import running
@@ -18,7 +17,7 @@ from iconstudio.output.report import GridReport
 from iconstudio.output.request import Request
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
-from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.grid import LAMBDAS, ModelSettings
 
 _Work = TypeVar("_Work", Sketch, Edit)
 _STYLES = tuple(style.name for style in STYLES)

@@ -9,7 +9,6 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.iconification.lattice import LAMBDAS
 from iconstudio.algorithms.iconification.matching import SCALES, Matcher, sources_of
 from iconstudio.algorithms.iconification.saliency import Region
 from iconstudio.algorithms.iconification.style import STYLES, Style
@@ -27,6 +26,9 @@ from iconstudio.workflows.events import (
 )
 from iconstudio.workflows.remixing import CutSettings, Finish, Remixing, RemixResources
 from iconstudio.workflows.solving import CutSeries, Posed
+
+LAMBDAS = tuple(float(v) for v in np.geomspace(0.03, 0.75, 8))
+"""The values of lambda_S that are tried on the paper's canvas (section 3.4)."""
 
 UNTOUCHED = 0.98
 """A source with this part of the ink is the result, but for crumbs."""

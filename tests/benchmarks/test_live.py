@@ -12,11 +12,10 @@ from time import perf_counter
 import numpy as np
 import pytest
 
-from iconstudio.algorithms.iconification.lattice import LAMBDAS
 from iconstudio.model import Polygon, Sketch
 from iconstudio.session import Session
 from iconstudio.workflows.events import Result
-from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.grid import LAMBDAS, ModelSettings
 from iconstudio.workflows.modelling.file import example
 from iconstudio.workflows.modelling.spec import MODELLING
 

@@ -1,4 +1,6 @@
-"""Soft borders between the regions of a label map: how much each owner has to say near them.
+"""Soft borders between the regions of a label map: each owner's share near them.
+
+An addition to section 3.4, which traces the label map as it is.
 
 The regions are blurred, and all shares sum to 1. A *block* is the square of drawn pixels that one
 label covers.
