@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.iconification.matching import SCALES, Matcher, PreparedExemplar
-from iconstudio.algorithms.iconification.style import two_toned
+from iconstudio.algorithms.iconification.style import has_pale_areas
 from iconstudio.algorithms.scanning.binarisation import Scan
 from iconstudio.caches.preparing import PreparingCache
 from iconstudio.caches.rasters import RasterCache
@@ -267,7 +267,7 @@ class Session(AbstractContextManager["Session"]):
         yield from self.open()
         yield Progress("search", 0.0, f"Looking for “{keyword}”")
         exemplars = yield from self.rasterise(self.search(keyword, exclude))
-        plain = tuple(one for one in exemplars if not two_toned(one.coverage))
+        plain = tuple(one for one in exemplars if not has_pale_areas(one.coverage))
         if len(plain) >= _PLENTY:
             exemplars = plain
         yield Retrieved(keyword, exemplars)

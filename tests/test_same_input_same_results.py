@@ -8,7 +8,7 @@ from iconstudio.model import Polygon
 from iconstudio.output.svg import svg_document
 from iconstudio.session import Session
 from iconstudio.workflows.events import Result
-from iconstudio.workflows.grid import LAMBDAS, ModelSettings
+from iconstudio.workflows.grid import LAMBDAS, GridSettings
 from iconstudio.workflows.modelling.file import example
 from iconstudio.workflows.modelling.spec import MODELLING
 
@@ -35,7 +35,7 @@ def finished(session, sketch, settings, enough=None):
 def test_a_run_after_many_edits_equals_a_fresh_one_to_the_byte():
     sketch = example("shuttle").sketch
     fitted = sketch.polygon.fitted().vertices
-    plain = ModelSettings(styles=(STYLE,), lambdas=FEW)
+    plain = GridSettings(styles=(STYLE,), lambdas=FEW)
     with Session() as fresh:
         expected = finished(fresh, sketch, plain)
     assert len(expected) == len(FEW)
@@ -55,6 +55,6 @@ def test_what_else_is_asked_for_does_not_matter(asked):
     """All lambda_S of the paper's row are explored, whichever are asked for."""
     sketch = example("shuttle").sketch
     with Session() as session:
-        every = finished(session, sketch, ModelSettings(styles=(STYLE,), lambdas=FEW))
-        some = finished(session, sketch, ModelSettings(styles=(STYLE,), lambdas=asked))
+        every = finished(session, sketch, GridSettings(styles=(STYLE,), lambdas=FEW))
+        some = finished(session, sketch, GridSettings(styles=(STYLE,), lambdas=asked))
     assert some == {value: every[value] for value in asked}

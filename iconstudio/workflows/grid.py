@@ -37,7 +37,7 @@ Matches = tuple[tuple[Source, ...], ...]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class ModelSettings(CutSettings):
+class GridSettings(CutSettings):
     """Which results to make, and at which scales to try the exemplars."""
 
     styles: tuple[str, ...] = tuple(style.name for style in STYLES)
@@ -85,7 +85,7 @@ def remix_styles(
     field: NDArray[np.float32],
     regions: Sequence[Region],
     matcher: Matcher,
-    settings: ModelSettings,
+    settings: GridSettings,
     *,
     refusal: Callable[[Style, int, Matches | None], str],
     pose: Callable[[tuple[Source, ...]], Posed],
@@ -187,7 +187,7 @@ def _matched(
 
 
 def focused(
-    resources: RemixResources, subject: str, events: Generator[Event], settings: ModelSettings
+    resources: RemixResources, subject: str, events: Generator[Event], settings: GridSettings
 ) -> Generator[Event]:
     """Pass on a run, and keep its result in focus: the next run of that subject begins with it."""
     with closing(events):

@@ -110,7 +110,7 @@ class Solved:
 
 
 @dataclass(eq=False)
-class _Bench:
+class _SeriesState:
     """What a process keeps of a series between its steps."""
 
     posed: Posed
@@ -133,8 +133,8 @@ def solve(key: object, series: CutSeries, step: Step, render: Render) -> Solved:
 
     began = perf_counter()
     try:
-        bench = remembered(key, lambda: _begin(series))
-        labels = _cut(bench, step)
+        state = remembered(key, lambda: _begin(series))
+        labels = _cut(state, step)
     except Stopped:
         forget(key)
         raise CancelledError from None
@@ -142,7 +142,7 @@ def solve(key: object, series: CutSeries, step: Step, render: Render) -> Solved:
         forget(key)
     cut = perf_counter()
     with limited(SECONDS, MEMORY):
-        solved = finished(bench.posed, series, step, labels, render)
+        solved = finished(state.posed, series, step, labels, render)
     return replace(solved, seconds={"remix": cut - began, "vectorize": perf_counter() - cut})
 
 
@@ -179,7 +179,7 @@ def warm_up(render: Render) -> None:
     trace(render(dot, Frame(0, 0, 8), Placement(), CANVAS))
 
 
-def _begin(series: CutSeries) -> _Bench:
+def _begin(series: CutSeries) -> _SeriesState:
     from iconstudio.algorithms.iconification.alpha_expansion import AlphaExpansion
 
     posed = series.pose()
@@ -188,17 +188,17 @@ def _begin(series: CutSeries) -> _Bench:
     if before is not None and before.labels.shape == posed.problem.data.shape[1:]:
         data = posed.problem.data
         expansion.add(transferred(before.labels, before.sources, series.sources, data))
-    return _Bench(posed, expansion, tuple(map(posed.weight, series.explored)))
+    return _SeriesState(posed, expansion, tuple(map(posed.weight, series.explored)))
 
 
-def _cut(bench: _Bench, step: Step) -> Labels:
+def _cut(state: _SeriesState, step: Step) -> Labels:
     """Return the labelling of a step. Only a preview depends on the result before an edit."""
-    weight = bench.posed.weight(step.lambda_s)
+    weight = state.posed.weight(step.lambda_s)
     if step.preview:
-        return bench.expansion.preview(weight)
-    if bench.row:
-        return bench.expansion.find(weight, bench.row)
-    return bench.expansion.solve(weight)
+        return state.expansion.preview(weight)
+    if state.row:
+        return state.expansion.find(weight, state.row)
+    return state.expansion.solve(weight)
 
 
 def _shares(drawing: Drawing, labels: Labels, count: int) -> tuple[float, ...]:

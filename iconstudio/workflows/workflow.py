@@ -109,10 +109,10 @@ class Workflow(Generic[W]):
             raise TypeError(f"{self.name}: without a workspace of its own, it must declare `work`")
 
 
-def named(reference: str) -> Any:
+def load_object(reference: str) -> Any:
     """Return what ``module:name`` names.
 
-    >>> named("math:hypot")(3, 4)
+    >>> load_object("math:hypot")(3, 4)
     5.0
     """
     module, _, name = reference.partition(":")
@@ -123,6 +123,6 @@ def lazily(reference: str) -> Callable[..., Any]:
     """Return a function that calls what ``module:name`` names, imported when it is first called."""
 
     def call(*args: Any) -> Any:
-        return named(reference)(*args)
+        return load_object(reference)(*args)
 
     return call

@@ -15,12 +15,12 @@ import pytest
 from iconstudio.model import Polygon, Sketch
 from iconstudio.session import Session
 from iconstudio.workflows.events import Result
-from iconstudio.workflows.grid import LAMBDAS, ModelSettings
+from iconstudio.workflows.grid import LAMBDAS, GridSettings
 from iconstudio.workflows.modelling.file import example
 from iconstudio.workflows.modelling.spec import MODELLING
 
 FOCUS = ("medium", LAMBDAS[4])
-LIVE = ModelSettings(previews=True, focus=FOCUS)
+LIVE = GridSettings(previews=True, focus=FOCUS)
 VERTEX = 12
 DRAGGED = 12.0
 """How far the vertex is dragged back and forth, in units of the canvas."""

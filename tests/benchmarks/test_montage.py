@@ -67,14 +67,14 @@ def test_window(benchmark, session, montage, qtbot, monkeypatch):
     from iconstudio.gui.project import questions
     from iconstudio.gui.window.main_window import MainWindow
     from iconstudio.gui.workspaces.montage.opening import page_of
-    from iconstudio.workflows.montage.page import Icon
+    from iconstudio.workflows.montage.page import IconShape
 
     left = Qt.MouseButton.LeftButton
     window = MainWindow(session, (MONTAGE,))
     window.resize(1280, 720)
     window.show()
     place = window.workspace
-    icons = [Icon(session.exemplar(layer.icon)) for layer in montage.layers]
+    icons = [IconShape(session.exemplar(layer.icon)) for layer in montage.layers]
     place.document.change("open", page_of(montage.layers, icons))
 
     def spot(x: float, y: float) -> QPoint:

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy.ndimage import binary_dilation
 
-from iconstudio.algorithms.iconification.style import two_toned
+from iconstudio.algorithms.iconification.style import has_pale_areas
 from iconstudio.library.collection import Collection
 from iconstudio.svg.rasterise import rasterise
 from iconstudio.svg.reading import own_svg
@@ -37,7 +37,7 @@ def astray(one, other):
 
 def _is_plain(pictogram):
     """Whether it has no pale layer, which files of one's own show as well."""
-    return "duotone" not in pictogram.id and not two_toned(rasterise(pictogram.svg)[1])
+    return "duotone" not in pictogram.id and not has_pale_areas(rasterise(pictogram.svg)[1])
 
 
 @pytest.fixture(scope="module")

@@ -24,7 +24,7 @@ from iconstudio.inputs.examples import examples
 from iconstudio.model import Pictogram
 from iconstudio.session import Session
 from iconstudio.workflows.files import write_file
-from iconstudio.workflows.workflow import Workflow, named
+from iconstudio.workflows.workflow import Workflow, load_object
 
 
 class Workspace(ResultsWidget):
@@ -84,7 +84,7 @@ class Workspace(ResultsWidget):
         self.document = document
         self.blank = document.page
         """The page to begin with."""
-        self.pages = named(workflow.page_format)(workflow)
+        self.pages = load_object(workflow.page_format)(workflow)
         """Writes its pages into projects."""
         document.setParent(self)
         self.worker = Worker(self)
