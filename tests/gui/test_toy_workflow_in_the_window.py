@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import pytest
 from fake_session import FakeSession, exemplar
-from hands import shown, trace, type_keyword
+from hands import go_to, shown, trace, type_keyword
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
@@ -22,13 +22,7 @@ def window(qtbot, session):
 
 @pytest.fixture
 def mirror(window):
-    return shown_workspace(window, "Mirror")
-
-
-def shown_workspace(window, title):
-    names = [one.title for one in workflows()]
-    window.show_workspace(names.index(title))
-    return window.workspace
+    return go_to(window, "Mirror")
 
 
 def chosen(place):
@@ -54,7 +48,7 @@ def menu(window, title):
 def test_it_is_on_the_switch_and_in_the_menus(window):
     names = [one.title for one in workflows()]
     assert menu(window, "&View")[: len(names)] == names and "Mirror" in names
-    assert shown_workspace(window, "Mirror").workflow is MIRROR
+    assert go_to(window, "Mirror").workflow is MIRROR
     assert {"New mirror image", "Import mirror image…", "Export mirror image as JSON…"} <= set(
         menu(window, "&File")
     )
@@ -146,7 +140,7 @@ def test_remarks_on_its_icons_are_told(mirror, window, qtbot):
 def test_one_that_takes_no_icons_says_so(qtbot):
     bare = replace(MIRROR, name="bare", title="Bare", invitation="", with_icons=None)
     with registered(bare), shown(MainWindow(FakeSession()), qtbot) as window:
-        place = shown_workspace(window, "Bare")
+        place = go_to(window, "Bare")
         assert place.work_icons is None
         told = []
         place.failed.connect(told.append)
