@@ -28,7 +28,7 @@ from iconstudio.workflows.workflow import Workflow, load_object
 
 
 class Workspace(ResultsWidget):
-    """One workflow of section 4: its page, its work and its results, all its own.
+    """One workflow: its page, its work and its results, all its own.
 
     A subclass declares its ``entries``, makes a ``detail`` and an ``opener``, calls
     ``make_actions`` in ``__init__``, and overrides what it needs. It has a thread, ``worker``, for
