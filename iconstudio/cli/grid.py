@@ -137,8 +137,7 @@ def run(
             f"No style has enough icons of “{request.keyword}”. Try a more common word; "
             f"iconstudio search {request.keyword!r} shows what there is."
         )
-    icons = "1 icon" if results == 1 else f"{results} icons"
-    click.echo(f"{icons}; see {click.format_filename(folder / 'grid.png')}")
+    running.tell_results(results, "icon", folder / "grid.png")
 
 
 def need_keyword(keyword: str) -> None:

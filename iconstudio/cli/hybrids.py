@@ -53,8 +53,7 @@ def command(
         raise IconstudioError(
             "All hybrids repeat the icons. Choose icons that differ more, or ask for more draws."
         )
-    count = "1 hybrid" if results == 1 else f"{results} hybrids"
-    click.echo(f"{count}; see {click.format_filename(folder / 'sheet.png')}")
+    running.tell_results(results, "hybrid", folder / "sheet.png")
 
 
 def _mixing(session: Session, hybrids: HybridsFile, side: int) -> Generator[Event]:

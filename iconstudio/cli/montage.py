@@ -26,5 +26,5 @@ def command(file: Path, folder: Path, fine: bool, profile: bool) -> None:
         running.tell_remarks(layer.icon for layer in montage.layers)
         report = MontageReport(folder, montage)
         events = session.run(MONTAGE, montage, CutSettings(side=running.side_of(fine)))
-        running.run(session, events, report, stopwatch)
-    click.echo(f"1 icon; see {click.format_filename(folder / 'sheet.png')}")
+        results = running.run(session, events, report, stopwatch)
+    running.tell_results(results, "icon", folder / "sheet.png")

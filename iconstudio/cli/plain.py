@@ -27,8 +27,7 @@ def command_of(workflow: Workflow[Any]) -> click.Command:
             events = _reading_and_running(session, workflow, file)
             report = IconsReport(folder, workflow.name)
             results = running.run(session, events, report, stopwatch)
-        icons = "1 icon" if results == 1 else f"{results} icons"
-        click.echo(f"{icons}; see {click.format_filename(folder / 'sheet.png')}")
+        running.tell_results(results, "icon", folder / "sheet.png")
 
     return command
 

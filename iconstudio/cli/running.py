@@ -51,6 +51,12 @@ def run(session: Session, events: Generator[Event], report: Report, stopwatch: S
     return results
 
 
+def tell_results(count: int, noun: str, sheet: Path) -> None:
+    """Say how many results there are, and which picture shows them."""
+    results = f"1 {noun}" if count == 1 else f"{count} {noun}s"
+    click.echo(f"{results}; see {click.format_filename(sheet)}")
+
+
 def tell_remarks(icons: Iterable[Pictogram]) -> None:
     """Say what could not be read of the drawings of icons: a line each, if there is anything."""
     for icon in dict.fromkeys(icons):
