@@ -85,7 +85,7 @@ def test_without_its_style_the_focus_is_still_a_lambda_s(prepared, workers):
 
 
 def test_a_fine_result_is_of_the_same_shape(prepared, workers):
-    settings = ModelSettings(lambdas=LAMBDAS, styles=("dark",), focus=("dark", 0.2))
+    settings = GridSettings(lambdas=LAMBDAS, styles=("dark",), focus=("dark", 0.2))
     plain, fine = (
         first(model(SKETCH, prepared, replace(settings, side=side), workers, render_placed))
         for side in (CANVAS, FINE)
