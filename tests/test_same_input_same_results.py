@@ -4,12 +4,11 @@ from dataclasses import replace
 
 import pytest
 
-from iconstudio.algorithms.iconification.lattice import LAMBDAS
 from iconstudio.model import Polygon
 from iconstudio.output.svg import svg_document
 from iconstudio.session import Session
 from iconstudio.workflows.events import Result
-from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.grid import LAMBDAS, GridSettings
 from iconstudio.workflows.modelling.file import example
 from iconstudio.workflows.modelling.spec import MODELLING
 
@@ -34,7 +33,7 @@ def finished(session, sketch, settings, enough=None):
 
 
 SKETCH = example("shuttle").sketch
-PLAIN = ModelSettings(styles=(STYLE,), lambdas=FEW)
+PLAIN = GridSettings(styles=(STYLE,), lambdas=FEW)
 
 
 @pytest.fixture(scope="module")

@@ -10,7 +10,7 @@ from iconstudio.model.line import Line
 from iconstudio.model.line_style import LineStyle, StylePair
 from iconstudio.model.mix import Mix, Seeds
 from iconstudio.model.montage import Layer, Montage, Stroke
-from iconstudio.model.path import Contour, Path, PathPen
+from iconstudio.model.path import Contour, Path, PathPen, Transform
 from iconstudio.model.photo import Photo
 from iconstudio.model.pictogram import Credit, Pictogram
 from iconstudio.model.placement import Placement, Source
@@ -54,4 +54,5 @@ __all__ = [
     "SpriteError",
     "Stroke",
     "StylePair",
+    "Transform",
 ]

@@ -25,14 +25,14 @@ def lines_of(svg: str, frame: Frame, coverage: NDArray[np.uint8]) -> tuple[Line,
         If there are none.
     """
     # They load libraries, which the window's own process can do without.
-    from iconstudio.algorithms.iconification.redraw import two_tone
+    from iconstudio.algorithms.iconification.redraw import binarised
     from iconstudio.algorithms.tracing.vectorize import trace
     from iconstudio.svg.ink import own_lines
     from iconstudio.svg.resvg import render_coverage
 
     lines = own_lines(svg, frame, coverage)
     if lines is None:
-        lines = lines_of_path(trace(two_tone(render_coverage(svg, frame, _TRACED)), _SPECK))
+        lines = lines_of_path(trace(binarised(render_coverage(svg, frame, _TRACED)), _SPECK))
     if not lines:
         raise IconstudioError(
             "It has no lines: all of it is too small to be seen. Draw something larger."

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy.ndimage import binary_dilation
 
-from iconstudio.algorithms.iconification.style import two_toned
+from iconstudio.algorithms.iconification.style import has_pale_areas
 from iconstudio.library.collection import Collection
 from iconstudio.svg.rasterise import rasterise
 from iconstudio.svg.reading import own_svg
@@ -39,7 +39,7 @@ def plain(pictograms):
     for pictogram in pictograms:
         if "duotone" not in pictogram.id:
             _, alone = rasterise(pictogram.svg)
-            if not two_toned(alone):
+            if not has_pale_areas(alone):
                 yield pictogram, alone
 
 

@@ -12,9 +12,9 @@ from iconstudio.model import CANVAS, Polygon, Sketch
 from iconstudio.svg.resvg import render_placed
 from iconstudio.workers import Workers
 from iconstudio.workflows.events import Progress, Recommended, Result
-from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.grid import GridSettings
 from iconstudio.workflows.modelling.modelling import model
-from iconstudio.workflows.workflow import FINE
+from iconstudio.workflows.remixing import FINE
 from tests.shapes import blob, exemplar, icons
 
 SKETCH = Sketch(Polygon.of([(30, 30), (220, 40), (200, 230), (60, 210)]), "blob")
@@ -49,7 +49,7 @@ def cells(events):
 
 
 def run(prepared, workers, **settings):
-    wanted = ModelSettings(lambdas=LAMBDAS, **settings)
+    wanted = GridSettings(lambdas=LAMBDAS, **settings)
     return list(model(SKETCH, prepared, wanted, workers, render_placed))
 
 
@@ -85,7 +85,7 @@ def test_without_its_style_the_focus_is_still_a_lambda_s(prepared, workers):
 
 
 def test_a_fine_result_is_of_the_same_shape(prepared, workers):
-    settings = ModelSettings(lambdas=LAMBDAS, styles=("dark",), focus=("dark", 0.2))
+    settings = GridSettings(lambdas=LAMBDAS, styles=("dark",), focus=("dark", 0.2))
     plain, fine = (
         first(model(SKETCH, prepared, replace(settings, side=side), workers, render_placed))
         for side in (CANVAS, FINE)
@@ -103,7 +103,7 @@ def pid():
 
 def test_closing_a_run_stops_it_and_its_process_lives_on(prepared, workers):
     before = workers.submit(pid).result(timeout=60)
-    settings = ModelSettings(focus=("dark", 0.2), previews=True)
+    settings = GridSettings(focus=("dark", 0.2), previews=True)
     events = model(SKETCH, prepared, settings, workers, render_placed)
     next(event for event in events if isinstance(event, Result))
     assert workers.load(0) > 0

@@ -13,7 +13,7 @@ from iconstudio.gui.exchange.patience import Patience
 from iconstudio.gui.exchange.together import ReadTogether, Sprite, named, read_together, was
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Job, Worker
-from iconstudio.gui.panels.scanning import ScanDialog, Source, may_be_scan, pictogram_of
+from iconstudio.gui.panels.scanning import ImageInput, ScanDialog, may_be_scan, pictogram_of
 from iconstudio.gui.panels.symbols import SymbolDialog
 from iconstudio.model import IconstudioError, Pictogram
 from iconstudio.session import Session
@@ -319,7 +319,7 @@ class IconOpener(Opener):
         dialog.chosen.connect(self.take)
         dialog.open()
 
-    def _scan(self, item: mime.Item, source: Source) -> None:
+    def _scan(self, item: mime.Item, source: ImageInput) -> None:
         dialog = ScanDialog(self.session, self._worker, source, item.name, self._owner)
         dialog.chosen.connect(self.take)
         dialog.failed.connect(self.complain)

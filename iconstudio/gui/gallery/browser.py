@@ -11,7 +11,7 @@ from iconstudio.gui.gallery.results import ResultsPanel
 from iconstudio.gui.gallery.sending import Destination, offer
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.workflows.events import Event, Recommended, StyleMatched, StyleSkipped
-from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.grid import GridSettings
 
 
 class ResultsBrowser(QSplitter):
@@ -69,7 +69,7 @@ class ResultsBrowser(QSplitter):
         self._destinations = destinations
         self.detail.set_destinations(destinations)
 
-    def begin(self, settings: ModelSettings, afresh: bool = True) -> None:
+    def begin(self, settings: GridSettings, afresh: bool = True) -> None:
         """Make room for the results of a new run.
 
         ``afresh``: nothing that is there is of the same object. Otherwise it stays in sight until

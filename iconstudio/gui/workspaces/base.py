@@ -24,11 +24,11 @@ from iconstudio.inputs.examples import examples
 from iconstudio.model import Pictogram
 from iconstudio.session import Session
 from iconstudio.workflows.files import write_file
-from iconstudio.workflows.workflow import Workflow, named
+from iconstudio.workflows.workflow import Workflow, load_object
 
 
 class Workspace(ResultsWidget):
-    """One workflow of section 4: its page, its work and its results, all its own.
+    """One workflow: its page, its work and its results, all its own.
 
     A subclass declares its ``entries``, makes a ``detail`` and an ``opener``, calls
     ``make_actions`` in ``__init__``, and overrides what it needs. It has a thread, ``worker``, for
@@ -84,7 +84,7 @@ class Workspace(ResultsWidget):
         self.document = document
         self.blank = document.page
         """The page to begin with."""
-        self.pages = named(workflow.page_format)(workflow)
+        self.pages = load_object(workflow.page_format)(workflow)
         """Writes its pages into projects."""
         document.setParent(self)
         self.worker = Worker(self)

@@ -16,7 +16,7 @@ from iconstudio.model import (
 )
 from iconstudio.workers import answer
 from iconstudio.workflows.events import Event, Progress, Result
-from iconstudio.workflows.workflow import Resources, Settings
+from iconstudio.workflows.workflow import Resources
 
 WEAKEST, STRONGEST = 0.1, 3.0
 SMALLEST, LARGEST = 0.25, 4.0
@@ -28,7 +28,7 @@ SECONDS, MEMORY = 60.0, 2 << 30
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class RestyleSettings(Settings):
+class RestyleSettings:
     """Which results to make."""
 
     variations: bool = False
@@ -36,7 +36,7 @@ class RestyleSettings(Settings):
 
 
 def run(
-    resources: Resources, work: Restyling, settings: Settings | None = None
+    resources: Resources, work: Restyling, settings: RestyleSettings | None = None
 ) -> Generator[Event]:
     """Restyle lines: yield the icon that is wanted, then variations if ``settings`` ask for them.
 
@@ -48,7 +48,7 @@ def run(
     yield Progress("remix", 0.0, "Reading the lines")
     lines = lines_of(resources, work)
     styles = [_style_of(work, number) for number in range(len(lines))]
-    varied = isinstance(settings, RestyleSettings) and settings.variations
+    varied = settings is not None and settings.variations
     wanted = variations(work) if varied else [work]
     ticket = resources.workers.ticket()
     try:

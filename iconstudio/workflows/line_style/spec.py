@@ -7,8 +7,12 @@ from iconstudio.workflows.line_style.file import RestyleFile
 from iconstudio.workflows.workflow import Workflow, lazily
 
 
-def _with_icon(work: Restyling, icon: Pictogram) -> Restyling:
-    return replace(work, icon=icon, others=())
+def _icons(work: Restyling) -> tuple[Pictogram, ...]:
+    return () if work.icon is None else (work.icon,)
+
+
+def _with_icons(work: Restyling, icons: tuple[Pictogram, ...]) -> Restyling:
+    return replace(work, icon=icons[-1] if icons else None, others=())
 
 
 LINE_STYLE = Workflow(
@@ -21,5 +25,6 @@ LINE_STYLE = Workflow(
     run=lazily("iconstudio.workflows.line_style.restyling:run"),
     command="iconstudio.cli.restyle:command",
     work=Restyling,
-    take=_with_icon,
+    icons=_icons,
+    with_icons=_with_icons,
 )

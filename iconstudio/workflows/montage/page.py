@@ -26,7 +26,7 @@ Box = tuple[float, float, float, float]
 
 
 @dataclass(frozen=True, eq=False)
-class Icon:
+class IconShape:
     """An icon on the canvas, before it is placed."""
 
     exemplar: Exemplar
@@ -57,7 +57,7 @@ class PlacedIcon:
     """A layer as the window shows it: ``number`` names it on its page, and gives its colour."""
 
     number: int
-    icon: Icon
+    icon: IconShape
     placement: Placement = field(default_factory=Placement)
     strokes: tuple[Stroke, ...] = ()
     hidden: bool = False
@@ -127,7 +127,7 @@ class MontagePage:
 
     # -- other pages ---------------------------------------------------------------------------
 
-    def with_icons(self, icons: Iterable[Icon]) -> "MontagePage":
+    def with_icons(self, icons: Iterable[IconShape]) -> "MontagePage":
         """Return the page with icons on top, the last one chosen.
 
         Raises

@@ -15,14 +15,14 @@ from iconstudio.workflows.events import Event
 from iconstudio.workflows.hybrids import page as edits
 from iconstudio.workflows.hybrids.file import COUNT, read_hybrids
 from iconstudio.workflows.hybrids.hybrids import MOST, check
-from iconstudio.workflows.hybrids.page import Ask, HybridsPage, Ingredient
+from iconstudio.workflows.hybrids.page import HybridsPage, Ingredient, PickRequest
 
 
 @dataclass(frozen=True, slots=True)
 class Picked:
     """What the program picked."""
 
-    ask: Ask
+    ask: PickRequest
     exemplars: tuple[Exemplar, ...]
 
 
@@ -61,7 +61,7 @@ class HybridsOpener(IconOpener):
     def pick(self, keyword: str, count: int) -> None:
         """Let the program pick icons; once more, the next best ones."""
         page = self.document.page
-        ask = Ask(keyword, count, page.symmetry)
+        ask = PickRequest(keyword, count, page.symmetry)
         if page.ask is not None and ask == replace(page.ask, group=0):
             ask = replace(ask, group=page.ask.group + 1)
         self.replace(lambda: _picked(self.session, ask))
@@ -107,7 +107,7 @@ def _opened(session: Session, path: Path, example: bool) -> Generator[Event | Op
     yield OpenedMix(page, example)
 
 
-def _picked(session: Session, ask: Ask) -> Generator[Event | Picked]:
+def _picked(session: Session, ask: PickRequest) -> Generator[Event | Picked]:
     with closing(session.choose(ask.keyword, ask.count, ask.symmetry, ask.group)) as choosing:
         icons = yield from choosing
     yield Picked(ask, tuple(map(session.exemplar, icons)))
@@ -125,7 +125,7 @@ def _page(session: Session, path: Path) -> Generator[Event, None, HybridsPage]:
     ask = None
     if file.icons is None:
         # As without the window: the seed picks the group, too.
-        ask = Ask(file.word, file.count or COUNT, file.symmetry, file.seed)
+        ask = PickRequest(file.word, file.count or COUNT, file.symmetry, file.seed)
         icons = yield from session.choose(ask.keyword, ask.count, ask.symmetry, ask.group)
         mix = file.mix(icons)
     else:

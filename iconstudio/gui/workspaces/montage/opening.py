@@ -9,7 +9,7 @@ from iconstudio.gui.exchange.together import ReadTogether, named
 from iconstudio.model import IconstudioError, Layer, Pictogram
 from iconstudio.workflows.montage.file import read_montage
 from iconstudio.workflows.montage.montage import MOST
-from iconstudio.workflows.montage.page import Icon, MontagePage
+from iconstudio.workflows.montage.page import IconShape, MontagePage
 
 _OVERLAP = (
     "Where scribbles over two icons overlapped, those of the upper icon were kept: "
@@ -37,9 +37,9 @@ class MontageOpener(IconOpener):
         """Put the montage of a file in place of what is there."""
         self.replace(lambda: self._read_montage(Path(path)))
 
-    def drawn(self, pictogram: Pictogram) -> Icon:
+    def drawn(self, pictogram: Pictogram) -> IconShape:
         """Return an icon to be added."""
-        return Icon(super().drawn(pictogram))
+        return IconShape(super().drawn(pictogram))
 
     def put(self, found: OpenedMontage) -> str:
         """Show a montage."""
@@ -59,13 +59,13 @@ class MontageOpener(IconOpener):
     def _read_montage(self, path: Path) -> Generator[OpenedMontage]:
         file = read_montage(path)
         layers = file.resolved(self.session.icon).layers
-        page = page_of(layers, [Icon(self.session.exemplar(one.icon)) for one in layers])
+        page = page_of(layers, [IconShape(self.session.exemplar(one.icon)) for one in layers])
         yield OpenedMontage(file.title or path.stem, page)
         if [one.strokes for one in page.layers] != [one.strokes for one in layers]:
             raise IconstudioError(_OVERLAP)
 
 
-def page_of(layers: Sequence[Layer], icons: Sequence[Icon]) -> MontagePage:
+def page_of(layers: Sequence[Layer], icons: Sequence[IconShape]) -> MontagePage:
     """Return a page with ``layers``; where strokes of two icons overlap, the upper one's stay."""
     page = MontagePage().with_icons(icons)
     for layer, one in zip(layers, page.layers, strict=True):

@@ -7,7 +7,7 @@ from PySide6.QtCore import QPointF, QRectF
 
 from iconstudio.gui.workspaces.montage.appearance import rect_of, transform_of
 from iconstudio.model import CANVAS, MARGIN, Placement
-from iconstudio.workflows.montage.page import Icon
+from iconstudio.workflows.montage.page import IconShape
 
 SMALLEST, LARGEST = 0.1, 8.0
 """Range of the scale that dragging can give."""
@@ -42,7 +42,7 @@ class Snapped:
 
 
 def moved(
-    icon: Icon, start: Placement, by: QPointF, guides: Guides = Guides(), grip: float = 0.0
+    icon: IconShape, start: Placement, by: QPointF, guides: Guides = Guides(), grip: float = 0.0
 ) -> Snapped:
     """Return where an icon comes to lie that is moved ``by`` canvas pixels.
 
@@ -57,7 +57,7 @@ def moved(
 
 
 def scaled(
-    icon: Icon,
+    icon: IconShape,
     start: Placement,
     corner: int,
     to: QPointF,
@@ -96,7 +96,7 @@ def corners(box: QRectF) -> tuple[QPointF, ...]:
     return box.topLeft(), box.topRight(), box.bottomRight(), box.bottomLeft()
 
 
-def kept_in(icon: Icon, placement: Placement) -> Placement:
+def kept_in(icon: IconShape, placement: Placement) -> Placement:
     """Return the nearest placement at which some of the icon's box lies on the canvas."""
     box = rect_of(icon.placed_box(placement))
     right, left = max(0.0, _KEPT_IN - box.right()), max(0.0, box.left() - CANVAS + _KEPT_IN)
@@ -112,7 +112,7 @@ def _step(lines: Sequence[float], guides: Sequence[float], grip: float) -> float
     return nearest if abs(nearest) <= grip else 0.0
 
 
-def _told(icon: Icon, placement: Placement, guides: Guides, grip: float) -> Snapped:
+def _told(icon: IconShape, placement: Placement, guides: Guides, grip: float) -> Snapped:
     """Find the guides that a placement keeps to; an icon lies on whole pixels, guides need not."""
     placement = kept_in(icon, placement)
     if grip <= 0:
