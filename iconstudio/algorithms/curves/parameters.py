@@ -51,7 +51,7 @@ class Parameters:
     to its end: without it, ends would be seen more often than beginnings."""
     epsilon: float = 0.03
     """Candidates within 1 + epsilon of the best are as good."""
-    passes: int = 2
+    passes: int = 1
     """Refinements at each level."""
     longest: float = 12.0
     """A result this many times as long as B is no style any more."""
