@@ -35,6 +35,7 @@ from iconstudio.output.colours import source_colours
 from iconstudio.session import Session
 from iconstudio.svg.reading import own_svg
 from iconstudio.workflows.montage.file import read_montage
+from iconstudio.workflows.montage.snapping import centre, corners
 from iconstudio.workflows.montage.spec import MONTAGE
 
 LEFT, RIGHT = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton
@@ -507,18 +508,15 @@ def test_guides_are_drawn_while_an_icon_snaps(arranging):
 @pytest.mark.parametrize("centred", [False, True])
 @pytest.mark.parametrize("corner", range(4))
 def test_a_corner_scales_about_the_opposite_one_or_the_centre(arranging, corner, centred):
-    from iconstudio.gui.workspaces.montage.snapping import corners
-
-    before = rect_of(layer(arranging, 1).box)
+    before = layer(arranging, 1).box
     handle = corners(before)[corner]
-    fixed = before.center() if centred else corners(before)[(corner + 2) % 4]
-    to = fixed + (handle - fixed) * 0.6
-    stroke(arranging, handle.toTuple(), to.toTuple(), modifiers=SHIFT | ALT if centred else SHIFT)
+    fixed = centre(before) if centred else corners(before)[(corner + 2) % 4]
+    to = tuple(f + (h - f) * 0.6 for f, h in zip(fixed, handle, strict=True))
+    stroke(arranging, handle, to, modifiers=SHIFT | ALT if centred else SHIFT)
     after = layer(arranging, 1)
-    box = rect_of(after.box)
     assert after.placement.scale == pytest.approx(0.6, abs=0.02)
-    still = box.center() if centred else corners(box)[(corner + 2) % 4]
-    assert still.toTuple() == pytest.approx(fixed.toTuple(), abs=1.01)
+    still = centre(after.box) if centred else corners(after.box)[(corner + 2) % 4]
+    assert still == pytest.approx(fixed, abs=1.01)
     assert arranging.document.undo_stack.undoText() == "scale icon"
 
 

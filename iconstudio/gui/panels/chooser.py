@@ -9,7 +9,6 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 
 from iconstudio.gui.exchange.dragging import take_copy, unpacked
 from iconstudio.gui.exchange.opening import IconOpener
-from iconstudio.gui.exchange.together import Sprite
 from iconstudio.gui.gallery.sheet import Sheet
 from iconstudio.gui.gallery.sheet_delegate import Look
 from iconstudio.gui.gallery.sheet_model import credited
@@ -22,6 +21,7 @@ from iconstudio.gui.panels.wordfield import WordField
 from iconstudio.gui.theme.layout import column, push_button, row
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.images.reading import SUFFIXES
+from iconstudio.inputs.together import Sprite
 from iconstudio.model import Exemplar
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event, Retrieved

@@ -10,7 +10,6 @@ from iconstudio.gui.exchange.saving import Saver
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.workspaces.editing.actions import ENTRIES
-from iconstudio.gui.workspaces.editing.areas import AreaOutline
 from iconstudio.gui.workspaces.editing.opening import EditOpener
 from iconstudio.gui.workspaces.editing.scene import EditScene
 from iconstudio.gui.workspaces.editing.start import StartPanel
@@ -19,6 +18,7 @@ from iconstudio.gui.workspaces.remixing import RemixWorkspace
 from iconstudio.model import Edit, IconstudioError, Pictogram
 from iconstudio.session import Session
 from iconstudio.workflows.editing import page as edits
+from iconstudio.workflows.editing.areas import AreaOutline
 from iconstudio.workflows.editing.editing import own_styles, place_edit
 from iconstudio.workflows.editing.page import EditPage, Kind
 from iconstudio.workflows.events import Event

@@ -4,16 +4,20 @@ from dataclasses import replace
 
 from PySide6.QtCore import QObject, Signal
 
-from iconstudio.gui.gallery.pictures import Picture
+from iconstudio.gui.gallery.pictures import Picture, pictured
 from iconstudio.gui.gallery.sheet_model import Rule
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
-from iconstudio.gui.workspaces.hybrids.batches import Seen, batch
 from iconstudio.gui.workspaces.hybrids.panels import SheetPanel
 from iconstudio.gui.workspaces.hybrids.sections import Section
-from iconstudio.model import IconstudioError, Mix
+from iconstudio.model import CANVAS, IconstudioError, Mix
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
+from iconstudio.workflows.hybrids.batches import Seen, new_hybrids
+from iconstudio.workflows.hybrids.spec import HYBRIDS
+
+CODED = CANVAS
+"""Side of a hybrid's colour-coded picture."""
 
 
 class Draws(QObject):
@@ -124,7 +128,10 @@ class Draws(QObject):
         self._section = section
         self._sections.begin(section)
         mix, name, seen = replace(section.mix, first=section.drawn), self._name, self._seen
-        self.runner.start(lambda: batch(self._session, mix, name, seen))
+        session = self._session
+        self.runner.start(
+            lambda: pictured(new_hybrids(session.run(HYBRIDS, mix), name, seen), side=CODED)
+        )
 
     def show(self, event: Event | Picture) -> None:
         """Put a hybrid that was drawn on the sheet."""
@@ -143,7 +150,7 @@ class Draws(QObject):
         else:
             section.drawn = max([section.drawn, *(one.icon.draw + 1 for one in new)])
             # What was drawn but not shown any more may come again.
-            self._seen = Seen(self._sections.pictures)
+            self._seen = Seen([one.icon for one in self._sections.pictures])
         if whole or new:
             more = " · nothing new any more" if section.exhausted else " · scroll on for more"
             self._sections.end(section, Rule(f"{section.drawn} draws", more=more))

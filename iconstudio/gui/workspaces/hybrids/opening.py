@@ -8,7 +8,7 @@ from pathlib import Path
 from PySide6.QtCore import Signal
 
 from iconstudio.gui.exchange.opening import IconOpener
-from iconstudio.gui.exchange.together import ReadTogether, named
+from iconstudio.inputs.together import ReadTogether, quoted_list
 from iconstudio.model import Exemplar
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
@@ -92,14 +92,14 @@ class HybridsOpener(IconOpener):
             self.complain(self.no_room((), left))
         there = [name for name in names if name in before]
         added = [name for name in dict.fromkeys(names) if name not in (*left, *there)]
-        said = f"Added {named(added)}." if added else "", _there(there)
+        said = f"Added {quoted_list(added)}." if added else "", _there(there)
         return " ".join(filter(None, said))
 
 
 def _there(names: Sequence[str]) -> str:
     if not names:
         return ""
-    return f"{named(names)} {'is' if len(names) == 1 else 'are'} among the icons already."
+    return f"{quoted_list(names)} {'is' if len(names) == 1 else 'are'} among the icons already."
 
 
 def _opened(session: Session, path: Path, example: bool) -> Generator[Event | OpenedMix]:

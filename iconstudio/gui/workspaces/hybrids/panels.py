@@ -24,7 +24,7 @@ from iconstudio.gui.theme.layout import (
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.workspaces.hybrids.cards import COLUMNS, SIDE, Cards
 from iconstudio.gui.workspaces.hybrids.hover_bar import HoverBar
-from iconstudio.gui.workspaces.hybrids.sections import Sections, terms
+from iconstudio.gui.workspaces.hybrids.sections import Sections
 from iconstudio.workflows.hybrids import page as edits
 from iconstudio.workflows.hybrids.file import LARGEST_SEED
 from iconstudio.workflows.hybrids.hybrids import FEWEST, MOST
@@ -211,4 +211,4 @@ class SheetPanel(QFrame):
 
 
 def _described(picture: Picture, kept: bool) -> tuple[str, str]:
-    return picture.title, f"{picture.title.capitalize()}\n{terms(picture)}"
+    return picture.title, f"{picture.title.capitalize()}\n{edits.terms(picture.icon.score)}"

@@ -14,11 +14,9 @@ from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.theme.layout import column, row, splitter
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.hybrids.actions import ENTRIES
-from iconstudio.gui.workspaces.hybrids.batches import CODED
-from iconstudio.gui.workspaces.hybrids.drawing import Draws
+from iconstudio.gui.workspaces.hybrids.drawing import CODED, Draws
 from iconstudio.gui.workspaces.hybrids.opening import HybridsOpener
 from iconstudio.gui.workspaces.hybrids.panels import IconsColumn, SheetPanel
-from iconstudio.gui.workspaces.hybrids.sections import terms
 from iconstudio.model import IconstudioError, Pictogram
 from iconstudio.session import Session
 from iconstudio.workflows.hybrids import page as edits
@@ -138,7 +136,7 @@ class HybridsWorkspace(Workspace):
 
     def _look_at(self, picture: Picture) -> None:
         self.detail.show_picture(picture)
-        self.detail.explain(terms(picture))
+        self.detail.explain(edits.terms(picture.icon.score))
         self.picked.emit(picture)
 
     def _open_menu(self, picture: Picture, spot: QPoint) -> None:

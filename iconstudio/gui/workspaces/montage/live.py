@@ -3,7 +3,7 @@
 from collections.abc import Generator
 from dataclasses import dataclass, field
 
-from iconstudio.gui.gallery.pictures import Picture, pictured, titled
+from iconstudio.gui.gallery.pictures import Picture, pictured
 from iconstudio.model import Montage, Remix
 from iconstudio.output.colours import Palette
 from iconstudio.session import Session
@@ -26,7 +26,7 @@ def made(session: Session, request: Request) -> Generator[Event | Picture]:
     """Return a run, its result as a picture in the colours of the layers."""
     return pictured(
         session.run(MONTAGE, request.montage),
-        titled(TITLE),
+        TITLE,
         colours=lambda icon: _coloured(request, icon),
     )
 

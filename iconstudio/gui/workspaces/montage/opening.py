@@ -1,12 +1,12 @@
 """Bring icons and montages onto the canvas, and save montages."""
 
-from collections.abc import Generator, Sequence
+from collections.abc import Generator
 from dataclasses import dataclass
 from pathlib import Path
 
 from iconstudio.gui.exchange.opening import IconOpener
-from iconstudio.gui.exchange.together import ReadTogether, named
-from iconstudio.model import IconstudioError, Layer, Pictogram
+from iconstudio.inputs.together import ReadTogether, quoted_list
+from iconstudio.model import IconstudioError, Pictogram
 from iconstudio.workflows.montage.file import read_montage
 from iconstudio.workflows.montage.montage import MOST
 from iconstudio.workflows.montage.page import Icon, MontagePage
@@ -54,20 +54,12 @@ class MontageOpener(IconOpener):
         self.document.change("add icon" if len(icons[:room]) == 1 else "add icons", after)
         if left := gathered.names[room:]:
             self.complain(self.no_room(gathered.names[:room], left))
-        return f"Added {named([one.title for one in after.layers[len(page.layers) :]])}."
+        return f"Added {quoted_list([one.title for one in after.layers[len(page.layers) :]])}."
 
     def _read_montage(self, path: Path) -> Generator[OpenedMontage]:
         file = read_montage(path)
         layers = file.resolved(self.session.icon).layers
-        page = page_of(layers, [Icon(self.session.exemplar(one.icon)) for one in layers])
+        page = MontagePage.of(layers, [Icon(self.session.exemplar(one.icon)) for one in layers])
         yield OpenedMontage(file.title or path.stem, page)
         if [one.strokes for one in page.layers] != [one.strokes for one in layers]:
             raise IconstudioError(_OVERLAP)
-
-
-def page_of(layers: Sequence[Layer], icons: Sequence[Icon]) -> MontagePage:
-    """Return a page with ``layers``; where strokes of two icons overlap, the upper one's stay."""
-    page = MontagePage().with_icons(icons)
-    for layer, one in zip(layers, page.layers, strict=True):
-        page = page.placed(one.number, layer.placement).drawn(one.number, layer.strokes)
-    return page

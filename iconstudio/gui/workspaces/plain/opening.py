@@ -9,8 +9,8 @@ from PySide6.QtWidgets import QWidget
 
 from iconstudio.gui.document.document import Document
 from iconstudio.gui.exchange.opening import IconOpener
-from iconstudio.gui.exchange.together import ReadTogether, named
 from iconstudio.gui.jobs.worker import Worker
+from iconstudio.inputs.together import ReadTogether, quoted_list
 from iconstudio.model import Exemplar, IconstudioError
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
@@ -58,7 +58,7 @@ class WorkOpener(IconOpener):
     def put_all(self, gathered: ReadTogether) -> str:
         """Add icons to the work."""
         self.add_icons(gathered.found)
-        return f"Added {named(gathered.names)}."
+        return f"Added {quoted_list(gathered.names)}."
 
     def add_icons(self, icons: Sequence[Exemplar]) -> None:
         """Add icons that are drawn already, in one step."""

@@ -5,10 +5,10 @@ from pathlib import Path
 
 from iconstudio.files import read_bytes
 from iconstudio.gui.canvas.photo import image_of
-from iconstudio.gui.exchange.mime import Drawing, File, Image, Item
 from iconstudio.gui.exchange.opening import Opener
 from iconstudio.images.photo import photo_of
 from iconstudio.images.reading import MAX_BYTES, SUFFIXES
+from iconstudio.inputs.items import Drawing, File, Image, Item
 from iconstudio.model import IconstudioError, Photo, Sketch
 from iconstudio.workflows.modelling import page
 from iconstudio.workflows.modelling.file import SketchFile, read_sketch

@@ -3,7 +3,7 @@
 import math
 from dataclasses import replace
 
-from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QKeyEvent, QPainter, QPen
 
 from iconstudio.gui.canvas.camera import Camera
@@ -12,7 +12,10 @@ from iconstudio.gui.document.document import new_gesture
 from iconstudio.gui.theme.theme import Theme
 from iconstudio.gui.workspaces.montage.appearance import rect_of
 from iconstudio.gui.workspaces.montage.scene import MontageScene
-from iconstudio.gui.workspaces.montage.snapping import (
+from iconstudio.gui.workspaces.montage.tools.keys import layer_key
+from iconstudio.model import CANVAS, Point
+from iconstudio.workflows.montage.page import MontageDocument, choose
+from iconstudio.workflows.montage.snapping import (
     Guides,
     Snapped,
     corners,
@@ -20,9 +23,6 @@ from iconstudio.gui.workspaces.montage.snapping import (
     moved,
     scaled,
 )
-from iconstudio.gui.workspaces.montage.tools.keys import layer_key
-from iconstudio.model import CANVAS, Point
-from iconstudio.workflows.montage.page import MontageDocument, choose
 
 GRIP = 9.0
 """Pixels within which the pointer finds a handle."""
@@ -81,7 +81,7 @@ class ArrangeTool(Tool):
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawRect(box)
         painter.setBrush(theme.color("surface"))
-        for spot in corners(box):
+        for spot in map(camera.to_view, corners(layer.box)):
             painter.drawRect(QRectF(spot.x() - 4, spot.y() - 4, 8, 8))
 
     # -- pointer -------------------------------------------------------------------------------
@@ -111,16 +111,15 @@ class ArrangeTool(Tool):
         free = bool(pointer.modifiers & _FREE)
         grip = 0.0 if free else SNAP / pointer.camera.zoom
         guides = Guides.of(
-            rect_of(one.box)
-            for one in self._document.page.layers
-            if one is not layer and not one.hidden
+            one.box for one in self._document.page.layers if one is not layer and not one.hidden
         )
-        by = QPointF(*pointer.page) - QPointF(*self._start)
+        by = pointer.page[0] - self._start[0], pointer.page[1] - self._start[1]
         if self._corner is None:
             self._snapped = moved(layer.icon, layer.placement, by, guides, grip)
         else:
             centred = bool(pointer.modifiers & Qt.KeyboardModifier.AltModifier)
-            to = corners(rect_of(layer.box))[self._corner] + by
+            x, y = corners(layer.box)[self._corner]
+            to = x + by[0], y + by[1]
             self._snapped = scaled(
                 layer.icon, layer.placement, self._corner, to, centred, guides, grip
             )
@@ -180,7 +179,7 @@ class ArrangeTool(Tool):
         layer = self._document.page.current
         self._corner = None
         if layer is not None:
-            spots = corners(pointer.camera.transform.mapRect(rect_of(layer.box)))
+            spots = map(pointer.camera.to_view, corners(layer.box))
             gaps = [math.dist(spot.toTuple(), pointer.view.toTuple()) for spot in spots]
             if min(gaps) <= GRIP:
                 self._corner = gaps.index(min(gaps))
