@@ -1,6 +1,7 @@
 """What all workspaces have in common when something is opened."""
 
 from collections.abc import Callable, Generator, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -21,12 +22,25 @@ from iconstudio.project.archive import SUFFIX
 from iconstudio.session import Session
 
 
+@dataclass(frozen=True, slots=True)
+class Opened:
+    """Something that was opened: what to tell the user, once it is on the page."""
+
+    words: str
+    put: Callable[[Document], object]
+    """Puts it there, by one command."""
+
+    def onto(self, document: Document) -> str:
+        """Put it on the page, and return the words."""
+        self.put(document)
+        return self.words
+
+
 class Opener(QObject):
     """Opens things in the background and then puts them on the page, by one command each.
 
-    A subclass says how each thing is opened, by generators that ``replace`` or ``add`` runs, and
-    in ``put`` what becomes of what they yield. Of several things that are dropped or pasted
-    together, ``reading`` reads each, and ``put_all`` puts them on the page by one command.
+    A subclass says in ``opening`` what is in a file of its own. Other things, which may be dropped
+    or pasted together, are read each by ``reading``, and put on the page together by ``put``.
 
     Signals
     -------
@@ -79,8 +93,19 @@ class Opener(QObject):
 
     # -- what a subclass does ------------------------------------------------------------------
 
+    def opening(self, path: Path) -> Generator[Any]:
+        """Yield what is in a file of this workspace's own as ``Opened``; in the worker's thread.
+
+        Raises
+        ------
+        IconstudioError
+            If it cannot be opened here.
+        """
+        raise NotImplementedError
+
     def open_work(self, path: str) -> None:
         """Open a file of this workspace's own."""
+        self.replace(lambda: self.opening(Path(path)))
 
     def try_example(self, path: str) -> None:
         """Open an example."""
@@ -95,7 +120,7 @@ class Opener(QObject):
         self.open_items((pictogram,))
 
     def reading(self, item: Item) -> Generator[None, None, Any]:
-        """Return what ``put_all`` puts on the page; in the worker's thread.
+        """Return what ``put`` puts on the page; in the worker's thread.
 
         Raises
         ------
@@ -104,8 +129,8 @@ class Opener(QObject):
         """
         raise NotImplementedError
 
-    def put(self, found: Any) -> str:
-        """Put what was found on the page; return what to tell the user.
+    def put(self, gathered: ReadTogether) -> str:
+        """Put all that was read on the page; return what to tell the user.
 
         Raises
         ------
@@ -113,10 +138,6 @@ class Opener(QObject):
             If there is no room for it.
         """
         raise NotImplementedError
-
-    def put_all(self, gathered: ReadTogether) -> str:
-        """Put all that was read on the page; see ``put``."""
-        return self.put(gathered.found[0])
 
     def choose_symbol(self, sprite: Sprite) -> None:
         """Let the user choose a symbol of a sprite sheet that was opened."""
@@ -212,18 +233,20 @@ class Opener(QObject):
 
     def receive(self, found: object) -> None:
         """Put something on the page, and tell."""
-        if found is None:
-            return
-        if isinstance(found, Sprite):
-            self.choose_symbol(found)
-            return
-        if isinstance(found, ReadTogether):
-            for complaint in found.complaints:
-                self.complain(complaint)
-            if not found.found:
-                return
+        match found:
+            case Opened():
+                self._put(lambda: found.onto(self.document))
+            case ReadTogether():
+                for complaint in found.complaints:
+                    self.complain(complaint)
+                if found.found:
+                    self._put(lambda: self.put(found))
+            case Sprite():
+                self.choose_symbol(found)
+
+    def _put(self, put: Callable[[], str]) -> None:
         try:
-            done = self.put_all(found) if isinstance(found, ReadTogether) else self.put(found)
+            done = put()
         except IconstudioError as error:
             self.complain(str(error))
             return

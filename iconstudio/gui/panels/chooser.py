@@ -21,7 +21,7 @@ from iconstudio.gui.panels.wordfield import WordField
 from iconstudio.gui.theme.layout import column, push_button, row
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.images.reading import SUFFIXES
-from iconstudio.inputs.together import Sprite
+from iconstudio.inputs.together import ReadTogether, Sprite
 from iconstudio.model import Exemplar
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event, Retrieved
@@ -182,8 +182,9 @@ class _FileOpener(IconOpener):
         super().__init__(session, None, worker, chooser)
         self._chooser = chooser
 
-    def put(self, found: Exemplar) -> str:
+    def put(self, gathered: ReadTogether) -> str:
         """Choose an icon."""
+        (found,) = gathered.found
         self._chooser.take(found)
         return f"Opened “{found.pictogram.credit.title}”."
 

@@ -51,7 +51,7 @@ class HybridsWorkspace(Workspace):
         self.show_page()
 
     def _wire(self) -> None:
-        self.column.chooser.chosen.connect(self.opener.receive)
+        self.column.chooser.chosen.connect(self.opener.take_exemplar)
         self.column.cards.dropped.connect(self.opener.open_mime)
         self.column.pick.requested.connect(self.pick)
         self.column.run.clicked.connect(self.run)
