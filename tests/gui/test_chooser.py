@@ -4,6 +4,7 @@ import threading
 
 import pytest
 from fake_session import read_simply
+from hands import search
 from images import pixels
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDrag, QDragEnterEvent, QDropEvent
@@ -62,7 +63,7 @@ def count(chooser):
 
 
 def found(chooser, qtbot, keyword="dog"):
-    chooser.search(keyword)
+    search(chooser, keyword)
     qtbot.waitUntil(lambda: count(chooser) >= 60)
     return [chooser.choices.model().entry(chooser.choices.model().index(i)) for i in range(60)]
 
@@ -106,9 +107,9 @@ def test_return_does_not_wait(chooser, qtbot, session):
 
 def test_a_word_that_was_changed_meanwhile_is_forgotten(chooser, qtbot, session):
     session.search_gate = threading.Semaphore(0)
-    chooser.search("cat")
+    search(chooser, "cat")
     qtbot.waitUntil(lambda: len(session.calls) == 1)
-    chooser.search("dog")
+    search(chooser, "dog")
     qtbot.waitUntil(lambda: len(session.calls) == 2)
     assert chooser.caption.text() == "Looking for “dog”…"
     session.search_gate.release(9)
@@ -126,7 +127,7 @@ def test_an_emptied_field_forgets_what_was_found(chooser, qtbot):
 
 def test_nothing_found_is_said_in_place(chooser, qtbot):
     found(chooser, qtbot)
-    chooser.search("zzebra")
+    search(chooser, "zzebra")
     qtbot.waitUntil(lambda: "No icon is found" in chooser.caption.text())
     assert chooser.caption.property("error")
     assert count(chooser) == 0
@@ -137,7 +138,7 @@ def test_nothing_found_is_said_in_place(chooser, qtbot):
 
 def test_what_is_typed_is_no_markup(chooser, qtbot, session):
     session.search_gate = threading.Semaphore(0)
-    chooser.search("<a href='x'>y</a>")
+    search(chooser, "<a href='x'>y</a>")
     assert chooser.caption.textFormat() == Qt.TextFormat.PlainText
 
 

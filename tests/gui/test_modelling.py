@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import pytest
 from fake_session import RECOMMENDED, FakeSession, exemplar
-from hands import SQUARE, click, press, trace, type_keyword
+from hands import SQUARE, click, press, threads_alive, trace, type_keyword
 from images import blank
 from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtGui import QColor
@@ -435,7 +435,7 @@ def test_regions_are_shown_on_the_outline_they_belong_to(ready, qtbot):
     ready.actions_by_name["regions"].trigger()
     assert ready.view.grab().toImage() != plain
     click(ready, (250, 110))
-    assert not ready.scene.regions
+    assert not ready.scene._regions
 
 
 @pytest.mark.parametrize("stuck", [False, True])
@@ -447,7 +447,7 @@ def test_closing_the_window_while_it_works_leaves_no_thread(ready, qtbot, sessio
     ready.window().close()
     assert session.closed.is_set()
     assert session.generators_closed == 1
-    assert not ready.window().threads_alive()
+    assert not threads_alive(ready.window())
 
 
 def test_the_window_stays_awake(ready, qtbot, record_property):

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from PySide6.QtCore import QPoint, Qt, Signal
-from PySide6.QtWidgets import QMenu, QSplitter, QWidget
+from PySide6.QtWidgets import QMenu, QSplitter
 
 from iconstudio.gui.gallery.detail import DetailPanel
 from iconstudio.gui.gallery.pictures import Display, Picture
@@ -37,8 +37,8 @@ class ResultsBrowser(QSplitter):
     counted = Signal(int)
     sent = Signal(object, str)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(Qt.Orientation.Vertical, parent)
+    def __init__(self) -> None:
+        super().__init__(Qt.Orientation.Vertical)
         self.results = ResultsPanel()
         self.detail = DetailPanel()
         self.menu: QMenu | None = None

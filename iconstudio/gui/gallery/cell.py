@@ -5,7 +5,7 @@ from enum import Enum, auto
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt, QTimer
 from PySide6.QtGui import QPainter, QPainterPath, QPaintEvent, QPen
-from PySide6.QtWidgets import QAbstractButton, QSizePolicy, QWidget
+from PySide6.QtWidgets import QAbstractButton, QSizePolicy
 
 from iconstudio.gui.gallery.pictures import Display, Picture
 from iconstudio.gui.theme import theme
@@ -43,8 +43,8 @@ _REMARKS = {
 class ResultCell(QAbstractButton):
     """Shows one result; can be picked once it is there."""
 
-    def __init__(self, name: str, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, name: str) -> None:
+        super().__init__()
         self.picture: Picture | None = None
         self.state = CellState.BLANK
         self._name = name

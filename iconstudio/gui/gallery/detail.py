@@ -32,9 +32,9 @@ INVITATION = "Pick a result to see it large, with the icons that its parts come 
 class LargePicture(QWidget):
     """A result on a sheet of its own."""
 
-    def __init__(self, wide: bool = False, parent: QWidget | None = None) -> None:
+    def __init__(self, wide: bool = False) -> None:
         """``wide``: it fills what room there is, instead of growing with its height only."""
-        super().__init__(parent)
+        super().__init__()
         self._picture: Picture | None = None
         self._display = Display.BOTH
         self._wide = wide
@@ -74,8 +74,8 @@ class LargePicture(QWidget):
 class SourceThumbnail(QWidget):
     """A source at its placement, the part that is used in its colour."""
 
-    def __init__(self, picture: SourcePicture, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, picture: SourcePicture) -> None:
+        super().__init__()
         self._picture = picture
         self.setFixedSize(6 * UNIT, 6 * UNIT)
         self.setToolTip(_placement_text(picture))
@@ -91,8 +91,8 @@ class SourceThumbnail(QWidget):
 class SourceRow(QWidget):
     """One source: thumbnail, share, name, author and licence."""
 
-    def __init__(self, picture: SourcePicture, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, picture: SourcePicture) -> None:
+        super().__init__()
         icon = picture.source.exemplar.pictogram
         title = ElidedLabel(icon.name, icon.credit.url)
         title.setProperty("heading", True)
@@ -124,14 +124,12 @@ class DetailPanel(QFrame):
 
     sent = Signal(str)
 
-    def __init__(
-        self, upright: bool = False, invitation: str = INVITATION, parent: QWidget | None = None
-    ) -> None:
+    def __init__(self, upright: bool = False, invitation: str = INVITATION) -> None:
         """``upright``: the result stands above its sources, not beside them, with a switch.
 
         ``invitation`` is shown as long as there is nothing to show.
         """
-        super().__init__(parent)
+        super().__init__()
         self.setProperty("card", True)
         self.picture: Picture | None = None
         self._columns = 1 if upright else 2

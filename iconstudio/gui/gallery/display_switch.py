@@ -1,7 +1,7 @@
 """Switch between icons as they are, coded by source, and both."""
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QButtonGroup, QFrame, QToolButton, QWidget
+from PySide6.QtWidgets import QButtonGroup, QFrame, QToolButton
 
 from iconstudio.gui.gallery.pictures import Display
 from iconstudio.gui.theme.layout import segments
@@ -27,8 +27,8 @@ class DisplaySwitch(QFrame):
 
     chosen = Signal(object)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.segments: dict[Display, QToolButton] = {}
         group = QButtonGroup(self)
         for display, (text, tip) in _WORDS.items():

@@ -1,9 +1,9 @@
 """The favourites: the results that the user keeps."""
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QFrame, QMenu, QWidget
+from PySide6.QtWidgets import QFrame, QMenu
 
-from iconstudio.gui.gallery.pictures import Picture, same
+from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.gallery.sending import pop_up
 from iconstudio.gui.gallery.sheet import Sheet
 from iconstudio.gui.gallery.sheet_delegate import framed
@@ -37,8 +37,8 @@ class FavouritesPanel(QFrame):
     changed = Signal()
     save_all = Signal()
 
-    def __init__(self, hint: str = EMPTY, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, hint: str = EMPTY) -> None:
+        super().__init__()
         with_role(self, "card")
         self.menu: QMenu | None = None
         advice = "Click to look at it, or drag it where you need it; Delete removes it"
@@ -70,22 +70,6 @@ class FavouritesPanel(QFrame):
     def pictures(self) -> tuple[Picture, ...]:
         """The favourites, in the order in which they were added."""
         return self.icon_list.pictures
-
-    def holds(self, picture: Picture) -> bool:
-        """Whether ``picture``, or one that looks the same, is a favourite."""
-        return any(same(one, picture) for one in self.pictures)
-
-    def add(self, picture: Picture) -> None:
-        """Put a result at the end, unless it is there."""
-        if not self.holds(picture):
-            self.icon_list.show_entries([*self.pictures, picture])
-            self.icon_list.reveal(picture)
-
-    def remove(self, picture: Picture) -> None:
-        """Take out a result, or the one that looks the same."""
-        for one in self.pictures:
-            if same(one, picture):
-                self.icon_list.remove(one)
 
     def _open_menu(self, picture: Picture) -> None:
         menu = self.menu = QMenu(self)

@@ -45,8 +45,8 @@ class ResultsPanel(QFrame):
     chosen = Signal(object)
     asked = Signal(object, QPoint)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         with_role(self, "card")
         self._cells: dict[tuple[str, float], ResultCell] = {}
         self._heads: dict[str, RowHead] = {}

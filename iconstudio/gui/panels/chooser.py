@@ -55,9 +55,8 @@ class IconChooser(QWidget):
         session: Session,
         worker: Worker,
         multiple: bool = False,
-        parent: QWidget | None = None,
     ) -> None:
-        super().__init__(parent)
+        super().__init__()
         self._session = session
         self._multiple = multiple
         self._keyword = ""
@@ -88,11 +87,6 @@ class IconChooser(QWidget):
         self.field.left.connect(self._enter_choices)
         self.choices.chosen.connect(self._choose)
         self.caption.say(_WELCOME)
-
-    def search(self, keyword: str) -> None:
-        """Look icons up, as if the user had typed ``keyword`` and Enter."""
-        self.field.setText(keyword)
-        self._look_up()
 
     def set_taken(self, identifiers: frozenset[str]) -> None:
         """Say which icons are taken already; it matters only if several can be."""
@@ -205,8 +199,8 @@ class SearchField(WordField):
 
     left = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setPlaceholderText("Find an icon: lamp, dog, …")
         self.setAccessibleName("Find an icon")
         self.setClearButtonEnabled(True)

@@ -162,7 +162,7 @@ class Workspace(ResultsWidget):
             opener.opened.connect(self.remarked)
             opener.project.connect(self.project)
             if self.view is not None:
-                self.view.dropped.connect(lambda data, _: opener.open_mime(data))
+                self.view.dropped.connect(opener.open_mime)
             if self.workflow.examples is not None:
                 self.examples = self._make_examples(opener)
         self.document.page_changed.connect(self.show_page)

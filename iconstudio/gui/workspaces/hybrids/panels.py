@@ -47,8 +47,8 @@ class SeedField(QWidget):
 
     changed = Signal(object)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.field = QLineEdit()
         self.field.setFixedWidth(11 * UNIT)
         self.field.setMaxLength(len(str(LARGEST_SEED)))
@@ -90,8 +90,8 @@ class PickRow(QWidget):
 
     requested = Signal(int)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.count = QSpinBox(minimum=FEWEST, maximum=MOST, value=5)
         self.count.setAccessibleName("How many icons to pick")
         self.count.setFixedSize(7 * UNIT, 4 * UNIT)
@@ -167,8 +167,8 @@ class SheetPanel(QFrame):
 
     back = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         with_role(self, "card")
         self.sheet = Sheet(_LOOK, _described, "Hybrids")
         self.bar = HoverBar(self.sheet)
