@@ -515,7 +515,7 @@ def test_a_result_is_edited_further_with_its_credits(marked, qtbot):
     marked.run()
     finish(marked, qtbot)
     before = marked.document.page
-    marked.browser.detail.sent.emit("Edit")
+    marked.send_picture(marked.picture, "Edit")
     qtbot.waitUntil(lambda: marked.document.page != before)
     page = marked.document.page
     assert page.icon.id.startswith("made:frame-")

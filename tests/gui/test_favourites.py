@@ -28,9 +28,9 @@ def tray(qtbot):
     tray = FavouritesPanel("Press F to keep a result.")
     qtbot.addWidget(tray)
     tray.heard = []
-    tray.picked.connect(lambda picture: tray.heard.append(picture))
-    tray.changed.connect(lambda: tray.heard.append("changed"))
-    tray.save_all.connect(lambda: tray.heard.append("save all"))
+    tray.icon_list.chosen.connect(lambda picture: tray.heard.append(picture))
+    tray.icon_list.changed.connect(lambda: tray.heard.append("changed"))
+    tray.button.clicked.connect(lambda: tray.heard.append("save all"))
     tray.resize(480, 72)
     tray.show()
     qtbot.waitExposed(tray)

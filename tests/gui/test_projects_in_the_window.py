@@ -22,12 +22,14 @@ from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QMessageBox
 
 from iconstudio.gui.canvas.photo import mipmap_of
+from iconstudio.gui.exchange.saving import suffixed
 from iconstudio.gui.project import questions, recents
 from iconstudio.gui.project.questions import Answer
 from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.gui.workspaces.plain.opening import WorkPage
 from iconstudio.model import Axis, Placement, Stroke
 from iconstudio.project import archive
+from iconstudio.project.archive import SUFFIX
 from iconstudio.svg.reading import own_svg
 from iconstudio.workflows.editing.page import Area, EditPage, Kind
 from iconstudio.workflows.hybrids.page import Ask, HybridsPage, Ingredient
@@ -348,11 +350,11 @@ def test_what_cannot_be_saved_is_told_and_stays(window, qtbot, tmp_path, monkeyp
 
 
 def test_the_name_of_another_kind_gets_the_right_ending(tmp_path):
-    assert questions.named_as_project(tmp_path / "dog 1.2") == tmp_path / "dog 1.2.iconstudio"
-    assert questions.named_as_project(tmp_path / "DOG.IconStudio") == tmp_path / "DOG.IconStudio"
+    assert suffixed(tmp_path / "dog 1.2", SUFFIX) == tmp_path / "dog 1.2.iconstudio"
+    assert suffixed(tmp_path / "DOG.IconStudio", SUFFIX) == tmp_path / "DOG.IconStudio"
     (tmp_path / "dog 1.2.iconstudio").touch()
     with pytest.raises(Exception, match="is there already"):
-        questions.named_as_project(tmp_path / "dog 1.2")
+        suffixed(tmp_path / "dog 1.2", SUFFIX)
 
 
 def test_the_question_has_three_answers(window):

@@ -184,7 +184,7 @@ def test_any_result_is_sent_from_its_context_menu(house, done):
     spot = cell.rect().center()
     reason = QContextMenuEvent.Reason.Mouse
     QApplication.sendEvent(cell, QContextMenuEvent(reason, spot, cell.mapToGlobal(spot)))
-    items(done.browser.menu)["Add to pad"].trigger()
+    items(done.menu)["Add to pad"].trigger()
     assert workspaces(house)[1].taken == [cell.picture.pictogram()]
     assert house.recent.pictures[0] is cell.picture
 

@@ -1,9 +1,9 @@
 """The result that was picked, large, beside the icons that it owes its parts to."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
-from PySide6.QtCore import QRectF, Qt, Signal
+from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import (
     QFrame,
@@ -114,15 +114,7 @@ class SourceRow(QWidget):
 
 
 class DetailPanel(QFrame):
-    """The picked result, its sources and credits, and the ways to take it along.
-
-    Signals
-    -------
-    sent(str)
-        It is to go to the workspace of that title.
-    """
-
-    sent = Signal(str)
+    """The picked result, its sources and credits, and the ways to take it along."""
 
     def __init__(self, upright: bool = False, invitation: str = INVITATION) -> None:
         """``upright``: the result stands above its sources, not beside them, with a switch.
@@ -205,10 +197,12 @@ class DetailPanel(QFrame):
         """Say in a tool tip what the words on the result mean."""
         self._about.setToolTip(text)
 
-    def set_destinations(self, destinations: Sequence[Destination]) -> None:
-        """Offer to send the result to these."""
+    def set_destinations(
+        self, destinations: Sequence[Destination], send: Callable[[str], object]
+    ) -> None:
+        """Offer to ``send`` the result to one of these, by its title."""
         menu = QMenu(self._send)
-        offer(menu, destinations, self.sent.emit)
+        offer(menu, destinations, send)
         self._send.setMenu(menu)
         self._send.setVisible(bool(destinations))
 

@@ -1,6 +1,5 @@
 """The favourites: the results that the user keeps."""
 
-from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFrame, QMenu
 
 from iconstudio.gui.gallery.pictures import Picture
@@ -22,20 +21,8 @@ class FavouritesPanel(QFrame):
 
     As long as it is empty, ``hint`` says how to fill it. A click picks a favourite; the key
     Delete and the context menu take it out; it can be dragged to where icons are used.
-
-    Signals
-    -------
-    picked(Picture)
-        The user wants to look at a favourite.
-    changed()
-        A favourite was added or removed.
-    save_all()
-        The user wants to save them all.
+    ``icon_list`` tells of all that, and ``button`` when all are to be saved.
     """
-
-    picked = Signal(object)
-    changed = Signal()
-    save_all = Signal()
 
     def __init__(self, hint: str = EMPTY) -> None:
         super().__init__()
@@ -52,7 +39,7 @@ class FavouritesPanel(QFrame):
             removable=True,
         )
         tip = "Save every favourite as SVG, with credits"
-        self.button = push_button("Save all…", tip, self.save_all.emit)
+        self.button = push_button("Save all…", tip)
         self.button.setEnabled(False)
         row(
             label("Favourites", "heading"),
@@ -62,9 +49,8 @@ class FavouritesPanel(QFrame):
             spacing=UNIT * 3 // 2,
             margins=(UNIT * 3 // 2, UNIT, UNIT * 3 // 2, UNIT),
         )
-        self.icon_list.chosen.connect(self.picked)
         self.icon_list.asked.connect(self._open_menu)
-        self.icon_list.changed.connect(self._tell)
+        self.icon_list.changed.connect(lambda: self.button.setEnabled(bool(self.pictures)))
 
     @property
     def pictures(self) -> tuple[Picture, ...]:
@@ -75,7 +61,3 @@ class FavouritesPanel(QFrame):
         menu = self.menu = QMenu(self)
         menu.addAction("Remove from the favourites", lambda: self.icon_list.remove(picture))
         pop_up(menu, self.icon_list.below(picture))
-
-    def _tell(self) -> None:
-        self.button.setEnabled(bool(self.pictures))
-        self.changed.emit()

@@ -30,10 +30,10 @@ from iconstudio.workflows.workflow import Workflow, named
 class Workspace(ResultsWidget):
     """One workflow of section 4: its page, its work and its results, all its own.
 
-    A subclass declares its ``entries``, makes a ``detail`` and an ``opener``, calls
-    ``make_actions`` in ``__init__``, and overrides what it needs. It has a thread, ``worker``, for
-    its runs, and may have more; ``files`` reads and writes files without waiting for them, and
-    ``saver`` asks where to. The window shows what the signals tell.
+    A subclass declares its ``page_type`` and its ``entries``; in ``build`` it makes a ``detail``
+    and an ``opener`` and calls ``make_actions``; and it overrides what it needs. It has a thread,
+    ``worker``, for its runs, and may have more; ``files`` reads and writes files without waiting
+    for them, and ``saver`` asks where to. The window shows what the signals tell.
 
     Signals
     -------
@@ -59,6 +59,8 @@ class Workspace(ResultsWidget):
     idle = Signal(str)
     project = Signal(str)
 
+    page_type: ClassVar[Callable[[], Any]]
+    """Makes the page to begin with, unless a document is given."""
     entries: ClassVar[tuple[Entry, ...]] = ()
     """All that can be done here, beside what can be done everywhere."""
     opener: Opener | None = None
@@ -74,19 +76,19 @@ class Workspace(ResultsWidget):
         session: Session,
         files: Worker,
         saver: Saver,
-        document: Document,
+        document: Document | None = None,
     ) -> None:
         super().__init__()
         self.workflow = workflow
         self.session = session
         self.files = files
         self.saver = saver
-        self.document = document
-        self.blank = document.page
+        self.document = Document(self.page_type()) if document is None else document
+        self.blank = self.page
         """The page to begin with."""
         self.pages = named(workflow.page_format)(workflow)
         """Writes its pages into projects."""
-        document.setParent(self)
+        self.document.setParent(self)
         self.worker = Worker(self)
         self.examples: QMenu | None = None
         """The menu of examples, if there are any."""
@@ -95,6 +97,10 @@ class Workspace(ResultsWidget):
         self._followed: list[Runner] = []
         self.progressed.connect(lambda _: self.note_busy(True))
         self.idle.connect(lambda _: self.note_busy(False))
+        self.build()
+
+    def build(self) -> None:
+        """Make all that is to be seen, and connect it with the work."""
 
     @property
     def page(self) -> Any:
@@ -121,8 +127,11 @@ class Workspace(ResultsWidget):
 
     def set_destinations(self, destinations: tuple[Destination, ...]) -> None:
         """Say where icons can be sent to; called once."""
+        self.destinations = destinations
         if self.detail is not None:
-            self.detail.set_destinations(destinations)
+            self.detail.set_destinations(
+                destinations, lambda title: self.send_picture(self.picture, title)
+            )
 
     def new(self) -> None:
         """Start afresh."""
@@ -153,7 +162,6 @@ class Workspace(ResultsWidget):
         if (detail := self.detail) is not None:
             for name, button in detail.buttons.items():
                 button.clicked.connect(self.actions_by_name[name].trigger)
-            detail.sent.connect(lambda title: self.send_picture(self.picture, title))
             detail.switch.chosen.connect(self.choose_display)
             self.displays = self.displays or (detail,)
         if (opener := self.opener) is not None:

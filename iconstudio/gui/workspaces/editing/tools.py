@@ -8,7 +8,7 @@ from PySide6.QtGui import QKeyEvent, QPainter, QPen, QPolygonF
 from iconstudio.algorithms.geometry import simplified
 from iconstudio.gui.canvas import painters
 from iconstudio.gui.canvas.camera import Camera
-from iconstudio.gui.canvas.tools.base import NUDGES, Pointer
+from iconstudio.gui.canvas.tools.base import Pointer, nudge
 from iconstudio.gui.canvas.tools.polygon import PolygonTool
 from iconstudio.gui.document.document import new_gesture
 from iconstudio.gui.theme.theme import Theme
@@ -200,11 +200,9 @@ class SelectTool(AreaTool):
         """Move the area with the arrow keys, unless one of its points is selected."""
         if super().key(event):
             return True
-        if event.key() not in NUDGES or self.outline.area is None:
+        if (step := nudge(event)) is None or self.outline.area is None:
             return False
-        dx, dy = NUDGES[event.key()]
-        far = 10 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1
-        self.outline.shift(far * dx, far * dy, ("nudge", self.outline.index))
+        self.outline.shift(*step, ("nudge", self.outline.index))
         return True
 
     def _press_nowhere(self, pointer: Pointer) -> None:

@@ -51,7 +51,7 @@ class Draws(QObject):
         self.runner = Runner(worker, self)
         self.runner.ended.connect(self._end)
         panel.sheet.neared_end.connect(self.draw_on)
-        panel.back.connect(self.show_all)
+        panel.button.clicked.connect(self.show_all)
 
     def start(self, mix: Mix, name: str) -> None:
         """Draw on a new sheet, or more on the one that is there if it is of the same mix.
@@ -156,6 +156,5 @@ class Draws(QObject):
             self._sections.end(section, Rule(f"{section.drawn} draws", more=more))
 
     def _show_section(self) -> None:
-        alone = self._sections.alone
-        self._panel.show_way_back(alone is not None)
+        self._panel.button.setVisible(self._sections.alone is not None)
         self.section_changed.emit()

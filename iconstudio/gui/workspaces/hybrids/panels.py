@@ -159,13 +159,8 @@ class IconsColumn(QWidget):
 class SheetPanel(QFrame):
     """The sheet with its title; a welcome as long as it is empty.
 
-    Signals
-    -------
-    back()
-        The user wants to see the whole sheet again.
+    ``button`` leads back to the whole sheet; who shows a part of it shows the button, too.
     """
-
-    back = Signal()
 
     def __init__(self) -> None:
         super().__init__()
@@ -174,7 +169,7 @@ class SheetPanel(QFrame):
         self.bar = HoverBar(self.sheet)
         self.sections = Sections(self.sheet, self.bar)
         self.note = label()
-        self.button = push_button("Whole sheet", "Go back to all hybrids", self.back.emit)
+        self.button = push_button("Whole sheet", "Go back to all hybrids")
         self.button.setIcon(icons.icon("back"))
         policy = self.button.sizePolicy()
         policy.setRetainSizeWhenHidden(True)
@@ -191,10 +186,6 @@ class SheetPanel(QFrame):
     def show_welcome(self, welcome: bool) -> None:
         """Show the welcome, or the sheet."""
         self._stack.setCurrentIndex(0 if welcome else 1)
-
-    def show_way_back(self, shown: bool) -> None:
-        """Offer the way back to the whole sheet, or not."""
-        self.button.setVisible(shown)
 
     def _welcome(self) -> QWidget:
         middle = Qt.AlignmentFlag.AlignCenter

@@ -7,12 +7,12 @@ from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QKeyEvent, QPainter, QPen
 
 from iconstudio.gui.canvas.camera import Camera
-from iconstudio.gui.canvas.tools.base import NUDGES, Pointer, Tool
+from iconstudio.gui.canvas.tools.base import Pointer, nudge
 from iconstudio.gui.document.document import new_gesture
 from iconstudio.gui.theme.theme import Theme
 from iconstudio.gui.workspaces.montage.appearance import rect_of
 from iconstudio.gui.workspaces.montage.scene import MontageScene
-from iconstudio.gui.workspaces.montage.tools.keys import layer_key
+from iconstudio.gui.workspaces.montage.tools.base import LayerTool
 from iconstudio.model import CANVAS, Point
 from iconstudio.workflows.montage.page import MontageDocument, choose
 from iconstudio.workflows.montage.snapping import (
@@ -33,18 +33,21 @@ SNAP = 6.0
 _FREE = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
 
 
-class ArrangeTool(Tool):
+class ArrangeTool(LayerTool):
     """Drags icons about, and their corners to scale them; every drag is one step to undo."""
 
     def __init__(self, document: MontageDocument, scene: MontageScene) -> None:
-        self._document = document
-        self._scene = scene
+        super().__init__(document, scene)
         self._corner: int | None = None
         self._hover = False
         self._start: Point | None = None
         self._snapped: Snapped | None = None
         self._nudges = 0, -1
-        document.page_changed.connect(self._page_changed)
+
+    @property
+    def busy(self) -> bool:
+        """Whether an icon is held."""
+        return self._start is not None
 
     # -- what the canvas shows -----------------------------------------------------------------
 
@@ -136,10 +139,6 @@ class ArrangeTool(Tool):
             self._document.change(text, after)
         self._look(pointer)
 
-    def double_click(self, pointer: Pointer) -> None:
-        """Do as for any click."""
-        self.press(pointer)
-
     def leave(self) -> None:
         """Forget the pointer."""
         if self._start is None:
@@ -149,15 +148,13 @@ class ArrangeTool(Tool):
 
     def key(self, event: QKeyEvent) -> bool:
         """Arrows nudge; the rest as with all tools."""
-        if layer_key(self._document, event):
+        if super().key(event):
             return True
-        layer = self._document.page.current
-        if event.key() not in NUDGES or layer is None or self._start is not None:
+        step, layer = nudge(event), self._document.page.current
+        if step is None or layer is None or self.busy:
             return False
-        far = 10 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1
-        dx, dy = (far * step for step in NUDGES[event.key()])
         old = layer.placement
-        new = kept_in(layer.icon, replace(old, dx=old.dx + dx, dy=old.dy + dy))
+        new = kept_in(layer.icon, replace(old, dx=old.dx + step[0], dy=old.dy + step[1]))
         if new != old:
             # Nudges of one icon in a row are one step.
             if self._nudges[1] != layer.number or not event.isAutoRepeat():
@@ -184,8 +181,3 @@ class ArrangeTool(Tool):
             if min(gaps) <= GRIP:
                 self._corner = gaps.index(min(gaps))
         self._hover = self._document.page.found(pointer.page) is not None
-
-    def _page_changed(self) -> None:
-        """Let go: what is held may be gone, by an undo in the middle of a drag."""
-        if self._start is not None:
-            self.cancel()
