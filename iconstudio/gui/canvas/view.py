@@ -46,7 +46,7 @@ class CanvasView(CameraView):
         super().__init__()
         scene.setParent(self)
         self.setAccessibleDescription(description)
-        self._scene = scene
+        self.scene = scene
         self._tool = tool
         self._pan = PanTool(self.pan)
         self._panning = False
@@ -66,7 +66,7 @@ class CanvasView(CameraView):
 
     def content(self) -> QRectF:
         """Return the area of the page."""
-        return self._scene.bounds()
+        return self.scene.bounds()
 
     @property
     def tool(self) -> Tool:
@@ -95,11 +95,11 @@ class CanvasView(CameraView):
         with QPainter(self) as painter:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             painter.drawPixmap(0, 0, self._backdrop(scheme))
-            self._scene.paint(painter, self._camera, self.devicePixelRatioF(), scheme)
-            if self._scene.empty:
-                painters.paint_welcome(painter, area, *self._scene.welcome, scheme)
+            self.scene.paint(painter, self._camera, self.devicePixelRatioF(), scheme)
+            if self.scene.empty:
+                painters.paint_welcome(painter, area, *self.scene.welcome, scheme)
             self._tool.paint(painter, self._camera, scheme)
-            if not self._scene.empty and self.tool.hint:
+            if not self.scene.empty and self.tool.hint:
                 painters.paint_hint(painter, area, self.tool.hint, scheme)
 
     # -- pointer and keys ----------------------------------------------------------------------

@@ -4,7 +4,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QSplitter
 
 from iconstudio.gui.gallery.detail import DetailPanel
-from iconstudio.gui.gallery.pictures import Display, Picture
+from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.gallery.results import ResultsPanel
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.workflows.events import Event, Recommended, StyleMatched, StyleSkipped
@@ -45,11 +45,6 @@ class ResultsBrowser(QSplitter):
         results, detail = self.results, self.detail
         results.picked.connect(detail.show_picture)
         results.chosen.connect(self._choose)
-
-    def show_display(self, display: Display) -> None:
-        """Show results as icons, by their colour code, or both."""
-        self.results.show_display(display)
-        self.detail.large.show_display(display)
 
     def begin(self, settings: ModelSettings, afresh: bool = True) -> None:
         """Make room for the results of a new run.

@@ -16,8 +16,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from iconstudio.gui.gallery.display_switch import DisplaySwitch
-from iconstudio.gui.gallery.pictures import Display, Picture, SourcePicture, source_pictures
+from iconstudio.gui.gallery.display import DisplaySwitch, setting
+from iconstudio.gui.gallery.pictures import Picture, SourcePicture, source_pictures
 from iconstudio.gui.gallery.sending import Destination, offer
 from iconstudio.gui.panels.elided import ElidedLabel
 from iconstudio.gui.theme import theme
@@ -36,21 +36,16 @@ class LargePicture(QWidget):
         """``wide``: it fills what room there is, instead of growing with its height only."""
         super().__init__()
         self._picture: Picture | None = None
-        self._display = Display.BOTH
         self._wide = wide
         self.setMinimumSize(20 * UNIT, 20 * UNIT)
         across = QSizePolicy.Policy.Expanding if wide else QSizePolicy.Policy.Preferred
         self.setSizePolicy(across, QSizePolicy.Policy.Expanding)
         self.setAccessibleName("The picked icon")
+        setting.changed.connect(self.update)
 
     def show_picture(self, picture: Picture | None) -> None:
         """Show another result."""
         self._picture = picture
-        self.update()
-
-    def show_display(self, display: Display) -> None:
-        """Show the icon, its colour code, or both."""
-        self._display = display
         self.update()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -68,7 +63,7 @@ class LargePicture(QWidget):
             fill_rounded(painter, sheet, scheme.color("window"), 8)
             if self._picture is not None:
                 target = sheet.adjusted(UNIT, UNIT, -UNIT, -UNIT)
-                self._picture.paint(painter, target, scheme.color("text"), self._display)
+                self._picture.paint(painter, target, scheme.color("text"), setting.value)
 
 
 class SourceThumbnail(QWidget):
@@ -205,11 +200,6 @@ class DetailPanel(QFrame):
         offer(menu, destinations, send)
         self._send.setMenu(menu)
         self._send.setVisible(bool(destinations))
-
-    def show_display(self, display: Display) -> None:
-        """Show the icon, its colour code, or both."""
-        self.large.show_display(display)
-        self.switch.show_display(display)
 
     def _make_heading(self) -> QHBoxLayout:
         for one in (self._title, self._about):

@@ -14,7 +14,8 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QListView, QWidget
 
 from iconstudio.gui.exchange.dragging import drag
-from iconstudio.gui.gallery.pictures import Display, Picture
+from iconstudio.gui.gallery.display import setting
+from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.gallery.sheet_delegate import Look, SheetDelegate
 from iconstudio.gui.gallery.sheet_model import (
     Describe,
@@ -100,6 +101,7 @@ class Sheet(QListView):
         self.setAccessibleDescription(hint)
         self.clicked.connect(self._choose)
         self.verticalScrollBar().valueChanged.connect(self._scrolled)
+        setting.changed.connect(self.viewport().update)
         if look.picks:
             self.selectionModel().currentChanged.connect(self._pick)
             self._model.modelReset.connect(self._pick_again)
@@ -154,11 +156,6 @@ class Sheet(QListView):
         """Return the place on the screen where a menu for an icon belongs."""
         box = self.visualRect(self._model.index_of(entry))
         return self.viewport().mapToGlobal(box.bottomLeft() + QPoint(0, 4))
-
-    def show_display(self, display: Display) -> None:
-        """Show results as icons, by their colour code, or both."""
-        self._delegate.display = display
-        self.viewport().update()
 
     @property
     def at_end(self) -> bool:

@@ -8,6 +8,7 @@ from PySide6.QtGui import QCloseEvent, QGuiApplication
 from PySide6.QtWidgets import QMainWindow, QMenu, QStackedWidget, QWidget
 
 from iconstudio.gui.exchange.saving import Saver
+from iconstudio.gui.gallery import display
 from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.gallery.recent import RecentResults
 from iconstudio.gui.gallery.sending import Destination
@@ -46,6 +47,7 @@ class MainWindow(QMainWindow):
 
     def __init__(self, session: Session, workflows: Sequence[Workflow] | None = None) -> None:
         super().__init__()
+        display.setting.recall()
         self._session = session
         self._workflows = tuple(registry.workflows() if workflows is None else workflows)
         self._made: dict[int, WorkspacePane] = {}

@@ -14,6 +14,7 @@ from iconstudio.gui.canvas.view import CanvasView
 from iconstudio.gui.document.document import Document
 from iconstudio.gui.exchange.opening import Opener
 from iconstudio.gui.exchange.saving import Saver
+from iconstudio.gui.gallery import display
 from iconstudio.gui.gallery.sending import Destination
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
@@ -162,8 +163,6 @@ class Workspace(ResultsWidget):
         if (detail := self.detail) is not None:
             for name, button in detail.buttons.items():
                 button.clicked.connect(self.actions_by_name[name].trigger)
-            detail.switch.chosen.connect(self.choose_display)
-            self.displays = self.displays or (detail,)
         if (opener := self.opener) is not None:
             opener.began.connect(lambda: self.remarked.emit(""))
             opener.failed.connect(self.failed)
@@ -176,6 +175,7 @@ class Workspace(ResultsWidget):
         self.document.page_changed.connect(self.show_page)
         self.document.page_changed.connect(self.actions_by_name.refresh)
         self.picked.connect(self.actions_by_name.refresh)
+        display.setting.changed.connect(self._refresh_actions)
         self.actions_by_name.refresh()
 
     def canvas_panel_of(
@@ -232,6 +232,9 @@ class Workspace(ResultsWidget):
             menu.addAction(one.title, lambda path=str(one.path): opener.try_example(path))
         self.actions_by_name.add(EXAMPLES, menu.menuAction())
         return menu
+
+    def _refresh_actions(self) -> None:
+        self.actions_by_name.refresh()
 
     def note_busy(self, busy: bool) -> None:
         """Let the work be cancelled, or not."""

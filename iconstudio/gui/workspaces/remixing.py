@@ -53,7 +53,6 @@ class RemixWorkspace(Workspace, LiveSource):
         self.keyword_panel = KeywordPanel(self.document)
         self.browser = ResultsBrowser()
         self.detail = self.browser.detail
-        self.displays = (self.browser,)
         self.symmetry = SymmetryButton()
 
     # -- what the window asks for --------------------------------------------------------------
@@ -150,7 +149,6 @@ class RemixWorkspace(Workspace, LiveSource):
         browser.results.asked.connect(self.offer_for)
         browser.kept.connect(self.kept)
         browser.counted.connect(self.counted)
-        browser.results.switch.chosen.connect(self.choose_display)
         self.rest()
         self.show_page()
         self._opening.start(self.session.get_ready)

@@ -222,6 +222,15 @@ class SelectTool(AreaTool):
         return next((i for i in reversed(order) if _contains(areas[i], point)), None)
 
 
+def edit_tools(outline: AreaOutline) -> dict[str, DrawTool | SelectTool]:
+    """Return the tools of an edit by the names of the actions that take them."""
+    return {
+        "remove": DrawTool(outline, Kind.REMOVE),
+        "add": DrawTool(outline, Kind.ADD),
+        "select": SelectTool(outline),
+    }
+
+
 def _contains(area: Area, point: Point) -> bool:
     shape = QPolygonF([QPointF(*vertex) for vertex in area.vertices])
     return shape.containsPoint(QPointF(*point), Qt.FillRule.WindingFill)

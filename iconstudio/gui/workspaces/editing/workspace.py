@@ -10,13 +10,13 @@ from iconstudio.gui.workspaces.editing.actions import ENTRIES
 from iconstudio.gui.workspaces.editing.opening import EditOpener
 from iconstudio.gui.workspaces.editing.scene import EditScene
 from iconstudio.gui.workspaces.editing.start import StartPanel
-from iconstudio.gui.workspaces.editing.tools import DrawTool, SelectTool
+from iconstudio.gui.workspaces.editing.tools import DrawTool, edit_tools
 from iconstudio.gui.workspaces.remixing import RemixWorkspace
 from iconstudio.model import Edit, IconstudioError, Pictogram
 from iconstudio.workflows.editing import page as edits
 from iconstudio.workflows.editing.areas import AreaOutline
 from iconstudio.workflows.editing.editing import own_styles, place_edit
-from iconstudio.workflows.editing.page import EditPage, Kind
+from iconstudio.workflows.editing.page import EditPage
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.grid import ModelSettings
 
@@ -50,18 +50,12 @@ class EditWorkspace(RemixWorkspace):
         self.opener = EditOpener(self.session, self.document, self.files, self)
         self.outlines = IconOutlines(self.session, self.finder, self)
         self.outline = AreaOutline(self.document)
-        self.tools = {
-            "remove": DrawTool(self.outline, Kind.REMOVE),
-            "add": DrawTool(self.outline, Kind.ADD),
-            "select": SelectTool(self.outline),
-        }
+        self.tools = edit_tools(self.outline)
         self.tool = self.tools["remove"]
         self.scene = EditScene(self.document, self.outlines)
         self.view = CanvasView(self.scene, self.tool, DESCRIPTION)
         self.browser.results.set_words(WELCOME, "Closer to the drawing")
-        self.keyword_panel.set_words(
-            PLACEHOLDER, "Make the icon anew where it is marked (Ctrl+Return)"
-        )
+        self.keyword_panel.set_words(PLACEHOLDER, TIP)
         self.offer_symmetry(_outline, lambda page: place_edit(page.edit(), page.icon).silhouette)
         self.make_actions()
         chooser = IconChooser(self.session, self.finder)

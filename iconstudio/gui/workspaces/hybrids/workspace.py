@@ -36,7 +36,6 @@ class HybridsWorkspace(Workspace):
         self.draws = Draws(self.session, self.worker, self.panel, self)
         self.favourites_panel = FavouritesPanel("Press F at a hybrid to keep it")
         self.detail = DetailPanel()
-        self.displays = self.sheet, self.detail
         self.make_actions()
         self.panel.start.setMenu(self.examples)
         above = QWidget()

@@ -15,14 +15,13 @@ from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.theme.layout import row, splitter
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.montage.actions import ENTRIES
-from iconstudio.gui.workspaces.montage.appearance import palette_of
 from iconstudio.gui.workspaces.montage.layers import LayerList, left_side
 from iconstudio.gui.workspaces.montage.live import TITLE, Request, made
 from iconstudio.gui.workspaces.montage.opening import MontageOpener
 from iconstudio.gui.workspaces.montage.overlay import BrushSlider
 from iconstudio.gui.workspaces.montage.scene import MontageScene
-from iconstudio.gui.workspaces.montage.tools.arrange import ArrangeTool
-from iconstudio.gui.workspaces.montage.tools.scribble import Brush, ScribbleTool
+from iconstudio.gui.workspaces.montage.tools import montage_tools
+from iconstudio.gui.workspaces.montage.tools.scribble import Brush
 from iconstudio.model import Pictogram
 from iconstudio.workflows.montage.page import MontagePage
 
@@ -46,11 +45,7 @@ class MontageWorkspace(Workspace):
         self._kept: Picture | None = None
         self.scene = MontageScene(self.document, self.outlines)
         self.brush = Brush(self)
-        self.tools = {
-            "arrange": ArrangeTool(self.document, self.scene),
-            "brush": ScribbleTool(self.document, self.scene, self.brush, rubs=False),
-            "eraser": ScribbleTool(self.document, self.scene, self.brush, rubs=True),
-        }
+        self.tools = montage_tools(self.document, self.scene, self.brush)
         self.view = CanvasView(self.scene, self.tools["brush"], DESCRIPTION)
         self.chooser = IconChooser(self.session, self.finder)
         self.layers = LayerList(self.document)
@@ -100,14 +95,13 @@ class MontageWorkspace(Workspace):
         """Show what the page says."""
         page = self.page
         if page.marked:
-            self.live.request(Request(page.montage(), palette_of(page)))
+            self.live.request(Request.of(page))
         else:
             self.live.cancel()
             if self.picture is not None:
                 self.look_at(None)
         for one in page.layers:
             self.outlines.request(one.icon.exemplar)
-        self.start_buttons.setVisible(not page.layers)
 
     def save(self) -> None:
         """Write the montage into a file."""

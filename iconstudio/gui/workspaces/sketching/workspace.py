@@ -110,7 +110,6 @@ class SketchWorkspace(RemixWorkspace):
         """Show what the page says."""
         page = self.page
         self.show_criteria("sketch")
-        self.start_buttons.setVisible(page.empty)
         self.dim.setVisible(page.photo is not None)
         if not page.vertices:
             self._regions = ()
