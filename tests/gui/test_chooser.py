@@ -59,22 +59,22 @@ def own(tmp_path):
 
 
 def count(chooser):
-    return chooser.choices.model().rowCount()
+    return chooser.sheet.model().rowCount()
 
 
 def found(chooser, qtbot, keyword="dog"):
     search(chooser, keyword)
     qtbot.waitUntil(lambda: count(chooser) >= 60)
-    return [chooser.choices.model().entry(chooser.choices.model().index(i)) for i in range(60)]
+    return [chooser.sheet.model().entry(chooser.sheet.model().index(i)) for i in range(60)]
 
 
 def place(chooser, number):
     """Return the middle of an icon on the sheet."""
-    return chooser.choices.visualRect(chooser.choices.model().index(number)).center()
+    return chooser.sheet.visualRect(chooser.sheet.model().index(number)).center()
 
 
 def click(chooser, number):
-    QTest.mouseClick(chooser.choices.viewport(), LEFT, pos=place(chooser, number))
+    QTest.mouseClick(chooser.sheet.viewport(), LEFT, pos=place(chooser, number))
 
 
 def opened(chooser, qtbot, path):
@@ -153,10 +153,10 @@ def test_the_keyboard_does_it_all(chooser, qtbot):
     chooser.setFocus()
     assert chooser.field.hasFocus()
     QTest.keyClick(chooser.field, Qt.Key.Key_Down)
-    assert chooser.choices.hasFocus()
-    QTest.keyClick(chooser.choices, Qt.Key.Key_Return)
-    QTest.keyClick(chooser.choices, Qt.Key.Key_Right)
-    QTest.keyClick(chooser.choices, Qt.Key.Key_Space)
+    assert chooser.sheet.hasFocus()
+    QTest.keyClick(chooser.sheet, Qt.Key.Key_Return)
+    QTest.keyClick(chooser.sheet, Qt.Key.Key_Right)
+    QTest.keyClick(chooser.sheet, Qt.Key.Key_Space)
     assert chooser.heard == [("chosen", icons[0]), ("chosen", icons[1])]
 
 
@@ -179,12 +179,12 @@ def test_only_where_several_are_chosen_a_taken_icon_is_given_back(make, qtbot):
 def test_a_taken_icon_is_ticked(make, qtbot):
     chooser = make(multiple=True)
     icons = found(chooser, qtbot)
-    sheet = chooser.choices.model()
-    before = pixels(chooser.choices.viewport().grab().toImage())
+    sheet = chooser.sheet.model()
+    before = pixels(chooser.sheet.viewport().grab().toImage())
     chooser.set_taken(frozenset({icons[1].id}))
-    after = pixels(chooser.choices.viewport().grab().toImage())
+    after = pixels(chooser.sheet.viewport().grab().toImage())
     ys, xs = (before != after).any(axis=2).nonzero()
-    box = chooser.choices.visualRect(sheet.index(1))
+    box = chooser.sheet.visualRect(sheet.index(1))
     assert len(ys) > 200
     assert all(box.contains(QPoint(int(x), int(y))) for y, x in zip(ys, xs, strict=True))
     role = Qt.ItemDataRole
@@ -216,11 +216,11 @@ def test_a_file_dialog_that_is_cancelled_changes_nothing(chooser, qtbot, monkeyp
 
 def test_an_opened_file_stays_while_others_are_looked_up(chooser, qtbot, own):
     opened(chooser, qtbot, own)
-    first = chooser.choices.model().entry(chooser.choices.model().index(0))
+    first = chooser.sheet.model().entry(chooser.sheet.model().index(0))
     opened(chooser, qtbot, own)
     assert count(chooser) == 1, "it is the same file"
     found(chooser, qtbot)
-    assert chooser.choices.model().entry(chooser.choices.model().index(0)).id == first.id
+    assert chooser.sheet.model().entry(chooser.sheet.model().index(0)).id == first.id
     assert count(chooser) == 61
 
 
@@ -285,7 +285,7 @@ def test_an_icon_is_dragged_away_and_not_chosen(chooser, qtbot, monkeypatch):
     icons = found(chooser, qtbot)
     dragged = []
     monkeypatch.setattr(QDrag, "exec", lambda drag, _: dragged.append(unpacked(drag.mimeData())))
-    view, start = chooser.choices.viewport(), place(chooser, 4)
+    view, start = chooser.sheet.viewport(), place(chooser, 4)
     QTest.mousePress(view, LEFT, pos=start)
     for step in range(1, 6):
         QTest.mouseMove(view, start + QPoint(0, 20 * step))
@@ -304,8 +304,8 @@ def test_a_drag_from_elsewhere_is_no_icon():
 def test_everything_has_a_name_for_screen_readers(chooser, qtbot):
     icons = found(chooser, qtbot)
     assert chooser.field.accessibleName()
-    assert chooser.choices.accessibleName()
-    sheet = chooser.choices.model()
+    assert chooser.sheet.accessibleName()
+    sheet = chooser.sheet.model()
     role = Qt.ItemDataRole.AccessibleTextRole
     assert sheet.data(sheet.index(5), role) == icons[5].id
     assert sheet.data(sheet.index(99), role) is None

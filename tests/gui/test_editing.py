@@ -105,7 +105,7 @@ def test_an_empty_canvas_offers_to_choose_an_icon_and_the_cursor_is_there(empty,
     assert empty.window().focusWidget() is empty.start_panel.chooser.field
     assert not empty.start_panel.close_button.isVisible()
     QTest.keyClicks(empty.start_panel.chooser.field, "frames")
-    choices = empty.start_panel.chooser.choices
+    choices = empty.start_panel.chooser.sheet
     qtbot.waitUntil(lambda: choices.model().rowCount() == 60)
     spot = choices.visualRect(choices.model().index(1)).center()
     QTest.mouseClick(choices.viewport(), Qt.MouseButton.LeftButton, pos=spot)
@@ -124,7 +124,7 @@ def test_choosing_another_icon_starts_afresh_and_undo_brings_all_back(editing, q
     editing.actions_by_name["icon"].trigger()
     assert editing.start_panel.isVisible()
     search(editing.start_panel.chooser, "ring")
-    choices = editing.start_panel.chooser.choices
+    choices = editing.start_panel.chooser.sheet
     qtbot.waitUntil(lambda: choices.model().rowCount() == 60)
     spot = choices.visualRect(choices.model().index(0)).center()
     QTest.mouseClick(choices.viewport(), Qt.MouseButton.LeftButton, pos=spot)
@@ -442,7 +442,7 @@ def test_remix_closes_an_open_area(editing, qtbot, session):
 
 
 def test_an_icon_is_left_out(marked, qtbot, session):
-    thumbnails = marked.keyword_panel.thumbnails
+    thumbnails = marked.keyword_panel.sheet
     qtbot.waitUntil(lambda: thumbnails.model().rowCount() == 60)
     spot = thumbnails.visualRect(thumbnails.model().index(2)).center()
     QTest.mouseClick(thumbnails.viewport(), Qt.MouseButton.LeftButton, pos=spot)

@@ -168,11 +168,11 @@ def test_icons_are_ticked_and_given_back(place, qtbot):
     chooser = place.column.chooser
     QTest.keyClicks(chooser.field, "lamp")
     QTest.keyClick(chooser.field, Qt.Key.Key_Return)
-    sheet = chooser.choices.model()
+    sheet = chooser.sheet.model()
     qtbot.waitUntil(lambda: sheet.rowCount() == 60)
     for row in (3, 1, 3):
-        box = chooser.choices.visualRect(sheet.index(row))
-        QTest.mouseClick(chooser.choices.viewport(), LEFT, pos=box.center())
+        box = chooser.sheet.visualRect(sheet.index(row))
+        QTest.mouseClick(chooser.sheet.viewport(), LEFT, pos=box.center())
     assert names(place) == ["shapes:frame-1"]
     assert "one more icon" in place.column.run.toolTip()
     place.document.undo_stack.undo()

@@ -189,7 +189,7 @@ def test_the_icons_of_a_sketch_that_is_opened_again_are_shown_while_it_runs(draw
     qtbot.waitUntil(begun(session, 2))
     qtbot.waitUntil(lambda: "60 icons" in caption.text())
     assert drawn.runner.running
-    assert drawn.keyword_panel.thumbnails.model().rowCount() == 60
+    assert drawn.keyword_panel.sheet.model().rowCount() == 60
     session.gate.release(100)
     rest(drawn, qtbot, session)
 
@@ -257,7 +257,7 @@ def test_every_kind_of_change_starts_again(drawn, qtbot, session):
         stack.undo,
         stack.redo,
         lambda: drawn.hold_to(Axis.HORIZONTAL),
-        lambda: drawn.keyword_panel.thumbnails.chosen.emit(exemplar(2)),
+        lambda: drawn.keyword_panel.sheet.chosen.emit(exemplar(2)),
         lambda: type_keyword(drawn, "s"),
     ):
         count = len(runs(session))

@@ -50,7 +50,7 @@ def finish(sketching, qtbot):
 def test_icons_are_found_while_the_user_still_draws(sketching, qtbot, session):
     click(sketching, SQUARE[0])
     type_keyword(sketching, "motorcycle")
-    sheet = sketching.keyword_panel.thumbnails.model()
+    sheet = sketching.keyword_panel.sheet.model()
     qtbot.waitUntil(lambda: sheet.rowCount() == 60)
     click(sketching, SQUARE[1])
     assert [call[1] for call in session.calls] == ["motorcycle"], "not once for each letter"
@@ -401,7 +401,7 @@ def test_how_results_are_shown_is_remembered_in_all_workspaces(ready):
 
 
 def test_an_icon_is_left_out_and_taken_back(ready, qtbot, session):
-    thumbnails = ready.keyword_panel.thumbnails
+    thumbnails = ready.keyword_panel.sheet
     qtbot.waitUntil(lambda: thumbnails.model().rowCount() == 60)
     spot = thumbnails.visualRect(thumbnails.model().index(2)).center()
     QTest.mouseClick(thumbnails.viewport(), Qt.MouseButton.LeftButton, pos=spot)

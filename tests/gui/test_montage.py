@@ -123,7 +123,7 @@ def test_an_empty_canvas_says_what_to_do_and_offers_it(place):
 def test_icons_are_found_and_added_by_a_click(place, qtbot):
     assert place.chooser.field.hasFocus()
     search(place.chooser, "ring")
-    sheet = place.chooser.choices
+    sheet = place.chooser.sheet
     qtbot.waitUntil(lambda: sheet.model().rowCount() == 60)
     spot = sheet.visualRect(sheet.model().index(1, 0)).center()
     QTest.mouseClick(sheet.viewport(), LEFT, pos=spot)

@@ -11,7 +11,7 @@ from PySide6.QtGui import (
     QResizeEvent,
     QWheelEvent,
 )
-from PySide6.QtWidgets import QListView, QWidget
+from PySide6.QtWidgets import QListView
 
 from iconstudio.gui.exchange.dragging import drag
 from iconstudio.gui.gallery.display import setting
@@ -78,9 +78,8 @@ class Sheet(QListView):
         one_row: bool = False,
         draggable: bool = False,
         removable: bool = False,
-        parent: QWidget | None = None,
     ) -> None:
-        super().__init__(parent)
+        super().__init__()
         self._look, self._hint = look, hint
         self._one_row, self._removable = one_row, removable
         self._last: Entry | None = None
