@@ -36,12 +36,7 @@ class CanvasView(CameraView):
 
     dropped = Signal(object)
 
-    def __init__(
-        self,
-        scene: Scene,
-        tool: Tool,
-        description: str = "",
-    ) -> None:
+    def __init__(self, scene: Scene, tool: Tool, description: str = "") -> None:
         """``description`` says what is done here. The scene belongs to the view."""
         super().__init__()
         scene.setParent(self)

@@ -233,20 +233,19 @@ class Opener(QObject):
 
     def receive(self, found: object) -> None:
         """Put something on the page, and tell."""
-        match found:
-            case Opened():
-                self._put(lambda: found.onto(self.document))
-            case ReadTogether():
-                for complaint in found.complaints:
-                    self.complain(complaint)
-                if found.found:
-                    self._put(lambda: self.put(found))
-            case Sprite():
-                self.choose_symbol(found)
-
-    def _put(self, put: Callable[[], str]) -> None:
+        if isinstance(found, Sprite):
+            self.choose_symbol(found)
+        if isinstance(found, ReadTogether):
+            for complaint in found.complaints:
+                self.complain(complaint)
         try:
-            done = put()
+            match found:
+                case Opened():
+                    done = found.onto(self.document)
+                case ReadTogether() if found.found:
+                    done = self.put(found)
+                case _:
+                    return
         except IconstudioError as error:
             self.complain(str(error))
             return
