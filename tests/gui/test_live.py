@@ -664,7 +664,7 @@ def test_the_pick_stays_while_a_run_goes_on_and_is_the_best_in_the_end(drawn, qt
         for number, one in enumerate(results)
     ]  # fmt: skip
     picks = []
-    board.picked.connect(lambda one: picks.append(one and one.icon.composite))
+    board.results.picked.connect(lambda one: picks.append(one and one.icon.composite))
     board.begin(settings)
     picks.clear()
     for one in scored:

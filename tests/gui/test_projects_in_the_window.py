@@ -151,7 +151,7 @@ def test_the_pages_of_all_workflows_are_read_back(window, another, qtbot, tmp_pa
     # Once more, it is the same file.
     again = tmp_path / "again.iconstudio"
     monkeypatch.setattr(questions, "ask_where", lambda *_: again)
-    other.action("save_project_as").trigger()
+    action(other, "save_project_as").trigger()
     qtbot.waitUntil(lambda: other.project.path == again)
     one, two = (zipfile.ZipFile(file) for file in (path, again))
     assert sorted(one.namelist()) == sorted(two.namelist())
