@@ -32,7 +32,7 @@ class IconDialog(QDialog):
     chosen = Signal(object)
 
     def __init__(self, title: str, take: str, parent: QWidget) -> None:
-        super().__init__()
+        super().__init__(parent)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle(title)
         self.icon: Pictogram | None = None
