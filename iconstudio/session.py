@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.iconification.matching import SCALES, Matcher, PreparedExemplar
-from iconstudio.algorithms.iconification.style import two_toned
+from iconstudio.algorithms.iconification.style import has_pale_areas
 from iconstudio.algorithms.scanning.binarisation import Scan
 from iconstudio.caches.preparing import PreparingCache
 from iconstudio.caches.rasters import RasterCache
@@ -44,7 +44,7 @@ from iconstudio.workflows.estimating import estimated
 from iconstudio.workflows.events import Event, Progress, Retrieved
 from iconstudio.workflows.hybrids.selection import select
 from iconstudio.workflows.solving import warm_up
-from iconstudio.workflows.workflow import Settings, Workflow
+from iconstudio.workflows.workflow import Workflow
 
 _PLENTY = 8
 """With so many others, icons of two tones are left out: only their dark part could be used."""
@@ -108,7 +108,7 @@ class Session(AbstractContextManager["Session"]):
                 self._collection = yield from Collection.opening(cache=self._cache)
 
     def get_ready(self) -> Iterator[Progress]:
-        """Open the collection, start the worker processes and load libraries ahead of their use.
+        """Open the collection, and have the worker processes and libraries ready to remix.
 
         The very first time the workers compile what cuts, which takes some seconds; later it is at
         hand.
@@ -257,17 +257,32 @@ class Session(AbstractContextManager["Session"]):
             yield Progress("prepare", done / len(pictograms), "Drawing the icons")
         return tuple(found[index] for index in sorted(found))
 
+    def retrieve(
+        self, keyword: str, exclude: frozenset[str] = frozenset()
+    ) -> Generator[Event, None, tuple[Exemplar, ...]]:
+        """Return a keyword's icons on the canvas, the best match first.
+
+        Yields ``Progress``, and ``Retrieved`` once the icons are drawn.
+        """
+        yield from self.open()
+        yield Progress("search", 0.0, f"Looking for “{keyword}”")
+        exemplars = yield from self.rasterise(self.search(keyword, exclude))
+        plain = tuple(one for one in exemplars if not has_pale_areas(one.coverage))
+        if len(plain) >= _PLENTY:
+            exemplars = plain
+        yield Retrieved(keyword, exemplars)
+        return exemplars
+
     def prepare(
         self,
         keyword: str,
         exclude: frozenset[str] = frozenset(),
         scales: tuple[float, ...] = SCALES,
     ) -> Generator[Event, None, Matcher]:
-        """Retrieve and rasterise a keyword's icons, and make them ready for matching.
+        """Retrieve a keyword's icons, and make them ready for matching: see ``retrieve``.
 
-        Yields ``Progress``, and ``Retrieved`` once the icons are drawn; returns their
-        ``Matcher``, the best match of the keyword first. It is kept in memory, so that a later
-        ``model`` of the keyword starts at once.
+        Returns their ``Matcher``. It is kept in memory, so that a later ``model`` of the keyword
+        starts at once.
         """
         key = keyword.strip().casefold(), exclude, scales
         kept = self._prepared.get(key)
@@ -275,13 +290,7 @@ class Session(AbstractContextManager["Session"]):
             yield Retrieved(keyword, tuple(one.exemplar for one in kept.exemplars))
             return kept
         yield from self.get_ready()
-        yield Progress("search", 0.0, f"Looking for “{keyword}”")
-        pictograms = self.search(keyword, exclude)
-        exemplars = yield from self.rasterise(pictograms)
-        plain = tuple(one for one in exemplars if not two_toned(one.coverage))
-        if len(plain) >= _PLENTY:
-            exemplars = plain
-        yield Retrieved(keyword, exemplars)
+        exemplars = yield from self.retrieve(keyword, exclude)
         ready: dict[int, PreparedExemplar] = {}
         for index, one in self._preparing.prepared(exemplars, scales):
             ready[index] = one
@@ -297,17 +306,18 @@ class Session(AbstractContextManager["Session"]):
         """Choose icons of a keyword that mix well: see ``workflows.hybrids.selection``."""
         return (yield from select(self, keyword, count, symmetry, seed))
 
-    def run(
-        self, workflow: Workflow[W], work: W, settings: Settings | None = None
-    ) -> Generator[Event]:
+    def run(self, workflow: Workflow[W], work: W, settings: object = None) -> Generator[Event]:
         """Run a workflow; yield its events, the progress with the time that remains.
+
+        ``settings`` are the workflow's own, if it has any; without them, it has its usual ones.
 
         Raises
         ------
         IconstudioError
             If the work is no good; before any is done.
         """
-        yield from estimated(workflow.run(self, work, settings), self.workers.count)
+        chosen = () if settings is None else (settings,)
+        yield from estimated(workflow.run(self, work, *chosen), self.workers.count)
 
     def close(self) -> None:
         """End the worker processes and close the collection."""

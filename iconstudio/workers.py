@@ -81,7 +81,7 @@ class Workers:
         # Plain memory without a lock: one side writes, whole words.
         self._stops = multiprocessing.get_context("spawn").RawArray("q", [-1] * SLOTS)
         self._tickets = itertools.count()
-        self._lanes = [_Lane(self._stops) for _ in range(self.count)]
+        self._lanes = [_WorkerQueue(self._stops) for _ in range(self.count)]
         protect_children()
         atexit.register(self.close)
 
@@ -173,7 +173,7 @@ class _Task(Future[Any]):
                 self.set_exception(error)
 
 
-class _Lane:
+class _WorkerQueue:
     """A thread that gives one process after another what there is to do, task by task."""
 
     def __init__(self, stops: Any) -> None:

@@ -61,6 +61,33 @@ def test_each_foreign_library_has_one_adapter():
         assert users == adapters, (library, users)
 
 
+def test_the_toy_workflow_keeps_the_rules_of_the_house():
+    toy = ROOT / "tests" / "toy.py"
+    modules = {
+        name.module
+        for name in ast.walk(ast.parse(toy.read_text("utf-8")))
+        if isinstance(name, ast.ImportFrom)
+    }
+    ours = {name for name in modules if name.startswith("iconstudio.")}
+    assert modules - ours <= sys.stdlib_module_names | {"collections.abc"}
+    assert {name.split(".")[1] for name in ours} <= {"inputs", "model", "workflows"}
+    run = subprocess.run(
+        [sys.executable, "-m", "ruff", "check", "--stdin-filename", "iconstudio/workflows/toy.py"],
+        cwd=ROOT,
+        input=toy.read_text("utf-8"),
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert run.returncode == 0, run.stdout + run.stderr
+
+
+def test_what_all_workflows_share_knows_nothing_of_cuts():
+    for name in ("workflow", "events", "pages", "plain", "files"):
+        text = (PACKAGE / "workflows" / f"{name}.py").read_text("utf-8")
+        assert "iconstudio.algorithms" not in text, name
+
+
 def test_the_first_page_is_short_and_its_links_lead_somewhere():
     pages = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *PACKAGE.rglob("README.md")]
     assert pages[0].read_text("utf-8").count("\n") < 150
@@ -75,6 +102,16 @@ def test_the_modules_that_pages_name_are_there():
             places = PACKAGE / name, page.parent / name, ROOT / name
             found = any(place.exists() for place in places) or any(page.parent.rglob(name))
             assert found, (page, name)
+
+
+def test_the_names_in_tables_are_there():
+    sources = [*PACKAGE.rglob("*.py"), *(ROOT / "tests" / "oracles").rglob("*.py")]
+    known = set(re.findall(r"\w+", " ".join(path.read_text("utf-8") for path in sources)))
+    for page in PACKAGE.rglob("README.md"):
+        for row in re.findall(r"^\|.*\|$", page.read_text("utf-8"), re.MULTILINE):
+            for name in re.findall(r"`([A-Za-z_][\w.]*)`", row):
+                if not name.endswith(".py"):
+                    assert set(name.split(".")) <= known, (page, name)
 
 
 def test_pymaxflow_is_an_oracle_only():

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy import ndimage
 
-from iconstudio.algorithms.iconification.redraw import SCALE, redraw, two_tone
+from iconstudio.algorithms.iconification.redraw import SCALE, binarised, redraw
 from iconstudio.algorithms.tracing.vectorize import trace
 from iconstudio.model import CANVAS, Frame, Placement
 from iconstudio.session import Session
@@ -26,7 +26,7 @@ def joined(exemplars) -> np.ndarray:
     coverages = {}
     for label, one in enumerate(exemplars):
         drawn = render_placed(one.pictogram.svg, one.frame, Placement(dx=3 * label), N)
-        coverages[label] = two_tone(drawn)
+        coverages[label] = binarised(drawn)
     return redraw(labels, coverages)
 
 

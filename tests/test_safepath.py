@@ -158,7 +158,7 @@ if __name__ == "__main__":
 
 
 def import_all():
-    import iconstudio.algorithms.iconification.sweep
+    import iconstudio.algorithms.iconification.alpha_expansion
     import iconstudio.session  # noqa: F401
 
 

@@ -4,12 +4,11 @@ from dataclasses import replace
 
 import pytest
 
-from iconstudio.algorithms.iconification.lattice import LAMBDAS
 from iconstudio.model import Polygon
 from iconstudio.output.svg import svg_document
 from iconstudio.session import Session
 from iconstudio.workflows.events import Result
-from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.grid import LAMBDAS, GridSettings
 from iconstudio.workflows.modelling.file import example
 from iconstudio.workflows.modelling.spec import MODELLING
 
@@ -33,29 +32,35 @@ def finished(session, sketch, settings, enough=None):
     return found
 
 
-def test_a_run_after_many_edits_equals_a_fresh_one_to_the_byte():
-    sketch = example("shuttle").sketch
-    fitted = sketch.polygon.fitted().vertices
-    plain = ModelSettings(styles=(STYLE,), lambdas=FEW)
-    with Session() as fresh:
-        expected = finished(fresh, sketch, plain)
+SKETCH = example("shuttle").sketch
+PLAIN = GridSettings(styles=(STYLE,), lambdas=FEW)
+
+
+@pytest.fixture(scope="module")
+def fresh():
+    """A session that has run but once, and the results of that."""
+    with Session() as session:
+        yield session, finished(session, SKETCH, PLAIN)
+
+
+def test_a_run_after_many_edits_equals_a_fresh_one_to_the_byte(fresh):
+    _, expected = fresh
     assert len(expected) == len(FEW)
+    fitted = SKETCH.polygon.fitted().vertices
     with Session() as used:
         for step in range(4):  # a vertex is dragged, another result in focus each time
             moved = [(x + 9 * (step + 1) * (n == 3), y) for n, (x, y) in enumerate(fitted)]
-            live = replace(plain, previews=True, focus=(STYLE, FEW[step]))
-            edited = replace(sketch, polygon=Polygon.of(moved))
+            live = replace(PLAIN, previews=True, focus=(STYLE, FEW[step]))
+            edited = replace(SKETCH, polygon=Polygon.of(moved))
             assert finished(used, edited, live, enough=1 + step % 2) is not None
         for focus in (FEW[0], FEW[3]):
-            live = replace(plain, previews=True, focus=(STYLE, focus))
-            assert finished(used, sketch, live) == expected
+            live = replace(PLAIN, previews=True, focus=(STYLE, focus))
+            assert finished(used, SKETCH, live) == expected
 
 
 @pytest.mark.parametrize("asked", [FEW[1:2], FEW[:3]])
-def test_what_else_is_asked_for_does_not_matter(asked):
+def test_what_else_is_asked_for_does_not_matter(fresh, asked):
     """All lambda_S of the paper's row are explored, whichever are asked for."""
-    sketch = example("shuttle").sketch
-    with Session() as session:
-        every = finished(session, sketch, ModelSettings(styles=(STYLE,), lambdas=FEW))
-        some = finished(session, sketch, ModelSettings(styles=(STYLE,), lambdas=asked))
+    session, every = fresh
+    some = finished(session, SKETCH, replace(PLAIN, lambdas=asked))
     assert some == {value: every[value] for value in asked}

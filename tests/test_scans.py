@@ -7,7 +7,7 @@ import pytest
 from PIL import Image
 from skimage.data import chelsea
 
-from iconstudio.algorithms.iconification.style import two_toned
+from iconstudio.algorithms.iconification.style import has_pale_areas
 from iconstudio.model import IconstudioError
 from iconstudio.session import Session
 from iconstudio.svg.resvg import render_coverage
@@ -31,7 +31,9 @@ def icons(session):
     for word in WORDS:
         pictograms = session.search(word)
         drawn = (session.exemplar(one) for one in pictograms[:: len(pictograms) // 9])
-        usable = [one for one in drawn if not two_toned(one.coverage) and one.ink.mean() > 0.08]
+        usable = [
+            one for one in drawn if not has_pale_areas(one.coverage) and one.ink.mean() > 0.08
+        ]
         found += usable[:EACH]
     assert len(found) == EACH * len(WORDS)
     return found

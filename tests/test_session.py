@@ -35,7 +35,11 @@ def test_an_icon_is_named_after_what_it_shows(session, reference, keyword):
 
 
 def prepared(session, keyword):
-    steps, events = session.prepare(keyword), []
+    return finished(session.prepare(keyword))
+
+
+def finished(steps):
+    events = []
     while True:
         try:
             events.append(next(steps))
@@ -56,6 +60,16 @@ def test_a_keyword_is_made_ready_once(session):
     again, same = prepared(session, " Otter")
     assert same is matcher
     assert [type(event) for event in again] == [Retrieved]
+
+
+def test_icons_are_retrieved_without_warming_up_what_cuts(session, monkeypatch):
+    begun = []
+    monkeypatch.setattr(session, "get_ready", lambda: begun.append(True) or iter(()))
+    events, exemplars = finished(session.retrieve("otter"))
+    assert events[-1] == Retrieved("otter", exemplars)
+    assert not begun
+    matcher = prepared(session, "otter")[1]
+    assert [one.id for one in exemplars] == [one.exemplar.id for one in matcher.exemplars]
 
 
 def test_a_drawing_that_reaches_a_limit_ends_with_what_to_do(session, monkeypatch):

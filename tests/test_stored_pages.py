@@ -13,7 +13,7 @@ from iconstudio.project import archive
 from iconstudio.project.archive import Index
 from iconstudio.project.contents import Contents, Formats, reading
 from iconstudio.workflows.editing.page import Area, Kind
-from iconstudio.workflows.hybrids.page import Ask
+from iconstudio.workflows.hybrids.page import PickRequest
 from iconstudio.workflows.registry import registered, workflows
 from tests.test_projects import CAT, Library
 from tests.toy import MIRROR, Mirroring
@@ -60,7 +60,7 @@ def test_the_first_project_still_opens(first):
         ("mdi:cat", ((3.0, 4.5),)),
         ("own:b", ()),
     ]
-    assert mix.ask == Ask("cat", 2, Axis.VERTICAL, 3)
+    assert mix.ask == PickRequest("cat", 2, Axis.VERTICAL, 3)
     assert (mix.seed, mix.draws, mix.symmetry, mix.name) == (7, 12, Axis.DIAGONAL, "cats")
     below, above = montage.layers
     assert (below.number, below.placement, below.strokes) == (0, Placement(), ())

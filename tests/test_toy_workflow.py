@@ -2,6 +2,7 @@
 
 import json
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -45,7 +46,8 @@ def test_the_command_line_knows_it(capsys):
     assert run(["--help"], NoWindow()) == 0
     assert re.search(r"mirror +Mirror icons, left to right\.", capsys.readouterr().out)
     assert run(["mirror", "--help"], NoWindow()) == 0
-    assert "MIRROR.json" in capsys.readouterr().out
+    told = capsys.readouterr().out
+    assert "MIRROR.json" in told and "--fine" not in told
 
 
 def test_its_command_makes_icons_with_their_credits(mirroring, tmp_path, capsys):
@@ -54,12 +56,27 @@ def test_its_command_makes_icons_with_their_credits(mirroring, tmp_path, capsys)
     assert "2 icons" in capsys.readouterr().out
     report = json.loads((out / "results.json").read_text("utf-8"))
     assert [one["credits"][0]["icon"] for one in report["results"]] == ["mdi:cat", "mdi:coffee"]
+    assert set(report["timings"]) >= {"mirror", "total"} and "remix" not in report["timings"]
     assert set(report["files"]) == {
         "mirror-1.svg", "mirror-1.png", "mirror-2.svg", "mirror-2.png", "sheet.png",
     }  # fmt: skip
     saved = own_svg((out / "mirror-1.svg").read_bytes(), "mirror-1.svg")
     assert saved.credit.title.startswith("mirrored")
     assert [one.id for one in saved.origins] == ["mdi:cat"]
+
+
+def test_a_workflow_without_a_workspace_declares_its_work():
+    with pytest.raises(TypeError, match="it must declare `work`"):
+        replace(MIRROR, work=None)
+
+
+def test_its_command_tells_what_it_could_not_read(tmp_path, capsys):
+    text = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M1 1h5v5z"/>{}</svg>'
+    (tmp_path / "own.svg").write_text(text.format('<foreignObject width="9" height="9"/>'))
+    path = tmp_path / "own.json"
+    path.write_text(json.dumps({"mirrored": ["own.svg"]}))
+    assert run(["mirror", str(path), "--out", str(tmp_path / "out")], NoWindow()) == 0
+    assert "“own.svg”: A part that only web pages show" in capsys.readouterr().err
 
 
 def test_its_files_are_told_from_others(mirroring, tmp_path, capsys):

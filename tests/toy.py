@@ -3,12 +3,10 @@
 from collections.abc import Generator
 from dataclasses import dataclass, replace
 
-from fontTools.misc.transform import Transform
-
 from iconstudio.inputs.formats import Many, Reference
-from iconstudio.model import Icon, Pictogram
+from iconstudio.model import Icon, Pictogram, Transform
 from iconstudio.workflows.events import Event, Progress, Result
-from iconstudio.workflows.workflow import File, Find, Refer, Resources, Settings, Workflow
+from iconstudio.workflows.workflow import File, Find, Refer, Resources, Workflow
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,18 +23,19 @@ class MirrorFile(File[Mirroring], frozen=True):
 
     @classmethod
     def of(cls, work: Mirroring, refer: Refer) -> "MirrorFile":
+        """Return the file of some work."""
         return cls(tuple(map(refer, work.icons)))
 
     def resolved(self, find: Find) -> Mirroring:
+        """Return the work, its icons found by ``find``."""
         return Mirroring(tuple(map(find, self.mirrored)))
 
 
-def run(
-    resources: Resources, work: Mirroring, settings: Settings | None = None
-) -> Generator[Event]:
+def run(resources: Resources, work: Mirroring) -> Generator[Event]:
+    """Mirror icons, one after the other."""
     for number, icon in enumerate(work.icons, start=1):
         drawing = resources.drawing(resources.exemplar(icon))
-        yield Progress("remix", number / len(work.icons), "Mirroring")
+        yield Progress("mirror", number / len(work.icons), "Mirroring")
         path = drawing.path.transformed(LEFT_TO_RIGHT)
         yield Result(Icon(path, f"mirrored {icon.credit.title}", icon.origins))
 
@@ -52,5 +51,6 @@ MIRROR = Workflow(
     work=Mirroring,
     file=MirrorFile,
     run=run,
-    take=lambda work, icon: replace(work, icons=(*work.icons, icon)),
+    icons=lambda work: work.icons,
+    with_icons=lambda work, icons: replace(work, icons=icons),
 )

@@ -4,13 +4,14 @@ import struct
 import zlib
 from collections import deque
 from collections.abc import Iterator, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, wait
+from concurrent.futures import Future
 from pathlib import Path
 
 import numpy as np
 
 from iconstudio.algorithms.iconification import sliding
 from iconstudio.algorithms.iconification.matching import PreparedExemplar, prepare
+from iconstudio.caches.pipeline import pipelined
 from iconstudio.caches.store import Store, key_of
 from iconstudio.model import CANVAS, Exemplar
 from iconstudio.workers import ProcessDied, Workers
@@ -67,21 +68,17 @@ class PreparingCache:
     ) -> Iterator[tuple[int, str, bytes]]:
         """Yield index, key and entry of what is missing."""
         chunks = deque(missing[start : start + _CHUNK] for start in range(0, len(missing), _CHUNK))
-        waiting: dict[Future[list[bytes]], list[tuple[int, str]]] = {}
         ticket = self._workers.ticket()
+
+        def submit(chunk: list[tuple[int, str]]) -> "Future[list[bytes]]":
+            some = [exemplars[index] for index, _ in chunk]
+            return self._workers.submit(prepared_entries, some, scales, ticket=ticket)
+
         try:
-            while chunks or waiting:
-                while chunks and len(waiting) < 2 * self._workers.count:
-                    chunk = chunks.popleft()
-                    some = [exemplars[index] for index, _ in chunk]
-                    waiting[self._workers.submit(prepared_entries, some, scales, ticket=ticket)] = (
-                        chunk
-                    )
-                for future in wait(waiting, return_when=FIRST_COMPLETED).done:
-                    chunk = waiting.pop(future)
-                    entries = _entries(future, [exemplars[index] for index, _ in chunk], scales)
-                    for (index, key), entry in zip(chunk, entries, strict=True):
-                        yield index, key, entry
+            for chunk, future in pipelined(chunks, submit, 2 * self._workers.count):
+                entries = _entries(future, [exemplars[index] for index, _ in chunk], scales)
+                for (index, key), entry in zip(chunk, entries, strict=True):
+                    yield index, key, entry
         finally:
             ticket.stop()
 

@@ -4,11 +4,12 @@ import struct
 import zlib
 from collections import deque
 from collections.abc import Iterator, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, wait
+from concurrent.futures import Future
 from pathlib import Path
 
 import numpy as np
 
+from iconstudio.caches.pipeline import pipelined
 from iconstudio.caches.store import Store, key_of
 from iconstudio.model import CANVAS, Exemplar, Frame, IconstudioError, Pictogram
 from iconstudio.svg.rasterise import rasterise
@@ -71,29 +72,25 @@ class RasterCache:
             (missing[start : start + _CHUNK], _CHUNK_SECONDS)
             for start in range(0, len(missing), _CHUNK)
         )
-        waiting: dict[Future[list[bytes]], list[tuple[int, str]]] = {}
-        while chunks or waiting:
-            # Few at once, so that nothing need be cancelled, which would kill workers.
-            while chunks and len(waiting) < 2 * self._workers.count:
-                chunk, seconds = chunks.popleft()
-                documents = [pictograms[index].svg for index, _ in chunk]
-                future = self._workers.submit(
-                    draw_entries, documents, timeout=seconds, memory=_MEMORY
-                )
-                waiting[future] = chunk
-            for future in wait(waiting, return_when=FIRST_COMPLETED).done:
-                chunk = waiting.pop(future)
-                error = future.exception()
-                failure = loss(error, "Drawing it")
-                if error is not None and failure is None:
-                    raise error
-                if failure is None:
-                    for (index, key), entry in zip(chunk, future.result(), strict=True):
-                        yield index, key, entry
-                elif len(chunk) == 1:
-                    yield *chunk[0], failure
-                else:  # find the culprit
-                    chunks.extend(([member], _ONE_SECONDS) for member in chunk)
+
+        def submit(work: tuple[list[tuple[int, str]], float]) -> "Future[list[bytes]]":
+            chunk, seconds = work
+            documents = [pictograms[index].svg for index, _ in chunk]
+            return self._workers.submit(draw_entries, documents, timeout=seconds, memory=_MEMORY)
+
+        # Few at once, so that nothing need be cancelled, which would kill workers.
+        for (chunk, _), future in pipelined(chunks, submit, 2 * self._workers.count):
+            error = future.exception()
+            failure = loss(error, "Drawing it")
+            if error is not None and failure is None:
+                raise error
+            if failure is None:
+                for (index, key), entry in zip(chunk, future.result(), strict=True):
+                    yield index, key, entry
+            elif len(chunk) == 1:
+                yield *chunk[0], failure
+            else:  # find the culprit
+                chunks.extend(([member], _ONE_SECONDS) for member in chunk)
 
     def _read(self, key: str, pictogram: Pictogram) -> Exemplar | IconstudioError | None:
         if key in self._refusals:

@@ -55,7 +55,7 @@ class _Commands(click.Group):
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         from iconstudio.project.archive import SUFFIX
         from iconstudio.workflows.registry import workflows
-        from iconstudio.workflows.workflow import named
+        from iconstudio.workflows.workflow import load_object
 
         if cmd_name.lower().endswith(SUFFIX):
             return _opening(cmd_name)
@@ -67,7 +67,7 @@ class _Commands(click.Group):
         if own is None and cmd_name not in self.others:
             return None
         reference = own.command if own is not None else f"iconstudio.cli.{cmd_name}:command"
-        command: click.Command = named(reference)
+        command: click.Command = load_object(reference)
         return command
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:

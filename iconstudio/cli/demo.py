@@ -31,8 +31,8 @@ def command(ctx: click.Context, name: str, folder: Path, headless: bool) -> None
     from iconstudio.cli.model import run
     from iconstudio.cli.timing import Stopwatch
     from iconstudio.session import Session
-    from iconstudio.workflows.grid import ModelSettings
+    from iconstudio.workflows.grid import GridSettings
 
     with Session() as session:
-        run(session, sketch, ModelSettings(), folder, Stopwatch())
+        run(session, sketch, GridSettings(), folder, Stopwatch())
     click.echo("With a screen and Qt's libraries, the same command opens the window.", err=True)

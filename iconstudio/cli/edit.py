@@ -10,16 +10,16 @@ from iconstudio.workflows.editing.spec import EDITING
 
 
 @grid.grid_command("edit", "EDIT.json", "the icon's own")
-def command(asked: grid.Asked) -> None:
+def command(options: grid.GridOptions) -> None:
     """Change the icon in EDIT.json: take parts off, and put parts of other icons on."""
-    read = read_edit(asked.file)
-    with profiled(asked.profile) as stopwatch, Session() as session:
-        edit = asked.of(read.resolved(session.icon))
+    read = read_edit(options.file)
+    with profiled(options.profile) as stopwatch, Session() as session:
+        edit = options.of(read.resolved(session.icon))
         running.tell_remarks([edit.icon])
         icon = session.exemplar(edit.icon)
         request = edit_request(edit, place_edit(edit, icon))
-        settings = asked.settings(own_styles(icon))
+        settings = options.settings(own_styles(icon))
         settings.chosen_styles()
         grid.need_keyword(edit.keyword)
         events = session.run(EDITING, edit, settings)
-        grid.run(session, events, request, settings, asked.folder, stopwatch, dump=asked.dump)
+        grid.run(session, events, request, settings, options.folder, stopwatch, dump=options.dump)

@@ -6,7 +6,6 @@ from typing import Annotated
 import click
 from msgspec import Meta, field
 
-from iconstudio.algorithms.iconification.lattice import LAMBDAS
 from iconstudio.cli.progress import ProgressBar
 from iconstudio.cli.timing import profile_option, profiled
 from iconstudio.inputs import json
@@ -17,7 +16,7 @@ from iconstudio.output.sheet import Subject, gallery_sheet
 from iconstudio.resources import resource
 from iconstudio.session import Session
 from iconstudio.workflows.events import Progress, Result
-from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.grid import LAMBDAS, GridSettings
 from iconstudio.workflows.modelling.file import read_sketch
 from iconstudio.workflows.modelling.spec import MODELLING
 
@@ -77,6 +76,6 @@ def command(sketches: Path | None, out: Path, profile: bool) -> None:
     click.echo(click.format_filename(out))
 
 
-def _settings(choice: Choice) -> ModelSettings:
+def _settings(choice: Choice) -> GridSettings:
     """Return the chosen style, and the lambda_S down to the chosen one: each starts the next."""
-    return ModelSettings(styles=(choice.style,), lambdas=LAMBDAS[choice.column - 1 :])
+    return GridSettings(styles=(choice.style,), lambdas=LAMBDAS[choice.column - 1 :])

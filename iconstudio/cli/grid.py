@@ -7,7 +7,6 @@ from typing import Any, TypeVar
 
 import click
 
-from iconstudio.algorithms.iconification.lattice import LAMBDAS
 from iconstudio.algorithms.iconification.matching import SCALES
 from iconstudio.algorithms.iconification.style import STYLES
 from iconstudio.cli import running
@@ -18,14 +17,14 @@ from iconstudio.output.report import GridReport
 from iconstudio.output.request import Request
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
-from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.grid import LAMBDAS, GridSettings
 
 _Work = TypeVar("_Work", Sketch, Edit)
 _STYLES = tuple(style.name for style in STYLES)
 
 
 @dataclass(frozen=True)
-class Asked:
+class GridOptions:
     """What the command line asks of a grid: one field an option."""
 
     file: Path
@@ -47,10 +46,10 @@ class Asked:
             exclude=request.exclude | frozenset(self.exclude),
         )
 
-    def settings(self, styles: tuple[str, ...]) -> ModelSettings:
+    def settings(self, styles: tuple[str, ...]) -> GridSettings:
         """Return which results to make; ``styles`` are those made if none is named."""
         side = running.side_of(self.fine)
-        return ModelSettings(
+        return GridSettings(
             side=side,
             styles=self.styles or styles,
             lambdas=self.lambdas,
@@ -60,7 +59,7 @@ class Asked:
 
 def grid_command(
     name: str, metavar: str, styles: str
-) -> Callable[[Callable[[Asked], None]], click.Command]:
+) -> Callable[[Callable[[GridOptions], None]], click.Command]:
     """Make a function a command with the options of a grid.
 
     Parameters
@@ -109,9 +108,9 @@ def grid_command(
     )
     goes_on = {"--styles": _STYLES.__contains__, "--lambdas": is_number, "--scales": is_number}
 
-    def decorate(function: Callable[[Asked], None]) -> click.Command:
+    def decorate(function: Callable[[GridOptions], None]) -> click.Command:
         def call(**options: Any) -> None:
-            function(Asked(**options))
+            function(GridOptions(**options))
 
         for option in reversed(options):
             call = option(call)
@@ -124,7 +123,7 @@ def run(
     session: Session,
     events: Generator[Event],
     request: Request,
-    settings: ModelSettings,
+    settings: GridSettings,
     folder: Path,
     stopwatch: Stopwatch,
     *,
@@ -138,8 +137,7 @@ def run(
             f"No style has enough icons of “{request.keyword}”. Try a more common word; "
             f"iconstudio search {request.keyword!r} shows what there is."
         )
-    icons = "1 icon" if results == 1 else f"{results} icons"
-    click.echo(f"{icons}; see {click.format_filename(folder / 'grid.png')}")
+    running.tell_results(results, "icon", folder / "grid.png")
 
 
 def need_keyword(keyword: str) -> None:

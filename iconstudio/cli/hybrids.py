@@ -15,7 +15,7 @@ from iconstudio.workflows.events import Event
 from iconstudio.workflows.hybrids.file import LARGEST_SEED, HybridsFile, read_hybrids
 from iconstudio.workflows.hybrids.hybrids import MOST_DRAWS
 from iconstudio.workflows.hybrids.spec import HYBRIDS
-from iconstudio.workflows.workflow import Settings
+from iconstudio.workflows.remixing import CutSettings
 
 
 @click.command("hybrids")
@@ -53,8 +53,7 @@ def command(
         raise IconstudioError(
             "All hybrids repeat the icons. Choose icons that differ more, or ask for more draws."
         )
-    count = "1 hybrid" if results == 1 else f"{results} hybrids"
-    click.echo(f"{count}; see {click.format_filename(folder / 'sheet.png')}")
+    running.tell_results(results, "hybrid", folder / "sheet.png")
 
 
 def _mixing(session: Session, hybrids: HybridsFile, side: int) -> Generator[Event]:
@@ -62,4 +61,4 @@ def _mixing(session: Session, hybrids: HybridsFile, side: int) -> Generator[Even
     mix = yield from hybrids.resolving(session)
     if hybrids.icons is not None:
         running.tell_remarks(mix.icons)
-    yield from session.run(HYBRIDS, mix, Settings(side=side))
+    yield from session.run(HYBRIDS, mix, CutSettings(side=side))

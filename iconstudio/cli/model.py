@@ -10,24 +10,24 @@ from iconstudio.cli.timing import Stopwatch, profiled
 from iconstudio.model import Sketch
 from iconstudio.output.request import sketch_request
 from iconstudio.session import Session
-from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.grid import GridSettings
 from iconstudio.workflows.modelling.file import read_sketch
 from iconstudio.workflows.modelling.spec import MODELLING
 
 
 @grid.grid_command("model", "SKETCH.json", "all four")
-def command(asked: grid.Asked) -> None:
+def command(options: grid.GridOptions) -> None:
     """Make icons in the shape of the polygon in SKETCH.json out of parts of real ones."""
-    sketch = asked.of(read_sketch(asked.file).sketch)
-    settings = asked.settings(ModelSettings().styles)
-    with profiled(asked.profile) as stopwatch, Session() as session:
-        run(session, sketch, settings, asked.folder, stopwatch, dump=asked.dump)
+    sketch = options.of(read_sketch(options.file).sketch)
+    settings = options.settings(GridSettings().styles)
+    with profiled(options.profile) as stopwatch, Session() as session:
+        run(session, sketch, settings, options.folder, stopwatch, dump=options.dump)
 
 
 def run(
     session: Session,
     sketch: Sketch,
-    settings: ModelSettings,
+    settings: GridSettings,
     folder: Path,
     stopwatch: Stopwatch,
     *,

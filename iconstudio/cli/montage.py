@@ -10,7 +10,7 @@ from iconstudio.output.montage import MontageReport
 from iconstudio.session import Session
 from iconstudio.workflows.montage.file import read_montage
 from iconstudio.workflows.montage.spec import MONTAGE
-from iconstudio.workflows.workflow import Settings
+from iconstudio.workflows.remixing import CutSettings
 
 
 @click.command("montage")
@@ -25,6 +25,6 @@ def command(file: Path, folder: Path, fine: bool, profile: bool) -> None:
         montage = read.resolved(session.icon)
         running.tell_remarks(layer.icon for layer in montage.layers)
         report = MontageReport(folder, montage)
-        events = session.run(MONTAGE, montage, Settings(side=running.side_of(fine)))
-        running.run(session, events, report, stopwatch)
-    click.echo(f"1 icon; see {click.format_filename(folder / 'sheet.png')}")
+        events = session.run(MONTAGE, montage, CutSettings(side=running.side_of(fine)))
+        results = running.run(session, events, report, stopwatch)
+    running.tell_results(results, "icon", folder / "sheet.png")

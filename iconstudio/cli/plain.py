@@ -12,7 +12,7 @@ from iconstudio.output.icons import IconsReport
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.files import read_file
-from iconstudio.workflows.workflow import Settings, Workflow
+from iconstudio.workflows.workflow import Workflow
 
 
 def command_of(workflow: Workflow[Any]) -> click.Command:
@@ -21,21 +21,18 @@ def command_of(workflow: Workflow[Any]) -> click.Command:
     @click.command(workflow.name, help=workflow.help)
     @running.input_file(f"{workflow.name.upper()}.json")
     @running.output_folder("sheet.png")
-    @running.fine_option
     @profile_option
-    def command(file: Path, folder: Path, fine: bool, profile: bool) -> None:
+    def command(file: Path, folder: Path, profile: bool) -> None:
         with profiled(profile) as stopwatch, Session() as session:
-            events = _reading_and_running(session, workflow, file, running.side_of(fine))
+            events = _reading_and_running(session, workflow, file)
             report = IconsReport(folder, workflow.name)
             results = running.run(session, events, report, stopwatch)
-        icons = "1 icon" if results == 1 else f"{results} icons"
-        click.echo(f"{icons}; see {click.format_filename(folder / 'sheet.png')}")
+        running.tell_results(results, "icon", folder / "sheet.png")
 
     return command
 
 
-def _reading_and_running(
-    session: Session, workflow: Workflow[Any], file: Path, side: int
-) -> Generator[Event]:
+def _reading_and_running(session: Session, workflow: Workflow[Any], file: Path) -> Generator[Event]:
     work = yield from read_file(file, workflow, session)
-    yield from session.run(workflow, work, Settings(side=side))
+    running.tell_remarks(workflow.icons(work))
+    yield from session.run(workflow, work)

@@ -13,7 +13,7 @@ from iconstudio.model import CANVAS, IconstudioError, Pictogram
 from iconstudio.output.folder import check_folder
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event, Progress, Result, Retrieved, StyleSkipped
-from iconstudio.workflows.workflow import FINE
+from iconstudio.workflows.remixing import FINE
 
 
 class Report(Protocol):
@@ -49,6 +49,12 @@ def run(session: Session, events: Generator[Event], report: Report, stopwatch: S
     if session.trouble:
         click.echo(session.trouble, err=True)
     return results
+
+
+def tell_results(count: int, noun: str, sheet: Path) -> None:
+    """Say how many results there are, and which picture shows them."""
+    results = f"1 {noun}" if count == 1 else f"{count} {noun}s"
+    click.echo(f"{results}; see {click.format_filename(sheet)}")
 
 
 def tell_remarks(icons: Iterable[Pictogram]) -> None:

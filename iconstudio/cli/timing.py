@@ -19,23 +19,23 @@ _NAMES = {
     "match": "matching",
     "remix": "cutting",
     "vectorize": "drawing",
-    "write": "writing files",
 }
+"""What the stages of remixing are called; others are called as they call themselves."""
 
 
 class Stopwatch:
     """Books the time between two events on the stage that the later one belongs to.
 
-    Cutting and drawing go on side by side in the worker processes: the time of both is split as
-    the workers' own seconds are.
+    What goes on side by side in the worker processes, such as cutting and drawing, shares its time
+    as the workers' own seconds are.
     """
 
     def __init__(self) -> None:
         self._began = self._last = perf_counter()
         self._stage = "search"
         self._seconds: dict[str, float] = {}
-        self.worked = {"remix": 0.0, "vectorize": 0.0}
-        """The worker processes' own seconds."""
+        self.worked: dict[str, float] = {}
+        """The worker processes' own seconds, by stage."""
         self.first: float | None = None
         """Seconds from the start of the program to the first result."""
 
@@ -44,9 +44,9 @@ class Stopwatch:
         if isinstance(event, Progress):
             self._stage = event.stage
         elif isinstance(event, Result):
-            self._stage = "remix"
-            self.worked["remix"] += event.remix_seconds
-            self.worked["vectorize"] += event.vectorize_seconds
+            self._stage = next(iter(event.worked), self._stage)
+            for stage, seconds in event.worked.items():
+                self.worked[stage] = self.worked.get(stage, 0.0) + seconds
             self.first = since_start() if self.first is None else self.first
         self._book(self._stage)
 
@@ -57,10 +57,9 @@ class Stopwatch:
     def timings(self) -> dict[str, float]:
         """Return the seconds of each stage so far, and in total."""
         seconds = dict(self._seconds)
-        both = seconds.pop("remix", 0.0)
-        if both:
-            share = self.worked["remix"] / (sum(self.worked.values()) or 1.0)
-            seconds |= {"remix": both * share, "vectorize": both * (1 - share)}
+        if worked := sum(self.worked.values()):
+            both = sum(seconds.pop(stage, 0.0) for stage in self.worked)
+            seconds |= {stage: both * own / worked for stage, own in self.worked.items()}
         return seconds | {"total": perf_counter() - self._began}
 
     def _book(self, stage: str) -> None:
@@ -101,7 +100,9 @@ def since_start() -> float:
 def _table(stopwatch: Stopwatch) -> Iterator[str]:
     seconds: Mapping[str, float] = stopwatch.timings()
     yield f"{'':<17}{'seconds':>8}{'of the worker processes':>26}"
-    for stage, name in _NAMES.items():
+    last = "write", "total"
+    others = {stage: stage for stage in seconds if stage not in (*_NAMES, *last)}
+    for stage, name in (_NAMES | others | {"write": "writing files"}).items():
         if stage in seconds:
             worked = stopwatch.worked.get(stage)
             own = "" if worked is None else f"{worked:26.2f}"

@@ -3,20 +3,18 @@
 Scores are a relation's rank and a reading's tier added up: the lower the better.
 """
 
-from collections.abc import Callable, Iterable, Sequence
-from typing import Any
+from collections.abc import Iterable, Sequence
 
+from iconstudio.library.spellings import Rows, Spellings
 from iconstudio.library.words import query, symbols
 from iconstudio.library.words.decency import is_insult
-from iconstudio.library.words.inflections import is_irregular
+from iconstudio.library.words.inflections import is_irregular, singulars
 from iconstudio.library.words.naming import take_apart
 from iconstudio.library.words.query import Style
 from iconstudio.library.words.readings import COMPOUND, EXACT, MENTION, POSED
 from iconstudio.library.words.relations import BESIDE, BROADER, FORM, KIND
+from iconstudio.library.words.usage import OTHER_IN_PLURAL
 from iconstudio.library.words.vocabulary import ATTRIBUTES, PREPOSITIONS, STYLES
-
-Rows = Callable[[str, Sequence[Any]], list[tuple[Any, ...]]]
-"""Runs a query with values, and returns its rows."""
 
 _CALLED = """
 SELECT icon, 0 FROM wording JOIN naming USING (phrase) WHERE wording.joined = ?
@@ -58,6 +56,8 @@ of *vague* words, if the keyword itself has more drawings."""
 Scores = dict[int, int]
 """The number of an icon to its score."""
 _NEVER = 99
+_PLURAL = 4
+"""Letters of the shortest plural, such as *eyes*."""
 _FEW = 8
 """Of a keyword of many words, so many are looked up on their own.
 
@@ -69,6 +69,7 @@ class Lookup:
 
     def __init__(self, rows: Rows) -> None:
         self._rows = rows
+        self._spellings = Spellings(rows)
 
     def scores(self, keyword: str) -> Scores:
         """Return the icons that answer a keyword."""
@@ -108,15 +109,25 @@ class Lookup:
         """Return the icons that answer plain words taken together, in the plural or not."""
         called: Scores = {}
         found: Scores = {}
+        singles = self._singles(words)
         for form in query.forms(words):
+            if found and form not in singles:
+                break
             called = dict.fromkeys(called, -1)  # called just so, in the plural: before all others
             called |= dict(self._rows(_CALLED, (query.joined(form),)))
             related = () if is_insult(form) else self._rows(_RELATED, (form,))
-            for icon, tier in (*related, *self._rows(_READ, (form,))):
+            answers = (*related, *self._rows(_READ, (form,)))
+            for icon, tier in answers:
                 found[icon] = min(tier, found.get(icon, _NEVER))
-            if found and not is_irregular(form):  # glasses are no glass, but children are a child
+            if answers and form in singles:
                 break
         return found | called
+
+    def _singles(self, words: str) -> list[str]:
+        """Return what words are the plural of, and several of: glasses are no glass."""
+        if len(words) < _PLURAL or words in OTHER_IN_PLURAL:
+            return []
+        return [one for one in singulars(words) if is_irregular(words) or self._is_drawn(one)]
 
     def beside(self, keyword: str) -> tuple[str, ...]:
         """Return words for things of the same kind as one that nothing answers."""
@@ -131,18 +142,38 @@ class Lookup:
         return [row[0] for row in self._rows("SELECT word FROM proposal", ())]
 
     def _answers(self, words: tuple[str, ...]) -> Scores:
+        """Return the icons that answer plain words, however they are spelt, or what is near.
+
+        What is called as it is typed comes first, and what informal words stand for last.
+        """
+        formal = query.spelt_out(words)
+        _, *others = self._spellings.of(words)
+        meant = self._spellings.of(formal) if formal != words else []
+        found = _merged(
+            (
+                self._together(words),
+                *(_at_least(0, self._together(one)) for one in others),
+                *(_at_least(1, self._together(one)) for one in meant),
+            )
+        )
+        return found or next(filter(None, map(self._near, (words, *others, *meant))), {})
+
+    def _together(self, words: tuple[str, ...]) -> Scores:
+        """Return the icons that answer words together, or have all that tell in their names."""
         found = self.plainly(" ".join(words))
-        bare = query.without_style(words)
-        if not found and bare != words:
-            return self._answers(bare)
-        if len(words) == 1:
-            return found or self._parted(words[0])
         told = query.telling(words)
-        for icon, score in self._all_of(told).items():
-            found[icon] = min(score, found.get(icon, score))
-        if not found and told != words:
-            return self._answers(told)
-        return found or self._head(words) or self._without_attribute(words)
+        if len(told) == 1 or (not found and query.without_style(words) != words):
+            return found
+        return _merged((found, self._all_of(told)))
+
+    def _near(self, words: tuple[str, ...]) -> Scores:
+        """Return the icons of the words that tell most of those which together find nothing."""
+        for fewer in (query.without_style(words), query.telling(words)):
+            if fewer != words:
+                return self._answers(fewer)
+        if len(words) == 1:
+            return self._parted(words[0])
+        return self._head(words) or self._without_attribute(words)
 
     def _without_attribute(self, words: tuple[str, ...]) -> Scores:
         """Return the things of the words before one for a view, say: a swing set is swings."""
@@ -183,8 +214,12 @@ class Lookup:
         return {}
 
     def _is_thing(self, word: str) -> bool:
+        return any(map(self._is_drawn, query.forms(word)))
+
+    def _is_drawn(self, term: str) -> bool:
+        """Whether an icon is just a thing of this term."""
         sql = f"SELECT 1 FROM reading WHERE term = ? AND tier = {EXACT} LIMIT 1"
-        return any(self._rows(sql, (form,)) for form in query.forms(word))
+        return bool(self._rows(sql, (term,)))
 
     def _is_no_noun(self, word: str) -> bool:
         """Whether a word is a verb that names nothing to draw, or only says how a thing is."""
@@ -201,9 +236,6 @@ class Lookup:
         Or those of the one, if the other only says how they are drawn.
         """
         pairs = list(query.halves(word))
-        spaced = self._listed(f"{first} {second}" for first, second in pairs)
-        if spaced:
-            return self.plainly(spaced[0])
         for first, second in pairs:
             name = f"{first}-{second}"
             if {first, second} & STYLES and self._is_name(name):
@@ -223,3 +255,16 @@ class Lookup:
         marks = ",".join("?" * len(wanted))
         sql = f"SELECT DISTINCT term FROM reading WHERE term IN ({marks})"
         return [row[0] for row in self._rows(sql, wanted)]
+
+
+def _at_least(least: int, scores: Scores) -> Scores:
+    return {icon: max(score, least) for icon, score in scores.items()}
+
+
+def _merged(parts: Iterable[Scores]) -> Scores:
+    """Return the icons of all, each with its best score."""
+    merged: Scores = {}
+    for part in parts:
+        for icon, score in part.items():
+            merged[icon] = min(score, merged.get(icon, _NEVER))
+    return merged

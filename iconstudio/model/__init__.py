@@ -8,7 +8,7 @@ from iconstudio.model.exemplar import Exemplar, Frame
 from iconstudio.model.icon import Icon, Remix
 from iconstudio.model.mix import Mix, Seeds
 from iconstudio.model.montage import Layer, Montage, Stroke
-from iconstudio.model.path import Contour, Path, PathPen
+from iconstudio.model.path import Contour, Path, PathPen, Transform
 from iconstudio.model.photo import Photo
 from iconstudio.model.pictogram import Credit, Pictogram
 from iconstudio.model.placement import Placement, Source
@@ -46,4 +46,5 @@ __all__ = [
     "Source",
     "SpriteError",
     "Stroke",
+    "Transform",
 ]

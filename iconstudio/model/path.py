@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Protocol
 
-from fontTools.misc.transform import Transform
+from fontTools.misc.transform import Transform as Transform
 
 from iconstudio.model.sketch import Point
 

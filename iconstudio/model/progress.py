@@ -1,16 +1,20 @@
 """How far something is that takes long."""
 
 from dataclasses import dataclass
-from typing import Literal
 
-Stage = Literal["search", "prepare", "match", "remix", "vectorize"]
+
+class Event:
+    """What workflows yield; one may have kinds of its own."""
+
+    __slots__ = ()
 
 
 @dataclass(frozen=True, slots=True)
-class Progress:
+class Progress(Event):
     """How far a stage is: ``done`` from 0 to 1, ``message`` for the user."""
 
-    stage: Stage
+    stage: str
+    """A word by which its seconds are told."""
     done: float
     message: str
     remaining: float | None = None

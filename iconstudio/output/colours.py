@@ -8,7 +8,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.iconification.blending import at, in_blocks, shares
+from iconstudio.algorithms.iconification.blending import at, in_blocks, soft_regions
 from iconstudio.algorithms.raster import solid
 from iconstudio.model import CANVAS, Composite, Drawing, Placement, Source
 
@@ -126,7 +126,7 @@ def _painted(
     border = highest != scipy.ndimage.minimum_filter(labels, around)
     blocks = np.argwhere(border & in_blocks(seen, s).any(axis=(1, 3)))
     total, paint = (np.zeros((len(blocks), s, s, depth), np.float32) for depth in (1, 3))
-    for share in shares(labels, _BLUR, _REACH):
+    for share in soft_regions(labels, _BLUR, _REACH):
         rows = share.rows(blocks)
         weight = np.maximum(share.weights(blocks[rows], s), 1e-4)[..., None]
         for _ in range(3):

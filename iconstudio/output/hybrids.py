@@ -57,7 +57,7 @@ class HybridsReport:
         )
         overview = hybrids_overview(self._keyword or "Hybrids", said, ranked, colours)
         self._folder.write_picture("sheet.png", overview)
-        asked = {"keyword": self._keyword} | record.head(self._symmetry, timings)
+        asked = {"keyword": self._keyword} | record.remix_head(self._symmetry, timings)
         counted = {"seed": self._seed, "draws": self._draws, "kept": len(ranked)}
         self._folder.write_report(asked | counted | {"icons": self._icons(), "results": entries})
 

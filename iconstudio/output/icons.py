@@ -43,7 +43,7 @@ class IconsReport:
             _entry(f"{self._name}-{number}", icon)
             for number, icon in enumerate(self._icons, start=1)
         ]
-        self._folder.write_report(record.head(None, timings) | {"results": results})
+        self._folder.write_report(record.head(timings) | {"results": results})
 
 
 def icons_sheet(title: str, icons: Sequence[Icon]) -> Image.Image:

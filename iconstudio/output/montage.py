@@ -44,5 +44,5 @@ class MontageReport:
             for layer in self._montage.layers
         ]
         results = [record.of_remix(_NAME, icon) for icon in self._remixes]
-        head = record.head(None, timings)
+        head = record.remix_head(None, timings)
         self._folder.write_report(head | {"layers": layers, "results": results})

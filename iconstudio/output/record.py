@@ -7,23 +7,18 @@ from typing import Any
 from iconstudio import __version__
 from iconstudio.model import CANVAS, Axis, Composite, Frame, Pictogram, Placement, Remix, Source
 
-STAGES = ("search", "prepare", "match", "remix", "vectorize", "total")
+_STAGES = ("search", "prepare", "match", "remix", "vectorize", "total")
 
 
-def head(symmetry: Axis | None, timings: Mapping[str, float]) -> dict[str, Any]:
-    """Return what every report begins with.
+def head(timings: Mapping[str, float], **more: Any) -> dict[str, Any]:
+    """Return what every report begins with; ``timings`` are seconds by stage."""
+    rounded = {stage: round(seconds, 4) for stage, seconds in timings.items()}
+    return {"version": __version__, "canvas": CANVAS, **more, "timings": rounded}
 
-    Parameters
-    ----------
-    timings
-        Seconds by stage; missing stages count as 0.
-    """
-    return {
-        "version": __version__,
-        "canvas": CANVAS,
-        "symmetry": symmetry,
-        "timings": {stage: round(timings.get(stage, 0.0), 4) for stage in STAGES},
-    }
+
+def remix_head(symmetry: Axis | None, timings: Mapping[str, float]) -> dict[str, Any]:
+    """Return what reports of remixes begin with; stages without ``timings`` took no time."""
+    return head({stage: timings.get(stage, 0.0) for stage in _STAGES}, symmetry=symmetry)
 
 
 def of_remix(name: str, icon: Remix) -> dict[str, Any]:

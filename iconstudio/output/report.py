@@ -110,7 +110,7 @@ class GridReport:
                 self._remix_json(icon) for style in self._styles for icon in self._of(style)
             ],
         }
-        return asked | record.head(request.symmetry, timings) | found
+        return asked | record.remix_head(request.symmetry, timings) | found
 
     def _remix_json(self, icon: Remix) -> dict[str, Any]:
         composite = icon.composite

@@ -9,9 +9,9 @@ from typing import Any
 from iconstudio.inputs import json
 from iconstudio.model import Icon, IconstudioError
 from iconstudio.project.archive import INDEX, Index, Project
-from iconstudio.project.parts import Finder, Parts, StoredParts
+from iconstudio.project.parts import Parts, ProjectSession, StoredParts
 from iconstudio.workflows.pages import Page, PageFormat
-from iconstudio.workflows.workflow import Workflow, named
+from iconstudio.workflows.workflow import Workflow, load_object
 
 _HERE = Path(INDEX)
 
@@ -25,7 +25,7 @@ class Formats(dict[str, PageFormat[Any, Any]]):
 
     def __missing__(self, name: str) -> PageFormat[Any, Any]:
         workflow = self.workflows[name]
-        self[name] = named(workflow.page_format)(workflow)
+        self[name] = load_object(workflow.page_format)(workflow)
         return self[name]
 
 
@@ -62,7 +62,7 @@ class Contents:
 
 
 def reading(
-    session: Finder,
+    session: ProjectSession,
     index: Index,
     contents: Mapping[str, bytes],
     formats: Formats,

@@ -57,7 +57,7 @@ class StoredIcon(StoredOrigin, frozen=True):
     remarks: Many[Text] = ()
 
 
-class Finder(Protocol):
+class ProjectSession(Protocol):
     """A ``Session``, as far as projects know it."""
 
     def icon(self, reference: str) -> Pictogram:
@@ -132,7 +132,7 @@ class StoredParts:
     """
 
     def __init__(
-        self, icons: Mapping[str, Any], contents: Mapping[str, bytes], session: Finder
+        self, icons: Mapping[str, Any], contents: Mapping[str, bytes], session: ProjectSession
     ) -> None:
         """``icons`` is what ``project.json`` says of them."""
         self.session = session

@@ -4,6 +4,7 @@ import hashlib
 import logging
 import os
 import re
+import xml.etree.ElementTree as ET
 from pathlib import Path
 
 from iconstudio.files import read_bytes
@@ -22,6 +23,8 @@ UNSTYLED = (
 _STYLED = re.compile(r"\bclass(?:Name|List)?\s*=|\bstyled\b|\bcss\s*=|\bsx\s*=|:class\s*=")
 """What refers to styles elsewhere."""
 _STROKED = re.compile(r"\bstroke(?:-?[wW]idth)?\s*[=:]|<style\b", re.IGNORECASE)
+_UNFORESEEN = (ArithmeticError, LookupError, RecursionError, TypeError, ValueError)
+"""What libraries make of input that nobody thought of."""
 _log = logging.getLogger(__name__)
 
 
@@ -82,15 +85,40 @@ def own_svg(data: bytes, name: str, symbol: str | None = None) -> Pictogram:
         ) from None
     except IconstudioError as error:
         raise IconstudioError(f"“{name}” cannot be used. {error}") from None
-    except (ArithmeticError, LookupError, RecursionError, TypeError, ValueError) as error:
-        # What libraries make of input that nobody thought of.
+    except _UNFORESEEN as error:
         _log.warning("Reading %r failed", name, exc_info=error)
+        part = _part_not_understood(data, symbol)
         raise IconstudioError(
-            f"“{name}” cannot be used. A part of it is not understood. Save it as plain SVG."
+            f"“{name}” cannot be used. {part} is not understood. Leave it out, or save the drawing "
+            "as plain SVG."
         ) from None
     digest = hashlib.sha256(data).hexdigest()[:8]
     called = "-".join(filter(None, (Path(name).stem, symbol, digest)))
     return Pictogram(f"{OWN}{called}", svg, credit, made_of, remarks)
+
+
+def _part_not_understood(data: bytes, symbol: str | None) -> str:
+    """Return which part of a document cannot be read, as the beginning of a sentence."""
+    from iconstudio.svg.culprit import culprit
+    from iconstudio.svg.monochrome import in_black
+    from iconstudio.svg.plain import plain
+
+    try:
+        root, _ = parse(markup_of(decode(data))[0])
+    except _UNFORESEEN:
+        return "The code around the drawing"
+
+    def is_readable(part: ET.Element) -> bool:
+        try:
+            in_black(plain(part, (), symbol), credits.metadata(part))
+        except _UNFORESEEN:
+            return False
+        except IconstudioError:  # what is left may show nothing
+            pass
+        return True
+
+    found = culprit(root, is_readable)
+    return f"The part {found} of it" if found else "More than one part of it"
 
 
 def _read(

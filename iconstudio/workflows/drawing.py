@@ -27,10 +27,10 @@ from iconstudio.algorithms.iconification.redraw import (
     FAR,
     REACH,
     SCALE,
+    binarised,
     erase,
     redraw,
     restore,
-    two_tone,
 )
 from iconstudio.algorithms.raster import Bitmap, inked_tiles, shifted
 from iconstudio.model import CANVAS, Drawing, Exemplar, Frame, Placement, Source
@@ -216,7 +216,7 @@ class _TiledDrawing:
         x, y = left - key.pad * finer - 1, top - key.pad * finer - 1
         window = x, y, x + step + 2, y + step + 2
         drawn = key.render(key.svg, key.frame, key.placement, key.side, window)
-        self._coverage[top : top + step, left : left + step] = two_tone(drawn)[1:-1, 1:-1]
+        self._coverage[top : top + step, left : left + step] = binarised(drawn)[1:-1, 1:-1]
 
 
 @lru_cache(maxsize=48)

@@ -1,9 +1,12 @@
 """How long a run will go on, told from what it has shown so far.
 
-The worker processes say how long they worked on each result. The first one of a row costs more than
-those that follow it, as each search helps the others. So the work of the whole run is known roughly
-once a few results are there, and how fast the processes get on with it; what is left takes as long
-as work has taken up to now.
+Of remixes, the worker processes say how long they worked on each. The first one of a row costs more
+than those that follow it, as each search helps the others. So the work of the whole run is known
+roughly once a few results are there, and how fast the processes get on with it; what is left takes
+as long as work has taken up to now.
+
+Of other results nothing is known: the rest of the stage that makes them takes as long for each part
+of it as it has up to now.
 """
 
 from collections import Counter, deque
@@ -63,6 +66,10 @@ class Estimate:
 
     def __init__(self, processes: int) -> None:
         self._processes = processes
+        self._stage = ""
+        self._stage_began = 0.0
+        self._finished = False
+        """Whether a result is there that is no remix."""
         self._began: float | None = None
         """When the first results were begun."""
         self._ends: float | None = None
@@ -83,6 +90,8 @@ class Estimate:
 
     def note(self, event: Event, now: float) -> None:
         """Learn from an event."""
+        if isinstance(event, Progress) and event.stage != self._stage:
+            self._stage, self._stage_began = event.stage, now
         match event:
             case StyleMatched():
                 self._begin(now)
@@ -93,9 +102,14 @@ class Estimate:
                 row = icon.composite.style
                 nth = self._rows[row] - (row == self._previewed)
                 kind = self._hurried if nth < 0 else self._later if nth else self._first
-                kind.append(event.remix_seconds + event.vectorize_seconds)
+                kind.append(sum(event.worked.values()))
                 self._rows[row] += 1
                 self._last[row] = now
+            case Result():
+                self._finished = True
+            case Progress() if self._finished and event.done > 0:
+                self._began, self._done = self._stage_began, event.done
+                self._ends = now + (now - self._began) * (1 - event.done) / event.done
             case Recommended():
                 self._last.pop(event.style, None)
                 self._free.append(now)

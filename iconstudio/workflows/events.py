@@ -1,18 +1,18 @@
 """What every workflow yields: progress, and what it has finished so far."""
 
-from collections.abc import Generator
-from dataclasses import dataclass
+from collections.abc import Generator, Mapping
+from dataclasses import dataclass, field
 from typing import TypeVar
 
 from iconstudio.model import Exemplar, Icon, Point, Source
+from iconstudio.model.progress import Event as Event
 from iconstudio.model.progress import Progress as Progress
-from iconstudio.model.progress import Stage as Stage
 
 T = TypeVar("T")
 
 
 @dataclass(frozen=True, slots=True)
-class Retrieved:
+class Retrieved(Event):
     """The exemplars of the keyword, best first (section 3.1)."""
 
     keyword: str
@@ -20,14 +20,14 @@ class Retrieved:
 
 
 @dataclass(frozen=True, slots=True)
-class RegionsFound:
+class RegionsFound(Event):
     """Centres of the salient regions in canvas pixels, most salient first (section 3.2)."""
 
     centres: tuple[Point, ...]
 
 
 @dataclass(frozen=True, slots=True)
-class StyleMatched:
+class StyleMatched(Event):
     """The best sources of a style, ``matches[region][rank]`` (section 3.3)."""
 
     style: str
@@ -42,7 +42,7 @@ class StyleMatched:
 
 
 @dataclass(frozen=True, slots=True)
-class StyleSkipped:
+class StyleSkipped(Event):
     """A style that has too few exemplars to give a good result, with the sentence that says so."""
 
     style: str
@@ -51,18 +51,18 @@ class StyleSkipped:
 
 
 @dataclass(frozen=True, slots=True)
-class Result:
-    """A finished icon, and the seconds that making and drawing it took a worker process."""
+class Result(Event):
+    """A finished icon."""
 
     icon: Icon
-    remix_seconds: float = 0.0
-    vectorize_seconds: float = 0.0
+    worked: Mapping[str, float] = field(default_factory=dict)
+    """The seconds that it took a worker process, by stage, if that is known."""
     preview: bool = False
     """Whether a better one is to follow in its place."""
 
 
 @dataclass(frozen=True, slots=True)
-class Recommended:
+class Recommended(Event):
     """The result of a style to look at first: all its results are there.
 
     ``lambda_s`` is None if none is more than an icon that there was before.
@@ -72,11 +72,8 @@ class Recommended:
     lambda_s: float | None
 
 
-Event = Progress | Retrieved | RegionsFound | StyleMatched | StyleSkipped | Result | Recommended
-
-
 def staged(
-    stage: Stage, message: str, work: Generator[float, None, T]
+    stage: str, message: str, work: Generator[float, None, T]
 ) -> Generator[Progress, None, T]:
     """Turn the fractions that ``work`` yields into progress, and return what it returns."""
     try:

@@ -23,11 +23,16 @@ def open_file(path: Path, kind: type[F]) -> F:
     Raises
     ------
     IconstudioError
-        If it cannot be read, or is plainly of another workflow.
+        If it cannot be read, or is of another workflow.
     """
     from iconstudio.workflows.registry import workflows
 
     data = json.load(path)
+    if name := _unknown_workflow(data, workflows()):
+        raise IconstudioError(
+            f"“{path.name}” is a file of “{name:.60}”, which this version does not know. "
+            "Open it with the version that wrote it, or a newer one."
+        )
     likely = likely_workflow(data, workflows())
     if likely is not None and likely.file is not kind:
         wanted = next(one for one in workflows() if one.file is kind)
@@ -39,12 +44,30 @@ def open_file(path: Path, kind: type[F]) -> F:
 
 
 def likely_workflow(data: object, some: Iterable[Workflow[Any]]) -> Workflow[Any] | None:
-    """Return the workflow whose files have most of the fields that are there; None if in doubt."""
+    """Return the workflow that a file names; without a name, the one that its fields tell.
+
+    None if there is no such workflow, or its fields may be of several.
+    """
+    some = tuple(some)
+    if (name := _named_workflow(data)) is not None:
+        return next((one for one in some if one.name == name), None)
     keys = set(data) if isinstance(data, dict) else set()
     known = {one: len(keys.intersection(one.file.__struct_encode_fields__)) for one in some}
     most = max(known.values(), default=0)
     best = [one for one, count in known.items() if count == most > 0]
     return best[0] if len({one.file for one in best}) == 1 else None
+
+
+def _named_workflow(data: object) -> str | None:
+    """Return the name of the workflow that a file says it is of; older ones say nothing."""
+    name = data.get("workflow") if isinstance(data, dict) else None
+    return name if isinstance(name, str) else None
+
+
+def _unknown_workflow(data: object, some: Iterable[Workflow[Any]]) -> str | None:
+    """Return what a file says it is of if there is no such workflow."""
+    name = _named_workflow(data)
+    return None if any(one.name == name for one in some) else name
 
 
 def read_file(path: Path, workflow: Workflow[W], resources: Resources) -> Generator[Event, None, W]:
@@ -53,7 +76,7 @@ def read_file(path: Path, workflow: Workflow[W], resources: Resources) -> Genera
     Raises
     ------
     IconstudioError
-        If it cannot be read, or is plainly of another workflow.
+        If it cannot be read, or is of another workflow.
     """
     return (yield from open_file(path, workflow.file).resolving(resources))
 
@@ -69,4 +92,4 @@ def write_file(path: Path, workflow: Workflow[W], work: W, **more: Any) -> None:
         If a file cannot be written.
     """
     file = workflow.file.of(work, lambda icon: Reference(reference_to(icon, path)))
-    json.write(path, replace(file, **more))
+    json.write(path, replace(file, workflow=workflow.name, **more))

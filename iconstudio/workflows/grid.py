@@ -9,7 +9,6 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.iconification.lattice import LAMBDAS
 from iconstudio.algorithms.iconification.matching import SCALES, Matcher, sources_of
 from iconstudio.algorithms.iconification.saliency import Region
 from iconstudio.algorithms.iconification.style import STYLES, Style
@@ -25,9 +24,11 @@ from iconstudio.workflows.events import (
     StyleSkipped,
     staged,
 )
-from iconstudio.workflows.remixing import Finish, Remixing
+from iconstudio.workflows.remixing import CutSettings, Finish, Remixing, RemixResources
 from iconstudio.workflows.solving import CutSeries, Posed
-from iconstudio.workflows.workflow import Resources, Settings
+
+LAMBDAS = tuple(float(v) for v in np.geomspace(0.03, 0.75, 8))
+"""The values of lambda_S that are tried on the paper's canvas (section 3.4)."""
 
 UNTOUCHED = 0.98
 """A source with this part of the ink is the result, but for crumbs."""
@@ -36,7 +37,7 @@ Matches = tuple[tuple[Source, ...], ...]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class ModelSettings(Settings):
+class GridSettings(CutSettings):
     """Which results to make, and at which scales to try the exemplars."""
 
     styles: tuple[str, ...] = tuple(style.name for style in STYLES)
@@ -84,7 +85,7 @@ def remix_styles(
     field: NDArray[np.float32],
     regions: Sequence[Region],
     matcher: Matcher,
-    settings: ModelSettings,
+    settings: GridSettings,
     *,
     refusal: Callable[[Style, int, Matches | None], str],
     pose: Callable[[tuple[Source, ...]], Posed],
@@ -186,7 +187,7 @@ def _matched(
 
 
 def focused(
-    resources: Resources, subject: str, events: Generator[Event], settings: ModelSettings
+    resources: RemixResources, subject: str, events: Generator[Event], settings: GridSettings
 ) -> Generator[Event]:
     """Pass on a run, and keep its result in focus: the next run of that subject begins with it."""
     with closing(events):

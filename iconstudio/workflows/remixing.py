@@ -2,22 +2,53 @@
 
 import itertools
 from collections import deque
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from dataclasses import dataclass
+from typing import Protocol
 
-from iconstudio.model import Composite, Remix
+from iconstudio.algorithms.iconification.matching import Matcher
+from iconstudio.model import CANVAS, Composite, Remix
 from iconstudio.workers import Workers, answer
 from iconstudio.workflows.drawing import Render
-from iconstudio.workflows.events import Progress, Result
+from iconstudio.workflows.events import Event, Progress, Result
 from iconstudio.workflows.solving import CutSeries, Solved, Step, solve
+from iconstudio.workflows.workflow import Resources
 
+FINE = 2 * CANVAS
+"""The side of fine results: seams run between half pixels of the canvas."""
 PIPELINED = 2
 """How many steps are sent to a process ahead, so that it need not wait for the next."""
 PROMPT = 0.03
 """Seconds after which whoever waits for results looks whether they are still wanted."""
 
 Finish = Callable[[Remix], Remix]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CutSettings:
+    """How results are cut, whatever of."""
+
+    side: int = CANVAS
+    """m, the sites in a row of the graph cut: the paper's, or ``FINE``."""
+
+
+class RemixResources(Resources, Protocol):
+    """What a run that remixes works with: a ``Session``, too."""
+
+    earlier: dict[str, Composite]
+    """The result in focus of the run before, by what it is of: a preview may begin with it."""
+
+    @property
+    def render(self) -> Render:
+        """Draws a source at its placement; can be pickled."""
+        ...
+
+    def prepare(
+        self, keyword: str, exclude: frozenset[str] = ..., scales: tuple[float, ...] = ...
+    ) -> Generator[Event, None, Matcher]:
+        """Retrieve a keyword's icons, and make them ready for matching."""
+        ...
 
 
 class Remixing:
@@ -77,7 +108,7 @@ class Remixing:
             self._feed()
             self._done += not task.step.preview
             icon = task.finish(remix_of(task.series, task.step, solved))
-            yield Result(icon, *solved.seconds, preview=task.step.preview)
+            yield Result(icon, solved.seconds, preview=task.step.preview)
         yield Progress("remix", self._done / max(1, self._total), "Joining parts")
 
     def cancel(self) -> None:

@@ -3,9 +3,9 @@
 The process remembers what it has found for a series, so that each step builds on those before.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from concurrent.futures import CancelledError
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from time import perf_counter
 from typing import TYPE_CHECKING
 
@@ -23,7 +23,7 @@ from iconstudio.tasks import forget, remembered, stopped
 from iconstudio.workflows.drawing import MEMORY, PREVIEW, SECONDS, Render, draw
 
 if TYPE_CHECKING:
-    from iconstudio.algorithms.iconification.sweep import Sweep
+    from iconstudio.algorithms.iconification.alpha_expansion import AlphaExpansion
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,16 +105,16 @@ class Solved:
     """Overlap with the silhouette, if there is one."""
     score: Score
     drawing: Drawing
-    seconds: tuple[float, float] = (0.0, 0.0)
-    """To cut, and to draw."""
+    seconds: Mapping[str, float] = field(default_factory=dict)
+    """To cut and to draw, by stage."""
 
 
 @dataclass(eq=False)
-class _Bench:
+class _SeriesState:
     """What a process keeps of a series between its steps."""
 
     posed: Posed
-    sweep: "Sweep"
+    expansion: "AlphaExpansion"
     row: tuple[float, ...]
     """What the explored lambda_S come to on the canvas."""
 
@@ -129,12 +129,12 @@ def solve(key: object, series: CutSeries, step: Step, render: Render) -> Solved:
     CancelledError
         As soon as the result is no longer wanted.
     """
-    from iconstudio.algorithms.iconification.sweep import Stopped
+    from iconstudio.algorithms.iconification.alpha_expansion import Stopped
 
     began = perf_counter()
     try:
-        bench = remembered(key, lambda: _begin(series))
-        labels = _cut(bench, step)
+        state = remembered(key, lambda: _begin(series))
+        labels = _cut(state, step)
     except Stopped:
         forget(key)
         raise CancelledError from None
@@ -142,8 +142,8 @@ def solve(key: object, series: CutSeries, step: Step, render: Render) -> Solved:
         forget(key)
     cut = perf_counter()
     with limited(SECONDS, MEMORY):
-        solved = finished(bench.posed, series, step, labels, render)
-    return replace(solved, seconds=(cut - began, perf_counter() - cut))
+        solved = finished(state.posed, series, step, labels, render)
+    return replace(solved, seconds={"remix": cut - began, "vectorize": perf_counter() - cut})
 
 
 def finished(posed: Posed, series: CutSeries, step: Step, labels: Labels, render: Render) -> Solved:
@@ -169,36 +169,36 @@ def finished(posed: Posed, series: CutSeries, step: Step, labels: Labels, render
 
 def warm_up(render: Render) -> None:
     """Load what cuts and draws, and compile it if it never was, on a problem of nothing."""
-    from iconstudio.algorithms.iconification.sweep import Sweep
+    from iconstudio.algorithms.iconification.alpha_expansion import AlphaExpansion
     from iconstudio.algorithms.tracing.vectorize import trace
 
     ink = np.zeros((2, CANVAS, CANVAS), dtype=bool)
-    sweep = Sweep(RemixProblem(ink.astype(np.float32), ink, ink))
-    sweep.find(1.0, [1.0])
+    expansion = AlphaExpansion(RemixProblem(ink.astype(np.float32), ink, ink))
+    expansion.find(1.0, [1.0])
     dot = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 8 8"><path d="M2 2h4v4H2z"/></svg>'
     trace(render(dot, Frame(0, 0, 8), Placement(), CANVAS))
 
 
-def _begin(series: CutSeries) -> _Bench:
-    from iconstudio.algorithms.iconification.sweep import Sweep
+def _begin(series: CutSeries) -> _SeriesState:
+    from iconstudio.algorithms.iconification.alpha_expansion import AlphaExpansion
 
     posed = series.pose()
-    sweep = Sweep(posed.problem, stopped)
+    expansion = AlphaExpansion(posed.problem, stopped)
     before = series.earlier
     if before is not None and before.labels.shape == posed.problem.data.shape[1:]:
         data = posed.problem.data
-        sweep.add(transferred(before.labels, before.sources, series.sources, data))
-    return _Bench(posed, sweep, tuple(map(posed.weight, series.explored)))
+        expansion.add(transferred(before.labels, before.sources, series.sources, data))
+    return _SeriesState(posed, expansion, tuple(map(posed.weight, series.explored)))
 
 
-def _cut(bench: _Bench, step: Step) -> Labels:
+def _cut(state: _SeriesState, step: Step) -> Labels:
     """Return the labelling of a step. Only a preview depends on the result before an edit."""
-    weight = bench.posed.weight(step.lambda_s)
+    weight = state.posed.weight(step.lambda_s)
     if step.preview:
-        return bench.sweep.preview(weight)
-    if bench.row:
-        return bench.sweep.find(weight, bench.row)
-    return bench.sweep.solve(weight)
+        return state.expansion.preview(weight)
+    if state.row:
+        return state.expansion.find(weight, state.row)
+    return state.expansion.solve(weight)
 
 
 def _shares(drawing: Drawing, labels: Labels, count: int) -> tuple[float, ...]:

@@ -3,43 +3,22 @@
 from collections.abc import Callable, Generator
 from dataclasses import dataclass
 from importlib import import_module
-from typing import Any, Generic, Protocol, Self, TypeVar
+from typing import Any, Concatenate, Generic, Protocol, Self, TypeVar
 
-from iconstudio.algorithms.iconification.matching import Matcher
 from iconstudio.inputs.formats import Reference, StrictRecord, Text
-from iconstudio.model import CANVAS, Composite, Drawing, Exemplar, Pictogram
+from iconstudio.model import Drawing, Exemplar, Pictogram
 from iconstudio.workers import Workers
-from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import Event
 
 W = TypeVar("W")
-
-FINE = 2 * CANVAS
-"""The side of fine results: seams run between half pixels of the canvas."""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Settings:
-    """How results are made, whatever of."""
-
-    side: int = CANVAS
-    """m, the sites in a row of the graph cut: the paper's, or ``FINE``."""
 
 
 class Resources(Protocol):
     """What a run works with: a ``Session``, as far as workflows know it."""
 
-    earlier: dict[str, Composite]
-    """The result in focus of the run before, by what it is of: a preview may begin with it."""
-
     @property
     def workers(self) -> Workers:
         """The worker processes."""
-        ...
-
-    @property
-    def render(self) -> Render:
-        """Draws a source at its placement; can be pickled."""
         ...
 
     def icon(self, reference: str) -> Pictogram:
@@ -54,10 +33,10 @@ class Resources(Protocol):
         """Return an icon drawn and traced as results are."""
         ...
 
-    def prepare(
-        self, keyword: str, exclude: frozenset[str] = ..., scales: tuple[float, ...] = ...
-    ) -> Generator[Event, None, Matcher]:
-        """Retrieve a keyword's icons, and make them ready for matching."""
+    def retrieve(
+        self, keyword: str, exclude: frozenset[str] = ...
+    ) -> Generator[Event, None, tuple[Exemplar, ...]]:
+        """Return a keyword's icons on the canvas, best first."""
         ...
 
 
@@ -65,13 +44,16 @@ Find = Callable[[str], Pictogram]
 """Returns the icon of a reference."""
 Refer = Callable[[Pictogram], Reference]
 """Returns the reference of an icon for a file, once it can be found there."""
-Run = Callable[[Resources, W, Any], Generator[Event]]
+Run = Callable[Concatenate[Any, W, ...], Generator[Event]]
+"""Called with a ``Session``, the work, and the settings if the workflow has any."""
 
 
 class File(StrictRecord, Generic[W], frozen=True, kw_only=True):
     """The file of some work: its fields are those of the JSON, their types what may be in them."""
 
     title: Text = ""
+    workflow: Text = ""
+    """The name of the workflow that it is of, in files that the program writes."""
 
     @classmethod
     def of(cls, work: W, refer: Refer) -> Self:
@@ -103,7 +85,7 @@ class Workflow(Generic[W]):
     invitation: str = ""
     """The words that offer to send an icon to it; empty if it takes none."""
     file: type[File[W]]
-    """The format of its files; its fields tell them from others'."""
+    """The format of its files."""
     run: Run[W]
     """Makes icons of some work; yields events."""
     examples: str | None = None
@@ -111,20 +93,26 @@ class Workflow(Generic[W]):
     command: str = ""
     """``module:name`` of its command; empty: one that reads, runs and writes."""
     workspace: str = ""
-    """``module:name`` of its class in the window; empty: one that collects icons, by the two
+    """``module:name`` of its class in the window; empty: one that collects icons, by the three
     functions below, and shows results."""
     page_format: str = "iconstudio.workflows.plain:WorkPages"
     """``module:name`` of the ``PageFormat`` that keeps its pages in projects."""
     work: Callable[[], W] | None = None
     """Returns the work to begin with."""
-    take: Callable[[W, Pictogram], W] | None = None
-    """Returns the work with one more icon; None if it takes none."""
+    icons: Callable[[W], tuple[Pictogram, ...]] = lambda work: ()
+    """Returns the icons of some work."""
+    with_icons: Callable[[W, tuple[Pictogram, ...]], W] | None = None
+    """Returns the work with these icons in place of its own; None if it takes none."""
+
+    def __post_init__(self) -> None:
+        if not self.workspace and self.work is None:
+            raise TypeError(f"{self.name}: without a workspace of its own, it must declare `work`")
 
 
-def named(reference: str) -> Any:
+def load_object(reference: str) -> Any:
     """Return what ``module:name`` names.
 
-    >>> named("math:hypot")(3, 4)
+    >>> load_object("math:hypot")(3, 4)
     5.0
     """
     module, _, name = reference.partition(":")
@@ -135,6 +123,6 @@ def lazily(reference: str) -> Callable[..., Any]:
     """Return a function that calls what ``module:name`` names, imported when it is first called."""
 
     def call(*args: Any) -> Any:
-        return named(reference)(*args)
+        return load_object(reference)(*args)
 
     return call

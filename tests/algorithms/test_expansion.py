@@ -5,10 +5,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from iconstudio.algorithms.iconification.lattice import LAMBDAS, Lattice
 from iconstudio.model import CANVAS
+from iconstudio.workflows.grid import LAMBDAS
 from tests.oracles import maxflow
 from tests.oracles.expansion import energy, expand, minimise
+from tests.oracles.lattice import Lattice
 from tests.shapes import blob, problem
 
 finite = st.floats(-5, 5)

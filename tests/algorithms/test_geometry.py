@@ -217,6 +217,7 @@ def test_twenty_thousand_points_are_taken_in_a_moment(name):
     assert crosses_itself(polygon) == crosses
     assert time.process_time() - began < 2.5  # a third of it on a machine with nothing else to do
     assert crosses or not crosses_itself(few)
-    ring = shapely.LinearRing(few.vertices)
+    ring, corners = shapely.LinearRing(few.vertices), set(few.vertices)
+    left_out = [point for point in polygon.vertices if point not in corners]
     shapely.prepare(ring)
-    assert shapely.dwithin(ring, shapely.points(polygon.vertices), 0.1 + 1e-9).all()
+    assert shapely.dwithin(ring, shapely.points(left_out), 0.1 + 1e-9).all()

@@ -13,9 +13,9 @@ from iconstudio.algorithms.iconification.redraw import (
     REACH,
     SCALE,
     SignedDistance,
+    binarised,
     erase,
     redraw,
-    two_tone,
 )
 from iconstudio.algorithms.tracing.vectorize import trace
 from iconstudio.model import CANVAS, Frame
@@ -228,7 +228,7 @@ def test_a_pale_layer_is_paper_and_edges_stay_soft():
     drawing[:, :4] = 70  # a pale layer
     drawing[2:6, 2:6] = 200  # a dark one
     drawing[2:6, 6] = 60  # its soft edge
-    flat = two_tone(drawing)
+    flat = binarised(drawing)
     assert not flat[:, 0].any()
     assert (flat[3:5, 3:5] == 255).all()
     assert (flat[3:5, 6] == 60).all()
@@ -242,7 +242,7 @@ def test_two_tones_equal_their_definition(seed):
     ink = coverage > 127
     square = np.ones((3, 3), bool)
     edge = ndimage.binary_dilation(ink, square) & ndimage.binary_dilation(~ink, square)
-    assert np.array_equal(two_tone(coverage), np.where(edge, coverage, 255 * ink))
+    assert np.array_equal(binarised(coverage), np.where(edge, coverage, 255 * ink))
 
 
 def test_a_large_piece_is_never_a_fragment():

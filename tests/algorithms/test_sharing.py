@@ -7,7 +7,13 @@ from hypothesis import strategies as st
 from PIL import Image
 from scipy import ndimage
 
-from iconstudio.algorithms.iconification.blending import at, in_blocks, regions, shares, spread
+from iconstudio.algorithms.iconification.blending import (
+    at,
+    in_blocks,
+    regions,
+    soft_regions,
+    spread,
+)
 from iconstudio.model import CANVAS
 
 
@@ -23,7 +29,7 @@ def test_shares_are_blurred_regions_and_sum_to_one(m, s):
     labels = noise(1, m)
     blocks = np.argwhere(np.ones_like(labels))[:: 5 * s]
     total = np.zeros((len(blocks), s, s))
-    for share in shares(labels, 2.0, 7):
+    for share in soft_regions(labels, 2.0, 7):
         rows = share.rows(blocks)
         own = (labels == share.label).astype(np.float32)
         soft = ndimage.gaussian_filter(own, 2.0 * m / CANVAS, radius=7 * m // CANVAS)

@@ -3,7 +3,7 @@ import pytest
 from hypothesis import given
 from hypothesis.extra.numpy import arrays
 
-from iconstudio.algorithms.iconification.style import STYLES, blackness, two_toned
+from iconstudio.algorithms.iconification.style import STYLES, blackness, has_pale_areas
 
 
 def test_a_full_rectangle_is_all_black():
@@ -57,7 +57,7 @@ def test_the_intervals_of_the_paper():
 def test_pale_areas_are_told_from_soft_edges():
     ys, xs = np.mgrid[:64, :64]
     soft = np.clip((20 - np.hypot(xs - 32, ys - 32)) * 127 + 127, 0, 255).astype(np.uint8)
-    assert not two_toned(soft)
+    assert not has_pale_areas(soft)
     layered = soft.copy()
     layered[50:60, 10:50] = 100
-    assert two_toned(layered)
+    assert has_pale_areas(layered)

@@ -5,13 +5,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from iconstudio.algorithms.iconification.alpha_expansion import AlphaExpansion
 from iconstudio.algorithms.iconification.energy import RemixProblem
-from iconstudio.algorithms.iconification.lattice import Lattice
-from iconstudio.algorithms.iconification.sweep import Sweep
 from iconstudio.algorithms.iconification.symmetry import likeness, mirrored, propose, reflected
 from iconstudio.algorithms.raster import solid
 from iconstudio.model import CANVAS, Axis
 from tests.oracles.expansion import energy, expand
+from tests.oracles.lattice import Lattice
 from tests.shapes import blob
 
 AXES = list(Axis)
@@ -90,13 +90,13 @@ def test_a_symmetric_expansion_is_the_best_of_all_symmetric_expansions(axis):
 @pytest.mark.parametrize("axis", [Axis.HORIZONTAL, Axis.ANTIDIAGONAL])
 def test_a_remix_keeps_the_constraint_and_costs_no_less_than_without(axis):
     held, free = symmetric_problem(axis), symmetric_problem(None)
-    sweep = Sweep(held)
-    labels = sweep.solve(0.1)
+    search = AlphaExpansion(held)
+    labels = search.solve(0.1)
     assert np.array_equal(labels, reflected(labels, axis))
     assert len(np.unique(labels)) > 1
-    assert energy(held, labels, 0.1) >= 0.99 * energy(free, Sweep(free).solve(0.1), 0.1)
+    assert energy(held, labels, 0.1) >= 0.99 * energy(free, AlphaExpansion(free).solve(0.1), 0.1)
     # Lower lambda_S from there: still symmetric.
-    lower = sweep.solve(0.05)
+    lower = search.solve(0.05)
     assert np.array_equal(lower, reflected(lower, axis))
 
 

@@ -18,19 +18,18 @@ from typing import Any
 
 import numpy as np
 
+from iconstudio.algorithms.iconification.alpha_expansion import AlphaExpansion
 from iconstudio.algorithms.iconification.energy import distance_field, remix_problem
-from iconstudio.algorithms.iconification.lattice import LAMBDAS
 from iconstudio.algorithms.iconification.matching import Matcher, prepare, sources_of
 from iconstudio.algorithms.iconification.saliency import Region
 from iconstudio.algorithms.iconification.style import STYLES
-from iconstudio.algorithms.iconification.sweep import Sweep
 from iconstudio.algorithms.iconification.tsdf import tsdf
 from iconstudio.algorithms.raster import fill_polygon
 from iconstudio.library.collection import Collection
 from iconstudio.model import CANVAS, Exemplar, IconstudioError, Polygon, Source
 from iconstudio.session import Session
 from iconstudio.svg.rasterise import rasterise
-from iconstudio.workflows.grid import distinct
+from iconstudio.workflows.grid import LAMBDAS, distinct
 from iconstudio.workflows.modelling.file import example
 from tests.benchmarks.grown import write_collection
 from tests.benchmarks.readme import put
@@ -178,13 +177,13 @@ def solving_costs(sources: Sequence[Source], side: int) -> Costs:
     weights = [value * side / CANVAS for value in LAMBDAS]
 
     def solve_all() -> None:
-        sweep = Sweep(problem)
+        expansion = AlphaExpansion(problem)
         for weight in weights:
-            sweep.find(weight, weights)
+            expansion.find(weight, weights)
 
     arrays = (problem.data, problem.ink, problem.solid, problem.patches, problem.penalty)
     solving, _ = cpu(solve_all, rounds=2)  # the first one may have to compile
-    preview, _ = cpu(lambda: Sweep(problem).preview(weights[4]), rounds=2)
+    preview, _ = cpu(lambda: AlphaExpansion(problem).preview(weights[4]), rounds=2)
     return {
         "posing, s": posing,
         "8 lambda_S, s": solving,

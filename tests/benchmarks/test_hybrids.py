@@ -12,10 +12,9 @@ import numpy as np
 import pytest
 
 from iconstudio.algorithms.iconification import ranking
+from iconstudio.algorithms.iconification.alpha_expansion import AlphaExpansion
 from iconstudio.algorithms.iconification.energy import RemixProblem, placed_sources
 from iconstudio.algorithms.iconification.guidance import seed_cost
-from iconstudio.algorithms.iconification.lattice import Lattice
-from iconstudio.algorithms.iconification.sweep import Sweep
 from iconstudio.model import Placement, Source
 from iconstudio.resources import resource
 from iconstudio.session import Session
@@ -24,6 +23,7 @@ from iconstudio.workflows.hybrids.file import read_hybrids
 from iconstudio.workflows.hybrids.hybrids import LAMBDA_S, draw_seeds
 from iconstudio.workflows.hybrids.spec import HYBRIDS
 from tests.oracles.expansion import minimise
+from tests.oracles.lattice import Lattice
 
 
 @pytest.fixture(scope="module")
@@ -74,8 +74,10 @@ def test_session(benchmark, session, mix):
 
 @pytest.mark.benchmark(group="40 hybrids of 5 icons, symmetric: cuts only, one thread")
 def test_cuts(benchmark, problems):
-    Sweep(problems[0]).solve(LAMBDA_S)  # compiles
-    found = benchmark.pedantic(lambda: [Sweep(one).solve(LAMBDA_S) for one in problems], rounds=2)
+    AlphaExpansion(problems[0]).solve(LAMBDA_S)  # compiles
+    found = benchmark.pedantic(
+        lambda: [AlphaExpansion(one).solve(LAMBDA_S) for one in problems], rounds=2
+    )
     benchmark.extra_info["mean rank score"] = mean_score(problems, found)
 
 

@@ -12,16 +12,15 @@ from time import perf_counter
 import numpy as np
 import pytest
 
-from iconstudio.algorithms.iconification.lattice import LAMBDAS
 from iconstudio.model import Polygon, Sketch
 from iconstudio.session import Session
 from iconstudio.workflows.events import Result
-from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.grid import LAMBDAS, GridSettings
 from iconstudio.workflows.modelling.file import example
 from iconstudio.workflows.modelling.spec import MODELLING
 
 FOCUS = ("medium", LAMBDAS[4])
-LIVE = ModelSettings(previews=True, focus=FOCUS)
+LIVE = GridSettings(previews=True, focus=FOCUS)
 VERTEX = 12
 DRAGGED = 12.0
 """How far the vertex is dragged back and forth, in units of the canvas."""

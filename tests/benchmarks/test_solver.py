@@ -12,18 +12,18 @@ from time import process_time
 import numpy as np
 import pytest
 
+from iconstudio.algorithms.iconification.alpha_expansion import AlphaExpansion
 from iconstudio.algorithms.iconification.energy import RemixProblem, remix_problem
-from iconstudio.algorithms.iconification.lattice import LAMBDAS, Lattice
 from iconstudio.algorithms.iconification.matching import sources_of
 from iconstudio.algorithms.iconification.style import STYLES
-from iconstudio.algorithms.iconification.sweep import Sweep
 from iconstudio.algorithms.iconification.tsdf import tsdf
 from iconstudio.algorithms.raster import fill_polygon
 from iconstudio.resources import resource
 from iconstudio.session import Session
-from iconstudio.workflows.grid import distinct
+from iconstudio.workflows.grid import LAMBDAS, distinct
 from iconstudio.workflows.modelling.file import read_sketch
 from tests.oracles.expansion import energy, minimise
+from tests.oracles.lattice import Lattice
 from tests.shapes import regions_of
 
 FALLING = LAMBDAS[::-1]
@@ -62,11 +62,11 @@ def posed(request):
     return remix_problem(field, distinct(sources_of(matches, matcher.exemplars)), sketch.symmetry)
 
 
-def swept(problem: RemixProblem) -> Sweep:
-    sweep = Sweep(problem)
+def swept(problem: RemixProblem) -> AlphaExpansion:
+    expansion = AlphaExpansion(problem)
     for lambda_s in FALLING:
-        sweep.find(lambda_s, LAMBDAS)
-    return sweep
+        expansion.find(lambda_s, LAMBDAS)
+    return expansion
 
 
 def plain(problem: RemixProblem, warm: bool) -> list[float]:
@@ -90,8 +90,8 @@ def timed(request, way, function, *given):
 
 
 def by_sweep(problem: RemixProblem) -> list[float]:
-    sweep = Sweep(problem)
-    return [energy(problem, sweep.find(lambda_s, LAMBDAS), lambda_s) for lambda_s in FALLING]
+    expansion = AlphaExpansion(problem)
+    return [energy(problem, expansion.find(lambda_s, LAMBDAS), lambda_s) for lambda_s in FALLING]
 
 
 @pytest.mark.benchmark(group="8 lambda_S of one style")
@@ -116,14 +116,14 @@ def test_plain_expansion_each_from_the_last(benchmark, request, posed):
 @pytest.mark.benchmark(group="preview of one lambda_S")
 def test_preview(benchmark, posed):
     swept(posed)  # compiles
-    benchmark.pedantic(lambda: Sweep(posed).preview(LAMBDAS[5]), rounds=5)
+    benchmark.pedantic(lambda: AlphaExpansion(posed).preview(LAMBDAS[5]), rounds=5)
 
 
 @pytest.mark.benchmark(group="4 icons, lambda_S = 3")
 def test_small(benchmark, posed):
     few = RemixProblem(posed.data[:4], posed.ink[:4], posed.solid[:4])
-    Sweep(few).solve(3.0)  # compiles
-    benchmark.pedantic(lambda: Sweep(few).solve(3.0), rounds=7)
+    AlphaExpansion(few).solve(3.0)  # compiles
+    benchmark.pedantic(lambda: AlphaExpansion(few).solve(3.0), rounds=7)
 
 
 @pytest.mark.benchmark(group="4 icons, lambda_S = 3")

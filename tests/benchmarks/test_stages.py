@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 from scipy import ndimage
 
+from iconstudio.algorithms.iconification.alpha_expansion import AlphaExpansion
 from iconstudio.algorithms.iconification.energy import remix_problem
 from iconstudio.algorithms.iconification.matching import sources_of
 from iconstudio.algorithms.iconification.style import STYLES
-from iconstudio.algorithms.iconification.sweep import Sweep
 from iconstudio.algorithms.iconification.tsdf import D_MAX, tsdf
 from iconstudio.algorithms.raster import fill_polygon
 from iconstudio.model import CANVAS
@@ -70,7 +70,7 @@ def test_tsdf_by_full_distance_transforms(benchmark, case):
 @pytest.mark.benchmark(group="redraw and trace a result at 1024 px")
 def test_draw(benchmark, medium):
     sources, problem = medium
-    labels = Sweep(problem).solve(0.19)
+    labels = AlphaExpansion(problem).solve(0.19)
     benchmark.pedantic(
         draw, (labels, problem.ink, sources, render_placed), rounds=5, warmup_rounds=1
     )

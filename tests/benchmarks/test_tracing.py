@@ -8,7 +8,7 @@ import pytest
 from PIL import Image
 from scipy import ndimage
 
-from iconstudio.algorithms.iconification.redraw import SCALE, redraw, two_tone
+from iconstudio.algorithms.iconification.redraw import SCALE, binarised, redraw
 from iconstudio.algorithms.tracing.vectorize import trace
 from iconstudio.model import CANVAS, Frame, Placement
 from iconstudio.session import Session
@@ -30,7 +30,7 @@ def icons():
             for pictogram in session.search(word)[:60:20]:
                 one = session.exemplar(pictogram)
                 whole = pictogram.svg, one.frame, Placement()
-                coverage = two_tone(render_placed(*whole, SCALE * CANVAS))
+                coverage = binarised(render_placed(*whole, SCALE * CANVAS))
                 drawn.append((coverage, render_placed(*whole, FINE) > 127))
     return drawn
 

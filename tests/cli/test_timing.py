@@ -28,8 +28,8 @@ def test_every_second_is_booked_once(clock):
         (2, Progress("prepare", 0.5, "")),
         (3, Retrieved("", ())),
         (4, Progress("match", 1, "")),
-        (5, Result(None, 6.0, 2.0)),
-        (3, Result(None, 0.5, 1.5)),
+        (5, Result(None, {"remix": 6.0, "vectorize": 2.0})),
+        (3, Result(None, {"remix": 0.5, "vectorize": 1.5})),
     ):
         clock.now += seconds
         stopwatch.note(event)
@@ -48,7 +48,7 @@ def test_the_table_names_what_took_place(clock, capsys):
         clock.now += 1.25
         stopwatch.note(Progress("search", 1, ""))
         clock.now += 3
-        stopwatch.note(Result(None, 4.0, 1.0))
+        stopwatch.note(Result(None, {"remix": 4.0, "vectorize": 1.0}))
     told = capsys.readouterr()
     assert told.out == ""
     rows = [re.split(r"  +", line) for line in told.err.splitlines()]
@@ -58,6 +58,18 @@ def test_the_table_names_what_took_place(clock, capsys):
     assert ["all together", "6.25", "since the program was started"] in rows
     assert ["first result", "6.25", "after the start"] in rows
     assert not any(row[0] == "matching" for row in rows)
+
+
+def test_the_stages_of_any_workflow_are_told_by_their_names(clock, capsys):
+    with timing.profiled(True) as stopwatch:
+        for event in (Progress("weave", 0.5, ""), Result(None), Progress("weave", 1, "")):
+            clock.now += 2
+            stopwatch.note(event)
+        clock.now += 1
+        stopwatch.wrote()
+    rows = [re.split(r"  +", line) for line in capsys.readouterr().err.splitlines()]
+    assert [row[:2] for row in rows[1:3]] == [["weave", "6.00"], ["writing files", "1.00"]]
+    assert not any(row[0] == "cutting" for row in rows)
 
 
 def test_nothing_is_told_unasked_or_of_a_run_that_failed(clock, capsys):

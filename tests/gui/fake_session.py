@@ -49,10 +49,10 @@ from iconstudio.workflows.events import (
     StyleMatched,
     StyleSkipped,
 )
-from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.grid import GridSettings
 from iconstudio.workflows.hybrids.hybrids import check as check_mix
 from iconstudio.workflows.montage.montage import check as check_montage
-from iconstudio.workflows.workflow import Settings, Workflow
+from iconstudio.workflows.workflow import Workflow
 from tests.shapes import outline
 
 RECOMMENDED = 2
@@ -229,7 +229,7 @@ class FakeSession:
     def keyword(self, pictogram: Pictogram) -> str:
         return pictogram.credit.title.split()[0]
 
-    def run(self, workflow: Workflow, work, settings: Settings | None = None):
+    def run(self, workflow: Workflow, work, settings=None):
         """What is faked of a workflow; others run as they are."""
         match workflow.name:
             case "model":
@@ -240,9 +240,9 @@ class FakeSession:
                 return self.mix(work)
             case "montage":
                 return self.montage(work)
-        return workflow.run(self, work, settings)
+        return workflow.run(self, work)
 
-    def edit(self, edit: Edit, settings: ModelSettings) -> Iterator[Event]:
+    def edit(self, edit: Edit, settings: GridSettings) -> Iterator[Event]:
         """The results of ``model`` for the icon's frame, nine tenths of them unchanged."""
         self.calls.append(("edit", edit, settings))
         frame = Polygon(((0, 0), (9, 0), (9, 9), (0, 9)))
@@ -264,7 +264,7 @@ class FakeSession:
         yield Retrieved(keyword, tuple(self._exemplars(exclude)))
         yield Progress("prepare", 1.0, f"Drawing the icons for “{keyword}”")
 
-    def model(self, sketch: Sketch, settings: ModelSettings = ModelSettings()) -> Iterator[Event]:  # noqa: B008
+    def model(self, sketch: Sketch, settings: GridSettings = GridSettings()) -> Iterator[Event]:  # noqa: B008
         self.calls.append(("model", sketch, settings))
         try:
             yield from self._model(sketch, settings)
@@ -332,7 +332,7 @@ class FakeSession:
         icon = Remix.of(composite, drawing(shape, 1, 1), score)
         return Result(replace(icon, seeds=seeds, draw=draw))
 
-    def _model(self, sketch: Sketch, settings: ModelSettings) -> Iterator[Event]:
+    def _model(self, sketch: Sketch, settings: GridSettings) -> Iterator[Event]:
         exemplars = self._exemplars(sketch.exclude)
         if self.stuck:
             yield Progress("match", 0.1, "Matching")

@@ -12,9 +12,16 @@ from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.sketching.workspace import SketchWorkspace
+from iconstudio.workflows.registry import workflows
 
 SQUARE = [(100.0, 100.0), (400.0, 120.0), (380.0, 400.0), (90.0, 380.0)]
 """An outline on the empty page, which is 512 units wide."""
+
+
+def go_to(window, title: str):
+    """Switch to the workspace of that title, and return it."""
+    window.show_workspace([one.title for one in workflows()].index(title))
+    return window.workspace
 
 
 def at(place: SketchWorkspace, point) -> QPoint:

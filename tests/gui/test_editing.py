@@ -20,9 +20,9 @@ from iconstudio.gui.workspaces.symmetry import PAUSE
 from iconstudio.model import Axis
 from iconstudio.workflows.editing.file import read_edit
 from iconstudio.workflows.editing.page import EditPage, Kind
-from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.grid import GridSettings
 
-LAMBDAS = ModelSettings().lambdas
+LAMBDAS = GridSettings().lambdas
 RED = [(40.0, 40.0), (120.0, 45.0), (115.0, 120.0), (45.0, 110.0)]
 GREEN = [(140.0, 60.0), (220.0, 60.0), (180.0, 130.0)]
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M1 1h7v7z"/></svg>'
@@ -421,7 +421,7 @@ def test_parts_of_all_styles_can_be_had(marked, qtbot, session):
     assert "earlier edit" in marked.browser.results.note.text()
     marked.run()
     finish(marked, qtbot)
-    assert session.calls[-1][2].styles == ModelSettings().styles
+    assert session.calls[-1][2].styles == GridSettings().styles
 
 
 def test_results_of_an_earlier_edit_are_called_so(marked, qtbot):

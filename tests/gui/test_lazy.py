@@ -3,10 +3,12 @@
 import subprocess
 import sys
 
+from hands import go_to
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QApplication, QWidget
 
 from iconstudio.gui.workspaces.base import Workspace
+from iconstudio.workflows.registry import workflows
 
 _LOADED = """
 import sys
@@ -48,12 +50,11 @@ def test_what_fills_an_outline_is_loaded_while_the_window_idles(tmp_path):
 
 
 def test_a_workspace_is_made_when_it_is_first_used(window):
-    assert [one.workflow.title for one in window.findChildren(Workspace)] == ["Sketch"]
-    window.show_workspace(3)
-    assert [one.workflow.title for one in window.findChildren(Workspace)] == ["Sketch", "Montage"]
-    window.show_workspace(0)
-    window.show_workspace(3)
-    assert len(window.findChildren(Workspace)) == 2
+    first, *_, last = (one.title for one in workflows())
+    assert [one.workflow.title for one in window.findChildren(Workspace)] == [first]
+    for title in (last, first, last):
+        go_to(window, title)
+    assert [one.workflow.title for one in window.findChildren(Workspace)] == [first, last]
 
 
 def test_making_a_workspace_opens_no_window_and_keeps_the_keys(window, qtbot):
@@ -67,8 +68,8 @@ def test_making_a_workspace_opens_no_window_and_keeps_the_keys(window, qtbot):
 
     watch = Watch()
     QApplication.instance().installEventFilter(watch)
-    for number in (1, 2, 3):
-        window.show_workspace(number)
+    for workflow in workflows()[1:]:
+        go_to(window, workflow.title)
         qtbot.wait(1)
         assert window.isActiveWindow()
         assert window.workspace.isAncestorOf(QApplication.focusWidget())

@@ -16,12 +16,12 @@ from iconstudio.gui.window.preferences import preferred
 from iconstudio.model import CANVAS, Axis, Polygon, Sketch
 from iconstudio.output.colours import SIGNIFICANT
 from iconstudio.workflows.events import Progress, Recommended, StyleSkipped
-from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.grid import GridSettings
 from iconstudio.workflows.modelling import page as edits
-from iconstudio.workflows.workflow import FINE
+from iconstudio.workflows.remixing import FINE
 
-STYLES = ModelSettings().styles
-LAMBDAS = ModelSettings().lambdas
+STYLES = GridSettings().styles
+LAMBDAS = GridSettings().lambdas
 MIDDLE = "medium", LAMBDAS[4]
 """What comes first where nothing is picked yet."""
 FOR_EVER = 10**6
@@ -149,7 +149,7 @@ def test_when_off_nothing_runs_but_what_is_asked_for(drawn, qtbot, session):
     assert len(runs(session)) == 1
     drawn.run()
     rest(drawn, qtbot, session)
-    assert runs(session)[-1] == (drawn.document.page.sketch, ModelSettings())
+    assert runs(session)[-1] == (drawn.document.page.sketch, GridSettings())
     drawn.document.undo_stack.undo()
     assert len(runs(session)) == 2
     drawn.actions_by_name["live"].trigger()
@@ -207,7 +207,7 @@ def test_it_begins_as_soon_as_the_page_is_complete(live, qtbot, session):
     rest(live, qtbot, session)
     ((sketch, settings),) = runs(session)
     assert sketch == live.document.page.sketch
-    assert settings == ModelSettings(focus=MIDDLE, previews=True)
+    assert settings == GridSettings(focus=MIDDLE, previews=True)
     assert [call[0] for call in session.calls] == ["prepare", "model"], (
         "the icons are made ready once"
     )
@@ -628,7 +628,7 @@ def test_an_edit_follows_its_areas_and_the_styles(editing, qtbot, session):
     rest(editing, qtbot, session)
     ((edit, settings),) = runs(session)
     assert edit == editing.document.page.edit()
-    assert settings == ModelSettings(
+    assert settings == GridSettings(
         styles=("medium", "dark"), focus=("dark", LAMBDAS[4]), previews=True
     )
     assert not editing.window().pane.notice.isVisible()
@@ -657,7 +657,7 @@ def test_the_pick_stays_while_a_run_goes_on_and_is_the_best_in_the_end(drawn, qt
 
     board, results = ResultsBrowser(), drawn.browser.results.pictures
     qtbot.addWidget(board)
-    settings = ModelSettings()
+    settings = GridSettings()
     scored = [
         replace(one, preview=False, icon=replace(one.icon, score=replace(
             one.icon.score, seam=0.1 + 0.8 * number / len(results))))

@@ -20,10 +20,10 @@ from iconstudio.gui.gallery.pictures import Display, SourcePicture
 from iconstudio.gui.panels.elided import ElidedLabel
 from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.model import Credit, Pictogram, Placement, Source
-from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.grid import GridSettings
 
-STYLES = ModelSettings().styles
-LAMBDAS = ModelSettings().lambdas
+STYLES = GridSettings().styles
+LAMBDAS = GridSettings().lambdas
 
 
 def cells(sketching, state):

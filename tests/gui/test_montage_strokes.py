@@ -19,7 +19,7 @@ from iconstudio.workflows.montage.montage import check
 pytest.importorskip("PySide6.QtGui")
 
 
-from iconstudio.workflows.montage.page import Icon, MontagePage
+from iconstudio.workflows.montage.page import IconShape, MontagePage
 from iconstudio.workflows.montage.strokes import carried, cut, strokes_of
 
 coordinate = st.floats(-60, CANVAS + 60)
@@ -42,7 +42,7 @@ def named(icon):
 
 
 def three_icons():
-    return MontagePage().with_icons(Icon(exemplar(n)) for n in range(3))
+    return MontagePage().with_icons(IconShape(exemplar(n)) for n in range(3))
 
 
 @settings(deadline=None, max_examples=150)
@@ -121,7 +121,7 @@ def test_strokes_go_with_their_icon_and_come_back(one, there, elsewhere):
 
 def test_a_stroke_stays_over_the_same_ink():
     icon = exemplar(3)
-    page = MontagePage().with_icons([Icon(icon)])
+    page = MontagePage().with_icons([IconShape(icon)])
     page = page.drawn(0, [Stroke(4.0, ((100.0, 150.0), (150.0, 190.0)))])
     moved = page.placed(0, Placement(0.5, True, 20, -10)).layers[0]
     assert moved.strokes[0].width == 2.0
@@ -132,7 +132,7 @@ def test_a_stroke_stays_over_the_same_ink():
 
 def test_a_stroke_that_is_enlarged_beyond_all_bounds_can_be_saved(tmp_path):
     icon = exemplar(3)
-    page = MontagePage().with_icons([Icon(icon)])
+    page = MontagePage().with_icons([IconShape(icon)])
     page = page.placed(0, Placement(0.1)).drawn(0, [Stroke(4.0, ((10.0, 128.0), (250.0, 128.0)))])
     page = page.placed(0, Placement(8.0))
     (layer,) = page.montage().layers

@@ -14,7 +14,7 @@ from iconstudio.gui.canvas.vector import painter_path
 from iconstudio.gui.gallery.pictures import Display, Picture, pictured, placed, stencil
 from iconstudio.gui.theme import icons, theme
 from iconstudio.model import CANVAS, Contour, Icon, Path, Placement, Polygon, Sketch
-from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.grid import GridSettings
 from tests.shapes import outline
 
 
@@ -97,7 +97,7 @@ def test_an_icon_is_drawn_as_its_path_at_any_size():
 def test_a_preview_is_shown_before_its_colour_code_is_made_and_a_result_with_it():
     sketch = Sketch(Polygon(tuple(SQUARE)), "bicycle")
     shown = []
-    for event in pictured(FakeSession().model(sketch, ModelSettings(previews=True)), "bicycle"):
+    for event in pictured(FakeSession().model(sketch, GridSettings(previews=True)), "bicycle"):
         if isinstance(event, Picture):
             assert ("coded" in vars(event)) != event.preview
             shown.append(event)

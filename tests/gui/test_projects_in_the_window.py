@@ -32,9 +32,9 @@ from iconstudio.project import archive
 from iconstudio.project.archive import SUFFIX
 from iconstudio.svg.reading import own_svg
 from iconstudio.workflows.editing.page import Area, EditPage, Kind
-from iconstudio.workflows.hybrids.page import Ask, HybridsPage, Ingredient
+from iconstudio.workflows.hybrids.page import HybridsPage, Ingredient, PickRequest
 from iconstudio.workflows.modelling.file import read_sketch
-from iconstudio.workflows.montage.page import Icon, MontagePage
+from iconstudio.workflows.montage.page import IconShape, MontagePage
 from iconstudio.workflows.registry import registered
 from tests.toy import MIRROR, Mirroring
 
@@ -86,10 +86,10 @@ def fill(window, qtbot, photo=None):
     )
     edit = EditPage(icon(1, OWN), "camera", areas, Axis.HORIZONTAL, frozenset({"shapes:ring-0"}))
     window.workspace_of("Edit").document.change("edit", edit)
-    page = MontagePage().with_icons([Icon(icon(2)), Icon(icon(1, OWN))]).ordered(1, 0)
+    page = MontagePage().with_icons([IconShape(icon(2)), IconShape(icon(1, OWN))]).ordered(1, 0)
     page = page.placed(0, Placement(1.25, True, 300, -7)).drawn(0, [Stroke(3.0, ((1.0, 2.0),))])
     window.workspace_of("Montage").document.change("montage", page.hidden(1, True))
-    ask = Ask("lamp", 4, Axis.VERTICAL, 3)
+    ask = PickRequest("lamp", 4, Axis.VERTICAL, 3)
     mix = HybridsPage((Ingredient(icon(3), ((4.0, 5.0),)), Ingredient(icon(1, OWN))), ask, 5, 6)
     window.workspace_of("Hybrids").document.change("mix", mix)
     mirrored = WorkPage(Mirroring((icon(5).pictogram, OWN)))

@@ -1,13 +1,16 @@
 """A workflow without a workspace of its own: on the switch, in the menus, and in Send to."""
 
 import json
+from dataclasses import replace
 
 import pytest
-from fake_session import exemplar
-from hands import shown, trace, type_keyword
+from fake_session import FakeSession, exemplar
+from hands import go_to, shown, trace, type_keyword
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
 
 from iconstudio.gui.window.main_window import MainWindow
-from iconstudio.workflows.registry import registered
+from iconstudio.workflows.registry import registered, workflows
 from tests.toy import MIRROR
 
 
@@ -19,8 +22,19 @@ def window(qtbot, session):
 
 @pytest.fixture
 def mirror(window):
-    window.show_workspace(4)
-    return window.workspace
+    return go_to(window, "Mirror")
+
+
+def chosen(place):
+    return [one.id for one in place.work_icons.sheet.model().entries]
+
+
+def with_remark(icon, text):
+    return replace(icon, pictogram=replace(icon.pictogram, remarks=(text,)))
+
+
+def json_of(place):
+    return [one.id for one in place.page.work.icons]
 
 
 def titles(place):
@@ -32,9 +46,9 @@ def menu(window, title):
 
 
 def test_it_is_on_the_switch_and_in_the_menus(window):
-    assert menu(window, "&View")[:5] == ["Sketch", "Edit", "Hybrids", "Montage", "Mirror"]
-    window.show_workspace(4)
-    assert window.workspace.workflow is MIRROR
+    names = [one.title for one in workflows()]
+    assert menu(window, "&View")[: len(names)] == names and "Mirror" in names
+    assert go_to(window, "Mirror").workflow is MIRROR
     assert {"New mirror image", "Import mirror image…", "Export mirror image as JSON…"} <= set(
         menu(window, "&File")
     )
@@ -42,7 +56,7 @@ def test_it_is_on_the_switch_and_in_the_menus(window):
 
 
 def test_a_chosen_icon_is_mirrored_at_once(mirror, qtbot):
-    mirror.chooser.chosen.emit(exemplar(1))
+    mirror.work_icons.chooser.chosen.emit(exemplar(1))
     qtbot.waitUntil(lambda: titles(mirror) == ["mirrored frame 1"])
     assert mirror.picture is mirror.results.pictures[0]
     assert mirror.picture.icon.credits == (exemplar(1).pictogram,)
@@ -75,18 +89,68 @@ def test_its_files_are_saved_and_opened(mirror, qtbot, tmp_path, monkeypatch):
     path = tmp_path / "mirror.json"
     monkeypatch.setattr(mirror.saver, "ask_path", lambda *_: path)
     for number in (1, 2):
-        mirror.chooser.chosen.emit(exemplar(number))
+        mirror.work_icons.chooser.chosen.emit(exemplar(number))
     mirror.actions_by_name["save"].trigger()
     qtbot.waitUntil(path.exists)
-    assert json.loads(path.read_text()) == {"mirrored": ["shapes:frame-1", "shapes:cross-2"]}
+    assert json.loads(path.read_text()) == {
+        "mirrored": ["shapes:frame-1", "shapes:cross-2"],
+        "workflow": "mirror",
+    }
     mirror.actions_by_name["new"].trigger()
     qtbot.waitUntil(lambda: titles(mirror) == [])
     mirror.opener.open_work(str(path))
     qtbot.waitUntil(lambda: len(titles(mirror)) == 2)
 
 
+def test_a_chosen_icon_is_taken_out_again(mirror, qtbot):
+    one, other = exemplar(1), exemplar(2)
+    for icon in (one, other, one):  # what is there already stays as it is
+        mirror.work_icons.chooser.chosen.emit(icon)
+    qtbot.waitUntil(lambda: chosen(mirror) == [one.id, other.id])
+    qtbot.waitUntil(lambda: len(titles(mirror)) == 2)
+    sheet = mirror.work_icons.sheet
+    sheet.setCurrentIndex(sheet.model().index(0))
+    QTest.keyClick(sheet, Qt.Key.Key_Delete)
+    qtbot.waitUntil(lambda: chosen(mirror) == [other.id])
+    qtbot.waitUntil(lambda: titles(mirror) == ["mirrored cross 2"])
+    assert json_of(mirror) == ["shapes:cross-2"]
+    sheet.chosen.emit(other)
+    qtbot.waitUntil(lambda: (chosen(mirror), titles(mirror)) == ([], []))
+    mirror.document.undo_stack.undo()
+    qtbot.waitUntil(lambda: titles(mirror) == ["mirrored cross 2"])
+    mirror.work_icons.chooser.released.emit(other)
+    qtbot.waitUntil(lambda: titles(mirror) == [])
+
+
+def test_delete_leaves_its_results_alone(mirror, qtbot):
+    mirror.work_icons.chooser.chosen.emit(exemplar(1))
+    qtbot.waitUntil(lambda: len(titles(mirror)) == 1)
+    mirror.results.setCurrentIndex(mirror.results.model().index(0))
+    QTest.keyClick(mirror.results, Qt.Key.Key_Delete)
+    assert len(titles(mirror)) == 1
+
+
+def test_remarks_on_its_icons_are_told(mirror, window, qtbot):
+    text = "Text was left out; turn it into shapes."
+    mirror.opener.add_icons([with_remark(exemplar(1), text)])
+    assert text in window.pane.notice.label.text()
+    qtbot.waitUntil(lambda: len(titles(mirror)) == 1)
+
+
+def test_one_that_takes_no_icons_says_so(qtbot):
+    bare = replace(MIRROR, name="bare", title="Bare", invitation="", with_icons=None)
+    with registered(bare), shown(MainWindow(FakeSession()), qtbot) as window:
+        place = go_to(window, "Bare")
+        assert place.work_icons is None
+        told = []
+        place.failed.connect(told.append)
+        place.take(exemplar(1).pictogram)
+        qtbot.waitUntil(lambda: bool(told))
+        assert told == ["“Bare” takes no icons. Open a file instead."]
+
+
 def test_its_results_are_saved_as_svg(mirror, qtbot, tmp_path, monkeypatch):
-    mirror.chooser.chosen.emit(exemplar(1))
+    mirror.work_icons.chooser.chosen.emit(exemplar(1))
     qtbot.waitUntil(lambda: len(titles(mirror)) == 1)
     path = tmp_path / "icon.svg"
     monkeypatch.setattr(mirror.saver, "ask_path", lambda *_: path)
@@ -97,7 +161,7 @@ def test_its_results_are_saved_as_svg(mirror, qtbot, tmp_path, monkeypatch):
 
 
 def test_what_has_no_sources_has_no_colour_code_to_save(mirror, window, qtbot):
-    mirror.chooser.chosen.emit(exemplar(1))
+    mirror.work_icons.chooser.chosen.emit(exemplar(1))
     qtbot.waitUntil(lambda: len(titles(mirror)) == 1)
     assert mirror.actions_by_name["png"].isEnabled()
     assert not mirror.actions_by_name["code_png"].isEnabled()

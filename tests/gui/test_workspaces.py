@@ -19,11 +19,11 @@ from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.sketching.workspace import SketchWorkspace
 from iconstudio.workflows.criteria import set_keyword
-from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.grid import GridSettings
 from iconstudio.workflows.modelling.page import SketchPage
 from iconstudio.workflows.modelling.spec import MODELLING
 
-LAMBDAS = ModelSettings().lambdas
+LAMBDAS = GridSettings().lambdas
 LEFT = Qt.MouseButton.LeftButton
 
 

@@ -59,3 +59,10 @@ def opened(make, tmp_path):
     yield open_of
     for collection in collections:
         collection.close()
+
+
+@pytest.fixture(scope="session")
+def bundled():
+    """The collection that comes with the program."""
+    with Collection.open() as collection:
+        yield collection

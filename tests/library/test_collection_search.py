@@ -10,7 +10,6 @@ from hypothesis.extra import numpy as hnp
 from small_world import icon_set, shape
 
 from iconstudio.library import search
-from iconstudio.library.collection import Collection
 from iconstudio.library.fingerprint import SIDE, WORDS, fingerprint, stack, unlikeness
 from iconstudio.library.words.naming import take_apart
 from iconstudio.model import IconstudioError
@@ -235,12 +234,6 @@ def test_fingerprint_ignores_place_and_size_but_not_filling():
     assert near < 0.1 and far > 0.4
     assert fingerprint(disc).blackness > 95 > 60 > fingerprint(one).blackness
     assert fingerprint(np.full((96, 96), 90, np.uint8)) is None
-
-
-@pytest.fixture(scope="module")
-def bundled(tmp_path_factory):
-    with Collection.open(cache=tmp_path_factory.mktemp("cache")) as collection:
-        yield collection
 
 
 @pytest.mark.parametrize(

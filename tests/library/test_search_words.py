@@ -79,6 +79,7 @@ def test_negations():
         ("dog-bowl", "bowl", COMPOUND),
         ("hot-dog", "dog", MENTION),
         ("hot-dog", "hot dog", EXACT),
+        ("tic-tac-toe", "toe", MENTION),
         ("table-lamp", "table lamp", EXACT),
         ("lamp-table", "table lamp", EXACT),
         ("tea-pot", "teapot", EXACT),
@@ -101,6 +102,11 @@ def test_readings(wordnet, name, term, tier):
         ("coffee knives", "coffee knife"),
         ("geese", "goose"),
         ("wolves", "wolf"),
+        ("toes", "toe"),
+        ("shoes", "shoe"),
+        ("heroes", "hero"),
+        ("lenses", "lens"),
+        ("bookshelves", "bookshelf"),
         ("feet", "foot"),
         ("teeth", "tooth"),
         ("policemen", "policeman"),
@@ -113,6 +119,14 @@ def test_readings(wordnet, name, term, tier):
 )
 def test_singulars(plural, singular):
     assert singular in singulars(plural)
+
+
+@pytest.mark.parametrize(
+    ("plural", "singular"),
+    [("toes", "toe"), ("waves", "wave"), ("caves", "cave"), ("roses", "rose"), ("boxes", "box")],
+)
+def test_the_likeliest_singular_comes_first(plural, singular):
+    assert next(iter(singulars(plural))) == singular
 
 
 @pytest.mark.parametrize("word", ["dogs", "glasses", "omen", "news", "beef"])

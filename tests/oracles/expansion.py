@@ -2,15 +2,15 @@
 
 One expansion lets every site keep its label or take the label alpha, and finds the best of all
 these labellings at once by a minimum cut; the energy never rises. Expansions of all labels are
-repeated until none helps. The program itself cuts by ``sweep``, many times as fast.
+repeated until none helps. The program itself cuts by ``alpha_expansion``, many times as fast.
 """
 
 import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.iconification.energy import Labels, RemixProblem
-from iconstudio.algorithms.iconification.lattice import Lattice
 from tests.oracles import maxflow
+from tests.oracles.lattice import Lattice
 
 
 def expand(

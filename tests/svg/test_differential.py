@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy.ndimage import binary_dilation
 
-from iconstudio.algorithms.iconification.style import two_toned
+from iconstudio.algorithms.iconification.style import has_pale_areas
 from iconstudio.library.collection import Collection
 from iconstudio.svg.rasterise import rasterise
 from iconstudio.svg.reading import own_svg
@@ -19,11 +19,10 @@ SETS = ("lucide", "mdi", "tabler", "ph", "carbon", "fluent", "material-symbols",
 EACH = 30
 
 
-def compared(pictogram):
+def compared(pictogram, alone):
     """How far the two ways agree; runs in a worker process."""
     read = own_svg(pictogram.svg.encode(), "icon.svg")
     _, drawn = rasterise(read.svg)
-    _, alone = rasterise(pictogram.svg)
     return pictogram.id, overlap(drawn > 127, alone > 127), astray(drawn, alone), read.remarks
 
 
@@ -35,9 +34,13 @@ def astray(one, other):
     return lost.sum() / (inks[0] | inks[1]).sum()
 
 
-def _is_plain(pictogram):
-    """Whether it has no pale layer, which files of one's own show as well."""
-    return "duotone" not in pictogram.id and not two_toned(rasterise(pictogram.svg)[1])
+def plain(pictograms):
+    """Yield those that have no pale layer, which own files show as well, each with its picture."""
+    for pictogram in pictograms:
+        if "duotone" not in pictogram.id:
+            _, alone = rasterise(pictogram.svg)
+            if not has_pale_areas(alone):
+                yield pictogram, alone
 
 
 @pytest.fixture(scope="module")
@@ -48,15 +51,14 @@ def some():
             rows = collection._rows("SELECT id FROM icon WHERE id GLOB ?", (f"{name}:*",))
             ids = sorted(row[0] for row in rows)
             random.Random(name).shuffle(ids)
-            icons = filter(_is_plain, map(collection.get, ids))
-            chosen += islice(icons, EACH)
+            chosen += islice(plain(map(collection.get, ids)), EACH)
     return chosen
 
 
 @pytest.mark.timeout(600)
 def test_three_hundred_icons_of_ten_sets_look_as_the_renderer_draws_them(some):
     with Workers() as workers:
-        found = [one.result() for one in [workers.submit(compared, icon) for icon in some]]
+        found = [one.result() for one in [workers.submit(compared, *icon) for icon in some]]
     assert len(found) == EACH * len(SETS)
     assert not [one for one in found if one[3]]
     assert np.median([one[1] for one in found]) > 0.995

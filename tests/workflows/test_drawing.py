@@ -12,7 +12,7 @@ from scipy import ndimage
 
 from iconstudio.algorithms.iconification.energy import placed_sources
 from iconstudio.algorithms.iconification.fragments import fragments
-from iconstudio.algorithms.iconification.redraw import SCALE, erase, redraw, two_tone
+from iconstudio.algorithms.iconification.redraw import SCALE, binarised, erase, redraw
 from iconstudio.algorithms.raster import inked_tiles
 from iconstudio.model import CANVAS, Exemplar, Frame, Path, Placement, Source
 from iconstudio.svg.rasterise import rasterise
@@ -64,7 +64,7 @@ def whole(labels, sources, scale):
     for label in np.unique(labels):
         one = sources[label]
         svg, frame = one.exemplar.pictogram.svg, one.exemplar.frame
-        coverages[int(label)] = two_tone(render_placed(svg, frame, one.placement, scale * CANVAS))
+        coverages[int(label)] = binarised(render_placed(svg, frame, one.placement, scale * CANVAS))
     return redraw(labels, coverages)
 
 

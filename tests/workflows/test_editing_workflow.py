@@ -9,7 +9,7 @@ from iconstudio.svg.resvg import render_placed
 from iconstudio.workers import Workers
 from iconstudio.workflows.editing.editing import edit_icon, own_styles, place_edit
 from iconstudio.workflows.events import Recommended, StyleMatched
-from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.grid import GridSettings
 from tests.shapes import blob, exemplar, icons
 
 YS, XS = np.mgrid[:CANVAS, :CANVAS] + 0.5
@@ -34,7 +34,7 @@ EDIT = Edit(ICON.pictogram, "body", add=(rectangle(60, 60, 110, 100),))
 def events():
     others = [exemplar(blob(seed), f"blob-{seed}") for seed in range(3)]
     prepared = Matcher([prepare(one) for one in (ICON, WITH_KNOB, *others)])
-    settings = ModelSettings(styles=("dark",), lambdas=(0.05, 0.3))
+    settings = GridSettings(styles=("dark",), lambdas=(0.05, 0.3))
     with Workers() as workers:
         change = place_edit(EDIT, ICON)
         return list(edit_icon(EDIT, change, prepared, settings, workers, render_placed))

@@ -10,7 +10,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from iconstudio.model import Composite, Drawing, Remix, Score
+from iconstudio.model import Composite, Drawing, Icon, Remix, Score
+from iconstudio.model import Path as IconPath
 from iconstudio.workflows.estimating import Estimate, estimated, spoken
 from iconstudio.workflows.events import Progress, Recommended, Result, StyleMatched, StyleSkipped
 
@@ -28,7 +29,7 @@ class Clock:
 def result(row, cut, drawn=0.0, preview=False):
     composite = Composite(row, 1.0, (), np.zeros((0, 0), np.uint8), 0.0, 0.0, 0.0, (), None)
     icon = Remix.of(composite, Drawing(Path(), composite.labels), Score(1, 1, 1, 1, 1))
-    return Result(icon, cut, drawn, preview)
+    return Result(icon, {"remix": cut, "vectorize": drawn}, preview)
 
 
 def played(timed, clock):
@@ -223,3 +224,13 @@ def test_events_pass_and_closing_ends_the_run():
 )  # fmt: skip
 def test_words(seconds, words):
     assert spoken(seconds) == words
+
+
+def test_a_run_of_other_icons_goes_on_as_it_has():
+    other = Result(Icon(IconPath(()), "other"))
+    timed = [(0, Progress("look", 0.5, "")), (4, Progress("make", 0.0, ""))]
+    for number in range(1, 9):
+        timed += [(4 + number, other), (4 + number, Progress("make", number / 8, ""))]
+    remaining = [left for _, left in told(timed)]
+    assert remaining[:2] == [None, None]
+    assert remaining[2:] == pytest.approx([7, 6, 5, 4, 3, 2, 1, 0])

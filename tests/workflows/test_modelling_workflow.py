@@ -13,7 +13,7 @@ from iconstudio.workflows.events import (
     StyleMatched,
     StyleSkipped,
 )
-from iconstudio.workflows.grid import ModelSettings, distinct
+from iconstudio.workflows.grid import GridSettings, distinct
 from iconstudio.workflows.modelling.modelling import FEWEST, model
 from tests.shapes import blob, exemplar, icons
 
@@ -42,7 +42,7 @@ def prepared():
 @pytest.fixture(scope="module")
 def events(prepared, workers):
     sketch = Sketch(HOUSE, "house")
-    settings = ModelSettings(styles=("lightest", "dark"), lambdas=(0.05, 0.75))
+    settings = GridSettings(styles=("lightest", "dark"), lambdas=(0.05, 0.75))
     return list(model(sketch, prepared, settings, workers, render_placed))
 
 
@@ -102,7 +102,7 @@ def test_a_result_adds_up(events):
 
 
 def test_closing_the_generator_stops_the_work(prepared, workers):
-    run = model(Sketch(HOUSE, "house"), prepared, ModelSettings(), workers, render_placed)
+    run = model(Sketch(HOUSE, "house"), prepared, GridSettings(), workers, render_placed)
     for event in run:
         if isinstance(event, StyleMatched):
             break
@@ -111,7 +111,7 @@ def test_closing_the_generator_stops_the_work(prepared, workers):
 
 
 def test_unknown_styles_are_refused(prepared, workers):
-    settings = ModelSettings(styles=("shiny",))
+    settings = GridSettings(styles=("shiny",))
     with pytest.raises(IconstudioError, match=r"shiny.*lightest, light, medium, dark"):
         next(model(Sketch(HOUSE), prepared, settings, workers, render_placed))
 
@@ -129,7 +129,7 @@ def test_a_remix_of_two_halves_joins_them(workers):
         + [(128 + 88 * np.sin(a), 128 - 88 * np.cos(a)) for a in np.linspace(0, np.pi, 40)]
         + [(40, 216)]
     )
-    settings = ModelSettings(styles=("dark",), lambdas=(0.03,), scales=(1.0,))
+    settings = GridSettings(styles=("dark",), lambdas=(0.03,), scales=(1.0,))
     matcher = Matcher([prepare(one, (1.0,)) for one in shapes])
     run = model(Sketch(outline), matcher, settings, workers, render_placed)
     (result,) = icons(run)
@@ -148,7 +148,7 @@ def test_few_exemplars_that_are_unlike_the_sketch_are_skipped(workers):
     for number, bar in enumerate(bars):
         bar[120 : 126 + number, 16:240] = True
     prepared = Matcher([prepare(exemplar(bar, f"bar-{n}"), (1.0,)) for n, bar in enumerate(bars)])
-    settings = ModelSettings(styles=("dark",), lambdas=(0.1,), scales=(1.0,))
+    settings = GridSettings(styles=("dark",), lambdas=(0.1,), scales=(1.0,))
     square = Polygon.of([(0, 0), (9, 0), (9, 9), (0, 9)])
     (skipped,) = of(
         StyleSkipped, list(model(Sketch(square), prepared, settings, workers, render_placed))

@@ -2,6 +2,7 @@
 
 import os
 import time
+from dataclasses import replace
 
 import pytest
 
@@ -11,9 +12,9 @@ from iconstudio.model import CANVAS, Polygon, Sketch
 from iconstudio.svg.resvg import render_placed
 from iconstudio.workers import Workers
 from iconstudio.workflows.events import Progress, Recommended, Result
-from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.grid import GridSettings
 from iconstudio.workflows.modelling.modelling import model
-from iconstudio.workflows.workflow import FINE
+from iconstudio.workflows.remixing import FINE
 from tests.shapes import blob, exemplar, icons
 
 SKETCH = Sketch(Polygon.of([(30, 30), (220, 40), (200, 230), (60, 210)]), "blob")
@@ -36,12 +37,19 @@ def results(events):
     return [event for event in events if isinstance(event, Result)]
 
 
+def first(events):
+    """The first result of a run that ends with it."""
+    found = next(event for event in events if isinstance(event, Result))
+    events.close()
+    return found
+
+
 def cells(events):
     return [(one.composite.style, one.composite.lambda_s) for one in icons(events)]
 
 
 def run(prepared, workers, **settings):
-    wanted = ModelSettings(lambdas=LAMBDAS, **settings)
+    wanted = GridSettings(lambdas=LAMBDAS, **settings)
     return list(model(SKETCH, prepared, wanted, workers, render_placed))
 
 
@@ -77,9 +85,10 @@ def test_without_its_style_the_focus_is_still_a_lambda_s(prepared, workers):
 
 
 def test_a_fine_result_is_of_the_same_shape(prepared, workers):
-    settings = {"styles": ("dark",), "focus": ("dark", 0.2)}
-    (plain, *_), (fine, *_) = (
-        results(run(prepared, workers, side=side, **settings)) for side in (CANVAS, FINE)
+    settings = GridSettings(lambdas=LAMBDAS, styles=("dark",), focus=("dark", 0.2))
+    plain, fine = (
+        first(model(SKETCH, prepared, replace(settings, side=side), workers, render_placed))
+        for side in (CANVAS, FINE)
     )
     assert fine.icon.composite.labels.shape == (FINE, FINE)
     assert fine.icon.drawing.coverage.shape == plain.icon.drawing.coverage.shape
@@ -94,7 +103,7 @@ def pid():
 
 def test_closing_a_run_stops_it_and_its_process_lives_on(prepared, workers):
     before = workers.submit(pid).result(timeout=60)
-    settings = ModelSettings(focus=("dark", 0.2), previews=True)
+    settings = GridSettings(focus=("dark", 0.2), previews=True)
     events = model(SKETCH, prepared, settings, workers, render_placed)
     next(event for event in events if isinstance(event, Result))
     assert workers.load(0) > 0

@@ -1,4 +1,6 @@
-"""Soft borders between the regions of a label map: how much each owner has to say near them.
+"""Soft borders between the regions of a label map: each owner's share near them.
+
+An addition to section 3.4, which traces the label map as it is.
 
 The regions are blurred, and all shares sum to 1. A *block* is the square of drawn pixels that one
 label covers.
@@ -21,8 +23,8 @@ Blocks = NDArray[np.intp]
 
 
 @dataclass(frozen=True, eq=False)
-class Share:
-    """How much one owner has to say, in a window of the label map around its region."""
+class SoftRegion:
+    """A region with soft borders: its owner's share of the pixels of a window of the label map."""
 
     label: int
     window: Window
@@ -55,8 +57,8 @@ def regions(labels: Labels) -> dict[int, Window]:
     return {label: window for label, window in enumerate(found) if window is not None}
 
 
-def shares(labels: Labels, fade: float, reach: int) -> Iterator[Share]:
-    """Yield each owner's share.
+def soft_regions(labels: Labels, fade: float, reach: int) -> Iterator[SoftRegion]:
+    """Yield each owner's region.
 
     Parameters
     ----------
@@ -76,7 +78,7 @@ def shares(labels: Labels, fade: float, reach: int) -> Iterator[Share]:
         )
         own = (labels[ys, xs] == label).astype(np.float32)
         soft = scipy.ndimage.gaussian_filter(own, fade * m / CANVAS, radius=radius)
-        yield Share(label, (ys, xs), np.pad(soft, 1, mode="edge"))
+        yield SoftRegion(label, (ys, xs), np.pad(soft, 1, mode="edge"))
 
 
 def enlarged(window: Window, s: int) -> Window:

@@ -1,4 +1,7 @@
-"""The energy of a remix (section 3.4, equations 5 to 8)."""
+"""The costs of a remix: data and smoothness (section 3.4, equations 6 to 8).
+
+Their sum for a lambda_S, F(L) of equation 5, is ``alpha_expansion.Found.energy``.
+"""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

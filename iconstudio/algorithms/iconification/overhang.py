@@ -1,5 +1,7 @@
 """What reaches past the canvas: drawn whole where its source owns the border.
 
+An addition to section 3.4.
+
 A labelling ends where the canvas does. A source that owns ink at the border would be sliced flat
 there. So the label map is continued: what hangs together, beyond the border, with ink that a source
 owns at the border belongs to that source; all else beyond is nobody's.

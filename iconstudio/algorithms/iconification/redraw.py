@@ -19,12 +19,12 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.iconification.blending import (
     Blocks,
-    Share,
+    SoftRegion,
     at,
     enlarged,
     in_blocks,
     regions,
-    shares,
+    soft_regions,
     spread,
 )
 from iconstudio.algorithms.iconification.energy import Labels
@@ -45,7 +45,7 @@ apart: contours are known where they cross between pixels."""
 
 
 @dataclass(frozen=True, eq=False)
-class _Voice:
+class _Contribution:
     """What one owner contributes to the pixels in doubt."""
 
     coverage: NDArray[np.uint8]
@@ -72,25 +72,25 @@ def redraw(labels: Labels, coverages: Mapping[int, NDArray[np.uint8]]) -> NDArra
     (n, n) uint8, 255 = ink
     """
     joined = _plain(labels, coverages)
-    found = list(shares(labels, FADE, REACH))
+    found = list(soft_regions(labels, FADE, REACH))
     if len(found) == 1:
         return joined
     blocks = np.argwhere(_doubtful(labels, coverages, found))
     s = len(joined) // len(labels)
-    voices = []
-    for share in found:
-        rows = share.rows(blocks)
+    contributions = []
+    for region in found:
+        rows = region.rows(blocks)
         if len(rows):
-            weights = share.weights(blocks[rows], s)
-            voices.append(_Voice(coverages[share.label], rows, weights))
+            weights = region.weights(blocks[rows], s)
+            contributions.append(_Contribution(coverages[region.label], rows, weights))
     mean, inked = np.zeros((2, len(blocks), s, s), dtype=np.float32)
-    for voice in voices:
-        own = in_blocks(voice.coverage, s)[at(blocks[voice.rows])]
-        mean[voice.rows] += voice.weights * own
-        inked[voice.rows] += voice.weights * (own > 127)
+    for one in contributions:
+        own = in_blocks(one.coverage, s)[at(blocks[one.rows])]
+        mean[one.rows] += one.weights * own
+        inked[one.rows] += one.weights * (own > 127)
     # Where all owners agree, so does any mean of their distance fields: only the rest needs them.
     disagreed = (inked > _AGREED) & (inked < 1 - _AGREED)
-    distance = _faded(blocks, voices, disagreed)
+    distance = _faded(blocks, contributions, disagreed)
     mean[disagreed] = 255 * np.clip(0.5 - distance[disagreed], 0, 1)
     in_blocks(joined, s)[at(blocks)] = mean.round()
     return joined
@@ -109,27 +109,27 @@ def _plain(labels: Labels, coverages: Mapping[int, NDArray[np.uint8]]) -> NDArra
 
 
 def _doubtful(
-    labels: Labels, coverages: Mapping[int, NDArray[np.uint8]], found: list[Share]
+    labels: Labels, coverages: Mapping[int, NDArray[np.uint8]], found: list[SoftRegion]
 ) -> NDArray[np.bool_]:
     """Find the blocks, (m, m) bool, whose owners are not all white there, nor all black."""
     owners = np.zeros(labels.shape, dtype=np.uint8)
     some, every = np.zeros(labels.shape, dtype=bool), np.ones(labels.shape, dtype=bool)
-    for share in found:
-        coverage = coverages[share.label]
+    for region in found:
+        coverage = coverages[region.label]
         s = len(coverage) // len(labels)
         # The s pixels of a row of a block as one number.
-        rows = np.ascontiguousarray(coverage[enlarged(share.window, s)]).view(f"u{s}")
+        rows = np.ascontiguousarray(coverage[enlarged(region.window, s)]).view(f"u{s}")
         rows = rows.reshape(-1, s, rows.shape[1])
-        touched = share.touched
-        owners[share.window] += touched
-        some[share.window] |= touched & (np.bitwise_or.reduce(rows, axis=1) != 0)
+        touched = region.touched
+        owners[region.window] += touched
+        some[region.window] |= touched & (np.bitwise_or.reduce(rows, axis=1) != 0)
         black = np.bitwise_and.reduce(rows, axis=1) == np.iinfo(rows.dtype).max
-        every[share.window] &= black | ~touched
+        every[region.window] &= black | ~touched
     return (owners > 1) & some & ~every
 
 
 def _faded(
-    blocks: Blocks, voices: list[_Voice], disagreed: NDArray[np.bool_]
+    blocks: Blocks, contributions: list[_Contribution], disagreed: NDArray[np.bool_]
 ) -> NDArray[np.float32]:
     """Return the mean of the owners' signed distances at the pixels of blocks, (b, s, s).
 
@@ -141,12 +141,12 @@ def _faded(
     mean = np.zeros(disagreed.shape, dtype=np.float32)
     concerned: NDArray[np.bool_] = np.logical_or.reduce(disagreed, axis=(1, 2))
     fields = []
-    for voice in voices:
-        here = concerned[voice.rows]
-        rows, weights = voice.rows[here], voice.weights[here]
+    for one in contributions:
+        here = concerned[one.rows]
+        rows, weights = one.rows[here], one.weights[here]
         if len(rows):
             corners = blocks[rows] * s
-            field = SignedDistance(voice.coverage, corners, s)
+            field = SignedDistance(one.coverage, corners, s)
             mean[rows] += weights * field.at(corners + middle)[:, None, None]
             fields.append((field, rows, weights))
     close = disagreed & (abs(mean) < 1 + _ROUGH + np.sqrt(2) * middle)
@@ -207,7 +207,7 @@ def _contour(coverage: NDArray[np.uint8]) -> NDArray[np.float64]:
     return np.concatenate(found)
 
 
-def two_tone(coverage: NDArray[np.uint8]) -> NDArray[np.uint8]:
+def binarised(coverage: NDArray[np.uint8]) -> NDArray[np.uint8]:
     """Make a drawing (h, w) uint8 ink or paper, but for the soft edge between the two.
 
     A duotone's pale layer is no ink, and its dark one is all ink (section 3.1: black and white).

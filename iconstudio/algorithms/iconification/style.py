@@ -33,7 +33,7 @@ STYLES = (
 """The table of section 3.5."""
 
 
-def two_toned(coverage: NDArray[np.uint8]) -> bool:
+def has_pale_areas(coverage: NDArray[np.uint8]) -> bool:
     """Whether a drawing (h, w) uint8 has pale areas, not only soft edges.
 
     A pale layer is no ink (section 3.1: black and white), so what is left of such an icon may be a

@@ -1,5 +1,7 @@
 """Labellings of one problem as beginnings for another: what was found before an edit (live mode).
 
+An addition to section 3.4.
+
 After an edit of the outline most sources stay, some move, some go. A labelling of the problem
 before is still a good place to begin the next search.
 """

@@ -12,7 +12,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.scanning.flat import flat_drawing
+from iconstudio.algorithms.scanning.flat import flat_drawing, on_nothing
 from iconstudio.algorithms.scanning.free import LARGE, free_drawing
 from iconstudio.algorithms.scanning.margin import with_margin
 from iconstudio.algorithms.scanning.paper import lighting, page, trend
@@ -46,6 +46,9 @@ _BLACK = 0.1
 """A channel of the paper that is darker tells of noise alone."""
 _PLAIN = 0.25
 """Colours that differ by no more are one."""
+
+_BEYOND = 2
+"""Pixels beyond the edge of a small picture that are taken for paper."""
 
 _Seeing = Callable[[NDArray[np.float32]], NDArray[np.float32]]
 """Tells how dark a picture is, of its colours."""
@@ -136,6 +139,8 @@ def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
 
     These tell only if nobody says whether it is lighter than its ground.
     """
+    if inverted is None:
+        pixels = on_nothing(pixels)
     if not inverted:
         pixels = with_margin(pixels)
     drawing = _coloured_drawing(pixels) if inverted is None else None
@@ -247,7 +252,13 @@ def _enlarged(dark: NDArray[np.float32], shape: tuple[int, ...]) -> NDArray[np.f
     if threshold is None:
         return resized(dark, shape)
     whole = 2 * threshold
-    return whole * reconstructed(np.clip(dark / whole, 0, 1), shape)
+    ink = np.pad(np.clip(dark / whole, 0, 1), _BEYOND)
+    scale = shape[0] / dark.shape[0]
+    larger = reconstructed(
+        np.stack([ink, 1 - ink]), tuple(round(side * scale) for side in ink.shape)
+    )
+    at = round(_BEYOND * scale)
+    return whole * larger[0, at : at + shape[0], at : at + shape[1]]
 
 
 def _bounds(dark: NDArray[np.float32]) -> tuple[int, int, int, int] | None:

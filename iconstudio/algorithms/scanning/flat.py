@@ -7,13 +7,22 @@ appears between two. What is lit unevenly, shaded or drawn with a pencil has no 
 even ground.
 """
 
+from itertools import combinations
+
 import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.scanning.blending import unblended
 from iconstudio.algorithms.scanning.free import FILLED, has_colours, on_square, scaled
 from iconstudio.algorithms.scanning.margin import PAPER
-from iconstudio.algorithms.scanning.palette import CLEAR, Palette, is_in_one_colour, palette_of
+from iconstudio.algorithms.scanning.palette import (
+    CLEAR,
+    SMALL,
+    Palette,
+    is_in_one_colour,
+    palette_of,
+)
 from iconstudio.algorithms.scanning.resampling import (
     premultiplied,
     reconstructed,
@@ -26,17 +35,20 @@ from iconstudio.algorithms.tones.tone import pictogram
 
 _LONGEST = 384
 """Pixels of the longer side of the bitmap that is looked at."""
-_TINY = 64
-"""Pixels of the longer side of a bitmap in which there is as much of edges as of colours."""
-_MISSED, _LOSSY = 0.04, 0.15
+_MISSED, _MISSED_SMALL, _LOSSY = 0.04, 0.08, 0.15
 """Part of the drawing that may be of other colours than those of the palette and their blends; in
-lossy files, edges are."""
+small bitmaps, more lies where colours meet; in lossy files, edges do."""
 _ASTRAY = 28.0
 """Levels by which a pixel misses its blend if it is no such blend."""
 _LACKING = 4
 """Colours of lines and dots that are added to a palette, at most."""
 _ABSENT = 14.0
 """Levels that it costs to blend a colour that no even area near has."""
+_GROUND = 0.9
+"""How much of a pixel at the edge of a drawing is ground, at most."""
+_PURE, _BY_DEGREES = 0.9, 0.045
+"""How much of a pixel has one colour, if it is no blend; what part of a drawing may be blends in
+the midst of blends."""
 _NEAR = 7
 """Pixels across, of what is near."""
 _AROUND = 0.97
@@ -74,8 +86,8 @@ def flat_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
         return None
     small = shrunk(pixels, -(-max(pixels.shape[:2]) // _LONGEST)) * np.float32(255)
     blended = premultiplied(small)
-    tiny = max(pixels.shape[:2]) <= _TINY and pixels.shape[2] == 4
-    if tiny and is_in_one_colour(blended):
+    free = pixels.shape[2] == 4
+    if free and max(pixels.shape[:2]) <= SMALL and is_in_one_colour(blended):
         return None
     palette = palette_of(blended)
     if palette is None:
@@ -91,8 +103,35 @@ def flat_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
         if palette.noise(ground, blended) > _CLEAN:
             return None
         palette = _without_fading(palette, ground)
-    palette, parts = _completed(blended, palette)
-    return None if parts is None else _painted(parts, palette, ground, around < _AROUND)
+    completed, parts = _completed(blended, palette)
+    if parts is None:
+        return None
+    away = abs(completed.colours - palette.colours[ground]).max(axis=1)
+    return _painted(parts, completed, int(away.argmin()), around < _AROUND)
+
+
+def on_nothing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """Return lines in one colour on white, on a small bitmap (h, w, 3), as the same on nothing.
+
+    What is given is (h, w, 4); any other bitmap is as it is.
+    """
+    if pixels.shape[2] == 4 or not 8 <= min(pixels.shape[:2]) <= max(pixels.shape[:2]) <= SMALL:
+        return pixels
+    blended = premultiplied(pixels.astype(np.float32))
+    if not _is_sparse(blended) or not is_in_one_colour(blended):
+        return pixels
+    away = (255 - blended[..., :3]).max(axis=2)
+    alpha = np.rint(np.clip((away - away.min()) / np.ptp(away), 0, 1) * 255).astype(np.uint8)
+    return np.dstack([np.zeros_like(pixels), alpha])
+
+
+def _is_sparse(blended: NDArray[np.float32]) -> bool:
+    """Whether what is on white paper fills so little of its bounding box as lines do."""
+    ink = blended.min(axis=2) <= PAPER
+    rows, columns = np.flatnonzero(ink.any(axis=1)), np.flatnonzero(ink.any(axis=0))
+    if not len(rows):
+        return False
+    return bool(ink[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1].mean() < _SPARSE)
 
 
 def _completed(
@@ -102,14 +141,29 @@ def _completed(
 
     None if too much is of other colours still.
     """
-    most = _MISSED if palette.is_exact(blended) else _LOSSY
-    parts, amiss = _parts(blended, palette, most)
+    small = max(blended.shape) <= SMALL
+    exact = _MISSED_SMALL if small else _MISSED
+    most = exact if palette.is_exact(blended) else _LOSSY
+    few = most / 4 if small else most
+    parts, amiss, lacking = _parts(blended, palette)
     for _ in range(_LACKING):
-        if amiss is None:
+        if lacking is None or amiss <= few:
             break
-        palette = palette.with_colour(amiss)
-        parts, amiss = _parts(blended, palette, most)
-    return palette, parts if amiss is None else None
+        palette = palette.with_colour(lacking)
+        if small:
+            palette = palette.without_blends(blended)
+        parts, amiss, lacking = _parts(blended, palette)
+    free = small and bool((palette.colours[:, 3] < CLEAR).any())
+    if amiss > most or (free and _change_by_degrees(parts)):
+        return palette, None
+    return palette, parts
+
+
+def _change_by_degrees(parts: NDArray[np.float32]) -> bool:
+    """Whether colours go over into each other within areas, as those of steep gradients do."""
+    mixed = scipy.ndimage.binary_erosion(parts.max(axis=0) < _PURE, np.ones((3, 3)))
+    drawn = parts.argmax(axis=0) != parts.sum(axis=(1, 2)).argmax()
+    return bool(mixed.sum() > _BY_DEGREES * drawn.sum())
 
 
 def _is_full_bleed(
@@ -200,49 +254,38 @@ def _without_fading(palette: Palette, ground: int) -> Palette:
 
 
 def _parts(
-    blended: NDArray[np.float32], palette: Palette, most: float
-) -> tuple[NDArray[np.float32], NDArray[np.float32] | None]:
-    """Return how much of each pixel has each colour, (k, h, w), and a colour that is lacking.
+    blended: NDArray[np.float32], palette: Palette
+) -> tuple[NDArray[np.float32], float, NDArray[np.float32] | None]:
+    """Return how much of each pixel has each colour, (k, h, w).
 
-    Up to ``most`` of the drawing may be of no such blend.
+    Also how much of the drawing is no blend of two of them, or, if it is small, of three; and the
+    colour of its pixel that is farthest from any.
     """
     count = len(palette.colours)
     parts = (np.arange(count)[:, None, None] == palette.number).astype(np.float32)
     near = np.stack([scipy.ndimage.maximum_filter(one, _NEAR) for one in parts]) > 0
     mixed = palette.number < 0
-    pixels, beside = blended[mixed], near[:, mixed]
+    pixels, absent = blended[mixed], ~near[:, mixed]
     colours = [palette.at(one, mixed) for one in range(count)]
     best = np.full(len(pixels), np.inf, np.float32)
-    first, second = np.zeros((2, len(pixels)), np.intp)
-    share = np.zeros(len(pixels), np.float32)
-    missed = best.copy()
-    for one in range(count):
-        for other in range(one):
-            way = colours[one] - colours[other]
-            length = np.maximum(np.einsum("nc,nc->n", way, way), 1)
-            rest = pixels - colours[other]
-            at = np.clip(
-                np.einsum("nc,nc->n", rest, np.broadcast_to(way, rest.shape)) / length, 0, 1
-            )
-            rest -= at[:, None] * way
-            away = np.einsum("nc,nc->n", rest, rest)
-            absent = (~beside[one] & (at > 0.1)) + 1 * (~beside[other] & (at < 0.9))
-            cost = away + absent * _ABSENT**2
-            better = cost < best
-            best = np.where(better, cost, best)
-            missed = np.where(better, away, missed)
-            first, second = np.where(better, one, first), np.where(better, other, second)
-            share = np.where(better, at, share)
-    drawn = (palette.number != palette.counts.argmax()).sum()
-    lacking = None
-    if (missed > _ASTRAY**2).sum() > most * drawn:
-        lacking = pixels[missed.argmax()]  # the farthest from all others blends the least
-    values = np.zeros((count, len(pixels)), np.float32)
-    index = np.arange(len(pixels))
-    values[first, index] = share
-    values[second, index] += 1 - share
+    missed, values = best.copy(), np.zeros((count, len(pixels)), np.float32)
+    for size in (1, 2, 3) if max(mixed.shape) <= SMALL else (1, 2):
+        # What two colours blend is no blend of three.
+        open_ = np.flatnonzero(missed > _ASTRAY**2) if size > 2 else np.arange(len(pixels))
+        for some in combinations(range(count), size):
+            corners = [c if len(c) == 1 else c[open_] for c in (colours[one] for one in some)]
+            shares, away = unblended(pixels[open_], corners)
+            lacks = absent[list(some)][:, open_] & (shares > 0.1)
+            cost = away + lacks.sum(axis=0) * np.float32(_ABSENT**2)
+            better = cost < best[open_]
+            at = open_[better]
+            best[at], missed[at] = cost[better], away[better]
+            values[:, at] = 0
+            values[np.ix_(some, at)] = shares[:, better]
     parts[:, mixed] = values
-    return parts, lacking
+    drawn = (palette.number != palette.counts.argmax()).sum()
+    amiss = float((missed > _ASTRAY**2).sum() / max(drawn, 1))
+    return parts, amiss, pixels[missed.argmax()] if amiss else None
 
 
 def _painted(
@@ -253,7 +296,7 @@ def _painted(
     The colour of the ground counts as one if it lies on a tile. ``cut`` drawings reach the edge of
     the bitmap.
     """
-    drawn = parts[ground] < 0.5
+    drawn = parts[ground] < _GROUND
     rows, columns = np.flatnonzero(drawn.any(axis=1)), np.flatnonzero(drawn.any(axis=0))
     if not len(rows):
         return None
@@ -298,12 +341,7 @@ def _at(
     shape: tuple[int, ...],
 ) -> tuple[NDArray[np.intp], NDArray[np.float32]]:
     """Return the number (h, w) of each pixel's colour at another resolution, and it (h, w, 4)."""
-    best = np.full(shape, -np.inf, np.float32)
-    labels = np.zeros(shape, np.intp)
-    for number, one in enumerate(parts):
-        here = reconstructed(one, shape)
-        labels = np.where(here > best, number, labels)
-        best = np.maximum(here, best)
+    labels = reconstructed(np.stack(parts), shape).argmax(axis=0)
     colours = palette.colours[labels]
     for number, shade in shades.items():
         at = labels == number

@@ -4,7 +4,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.scanning.palette import CLEAR, evenly_painted
-from iconstudio.algorithms.scanning.resampling import premultiplied, resized, shrunk
+from iconstudio.algorithms.scanning.resampling import (
+    premultiplied,
+    reconstructed,
+    resized,
+    shrunk,
+)
 from iconstudio.algorithms.tones.layers import flattened
 
 SIDE = 512
@@ -15,6 +20,8 @@ FILLED = 0.94
 """How much of the longer side of the drawing is not air."""
 _SMALL, _PAINTED = 64, 0.5
 """Of a drawing that is longer than the one, so much is evenly painted at least; photos are not."""
+_OPAQUE = 243.0
+"""Levels of alpha of what is opaque."""
 _APART, _PART = 30.0, 0.015
 """Levels by which two colours of a drawing differ, and the least part that the second one has."""
 
@@ -41,7 +48,20 @@ def free_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
         return None
     if not has_colours(blended[even]):
         return None
-    return on_square(resized(blended, scaled(blended.shape[:2], FILLED / max(blended.shape[:2]))))
+    larger = resized(blended, scaled(blended.shape[:2], FILLED / max(blended.shape[:2])))
+    layered = blended[..., 3][even & shown].min() < _OPAQUE
+    return on_square(larger if layered else _with_edges(larger, blended[..., 3] / np.float32(255)))
+
+
+def _with_edges(larger: NDArray[np.float32], alpha: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Return an enlarged drawing whose edges are as sharp as those of a large one.
+
+    What its ``alpha`` (h, w) tells of are edges, and no layers that are hardly opaque.
+    """
+    inside = reconstructed(np.stack([alpha, 1 - alpha]), larger.shape[:2])[0] > 0.5
+    straight = larger * (np.float32(255) / np.maximum(larger[..., 3:], 1))
+    sharp: NDArray[np.float32] = np.where(inside[..., None], straight, np.float32(0))
+    return sharp
 
 
 def scaled(shape: tuple[int, ...], scale: float) -> tuple[int, ...]:

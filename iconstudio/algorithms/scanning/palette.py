@@ -12,14 +12,17 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.scanning.blending import unblended
 from iconstudio.algorithms.tones.regions import Mask, nearest
 
 CLEAR = 12.0
 """Levels of alpha of what is not there."""
 _EVEN = 20.0
 """Levels by which a channel differs within three pixels of an evenly painted area, at most."""
-_SMALL = 40
-"""Pixels of the longer side of a bitmap in which areas of two by two pixels count."""
+_FLAT, _STEEP, _BAND = 6.0, 60.0, 5
+"""As _EVEN, where colours change by degrees on small bitmaps; pixels across that they do so."""
+SMALL = 64
+"""Pixels of the longer side of a bitmap in which there is as much of edges as of colours."""
 _BIN = 8
 """Levels of a channel that are counted as one."""
 _SHARE, _FEWEST = 0.0015, 6
@@ -62,6 +65,32 @@ class Palette(NamedTuple):
         colours = np.concatenate([self.colours, colour[None]])
         return self._replace(colours=colours, counts=np.append(self.counts, 0))
 
+    def without_blends(self, blended: NDArray[np.float32]) -> "Palette":
+        """Return it without the colours of edges: slim, between others in place and in colour."""
+        wide = evenly_painted(blended, 3)
+        flat = [one for one in range(len(self.colours)) if one not in self.shades]
+        alike = {one: abs(blended - self.colours[one]).max(axis=2) < _EVEN for one in flat}
+        kept = set(range(len(self.colours)))
+        for one in flat[::-1]:
+            area = self.number == one if self.counts[one] else alike[one]
+            if not area.any() or (area & wide).any():
+                continue
+            around = scipy.ndimage.binary_dilation(area, np.ones((5, 5))) & ~area
+            least = _BESIDE * area.sum()
+            near = [n for n in flat if n in kept - {one} and (around & alike[n]).sum() > least]
+            others = [self.colours[n] for n in near]
+            others += [np.median(shade[area], axis=0) for shade in self.shades.values()]
+            if _is_blend(self.colours[one], others):
+                kept.remove(one)
+        return self._only(sorted(kept))
+
+    def _only(self, kept: list[int]) -> "Palette":
+        """Return it with some of its colours."""
+        renamed = np.full(len(self.colours) + 1, -1)
+        renamed[kept] = np.arange(len(kept))
+        shades = {int(renamed[one]): shade for one, shade in self.shades.items()}
+        return Palette(self.colours[kept], self.counts[kept], renamed[self.number], shades)
+
     def noise(self, one: int, blended: NDArray[np.float32]) -> float:
         """Return by how many levels the pixels of a colour stray, but for those beside edges."""
         here = blended[self.number == one]
@@ -72,7 +101,7 @@ class Palette(NamedTuple):
         """Whether most of what is flat has the very same colour, as lossy files do not keep it."""
         flat = (self.number >= 0) & ~np.isin(self.number, list(self.shades))
         away = abs(blended[flat] - self.colours[self.number[flat]]).max(axis=1)
-        return bool((away < 2).mean() > _EXACT)
+        return bool(flat.any() and (away < 2).mean() > _EXACT)
 
     def without(self, one: int, other: int) -> "Palette":
         """Return it with the pixels of one colour given to another."""
@@ -88,18 +117,20 @@ def palette_of(blended: NDArray[np.float32]) -> Palette | None:
 
     It has two colours at least.
     """
-    small = max(blended.shape[:2]) <= _SMALL
+    small = max(blended.shape[:2]) <= SMALL
     wide = evenly_painted(blended, 3)
     even = wide | evenly_painted(blended, 2) if small else wide
     if not even.any():
         return None
     least = max(_FEWEST, _SHARE * even.sum())
     shaded = [piece for piece in _pieces(blended, wide, least) if _strays(blended[piece]) > _SPREAD]
+    if small:
+        shaded += _steeply_shaded(blended, shaded, least)
     shaded = [_grown(blended, piece, even) for piece in shaded]
     flat = even & ~np.any(shaded, axis=0) if shaded else even
     areas = list(_clusters(blended, flat, least))
     if small:
-        areas = _without_blends(blended, areas, shaded, wide)
+        areas = [_trimmed(blended, area) for area in areas]
     if len(areas) > _MOST:
         return None
     shaded, grainy = _divided(shaded, lambda piece: _is_grainy(blended, piece))
@@ -115,10 +146,11 @@ def palette_of(blended: NDArray[np.float32]) -> Palette | None:
         number[piece] = len(colours)
         shades[len(colours)] = _extended(blended, piece)
         colours.append(np.median(blended[piece], axis=0))
-    if not 2 <= len(colours) <= _MOST:
+    if not 2 - small <= len(colours) <= _MOST:
         return None
     counts = np.bincount(number[number >= 0], minlength=len(colours))
-    return Palette(np.stack(colours).astype(np.float32), counts, number, shades)
+    palette = Palette(np.stack(colours).astype(np.float32), counts, number, shades)
+    return palette.without_blends(blended) if small else palette
 
 
 def evenly_painted(blended: NDArray[np.float32], size: int) -> NDArray[np.bool_]:
@@ -126,13 +158,19 @@ def evenly_painted(blended: NDArray[np.float32], size: int) -> NDArray[np.bool_]
 
     Of a square of three pixels, only the middle.
     """
-    high = scipy.ndimage.maximum_filter(blended, (size, size, 1))
-    low = scipy.ndimage.minimum_filter(blended, (size, size, 1))
-    even: NDArray[np.bool_] = (high - low).max(axis=2) < _EVEN
+    even: NDArray[np.bool_] = _range(blended, size) < _EVEN
     if size == 2:
         even[0] = even[:, 0] = False
         even = scipy.ndimage.binary_dilation(even, np.ones((2, 2)), origin=-1)
     return even | (blended[..., 3] < CLEAR)
+
+
+def _range(blended: NDArray[np.float32], size: int) -> NDArray[np.float32]:
+    """Return by how much a channel differs within a square of ``size`` pixels, at most."""
+    high = scipy.ndimage.maximum_filter(blended, (size, size, 1))
+    low = scipy.ndimage.minimum_filter(blended, (size, size, 1))
+    most: NDArray[np.float32] = (high - low).max(axis=2)
+    return most
 
 
 def is_in_one_colour(blended: NDArray[np.float32]) -> bool:
@@ -168,45 +206,27 @@ def _clusters(
             yield cluster
 
 
-def _without_blends(
-    blended: NDArray[np.float32],
-    areas: list[NDArray[np.bool_]],
-    shaded: list[NDArray[np.bool_]],
-    wide: NDArray[np.bool_],
-) -> list[NDArray[np.bool_]]:
-    """Return the areas without those of edges: slim, between two others in place and in colour."""
-    colours = [np.median(blended[area], axis=0) for area in areas]
-    kept = []
-    for number, area in enumerate(areas):
-        around = scipy.ndimage.binary_dilation(area, np.ones((3, 3))) & ~area
-        others = [
-            colours[n]
-            for n, other in enumerate(areas)
-            if n != number and (around & other).sum() > _BESIDE * area.sum()
-        ]
-        others += [np.median(_extended(blended, piece)[area], axis=0) for piece in shaded]
-        if (area & wide).any() or not _is_blend(colours[number], others):
-            kept.append(area)
-    return kept
+def _trimmed(blended: NDArray[np.float32], area: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return an area without what goes over into another colour, as edges that run aslant do."""
+    away = abs(blended - np.median(blended[area], axis=0)).max(axis=2)
+    trimmed: NDArray[np.bool_] = area & (away < _EVEN)
+    return trimmed
 
 
 def _is_blend(colour: NDArray[np.float32], others: list[NDArray[np.float32]]) -> bool:
-    for one, other in combinations(others, 2):
-        way = other - one
-        at = float((colour - one) @ way / max(way @ way, 1))
-        if 0 < at < 1 and np.linalg.norm(one + at * way - colour) < _EVEN:
-            return True
-    return False
+    """Whether a colour (4,) blends two or three others."""
+    some = (one for size in (2, 3) for one in combinations(others, size))
+    return any(unblended(colour[None], [one[None] for one in of])[1] < _EVEN**2 for of in some)
 
 
 def _pieces(
-    blended: NDArray[np.float32], even: NDArray[np.bool_], least: float
+    blended: NDArray[np.float32], even: NDArray[np.bool_], least: float, leap: float = _EVEN
 ) -> Iterator[NDArray[np.bool_]]:
     """Yield (h, w) the evenly painted pieces, in which colours do not leap, if large enough."""
     index = np.arange(even.size).reshape(even.shape)
     meet = []
     for one, other in ((np.s_[1:], np.s_[:-1]), (np.s_[:, 1:], np.s_[:, :-1])):
-        alike = abs(blended[one] - blended[other]).max(axis=2) < _EVEN
+        alike = abs(blended[one] - blended[other]).max(axis=2) < leap
         alike &= even[one] & even[other]
         meet.append(np.stack([index[one][alike], index[other][alike]]))
     rows, columns = np.concatenate(meet, axis=1)
@@ -215,6 +235,22 @@ def _pieces(
     labels = labels.reshape(even.shape)
     for label in np.flatnonzero(np.bincount(labels[even]) >= least):
         yield labels == label
+
+
+def _steeply_shaded(
+    blended: NDArray[np.float32], shaded: list[NDArray[np.bool_]], least: float
+) -> list[NDArray[np.bool_]]:
+    """Return pieces of a small bitmap in which colours change by degrees, but fast.
+
+    They are wider than an edge, or the band between two flat colours that differ little.
+    """
+    change = _range(blended, 3)
+    by_degrees = (change > _FLAT) & (change < _STEEP)
+    for piece in shaded:
+        by_degrees &= ~piece
+    wide = scipy.ndimage.binary_opening(by_degrees, np.ones((_BAND, _BAND)))
+    pieces = _pieces(blended, by_degrees, least, _STEEP / 2)
+    return [piece for piece in pieces if (piece & wide).any()]
 
 
 def _joined(

@@ -4,17 +4,18 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
-_FINER = 8
-"""Pixels to a side into which one is divided to reconstruct a shape."""
 COARSE = 6
-"""How many times a bitmap must be enlarged for that to be worth while."""
-_ROUNDS, _STEEP, _SMOOTH = 3, 3.0, 0.2
-"""How often it is corrected, how steep its edges are, per pixel of the bitmap, and how many of its
-pixels contours are smoothed by."""
-_JAGGED = 0.6
-"""By how many pixels contours are smoothed where there are no greys; lines of one pixel stay."""
-_GREY, _FEW = 0.4, 0.1
-"""How far from half of 1 greys are at most, and what part of the pixels at edges is few."""
+"""How many times a bitmap must be enlarged for its shapes to be reconstructed."""
+_FINER, _FINEST = 8, 160
+"""Pixels to a side into which one is divided for that, so that there are no more than so many."""
+_ROUNDS, _WIDTH, _STEEP = 12, 0.3, 3.0
+"""How often shapes are smoothed and corrected; by how much, in pixels; how steep edges are then."""
+_GAIN, _KEPT = 1.5, 0.7
+"""What of an error is added each time, and what of it is kept."""
+_SLACK = 0.25
+"""What part of a pixel may be amiss where there are no greys."""
+_PURE, _FEW = 0.95, 0.2
+"""How much of a pixel a shape takes that has it all; how many greys a corner has at least."""
 
 
 def shrunk(pixels: NDArray[np.uint8], step: int) -> NDArray[np.float32]:
@@ -33,36 +34,81 @@ def shrunk(pixels: NDArray[np.uint8], step: int) -> NDArray[np.float32]:
     return np.concatenate([colours, total / step**2], axis=2, dtype=np.float32) / np.float32(255)
 
 
-def reconstructed(coverage: NDArray[np.float32], shape: tuple[int, ...]) -> NDArray[np.float32]:
-    """Return (h, w) how much of each pixel a shape covers, at a much higher resolution.
+def reconstructed(parts: NDArray[np.float32], shape: tuple[int, ...]) -> NDArray[np.float32]:
+    """Return how much of each pixel each of k shapes covers, at a higher resolution.
 
-    At half of 1 runs a smooth contour whose shape covers as much of each of the given pixels as is
-    given: what differs is added again and again (M. Irani, S. Peleg, Improving resolution by image
-    registration, 1991: back-projection). So strokes of a pixel keep their width, and are whole.
+    ``parts`` (k, h, w) add up to 1. Of a small bitmap, the shapes have short, smooth contours and
+    cover as much of each of its pixels as is given: by turns they are smoothed, made sharp, and
+    corrected by what is amiss (threshold dynamics: B. Merriman, J. Bence, S. Osher, 1992; S.
+    Esedoglu, F. Otto, 2015). So lines of a pixel are straight, and keep their width. Where there
+    are no greys, squares are squares, but steps of one pixel are contours that run aslant.
     """
-    height, width = coverage.shape
+    count, height, width = parts.shape
     if shape[0] < COARSE * height:
-        return resized(coverage, shape)
-    fine = height * _FINER, width * _FINER
-    found = resized(coverage, fine)
-    if _is_jagged(coverage):
-        found = scipy.ndimage.gaussian_filter(found, _JAGGED * _FINER)
-        return resized(np.clip(found, 0, 1), shape)
+        return np.stack([resized(one, shape) for one in parts])
+    jagged = _has_no_greys(parts)
+    if jagged and not _has_steps(parts.argmax(axis=0)):
+        rows, columns = (
+            np.arange(n) * old // n for n, old in zip(shape, parts.shape[1:], strict=True)
+        )
+        return parts[:, rows[:, None], columns]
+    finer = max(2, min(_FINER, _FINEST // max(height, width)))
+    block = np.ones((1, finer, finer), np.float32)
+    sharp = _sharpened(np.stack([resized(one, (height * finer, width * finer)) for one in parts]))
+    error = np.zeros_like(parts)
     for _ in range(_ROUNDS):
-        sharp = np.clip(0.5 + (found - 0.5) * _STEEP, 0, 1)
-        covered = sharp.reshape(height, _FINER, width, _FINER).mean(axis=(1, 3))
-        found = found + resized(coverage - covered, fine)
-        found = scipy.ndimage.gaussian_filter(found, _SMOOTH * _FINER)
-    return resized(np.clip(found, 0, 1), shape)
+        smooth = scipy.ndimage.gaussian_filter(
+            sharp + np.kron(error, block), (0, _WIDTH * finer, _WIDTH * finer), mode="nearest"
+        )
+        sharp = _sharpened(smooth)
+        covered = sharp.reshape(count, height, finer, width, finer).mean(axis=(2, 4))
+        amiss = parts - covered
+        if jagged:
+            amiss -= np.clip(amiss, -_SLACK, _SLACK)
+        error = _KEPT * error + _GAIN * amiss
+    return np.stack([resized(np.clip(one, 0, 1), shape) for one in smooth])
 
 
-def _is_jagged(coverage: NDArray[np.float32]) -> bool:
-    """Whether the edges of a shape have no greys, which tell where within a pixel they run."""
-    high = scipy.ndimage.maximum_filter(coverage, 3)
-    low = scipy.ndimage.minimum_filter(coverage, 3)
-    edge = high - low > 0.5
-    grey = edge & (abs(coverage - 0.5) < _GREY)
-    return bool(grey.sum() < _FEW * edge.sum())
+def _sharpened(parts: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Return parts (k, h, w) that are nearly 1 where they are the largest, and else nearly 0."""
+    second, first = np.partition(parts, -2, axis=0)[-2:]
+    others = np.where(parts == first, second, first)
+    sharp: NDArray[np.float32] = np.clip(0.5 + (parts - others) / 2 * _STEEP, 0, 1)
+    return sharp
+
+
+def _has_no_greys(parts: NDArray[np.float32]) -> bool:
+    """Whether pixels at the corners of shapes have no greys, which tell how round these are."""
+    labels = parts.argmax(axis=0)
+    one, right, below, across = _squares(labels)
+    corners = ((one != right) | (below != across)) & ((one != below) | (right != across))
+    greys = parts.max(axis=0) < _PURE
+    return bool(greys.sum() <= _FEW * corners.sum())
+
+
+def _has_steps(labels: NDArray[np.intp]) -> bool:
+    """Whether contours run in steps of one pixel, as aslant or round ones do without greys.
+
+    Where pixels touch at their corners, steps are the shape's own.
+    """
+    one, right, below, across = _squares(labels)
+    falling = (one == across) & (one != right) & (one != below)
+    rising = (right == below) & (right != one) & (right != across)
+    if (falling | rising).any():
+        return False
+    for turned in (labels, labels.T):
+        a, b, c = turned[:-1, :-2], turned[:-1, 1:-1], turned[:-1, 2:]
+        d, e, f = turned[1:, :-2], turned[1:, 1:-1], turned[1:, 2:]
+        up = (a == b) & (b != c) & (d != e) & (e == f)
+        down = (a != b) & (b == c) & (d == e) & (e != f)
+        if ((b != e) & (up | down)).any():
+            return True
+    return False
+
+
+def _squares(labels: NDArray[np.intp]) -> tuple[NDArray[np.intp], ...]:
+    """Return the upper left, upper right, lower left and lower right of all four pixels."""
+    return labels[:-1, :-1], labels[:-1, 1:], labels[1:, :-1], labels[1:, 1:]
 
 
 def resized(values: NDArray[np.float32], shape: tuple[int, ...]) -> NDArray[np.float32]:

@@ -22,6 +22,8 @@ _GLINT = 3
 """Half the width in pixels of what is too slim to be part of a sheet."""
 _TINGE = 0.12
 """Paper in the shadow differs in colour from paper in the light by no more, as part of it."""
+_DARK = 0.02
+"""What is no brighter has no colour that could be compared."""
 _INK, _DRAWN = 0.6, 0.002
 """Ink is so dark beside its paper, and covers so much of it, at least."""
 _FLAT = 1.5 / 255
@@ -118,7 +120,11 @@ def _is_in_shadow(picture: NDArray[np.float32], outside: NDArray[np.bool_]) -> b
     outside = scipy.ndimage.binary_opening(outside, iterations=_GLINT)
     if quadrangularity(outside) <= _STRAIGHT:
         return False
-    shade = np.median(picture[outside], axis=0) / np.median(picture[~outside], axis=0)
+    shadow, paper = (np.median(picture[part], axis=0) for part in (outside, ~outside))
+    bright = paper > _DARK  # yellow paper has no blue, nor has it in the shadow
+    if not bright.any() or (shadow[~bright] > _DARK).any():
+        return False
+    shade = shadow[bright] / paper[bright]
     if np.ptp(shade) > _TINGE * shade.mean():
         return False
     light = scipy.ndimage.gaussian_filter(picture.mean(axis=2), _BLUR)

@@ -38,12 +38,12 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.tones import details, regions
 from iconstudio.algorithms.tones.alternation import Omission, Tones, decide
+from iconstudio.algorithms.tones.duotone import dark_is_ink, separated, two_tones
 from iconstudio.algorithms.tones.layers import without_faint
 from iconstudio.algorithms.tones.linework import STRIKING, line_drawing, outline
 from iconstudio.algorithms.tones.regions import Mask, Regions, cielab, nearest
 from iconstudio.algorithms.tones.shades import shades
 from iconstudio.algorithms.tones.tiles import is_sheet, tile
-from iconstudio.algorithms.tones.two_tones import dark_is_ink, separated, two_tones
 from iconstudio.algorithms.tones.whites import whites
 
 SIDE = 512

@@ -13,7 +13,7 @@ from iconstudio.gui.exchange import mime
 from iconstudio.gui.exchange.patience import Patience
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Job, Worker
-from iconstudio.gui.panels.scanning import ScanDialog, Source, may_be_scan, pictogram_of
+from iconstudio.gui.panels.scanning import ImageInput, ScanDialog, may_be_scan, pictogram_of
 from iconstudio.gui.panels.symbols import SymbolDialog
 from iconstudio.inputs.items import Drawing, Elsewhere, File, Image, Item, Reference
 from iconstudio.inputs.together import ReadTogether, Sprite, quoted_list, read_together, was
@@ -352,7 +352,7 @@ class IconOpener(Opener):
         dialog.chosen.connect(self.take)
         dialog.open()
 
-    def _scan(self, item: Item, source: Source) -> None:
+    def _scan(self, item: Item, source: ImageInput) -> None:
         dialog = ScanDialog(self.session, self._worker, source, item.name, self._owner)
         dialog.chosen.connect(self.take)
         dialog.failed.connect(self.complain)

@@ -8,7 +8,7 @@ from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.gallery.results import ResultsPanel
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.workflows.events import Event, Recommended, StyleMatched, StyleSkipped
-from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.grid import GridSettings
 
 
 class ResultsBrowser(QSplitter):
@@ -46,7 +46,7 @@ class ResultsBrowser(QSplitter):
         results.picked.connect(detail.show_picture)
         results.chosen.connect(self._choose)
 
-    def begin(self, settings: ModelSettings, afresh: bool = True) -> None:
+    def begin(self, settings: GridSettings, afresh: bool = True) -> None:
         """Make room for the results of a new run.
 
         ``afresh``: nothing that is there is of the same object. Otherwise it stays in sight until

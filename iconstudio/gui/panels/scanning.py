@@ -29,7 +29,7 @@ _PATIENCE = 10_000
 _WORDS = "Move the slider until the icon is as it should be: to the right, fainter strokes count."
 _BY_HAND = "If you see a drawing, move the slider until the icon is as it should be."
 
-Source = Path | bytes | QImage
+ImageInput = Path | bytes | QImage
 
 
 def may_be_scan(path: str) -> bool:
@@ -37,7 +37,9 @@ def may_be_scan(path: str) -> bool:
     return path.rpartition(".")[2].lower() in SUFFIXES
 
 
-def pictogram_of(session: Session, source: Source, name: str) -> Generator[None, None, Pictogram]:
+def pictogram_of(
+    session: Session, source: ImageInput, name: str
+) -> Generator[None, None, Pictogram]:
     """Return an image as an icon, without asking; yield now and then."""
     image = yield from _read(session, source)
     scan = yield from session.scan(image)
@@ -71,7 +73,7 @@ class ScanDialog(IconDialog):
     no_image = Signal()
 
     def __init__(
-        self, session: Session, worker: Worker, source: Source, name: str, parent: QWidget
+        self, session: Session, worker: Worker, source: ImageInput, name: str, parent: QWidget
     ) -> None:
         super().__init__("Make an icon of a picture", "Use icon", parent)
         self._session, self._name = session, name
@@ -190,7 +192,7 @@ class ScanDialog(IconDialog):
         self.runner.cancel()
 
 
-def _opened(session: Session, source: Source) -> Generator[object]:
+def _opened(session: Session, source: ImageInput) -> Generator[object]:
     """Yield an image, and a smaller one to show; or True if it is none."""
     if isinstance(source, Path) and source.is_file() and not is_image_file(source):
         yield True
@@ -206,7 +208,7 @@ def _opened(session: Session, source: Source) -> Generator[object]:
     yield image, shown
 
 
-def _read(session: Session, source: Source) -> Generator[None, None, Image]:
+def _read(session: Session, source: ImageInput) -> Generator[None, None, Image]:
     if isinstance(source, QImage):
         return image_of(source)
     return (yield from session.image(source))

@@ -304,7 +304,7 @@ def _drawn(contents: Contents, formats: Formats) -> tuple[Picture, ...]:
 
 
 def _workflow_of(path: Path, formats: Formats) -> Generator[WorkFile]:
-    """Yield a file with the workflow that it is of, as its fields say."""
+    """Yield a file with the workflow that it is of, as it says."""
     likely = None
     if path.suffix.lower() == ".json":
         likely = likely_workflow(json.load(path), formats.workflows.values())

@@ -4,6 +4,7 @@ import ctypes
 import importlib.util
 import os
 import re
+import subprocess
 import sys
 from pathlib import Path
 
@@ -15,6 +16,11 @@ PACKAGES = (
 """Debian's and Ubuntu's packages that hold the libraries Qt needs."""
 
 INSTALL = f"sudo apt-get install {PACKAGES}"
+
+_WITHOUT_SCREEN = ("offscreen", "minimal")
+"""What comes with Qt and opens windows that nobody sees."""
+_PATIENCE = 20.0
+"""Seconds that Qt may take to start."""
 
 
 def missing_library() -> str | None:
@@ -39,21 +45,33 @@ def obstacle() -> str | None:
     """Return a sentence that says why no window can open and what to do; None if one can."""
     if (missing := missing_library()) is not None:
         return missing
-    if sys.platform.startswith("linux") and "QT_QPA_PLATFORM" not in os.environ:
-        if not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
-            return "There is no screen (neither DISPLAY nor WAYLAND_DISPLAY is set)."
-        if _uses_x11() and not _x11_answers():
-            return f"The screen {os.environ['DISPLAY']} does not answer."
-    return None
+    platform = _platform()
+    if platform in _WITHOUT_SCREEN or (not sys.platform.startswith("linux") and not platform):
+        return None
+    if not platform and not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
+        return "There is no screen (neither DISPLAY nor WAYLAND_DISPLAY is set)."
+    if _uses_x11():
+        if _x11_answers():
+            return None
+        if not (screen := os.environ.get("DISPLAY")):
+            return "There is no screen (DISPLAY is not set)."
+        return f"The screen “{screen}” (DISPLAY) does not answer."
+    if not platform and _wayland_answers():
+        return None
+    return None if _opens_in_another_process() else _refused(platform)
+
+
+def _platform() -> str:
+    """Return what part of the system Qt is told to show windows by; empty if it may choose."""
+    return os.environ.get("QT_QPA_PLATFORM", "").partition(":")[0]
 
 
 def _uses_x11() -> bool:
-    return (
-        sys.platform.startswith("linux")
-        and "QT_QPA_PLATFORM" not in os.environ
-        and bool(os.environ.get("DISPLAY"))
-        and not os.environ.get("WAYLAND_DISPLAY")
-    )
+    if not sys.platform.startswith("linux"):
+        return False
+    if platform := _platform():
+        return platform == "xcb"
+    return bool(os.environ.get("DISPLAY")) and not os.environ.get("WAYLAND_DISPLAY")
 
 
 def _x11_answers() -> bool:
@@ -65,6 +83,40 @@ def _x11_answers() -> bool:
     failed = xcb.xcb_connection_has_error(connection)
     xcb.xcb_disconnect(connection)
     return not failed
+
+
+def _wayland_answers() -> bool:
+    """Open and close a connection."""
+    import socket
+
+    folder = os.environ.get("XDG_RUNTIME_DIR", "")
+    with socket.socket(socket.AF_UNIX) as connection:
+        try:
+            connection.connect(os.path.join(folder, os.environ.get("WAYLAND_DISPLAY", "")))
+        except OSError:
+            return False
+    return True
+
+
+def _opens_in_another_process() -> bool:
+    """Whether Qt starts where it may abort: a process of its own, which takes half a second."""
+    start = "from PySide6.QtGui import QGuiApplication; QGuiApplication([])"
+    try:
+        ended = subprocess.run(
+            [sys.executable, "-P", "-c", start], capture_output=True, timeout=_PATIENCE
+        )
+    except subprocess.TimeoutExpired:
+        return False
+    return ended.returncode == 0
+
+
+def _refused(platform: str) -> str:
+    if platform:
+        return (
+            f"No window can open with QT_QPA_PLATFORM={os.environ['QT_QPA_PLATFORM']}. "
+            "Unset it to open one on your screen."
+        )
+    return f"The screen “{os.environ['WAYLAND_DISPLAY']}” (WAYLAND_DISPLAY) does not answer."
 
 
 def _lacks(error: str) -> str:

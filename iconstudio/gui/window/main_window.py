@@ -27,7 +27,7 @@ from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.model import Pictogram
 from iconstudio.session import Session
 from iconstudio.workflows import registry
-from iconstudio.workflows.workflow import Workflow, named
+from iconstudio.workflows.workflow import Workflow, load_object
 
 _FRAME, _BAR = 16, 48
 """What the system's frame around a window takes of the screen at most, in pixels."""
@@ -145,7 +145,7 @@ class MainWindow(QMainWindow):
         """Return a workspace's pane, made if it is the first time."""
         if number not in self._made:
             workflow = self._workflows[number]
-            kind = named(workflow.workspace or _PLAIN)
+            kind = load_object(workflow.workspace or _PLAIN)
             workspace = kind(workflow, self._session, self._files, self.saver)
             workspace.set_destinations(self._destinations)
             workspace.kept.connect(self.recent.keep)

@@ -1,1 +1,1 @@
-"""The workspaces of the window: one for each workflow of section 4."""
+"""The workspaces of the window: one for each workflow."""

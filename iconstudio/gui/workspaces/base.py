@@ -25,11 +25,11 @@ from iconstudio.inputs.examples import examples
 from iconstudio.model import Pictogram
 from iconstudio.session import Session
 from iconstudio.workflows.files import write_file
-from iconstudio.workflows.workflow import Workflow, named
+from iconstudio.workflows.workflow import Workflow, load_object
 
 
 class Workspace(ResultsWidget):
-    """One workflow of section 4: its page, its work and its results, all its own.
+    """One workflow: its page, its work and its results, all its own.
 
     A subclass declares its ``page_type`` and its ``entries``; in ``build`` it makes a ``detail``
     and an ``opener`` and calls ``make_actions``; and it overrides what it needs. It has a thread,
@@ -87,7 +87,7 @@ class Workspace(ResultsWidget):
         self.document = Document(self.page_type()) if document is None else document
         self.blank = self.page
         """The page to begin with."""
-        self.pages = named(workflow.page_format)(workflow)
+        self.pages = load_object(workflow.page_format)(workflow)
         """Writes its pages into projects."""
         self.document.setParent(self)
         self.worker = Worker(self)

@@ -14,8 +14,8 @@ from iconstudio.gui.window.preferences import prefer, preferred
 from iconstudio.model import Remix
 from iconstudio.workflows.criteria import CriteriaDocument, CriteriaPage
 from iconstudio.workflows.events import Event, StyleSkipped
-from iconstudio.workflows.grid import ModelSettings
-from iconstudio.workflows.workflow import FINE as FINE_SIDE
+from iconstudio.workflows.grid import GridSettings
+from iconstudio.workflows.remixing import FINE as FINE_SIDE
 
 LIVE, FINE = "live", "fine"
 """Under which it is remembered whether live mode is on, and fine quality."""
@@ -37,15 +37,15 @@ class LiveSource:
         """Return what is missing before the page can be remixed, as a sentence; else nothing."""
         raise NotImplementedError
 
-    def settings(self) -> ModelSettings:
+    def settings(self) -> GridSettings:
         """Return which results to make: all. Called only if there is no problem."""
-        return ModelSettings()
+        return GridSettings()
 
     def focus(self) -> Place | None:
         """Return style and lambda_S of the result that the user looks at."""
         raise NotImplementedError
 
-    def events(self, inputs: object, settings: ModelSettings) -> Generator[Event]:
+    def events(self, inputs: object, settings: GridSettings) -> Generator[Event]:
         """Return the run that makes the results. Called in the worker's thread."""
         raise NotImplementedError
 
@@ -57,7 +57,7 @@ class _Request:
     inputs: object
     fine: bool
     page: CriteriaPage = field(compare=False)
-    settings: ModelSettings = field(compare=False)
+    settings: GridSettings = field(compare=False)
     afresh: bool = field(compare=False)
     """Whether nothing that is there is of the same object."""
     focus: Place | None = field(compare=False)
@@ -73,7 +73,7 @@ class GridRunner(QObject):
 
     Signals
     -------
-    began(ModelSettings, bool)
+    began(GridSettings, bool)
         A run starts; whether it is of something else than the one before.
     event(object)
         What it has come to: events, results as Pictures.
@@ -213,7 +213,7 @@ class GridRunner(QObject):
             self.ended.emit(whole, self._by_hand)
 
 
-def _middle(settings: ModelSettings) -> Place:
+def _middle(settings: GridSettings) -> Place:
     """Return style and lambda_S in the middle of the grid."""
     styles, lambdas = settings.styles, settings.lambdas
     return styles[len(styles) // 2], lambdas[len(lambdas) // 2]

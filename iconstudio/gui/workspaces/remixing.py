@@ -24,7 +24,7 @@ from iconstudio.gui.workspaces.symmetry import SymmetryDetection
 from iconstudio.workflows import criteria as edits
 from iconstudio.workflows.criteria import CriteriaPage
 from iconstudio.workflows.events import Event
-from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.grid import GridSettings
 
 GRID = (
     Entry("live", "Li&ve", "Live: results follow while you draw", "Ctrl+L", "live",
@@ -88,7 +88,7 @@ class RemixWorkspace(Workspace, LiveSource):
         """Return style and lambda_S of the picked result."""
         return self.browser.results.focus
 
-    def events(self, inputs: Any, settings: ModelSettings) -> Generator[Event]:
+    def events(self, inputs: Any, settings: GridSettings) -> Generator[Event]:
         """Return the run of the work that ``inputs`` is."""
         return self.session.run(self.workflow, inputs, settings)
 
@@ -208,7 +208,7 @@ class RemixWorkspace(Workspace, LiveSource):
         self.browser.results.set_stale(runner.live and runner.stale and not runner.running)
         self.rest()
 
-    def _begin_run(self, settings: ModelSettings, afresh: bool) -> None:
+    def _begin_run(self, settings: GridSettings, afresh: bool) -> None:
         self.browser.begin(settings, afresh)
         self.browser.results.set_stale(False)
         if self.runner.live:

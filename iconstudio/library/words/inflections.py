@@ -41,7 +41,7 @@ IRREGULAR_PLURALS = _pairs(
     oases oasis, crises crisis, analyses analysis, ellipses ellipse, prostheses prosthesis,
     parentheses parenthesis, hypotheses hypothesis, diagnoses diagnosis, neuroses neurosis,
     chateaux chateau, bureaux bureau, plateaux plateau, gateaux gateau, tableaux tableau,
-    beaux beau, chapeaux chapeau, bijoux bijou,
+    beaux beau, chapeaux chapeau, bijoux bijou, cookies cookie,
     seraphim seraph, cherubim cherub, kibbutzim kibbutz, pharynges pharynx, larynges larynx,
     virtuosi virtuoso, stigmata stigma, schemata schema
     """
@@ -68,6 +68,12 @@ _IRREGULAR_VERBS = _pairs(
     stolen steal, woke wake, woken wake, wore wear, worn wear, wove weave, woven weave
     """
 )
+_ENDINGS = (
+    ("ches", "ch"), ("shes", "sh"), ("xes", "x"), ("sses", "ss"), ("zzes", "zz"),
+    ("nses", "ns"), ("ies", "y"), ("s", ""), ("ses", "s"), ("zes", "z"), ("oes", "o"),
+    ("ves", "f"), ("ves", "fe"),
+)  # fmt: skip
+"""Of regular plurals and their words, the likeliest first: *shoes* and *caves* lack but the s."""
 _DOUBLED = "bdgklmnprtv"
 _VOWELS = "aeiou"
 
@@ -93,10 +99,8 @@ def _irregular(last: str) -> Iterator[str]:
 
 
 def _regular(last: str) -> Iterator[str]:
-    for ending, replacement in (("ies", "y"), ("ves", "f"), ("ves", "fe"), ("es", ""), ("s", "")):
+    for ending, replacement in _ENDINGS:
         if last.endswith(ending) and len(last) > len(ending) + 1 and not last.endswith("ss"):
-            if ending == "es" and not last.endswith(("ses", "xes", "zes", "ches", "shes", "oes")):
-                continue
             yield last[: -len(ending)] + replacement
 
 

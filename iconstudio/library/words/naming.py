@@ -49,7 +49,7 @@ def take_apart(name: str) -> Name:
             size = int(number)
         elif position and token in STYLES and not _keeps(tokens, position):
             styles.append(token)
-        elif number.isdigit() or (position and len(token) == 1 and token != "x"):
+        elif number.isdigit() or (position and len(token) == 1 and not _says(tokens, position)):
             variant.append(token)
         else:
             bare = _TAIL_NUMBER.sub("", token)
@@ -71,11 +71,17 @@ _KEPT = {
     ),
     "line": word_set("clothes fishing zip power pipe chalk bee"),
     "glyph": word_set("hiero"),
+    "o": word_set("jack"),
 }
 
 
 def _ends(rest: list[str]) -> bool:
     return all(token in STYLES for token in rest)
+
+
+def _says(tokens: list[str], position: int) -> bool:
+    """Whether a letter is a word: an *x* with a circle, a jack *o* lantern."""
+    return tokens[position] == "x" or _keeps(tokens, position)
 
 
 def _keeps(tokens: list[str], position: int) -> bool:

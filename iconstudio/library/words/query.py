@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from iconstudio.library.words import symbols
 from iconstudio.library.words.inflections import singulars
 from iconstudio.library.words.naming import take_apart
+from iconstudio.library.words.usage import INFORMAL
 from iconstudio.library.words.vocabulary import PREPOSITIONS, STYLE_GROUPS, STYLES
 
 _LETTERS = str.maketrans(
@@ -18,6 +19,10 @@ _LETTERS = str.maketrans(
 )
 """Letters that Unicode does not compose from others."""
 _APOSTROPHES = re.compile(r"['\u2018\u2019\u02bc`]")
+_LONGEST = 24
+"""Most letters of a word that is taken for several."""
+_PARTS = 3
+"""Most words that one is parted into, or joined from."""
 _FRAMING = {
     "black", "white", "heavy", "red", "blue", "green", "orange", "yellow", "purple", "brown",
     "grey", "pink", "suit", "sign", "symbol", "building", "face", "button", "flag",
@@ -67,6 +72,34 @@ def halves(word: str) -> Iterator[tuple[str, str]]:
     """Yield all pairs of words that one may have been joined from."""
     for cut in range(1, len(word)):
         yield word[:cut], word[cut:]
+
+
+def partings(word: str) -> Iterator[str]:
+    """Yield what a word, or its singular, may be in two or ``_PARTS`` words; none if it is long."""
+    for form in (word, *singulars(word)):
+        for first, rest in halves(form) if len(form) <= _LONGEST else ():
+            yield f"{first} {rest}"
+            yield from (f"{first} {second} {third}" for second, third in halves(rest))
+
+
+def joinings(words: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
+    """Yield words with two neighbours in one each time: *wi fi router* as *wifi router*."""
+    for i in range(1, len(words)):
+        yield (*words[: i - 1], words[i - 1] + words[i], *words[i + 1 :])
+
+
+def spelt_out(words: tuple[str, ...]) -> tuple[str, ...]:
+    """Return words with what informal ones among them stand for: *xmas tree*, *christmas tree*."""
+    meant: list[str] = []
+    start = 0
+    while start < len(words):
+        for end in range(min(start + _PARTS, len(words)), start, -1):
+            one = "".join(words[start:end])
+            if formal := next((INFORMAL[w] for w in (one, *singulars(one)) if w in INFORMAL), None):
+                break
+        meant += formal or words[start:end]
+        start = end
+    return tuple(meant)
 
 
 _KINDS_OF_PICTURES = ("icon", "icons", "pictogram", "pictograms")

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from iconstudio.library.words.vocabulary import (
     ATTRIBUTES,
     BADGES,
+    FIGURATIVE,
     INTERFACE,
     PARTS,
     PEOPLE,
@@ -41,7 +42,7 @@ def readings(words: tuple[str, ...], wordnet: WordNet) -> dict[str, int]:
     else:
         whole = wordnet.lemma(" ".join(words))
     add(whole, EXACT)
-    if len(words) == 1 or wordnet.things(whole):
+    if len(words) == 1 or wordnet.things(whole) or whole in FIGURATIVE:
         return found
     if len(words) == 2:
         turned = f"{words[1]} {words[0]}"

@@ -2,9 +2,11 @@
 
 
 def _listed(text: str) -> dict[str, tuple[str, ...]]:
-    """Return word: terms, of a text of "word: term term, word: term, ..."."""
+    """Return word: terms, of a text of "word: term other_term, word: term, ..."."""
     pairs = (pair.strip().partition(": ") for pair in text.split(","))
-    return {word: tuple(terms.split()) for word, _, terms in pairs}
+    return {
+        word: tuple(term.replace("_", " ") for term in terms.split()) for word, _, terms in pairs
+    }
 
 
 USAGE = {
@@ -38,27 +40,88 @@ SYNONYMS = (
 
 STAND_INS = _listed(
     """
-    alligator: lizard reptile, ankle: foot, antelope: deer, baker: chef cook, basil: herb leaf,
-    beak: bird, belly: stomach body, blouse: shirt, bobsled: sled sledge, bonfire: campfire fire,
-    braid: hair, calf: cow, casket: coffin, cheek: face, chickpea: bean,
-    chimpanzee: monkey gorilla, chin: face, cod: fish, cooler: refrigerator, creche: nursery,
-    crocodile: lizard reptile, cub: bear, eyelid: eye, feast: meal dinner, ferret: otter badger,
-    fig: fruit, gazelle: deer, gymnast: gymnastics, hay: haystack, hornet: wasp bee,
-    hovercraft: boat, jackal: wolf dog, jade: gem gemstone, jockey: horse, jungle: forest tree,
-    kilt: skirt, lamb: sheep, lampshade: lamp, lemur: monkey, lentil: bean, lifeboat: boat,
-    lioness: lion, locket: necklace, lute: guitar, meadow: grass, mink: otter badger,
-    mint: leaf herb, moth: butterfly, mud: puddle, mule: donkey horse, nectarine: fruit,
-    nostril: nose, oboe: clarinet flute, ointment: medicine, omelette: egg, opal: gem gemstone,
-    orca: whale, oregano: herb leaf, ox: cow cattle, papaya: fruit, parachutist: parachute,
-    paragliding: parachute, parsley: herb leaf, photocopier: printer, plank: wood,
-    pomegranate: fruit, porch: house, pouch: bag, princess: queen, raisin: fruit, ravioli: pasta,
-    rosemary: herb leaf, rye: wheat, sage: herb leaf, saint bernard: dog, salmon: fish,
-    samosa: dumpling, sardine: fish, seashell: shell, shawl: scarf, shoelace: shoe,
-    sieve: strainer filter, snout: nose, snowball: snow, stingray: fish, stirrup: saddle,
-    tablecloth: table, tailor: sewing, thimble: sewing, thistle: flower, thyme: herb leaf,
-    toe: foot, trapdoor: door, tricycle: bicycle, tuna: fish, verandah: house, warrior: knight,
-    warthog: pig, washbasin: sink, wasp: bee, weasel: otter badger, whirlpool: spiral,
-    yak: ox cow, zither: harp guitar
+    alligator: lizard reptile, ankle: foot, antelope: deer, armpit: arm, baker: chef cook,
+    bangs: hair, barrette: hair_clip, basil: herb leaf, beak: bird, belly: stomach body,
+    big toe: foot, blouse: shirt, bobsled: sled sledge, bonfire: campfire fire, braid: hair,
+    brow: eyebrow, calf: cow leg, casket: coffin, cheek: face, chickpea: bean,
+    chimpanzee: monkey gorilla, chin: face, christmas tree: pine_tree, coat of arms: shield,
+    cod: fish, cooler: refrigerator, creche: nursery, crocodile: lizard reptile, cub: bear,
+    eardrum: ear, earlobe: ear, eyelid: eye, feast: meal dinner, ferret: otter badger, fig: fruit,
+    forehead: head face, freckle: face, fringe: hair, galoshes: boot, gazelle: deer,
+    great dane: dog, gymnast: gymnastics, hairpin: hair_clip, hermit crab: crab,
+    hip: waist, hornet: wasp bee, hovercraft: boat, jackal: wolf dog, jade: gem gemstone,
+    jaw: face, jockey: horse, jungle: forest tree, kilt: skirt, knuckle: fist, lamb: sheep,
+    lampshade: lamp, lemur: monkey, lentil: bean, lifeboat: boat, lioness: lion, little toe: foot,
+    locket: necklace, lute: guitar, meadow: grass, merry go round: amusement_ride,
+    mink: otter badger, mint: leaf herb, moth: butterfly, mud: puddle, mule: donkey horse,
+    navel: stomach, nectarine: fruit, nostril: nose, oboe: clarinet flute, ointment: medicine,
+    omelette: egg, opal: gem gemstone, orca: whale, oregano: herb leaf, ovary: uterus,
+    ox: cow cattle, papaya: fruit, parachutist: parachute, paragliding: parachute,
+    parsley: herb leaf, photocopier: printer, pigtail: hair, plank: wood, pomegranate: fruit,
+    porch: house, potty: toilet, pouch: bag, princess: queen, pupil: eye, raisin: fruit,
+    ravioli: pasta, retina: eye, rosemary: herb leaf, rye: wheat, sage: herb leaf,
+    saint bernard: dog, salmon: fish, samosa: dumpling, sardine: fish, seashell: shell,
+    shawl: scarf, shin: leg, shoelace: shoe, sideburns: beard, sidewalk: footpath,
+    sieve: strainer filter, snout: nose, snowball: snow, sole: foot, spacesuit: astronaut,
+    stingray: fish, stirrup: saddle, tablecloth: table, tailor: sewing, tendon: muscle, thigh: leg,
+    thimble: sewing, thistle: flower, thyme: herb leaf, toe: foot, toenail: foot, toupee: wig,
+    trapdoor: door, tricycle: bicycle, tuna: fish, verandah: house, warrior: knight, warthog: pig,
+    washbasin: sink, wasp: bee, weasel: otter badger, whirlpool: spiral, yak: ox cow,
+    zither: harp guitar
     """
 )
 """What is taken for a thing that has no drawings, or few."""
+
+INFORMAL = _listed(
+    """
+    abomb: atomic bomb, ac: air conditioner, acct: account, addon: plugin, addr: address,
+    admin: administrator, advert: ad, aircon: air conditioner, appt: appointment, apt: apartment,
+    avo: avocado, bathers: swimsuit, bauble: christmas ball, bball: basketball, bday: birthday,
+    bellybutton: navel, bestie: friend, bff: friend, bickie: biscuit, bigwheel: ferris wheel,
+    bikkie: biscuit, bio: biology, birdie: bird, biz: business, bldg: building, bobsleigh: bobsled,
+    booboo: bandage, bowwow: dog, bp: blood pressure, brekkie: breakfast, brekky: breakfast,
+    byebye: waving hand, caff: cafe, calc: calculator, cam: camera, cardi: cardigan,
+    catsup: ketchup, cclamp: clamp, champers: champagne, chem: chemistry, chimp: chimpanzee,
+    choc: chocolate, choccy: chocolate, choochoo: train, chook: chicken, cig: cigarette,
+    ciggie: cigarette, ciggy: cigarette, comp: computer, condo: apartment, config: settings,
+    copter: helicopter, cornflakes: cereal, cossie: swimsuit, cozzie: swimsuit, croc: crocodile,
+    culdesac: dead end, cuppa: tea cup, cv: resume, daddylonglegs: spider, db: database,
+    del: delete, dev: developer, dict: dictionary, dingdong: bell, dino: dinosaur, diy: tools,
+    dl: download, doggo: dog, dorm: dormitory, duckie: duck, ducky: duck, dunny: toilet,
+    ebike: electric bike, ebook: e reader, ecar: electric car, ecig: vape, ecigarette: vape,
+    ekg: ecg, emt: ambulance, er: emergency, escooter: electric scooter, eticket: ticket,
+    ewallet: wallet, fav: favorite, fave: favorite, ffwd: fast forward, fireman: firefighter,
+    firewoman: firefighter, fishy: fish, footie: football, footy: football, foto: photo,
+    froggie: frog, froggy: frog, fwd: forward, gclamp: clamp, geegee: horse, gocart: go kart,
+    gov: government, govt: government, grad: graduate, grandad: grandparent, granddad: grandparent,
+    guac: avocado, gumboot: rubber boot, haha: laughing, hankie: handkerchief, hanky: handkerchief,
+    hbomb: atomic bomb, heli: helicopter, hgv: truck, hifive: high five, hivis: vest,
+    hols: holiday, hoolahoop: hula hoop, hoover: vacuum cleaner, horsey: horse, horsie: horse,
+    hosp: hospital, hq: headquarters, hwy: highway, img: image, ipad: tablet, jab: syringe,
+    jackolantern: pumpkin, k9: dog, kittycat: cat, lappy: laptop, lashes: eyelash, lcd: screen,
+    loco: locomotive, lp: vinyl record, maths: math, meds: medicine, mgr: manager, moggie: cat,
+    moggy: cat, mozzie: mosquito, msg: message, mtg: meeting, mtn: mountain, mum: mother,
+    mushie: mushroom, nan: grandparent, nana: grandparent, nanna: grandparent, notif: notification,
+    oj: orange juice, papa: father, phys: physics, pic: picture, piccy: picture, piggie: pig,
+    pinkie: little finger, pinky: little finger, prev: previous, prof: teacher,
+    pushchair: stroller, pussycat: cat, pw: password, pwd: password, qtip: cotton swab,
+    rew: rewind, rip: gravestone, roach: cockroach, roo: kangaroo, rugger: rugby, sammie: sandwich,
+    santa: father christmas, santaclaus: father christmas, sarnie: sandwich, shades: sunglasses,
+    shroom: mushroom, sneaks: sneaker, spag: spaghetti, spagbol: spaghetti, spud: potato,
+    sub: submarine, sunnies: sunglasses, synth: synthesizer, tater: potato, tbone: steak,
+    tech: technology, tee: t shirt, teeshirt: t shirt, tel: telephone, tele: television,
+    telly: television, temp: temperature, ticktacktoe: tic tac toe, ticktock: clock,
+    tjunction: junction, tnt: dynamite, togs: swimsuit, tp: toilet paper, trackies: trousers,
+    trex: tyrannosaurus, trike: tricycle, tsquare: set square, tuktuk: auto rickshaw, tum: stomach,
+    tummy: stomach, twopiece: bikini, txt: text, uboat: submarine, uke: ukulele, undies: underwear,
+    uni: university, url: link, ute: pickup truck, vac: vacuum cleaner, vacc: vaccine,
+    vax: vaccine, vcr: cassette, vid: video, vino: wine, vol: volume, vsign: victory hand,
+    walkietalky: walkie talkie, wellie: rubber boot, wellington: rubber boot,
+    wellingtonboot: rubber boot, welly: rubber boot, womb: uterus, www: globe, xmas: christmas,
+    yfront: underwear
+    """
+)
+"""What people type for short, or as they talk at home, in one word: two words are read as one."""
+
+OTHER_IN_PLURAL = frozenset({"boxers", "glasses", "greens", "news"})
+"""What is not several of what it is the plural of."""

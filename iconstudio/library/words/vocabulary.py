@@ -108,7 +108,7 @@ INTERFACE = words(
     stroke fill layer merge split branch commit fork loop play pause stop record forward
     rewind skip next previous shuffle repeat volume mute
     """
-)
+) | {"bulls eye"}
 """Words of interfaces: their drawings are marks, of little use as parts of things."""
 
 TECHNICAL = words(
@@ -125,6 +125,17 @@ TECHNICAL = words(
 """Words that collections of icons use for machines and marks, though WordNet also knows a horse,
 a dog or a fish of that name: they are no kinds of anything."""
 
-FALSE_FRIENDS = words("doc ref tec eft server doge guardian copilot afters bum")
-"""Words that mean a living being, or a dessert, in WordNet, but never in a collection of icons:
-no other word leads to them."""
+FALSE_FRIENDS = words("doc ref tec eft server doge guardian copilot afters bum git bottom") | {
+    "bulls eye",
+    "four oclock",
+}
+"""Words that mean a living being, a dessert, a sole or a lamp in WordNet, but never in a collection
+of icons: no other word leads to them."""
+
+FIGURATIVE = frozenset(
+    {
+        "flying saucer", "poker hand", "session cookie", "silver bullet", "small cap",
+        "tic tac toe", "traffic jam", "wind sock",
+    }
+)  # fmt: skip
+"""Names that together mean no thing to WordNet, nor a kind of what their last word means."""

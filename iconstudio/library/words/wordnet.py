@@ -4,6 +4,7 @@ Format: ``wndb(5WN)`` of the WordNet manual. Only the builder reads these files;
 the search needs of them is stored in the collection.
 """
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
@@ -37,11 +38,12 @@ class Synset:
 
 _NOUN = "1:"
 """How the senses of nouns begin in ``index.sense``, after the word."""
+_INNER_APOSTROPHE = re.compile(r"(?<=\w)'")
 
 
 def _plain(word: str) -> str:
-    """Return a word as the names of icons have it: *merry-go-round* in three words."""
-    return word.replace("_", " ").replace("-", " ")
+    """Return a word as it is looked up: *jack-o'-lantern* in three words, *'hood* as it is."""
+    return _INNER_APOSTROPHE.sub("", word).replace("_", " ").replace("-", " ")
 
 
 class WordNet:

@@ -37,9 +37,9 @@ from iconstudio.model import (
 from iconstudio.workers import Workers, answer
 from iconstudio.workflows.drawing import Render, draw_whole
 from iconstudio.workflows.events import Event
-from iconstudio.workflows.grid import Matches, ModelSettings, focused, remix_styles
+from iconstudio.workflows.grid import GridSettings, Matches, focused, remix_styles
+from iconstudio.workflows.remixing import RemixResources
 from iconstudio.workflows.solving import Posed
-from iconstudio.workflows.workflow import Resources
 
 
 @dataclass(frozen=True, eq=False)
@@ -115,7 +115,7 @@ def own_styles(icon: Exemplar) -> tuple[str, ...]:
 
 
 def run(
-    resources: Resources, edit: Edit, settings: ModelSettings | None = None
+    resources: RemixResources, edit: Edit, settings: GridSettings | None = None
 ) -> Generator[Event]:
     """Retrieve the icons of an edit's keyword, and remix its icon with them: see ``edit_icon``.
 
@@ -128,7 +128,7 @@ def run(
     """
     icon = resources.exemplar(edit.icon)
     change = place_edit(edit, icon)
-    settings = settings or ModelSettings(styles=own_styles(icon))
+    settings = settings or GridSettings(styles=own_styles(icon))
     settings.chosen_styles()
     matcher = yield from resources.prepare(edit.keyword, edit.exclude, settings.scales)
     workers, render = resources.workers, resources.render
@@ -141,7 +141,7 @@ def edit_icon(
     edit: Edit,
     change: PlacedEdit,
     matcher: Matcher,
-    settings: ModelSettings,
+    settings: GridSettings,
     workers: Workers,
     render: Render,
     earlier: Composite | None = None,

@@ -35,9 +35,8 @@ from iconstudio.model import (
 from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import Event, Progress, Result
-from iconstudio.workflows.remixing import Remixing
+from iconstudio.workflows.remixing import CutSettings, Remixing, RemixResources
 from iconstudio.workflows.solving import CutSeries, Posed
-from iconstudio.workflows.workflow import Resources, Settings
 
 LAMBDA_S = 3.0
 FEWEST, MOST = 2, 12
@@ -86,10 +85,12 @@ def _check_pins(mix: Mix) -> None:
             )
 
 
-def run(resources: Resources, mix: Mix, settings: Settings | None = None) -> Generator[Event]:
+def run(
+    resources: RemixResources, mix: Mix, settings: CutSettings | None = None
+) -> Generator[Event]:
     """Draw hybrids: see ``mix_icons``."""
     exemplars = map(resources.exemplar, mix.icons)
-    side = (settings or Settings()).side
+    side = (settings or CutSettings()).side
     yield from mix_icons(mix, exemplars, resources.workers, resources.render, side)
 
 

@@ -11,7 +11,7 @@ from iconstudio.workflows.pages import Document
 
 
 @dataclass(frozen=True, slots=True)
-class Ask:
+class PickRequest:
     """What the program picks icons by: the ``group``-th best of ``count`` icons of a keyword."""
 
     keyword: str
@@ -43,7 +43,7 @@ class HybridsPage:
     """Icons to mix, how to mix them, and the favourites among the hybrids."""
 
     ingredients: tuple[Ingredient, ...] = ()
-    ask: Ask | None = None
+    ask: PickRequest | None = None
     """How the program picked the icons; None if the user chose them all."""
     seed: int = 0
     draws: int = DRAWS
@@ -109,7 +109,7 @@ def remove_icon(document: HybridsDocument, identifier: str) -> None:
         document.change("remove icon", replace(page, ingredients=left, ask=ask))
 
 
-def set_icons(document: HybridsDocument, icons: tuple[Exemplar, ...], ask: Ask) -> None:
+def set_icons(document: HybridsDocument, icons: tuple[Exemplar, ...], ask: PickRequest) -> None:
     """Mix the icons that the program picked; pins on those that stay, stay."""
     page = document.page
     known = {one.id: one for one in page.ingredients}

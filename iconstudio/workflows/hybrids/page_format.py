@@ -11,7 +11,7 @@ from iconstudio.model import Axis, IconstudioError, Remix
 from iconstudio.model.mix import DRAWS
 from iconstudio.workflows.hybrids.file import COUNT, Draws, Pins, Seed
 from iconstudio.workflows.hybrids.hybrids import MOST
-from iconstudio.workflows.hybrids.page import Ask, HybridsPage, Ingredient
+from iconstudio.workflows.hybrids.page import HybridsPage, Ingredient, PickRequest
 from iconstudio.workflows.pages import PageFormat, Parts, StoredParts
 
 
@@ -78,7 +78,7 @@ class HybridsPages(PageFormat[HybridsPage, StoredMix]):
         favourites = yield from parts.results(stored.favourites)
         return HybridsPage(
             tuple(mixed.values()),
-            None if stored.ask is None else Ask(**structs.asdict(stored.ask)),
+            None if stored.ask is None else PickRequest(**structs.asdict(stored.ask)),
             stored.seed,
             stored.draws,
             stored.symmetry,

@@ -30,8 +30,8 @@ def select(
     resources: Resources, keyword: str, count: int, symmetry: Axis | None = None, seed: int = 0
 ) -> Generator[Event, None, tuple[Pictogram, ...]]:
     """Choose icons of a keyword that mix well: see ``select_icons``."""
-    matcher = yield from resources.prepare(keyword)
-    chosen = select_icons([one.exemplar for one in matcher.exemplars], count, symmetry, seed)
+    exemplars = yield from resources.retrieve(keyword)
+    chosen = select_icons(exemplars, count, symmetry, seed)
     return tuple(one.pictogram for one in chosen)
 
 

@@ -13,9 +13,9 @@ from iconstudio.model import Axis, Composite, Sketch, Source
 from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import Event
-from iconstudio.workflows.grid import Matches, ModelSettings, focused, remix_styles
+from iconstudio.workflows.grid import GridSettings, Matches, focused, remix_styles
+from iconstudio.workflows.remixing import RemixResources
 from iconstudio.workflows.solving import Posed
-from iconstudio.workflows.workflow import Resources
 
 FEWEST = 4
 """A style with fewer exemplars is skipped: all its regions would keep the same three."""
@@ -27,7 +27,7 @@ of some forty sketches: those that it skips were beyond recognition."""
 
 
 def run(
-    resources: Resources, sketch: Sketch, settings: ModelSettings | None = None
+    resources: RemixResources, sketch: Sketch, settings: GridSettings | None = None
 ) -> Generator[Event]:
     """Retrieve the icons of a sketch's keyword, and remix them in its shape: see ``model``.
 
@@ -36,7 +36,7 @@ def run(
     IconstudioError
         If the polygon or the keyword is no good; before any work is done.
     """
-    settings = settings or ModelSettings()
+    settings = settings or GridSettings()
     settings.chosen_styles()
     sketch.polygon.fitted()
     matcher = yield from resources.prepare(sketch.keyword, sketch.exclude, settings.scales)
@@ -48,7 +48,7 @@ def run(
 def model(
     sketch: Sketch,
     matcher: Matcher,
-    settings: ModelSettings,
+    settings: GridSettings,
     workers: Workers,
     render: Render,
     earlier: Composite | None = None,

@@ -30,9 +30,8 @@ from iconstudio.model import (
 from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import Event
-from iconstudio.workflows.remixing import Remixing
+from iconstudio.workflows.remixing import CutSettings, Remixing, RemixResources
 from iconstudio.workflows.solving import CutSeries, Posed
-from iconstudio.workflows.workflow import Resources, Settings
 
 LAMBDA_S = 3.0
 MOST = 30
@@ -41,11 +40,11 @@ SMALLEST, LARGEST = 0.02, 20.0
 
 
 def run(
-    resources: Resources, montage: Montage, settings: Settings | None = None
+    resources: RemixResources, montage: Montage, settings: CutSettings | None = None
 ) -> Generator[Event]:
     """Make a montage: see ``montage_icons``."""
     exemplars = (resources.exemplar(layer.icon) for layer in montage.layers)
-    side = (settings or Settings()).side
+    side = (settings or CutSettings()).side
     yield from montage_icons(montage, exemplars, resources.workers, resources.render, side)
 
 

@@ -26,7 +26,7 @@ Box = tuple[float, float, float, float]
 
 
 @dataclass(frozen=True, eq=False)
-class Icon:
+class IconShape:
     """An icon on the canvas, before it is placed."""
 
     exemplar: Exemplar
@@ -57,7 +57,7 @@ class PlacedIcon:
     """A layer as the window shows it: ``number`` names it on its page, and gives its colour."""
 
     number: int
-    icon: Icon
+    icon: IconShape
     placement: Placement = field(default_factory=Placement)
     strokes: tuple[Stroke, ...] = ()
     hidden: bool = False
@@ -88,7 +88,7 @@ class MontagePage:
     chosen: int = -1
 
     @classmethod
-    def of(cls, layers: Sequence[Layer], icons: Sequence[Icon]) -> "MontagePage":
+    def of(cls, layers: Sequence[Layer], icons: Sequence[IconShape]) -> "MontagePage":
         """Return the page of ``layers``; where strokes of two icons overlap, the upper one's stay.
 
         ``icons`` are theirs, drawn.
@@ -138,7 +138,7 @@ class MontagePage:
 
     # -- other pages ---------------------------------------------------------------------------
 
-    def with_icons(self, icons: Iterable[Icon]) -> "MontagePage":
+    def with_icons(self, icons: Iterable[IconShape]) -> "MontagePage":
         """Return the page with icons on top, the last one chosen.
 
         Raises

@@ -9,7 +9,7 @@ from msgspec import Meta
 from iconstudio.inputs.formats import Many, Points, Record, Text
 from iconstudio.model import CANVAS, IconstudioError, Stroke
 from iconstudio.workflows.montage.montage import MOST
-from iconstudio.workflows.montage.page import Icon, MontagePage, PlacedIcon
+from iconstudio.workflows.montage.page import IconShape, MontagePage, PlacedIcon
 from iconstudio.workflows.pages import PageFormat, Parts, StoredParts, StoredPlacement
 
 
@@ -69,7 +69,7 @@ class MontagePages(PageFormat[MontagePage, StoredMontage]):
         """Return the page that was written."""
         layers = []
         for one in stored.layers:
-            icon = Icon(parts.exemplar(parts.icon(one.icon)))
+            icon = IconShape(parts.exemplar(parts.icon(one.icon)))
             strokes = tuple(Stroke(each.width, each.points) for each in one.strokes)
             layers.append(PlacedIcon(one.number, icon, one.placement, strokes, one.hidden))
             yield

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
 from iconstudio.model import CANVAS, MARGIN, Placement, Point
-from iconstudio.workflows.montage.page import Box, Icon
+from iconstudio.workflows.montage.page import Box, IconShape
 
 SMALLEST, LARGEST = 0.1, 8.0
 """Range of the scale that dragging can give."""
@@ -38,7 +38,7 @@ class Snapped:
 
 
 def moved(
-    icon: Icon, start: Placement, by: Point, guides: Guides = Guides(), grip: float = 0.0
+    icon: IconShape, start: Placement, by: Point, guides: Guides = Guides(), grip: float = 0.0
 ) -> Snapped:
     """Return where an icon comes to lie that is moved ``by`` canvas pixels.
 
@@ -52,7 +52,7 @@ def moved(
 
 
 def scaled(
-    icon: Icon,
+    icon: IconShape,
     start: Placement,
     corner: int,
     to: Point,
@@ -99,7 +99,7 @@ def centre(box: Box) -> Point:
     return (left + right) / 2, (top + bottom) / 2
 
 
-def kept_in(icon: Icon, placement: Placement) -> Placement:
+def kept_in(icon: IconShape, placement: Placement) -> Placement:
     """Return the nearest placement at which some of the icon's box lies on the canvas."""
     left, top, right, bottom = icon.placed_box(placement)
     dx = max(0.0, _KEPT_IN - right) - max(0.0, left - CANVAS + _KEPT_IN)
@@ -124,7 +124,7 @@ def _step(lines: Sequence[float], guides: Sequence[float], grip: float) -> float
     return nearest if abs(nearest) <= grip else 0.0
 
 
-def _told(icon: Icon, placement: Placement, guides: Guides, grip: float) -> Snapped:
+def _told(icon: IconShape, placement: Placement, guides: Guides, grip: float) -> Snapped:
     """Find the guides that a placement keeps to; an icon lies on whole pixels, guides need not."""
     placement = kept_in(icon, placement)
     if grip <= 0:

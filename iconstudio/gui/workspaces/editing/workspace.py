@@ -18,7 +18,7 @@ from iconstudio.workflows.editing.areas import AreaOutline
 from iconstudio.workflows.editing.editing import own_styles, place_edit
 from iconstudio.workflows.editing.page import EditPage
 from iconstudio.workflows.events import Event
-from iconstudio.workflows.grid import ModelSettings
+from iconstudio.workflows.grid import GridSettings
 
 WELCOME = (
     "The changed icon appears here, several times: on the left it keeps closer to what you drew;\n"
@@ -84,12 +84,12 @@ class EditWorkspace(RemixWorkspace):
         """Return the edit and the mode."""
         return EditInputs(self.page.edit(), self.actions_by_name["styles"].isChecked())
 
-    def settings(self) -> ModelSettings:
+    def settings(self) -> GridSettings:
         """Return the styles of the icon, or all."""
         every = self.actions_by_name["styles"].isChecked()
-        return ModelSettings() if every else ModelSettings(styles=own_styles(self.page.icon))
+        return GridSettings() if every else GridSettings(styles=own_styles(self.page.icon))
 
-    def events(self, inputs: EditInputs, settings: ModelSettings) -> Generator[Event]:
+    def events(self, inputs: EditInputs, settings: GridSettings) -> Generator[Event]:
         """Return the run of an edit."""
         return self.session.run(self.workflow, inputs.edit, settings)
 

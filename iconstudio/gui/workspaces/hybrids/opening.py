@@ -15,7 +15,12 @@ from iconstudio.workflows.events import Event
 from iconstudio.workflows.hybrids import page as edits
 from iconstudio.workflows.hybrids.file import COUNT, read_hybrids
 from iconstudio.workflows.hybrids.hybrids import MOST, check
-from iconstudio.workflows.hybrids.page import Ask, HybridsDocument, HybridsPage, Ingredient
+from iconstudio.workflows.hybrids.page import (
+    HybridsDocument,
+    HybridsPage,
+    Ingredient,
+    PickRequest,
+)
 
 
 class HybridsOpener(IconOpener):
@@ -53,7 +58,7 @@ class HybridsOpener(IconOpener):
     def pick(self, keyword: str, count: int) -> None:
         """Let the program pick icons; once more, the next best ones."""
         page = self.document.page
-        ask = Ask(keyword, count, page.symmetry)
+        ask = PickRequest(keyword, count, page.symmetry)
         if page.ask is not None and ask == replace(page.ask, group=0):
             ask = replace(ask, group=page.ask.group + 1)
         self.replace(lambda: _picking(self.session, ask))
@@ -81,7 +86,7 @@ def _there(names: Sequence[str]) -> str:
     return f"{quoted_list(names)} {'is' if len(names) == 1 else 'are'} among the icons already."
 
 
-def _picking(session: Session, ask: Ask) -> Generator[Event | Opened]:
+def _picking(session: Session, ask: PickRequest) -> Generator[Event | Opened]:
     with closing(session.choose(ask.keyword, ask.count, ask.symmetry, ask.group)) as choosing:
         icons = yield from choosing
     picked = tuple(map(session.exemplar, icons))
@@ -101,7 +106,7 @@ def _page(session: Session, path: Path) -> Generator[Event, None, HybridsPage]:
     ask = None
     if file.icons is None:
         # As without the window: the seed picks the group, too.
-        ask = Ask(file.word, file.count or COUNT, file.symmetry, file.seed)
+        ask = PickRequest(file.word, file.count or COUNT, file.symmetry, file.seed)
         icons = yield from session.choose(ask.keyword, ask.count, ask.symmetry, ask.group)
         mix = file.mix(icons)
     else:

@@ -8,7 +8,7 @@ from iconstudio.inputs.together import ReadTogether, quoted_list
 from iconstudio.model import IconstudioError, Pictogram
 from iconstudio.workflows.montage.file import read_montage
 from iconstudio.workflows.montage.montage import MOST
-from iconstudio.workflows.montage.page import Icon, MontagePage
+from iconstudio.workflows.montage.page import IconShape, MontagePage
 
 _OVERLAP = (
     "Where scribbles over two icons overlapped, those of the upper icon were kept: "
@@ -28,15 +28,17 @@ class MontageOpener(IconOpener):
         """Yield the montage in a file, and say so if not all of its strokes could be kept."""
         file = read_montage(path)
         layers = file.resolved(self.session.icon).layers
-        page = MontagePage.of(layers, [Icon(self.session.exemplar(one.icon)) for one in layers])
+        page = MontagePage.of(
+            layers, [IconShape(self.session.exemplar(one.icon)) for one in layers]
+        )
         words = f"Opened “{file.title or path.stem}”."
         yield Opened(words, lambda document: document.change("open montage", page))
         if [one.strokes for one in page.layers] != [one.strokes for one in layers]:
             raise IconstudioError(_OVERLAP)
 
-    def drawn(self, pictogram: Pictogram) -> Icon:
+    def drawn(self, pictogram: Pictogram) -> IconShape:
         """Return an icon to be added."""
-        return Icon(super().drawn(pictogram))
+        return IconShape(super().drawn(pictogram))
 
     def put(self, gathered: ReadTogether) -> str:
         """Add icons on top, as many as there is room for."""

@@ -18,13 +18,12 @@ from iconstudio.gui.gallery.sheet_delegate import framed
 from iconstudio.gui.gallery.sheet_model import results_with
 from iconstudio.gui.jobs.live import LiveRunner
 from iconstudio.gui.jobs.worker import Worker
-from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.theme.layout import card, label, row, splitter
-from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.window.actions import Entry, work_entries
 from iconstudio.gui.workspaces.base import Workspace
+from iconstudio.gui.workspaces.plain.icons import WorkIcons
 from iconstudio.gui.workspaces.plain.opening import WorkOpener, WorkPage
-from iconstudio.model import Exemplar
+from iconstudio.model import Pictogram
 from iconstudio.session import Session
 from iconstudio.workflows.workflow import Workflow
 
@@ -38,7 +37,7 @@ class PlainWorkspace(Workspace):
     def __init__(self, workflow: Workflow, session: Session, files: Worker, saver: Saver) -> None:
         super().__init__(workflow, session, files, saver, Document(WorkPage(workflow.work())))
         self.opener = WorkOpener(workflow, session, self.document, self.finder, self)
-        self.chooser = IconChooser(session, self.finder)
+        self.work_icons = WorkIcons(session, self.finder) if workflow.with_icons else None
         self.runner = LiveRunner(
             self.worker, lambda work: pictured(session.run(workflow, work)), self
         )
@@ -48,29 +47,28 @@ class PlainWorkspace(Workspace):
             workflow.title,
             hint="The icons appear here",
             draggable=True,
-            removable=True,
         )
         self.detail = DetailPanel()
         run = Entry("run", f"&{workflow.title}", "Make the icons anew", "Ctrl+Return")
         self.entries = (run, *work_entries(workflow.noun, lambda place: True))
         self.make_actions()
-        left = card(label("Icons", "title"), (self.chooser, 1))
-        left.setFixedWidth(44 * UNIT)
         shown = card(label(workflow.title, "title"), (self.results, 1))
         right = splitter(Qt.Orientation.Vertical, (shown, 420, 1), (self.detail, 190, 0))
-        row(left, (right, 1), of=self)
+        row(*filter(None, [self.work_icons]), (right, 1), of=self)
         self._wire()
 
     def _wire(self) -> None:
-        self.chooser.chosen.connect(self._take_exemplar)
+        if self.work_icons is not None:
+            self.work_icons.chooser.chosen.connect(lambda icon: self.opener.add_icons([icon]))
+            self.work_icons.removed.connect(lambda icon: self.opener.remove_icon(icon.id))
         self.results.chosen.connect(self._look_at)
         self.runner.began.connect(self._clear)
         self.follow(self.runner, self._show)
         self.follow(self.opener.runner)
 
     def enter(self) -> None:
-        """Begin with looking icons up."""
-        self.chooser.setFocus()
+        """Begin with looking icons up, if it takes any."""
+        (self.results if self.work_icons is None else self.work_icons.chooser).setFocus()
 
     def set_destinations(self, destinations: tuple[Destination, ...]) -> None:
         """Say where icons can be sent to."""
@@ -81,8 +79,15 @@ class PlainWorkspace(Workspace):
         """Make the icons of what is there anew; nothing of an empty page."""
         self._make(self.runner.run)
 
+    @property
+    def icons(self) -> tuple[Pictogram, ...]:
+        """The icons of the work."""
+        return self.workflow.icons(self.page.work)
+
     def show_page(self) -> None:
-        """Make the icons of what is there now."""
+        """Show the icons that are chosen, and make those of what is there now."""
+        if self.work_icons is not None:
+            self.work_icons.show_icons(self.icons)
         self._make(self.runner.request)
 
     def _make(self, make: Callable[[Any], None]) -> None:
@@ -97,9 +102,6 @@ class PlainWorkspace(Workspace):
         self.results.show_entries(())
         self.detail.show_picture(None)
         self.picked.emit(None)
-
-    def _take_exemplar(self, icon: Exemplar) -> None:
-        self.opener.add_icons([icon])
 
     def _show(self, event: object) -> None:
         if isinstance(event, Picture):

@@ -1,4 +1,4 @@
-"""What the network of an expansion is made of: the grid, its costs, and the flow that is kept."""
+"""What the network of an alpha-expansion is made of: grid, costs, and the flow that is kept."""
 
 from typing import NamedTuple
 

@@ -1,4 +1,6 @@
-"""Remixes of one problem for many lambda_S, each helping the others (section 3.4).
+"""Alpha-expansion for many lambda_S, each helping the others (section 3.4).
+
+The method is that of Boykov, Veksler and Zabih (2001), as the paper has it.
 
 Importing this module loads numba, so only the process that cuts should do so.
 
@@ -6,10 +8,10 @@ Alpha-expansion ends in one of many local minima, and in which depends on where 
 labelling costs is D + lambda_S S, so each that is found counts for other lambda_S, too, and each
 search begins with the best one it may know.
 
-What is exact: every expansion is the best one (``networks``, ``cuts``) on its lattice, of blocks or
-of sites near seams; so no search ends above its beginning. Energies are whole numbers of
-``networks.UNIT`` parts, some 1e-5 off. Debug runs (``check``) assert that flows are feasible, cuts
-worth their flow, and energies never rise.
+What is exact: every expansion is the best one (``expansion_capacities``, ``mincut.cuts``) on its
+lattice, of blocks or of sites near seams; so no search ends above its beginning. Energies are whole
+numbers of ``expansion_capacities.UNIT`` parts, some 1e-5 off. Debug runs (``check``) assert that
+flows are feasible, cuts worth their flow, and energies never rise.
 
 What is heuristic, in the order of the work:
 
@@ -38,10 +40,8 @@ from numpy.typing import NDArray
 from scipy import ndimage
 
 from iconstudio.algorithms.iconification.energy import EPSILON, F_INT, PATCH, Labels, RemixProblem
-from iconstudio.algorithms.iconification.lattice import LAMBDAS, Lattice
-from iconstudio.algorithms.iconification.symmetry import mirrored
-from iconstudio.algorithms.mincut.cuts import minimum_cut
-from iconstudio.algorithms.mincut.grid import (
+from iconstudio.algorithms.iconification.expansion_capacities import UNIT, move, update
+from iconstudio.algorithms.iconification.expansion_network import (
     FREE,
     HELD,
     Box,
@@ -51,7 +51,9 @@ from iconstudio.algorithms.mincut.grid import (
     new_network,
     new_scratch,
 )
-from iconstudio.algorithms.mincut.networks import UNIT, move, update
+from iconstudio.algorithms.iconification.lattice import Lattice
+from iconstudio.algorithms.iconification.symmetry import mirrored
+from iconstudio.algorithms.mincut.cuts import minimum_cut
 from iconstudio.algorithms.mincut.trees import SOURCE, new_trees
 from iconstudio.model import CANVAS
 
@@ -59,12 +61,14 @@ BLOCK = 2
 COARSE = 4
 RISES = 4
 """In how many steps a preview goes from the lowest lambda_S to the one that is wanted."""
-REACH = 5
+SEAM_REACH = 5
 """Sites farther than this from a seam keep their labels in the end."""
 PROMISING = 1.03
 """An energy this much above the best that is found is worth refining."""
-FAR = 0.5
+FAR_FLOW = 0.5
 """From this lambda_S on, seams outweigh the data cost, so that flow goes far."""
+LOWEST = 0.03
+"""The least lambda_S that is usual on the paper's canvas: there the data cost rules."""
 LARGEST = 16.0
 """Above this lambda_S, expansions are made as if it were this, as whole numbers have an end."""
 ROUNDING = 1e-4
@@ -77,7 +81,7 @@ class Stopped(Exception):  # noqa: N818 - nothing went wrong
     """The work was no longer wanted."""
 
 
-class Level:
+class BlockExpansion:
     """A problem on blocks of ``block`` x ``block`` sites, and the networks of its labels.
 
     Labels here are arrays (N,) uint8 with the grid's border.
@@ -131,7 +135,7 @@ class Level:
         inside = (slice(1, -1), slice(1, -1))
         picture = labels.reshape(side + 2, side + 2)[inside]
         seam = ndimage.maximum_filter(picture, 3) != ndimage.minimum_filter(picture, 3)
-        free = ndimage.maximum_filter(seam, 2 * REACH - 1)
+        free = ndimage.maximum_filter(seam, 2 * SEAM_REACH - 1)
         kept = np.zeros((side + 2, side + 2), np.int8)
         kept[inside] = np.where(free, FREE, np.where(ndimage.maximum_filter(free, 3), HELD, 0))
         self.grid = self.grid._replace(kept=np.where(self._nodes, kept.ravel(), 0).astype(np.int8))
@@ -164,7 +168,7 @@ class Level:
     def begin(self, lambda_s: float) -> None:
         """Set lambda_S for the expansions to come, of any labels."""
         unit = min(lambda_s, LARGEST) * UNIT
-        self._far = lambda_s >= FAR
+        self._far = lambda_s >= FAR_FLOW
         root = np.ceil(unit * np.sqrt(np.arange(PATCH * PATCH + 1))).astype(np.int32)
         self.smoothness = Smoothness(root, int(np.ceil(unit * F_INT)), int(np.ceil(unit * EPSILON)))
         self._changed = [(0, self.grid.side, 0, self.grid.side)] * len(self._networks)
@@ -210,16 +214,17 @@ class Found(NamedTuple):
     labels: Labels
 
     def energy(self, lambda_s: float) -> float:
-        """Return the energy for a lambda_S."""
+        """Return F(L) for a lambda_S (equation 5)."""
         return self.data + lambda_s * self.smoothness
 
 
-class Sweep:
+class AlphaExpansion:
     """The labellings of a problem found so far, and the means to find better ones.
 
-    ``stop`` is asked every few milliseconds; when it says so, ``Stopped`` is raised, and the sweep
-    can still be used. With ``check``, for debug runs, the invariants are asserted: every flow is
-    feasible, every cut is worth its flow (``check_cut``), and no search ends above its beginning.
+    ``stop`` is asked every few milliseconds; when it says so, ``Stopped`` is raised, and all that
+    was found can still be used. With ``check``, for debug runs, the invariants are asserted: every
+    flow is feasible, every cut is worth its flow (``check_cut``), and no search ends above its
+    beginning.
     """
 
     def __init__(
@@ -232,7 +237,7 @@ class Sweep:
         self._problem = problem
         self._stop = stop
         self._words = plane_words(problem)
-        self._levels: dict[int, Level] = {}
+        self._blocks: dict[int, BlockExpansion] = {}
         self._known: list[Found] = []
         self._chains: dict[tuple[int, tuple[float, ...]], Found] = {}
 
@@ -253,7 +258,7 @@ class Sweep:
         if self._known:
             self._descend(COARSE, lambda_s, self.best(lambda_s))
         labels = None
-        lowest = LAMBDAS[0] * self._problem.side / CANVAS
+        lowest = LOWEST * self._problem.side / CANVAS
         for value in np.geomspace(min(lowest, lambda_s), lambda_s, RISES):
             labels = self._descend(COARSE, value, labels).labels
         self._descend(BLOCK, lambda_s, self.best(lambda_s))
@@ -297,17 +302,17 @@ class Sweep:
 
     def _descend(self, block: int, lambda_s: float, start: Labels | None) -> "Found":
         """Expand from ``start``, the cheapest labels if None, and remember what is found."""
-        if block not in self._levels:
-            self._levels[block] = Level(self._problem, block, self._words, self._check)
-        level = self._levels[block]
-        labels = level.cheapest() if start is None else level.reduced(start)
+        if block not in self._blocks:
+            self._blocks[block] = BlockExpansion(self._problem, block, self._words, self._check)
+        blocks = self._blocks[block]
+        labels = blocks.cheapest() if start is None else blocks.reduced(start)
         if block == 1:
-            level.hold(labels)
-        before = level.full(labels) if self._check else None
-        level.descend(labels, lambda_s, self._stop)
+            blocks.hold(labels)
+        before = blocks.full(labels) if self._check else None
+        blocks.descend(labels, lambda_s, self._stop)
         if block == 1:
-            level.let_go()
-        self.add(level.full(labels))
+            blocks.let_go()
+        self.add(blocks.full(labels))
         found = self._known[-1]
         if before is not None:
             fallen = self._energy(before, lambda_s) - self._energy(found.labels, lambda_s)

@@ -1,4 +1,4 @@
-"""The network whose minimum cut is the best expansion of a label, compiled (section 3.4).
+"""The network whose minimum cut is the best alpha-expansion of a label, compiled (section 3.4).
 
 Importing this module loads numba, so only the process that cuts should do so. The functions let go
 of the interpreter lock.
@@ -32,7 +32,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.compiled import entry, inner, ones, part
-from iconstudio.algorithms.mincut.grid import FREE, HELD, Box, Grid, Network, Scratch, Smoothness
+from iconstudio.algorithms.iconification.expansion_network import (
+    FREE,
+    HELD,
+    Box,
+    Grid,
+    Network,
+    Scratch,
+    Smoothness,
+)
 from iconstudio.algorithms.mincut.trees import SOURCE, Integers
 
 UNIT = 1 << 16

@@ -5,14 +5,19 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from iconstudio.algorithms.iconification.alpha_expansion import (
+    AlphaExpansion,
+    BlockExpansion,
+    Stopped,
+    plane_words,
+)
 from iconstudio.algorithms.iconification.energy import F_INT, Labels, RemixProblem
-from iconstudio.algorithms.iconification.lattice import Lattice
-from iconstudio.algorithms.iconification.sweep import Level, Stopped, Sweep, plane_words
+from iconstudio.algorithms.iconification.expansion_capacities import UNIT
 from iconstudio.algorithms.mincut import cuts
-from iconstudio.algorithms.mincut.networks import UNIT
 from iconstudio.model import CANVAS, Axis
 from tests.oracles import expansion
 from tests.oracles.expansion import minimise
+from tests.oracles.lattice import Lattice
 from tests.shapes import blob, problem
 
 
@@ -42,7 +47,7 @@ def is_symmetric(labels: Labels, axis: Axis) -> bool:
 @pytest.mark.parametrize("block", [4, 8])
 def test_expansions_are_those_of_the_plain_program(symmetry, block):
     one = busy_problem(3, symmetry=symmetry)
-    level, lattice = Level(one, block, plane_words(one)), Lattice(one, block)
+    level, lattice = BlockExpansion(one, block, plane_words(one)), Lattice(one, block)
     assert one.interior.any()
     rng = np.random.default_rng(block)
     labels = level.cheapest()
@@ -64,7 +69,7 @@ def test_expansions_are_those_of_the_plain_program(symmetry, block):
 def test_where_only_a_box_is_looked_at_the_rest_is_as_if_all_were():
     one = busy_problem(5)
     words = plane_words(one)
-    kept, fresh = Level(one, 4, words), Level(one, 4, words)
+    kept, fresh = BlockExpansion(one, 4, words), BlockExpansion(one, 4, words)
     rng = np.random.default_rng(1)
     labels = kept.cheapest()
     kept.begin(0.1)
@@ -84,7 +89,7 @@ def test_where_only_a_box_is_looked_at_the_rest_is_as_if_all_were():
 
 def test_a_search_ends_where_no_expansion_gains():
     one = busy_problem(2)
-    level = Level(one, 4, plane_words(one))
+    level = BlockExpansion(one, 4, plane_words(one))
     labels = level.cheapest()
     level.descend(labels, 0.1, never)
     lattice = Lattice(one, 4)
@@ -94,15 +99,15 @@ def test_a_search_ends_where_no_expansion_gains():
 
 
 @pytest.mark.parametrize("symmetry", [None, Axis.HORIZONTAL, Axis.ANTIDIAGONAL])
-def test_a_sweep_is_about_as_good_as_plain_expansion(symmetry):
+def test_it_is_about_as_good_as_plain_expansion(symmetry):
     one = busy_problem(1, symmetry=symmetry)
     lambdas = (0.03, 0.1, 0.4)
-    sweep = Sweep(one, check=True)
+    search = AlphaExpansion(one, check=True)
     plain = Lattice(one, 2)
     for lambda_s in lambdas:
-        labels = sweep.find(lambda_s, lambdas)
+        labels = search.find(lambda_s, lambdas)
         found = energy(one, labels, lambda_s)
-        assert sweep.energy(lambda_s) <= found * (1 + 1e-9)  # it is known from now on
+        assert search.energy(lambda_s) <= found * (1 + 1e-9)  # it is known from now on
         cold = minimise(plain, plain.data.argmin(axis=0).astype(np.uint8), lambda_s)
         assert found <= 1.01 * energy(one, plain.full(cold), lambda_s)
         if symmetry is not None:
@@ -111,10 +116,10 @@ def test_a_sweep_is_about_as_good_as_plain_expansion(symmetry):
 
 def test_the_same_calls_give_the_same_labels():
     def run() -> list[Labels]:
-        sweep = Sweep(busy_problem(4))
-        first = sweep.preview(0.2)
-        found = [sweep.find(value, (0.05, 0.2)) for value in (0.2, 0.05)]
-        return [first, *found, sweep.solve(0.1)]
+        search = AlphaExpansion(busy_problem(4))
+        first = search.preview(0.2)
+        found = [search.find(value, (0.05, 0.2)) for value in (0.2, 0.05)]
+        return [first, *found, search.solve(0.1)]
 
     for one, other in zip(run(), run(), strict=True):
         assert np.array_equal(one, other)
@@ -127,20 +132,20 @@ ROW = (0.03, 0.06, 0.12, 0.25, 0.5)
 @pytest.mark.parametrize("order", [(2, 1, 3, 0, 4), (4, 3, 2, 1, 0)])
 def test_what_is_found_depends_on_nothing_that_went_before(order, symmetry):
     one = busy_problem(9, count=6, symmetry=symmetry)
-    elsewhere = Sweep(busy_problem(10, count=6, symmetry=symmetry)).preview(0.1)
-    used = Sweep(one, check=True)
+    elsewhere = AlphaExpansion(busy_problem(10, count=6, symmetry=symmetry)).preview(0.1)
+    used = AlphaExpansion(one, check=True)
     used.add(elsewhere)
     used.preview(0.2)
     used.solve(0.05)
     for at in order:
-        fresh = Sweep(one).find(ROW[at], ROW)
+        fresh = AlphaExpansion(one).find(ROW[at], ROW)
         assert np.array_equal(used.find(ROW[at], ROW), fresh)
         assert np.array_equal(used.find(ROW[at], ROW[::-1]), fresh)
 
 
 def test_a_solution_is_a_fixed_point_of_the_fine_lattice():
     one = busy_problem(6, count=3)
-    labels = Sweep(one).solve(0.1)
+    labels = AlphaExpansion(one).solve(0.1)
     fine = Lattice(one)
     for alpha in np.unique(labels).tolist():
         assert expansion.expand(fine, fine.reduced(labels), alpha, 0.1)[1] < 0.01
@@ -148,18 +153,18 @@ def test_a_solution_is_a_fixed_point_of_the_fine_lattice():
 
 def test_what_is_known_counts_for_every_lambda():
     one = busy_problem(7)
-    sweep = Sweep(one)
+    search = AlphaExpansion(one)
     flat = np.full((CANVAS, CANVAS), 2, np.uint8)
-    sweep.add(flat)
-    assert sweep.energy(0.5) == pytest.approx(energy(one, flat, 0.5))
-    sweep.preview(0.5)
-    assert sweep.energy(0.5) <= energy(one, flat, 0.5)
-    assert sweep.energy(1e6) <= energy(one, flat, 1e6)
-    assert np.array_equal(sweep.best(1e6), flat)
+    search.add(flat)
+    assert search.energy(0.5) == pytest.approx(energy(one, flat, 0.5))
+    search.preview(0.5)
+    assert search.energy(0.5) <= energy(one, flat, 0.5)
+    assert search.energy(1e6) <= energy(one, flat, 1e6)
+    assert np.array_equal(search.best(1e6), flat)
 
 
 @pytest.mark.parametrize("patience", [1, 5, 23])
-def test_stopping_leaves_the_sweep_usable(monkeypatch, patience):
+def test_it_can_be_used_after_it_was_stopped(monkeypatch, patience):
     monkeypatch.setattr(cuts, "SLICE", 200)  # stops within cuts, too
     asked = 0
 
@@ -169,11 +174,11 @@ def test_stopping_leaves_the_sweep_usable(monkeypatch, patience):
         return asked == patience
 
     one = busy_problem(8)
-    sweep = Sweep(one, stop, check=True)
+    search = AlphaExpansion(one, stop, check=True)
     with pytest.raises(Stopped):
-        sweep.solve(0.1)
+        search.solve(0.1)
     assert asked == patience
-    assert np.array_equal(sweep.solve(0.1), Sweep(one).solve(0.1))
+    assert np.array_equal(search.solve(0.1), AlphaExpansion(one).solve(0.1))
 
 
 def random_problem(seed: int) -> RemixProblem:
@@ -191,7 +196,7 @@ def random_problem(seed: int) -> RemixProblem:
 @given(st.integers(0, 2**32 - 1), st.sampled_from([1, 2, 4]))
 def test_thousands_of_small_expansions_are_those_of_pymaxflow(seed, block):
     one = random_problem(seed)
-    level, lattice = Level(one, block, plane_words(one), check=True), Lattice(one, block)
+    level, lattice = BlockExpansion(one, block, plane_words(one), check=True), Lattice(one, block)
     rng = np.random.default_rng(seed)
     labels = level.reduced(lattice.full(rng.integers(0, len(one.data), lattice.data.shape[1])))
     for lambda_s in rng.choice([0.01, 0.1, 0.5, 3.0], 3).tolist():
@@ -207,7 +212,7 @@ def test_thousands_of_small_expansions_are_those_of_pymaxflow(seed, block):
 def test_an_expansion_is_the_best_of_all_labellings(seed):
     one = random_problem(seed)
     block = one.side // 4
-    level = Level(one, block, plane_words(one), check=True)
+    level = BlockExpansion(one, block, plane_words(one), check=True)
     rng = np.random.default_rng(seed)
     lattice = Lattice(one, block)
     start = lattice.full(rng.integers(0, len(one.data), lattice.data.shape[1]).astype(np.uint8))
@@ -228,8 +233,8 @@ def test_an_expansion_is_the_best_of_all_labellings(seed):
 @pytest.mark.parametrize("lambda_s", [0.0, 3.0, 1000.0])
 def test_extreme_lambdas(lambda_s):
     one = busy_problem(9)
-    sweep = Sweep(one)
-    labels = sweep.solve(lambda_s)
+    search = AlphaExpansion(one)
+    labels = search.solve(lambda_s)
     cheapest = one.data.argmin(axis=0).astype(np.uint8)
     assert energy(one, labels, lambda_s) <= energy(one, cheapest, lambda_s) + 0.01
 
@@ -239,18 +244,18 @@ def test_marks_hold_against_strong_seams():
     data = np.zeros_like(one.data)
     data[0, 100:110, 100:110] = 1e4
     data[1, 140:150, 140:150] = 1e4
-    labels = Sweep(RemixProblem(data, one.ink, one.solid)).solve(3.0)
+    labels = AlphaExpansion(RemixProblem(data, one.ink, one.solid)).solve(3.0)
     assert (labels[100:110, 100:110] == 1).all()
     assert (labels[140:150, 140:150] == 0).all()
 
 
 def test_the_only_source_owns_everything():
-    assert not Sweep(busy_problem(11, count=1)).solve(0.1).any()
+    assert not AlphaExpansion(busy_problem(11, count=1)).solve(0.1).any()
 
 
 def test_interior_structure_costs_what_the_paper_says():
     one = busy_problem(12, count=2)
-    level = Level(one, 1, plane_words(one))
+    level = BlockExpansion(one, 1, plane_words(one))
     level.begin(1.0)
     assert level.smoothness.through == F_INT * UNIT
 
@@ -259,9 +264,9 @@ def test_interior_structure_costs_what_the_paper_says():
 def test_a_canvas_may_have_any_side(side):
     rng = np.random.default_rng(side)
     one = problem(rng.random((3, side, side)) < 0.4, rng.random((3, side, side)))
-    sweep = Sweep(one)
-    sweep.preview(0.1)
-    labels = sweep.find(0.1, [0.02, 0.1])
+    search = AlphaExpansion(one)
+    search.preview(0.1)
+    labels = search.find(0.1, [0.02, 0.1])
     assert labels.shape == (side, side)
     fine = Lattice(one)
     for alpha in np.unique(labels).tolist():

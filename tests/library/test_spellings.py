@@ -1,0 +1,125 @@
+"""Search by the words that people type: short, familiar, with a hyphen, joined or parted."""
+
+import pytest
+from small_world import icon_set, shape
+
+from iconstudio.library.words import query
+from iconstudio.library.words.usage import INFORMAL, STAND_INS
+from iconstudio.library.words.vocabulary import words
+from iconstudio.model import IconstudioError
+
+
+def ids(collection, keyword):
+    return [found.id.partition(":")[2] for found in collection.search(keyword)]
+
+
+@pytest.mark.parametrize(
+    ("typed", "spelt_out"),
+    [
+        ("xmas", "christmas"),
+        ("xmas tree", "christmas tree"),
+        ("x mas tree", "christmas tree"),
+        ("old pics", "old picture"),
+        ("big tnt", "big dynamite"),
+        ("tee", "t shirt"),
+        ("dog", "dog"),
+        ("", ""),
+    ],
+)
+def test_informal_words_are_spelt_out(typed, spelt_out):
+    assert " ".join(query.spelt_out(tuple(typed.split()))) == spelt_out
+
+
+def test_a_word_may_be_parted_in_two_and_in_three():
+    parted = set(query.partings("jackolanterns"))
+    assert {"jack olantern", "jack o lantern", "jack o lanterns"} <= parted
+    assert not list(query.partings("x" * 5000))
+
+
+@pytest.mark.parametrize(
+    ("keyword", "names"),
+    [
+        ("xmas", {"christmas-hat", "christmas-horse"}),
+        ("X-Mas hats", {"christmas-hat"}),
+        ("doggo", {"dog"}),
+        ("hotdog", {"hot-dog"}),
+        ("hot-dog", {"hot-dog", "hotdog-bun"}),
+        ("table-lamp", {"lamp-table"}),
+        ("tablelamps", {"lamp-table"}),
+        ("horse tablelamp", {"horse-table-lamp"}),
+        ("horse table-lamp", {"horse-table-lamp"}),
+        ("check-in", {"check-in"}),
+        ("checkin", {"check-in"}),
+        ("toes", {"toe"}),
+        ("jack-o-lantern", {"jack-o-lantern"}),
+        ("jackolantern", {"jack-o-lantern"}),
+    ],
+)
+def test_however_it_is_spelt(opened, keyword, names):
+    names_there = (
+        "christmas-hat", "christmas-horse", "dog", "hot-dog", "hotdog-bun", "lamp-table",
+        "horse-table-lamp", "check", "check-in", "to", "toe", "jack-o-lantern",
+    )  # fmt: skip
+    collection = opened(icon_set("a", {one: shape(n) for n, one in enumerate(names_there)}))
+    found = ids(collection, keyword)
+    assert set(found[: len(names)]) == names
+
+
+def test_every_informal_word_finds_what_it_stands_for(bundled):
+    missed = [
+        word
+        for word, meant in INFORMAL.items()
+        if not (wanted := set(bundled._lookup.scores(" ".join(meant))))
+        or not wanted <= set(bundled._lookup.scores(word))
+    ]
+    assert missed == []
+
+
+def test_every_word_that_has_a_stand_in_finds_it(bundled):
+    missed = [
+        (word, term)
+        for word, terms in STAND_INS.items()
+        for term in terms
+        if not set(bundled._lookup.plainly(term)) & set(bundled._lookup.scores(word))
+    ]
+    assert missed == []
+
+
+HYPHENATED = sorted(
+    words(
+        """
+        x-mas t-shirt e-mail wi-fi x-ray u-turn ice-cream hot-dog log-in sign-out drop-down
+        paw-print ear-ring head-phones smart-phone fire-works thumbs-up anti-virus co-pilot hi-fi
+        check-in merry-go-round jack-o-lantern jack-in-the-box fast-forward pick-up-truck
+        first-aid-kit yo-yo walkie-talkie hot-air-balloon air-bag key-ring rock-paper-scissors
+        """
+    )
+)
+
+
+@pytest.mark.parametrize("word", HYPHENATED)
+def test_with_a_hyphen_or_without_one_finds_the_same(bundled, word):
+    spellings = (word, word.replace("-", " "), word.replace("-", ""))
+    hyphenated, spaced, joined = (set(bundled._lookup.scores(one)) for one in spellings)
+    assert joined <= hyphenated == spaced
+
+
+@pytest.mark.parametrize(
+    ("keyword", "part"),
+    [
+        ("sign-in", "sign"), ("log-out", "out"), ("xmas tree", "christmas"), ("toe", "foot"),
+        ("toes", "foot"), ("legs", "leg"), ("eyes", "eye"), ("arms", "arm"), ("hands", "hand"),
+        ("jack-o'-lantern", "lantern"), ("bday cake", "cake"),
+    ],
+)  # fmt: skip
+def test_what_is_meant_comes_first(bundled, keyword, part):
+    assert all(part in name for name in ids(bundled, keyword)[:2])
+
+
+@pytest.mark.parametrize(("keyword", "never"), [("bum", "git"), ("sole", "bottom")])
+def test_a_far_fetched_word_answers_none(bundled, keyword, never):
+    try:
+        found = ids(bundled, keyword)
+    except IconstudioError:
+        found = []
+    assert not [name for name in found if never in name]
