@@ -167,7 +167,7 @@ def sketching(window: MainWindow, folder: Path) -> Stages:
         yield 30
     yield "colour code"
     for on in (True, False, True, False):
-        window.action("coded" if on else "plain").setChecked(True)
+        window.workspace.actions_by_name["coded" if on else "plain"].setChecked(True)
         yield 150
     yield "zooming the sketch"
     for step in range(20):
@@ -181,7 +181,7 @@ def sketching(window: MainWindow, folder: Path) -> Stages:
     yield "saving"
     window.saver.ask_path = lambda what, name, kind: folder / f"{name}.{kind}"
     for name in ("svg", "png", "copy", "save"):
-        window.action(name).trigger()
+        window.workspace.actions_by_name[name].trigger()
         yield 400
 
 
@@ -202,7 +202,7 @@ def mixing(window: MainWindow) -> Stages:
         yield 15
     yield lambda: not place.draws.runner.running
     yield "colouring hybrids"
-    window.action("coded").setChecked(True)
+    window.workspace.actions_by_name["coded"].setChecked(True)
     yield 200
     place.cancel()
 
@@ -225,7 +225,7 @@ def joining(window: MainWindow, session: Session) -> Stages:
         yield 400
     yield lambda: not place.live.running
     yield "dragging a layer"
-    window.action("arrange").trigger()
+    window.workspace.actions_by_name["arrange"].trigger()
     yield from _drag(place.view, middle, middle + QPoint(50, 40))
     yield lambda: not place.live.running
     yield "zooming 10 layers"

@@ -66,8 +66,7 @@ def test_window(benchmark, session, montage, qtbot, monkeypatch):
 
     from iconstudio.gui.project import questions
     from iconstudio.gui.window.main_window import MainWindow
-    from iconstudio.gui.workspaces.montage.opening import page_of
-    from iconstudio.workflows.montage.page import IconShape
+    from iconstudio.workflows.montage.page import IconShape, MontagePage
 
     left = Qt.MouseButton.LeftButton
     window = MainWindow(session, (MONTAGE,))
@@ -75,7 +74,7 @@ def test_window(benchmark, session, montage, qtbot, monkeypatch):
     window.show()
     place = window.workspace
     icons = [IconShape(session.exemplar(layer.icon)) for layer in montage.layers]
-    place.document.change("open", page_of(montage.layers, icons))
+    place.document.change("open", MontagePage.of(montage.layers, icons))
 
     def spot(x: float, y: float) -> QPoint:
         return place.view.camera.to_view((x, y)).toPoint()

@@ -10,7 +10,7 @@ from PySide6.QtCore import QSettings, QtMsgType
 from PySide6.QtWidgets import QApplication
 
 from iconstudio.gui.app import application, leave_clipboard
-from iconstudio.gui.gallery import pictures
+from iconstudio.gui.gallery import display, pictures
 from iconstudio.gui.project import questions
 from iconstudio.gui.project.questions import Answer
 from iconstudio.gui.window.main_window import MainWindow
@@ -41,6 +41,7 @@ def own_preferences(tmp_path_factory):
     folder = str(tmp_path_factory.mktemp("preferences"))
     QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, folder)
     prefer(LIVE, False)
+    display.setting.recall()
 
 
 @pytest.fixture(autouse=True)

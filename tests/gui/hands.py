@@ -4,8 +4,13 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt
+from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
 
+from iconstudio.gui.jobs.worker import Worker
+from iconstudio.gui.panels.chooser import IconChooser
+from iconstudio.gui.window.main_window import MainWindow
+from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.sketching.workspace import SketchWorkspace
 from iconstudio.workflows.registry import workflows
 
@@ -68,7 +73,28 @@ def shown(window, qtbot):
     qtbot.waitExposed(window)
     yield window
     window.close()
-    assert not window.threads_alive()
+    assert not threads_alive(window)
     # At once: windows of earlier tests would slow down whatever concerns all widgets.
     window.deleteLater()
     QCoreApplication.sendPostedEvents(window, QEvent.Type.DeferredDelete)
+
+
+def search(chooser: IconChooser, keyword: str) -> None:
+    """Look icons up: type a word, and press Enter."""
+    chooser.field.setText(keyword)
+    chooser.field.returnPressed.emit()
+
+
+def action(window: MainWindow, name: str) -> QAction:
+    """Return an action of the workspace in use, or of the window itself."""
+    return window.workspace.actions_by_name.get(name) or window.actions_by_name[name]
+
+
+def workspaces(window: MainWindow) -> tuple[Workspace, ...]:
+    """Return all workspaces, as they stand on the switch."""
+    return tuple(window.workspace_of(one.text()) for one in window.modes.actions_in_order)
+
+
+def threads_alive(window: MainWindow) -> bool:
+    """Return whether a thread of the window still runs; none should once it is closed."""
+    return any(worker.alive for worker in window.findChildren(Worker))

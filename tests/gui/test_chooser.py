@@ -4,6 +4,7 @@ import threading
 
 import pytest
 from fake_session import read_simply
+from hands import search
 from images import pixels
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDrag, QDragEnterEvent, QDropEvent
@@ -58,22 +59,22 @@ def own(tmp_path):
 
 
 def count(chooser):
-    return chooser.choices.model().rowCount()
+    return chooser.sheet.model().rowCount()
 
 
 def found(chooser, qtbot, keyword="dog"):
-    chooser.search(keyword)
+    search(chooser, keyword)
     qtbot.waitUntil(lambda: count(chooser) >= 60)
-    return [chooser.choices.model().entry(chooser.choices.model().index(i)) for i in range(60)]
+    return [chooser.sheet.model().entry(chooser.sheet.model().index(i)) for i in range(60)]
 
 
 def place(chooser, number):
     """Return the middle of an icon on the sheet."""
-    return chooser.choices.visualRect(chooser.choices.model().index(number)).center()
+    return chooser.sheet.visualRect(chooser.sheet.model().index(number)).center()
 
 
 def click(chooser, number):
-    QTest.mouseClick(chooser.choices.viewport(), LEFT, pos=place(chooser, number))
+    QTest.mouseClick(chooser.sheet.viewport(), LEFT, pos=place(chooser, number))
 
 
 def opened(chooser, qtbot, path):
@@ -106,9 +107,9 @@ def test_return_does_not_wait(chooser, qtbot, session):
 
 def test_a_word_that_was_changed_meanwhile_is_forgotten(chooser, qtbot, session):
     session.search_gate = threading.Semaphore(0)
-    chooser.search("cat")
+    search(chooser, "cat")
     qtbot.waitUntil(lambda: len(session.calls) == 1)
-    chooser.search("dog")
+    search(chooser, "dog")
     qtbot.waitUntil(lambda: len(session.calls) == 2)
     assert chooser.caption.text() == "Looking for “dog”…"
     session.search_gate.release(9)
@@ -126,7 +127,7 @@ def test_an_emptied_field_forgets_what_was_found(chooser, qtbot):
 
 def test_nothing_found_is_said_in_place(chooser, qtbot):
     found(chooser, qtbot)
-    chooser.search("zzebra")
+    search(chooser, "zzebra")
     qtbot.waitUntil(lambda: "No icon is found" in chooser.caption.text())
     assert chooser.caption.property("error")
     assert count(chooser) == 0
@@ -137,7 +138,7 @@ def test_nothing_found_is_said_in_place(chooser, qtbot):
 
 def test_what_is_typed_is_no_markup(chooser, qtbot, session):
     session.search_gate = threading.Semaphore(0)
-    chooser.search("<a href='x'>y</a>")
+    search(chooser, "<a href='x'>y</a>")
     assert chooser.caption.textFormat() == Qt.TextFormat.PlainText
 
 
@@ -152,10 +153,10 @@ def test_the_keyboard_does_it_all(chooser, qtbot):
     chooser.setFocus()
     assert chooser.field.hasFocus()
     QTest.keyClick(chooser.field, Qt.Key.Key_Down)
-    assert chooser.choices.hasFocus()
-    QTest.keyClick(chooser.choices, Qt.Key.Key_Return)
-    QTest.keyClick(chooser.choices, Qt.Key.Key_Right)
-    QTest.keyClick(chooser.choices, Qt.Key.Key_Space)
+    assert chooser.sheet.hasFocus()
+    QTest.keyClick(chooser.sheet, Qt.Key.Key_Return)
+    QTest.keyClick(chooser.sheet, Qt.Key.Key_Right)
+    QTest.keyClick(chooser.sheet, Qt.Key.Key_Space)
     assert chooser.heard == [("chosen", icons[0]), ("chosen", icons[1])]
 
 
@@ -178,12 +179,12 @@ def test_only_where_several_are_chosen_a_taken_icon_is_given_back(make, qtbot):
 def test_a_taken_icon_is_ticked(make, qtbot):
     chooser = make(multiple=True)
     icons = found(chooser, qtbot)
-    sheet = chooser.choices.model()
-    before = pixels(chooser.choices.viewport().grab().toImage())
+    sheet = chooser.sheet.model()
+    before = pixels(chooser.sheet.viewport().grab().toImage())
     chooser.set_taken(frozenset({icons[1].id}))
-    after = pixels(chooser.choices.viewport().grab().toImage())
+    after = pixels(chooser.sheet.viewport().grab().toImage())
     ys, xs = (before != after).any(axis=2).nonzero()
-    box = chooser.choices.visualRect(sheet.index(1))
+    box = chooser.sheet.visualRect(sheet.index(1))
     assert len(ys) > 200
     assert all(box.contains(QPoint(int(x), int(y))) for y, x in zip(ys, xs, strict=True))
     role = Qt.ItemDataRole
@@ -215,11 +216,11 @@ def test_a_file_dialog_that_is_cancelled_changes_nothing(chooser, qtbot, monkeyp
 
 def test_an_opened_file_stays_while_others_are_looked_up(chooser, qtbot, own):
     opened(chooser, qtbot, own)
-    first = chooser.choices.model().entry(chooser.choices.model().index(0))
+    first = chooser.sheet.model().entry(chooser.sheet.model().index(0))
     opened(chooser, qtbot, own)
     assert count(chooser) == 1, "it is the same file"
     found(chooser, qtbot)
-    assert chooser.choices.model().entry(chooser.choices.model().index(0)).id == first.id
+    assert chooser.sheet.model().entry(chooser.sheet.model().index(0)).id == first.id
     assert count(chooser) == 61
 
 
@@ -284,7 +285,7 @@ def test_an_icon_is_dragged_away_and_not_chosen(chooser, qtbot, monkeypatch):
     icons = found(chooser, qtbot)
     dragged = []
     monkeypatch.setattr(QDrag, "exec", lambda drag, _: dragged.append(unpacked(drag.mimeData())))
-    view, start = chooser.choices.viewport(), place(chooser, 4)
+    view, start = chooser.sheet.viewport(), place(chooser, 4)
     QTest.mousePress(view, LEFT, pos=start)
     for step in range(1, 6):
         QTest.mouseMove(view, start + QPoint(0, 20 * step))
@@ -303,8 +304,8 @@ def test_a_drag_from_elsewhere_is_no_icon():
 def test_everything_has_a_name_for_screen_readers(chooser, qtbot):
     icons = found(chooser, qtbot)
     assert chooser.field.accessibleName()
-    assert chooser.choices.accessibleName()
-    sheet = chooser.choices.model()
+    assert chooser.sheet.accessibleName()
+    sheet = chooser.sheet.model()
     role = Qt.ItemDataRole.AccessibleTextRole
     assert sheet.data(sheet.index(5), role) == icons[5].id
     assert sheet.data(sheet.index(99), role) is None

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 from fake_session import FakeSession
-from hands import SQUARE, click, trace, type_keyword
+from hands import SQUARE, action, click, trace, type_keyword
 
 from iconstudio.gui.project import questions
 from iconstudio.gui.project.questions import Answer
@@ -56,7 +56,7 @@ def killed_after(seconds):
 
 def offered(window, qtbot):
     qtbot.waitUntil(window.recovery.isVisible)
-    return window.recovery.offers
+    return window.recovery._offers
 
 
 def edits_in(window):
@@ -136,7 +136,7 @@ def test_what_was_restored_is_of_the_same_file(started, qtbot, tmp_path, monkeyp
     monkeypatch.setattr(questions, "ask_where", lambda *_: path)
     window = started()
     trace(window.workspace)
-    window.action("save_project").trigger()
+    action(window, "save_project").trigger()
     qtbot.waitUntil(path.exists)
     qtbot.waitUntil(lambda: not list(journals_folder().glob("*")))
     type_keyword(window.workspace, "dog")
@@ -149,7 +149,7 @@ def test_what_was_restored_is_of_the_same_file(started, qtbot, tmp_path, monkeyp
     qtbot.waitUntil(lambda: window.project.path == path)
     assert window.project.modified
     assert window.workspace.document.page.sketch.keyword == "dog"
-    window.action("save_project").trigger()
+    action(window, "save_project").trigger()
     qtbot.waitUntil(lambda: not window.project.modified)
     qtbot.waitUntil(lambda: not list(journals_folder().glob("*")))
 
@@ -204,7 +204,7 @@ def test_work_that_is_undone_again_leaves_no_journal(started, qtbot):
     window = started()
     click(window.workspace, SQUARE[0])
     journalled(qtbot)
-    window.action("undo").trigger()
+    action(window, "undo").trigger()
     qtbot.waitUntil(lambda: not list(journals_folder().glob("*")))
 
 

@@ -8,7 +8,7 @@ from urllib.parse import quote
 import numpy as np
 import pytest
 from fake_session import drawing, exemplar, read_simply
-from hands import SQUARE
+from hands import SQUARE, threads_alive
 from PySide6.QtCore import QByteArray, QMimeData, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent, QImage
 from PySide6.QtTest import QTest
@@ -600,4 +600,4 @@ def test_a_drop_of_everything_at_once_leaves_no_trace_when_the_window_closes(win
         window.show_workspace(number)
         drop(window.workspace, urls(*own(40)))
     window.close()
-    assert not window.threads_alive()
+    assert not threads_alive(window)

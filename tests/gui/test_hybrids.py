@@ -6,7 +6,7 @@ from itertools import pairwise
 
 import pytest
 from fake_session import exemplar
-from hands import save_to
+from hands import save_to, search, workspaces
 from PySide6.QtCore import QEvent, QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QContextMenuEvent, QDropEvent, QWheelEvent
 from PySide6.QtTest import QTest
@@ -31,14 +31,14 @@ SVG = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M1 1h7
 def place(window):
     """The workspace, in sight."""
     workspace = window.workspace_of("Hybrids")
-    window.show_workspace(window.workspaces.index(workspace))
+    window.show_workspace(workspaces(window).index(workspace))
     return workspace
 
 
 @pytest.fixture
 def chosen(place, qtbot):
     """The workspace with four icons: ring, frame, cross and triangle."""
-    place.column.chooser.search("lamp")
+    search(place.column.chooser, "lamp")
     pick(place, qtbot, 4)
     return place
 
@@ -168,11 +168,11 @@ def test_icons_are_ticked_and_given_back(place, qtbot):
     chooser = place.column.chooser
     QTest.keyClicks(chooser.field, "lamp")
     QTest.keyClick(chooser.field, Qt.Key.Key_Return)
-    sheet = chooser.choices.model()
+    sheet = chooser.sheet.model()
     qtbot.waitUntil(lambda: sheet.rowCount() == 60)
     for row in (3, 1, 3):
-        box = chooser.choices.visualRect(sheet.index(row))
-        QTest.mouseClick(chooser.choices.viewport(), LEFT, pos=box.center())
+        box = chooser.sheet.visualRect(sheet.index(row))
+        QTest.mouseClick(chooser.sheet.viewport(), LEFT, pos=box.center())
     assert names(place) == ["shapes:frame-1"]
     assert "one more icon" in place.column.run.toolTip()
     place.document.undo_stack.undo()
@@ -197,7 +197,7 @@ def test_picking_needs_a_word(place):
 
 
 def test_what_cannot_be_picked_is_told(place, qtbot):
-    place.column.chooser.search("zzz")
+    search(place.column.chooser, "zzz")
     pick(place, qtbot, 4)
     assert "No icon is found" in place.window().pane.notice.label.text()
     assert not names(place)
@@ -247,7 +247,7 @@ def test_an_icon_that_is_sent_joins_once(chosen, qtbot):
 
 
 def test_a_thirteenth_icon_is_refused(place, qtbot):
-    place.column.chooser.search("lamp")
+    search(place.column.chooser, "lamp")
     pick(place, qtbot, 12)
     place.take(exemplar(40).pictogram)
     notice = place.window().pane.notice

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 from fake_session import RECOMMENDED, FakeSession, exemplar
-from hands import SQUARE, click, drag, press, trace, type_keyword
+from hands import SQUARE, click, drag, press, threads_alive, trace, type_keyword, workspaces
 from PySide6.QtCore import QSettings, Qt
 from PySide6.QtTest import QTest
 
@@ -189,7 +189,7 @@ def test_the_icons_of_a_sketch_that_is_opened_again_are_shown_while_it_runs(draw
     qtbot.waitUntil(begun(session, 2))
     qtbot.waitUntil(lambda: "60 icons" in caption.text())
     assert drawn.runner.running
-    assert drawn.keyword_panel.thumbnails.model().rowCount() == 60
+    assert drawn.keyword_panel.sheet.model().rowCount() == 60
     session.gate.release(100)
     rest(drawn, qtbot, session)
 
@@ -257,7 +257,7 @@ def test_every_kind_of_change_starts_again(drawn, qtbot, session):
         stack.undo,
         stack.redo,
         lambda: drawn.hold_to(Axis.HORIZONTAL),
-        lambda: drawn.keyword_panel.thumbnails.chosen.emit(exemplar(2)),
+        lambda: drawn.keyword_panel.sheet.chosen.emit(exemplar(2)),
         lambda: type_keyword(drawn, "s"),
     ):
         count = len(runs(session))
@@ -488,11 +488,11 @@ def test_a_skipped_style_says_why_and_comes_back(drawn, qtbot, session):
 
 def test_salient_regions_stay_until_the_new_ones_come(drawn, qtbot, session):
     drawn.actions_by_name["regions"].trigger()
-    assert len(drawn.scene.regions) == 9
+    assert len(drawn.scene._regions) == 9
     move(drawn)
-    assert len(drawn.scene.regions) == 9
+    assert len(drawn.scene._regions) == 9
     drawn.actions_by_name["clear"].trigger()
-    assert not drawn.scene.regions
+    assert not drawn.scene._regions
 
 
 def test_only_what_the_user_picks_or_asks_for_is_kept(drawn, qtbot, session, window):
@@ -600,7 +600,7 @@ def test_closing_the_window_leaves_nothing_behind(drawn, qtbot, session, stuck):
     drawn.window().close()
     assert session.closed.is_set()
     assert session.generators_closed == count
-    assert not drawn.window().threads_alive()
+    assert not threads_alive(drawn.window())
 
 
 # -- editing -----------------------------------------------------------------------------------
@@ -610,7 +610,7 @@ def test_closing_the_window_leaves_nothing_behind(drawn, qtbot, session, stuck):
 def editing(window, qtbot):
     """An icon on the canvas of the Edit workspace, in live mode."""
     place = window.workspace_of("Edit")
-    window.show_workspace(window.workspaces.index(place))
+    window.show_workspace(workspaces(window).index(place))
     patient(place)
     place.take(exemplar(5).pictogram)
     qtbot.waitUntil(lambda: place.document.page.icon is not None)
@@ -664,7 +664,7 @@ def test_the_pick_stays_while_a_run_goes_on_and_is_the_best_in_the_end(drawn, qt
         for number, one in enumerate(results)
     ]  # fmt: skip
     picks = []
-    board.picked.connect(lambda one: picks.append(one and one.icon.composite))
+    board.results.picked.connect(lambda one: picks.append(one and one.icon.composite))
     board.begin(settings)
     picks.clear()
     for one in scored:

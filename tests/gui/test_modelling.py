@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import pytest
 from fake_session import RECOMMENDED, FakeSession, exemplar
-from hands import SQUARE, click, press, trace, type_keyword
+from hands import SQUARE, click, press, threads_alive, trace, type_keyword
 from images import blank
 from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtGui import QColor
@@ -50,7 +50,7 @@ def finish(sketching, qtbot):
 def test_icons_are_found_while_the_user_still_draws(sketching, qtbot, session):
     click(sketching, SQUARE[0])
     type_keyword(sketching, "motorcycle")
-    sheet = sketching.keyword_panel.thumbnails.model()
+    sheet = sketching.keyword_panel.sheet.model()
     qtbot.waitUntil(lambda: sheet.rowCount() == 60)
     click(sketching, SQUARE[1])
     assert [call[1] for call in session.calls] == ["motorcycle"], "not once for each letter"
@@ -401,7 +401,7 @@ def test_how_results_are_shown_is_remembered_in_all_workspaces(ready):
 
 
 def test_an_icon_is_left_out_and_taken_back(ready, qtbot, session):
-    thumbnails = ready.keyword_panel.thumbnails
+    thumbnails = ready.keyword_panel.sheet
     qtbot.waitUntil(lambda: thumbnails.model().rowCount() == 60)
     spot = thumbnails.visualRect(thumbnails.model().index(2)).center()
     QTest.mouseClick(thumbnails.viewport(), Qt.MouseButton.LeftButton, pos=spot)
@@ -435,7 +435,7 @@ def test_regions_are_shown_on_the_outline_they_belong_to(ready, qtbot):
     ready.actions_by_name["regions"].trigger()
     assert ready.view.grab().toImage() != plain
     click(ready, (250, 110))
-    assert not ready.scene.regions
+    assert not ready.scene._regions
 
 
 @pytest.mark.parametrize("stuck", [False, True])
@@ -447,7 +447,7 @@ def test_closing_the_window_while_it_works_leaves_no_thread(ready, qtbot, sessio
     ready.window().close()
     assert session.closed.is_set()
     assert session.generators_closed == 1
-    assert not ready.window().threads_alive()
+    assert not threads_alive(ready.window())
 
 
 def test_the_window_stays_awake(ready, qtbot, record_property):

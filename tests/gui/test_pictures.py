@@ -11,7 +11,7 @@ from PySide6.QtGui import QColor, QIcon, QPainter
 from iconstudio.gui.canvas.mipmap import Mipmap
 from iconstudio.gui.canvas.tools.polygon import PolygonTool
 from iconstudio.gui.canvas.vector import painter_path
-from iconstudio.gui.gallery.pictures import Display, Picture, pictured, placed, stencil, titled
+from iconstudio.gui.gallery.pictures import Display, Picture, pictured, placed, stencil
 from iconstudio.gui.theme import icons, theme
 from iconstudio.model import CANVAS, Contour, Icon, Path, Placement, Polygon, Sketch
 from iconstudio.workflows.grid import GridSettings
@@ -97,9 +97,7 @@ def test_an_icon_is_drawn_as_its_path_at_any_size():
 def test_a_preview_is_shown_before_its_colour_code_is_made_and_a_result_with_it():
     sketch = Sketch(Polygon(tuple(SQUARE)), "bicycle")
     shown = []
-    for event in pictured(
-        FakeSession().model(sketch, GridSettings(previews=True)), titled("bicycle")
-    ):
+    for event in pictured(FakeSession().model(sketch, GridSettings(previews=True)), "bicycle"):
         if isinstance(event, Picture):
             assert ("coded" in vars(event)) != event.preview
             shown.append(event)
@@ -116,7 +114,7 @@ def painted(picture, display):
 
 def test_both_shows_the_icon_with_its_colour_code_small_beside_it():
     sketch = Sketch(Polygon(tuple(SQUARE)), "bicycle")
-    events = pictured(FakeSession().model(sketch), titled("bicycle"))
+    events = pictured(FakeSession().model(sketch), "bicycle")
     picture = next(event for event in events if isinstance(event, Picture))
     plain, both, coded = (painted(picture, one) for one in Display)
     colourful = [np.ptp(image[..., :3], axis=-1) > 0.25 for image in (plain, both, coded)]

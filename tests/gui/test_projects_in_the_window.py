@@ -7,18 +7,29 @@ from dataclasses import replace
 
 import pytest
 from fake_session import exemplar
-from hands import SQUARE, click, shown, trace, type_keyword
+from hands import (
+    SQUARE,
+    action,
+    click,
+    shown,
+    threads_alive,
+    trace,
+    type_keyword,
+    workspaces,
+)
 from PySide6.QtCore import QMimeData, QUrl
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QMessageBox
 
 from iconstudio.gui.canvas.photo import mipmap_of
+from iconstudio.gui.exchange.saving import suffixed
 from iconstudio.gui.project import questions, recents
 from iconstudio.gui.project.questions import Answer
 from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.gui.workspaces.plain.opening import WorkPage
 from iconstudio.model import Axis, Placement, Stroke
 from iconstudio.project import archive
+from iconstudio.project.archive import SUFFIX
 from iconstudio.svg.reading import own_svg
 from iconstudio.workflows.editing.page import Area, EditPage, Kind
 from iconstudio.workflows.hybrids.page import HybridsPage, Ingredient, PickRequest
@@ -99,12 +110,12 @@ def plain(page):
 
 
 def pages(window):
-    return {one.workflow.name: plain(one.document.page) for one in window.workspaces}
+    return {one.workflow.name: plain(one.document.page) for one in workspaces(window)}
 
 
 def save(window, qtbot, path, monkeypatch):
     monkeypatch.setattr(questions, "ask_where", lambda *_: path)
-    window.action("save_project").trigger()
+    action(window, "save_project").trigger()
     qtbot.waitUntil(lambda: not window.project.modified)
 
 
@@ -136,11 +147,11 @@ def test_the_pages_of_all_workflows_are_read_back(window, another, qtbot, tmp_pa
     assert mipmap_of(there).levels[0].pixelColor(3, 3).name() == "#336699"
     assert not other.project.modified
     assert not other.isWindowModified()
-    assert all(one.document.undo_stack.count() == 0 for one in other.workspaces)
+    assert all(one.document.undo_stack.count() == 0 for one in workspaces(other))
     # Once more, it is the same file.
     again = tmp_path / "again.iconstudio"
     monkeypatch.setattr(questions, "ask_where", lambda *_: again)
-    other.action("save_project_as").trigger()
+    action(other, "save_project_as").trigger()
     qtbot.waitUntil(lambda: other.project.path == again)
     one, two = (zipfile.ZipFile(file) for file in (path, again))
     assert sorted(one.namelist()) == sorted(two.namelist())
@@ -193,12 +204,12 @@ def test_a_star_stands_for_what_is_not_saved(window, qtbot, tmp_path, monkeypatc
     click(window.workspace, SQUARE[0])
     assert window.isWindowModified()
     assert "Untitled" in window.windowTitle()
-    window.action("undo").trigger()
+    action(window, "undo").trigger()
     assert not window.isWindowModified()
-    window.action("redo").trigger()
+    action(window, "redo").trigger()
     save(window, qtbot, tmp_path / "dog.iconstudio", monkeypatch)
     assert not window.isWindowModified()
-    window.action("undo").trigger()
+    action(window, "undo").trigger()
     assert window.isWindowModified()
 
 
@@ -216,22 +227,22 @@ def test_closing_asks_about_what_is_not_saved(window, qtbot, tmp_path, monkeypat
     asked = []
     monkeypatch.setattr(questions, "ask_about_unsaved", lambda *_: asked.append(1) or answer)
     trace(window.workspace)
-    window.action("quit").trigger()
+    action(window, "quit").trigger()
     assert asked == [1]
     if answer is Answer.SAVE:
         qtbot.waitUntil(lambda: not window.isVisible())
         assert path.exists()
     assert window.isVisible() == (answer is Answer.CANCEL)
-    assert window.threads_alive() == (answer is Answer.CANCEL)
+    assert threads_alive(window) == (answer is Answer.CANCEL)
     monkeypatch.setattr(questions, "ask_about_unsaved", lambda *_: Answer.DISCARD)
 
 
 def test_nothing_is_asked_where_nothing_is_lost(window, qtbot, tmp_path, monkeypatch):
     monkeypatch.setattr(questions, "ask_about_unsaved", no_question)
-    window.action("new_project").trigger()
+    action(window, "new_project").trigger()
     trace(window.workspace)
     save(window, qtbot, tmp_path / "dog.iconstudio", monkeypatch)
-    window.action("new_project").trigger()
+    action(window, "new_project").trigger()
     assert window.project.path is None
     assert window.workspace.document.page.empty
 
@@ -240,7 +251,7 @@ def test_a_project_that_is_opened_asks_about_the_one_before(window, qtbot, tmp_p
     trace(window.workspace)
     path = tmp_path / "dog.iconstudio"
     save(window, qtbot, path, monkeypatch)
-    window.action("new_project").trigger()
+    action(window, "new_project").trigger()
     type_keyword(window.workspace, "cat")
     asked = []
     monkeypatch.setattr(questions, "ask_about_unsaved", lambda *_: asked.append(1) or Answer.CANCEL)
@@ -256,7 +267,7 @@ def test_a_dropped_project_is_opened(window, qtbot, tmp_path, monkeypatch):
     trace(window.workspace)
     path = tmp_path / "dog.iconstudio"
     save(window, qtbot, path, monkeypatch)
-    window.action("new_project").trigger()
+    action(window, "new_project").trigger()
     for number in range(5):
         window.show_workspace(number)
         data = QMimeData()
@@ -264,7 +275,7 @@ def test_a_dropped_project_is_opened(window, qtbot, tmp_path, monkeypatch):
         window.workspace.open_mime(data)
         qtbot.waitUntil(lambda: window.project.path == path)
         assert window.workspace.workflow.name == "model"
-        window.action("new_project").trigger()
+        action(window, "new_project").trigger()
 
 
 def test_files_of_work_are_opened_where_they_belong(window, qtbot, tmp_path):
@@ -282,9 +293,9 @@ def test_recent_projects_are_offered_and_opened(window, qtbot, tmp_path, monkeyp
     for name in ("a&b", "cat"):
         path = tmp_path / f"{name}.iconstudio"
         monkeypatch.setattr(questions, "ask_where", lambda *_, path=path: path)
-        window.action("save_project_as").trigger()
+        action(window, "save_project_as").trigger()
         qtbot.waitUntil(lambda path=path: window.project.path == path)
-    menu = window.action("recent").menu()
+    menu = action(window, "recent").menu()
     menu.aboutToShow.emit()
     texts = [one.text() for one in menu.actions()]
     assert texts[0].startswith("&1  cat – ")
@@ -331,7 +342,7 @@ def test_a_page_that_cannot_be_read_is_told_and_the_file_is_safe(
 def test_what_cannot_be_saved_is_told_and_stays(window, qtbot, tmp_path, monkeypatch):
     trace(window.workspace)
     monkeypatch.setattr(questions, "ask_where", lambda *_: tmp_path / "gone" / "dog.iconstudio")
-    window.action("save_project").trigger()
+    action(window, "save_project").trigger()
     qtbot.waitUntil(window.pane.notice.isVisible)
     assert "cannot be written" in window.pane.notice.label.text()
     assert window.project.modified
@@ -339,11 +350,11 @@ def test_what_cannot_be_saved_is_told_and_stays(window, qtbot, tmp_path, monkeyp
 
 
 def test_the_name_of_another_kind_gets_the_right_ending(tmp_path):
-    assert questions.named_as_project(tmp_path / "dog 1.2") == tmp_path / "dog 1.2.iconstudio"
-    assert questions.named_as_project(tmp_path / "DOG.IconStudio") == tmp_path / "DOG.IconStudio"
+    assert suffixed(tmp_path / "dog 1.2", SUFFIX) == tmp_path / "dog 1.2.iconstudio"
+    assert suffixed(tmp_path / "DOG.IconStudio", SUFFIX) == tmp_path / "DOG.IconStudio"
     (tmp_path / "dog 1.2.iconstudio").touch()
     with pytest.raises(Exception, match="is there already"):
-        questions.named_as_project(tmp_path / "dog 1.2")
+        suffixed(tmp_path / "dog 1.2", SUFFIX)
 
 
 def test_the_question_has_three_answers(window):

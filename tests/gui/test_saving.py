@@ -10,6 +10,7 @@ from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
 
 from iconstudio.gui.exchange import saving
+from iconstudio.gui.gallery.display import setting
 from iconstudio.gui.gallery.pictures import Display
 from iconstudio.model import IconstudioError
 from iconstudio.output.png import coverage
@@ -85,7 +86,7 @@ def test_png_is_of_the_icon_and_the_colour_code_has_its_own(
     done, qtbot, tmp_path, monkeypatch, display
 ):
     """Whatever is shown."""
-    done.browser.show_display(display)
+    setting.choose(display)
     images = []
     for name in ("png", "code_png"):
         path = tmp_path / f"{name}.png"
@@ -117,7 +118,7 @@ def test_the_colour_code_of_a_recent_result_is_saved(done, qtbot, tmp_path, monk
 
 
 def test_an_icon_is_copied_as_svg_as_words_and_as_a_picture(done):
-    done.browser.show_display(Display.CODED)
+    setting.choose(Display.CODED)
     done.actions_by_name["copy"].trigger()
     data, icon = QApplication.clipboard().mimeData(), done.browser.detail.picture.icon
     svg = svg_document(replace(icon, title="Motor cycle"))

@@ -1,6 +1,7 @@
 """The window as a whole: words, keys, names, looks."""
 
 import pytest
+from hands import action, workspaces
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
@@ -43,7 +44,7 @@ def test_every_button_on_the_bar_has_an_icon_and_says_what_it_does(sketching):
 
 def test_no_two_actions_share_a_shortcut(window):
     shared = [*window.actions_by_name.values(), *window.modes.actions_in_order]
-    for workspace in window.workspaces:
+    for workspace in workspaces(window):
         actions = [*shared, *workspace.actions_by_name.values()]
         keys = [key.toString() for action in actions for key in action.shortcuts()]
         assert len(keys) == len(set(keys)), sorted(keys)
@@ -66,7 +67,7 @@ def test_tools_are_switched_by_letters(sketching):
 
 
 def test_about_names_licence_and_credits(window):
-    window.action("about").trigger()
+    action(window, "about").trigger()
     box = window.findChild(QMessageBox)
     assert "General Public License" in box.text()
     assert "CREDITS" in box.text()

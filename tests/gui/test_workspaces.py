@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import pytest
 from fake_session import RECOMMENDED
-from hands import SQUARE, click, shown, trace, type_keyword
+from hands import SQUARE, click, shown, threads_alive, trace, type_keyword, workspaces
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
@@ -109,7 +109,7 @@ def test_the_switch_and_its_keys_lead_from_workspace_to_workspace(house):
 
 
 def test_undo_is_that_of_the_workspace_in_sight(house):
-    sketch, pad = house.workspaces
+    sketch, pad = workspaces(house)
     click(sketch, SQUARE[0])
     switch(house, 1)
     set_keyword(pad.document, "cat")
@@ -184,8 +184,8 @@ def test_any_result_is_sent_from_its_context_menu(house, done):
     spot = cell.rect().center()
     reason = QContextMenuEvent.Reason.Mouse
     QApplication.sendEvent(cell, QContextMenuEvent(reason, spot, cell.mapToGlobal(spot)))
-    items(done.browser.menu)["Add to pad"].trigger()
-    assert house.workspaces[1].taken == [cell.picture.pictogram()]
+    items(done.menu)["Add to pad"].trigger()
+    assert workspaces(house)[1].taken == [cell.picture.pictogram()]
     assert house.recent.pictures[0] is cell.picture
 
 
@@ -244,7 +244,7 @@ def test_a_recent_result_is_sent_saved_and_removed(house, done, qtbot, tmp_path,
     qtbot.waitUntil(path.exists)
     assert picture.icon.path.svg() in path.read_text("utf-8")
     choose(house, 0, "Add to pad")
-    assert house.workspaces[1].taken == [picture.pictogram()]
+    assert workspaces(house)[1].taken == [picture.pictogram()]
     choose(house, 0, "Copy SVG")
     assert picture.icon.path.svg() in QApplication.clipboard().text()
     choose(house, 0, "Remove")
@@ -259,7 +259,7 @@ def test_the_strip_is_worked_by_keys(house, done):
     QTest.keyClick(house.recent, Qt.Key.Key_Right)
     QTest.keyClick(house.recent, Qt.Key.Key_Return)
     items(house.recent.menu)["Add to pad"].trigger()
-    assert house.workspaces[1].taken == [second.pictogram()]
+    assert workspaces(house)[1].taken == [second.pictogram()]
     assert list(house.recent.pictures) == [second, first]
     house.recent.menu.close()
     house.recent.setCurrentIndex(house.recent.model().index(0, 0))
@@ -286,5 +286,5 @@ def test_closing_stops_the_work_of_every_workspace(house, sketch, qtbot, session
     qtbot.waitUntil(lambda: any(call[0] == "model" for call in session.calls))
     switch(house, 1)
     house.close()
-    assert not house.threads_alive()
+    assert not threads_alive(house)
     assert session.generators_closed == 1

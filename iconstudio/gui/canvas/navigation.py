@@ -13,8 +13,8 @@ ZOOM_STEP = 1.25
 class CameraView(QWidget):
     """Zooms with the wheel, pans with a touch pad, pinches; keeps the content fitted if it was."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._camera = Camera()
         self._fitted = True
 

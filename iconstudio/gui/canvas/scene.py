@@ -25,8 +25,8 @@ class Scene(QObject):
     welcome: ClassVar[tuple[str, str]] = ("", "")
     """What an empty canvas says: a heading, and what to do."""
 
-    def __init__(self, document: Document, parent: QObject | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, document: Document) -> None:
+        super().__init__()
         self.document = document
 
     @property

@@ -3,6 +3,7 @@
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QWidget
 
+from iconstudio.gui.canvas.view import CanvasView
 from iconstudio.gui.theme.layout import OnResize, push_button, row
 from iconstudio.gui.theme.theme import UNIT
 
@@ -10,13 +11,18 @@ from iconstudio.gui.theme.theme import UNIT
 class StartButtons(QWidget):
     """A button for an action and “Try an example” below the welcome on an empty canvas."""
 
-    def __init__(self, canvas: QWidget, action: QAction, examples: QMenu) -> None:
+    def __init__(self, canvas: CanvasView, action: QAction, examples: QMenu) -> None:
         super().__init__(canvas)
         self._canvas = canvas
         try_example = push_button("Try an example")
         try_example.setMenu(examples)
         row(push_button(action.text().replace("&", ""), do=action.trigger), try_example, of=self)
         OnResize(canvas, self._place)
+        canvas.scene.document.page_changed.connect(self._show)
+        self._show()
+
+    def _show(self) -> None:
+        self.setVisible(self._canvas.scene.empty)
 
     def _place(self) -> None:
         """Stay below the middle of the canvas."""

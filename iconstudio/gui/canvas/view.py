@@ -1,8 +1,6 @@
 """The canvas widget: shows a scene through a camera and hands the pointer to a tool."""
 
-from collections.abc import Callable
-
-from PySide6.QtCore import QEvent, QMimeData, QRectF, Qt, Signal
+from PySide6.QtCore import QEvent, QRectF, Qt, Signal
 from PySide6.QtGui import (
     QDragEnterEvent,
     QDropEvent,
@@ -15,7 +13,6 @@ from PySide6.QtGui import (
     QPointingDevice,
     QTabletEvent,
 )
-from PySide6.QtWidgets import QWidget
 
 from iconstudio.gui.canvas import painters
 from iconstudio.gui.canvas.navigation import CameraView
@@ -33,30 +30,19 @@ class CanvasView(CameraView):
 
     Signals
     -------
-    dropped(object, object)
-        MIME data dropped on the canvas, and the page point where.
+    dropped(QMimeData)
+        Something was dropped on the canvas.
     """
 
-    dropped = Signal(object, object)
+    dropped = Signal(object)
 
-    def __init__(
-        self,
-        scene: Scene,
-        tool: Tool,
-        description: str = "",
-        welcomes: Callable[[QMimeData], bool] = holds_something,
-        parent: QWidget | None = None,
-    ) -> None:
-        """``description`` says what is done here; ``welcomes``, whether something may be dropped.
-
-        The scene belongs to the view.
-        """
-        super().__init__(parent)
+    def __init__(self, scene: Scene, tool: Tool, description: str = "") -> None:
+        """``description`` says what is done here. The scene belongs to the view."""
+        super().__init__()
         scene.setParent(self)
         self.setAccessibleDescription(description)
-        self._scene = scene
+        self.scene = scene
         self._tool = tool
-        self._welcomes = welcomes
         self._pan = PanTool(self.pan)
         self._panning = False
         self._backdrop_pixmap = QPixmap()
@@ -75,7 +61,7 @@ class CanvasView(CameraView):
 
     def content(self) -> QRectF:
         """Return the area of the page."""
-        return self._scene.bounds()
+        return self.scene.bounds()
 
     @property
     def tool(self) -> Tool:
@@ -104,11 +90,11 @@ class CanvasView(CameraView):
         with QPainter(self) as painter:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             painter.drawPixmap(0, 0, self._backdrop(scheme))
-            self._scene.paint(painter, self._camera, self.devicePixelRatioF(), scheme)
-            if self._scene.empty:
-                painters.paint_welcome(painter, area, *self._scene.welcome, scheme)
+            self.scene.paint(painter, self._camera, self.devicePixelRatioF(), scheme)
+            if self.scene.empty:
+                painters.paint_welcome(painter, area, *self.scene.welcome, scheme)
             self._tool.paint(painter, self._camera, scheme)
-            if not self._scene.empty and self.tool.hint:
+            if not self.scene.empty and self.tool.hint:
                 painters.paint_hint(painter, area, self.tool.hint, scheme)
 
     # -- pointer and keys ----------------------------------------------------------------------
@@ -174,14 +160,14 @@ class CanvasView(CameraView):
         super().focusOutEvent(event)
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        """Welcome what can be used here."""
-        if self._welcomes(event.mimeData()):
+        """Let anything be dropped; what cannot be used is told."""
+        if holds_something(event.mimeData()):
             take_copy(event)
 
     def dropEvent(self, event: QDropEvent) -> None:
         """Pass on what was dropped."""
         take_copy(event)
-        self.dropped.emit(event.mimeData(), self._camera.to_page(event.position()))
+        self.dropped.emit(event.mimeData())
 
     # -- helpers -------------------------------------------------------------------------------
 

@@ -31,8 +31,8 @@ class Document(QObject, Generic[P]):
     page_changed = Signal(object)
     opened = Signal()
 
-    def __init__(self, page: P, parent: QObject | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, page: P) -> None:
+        super().__init__()
         self._page = page
         self.undo_stack = QUndoStack(self)
 

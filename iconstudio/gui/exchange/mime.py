@@ -3,16 +3,13 @@
 import html
 import os
 import re
-from dataclasses import dataclass
-from pathlib import Path
 
 from PySide6.QtCore import QMimeData, QUrl
 from PySide6.QtGui import QGuiApplication, QImage, QPixmap
 
 from iconstudio.gui.exchange.dragging import unpacked
 from iconstudio.images.pillow import is_image
-from iconstudio.model import Pictogram
-from iconstudio.project.archive import SUFFIX
+from iconstudio.inputs.items import Drawing, Elsewhere, File, Image, Item, Reference
 from iconstudio.svg.pasted import data_images, drawings_in, is_part
 
 SVG = "image/svg+xml"
@@ -25,81 +22,6 @@ _WEB = re.compile(r"[A-Za-z][A-Za-z0-9+.-]*://")
 _REFERENCE = re.compile(r"[a-z][a-z0-9-]*:[a-z0-9][a-z0-9-]*")
 _MOST_LINES = 200
 """A longer text is no list of files."""
-_LONGEST = 60
-"""Most characters that are shown of an address."""
-
-
-@dataclass(frozen=True, slots=True)
-class Icon:
-    """An icon of this window."""
-
-    pictogram: Pictogram
-
-    @property
-    def name(self) -> str:
-        """What to call it."""
-        return self.pictogram.id
-
-
-@dataclass(frozen=True, slots=True)
-class Reference:
-    """An icon of the collection, ``set:name``."""
-
-    name: str
-
-
-@dataclass(frozen=True, slots=True)
-class File:
-    """A file on this computer, or a folder."""
-
-    path: str
-
-    @property
-    def name(self) -> str:
-        """What to call it."""
-        return Path(self.path).name or self.path
-
-    @property
-    def is_work(self) -> bool:
-        """Whether it is a file of the program's own."""
-        return self.path.lower().endswith(".json") or is_project(self.path)
-
-
-@dataclass(frozen=True, slots=True)
-class Drawing:
-    """SVG markup that is in no file."""
-
-    data: bytes
-    name: str = "drawing"
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Image:
-    """An image of pixels that is in no file: its bytes in whatever format, or as Qt has it."""
-
-    image: bytes | QImage
-    name: str = "image"
-
-
-@dataclass(frozen=True, slots=True)
-class Elsewhere:
-    """An address that is not on this computer."""
-
-    address: str
-
-    @property
-    def name(self) -> str:
-        """What to call it."""
-        longer = len(self.address) > _LONGEST
-        return self.address[: _LONGEST - 1] + "…" if longer else self.address
-
-
-Item = Icon | Reference | File | Drawing | Image | Elsewhere
-
-
-def is_project(path: str) -> bool:
-    """Whether a file is called as projects are."""
-    return path.lower().endswith(SUFFIX)
 
 
 def holds_something(data: QMimeData) -> bool:
@@ -123,7 +45,7 @@ def items(data: QMimeData, images_first: bool = False) -> tuple[Item, ...]:
     pixels is wanted rather than a drawing.
     """
     if (icon := unpacked(data)) is not None:
-        return (Icon(icon),)
+        return (icon,)
     listed = tuple(dict.fromkeys(one for url in data.urls() for one in _at(url)))
     if any(not isinstance(one, Elsewhere) for one in listed):
         return listed

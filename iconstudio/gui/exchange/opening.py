@@ -1,6 +1,7 @@
 """What all workspaces have in common when something is opened."""
 
 from collections.abc import Callable, Generator, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -10,21 +11,36 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 from iconstudio.gui.document.document import Document
 from iconstudio.gui.exchange import mime
 from iconstudio.gui.exchange.patience import Patience
-from iconstudio.gui.exchange.together import ReadTogether, Sprite, named, read_together, was
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Job, Worker
 from iconstudio.gui.panels.scanning import ImageInput, ScanDialog, may_be_scan, pictogram_of
 from iconstudio.gui.panels.symbols import SymbolDialog
+from iconstudio.inputs.items import Drawing, Elsewhere, File, Image, Item, Reference
+from iconstudio.inputs.together import ReadTogether, Sprite, quoted_list, read_together, was
 from iconstudio.model import IconstudioError, Pictogram
+from iconstudio.project.archive import SUFFIX
 from iconstudio.session import Session
+
+
+@dataclass(frozen=True, slots=True)
+class Opened:
+    """Something that was opened: what to tell the user, once it is on the page."""
+
+    words: str
+    put: Callable[[Document], object]
+    """Puts it there, by one command."""
+
+    def onto(self, document: Document) -> str:
+        """Put it on the page, and return the words."""
+        self.put(document)
+        return self.words
 
 
 class Opener(QObject):
     """Opens things in the background and then puts them on the page, by one command each.
 
-    A subclass says how each thing is opened, by generators that ``replace`` or ``add`` runs, and
-    in ``put`` what becomes of what they yield. Of several things that are dropped or pasted
-    together, ``reading`` reads each, and ``put_all`` puts them on the page by one command.
+    A subclass says in ``opening`` what is in a file of its own. Other things, which may be dropped
+    or pasted together, are read each by ``reading``, and put on the page together by ``put``.
 
     Signals
     -------
@@ -77,23 +93,8 @@ class Opener(QObject):
 
     # -- what a subclass does ------------------------------------------------------------------
 
-    def open_work(self, path: str) -> None:
-        """Open a file of this workspace's own."""
-
-    def try_example(self, path: str) -> None:
-        """Open an example."""
-        self.open_work(path)
-
-    def open_file(self, path: str) -> None:
-        """Open any other file."""
-        self.open_items((mime.File(path),))
-
-    def take(self, pictogram: Pictogram) -> None:
-        """Open an icon that is sent, or dropped here."""
-        self.open_items((mime.Icon(pictogram),))
-
-    def reading(self, item: mime.Item) -> Generator[None, None, Any]:
-        """Return what ``put_all`` puts on the page; in the worker's thread.
+    def opening(self, path: Path) -> Generator[Any]:
+        """Yield what is in a file of this workspace's own as ``Opened``; in the worker's thread.
 
         Raises
         ------
@@ -102,8 +103,34 @@ class Opener(QObject):
         """
         raise NotImplementedError
 
-    def put(self, found: Any) -> str:
-        """Put what was found on the page; return what to tell the user.
+    def open_work(self, path: str) -> None:
+        """Open a file of this workspace's own."""
+        self.replace(lambda: self.opening(Path(path)))
+
+    def try_example(self, path: str) -> None:
+        """Open an example."""
+        self.open_work(path)
+
+    def open_file(self, path: str) -> None:
+        """Open any other file."""
+        self.open_items((File(path),))
+
+    def take(self, pictogram: Pictogram) -> None:
+        """Open an icon that is sent, or dropped here."""
+        self.open_items((pictogram,))
+
+    def reading(self, item: Item) -> Generator[None, None, Any]:
+        """Return what ``put`` puts on the page; in the worker's thread.
+
+        Raises
+        ------
+        IconstudioError
+            If it cannot be opened here.
+        """
+        raise NotImplementedError
+
+    def put(self, gathered: ReadTogether) -> str:
+        """Put all that was read on the page; return what to tell the user.
 
         Raises
         ------
@@ -111,10 +138,6 @@ class Opener(QObject):
             If there is no room for it.
         """
         raise NotImplementedError
-
-    def put_all(self, gathered: ReadTogether) -> str:
-        """Put all that was read on the page; see ``put``."""
-        return self.put(gathered.found[0])
 
     def choose_symbol(self, sprite: Sprite) -> None:
         """Let the user choose a symbol of a sprite sheet that was opened."""
@@ -148,23 +171,23 @@ class Opener(QObject):
         else:
             self.open_items(items)
 
-    def open_item(self, item: mime.Item) -> None:
+    def open_item(self, item: Item) -> None:
         """Open a single thing."""
         match item:
-            case mime.Icon(pictogram):
+            case Pictogram() as pictogram:
                 self.take(pictogram)
-            case mime.File(path):
-                (_way(self, path) if item.is_work else self.open_file)(path)
-            case mime.Elsewhere():
+            case File(path):
+                (_way(self, path) if _is_work(item) else self.open_file)(path)
+            case Elsewhere():
                 self.complain(
                     f"Only files on this computer can be opened. Save the {self.other} first."
                 )
             case _:
                 self.open_items((item,))
 
-    def open_items(self, items: Sequence[mime.Item]) -> None:
+    def open_items(self, items: Sequence[Item]) -> None:
         """Open several things together; what is left over is told."""
-        works = [one for one in items if isinstance(one, mime.File) and one.is_work]
+        works = [one for one in items if _is_work(one)]
         others = [one for one in items if one not in works]
         start = self.replace if self.most == 1 else self.add
         if others:
@@ -174,15 +197,15 @@ class Opener(QObject):
             _way(self, path)(path)
         if works:
             self.complain(
-                f"{named(works)} {was(works)} not opened. What such a file holds takes the place "
-                "of all that is here: open it by itself."
+                f"{quoted_list(works)} {was(works)} not opened. What such a file holds takes the "
+                "place of all that is here: open it by itself."
             )
 
-    def no_room(self, taken: Sequence[str], left: Sequence[mime.Item | str]) -> str:
+    def no_room(self, taken: Sequence[str], left: Sequence[Item | str]) -> str:
         """Return the sentence that says for what there was no room."""
         if self.most == 1:
-            return f"Only “{taken[0]}” was opened, not {named(left)}: {self.limit}."
-        return f"{named(left)} {was(left)} not added: {self.limit}."
+            return f"Only “{taken[0]}” was opened, not {quoted_list(left)}: {self.limit}."
+        return f"{quoted_list(left)} {was(left)} not added: {self.limit}."
 
     # -- in the background ---------------------------------------------------------------------
 
@@ -210,18 +233,19 @@ class Opener(QObject):
 
     def receive(self, found: object) -> None:
         """Put something on the page, and tell."""
-        if found is None:
-            return
         if isinstance(found, Sprite):
             self.choose_symbol(found)
-            return
         if isinstance(found, ReadTogether):
             for complaint in found.complaints:
                 self.complain(complaint)
-            if not found.found:
-                return
         try:
-            done = self.put_all(found) if isinstance(found, ReadTogether) else self.put(found)
+            match found:
+                case Opened():
+                    done = found.onto(self.document)
+                case ReadTogether() if found.found:
+                    done = self.put(found)
+                case _:
+                    return
         except IconstudioError as error:
             self.complain(str(error))
             return
@@ -257,33 +281,42 @@ class Opener(QObject):
             self._patience.end()
 
 
+def _is_project(path: str) -> bool:
+    return path.lower().endswith(SUFFIX)
+
+
+def _is_work(item: Item) -> bool:
+    """Whether something is a file of the program's own."""
+    return isinstance(item, File) and item.path.lower().endswith((".json", SUFFIX))
+
+
 def _way(opener: Opener, path: str) -> Callable[[str], object]:
     """Return how a file of the program's own is opened: a project is none of the page's."""
-    return opener.project.emit if mime.is_project(path) else opener.open_work
+    return opener.project.emit if _is_project(path) else opener.open_work
 
 
 class IconOpener(Opener):
     """Opens icons: those of the window or the collection, files, and markup."""
 
-    def open_item(self, item: mime.Item) -> None:
+    def open_item(self, item: Item) -> None:
         """Open a single thing; of an image of pixels, an icon is made while the user looks on."""
         match item:
-            case mime.File(path) if may_be_scan(path):
+            case File(path) if may_be_scan(path):
                 self._scan(item, Path(path))
-            case mime.Image(image):
+            case Image(image):
                 self._scan(item, image)
             case _:
                 super().open_item(item)
 
     def open_drawing(self, path: str) -> None:
         """Open a file as a drawing, whatever it is called."""
-        item = mime.File(path)
+        item = File(path)
         if may_be_scan(path):
             self._scan(item, Path(path))
         else:
             self.replace(lambda: read_together([item], self.reading, self.most, self.no_room))
 
-    def reading(self, item: mime.Item) -> Generator[None, None, Any]:
+    def reading(self, item: Item) -> Generator[None, None, Any]:
         """Return an icon, drawn."""
         return self.drawn((yield from self._pictogram(item)))
 
@@ -291,15 +324,15 @@ class IconOpener(Opener):
         """Return what is put on the page for an icon; in the worker's thread."""
         return self.session.exemplar(pictogram)
 
-    def _pictogram(self, item: mime.Item) -> Generator[None, None, Pictogram]:
+    def _pictogram(self, item: Item) -> Generator[None, None, Pictogram]:
         match item:
-            case mime.Icon(pictogram):
+            case Pictogram() as pictogram:
                 return pictogram
-            case mime.File(name) | mime.Reference(name):
+            case File(name) | Reference(name):
                 return self.session.icon(name)
-            case mime.Drawing(data, name):
+            case Drawing(data, name):
                 return self.session.icon_from(data, name)
-            case mime.Image(image, name):
+            case Image(image, name):
                 return (yield from pictogram_of(self.session, image, name))
         raise IconstudioError(f"“{item.name}” is nothing that can be used here.")
 
@@ -309,9 +342,9 @@ class IconOpener(Opener):
 
         def find(name: str) -> Pictogram:
             match sprite.item:
-                case mime.Drawing(data, title):
+                case Drawing(data, title):
                     return session.icon_from(data, title, name)
-                case mime.File(reference) | mime.Reference(reference):
+                case File(reference) | Reference(reference):
                     return session.icon(f"{reference}#{name}")
             raise IconstudioError(f"“{sprite.item.name}” is nothing that can be used here.")
 
@@ -319,7 +352,7 @@ class IconOpener(Opener):
         dialog.chosen.connect(self.take)
         dialog.open()
 
-    def _scan(self, item: mime.Item, source: ImageInput) -> None:
+    def _scan(self, item: Item, source: ImageInput) -> None:
         dialog = ScanDialog(self.session, self._worker, source, item.name, self._owner)
         dialog.chosen.connect(self.take)
         dialog.failed.connect(self.complain)

@@ -83,24 +83,18 @@ class Saver(QObject):
 
     def ask_path(self, what: str, name: str, kind: str) -> Path | None:
         """Ask where to save; None if the user thinks better of it."""
-        dialog = QFileDialog(self._window, f"Save the {what} as {kind.upper()}")
-        dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
-        dialog.setNameFilter(f"{kind.upper()} (*.{kind})")
-        dialog.setDefaultSuffix(kind)
-        dialog.selectFile(f"{name}.{kind}")
-        chosen = dialog.selectedFiles() if dialog.exec() else []
-        dialog.deleteLater()
-        return Path(chosen[0]) if chosen else None
+        title, kinds = f"Save the {what} as {kind.upper()}", kind.upper()
+        return ask_path(self._window, title, kinds, f".{kind}", f"{name}.{kind}")
 
     def _save(self, what: str, name: str, kind: str, write: Callable[[Path], None]) -> None:
         path = self.ask_path(what, _file_name(name), kind)
         if path is None:
             return
-        if path.suffix.lower() != f".{kind}":  # no SVG is called “dog.png”, or “dog 1.2”
-            path = path.with_name(f"{path.name}.{kind}")
-            if os.path.lexists(path):  # the dialog asked about the other name
-                self.failed.emit(f"“{path}” is there already. Save under another name.")
-                return
+        try:
+            path = suffixed(path, f".{kind}")
+        except IconstudioError as error:
+            self.failed.emit(str(error))
+            return
         job = self._worker.submit(lambda: _writing(path, write))
         job.event.connect(self._tell)
         job.failed.connect(self.failed)
@@ -110,6 +104,37 @@ class Saver(QObject):
 
     def _tell(self, what: str) -> None:
         self.saved.emit(f"Saved {what}.")
+
+
+def ask_path(window: QWidget, title: str, kinds: str, suffix: str, name: str) -> Path | None:
+    """Ask where to save what is called ``name`` so far; None if the user thinks better of it.
+
+    ``kinds`` is what files with that ``suffix`` are called. See ``suffixed``.
+    """
+    dialog = QFileDialog(window, title)
+    dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
+    dialog.setNameFilter(f"{kinds} (*{suffix})")
+    dialog.setDefaultSuffix(suffix[1:])
+    dialog.selectFile(name)
+    chosen = dialog.selectedFiles() if dialog.exec() else []
+    dialog.deleteLater()
+    return Path(chosen[0]) if chosen else None
+
+
+def suffixed(path: Path, suffix: str) -> Path:
+    """Return a chosen path with the right suffix: no SVG is called “dog.png”, or “dog 1.2”.
+
+    Raises
+    ------
+    IconstudioError
+        If that would replace a file that the dialog did not ask about.
+    """
+    if path.suffix.lower() == suffix:
+        return path
+    path = path.with_name(f"{path.name}{suffix}")
+    if os.path.lexists(path):
+        raise IconstudioError(f"“{path}” is there already. Save under another name.")
+    return path
 
 
 def _writing(path: Path, write: Callable[[Path], None]) -> Generator[str]:

@@ -24,8 +24,8 @@ _HEAD = 13 * UNIT
 class Scale(QWidget):
     """The axis above the columns: “closer to the sketch” on one side, “smoother” on the other."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._lambdas: Sequence[float] = ()
         self.nearer = "Closer to the sketch"
         """What the columns on the left are."""
@@ -72,8 +72,8 @@ class Scale(QWidget):
 class RowHead(QWidget):
     """Name of a style, what it looks like, and how many icons it had to choose from."""
 
-    def __init__(self, style: str, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, style: str) -> None:
+        super().__init__()
         self.setFixedWidth(_HEAD)
         name, hint = label(style.capitalize(), "heading"), label(HINTS.get(style, ""))
         self._count = label()
@@ -87,8 +87,8 @@ class RowHead(QWidget):
 class Grid(QWidget):
     """A row of cells for each style, below the scale; no cell is higher than wide."""
 
-    def __init__(self, scale: Scale, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, scale: Scale) -> None:
+        super().__init__()
         self._scale = scale
         self._shape = 1, 1
         self.cells = QGridLayout(self)

@@ -1,14 +1,11 @@
 """The grid of results over the details of the one that is picked."""
 
-from collections.abc import Sequence
-
-from PySide6.QtCore import QPoint, Qt, Signal
-from PySide6.QtWidgets import QMenu, QSplitter, QWidget
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QSplitter
 
 from iconstudio.gui.gallery.detail import DetailPanel
-from iconstudio.gui.gallery.pictures import Display, Picture
+from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.gallery.results import ResultsPanel
-from iconstudio.gui.gallery.sending import Destination, offer
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.workflows.events import Event, Recommended, StyleMatched, StyleSkipped
 from iconstudio.workflows.grid import GridSettings
@@ -22,27 +19,19 @@ class ResultsBrowser(QSplitter):
 
     Signals
     -------
-    picked(object)
-        The Picture that is shown large, or None.
     kept(Picture)
         A result worth keeping: picked by the user, or recommended by the run.
     counted(int)
         How many results are there.
-    sent(Picture, str)
-        A result is to go to the workspace of that title.
     """
 
-    picked = Signal(object)
     kept = Signal(object)
     counted = Signal(int)
-    sent = Signal(object, str)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(Qt.Orientation.Vertical, parent)
+    def __init__(self) -> None:
+        super().__init__(Qt.Orientation.Vertical)
         self.results = ResultsPanel()
         self.detail = DetailPanel()
-        self.menu: QMenu | None = None
-        self._destinations: Sequence[Destination] = ()
         self._settled = False
         self._owed = False  # the finished result of a preview that the user picked
         self._best: Picture | None = None
@@ -55,19 +44,7 @@ class ResultsBrowser(QSplitter):
         self.setStretchFactor(1, 1)
         results, detail = self.results, self.detail
         results.picked.connect(detail.show_picture)
-        results.picked.connect(self.picked)
         results.chosen.connect(self._choose)
-        results.asked.connect(self._open_menu)
-
-    def show_display(self, display: Display) -> None:
-        """Show results as icons, by their colour code, or both."""
-        self.results.show_display(display)
-        self.detail.large.show_display(display)
-
-    def set_destinations(self, destinations: Sequence[Destination]) -> None:
-        """Say where results can be sent to."""
-        self._destinations = destinations
-        self.detail.set_destinations(destinations)
 
     def begin(self, settings: GridSettings, afresh: bool = True) -> None:
         """Make room for the results of a new run.
@@ -144,14 +121,6 @@ class ResultsBrowser(QSplitter):
         self._owed = picture.preview
         if not self._owed:
             self.kept.emit(picture)
-
-    def _open_menu(self, picture: Picture, spot: QPoint) -> None:
-        if not self._destinations:
-            return
-        self.menu = QMenu(self)
-        self.menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        offer(self.menu, self._destinations, lambda title: self.sent.emit(picture, title))
-        self.menu.popup(spot)
 
 
 def _score(picture: Picture) -> float:

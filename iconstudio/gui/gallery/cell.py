@@ -5,9 +5,10 @@ from enum import Enum, auto
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt, QTimer
 from PySide6.QtGui import QPainter, QPainterPath, QPaintEvent, QPen
-from PySide6.QtWidgets import QAbstractButton, QSizePolicy, QWidget
+from PySide6.QtWidgets import QAbstractButton, QSizePolicy
 
-from iconstudio.gui.gallery.pictures import Display, Picture
+from iconstudio.gui.gallery.display import setting
+from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.theme import theme
 from iconstudio.gui.theme.painting import RADIUS, fill_rounded, paint_frame, smooth_painter
 
@@ -43,12 +44,11 @@ _REMARKS = {
 class ResultCell(QAbstractButton):
     """Shows one result; can be picked once it is there."""
 
-    def __init__(self, name: str, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, name: str) -> None:
+        super().__init__()
         self.picture: Picture | None = None
         self.state = CellState.BLANK
         self._name = name
-        self._display = Display.BOTH
         self.recommended = ""
         self._paling = QTimer(self, singleShot=True, interval=PALING)
         self._paling.timeout.connect(self._turn_pale)
@@ -58,6 +58,7 @@ class ResultCell(QAbstractButton):
         self.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.setMinimumSize(48, 48)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        setting.changed.connect(self.update)
         self.expect(False)
 
     def sizeHint(self) -> QSize:
@@ -96,11 +97,6 @@ class ResultCell(QAbstractButton):
         self.recommended = reason
         self._turn(self.state)
 
-    def show_display(self, display: Display) -> None:
-        """Show the icon, its colour code, or both."""
-        self._display = display
-        self.update()
-
     def paintEvent(self, event: QPaintEvent) -> None:
         """Draw the result, or where it is going to be."""
         scheme = theme.current()
@@ -117,7 +113,7 @@ class ResultCell(QAbstractButton):
                 target = QRectF(0, 0, side, side)
                 target.moveCenter(box.center())
                 painter.setOpacity(PALE if self._pale or self._stale else 1.0)
-                self.picture.paint(painter, target, scheme.color("text"), self._display)
+                self.picture.paint(painter, target, scheme.color("text"), setting.value)
                 if self.recommended:
                     self._paint_mark(painter, scheme, target)
                 if self.state is CellState.PREVIEW:

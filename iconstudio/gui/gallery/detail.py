@@ -1,9 +1,9 @@
 """The result that was picked, large, beside the icons that it owes its parts to."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
-from PySide6.QtCore import QRectF, Qt, Signal
+from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import (
     QFrame,
@@ -16,8 +16,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from iconstudio.gui.gallery.display_switch import DisplaySwitch
-from iconstudio.gui.gallery.pictures import Display, Picture, SourcePicture, source_pictures
+from iconstudio.gui.gallery.display import DisplaySwitch, setting
+from iconstudio.gui.gallery.pictures import Picture, SourcePicture, source_pictures
 from iconstudio.gui.gallery.sending import Destination, offer
 from iconstudio.gui.panels.elided import ElidedLabel
 from iconstudio.gui.theme import theme
@@ -32,25 +32,20 @@ INVITATION = "Pick a result to see it large, with the icons that its parts come 
 class LargePicture(QWidget):
     """A result on a sheet of its own."""
 
-    def __init__(self, wide: bool = False, parent: QWidget | None = None) -> None:
+    def __init__(self, wide: bool = False) -> None:
         """``wide``: it fills what room there is, instead of growing with its height only."""
-        super().__init__(parent)
+        super().__init__()
         self._picture: Picture | None = None
-        self._display = Display.BOTH
         self._wide = wide
         self.setMinimumSize(20 * UNIT, 20 * UNIT)
         across = QSizePolicy.Policy.Expanding if wide else QSizePolicy.Policy.Preferred
         self.setSizePolicy(across, QSizePolicy.Policy.Expanding)
         self.setAccessibleName("The picked icon")
+        setting.changed.connect(self.update)
 
     def show_picture(self, picture: Picture | None) -> None:
         """Show another result."""
         self._picture = picture
-        self.update()
-
-    def show_display(self, display: Display) -> None:
-        """Show the icon, its colour code, or both."""
-        self._display = display
         self.update()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -68,14 +63,14 @@ class LargePicture(QWidget):
             fill_rounded(painter, sheet, scheme.color("window"), 8)
             if self._picture is not None:
                 target = sheet.adjusted(UNIT, UNIT, -UNIT, -UNIT)
-                self._picture.paint(painter, target, scheme.color("text"), self._display)
+                self._picture.paint(painter, target, scheme.color("text"), setting.value)
 
 
 class SourceThumbnail(QWidget):
     """A source at its placement, the part that is used in its colour."""
 
-    def __init__(self, picture: SourcePicture, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, picture: SourcePicture) -> None:
+        super().__init__()
         self._picture = picture
         self.setFixedSize(6 * UNIT, 6 * UNIT)
         self.setToolTip(_placement_text(picture))
@@ -91,8 +86,8 @@ class SourceThumbnail(QWidget):
 class SourceRow(QWidget):
     """One source: thumbnail, share, name, author and licence."""
 
-    def __init__(self, picture: SourcePicture, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, picture: SourcePicture) -> None:
+        super().__init__()
         icon = picture.source.exemplar.pictogram
         title = ElidedLabel(icon.name, icon.credit.url)
         title.setProperty("heading", True)
@@ -114,24 +109,14 @@ class SourceRow(QWidget):
 
 
 class DetailPanel(QFrame):
-    """The picked result, its sources and credits, and the ways to take it along.
+    """The picked result, its sources and credits, and the ways to take it along."""
 
-    Signals
-    -------
-    sent(str)
-        It is to go to the workspace of that title.
-    """
-
-    sent = Signal(str)
-
-    def __init__(
-        self, upright: bool = False, invitation: str = INVITATION, parent: QWidget | None = None
-    ) -> None:
+    def __init__(self, upright: bool = False, invitation: str = INVITATION) -> None:
         """``upright``: the result stands above its sources, not beside them, with a switch.
 
         ``invitation`` is shown as long as there is nothing to show.
         """
-        super().__init__(parent)
+        super().__init__()
         self.setProperty("card", True)
         self.picture: Picture | None = None
         self._columns = 1 if upright else 2
@@ -207,17 +192,14 @@ class DetailPanel(QFrame):
         """Say in a tool tip what the words on the result mean."""
         self._about.setToolTip(text)
 
-    def set_destinations(self, destinations: Sequence[Destination]) -> None:
-        """Offer to send the result to these."""
+    def set_destinations(
+        self, destinations: Sequence[Destination], send: Callable[[str], object]
+    ) -> None:
+        """Offer to ``send`` the result to one of these, by its title."""
         menu = QMenu(self._send)
-        offer(menu, destinations, self.sent.emit)
+        offer(menu, destinations, send)
         self._send.setMenu(menu)
         self._send.setVisible(bool(destinations))
-
-    def show_display(self, display: Display) -> None:
-        """Show the icon, its colour code, or both."""
-        self.large.show_display(display)
-        self.switch.show_display(display)
 
     def _make_heading(self) -> QHBoxLayout:
         for one in (self._title, self._about):

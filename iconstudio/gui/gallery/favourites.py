@@ -1,9 +1,8 @@
 """The favourites: the results that the user keeps."""
 
-from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QFrame, QMenu, QWidget
+from PySide6.QtWidgets import QFrame, QMenu
 
-from iconstudio.gui.gallery.pictures import Picture, same
+from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.gallery.sending import pop_up
 from iconstudio.gui.gallery.sheet import Sheet
 from iconstudio.gui.gallery.sheet_delegate import framed
@@ -22,23 +21,11 @@ class FavouritesPanel(QFrame):
 
     As long as it is empty, ``hint`` says how to fill it. A click picks a favourite; the key
     Delete and the context menu take it out; it can be dragged to where icons are used.
-
-    Signals
-    -------
-    picked(Picture)
-        The user wants to look at a favourite.
-    changed()
-        A favourite was added or removed.
-    save_all()
-        The user wants to save them all.
+    ``icon_list`` tells of all that, and ``button`` when all are to be saved.
     """
 
-    picked = Signal(object)
-    changed = Signal()
-    save_all = Signal()
-
-    def __init__(self, hint: str = EMPTY, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, hint: str = EMPTY) -> None:
+        super().__init__()
         with_role(self, "card")
         self.menu: QMenu | None = None
         advice = "Click to look at it, or drag it where you need it; Delete removes it"
@@ -52,7 +39,7 @@ class FavouritesPanel(QFrame):
             removable=True,
         )
         tip = "Save every favourite as SVG, with credits"
-        self.button = push_button("Save all…", tip, self.save_all.emit)
+        self.button = push_button("Save all…", tip)
         self.button.setEnabled(False)
         row(
             label("Favourites", "heading"),
@@ -62,36 +49,15 @@ class FavouritesPanel(QFrame):
             spacing=UNIT * 3 // 2,
             margins=(UNIT * 3 // 2, UNIT, UNIT * 3 // 2, UNIT),
         )
-        self.icon_list.chosen.connect(self.picked)
         self.icon_list.asked.connect(self._open_menu)
-        self.icon_list.changed.connect(self._tell)
+        self.icon_list.changed.connect(lambda: self.button.setEnabled(bool(self.pictures)))
 
     @property
     def pictures(self) -> tuple[Picture, ...]:
         """The favourites, in the order in which they were added."""
         return self.icon_list.pictures
 
-    def holds(self, picture: Picture) -> bool:
-        """Whether ``picture``, or one that looks the same, is a favourite."""
-        return any(same(one, picture) for one in self.pictures)
-
-    def add(self, picture: Picture) -> None:
-        """Put a result at the end, unless it is there."""
-        if not self.holds(picture):
-            self.icon_list.show_entries([*self.pictures, picture])
-            self.icon_list.reveal(picture)
-
-    def remove(self, picture: Picture) -> None:
-        """Take out a result, or the one that looks the same."""
-        for one in self.pictures:
-            if same(one, picture):
-                self.icon_list.remove(one)
-
     def _open_menu(self, picture: Picture) -> None:
         menu = self.menu = QMenu(self)
         menu.addAction("Remove from the favourites", lambda: self.icon_list.remove(picture))
         pop_up(menu, self.icon_list.below(picture))
-
-    def _tell(self) -> None:
-        self.button.setEnabled(bool(self.pictures))
-        self.changed.emit()

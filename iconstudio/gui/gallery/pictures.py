@@ -138,14 +138,9 @@ def same(one: Picture, other: Picture) -> bool:
     return one.icon.looks_like(other.icon)
 
 
-def titled(title: str) -> Callable[[Icon], Icon]:
-    """Return what gives icons a title, if there is one."""
-    return lambda icon: replace(icon, title=title) if title else icon
-
-
 def pictured(
     events: Generator[Event],
-    change: Callable[[Icon], Icon | None] = lambda icon: icon,
+    title: str = "",
     side: int = COLOUR_CODE_SIZE,
     colours: "Callable[[Icon], Palette | None]" = lambda icon: None,
 ) -> Generator["Event | Picture"]:
@@ -155,8 +150,8 @@ def pictured(
 
     Parameters
     ----------
-    change
-        Returns an icon as it is to be shown; None leaves it out.
+    title
+        What to call the results; empty leaves them as they are.
     side
         Of the colour-coded pictures, in pixels.
     colours
@@ -166,7 +161,8 @@ def pictured(
         for event in events:
             if not isinstance(event, Result):
                 yield event
-            elif (icon := change(event.icon)) is not None:
+            else:
+                icon = replace(event.icon, title=title) if title else event.icon
                 picture = _drawn(icon, side, colours(icon), event.preview)
                 if not picture.preview:
                     _ = picture.coded  # made here, as the window will show it at once

@@ -16,8 +16,8 @@ from PySide6.QtWidgets import (
 from iconstudio.gui.canvas.tools.base import NUDGES
 from iconstudio.gui.gallery.axes import Grid, RowHead, Scale
 from iconstudio.gui.gallery.cell import CellState, ResultCell
-from iconstudio.gui.gallery.display_switch import DisplaySwitch
-from iconstudio.gui.gallery.pictures import Display, Picture
+from iconstudio.gui.gallery.display import DisplaySwitch
+from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.theme.layout import column, label, row, with_role
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.workflows.events import StyleMatched, StyleSkipped
@@ -45,8 +45,8 @@ class ResultsPanel(QFrame):
     chosen = Signal(object)
     asked = Signal(object, QPoint)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         with_role(self, "card")
         self._cells: dict[tuple[str, float], ResultCell] = {}
         self._heads: dict[str, RowHead] = {}
@@ -56,7 +56,6 @@ class ResultsPanel(QFrame):
         self._group = QButtonGroup(self)
         self._group.setExclusive(True)
         self._group.buttonClicked.connect(self._pick)
-        self.display = Display.BOTH
 
         self.switch = DisplaySwitch()
         self.note = label(wordWrap=True)
@@ -151,7 +150,6 @@ class ResultsPanel(QFrame):
             cells = []
             for place, value in enumerate(lambdas, start=1):
                 cell = ResultCell(f"{style.capitalize()}, λ {value:.2f}")
-                cell.show_display(self.display)
                 cell.customContextMenuRequested.connect(self._ask)
                 self._group.addButton(cell)
                 self._grid.addWidget(cell, height, place)
@@ -217,13 +215,6 @@ class ResultsPanel(QFrame):
         cell = self.cell(style, lambda_s)
         cell.setChecked(True)
         self.picked.emit(cell.picture)
-
-    def show_display(self, display: Display) -> None:
-        """Show the results as icons, by their colour code, or both."""
-        self.display = display
-        self.switch.show_display(display)
-        for cell in self._cells.values():
-            cell.show_display(display)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Go from result to result with the arrow keys."""

@@ -11,10 +11,11 @@ from PySide6.QtGui import (
     QResizeEvent,
     QWheelEvent,
 )
-from PySide6.QtWidgets import QListView, QWidget
+from PySide6.QtWidgets import QListView
 
 from iconstudio.gui.exchange.dragging import drag
-from iconstudio.gui.gallery.pictures import Display, Picture
+from iconstudio.gui.gallery.display import setting
+from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.gallery.sheet_delegate import Look, SheetDelegate
 from iconstudio.gui.gallery.sheet_model import (
     Describe,
@@ -77,9 +78,8 @@ class Sheet(QListView):
         one_row: bool = False,
         draggable: bool = False,
         removable: bool = False,
-        parent: QWidget | None = None,
     ) -> None:
-        super().__init__(parent)
+        super().__init__()
         self._look, self._hint = look, hint
         self._one_row, self._removable = one_row, removable
         self._last: Entry | None = None
@@ -100,6 +100,7 @@ class Sheet(QListView):
         self.setAccessibleDescription(hint)
         self.clicked.connect(self._choose)
         self.verticalScrollBar().valueChanged.connect(self._scrolled)
+        setting.changed.connect(self.viewport().update)
         if look.picks:
             self.selectionModel().currentChanged.connect(self._pick)
             self._model.modelReset.connect(self._pick_again)
@@ -154,11 +155,6 @@ class Sheet(QListView):
         """Return the place on the screen where a menu for an icon belongs."""
         box = self.visualRect(self._model.index_of(entry))
         return self.viewport().mapToGlobal(box.bottomLeft() + QPoint(0, 4))
-
-    def show_display(self, display: Display) -> None:
-        """Show results as icons, by their colour code, or both."""
-        self._delegate.display = display
-        self.viewport().update()
 
     @property
     def at_end(self) -> bool:

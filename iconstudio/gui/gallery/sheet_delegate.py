@@ -7,6 +7,7 @@ from PySide6.QtCore import QPoint, QPointF, QRect, QRectF, QSize, Qt
 from PySide6.QtGui import QImage, QPainter, QPen
 from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
+from iconstudio.gui.gallery.display import setting
 from iconstudio.gui.gallery.pictures import Display, stencil
 from iconstudio.gui.gallery.sheet_model import Index, Rule
 from iconstudio.gui.theme import icons, theme
@@ -52,7 +53,6 @@ class SheetDelegate(QStyledItemDelegate):
     def __init__(self, parent: QWidget, look: Look) -> None:
         super().__init__(parent)
         self.look = look
-        self.display = Display.BOTH if look.fills else Display.PLAIN
         self._images: dict[tuple[str, str, int], QImage] = {}
         self.set_width(8 * look.side)
 
@@ -92,7 +92,8 @@ class SheetDelegate(QStyledItemDelegate):
                 pixels = round(inner.width() * painter.device().devicePixelRatioF())
                 painter.drawImage(inner, self._image(entry, scheme, pixels))
             else:
-                entry.paint(painter, inner, scheme.color("text"), self.display)
+                display = setting.value if self.look.fills else Display.PLAIN
+                entry.paint(painter, inner, scheme.color("text"), display)
             painter.setOpacity(1.0)
             _paint_mark(painter, mark, box, inner, scheme)
         painter.restore()

@@ -27,9 +27,8 @@ class CanvasPanel(QFrame):
         view: CanvasView,
         groups: Sequence[Sequence[QAction | QWidget]],
         trailing: Sequence[QWidget] = (),
-        parent: QWidget | None = None,
     ) -> None:
-        super().__init__(parent)
+        super().__init__()
         parts: list[QWidget | int] = []
         for group in groups:
             if parts:

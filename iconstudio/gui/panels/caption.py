@@ -1,7 +1,7 @@
 """A few small words below a field: what it is for, what it found, or what is wrong."""
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QLabel, QWidget
+from PySide6.QtWidgets import QLabel
 
 from iconstudio.gui.theme.layout import turn_role
 
@@ -9,8 +9,8 @@ from iconstudio.gui.theme.layout import turn_role
 class Caption(QLabel):
     """A muted text, or an error in its colour."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setWordWrap(True)
 
     def say(self, text: str, error: bool = False, links: bool = False) -> None:

@@ -5,23 +5,23 @@ from contextlib import closing
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QDragEnterEvent, QDropEvent, QKeyEvent
-from PySide6.QtWidgets import QFileDialog, QWidget
+from PySide6.QtWidgets import QFileDialog
 
 from iconstudio.gui.exchange.dragging import take_copy, unpacked
 from iconstudio.gui.exchange.opening import IconOpener
-from iconstudio.gui.exchange.together import Sprite
 from iconstudio.gui.gallery.sheet import Sheet
 from iconstudio.gui.gallery.sheet_delegate import Look
 from iconstudio.gui.gallery.sheet_model import credited
 from iconstudio.gui.jobs.preparation import DEBOUNCE
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
-from iconstudio.gui.panels.caption import Caption
 from iconstudio.gui.panels.scanning import may_be_scan
+from iconstudio.gui.panels.search import IconSearch
 from iconstudio.gui.panels.wordfield import WordField
-from iconstudio.gui.theme.layout import column, push_button, row
+from iconstudio.gui.theme.layout import push_button
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.images.reading import SUFFIXES
+from iconstudio.inputs.together import ReadTogether, Sprite
 from iconstudio.model import Exemplar
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event, Retrieved
@@ -30,7 +30,7 @@ _FILES = f"Drawings ({' '.join(f'*.{one}' for one in ('svg', 'svgz', *SUFFIXES))
 _WELCOME = "Look icons up by a word, or open a drawing of your own."
 
 
-class IconChooser(QWidget):
+class IconChooser(IconSearch):
     """A search field, a button to open a file, and thumbnails of the icons to choose from.
 
     Files that were opened stay in front of what is found. With ``multiple``, the icons named by
@@ -50,29 +50,18 @@ class IconChooser(QWidget):
     released = Signal(object)
     failed = Signal(str)
 
-    def __init__(
-        self,
-        session: Session,
-        worker: Worker,
-        multiple: bool = False,
-        parent: QWidget | None = None,
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, session: Session, worker: Worker, multiple: bool = False) -> None:
+        tip = "Use a drawing of your own: an SVG, a scan or a PNG"
+        button = push_button("Open drawing…", tip)
+        look = Look(7 * UNIT, margin=6)
+        sheet = Sheet(look, self._describe, "Icons found", draggable=True)
+        super().__init__(SearchField(), button, sheet, _WELCOME)
         self._session = session
         self._multiple = multiple
         self._keyword = ""
         self._found: tuple[Exemplar, ...] = ()
         self._opened: dict[str, Exemplar] = {}
         self.setAcceptDrops(True)
-
-        self.field = SearchField()
-        tip = "Use a drawing of your own: an SVG, a scan or a PNG"
-        self.button = push_button("Open drawing…", tip, self.choose_file)
-        self.caption = Caption()
-        self.choices = Sheet(
-            Look(7 * UNIT, margin=6), self._describe, "Icons found", draggable=True
-        )
-        column(row((self.field, 1), self.button), self.caption, (self.choices, 1), of=self)
         self.setFocusProxy(self.field)
 
         self._search = Runner(worker, self)
@@ -86,18 +75,13 @@ class IconChooser(QWidget):
         self.field.textEdited.connect(self._timer.start)
         self.field.returnPressed.connect(self._look_up)
         self.field.left.connect(self._enter_choices)
-        self.choices.chosen.connect(self._choose)
-        self.caption.say(_WELCOME)
-
-    def search(self, keyword: str) -> None:
-        """Look icons up, as if the user had typed ``keyword`` and Enter."""
-        self.field.setText(keyword)
-        self._look_up()
+        self.sheet.chosen.connect(self._choose)
+        button.clicked.connect(self.choose_file)
 
     def set_taken(self, identifiers: frozenset[str]) -> None:
         """Say which icons are taken already; it matters only if several can be."""
         taken = identifiers if self._multiple else frozenset()
-        self.choices.model().mark(lambda icon: icon.id in taken)
+        self.sheet.model().mark(lambda icon: icon.id in taken)
 
     def choose_file(self) -> None:
         """Ask for a file: an SVG, or an image."""
@@ -131,25 +115,22 @@ class IconChooser(QWidget):
         self._search.cancel()
         self._keyword, self._found = keyword, ()
         self._fill()
+        self.tell_searching(keyword)
         if keyword:
-            self.caption.say(f"Looking for “{keyword}”…")
             self._search.start(lambda: _retrieved(self._session, keyword))
-        else:
-            self.caption.say(_WELCOME)
 
     def _show_found(self, event: Event) -> None:
         if isinstance(event, Retrieved):
             self._found = event.exemplars
             self._fill()
-            icons = "1 icon" if len(self._found) == 1 else f"{len(self._found)} icons"
             what = "click to add or take away" if self._multiple else "click one to use it"
-            self.caption.say(f"{icons} found · {what}")
+            self.tell_found(len(self._found), what)
 
     def take(self, exemplar: Exemplar) -> None:
         """Choose an icon that was opened; it stays in front of what is found."""
         self._opened = {exemplar.id: exemplar} | self._opened
         self._fill()
-        if not self.choices.model().is_marked(exemplar):
+        if not self.sheet.model().is_marked(exemplar):
             self.chosen.emit(exemplar)
 
     def _describe(self, icon: Exemplar, taken: bool) -> tuple[str, str]:
@@ -158,21 +139,21 @@ class IconChooser(QWidget):
         return name, f"{credited(icon)}\nClick to {what}, or drag it"
 
     def _choose(self, exemplar: Exemplar) -> None:
-        taken = self.choices.model().is_marked(exemplar)
+        taken = self.sheet.model().is_marked(exemplar)
         (self.released if taken else self.chosen).emit(exemplar)
 
     def _fill(self) -> None:
         shown = self._opened | {one.id: one for one in self._found}
-        self.choices.show_entries(tuple(shown.values()))
+        self.sheet.show_entries(tuple(shown.values()))
 
     def _fail(self, message: str) -> None:
         self.caption.say(message, error=True)
         self.failed.emit(message)
 
     def _enter_choices(self) -> None:
-        if self.choices.model().entries:
-            self.choices.setFocus(Qt.FocusReason.OtherFocusReason)
-            self.choices.setCurrentIndex(self.choices.model().index(0))
+        if self.sheet.model().entries:
+            self.sheet.setFocus(Qt.FocusReason.OtherFocusReason)
+            self.sheet.setCurrentIndex(self.sheet.model().index(0))
 
 
 class _FileOpener(IconOpener):
@@ -182,8 +163,9 @@ class _FileOpener(IconOpener):
         super().__init__(session, None, worker, chooser)
         self._chooser = chooser
 
-    def put(self, found: Exemplar) -> str:
+    def put(self, gathered: ReadTogether) -> str:
         """Choose an icon."""
+        (found,) = gathered.found
         self._chooser.take(found)
         return f"Opened “{found.pictogram.credit.title}”."
 
@@ -204,11 +186,10 @@ class SearchField(WordField):
 
     left = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setPlaceholderText("Find an icon: lamp, dog, …")
         self.setAccessibleName("Find an icon")
-        self.setClearButtonEnabled(True)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Leave with Down."""

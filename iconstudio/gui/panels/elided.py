@@ -4,7 +4,7 @@ from html import escape
 
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
+from PySide6.QtWidgets import QLabel, QSizePolicy
 
 from iconstudio.gui.theme import theme
 
@@ -12,8 +12,8 @@ from iconstudio.gui.theme import theme
 class ElidedLabel(QLabel):
     """A label as wide as its layout lets it be; with ``url``, it is a link."""
 
-    def __init__(self, text: str, url: str = "", parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, text: str, url: str = "") -> None:
+        super().__init__()
         self._whole = text
         self._url = url
         self.setTextFormat(Qt.TextFormat.RichText if url else Qt.TextFormat.PlainText)

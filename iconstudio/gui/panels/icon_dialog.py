@@ -69,8 +69,8 @@ class IconDialog(QDialog):
 class ScanView(QFrame):
     """Shows an image, ink or an outline, as large as fits."""
 
-    def __init__(self, name: str, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, name: str) -> None:
+        super().__init__()
         with_role(self, "card")
         self.setAccessibleName(name)
         self.setMinimumSize(QSize(30 * UNIT, 30 * UNIT))

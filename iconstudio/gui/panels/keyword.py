@@ -3,15 +3,15 @@
 from collections.abc import Sequence
 
 from PySide6.QtCore import QPoint, Qt, Signal
-from PySide6.QtWidgets import QFrame, QMenu
+from PySide6.QtWidgets import QMenu
 
 from iconstudio.gui.gallery.sending import pop_up
 from iconstudio.gui.gallery.sheet import Sheet
 from iconstudio.gui.gallery.sheet_delegate import Look, Mark
 from iconstudio.gui.gallery.sheet_model import credited
-from iconstudio.gui.panels.caption import Caption
+from iconstudio.gui.panels.search import IconSearch
 from iconstudio.gui.panels.wordfield import Key, WordField
-from iconstudio.gui.theme.layout import column, push_button, row, with_role
+from iconstudio.gui.theme.layout import push_button, with_role
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.model import Exemplar
 from iconstudio.workflows import criteria as edits
@@ -24,7 +24,7 @@ class KeywordField(WordField):
     others = (Key.Undo, Key.Redo)
 
 
-class KeywordPanel(QFrame):
+class KeywordPanel(IconSearch):
     """The keyword field, the Remix button, and thumbnails of what it finds: edits the page.
 
     A click on a thumbnail, Space or its menu leaves an icon out, or takes it back.
@@ -38,35 +38,26 @@ class KeywordPanel(QFrame):
     run = Signal()
 
     def __init__(self, document: CriteriaDocument) -> None:
-        super().__init__()
+        field = KeywordField(placeholderText="What is it? For example: motorcycle")
+        field.setAccessibleName("What the object is")
+        tip = "Make new icons in four styles (Ctrl+Return)"
+        button = push_button("Remix", tip, role="primary")
+        sheet = Sheet(Look(44, margin=6, mark=Mark.STRUCK), _described, "Icons found")
+        margins = UNIT * 3 // 2, UNIT * 3 // 2, UNIT * 3 // 2, UNIT
+        start = "The name finds the icons whose parts are used."
+        super().__init__(field, button, sheet, start, margins)
         self._document = document
         with_role(self, "card")
-        self.field = KeywordField(placeholderText="What is it? For example: motorcycle")
-        self.field.setAccessibleName("What the object is")
-        self.field.setClearButtonEnabled(True)
-        tip = "Make new icons in four styles (Ctrl+Return)"
-        self.button = push_button("Remix", tip, self.run.emit, role="primary")
-        self.caption = Caption()
         self.caption.setTextInteractionFlags(Qt.TextInteractionFlag.LinksAccessibleByMouse)
-        self.thumbnails = Sheet(
-            Look(44, margin=6, mark=Mark.STRUCK), _described, "Icons found", parent=self
-        )
         self.menu: QMenu | None = None
         self._excluded: frozenset[str] = frozenset()
         self._found = 0
-        column(
-            row((self.field, 1), self.button),
-            self.caption,
-            (self.thumbnails, 1),
-            of=self,
-            margins=(UNIT * 3 // 2, UNIT * 3 // 2, UNIT * 3 // 2, UNIT),
-        )
+        button.clicked.connect(self.run)
         self.field.textEdited.connect(lambda text: edits.set_keyword(document, text))
         self.field.returnPressed.connect(self.run)
-        self.thumbnails.chosen.connect(lambda icon: edits.toggle_icon(document, icon.id))
-        self.thumbnails.asked.connect(self._open_menu)
+        self.sheet.chosen.connect(lambda icon: edits.toggle_icon(document, icon.id))
+        self.sheet.asked.connect(self._open_menu)
         self.caption.linkActivated.connect(lambda _: edits.exclude_icons(document, frozenset()))
-        self.set_searching("")
 
     def set_words(self, placeholder: str, tip: str) -> None:
         """Say what to type, and what the button does."""
@@ -79,28 +70,24 @@ class KeywordPanel(QFrame):
             self.field.setText(keyword)
         if self._excluded != excluded:
             self._excluded = excluded
-            self.thumbnails.model().mark(lambda icon: icon.id in excluded)
+            self.sheet.model().mark(lambda icon: icon.id in excluded)
             if self._found:
                 self._tell_found()
 
     def set_searching(self, keyword: str) -> None:
         """Say that ``keyword`` is being looked up, or what to do if there is none."""
         self._clear()
-        self.caption.say(
-            f"Looking for “{keyword}”…"
-            if keyword
-            else "The name finds the icons whose parts are used."
-        )
+        self.tell_searching(keyword)
 
     def show_exemplars(self, exemplars: Sequence[Exemplar]) -> None:
         """Show what the keyword found; icons in sight that were left out stay in their places."""
         self._found = len(exemplars)
         found = {icon.id for icon in exemplars}
         merged = list(exemplars)
-        for place, icon in enumerate(self.thumbnails.model().entries):
+        for place, icon in enumerate(self.sheet.model().entries):
             if icon.id in self._excluded and icon.id not in found:
                 merged.insert(min(place, len(merged)), icon)
-        self.thumbnails.show_entries(merged)
+        self.sheet.show_entries(merged)
         self._tell_found()
 
     def show_error(self, message: str) -> None:
@@ -110,7 +97,7 @@ class KeywordPanel(QFrame):
 
     def _clear(self) -> None:
         self._found = 0
-        self.thumbnails.show_entries(())
+        self.sheet.show_entries(())
 
     def _open_menu(self, icon: Exemplar, spot: QPoint) -> None:
         out = icon.id in self._excluded
@@ -120,13 +107,11 @@ class KeywordPanel(QFrame):
         pop_up(menu, spot)
 
     def _tell_found(self) -> None:
-        icons = "1 icon" if self._found == 1 else f"{self._found} icons"
-        out = len(self._excluded)
-        if out:
+        if out := len(self._excluded):
             undo = "<a href='#'>use all again</a>"
-            self.caption.say(f"{icons} found · {out} left out · {undo}", links=True)
+            self.tell_found(self._found, f"{out} left out", undo, links=True)
         else:
-            self.caption.say(f"{icons} found · click one to leave it out")
+            self.tell_found(self._found, "click one to leave it out")
 
 
 def _described(icon: Exemplar, out: bool) -> tuple[str, str]:

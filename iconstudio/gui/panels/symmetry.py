@@ -30,9 +30,8 @@ class SymmetryButton(QToolButton):
 
     chosen = Signal(object)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._axis: Axis | None = None
+    def __init__(self) -> None:
+        super().__init__()
         menu = QMenu(self)
         group = QActionGroup(menu)
         self._actions = {}
@@ -50,14 +49,8 @@ class SymmetryButton(QToolButton):
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.set_axis(None)
 
-    @property
-    def axis(self) -> Axis | None:
-        """The axis that is shown."""
-        return self._axis
-
     def set_axis(self, axis: Axis | None) -> None:
         """Show which axis is chosen."""
-        self._axis = axis
         self._actions[axis].setChecked(True)
         self.setIcon(self._actions[axis].icon())
         self.setToolTip(f"Symmetry of the results – {WORDS[axis].lower()}")

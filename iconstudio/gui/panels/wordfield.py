@@ -2,7 +2,7 @@
 
 from PySide6.QtCore import QEvent
 from PySide6.QtGui import QKeyEvent, QKeySequence
-from PySide6.QtWidgets import QApplication, QLineEdit, QWidget
+from PySide6.QtWidgets import QApplication, QLineEdit
 
 from iconstudio.gui.exchange.mime import holds_words
 
@@ -17,8 +17,8 @@ class WordField(QLineEdit):
 
     others: tuple[QKeySequence.StandardKey, ...] = ()
 
-    def __init__(self, parent: QWidget | None = None, **properties: object) -> None:
-        super().__init__(parent, **properties)
+    def __init__(self, **properties: object) -> None:
+        super().__init__(**properties)
         self.setMaxLength(100)
         self.setAcceptDrops(False)  # a file is for the workspace to open, its address is no word
 

@@ -1,12 +1,11 @@
 """What the user is asked about projects."""
 
-import os
 from enum import Enum
 from pathlib import Path
 
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
-from iconstudio.model import IconstudioError
+from iconstudio.gui.exchange.saving import ask_path, suffixed
 from iconstudio.project.archive import SUFFIX
 
 
@@ -57,30 +56,8 @@ def ask_where(window: QWidget, suggested: str) -> Path | None:
     IconstudioError
         If that would replace a file that the dialog did not ask about.
     """
-    dialog = QFileDialog(window, "Save the project as")
-    dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
-    dialog.setNameFilter(f"Projects (*{SUFFIX})")
-    dialog.setDefaultSuffix(SUFFIX[1:])
-    dialog.selectFile(suggested)
-    chosen = dialog.selectedFiles() if dialog.exec() else []
-    dialog.deleteLater()
-    return named_as_project(Path(chosen[0])) if chosen else None
-
-
-def named_as_project(path: Path) -> Path:
-    """Return a path whose name ends as those of projects do.
-
-    Raises
-    ------
-    IconstudioError
-        If there is a file of that name, which is not the one that was chosen.
-    """
-    if path.suffix.lower() == SUFFIX:
-        return path
-    path = path.with_name(f"{path.name}{SUFFIX}")
-    if os.path.lexists(path):
-        raise IconstudioError(f"“{path}” is there already. Save under another name.")
-    return path
+    path = ask_path(window, "Save the project as", "Projects", SUFFIX, suggested)
+    return None if path is None else suffixed(path, SUFFIX)
 
 
 def ask_which(window: QWidget) -> Path | None:

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QFrame, QLabel, QWidget
+from PySide6.QtWidgets import QFrame, QLabel
 
 from iconstudio.gui.project.journaling import Found
 from iconstudio.gui.theme.layout import push_button, row, with_role
@@ -25,8 +25,8 @@ class RecoveryBar(QFrame):
     restore = Signal(object)
     dismiss = Signal(object)
 
-    def __init__(self, workflows: Mapping[str, Workflow], parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, workflows: Mapping[str, Workflow]) -> None:
+        super().__init__()
         with_role(with_role(self, "notice"), "hint")
         self._workflows = workflows
         self._offers: list[Found] = []
@@ -41,11 +41,6 @@ class RecoveryBar(QFrame):
         margins = UNIT * 3 // 2, UNIT // 2, UNIT, UNIT // 2
         row((self.label, 1), self.restore_button, self.dismiss_button, of=self, margins=margins)
         self.hide()
-
-    @property
-    def offers(self) -> tuple[Found, ...]:
-        """All that can be restored."""
-        return tuple(self._offers)
 
     def offer(self, found: Found) -> None:
         """Offer one more."""

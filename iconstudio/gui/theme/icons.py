@@ -93,10 +93,8 @@ def icon(name: str, token: str = "") -> QIcon:
 class Sign(QWidget):
     """An icon that only tells something: nothing happens when it is clicked."""
 
-    def __init__(
-        self, name: str, token: str = "muted", side: int = 18, parent: QWidget | None = None
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, name: str, token: str = "muted", side: int = 18) -> None:
+        super().__init__()
         self._icon = icon(name, token)
         self.setFixedSize(side, side)
 

@@ -9,6 +9,8 @@ from typing import Any
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QMenu, QWidget
 
+from iconstudio.gui.gallery.display import setting
+from iconstudio.gui.gallery.pictures import Display
 from iconstudio.gui.theme import icons
 from iconstudio.gui.window.about import show_about
 
@@ -51,11 +53,11 @@ def _holds_result(place: Any) -> bool:
     return place.picture is not None
 
 
-def _shows(display: str) -> dict[str, Any]:
+def _shows(display: Display) -> dict[str, Any]:
     """Return what an action does that shows results in another way, and when it is checked."""
     return {
-        "do": lambda place, on: place.choose_display(display),
-        "checked": lambda place: place.display.value == display,
+        "do": lambda place, on: setting.choose(display),
+        "checked": lambda place: setting.value is display,
         "choice": "display",
     }
 
@@ -107,12 +109,15 @@ COMMON = (
         "cancel", "&Cancel", "Stop; finished results stay", "Ctrl+.",
         enabled=lambda place: place.busy,
     ),
-    Entry("plain", "&Icons", "Show the results as they are", **_shows("plain")),
+    Entry("plain", "&Icons", "Show the results as they are", **_shows(Display.PLAIN)),
     Entry(
         "both", "Icons and &colour code", "Show results with their colour code", "Ctrl+Shift+K",
-        **_shows("both"),
+        **_shows(Display.BOTH),
     ),
-    Entry("coded", "Colour co&de", "Colour the results by source", "Ctrl+K", **_shows("coded")),
+    Entry(
+        "coded", "Colour co&de", "Colour the results by source", "Ctrl+K",
+        **_shows(Display.CODED),
+    ),
 )  # fmt: skip
 """What every workspace does."""
 
@@ -146,8 +151,8 @@ def tool(name: str, text: str, tip: str, keys: str, icon: str) -> Entry:
     return Entry(name, text, tip, keys, icon, **use)
 
 
-DISPLAYS = "plain", "both", "coded"
-"""How results are shown: the values of ``pictures.Display``."""
+DISPLAYS = tuple(one.value for one in Display)
+"""How results are shown."""
 
 MODES, OWN = "modes", "own"
 """Places in the menus: of the switch between workspaces, and of a workspace's own actions."""

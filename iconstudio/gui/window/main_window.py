@@ -4,10 +4,11 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from PySide6.QtCore import QMimeData, QTimer, QUrl
-from PySide6.QtGui import QAction, QCloseEvent, QGuiApplication
+from PySide6.QtGui import QCloseEvent, QGuiApplication
 from PySide6.QtWidgets import QMainWindow, QMenu, QStackedWidget, QWidget
 
 from iconstudio.gui.exchange.saving import Saver
+from iconstudio.gui.gallery import display
 from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.gallery.recent import RecentResults
 from iconstudio.gui.gallery.sending import Destination
@@ -46,6 +47,7 @@ class MainWindow(QMainWindow):
 
     def __init__(self, session: Session, workflows: Sequence[Workflow] | None = None) -> None:
         super().__init__()
+        display.setting.recall()
         self._session = session
         self._workflows = tuple(registry.workflows() if workflows is None else workflows)
         self._made: dict[int, WorkspacePane] = {}
@@ -111,11 +113,6 @@ class MainWindow(QMainWindow):
         """The workspace in use."""
         return self.pane.workspace
 
-    @property
-    def workspaces(self) -> tuple[Workspace, ...]:
-        """All workspaces, as they stand on the switch."""
-        return tuple(self._pane(number).workspace for number in range(len(self._workflows)))
-
     def workspace_of(self, title: str) -> Workspace:
         """Return the workspace of that title."""
         return self._pane(self._number(title)).workspace
@@ -128,10 +125,6 @@ class MainWindow(QMainWindow):
         for title, menu in self._menus.items():
             fill_menu(menu, title, self.actions_by_name, actions, self.modes.actions_in_order)
         self.workspace.enter()
-
-    def action(self, name: str) -> QAction:
-        """Return an action of the workspace in use, or of the window itself."""
-        return self.workspace.actions_by_name.get(name) or self.actions_by_name[name]
 
     def _number(self, title: str) -> int:
         return next(n for n, one in enumerate(self._workflows) if one.title == title)
@@ -192,10 +185,6 @@ class MainWindow(QMainWindow):
         self.project.journaling.dismiss(found.left)
 
     # -- the window itself ---------------------------------------------------------------------
-
-    def threads_alive(self) -> bool:
-        """Whether a thread of the window still runs; not once it is closed."""
-        return any(worker.alive for worker in self.findChildren(Worker))
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Ask about unsaved work; then stop all, and wait until the threads have ended."""

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QAction, QActionGroup
-from PySide6.QtWidgets import QFrame, QToolButton, QWidget
+from PySide6.QtWidgets import QFrame, QToolButton
 
 from iconstudio.gui.theme.layout import segments
 
@@ -20,8 +20,8 @@ class ModeSwitch(QFrame):
 
     chosen = Signal(int)
 
-    def __init__(self, titles: Sequence[str], parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, titles: Sequence[str]) -> None:
+        super().__init__()
         group = QActionGroup(self)
         self.actions_in_order: list[QAction] = []
         buttons: list[QToolButton] = []

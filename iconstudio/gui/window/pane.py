@@ -5,12 +5,12 @@ from PySide6.QtWidgets import QWidget
 
 from iconstudio.gui.exchange.dragging import take_copy, unpacked
 from iconstudio.gui.exchange.mime import holds_something
-from iconstudio.gui.exchange.together import named
 from iconstudio.gui.theme.layout import OnResize, column
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.window.notice import Notice
 from iconstudio.gui.window.progress import StatusStrip
 from iconstudio.gui.workspaces.base import Workspace
+from iconstudio.inputs.together import quoted_list
 
 
 class WorkspacePane(QWidget):
@@ -63,4 +63,5 @@ class WorkspacePane(QWidget):
             about.setdefault(icon.remarks, []).append(icon.credit.title or icon.id)
         about.pop((), None)
         self.notice.clear()
-        self.notice.remark(f"{named(one)}: {' '.join(remarks)}" for remarks, one in about.items())
+        said = (f"{quoted_list(some)}: {' '.join(each)}" for each, some in about.items())
+        self.notice.remark(said)

@@ -23,8 +23,8 @@ class StatusStrip(QWidget):
 
     cancelled = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._message = ""
         self._finished = 0
         self._remark = ""

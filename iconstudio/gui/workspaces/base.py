@@ -14,6 +14,7 @@ from iconstudio.gui.canvas.view import CanvasView
 from iconstudio.gui.document.document import Document
 from iconstudio.gui.exchange.opening import Opener
 from iconstudio.gui.exchange.saving import Saver
+from iconstudio.gui.gallery import display
 from iconstudio.gui.gallery.sending import Destination
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
@@ -30,10 +31,10 @@ from iconstudio.workflows.workflow import Workflow, load_object
 class Workspace(ResultsWidget):
     """One workflow: its page, its work and its results, all its own.
 
-    A subclass declares its ``entries``, makes a ``detail`` and an ``opener``, calls
-    ``make_actions`` in ``__init__``, and overrides what it needs. It has a thread, ``worker``, for
-    its runs, and may have more; ``files`` reads and writes files without waiting for them, and
-    ``saver`` asks where to. The window shows what the signals tell.
+    A subclass declares its ``page_type`` and its ``entries``; in ``build`` it makes a ``detail``
+    and an ``opener`` and calls ``make_actions``; and it overrides what it needs. It has a thread,
+    ``worker``, for its runs, and may have more; ``files`` reads and writes files without waiting
+    for them, and ``saver`` asks where to. The window shows what the signals tell.
 
     Signals
     -------
@@ -59,6 +60,8 @@ class Workspace(ResultsWidget):
     idle = Signal(str)
     project = Signal(str)
 
+    page_type: ClassVar[Callable[[], Any]]
+    """Makes the page to begin with, unless a document is given."""
     entries: ClassVar[tuple[Entry, ...]] = ()
     """All that can be done here, beside what can be done everywhere."""
     opener: Opener | None = None
@@ -74,19 +77,19 @@ class Workspace(ResultsWidget):
         session: Session,
         files: Worker,
         saver: Saver,
-        document: Document,
+        document: Document | None = None,
     ) -> None:
         super().__init__()
         self.workflow = workflow
         self.session = session
         self.files = files
         self.saver = saver
-        self.document = document
-        self.blank = document.page
+        self.document = Document(self.page_type()) if document is None else document
+        self.blank = self.page
         """The page to begin with."""
         self.pages = load_object(workflow.page_format)(workflow)
         """Writes its pages into projects."""
-        document.setParent(self)
+        self.document.setParent(self)
         self.worker = Worker(self)
         self.examples: QMenu | None = None
         """The menu of examples, if there are any."""
@@ -95,6 +98,10 @@ class Workspace(ResultsWidget):
         self._followed: list[Runner] = []
         self.progressed.connect(lambda _: self.note_busy(True))
         self.idle.connect(lambda _: self.note_busy(False))
+        self.build()
+
+    def build(self) -> None:
+        """Make all that is to be seen, and connect it with the work."""
 
     @property
     def page(self) -> Any:
@@ -121,8 +128,11 @@ class Workspace(ResultsWidget):
 
     def set_destinations(self, destinations: tuple[Destination, ...]) -> None:
         """Say where icons can be sent to; called once."""
+        self.destinations = destinations
         if self.detail is not None:
-            self.detail.set_destinations(destinations)
+            self.detail.set_destinations(
+                destinations, lambda title: self.send_picture(self.picture, title)
+            )
 
     def new(self) -> None:
         """Start afresh."""
@@ -153,21 +163,19 @@ class Workspace(ResultsWidget):
         if (detail := self.detail) is not None:
             for name, button in detail.buttons.items():
                 button.clicked.connect(self.actions_by_name[name].trigger)
-            detail.sent.connect(lambda title: self.send_picture(self.picture, title))
-            detail.switch.chosen.connect(self.choose_display)
-            self.displays = self.displays or (detail,)
         if (opener := self.opener) is not None:
             opener.began.connect(lambda: self.remarked.emit(""))
             opener.failed.connect(self.failed)
             opener.opened.connect(self.remarked)
             opener.project.connect(self.project)
             if self.view is not None:
-                self.view.dropped.connect(lambda data, _: opener.open_mime(data))
+                self.view.dropped.connect(opener.open_mime)
             if self.workflow.examples is not None:
                 self.examples = self._make_examples(opener)
         self.document.page_changed.connect(self.show_page)
         self.document.page_changed.connect(self.actions_by_name.refresh)
         self.picked.connect(self.actions_by_name.refresh)
+        display.setting.changed.connect(self._refresh_actions)
         self.actions_by_name.refresh()
 
     def canvas_panel_of(
@@ -224,6 +232,9 @@ class Workspace(ResultsWidget):
             menu.addAction(one.title, lambda path=str(one.path): opener.try_example(path))
         self.actions_by_name.add(EXAMPLES, menu.menuAction())
         return menu
+
+    def _refresh_actions(self) -> None:
+        self.actions_by_name.refresh()
 
     def note_busy(self, busy: bool) -> None:
         """Let the work be cancelled, or not."""

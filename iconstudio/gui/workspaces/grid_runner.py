@@ -6,7 +6,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
-from iconstudio.gui.gallery.pictures import Picture, pictured, titled
+from iconstudio.gui.gallery.pictures import Picture, pictured
 from iconstudio.gui.jobs.live import LiveRunner
 from iconstudio.gui.jobs.preparation import Preparation
 from iconstudio.gui.jobs.worker import Worker
@@ -194,7 +194,7 @@ class GridRunner(QObject):
 
     def _made(self, request: _Request) -> Generator[Event | Picture]:
         title = request.page.criteria.keyword.strip()
-        return pictured(self._page.events(request.inputs, request.settings), titled(title))
+        return pictured(self._page.events(request.inputs, request.settings), title)
 
     def _begin(self, request: _Request) -> None:
         self._ran, self._focus, self._by_hand = request, request.focus, False

@@ -9,13 +9,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
 from iconstudio.gui.document.document import Document
-from iconstudio.gui.exchange.saving import Saver
 from iconstudio.gui.gallery.browser import ResultsBrowser
 from iconstudio.gui.gallery.pictures import Picture
-from iconstudio.gui.gallery.sending import Destination
 from iconstudio.gui.jobs.preparation import Preparation, Query
 from iconstudio.gui.jobs.runner import Runner
-from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.panels.keyword import KeywordPanel
 from iconstudio.gui.panels.symmetry import SymmetryButton, SymmetryHint
 from iconstudio.gui.theme.layout import row, splitter
@@ -24,12 +21,10 @@ from iconstudio.gui.window.preferences import preferred
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.grid_runner import FINE, LIVE, GridRunner, LiveSource
 from iconstudio.gui.workspaces.symmetry import SymmetryDetection
-from iconstudio.session import Session
 from iconstudio.workflows import criteria as edits
 from iconstudio.workflows.criteria import CriteriaPage
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.grid import GridSettings
-from iconstudio.workflows.workflow import Workflow
 
 GRID = (
     Entry("live", "Li&ve", "Live: results follow while you draw", "Ctrl+L", "live",
@@ -44,26 +39,20 @@ GRID = (
 class RemixWorkspace(Workspace, LiveSource):
     """Canvas and keyword on the left, results and details on the right.
 
-    A subclass makes a ``view``, an ``opener`` and its actions, calls ``lay_out``, and says what
-    its page wants (see ``LiveSource``).
+    A subclass makes in ``build`` a ``view``, an ``opener`` and its actions, calls ``lay_out``, and
+    says what its page wants (see ``LiveSource``).
     """
 
-    def __init__(
-        self,
-        workflow: Workflow,
-        session: Session,
-        files: Worker,
-        saver: Saver,
-        document: Document[CriteriaPage],
-    ) -> None:
-        super().__init__(workflow, session, files, saver, document)
-        self.preparation = Preparation(session, self.worker, self)
+    document: Document[CriteriaPage]
+
+    def build(self) -> None:
+        """Make what is not a subclass's own."""
+        self.preparation = Preparation(self.session, self.worker, self)
         self.runner = GridRunner(self, self.preparation, self.worker, self)
         self._opening = Runner(self.worker, self)
-        self.keyword_panel = KeywordPanel(document)
+        self.keyword_panel = KeywordPanel(self.document)
         self.browser = ResultsBrowser()
         self.detail = self.browser.detail
-        self.displays = (self.browser,)
         self.symmetry = SymmetryButton()
 
     # -- what the window asks for --------------------------------------------------------------
@@ -87,10 +76,6 @@ class RemixWorkspace(Workspace, LiveSource):
             self.help_out()
         else:
             self.runner.run()
-
-    def set_destinations(self, destinations: tuple[Destination, ...]) -> None:
-        """Say where results can be sent to."""
-        self.browser.set_destinations(destinations)
 
     def cancel(self) -> None:
         """Stop the run and the search; results that are finished stay."""
@@ -160,11 +145,10 @@ class RemixWorkspace(Workspace, LiveSource):
         runner.live_runner.progress.connect(self.progressed)
         runner.live_runner.failed.connect(self.failed)
         runner.ended.connect(self._end_run)
-        browser.picked.connect(self.picked)
+        browser.results.picked.connect(self.picked)
+        browser.results.asked.connect(self.offer_for)
         browser.kept.connect(self.kept)
         browser.counted.connect(self.counted)
-        browser.sent.connect(self.send_picture)
-        browser.results.switch.chosen.connect(self.choose_display)
         self.rest()
         self.show_page()
         self._opening.start(self.session.get_ready)

@@ -1,20 +1,15 @@
 """What a workspace does with its results: shows, keeps, saves and sends them."""
 
 from collections.abc import Callable, Sequence
-from typing import Any
 
-from PySide6.QtCore import Signal
-from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QWidget
+from PySide6.QtCore import QPoint, Signal
+from PySide6.QtWidgets import QMenu, QWidget
 
 from iconstudio.gui.exchange.saving import Saver
 from iconstudio.gui.gallery.detail import DetailPanel
-from iconstudio.gui.gallery.pictures import Display, Picture
+from iconstudio.gui.gallery.pictures import Picture
+from iconstudio.gui.gallery.sending import Destination, offer, pop_up
 from iconstudio.gui.window.actions import Actions
-from iconstudio.gui.window.preferences import prefer, preferred
-
-DISPLAY = "display"
-"""Under which it is remembered how results are shown."""
 
 
 class ResultsWidget(QWidget):
@@ -36,20 +31,25 @@ class ResultsWidget(QWidget):
 
     detail: DetailPanel | None = None
     """Shows the picked result, if there are any."""
-    display = Display.BOTH
-    """How results are shown."""
-    displays: Sequence[Any] = ()
-    """What shows results; each has a method ``show_display``."""
     actions_by_name: Actions
     """What is declared in ``entries``. The menus show these, and their shortcuts work while this
     is in sight. What makes no sense is disabled."""
     saver: Saver
     """Asks where results go."""
+    destinations: Sequence[Destination] = ()
+    """Where icons can be sent to."""
+    menu: QMenu | None = None
+    """What can be done with the result that was asked about last."""
 
     @property
     def picture(self) -> Picture | None:
         """The picked result, which Save SVG, Save PNG and Copy take."""
         return None if self.detail is None else self.detail.picture
+
+    def look_at(self, picture: Picture | None) -> None:
+        """Pick a result, and show it large; or none."""
+        self.detail.show_picture(picture)
+        self.picked.emit(picture)
 
     def save_svg(self) -> None:
         """Save the picked result as SVG."""
@@ -72,25 +72,19 @@ class ResultsWidget(QWidget):
         self.kept.emit(picture)
         self.send.emit(picture.pictogram(), title)
 
-    def choose_display(self, display: Display | str) -> None:
-        """Show results in another way, here and elsewhere, from now on."""
-        prefer(DISPLAY, Display(display).value)
-        self._show_display(Display(display))
+    def offer_for(self, picture: Picture, spot: QPoint) -> None:
+        """Open a menu of what can be done with a result, at a place of the screen."""
+        menu = QMenu(self)
+        self.fill_result_menu(menu, picture)
+        if menu.actions():
+            self.menu = menu
+            pop_up(menu, spot)
 
-    def showEvent(self, event: QShowEvent) -> None:
-        """Show results as the user prefers by now, perhaps since another workspace."""
-        super().showEvent(event)
-        preference = preferred(DISPLAY, Display.BOTH.value)
-        if preference in [one.value for one in Display]:
-            self._show_display(Display(preference))
+    def fill_result_menu(self, menu: QMenu, picture: Picture) -> None:
+        """Say what can be done with a result: it can be sent elsewhere."""
+        offer(menu, self.destinations, lambda title: self.send_picture(picture, title))
 
     def _keep(self, save: Callable[[Picture], None]) -> None:
         if self.picture is not None:
             self.kept.emit(self.picture)
             save(self.picture)
-
-    def _show_display(self, display: Display) -> None:
-        self.display = display
-        for one in self.displays:
-            one.show_display(display)
-        self.actions_by_name.refresh()

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
-from iconstudio.model import Axis, Exemplar, IconstudioError, Mix, Point, Remix, Seeds
+from iconstudio.model import Axis, Exemplar, IconstudioError, Mix, Point, Remix, Score, Seeds
 from iconstudio.model.mix import DRAWS
 from iconstudio.workflows.hybrids.hybrids import FEWEST, MOST
 from iconstudio.workflows.pages import Document
@@ -161,6 +161,18 @@ def problem(mix: Mix) -> str:
         more = "two icons" if not mix.icons else "one more icon"
         return f"Choose at least {more} to mix: look some up on the left, or let the program pick."
     return ""
+
+
+def terms(score: Score) -> str:
+    """Say what the rank score of a hybrid is made of."""
+    parts = {
+        "smooth seams": score.seam,
+        "in one piece": score.whole,
+        "symmetry": score.symmetry,
+        "shared by several icons": score.sharing,
+    }
+    lines = [f"{name} {value:.0%}" for name, value in parts.items()]
+    return f"Rank score {score.total:.2f}: " + ", ".join(lines)
 
 
 def shared_axis(page: HybridsPage) -> Axis | None:

@@ -87,6 +87,17 @@ class MontagePage:
     layers: tuple[PlacedIcon, ...] = ()
     chosen: int = -1
 
+    @classmethod
+    def of(cls, layers: Sequence[Layer], icons: Sequence[IconShape]) -> "MontagePage":
+        """Return the page of ``layers``; where strokes of two icons overlap, the upper one's stay.
+
+        ``icons`` are theirs, drawn.
+        """
+        page = cls().with_icons(icons)
+        for layer, one in zip(layers, page.layers, strict=True):
+            page = page.placed(one.number, layer.placement).drawn(one.number, layer.strokes)
+        return page
+
     @property
     def current(self) -> PlacedIcon | None:
         """The layer that is worked on; None only if there is none at all."""

@@ -18,6 +18,15 @@ NUDGES = {
 """Which way the arrow keys lead."""
 
 
+def nudge(event: QKeyEvent) -> tuple[int, int] | None:
+    """Return how far an arrow key moves something: ten times as far with Shift; None for others."""
+    if event.key() not in NUDGES:
+        return None
+    far = 10 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1
+    right, down = NUDGES[event.key()]
+    return far * right, far * down
+
+
 @dataclass(frozen=True, slots=True)
 class Pointer:
     """The mouse or pen at one moment: where on the page, and where in the view."""
@@ -60,7 +69,8 @@ class Tool:
         """The button went up."""
 
     def double_click(self, pointer: Pointer) -> None:
-        """The button went down a second time at the same place."""
+        """The button went down a second time at the same place: that is a press like any other."""
+        self.press(pointer)
 
     def leave(self) -> None:
         """The pointer left the canvas."""

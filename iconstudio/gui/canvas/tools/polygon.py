@@ -11,7 +11,7 @@ from PySide6.QtGui import QKeyEvent, QPainter, QPen
 
 from iconstudio.gui.canvas import painters
 from iconstudio.gui.canvas.camera import Camera
-from iconstudio.gui.canvas.tools.base import NUDGES, Pointer, Tool
+from iconstudio.gui.canvas.tools.base import Pointer, Tool, nudge
 from iconstudio.gui.document.document import new_gesture
 from iconstudio.gui.theme.theme import Theme
 from iconstudio.model import Point
@@ -201,12 +201,11 @@ class PolygonTool(Tool):
             self.selected = (start + step) % count
             self._gesture = new_gesture()
             return True
-        if key in NUDGES and self.selected is not None:
-            (dx, dy), (x, y) = NUDGES[key], self.outline.vertices[self.selected]
-            far = 10 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1
-            self._move(self.selected, (x + far * dx, y + far * dy))
-            return True
-        return False
+        if (step := nudge(event)) is None or self.selected is None:
+            return False
+        x, y = self.outline.vertices[self.selected]
+        self._move(self.selected, (x + step[0], y + step[1]))
+        return True
 
     def cancel(self) -> bool:
         """Give up an open outline; undo brings it back."""

@@ -2,9 +2,11 @@
 
 from collections.abc import Generator
 from pathlib import Path
+from typing import Any
 
-from iconstudio.gui.exchange.opening import IconOpener
-from iconstudio.model import Edit, Exemplar, Pictogram
+from iconstudio.gui.exchange.opening import IconOpener, Opened
+from iconstudio.inputs.together import ReadTogether
+from iconstudio.model import Exemplar, Pictogram
 from iconstudio.workflows.editing import page
 from iconstudio.workflows.editing.spec import EDITING
 from iconstudio.workflows.files import read_file
@@ -17,33 +19,31 @@ class EditOpener(IconOpener):
     kinds = "Edits"
     limit = "an edit has one icon"
 
-    def open_work(self, path: str) -> None:
-        """Open an edit file."""
-        self.replace(lambda: self._read_edit(Path(path)))
+    def opening(self, path: Path) -> Generator[Any]:
+        """Yield the edit in a file."""
+        edit = yield from read_file(path, EDITING, self.session)
+        icon = self.session.exemplar(edit.icon)
+        yield Opened(_about(icon), lambda document: page.load(document, edit, icon))
 
     def take_exemplar(self, icon: Exemplar) -> None:
         """Begin with an icon that is drawn already."""
-        self.replace(lambda: self._begin(icon))
+        self.replace(lambda: self._beginning(icon))
 
     def drawn(self, pictogram: Pictogram) -> tuple[Exemplar, str]:
         """Return an icon, and what icons like it are looked for by."""
-        return self._with_keyword(super().drawn(pictogram))
-
-    def put(self, found: tuple[Exemplar, str | Edit]) -> str:
-        """Start from an icon that was found with its keyword, or from an edit."""
-        match found:
-            case (icon, Edit() as edit):
-                page.load(self.document, edit, icon)
-            case (icon, keyword):
-                page.begin(self.document, icon, keyword)
-        return f"“{icon.pictogram.credit.title}” is on the canvas."
-
-    def _with_keyword(self, icon: Exemplar) -> tuple[Exemplar, str]:
+        icon = super().drawn(pictogram)
         return icon, self.session.keyword(icon.pictogram)
 
-    def _begin(self, icon: Exemplar) -> Generator[tuple[Exemplar, str]]:
-        yield self._with_keyword(icon)
+    def put(self, gathered: ReadTogether) -> str:
+        """Start from an icon."""
+        ((icon, keyword),) = gathered.found
+        page.begin(self.document, icon, keyword)
+        return _about(icon)
 
-    def _read_edit(self, path: Path) -> Generator[tuple[Exemplar, Edit]]:
-        edit = yield from read_file(path, EDITING, self.session)
-        yield self.session.exemplar(edit.icon), edit
+    def _beginning(self, icon: Exemplar) -> Generator[Opened]:
+        keyword = self.session.keyword(icon.pictogram)
+        yield Opened(_about(icon), lambda document: page.begin(document, icon, keyword))
+
+
+def _about(icon: Exemplar) -> str:
+    return f"“{icon.pictogram.credit.title}” is on the canvas."

@@ -9,13 +9,15 @@ from iconstudio.gui.canvas.outlines import IconOutlines
 from iconstudio.gui.canvas.scene import Scene
 from iconstudio.gui.gallery.pictures import stencil
 from iconstudio.gui.theme.theme import UNIT, Theme
-from iconstudio.gui.workspaces.editing.areas import TOKENS
 from iconstudio.model import CANVAS, MARGIN, Exemplar
 from iconstudio.workflows.editing.page import Area, EditDocument, Kind
 
 _SHEET = QRectF(0, 0, CANVAS, CANVAS)
 _BODY = _SHEET.adjusted(MARGIN, MARGIN, -MARGIN, -MARGIN)
 """Where the icon lies."""
+
+TOKENS = {Kind.REMOVE: "danger", Kind.ADD: "added"}
+"""The colours of areas in the theme."""
 
 
 class EditScene(Scene):

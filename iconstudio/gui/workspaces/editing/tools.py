@@ -2,19 +2,20 @@
 
 import math
 
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QKeyEvent, QPainter, QPen
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtGui import QKeyEvent, QPainter, QPen, QPolygonF
 
 from iconstudio.algorithms.geometry import simplified
 from iconstudio.gui.canvas import painters
 from iconstudio.gui.canvas.camera import Camera
-from iconstudio.gui.canvas.tools.base import NUDGES, Pointer
+from iconstudio.gui.canvas.tools.base import Pointer, nudge
 from iconstudio.gui.canvas.tools.polygon import PolygonTool
 from iconstudio.gui.document.document import new_gesture
 from iconstudio.gui.theme.theme import Theme
-from iconstudio.gui.workspaces.editing.areas import TOKENS, AreaOutline
+from iconstudio.gui.workspaces.editing.scene import TOKENS
 from iconstudio.model import IconstudioError, Point, Polygon
-from iconstudio.workflows.editing.page import Kind
+from iconstudio.workflows.editing.areas import AreaOutline
+from iconstudio.workflows.editing.page import Area, Kind
 
 FREEHAND = 5.0
 """Pixels that the pointer must be dragged to draw freehand: less is a click."""
@@ -61,6 +62,10 @@ class AreaTool(PolygonTool):
         selected = self.outline.index is not None
         self.outline.remove()
         return selected
+
+    def _page_changed(self) -> None:
+        self.outline.follow_page()
+        super()._page_changed()
 
 
 class DrawTool(AreaTool):
@@ -160,7 +165,7 @@ class SelectTool(AreaTool):
     def cursor(self) -> Qt.CursorShape:
         """An arrow, but for what can be moved."""
         shape = super().cursor
-        above = self._pointer is not None and self.outline.at(self._pointer.page) is not None
+        above = self._pointer is not None and self._area_at(self._pointer.page) is not None
         free = shape == Qt.CursorShape.ArrowCursor
         return Qt.CursorShape.SizeAllCursor if free and above else shape
 
@@ -195,11 +200,9 @@ class SelectTool(AreaTool):
         """Move the area with the arrow keys, unless one of its points is selected."""
         if super().key(event):
             return True
-        if event.key() not in NUDGES or self.outline.area is None:
+        if (step := nudge(event)) is None or self.outline.area is None:
             return False
-        dx, dy = NUDGES[event.key()]
-        far = 10 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1
-        self.outline.shift(far * dx, far * dy, ("nudge", self.outline.index))
+        self.outline.shift(*step, ("nudge", self.outline.index))
         return True
 
     def _press_nowhere(self, pointer: Pointer) -> None:
@@ -207,7 +210,27 @@ class SelectTool(AreaTool):
             super()._press_nowhere(pointer)
             return
         self.selected = None
-        self.outline.select(self.outline.at(pointer.page))
+        self.outline.select(self._area_at(pointer.page))
         if self.outline.area is not None:
             self._held = pointer.page
             self._gesture = new_gesture()
+
+    def _area_at(self, point: Point) -> int | None:
+        """Return the area that is seen at a point: what is added lies above what is removed."""
+        areas = self.outline.document.page.areas
+        order = sorted(range(len(areas)), key=lambda i: (areas[i].kind is Kind.ADD, i))
+        return next((i for i in reversed(order) if _contains(areas[i], point)), None)
+
+
+def edit_tools(outline: AreaOutline) -> dict[str, DrawTool | SelectTool]:
+    """Return the tools of an edit by the names of the actions that take them."""
+    return {
+        "remove": DrawTool(outline, Kind.REMOVE),
+        "add": DrawTool(outline, Kind.ADD),
+        "select": SelectTool(outline),
+    }
+
+
+def _contains(area: Area, point: Point) -> bool:
+    shape = QPolygonF([QPointF(*vertex) for vertex in area.vertices])
+    return shape.containsPoint(QPointF(*point), Qt.FillRule.WindingFill)

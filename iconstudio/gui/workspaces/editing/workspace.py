@@ -5,25 +5,20 @@ from typing import NamedTuple
 
 from iconstudio.gui.canvas.outlines import IconOutlines
 from iconstudio.gui.canvas.view import CanvasView
-from iconstudio.gui.document.document import Document
-from iconstudio.gui.exchange.saving import Saver
-from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.workspaces.editing.actions import ENTRIES
-from iconstudio.gui.workspaces.editing.areas import AreaOutline
 from iconstudio.gui.workspaces.editing.opening import EditOpener
 from iconstudio.gui.workspaces.editing.scene import EditScene
 from iconstudio.gui.workspaces.editing.start import StartPanel
-from iconstudio.gui.workspaces.editing.tools import DrawTool, SelectTool
+from iconstudio.gui.workspaces.editing.tools import DrawTool, edit_tools
 from iconstudio.gui.workspaces.remixing import RemixWorkspace
 from iconstudio.model import Edit, IconstudioError, Pictogram
-from iconstudio.session import Session
 from iconstudio.workflows.editing import page as edits
+from iconstudio.workflows.editing.areas import AreaOutline
 from iconstudio.workflows.editing.editing import own_styles, place_edit
-from iconstudio.workflows.editing.page import EditPage, Kind
+from iconstudio.workflows.editing.page import EditPage
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.grid import GridSettings
-from iconstudio.workflows.workflow import Workflow
 
 WELCOME = (
     "The changed icon appears here, several times: on the left it keeps closer to what you drew;\n"
@@ -46,28 +41,24 @@ class EditInputs(NamedTuple):
 class EditWorkspace(RemixWorkspace):
     """An icon is changed where the user marks it."""
 
+    page_type = EditPage
     entries = ENTRIES
 
-    def __init__(self, workflow: Workflow, session: Session, files: Worker, saver: Saver) -> None:
-        super().__init__(workflow, session, files, saver, Document(EditPage()))
-        self.opener = EditOpener(session, self.document, files, self)
-        self.outlines = IconOutlines(session, self.finder, self)
+    def build(self) -> None:
+        """Make canvas, panels and runs."""
+        super().build()
+        self.opener = EditOpener(self.session, self.document, self.files, self)
+        self.outlines = IconOutlines(self.session, self.finder, self)
         self.outline = AreaOutline(self.document)
-        self.tools = {
-            "remove": DrawTool(self.outline, Kind.REMOVE),
-            "add": DrawTool(self.outline, Kind.ADD),
-            "select": SelectTool(self.outline),
-        }
+        self.tools = edit_tools(self.outline)
         self.tool = self.tools["remove"]
         self.scene = EditScene(self.document, self.outlines)
         self.view = CanvasView(self.scene, self.tool, DESCRIPTION)
         self.browser.results.set_words(WELCOME, "Closer to the drawing")
-        self.keyword_panel.set_words(
-            PLACEHOLDER, "Make the icon anew where it is marked (Ctrl+Return)"
-        )
+        self.keyword_panel.set_words(PLACEHOLDER, TIP)
         self.offer_symmetry(_outline, lambda page: place_edit(page.edit(), page.icon).silhouette)
         self.make_actions()
-        chooser = IconChooser(session, self.finder)
+        chooser = IconChooser(self.session, self.finder)
         self.start_panel = StartPanel(self.document, self.view, chooser, self.examples)
         chooser.chosen.connect(self.opener.take_exemplar)
         self.opener.opened.connect(self._begin)

@@ -58,8 +58,8 @@ class IconCard(QWidget):
     pinned = Signal(str, tuple)
     removed = Signal(str)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._ingredient: Ingredient | None = None
         self._axis: Axis | None = None
         self._held: NDArray[np.bool_] | None = None

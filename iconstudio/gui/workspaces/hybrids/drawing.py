@@ -4,16 +4,20 @@ from dataclasses import replace
 
 from PySide6.QtCore import QObject, Signal
 
-from iconstudio.gui.gallery.pictures import Picture
+from iconstudio.gui.gallery.pictures import Picture, pictured
 from iconstudio.gui.gallery.sheet_model import Rule
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
-from iconstudio.gui.workspaces.hybrids.batches import Seen, batch
 from iconstudio.gui.workspaces.hybrids.panels import SheetPanel
 from iconstudio.gui.workspaces.hybrids.sections import Section
-from iconstudio.model import IconstudioError, Mix
+from iconstudio.model import CANVAS, IconstudioError, Mix
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
+from iconstudio.workflows.hybrids.batches import Seen, new_hybrids
+from iconstudio.workflows.hybrids.spec import HYBRIDS
+
+CODED = CANVAS
+"""Side of a hybrid's colour-coded picture."""
 
 
 class Draws(QObject):
@@ -47,7 +51,7 @@ class Draws(QObject):
         self.runner = Runner(worker, self)
         self.runner.ended.connect(self._end)
         panel.sheet.neared_end.connect(self.draw_on)
-        panel.back.connect(self.show_all)
+        panel.button.clicked.connect(self.show_all)
 
     def start(self, mix: Mix, name: str) -> None:
         """Draw on a new sheet, or more on the one that is there if it is of the same mix.
@@ -124,7 +128,10 @@ class Draws(QObject):
         self._section = section
         self._sections.begin(section)
         mix, name, seen = replace(section.mix, first=section.drawn), self._name, self._seen
-        self.runner.start(lambda: batch(self._session, mix, name, seen))
+        session = self._session
+        self.runner.start(
+            lambda: pictured(new_hybrids(session.run(HYBRIDS, mix), name, seen), side=CODED)
+        )
 
     def show(self, event: Event | Picture) -> None:
         """Put a hybrid that was drawn on the sheet."""
@@ -143,12 +150,11 @@ class Draws(QObject):
         else:
             section.drawn = max([section.drawn, *(one.icon.draw + 1 for one in new)])
             # What was drawn but not shown any more may come again.
-            self._seen = Seen(self._sections.pictures)
+            self._seen = Seen([one.icon for one in self._sections.pictures])
         if whole or new:
             more = " · nothing new any more" if section.exhausted else " · scroll on for more"
             self._sections.end(section, Rule(f"{section.drawn} draws", more=more))
 
     def _show_section(self) -> None:
-        alone = self._sections.alone
-        self._panel.show_way_back(alone is not None)
+        self._panel.button.setVisible(self._sections.alone is not None)
         self.section_changed.emit()

@@ -1,37 +1,26 @@
 """Gathers the icons to mix: sent, dropped, picked by the program, or named in a file."""
 
-from collections.abc import Generator, Sequence
+from collections.abc import Callable, Generator, Sequence
 from contextlib import closing
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import Signal
 
-from iconstudio.gui.exchange.opening import IconOpener
-from iconstudio.gui.exchange.together import ReadTogether, named
+from iconstudio.gui.exchange.opening import IconOpener, Opened
+from iconstudio.inputs.together import ReadTogether, quoted_list
 from iconstudio.model import Exemplar
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.hybrids import page as edits
 from iconstudio.workflows.hybrids.file import COUNT, read_hybrids
 from iconstudio.workflows.hybrids.hybrids import MOST, check
-from iconstudio.workflows.hybrids.page import HybridsPage, Ingredient, PickRequest
-
-
-@dataclass(frozen=True, slots=True)
-class Picked:
-    """What the program picked."""
-
-    ask: PickRequest
-    exemplars: tuple[Exemplar, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class OpenedMix:
-    """What a file says."""
-
-    page: HybridsPage
-    example: bool
+from iconstudio.workflows.hybrids.page import (
+    HybridsDocument,
+    HybridsPage,
+    Ingredient,
+    PickRequest,
+)
 
 
 class HybridsOpener(IconOpener):
@@ -50,13 +39,21 @@ class HybridsOpener(IconOpener):
 
     shown = Signal()
 
-    def open_work(self, path: str) -> None:
-        """Mix the icons that a file names."""
-        self.replace(lambda: _opened(self.session, Path(path), example=False))
+    def opening(
+        self, path: Path, then: Callable[[], object] = lambda: None
+    ) -> Generator[Event | Opened]:
+        """Yield the mix that a file describes; ``then`` is called once it is on the page."""
+        page = yield from _page(self.session, path)
+
+        def put(document: HybridsDocument) -> None:
+            document.change("open mix", replace(page, favourites=document.page.favourites))
+            then()
+
+        yield Opened(f"Opened “{page.title}”.", put)
 
     def try_example(self, path: str) -> None:
         """Mix the icons of an example."""
-        self.replace(lambda: _opened(self.session, Path(path), example=True))
+        self.replace(lambda: self.opening(Path(path), self.shown.emit))
 
     def pick(self, keyword: str, count: int) -> None:
         """Let the program pick icons; once more, the next best ones."""
@@ -64,53 +61,37 @@ class HybridsOpener(IconOpener):
         ask = PickRequest(keyword, count, page.symmetry)
         if page.ask is not None and ask == replace(page.ask, group=0):
             ask = replace(ask, group=page.ask.group + 1)
-        self.replace(lambda: _picked(self.session, ask))
+        self.replace(lambda: _picking(self.session, ask))
 
-    def put(self, found: Exemplar | Picked | OpenedMix) -> str:
-        """Add an icon, or put those that were picked or named on the page."""
-        match found:
-            case Exemplar():
-                return self._add([found])
-            case Picked():
-                edits.set_icons(self.document, found.exemplars, found.ask)
-                return f"Picked {len(found.exemplars)} icons for “{found.ask.keyword}”."
-            case OpenedMix(page):
-                page = replace(page, favourites=self.document.page.favourites)
-                self.document.change("open mix", page)
-                if found.example:
-                    self.shown.emit()
-                return f"Opened “{page.title}”."
+    def take_exemplar(self, icon: Exemplar) -> None:
+        """Add an icon that is drawn already."""
+        self.receive(ReadTogether((icon.id,), (icon,)))
 
-    def put_all(self, gathered: ReadTogether) -> str:
+    def put(self, gathered: ReadTogether) -> str:
         """Add icons, as many as there is room for."""
-        return self._add(gathered.found)
-
-    def _add(self, icons: Sequence[Exemplar]) -> str:
+        icons = gathered.found
         before, names = self.document.page.ids, [one.id for one in icons]
         left = [one.id for one in edits.add_icons(self.document, icons)]
         if left:
             self.complain(self.no_room((), left))
         there = [name for name in names if name in before]
         added = [name for name in dict.fromkeys(names) if name not in (*left, *there)]
-        said = f"Added {named(added)}." if added else "", _there(there)
+        said = f"Added {quoted_list(added)}." if added else "", _there(there)
         return " ".join(filter(None, said))
 
 
 def _there(names: Sequence[str]) -> str:
     if not names:
         return ""
-    return f"{named(names)} {'is' if len(names) == 1 else 'are'} among the icons already."
+    return f"{quoted_list(names)} {'is' if len(names) == 1 else 'are'} among the icons already."
 
 
-def _opened(session: Session, path: Path, example: bool) -> Generator[Event | OpenedMix]:
-    page = yield from _page(session, path)
-    yield OpenedMix(page, example)
-
-
-def _picked(session: Session, ask: PickRequest) -> Generator[Event | Picked]:
+def _picking(session: Session, ask: PickRequest) -> Generator[Event | Opened]:
     with closing(session.choose(ask.keyword, ask.count, ask.symmetry, ask.group)) as choosing:
         icons = yield from choosing
-    yield Picked(ask, tuple(map(session.exemplar, icons)))
+    picked = tuple(map(session.exemplar, icons))
+    words = f"Picked {len(picked)} icons for “{ask.keyword}”."
+    yield Opened(words, lambda document: edits.set_icons(document, picked, ask))
 
 
 def _page(session: Session, path: Path) -> Generator[Event, None, HybridsPage]:

@@ -24,7 +24,7 @@ from iconstudio.gui.theme.layout import (
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.workspaces.hybrids.cards import COLUMNS, SIDE, Cards
 from iconstudio.gui.workspaces.hybrids.hover_bar import HoverBar
-from iconstudio.gui.workspaces.hybrids.sections import Sections, terms
+from iconstudio.gui.workspaces.hybrids.sections import Sections
 from iconstudio.workflows.hybrids import page as edits
 from iconstudio.workflows.hybrids.file import LARGEST_SEED
 from iconstudio.workflows.hybrids.hybrids import FEWEST, MOST
@@ -47,8 +47,8 @@ class SeedField(QWidget):
 
     changed = Signal(object)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.field = QLineEdit()
         self.field.setFixedWidth(11 * UNIT)
         self.field.setMaxLength(len(str(LARGEST_SEED)))
@@ -90,8 +90,8 @@ class PickRow(QWidget):
 
     requested = Signal(int)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.count = QSpinBox(minimum=FEWEST, maximum=MOST, value=5)
         self.count.setAccessibleName("How many icons to pick")
         self.count.setFixedSize(7 * UNIT, 4 * UNIT)
@@ -159,22 +159,17 @@ class IconsColumn(QWidget):
 class SheetPanel(QFrame):
     """The sheet with its title; a welcome as long as it is empty.
 
-    Signals
-    -------
-    back()
-        The user wants to see the whole sheet again.
+    ``button`` leads back to the whole sheet; who shows a part of it shows the button, too.
     """
 
-    back = Signal()
-
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         with_role(self, "card")
         self.sheet = Sheet(_LOOK, _described, "Hybrids")
         self.bar = HoverBar(self.sheet)
         self.sections = Sections(self.sheet, self.bar)
         self.note = label()
-        self.button = push_button("Whole sheet", "Go back to all hybrids", self.back.emit)
+        self.button = push_button("Whole sheet", "Go back to all hybrids")
         self.button.setIcon(icons.icon("back"))
         policy = self.button.sizePolicy()
         policy.setRetainSizeWhenHidden(True)
@@ -192,10 +187,6 @@ class SheetPanel(QFrame):
         """Show the welcome, or the sheet."""
         self._stack.setCurrentIndex(0 if welcome else 1)
 
-    def show_way_back(self, shown: bool) -> None:
-        """Offer the way back to the whole sheet, or not."""
-        self.button.setVisible(shown)
-
     def _welcome(self) -> QWidget:
         middle = Qt.AlignmentFlag.AlignCenter
         title = label("Be surprised by mixtures of icons", "title", alignment=middle)
@@ -211,4 +202,4 @@ class SheetPanel(QFrame):
 
 
 def _described(picture: Picture, kept: bool) -> tuple[str, str]:
-    return picture.title, f"{picture.title.capitalize()}\n{terms(picture)}"
+    return picture.title, f"{picture.title.capitalize()}\n{edits.terms(picture.icon.score)}"

@@ -177,16 +177,3 @@ def rank(entry: Entry) -> tuple[bool, float, int]:
     if isinstance(entry, Rule):
         return True, 0.0, 0
     return False, -entry.icon.score.total, entry.icon.draw
-
-
-def terms(picture: Picture) -> str:
-    """Say what the rank score of a hybrid is made of."""
-    score = picture.icon.score
-    parts = {
-        "smooth seams": score.seam,
-        "in one piece": score.whole,
-        "symmetry": score.symmetry,
-        "shared by several icons": score.sharing,
-    }
-    lines = [f"{name} {value:.0%}" for name, value in parts.items()]
-    return f"Rank score {score.total:.2f}: " + ", ".join(lines)

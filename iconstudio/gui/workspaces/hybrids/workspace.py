@@ -1,48 +1,41 @@
 """Pictogram hybrids (section 4.3): choose icons, mix them, scroll, keep what surprises."""
 
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMenu, QWidget
 
-from iconstudio.gui.document.document import Document
-from iconstudio.gui.exchange.saving import Saver
 from iconstudio.gui.gallery.detail import DetailPanel
 from iconstudio.gui.gallery.favourites import FavouritesPanel
 from iconstudio.gui.gallery.pictures import Picture, picture_of
-from iconstudio.gui.gallery.sending import Destination, offer, pop_up
-from iconstudio.gui.jobs.worker import Worker
+from iconstudio.gui.gallery.sending import Destination
 from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.theme.layout import column, row, splitter
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.hybrids.actions import ENTRIES
-from iconstudio.gui.workspaces.hybrids.batches import CODED
-from iconstudio.gui.workspaces.hybrids.drawing import Draws
+from iconstudio.gui.workspaces.hybrids.drawing import CODED, Draws
 from iconstudio.gui.workspaces.hybrids.opening import HybridsOpener
 from iconstudio.gui.workspaces.hybrids.panels import IconsColumn, SheetPanel
-from iconstudio.gui.workspaces.hybrids.sections import terms
 from iconstudio.model import IconstudioError, Pictogram
-from iconstudio.session import Session
 from iconstudio.workflows.hybrids import page as edits
 from iconstudio.workflows.hybrids.page import HybridsPage
-from iconstudio.workflows.workflow import Workflow
 
 
 class HybridsWorkspace(Workspace):
     """Icons on the left; the sheet of hybrids, favourites and details on the right."""
 
+    page_type = HybridsPage
     entries = ENTRIES
 
-    def __init__(self, workflow: Workflow, session: Session, files: Worker, saver: Saver) -> None:
-        super().__init__(workflow, session, files, saver, Document(HybridsPage()))
-        self.opener = HybridsOpener(session, self.document, self.finder, self)
-        self.column = IconsColumn(self.document, IconChooser(session, self.finder, multiple=True))
+    def build(self) -> None:
+        """Make canvas, panels and runs."""
+        self.opener = HybridsOpener(self.session, self.document, self.finder, self)
+        self.column = IconsColumn(
+            self.document, IconChooser(self.session, self.finder, multiple=True)
+        )
         self.panel = SheetPanel()
         self.sheet, self.sections = self.panel.sheet, self.panel.sections
-        self.draws = Draws(session, self.worker, self.panel, self)
+        self.draws = Draws(self.session, self.worker, self.panel, self)
         self.favourites_panel = FavouritesPanel("Press F at a hybrid to keep it")
         self.detail = DetailPanel()
-        self.displays = self.sheet, self.detail
-        self.menu: QMenu | None = None
-        self._destinations: tuple[Destination, ...] = ()
         self.make_actions()
         self.panel.start.setMenu(self.examples)
         above = QWidget()
@@ -53,7 +46,7 @@ class HybridsWorkspace(Workspace):
         self.show_page()
 
     def _wire(self) -> None:
-        self.column.chooser.chosen.connect(self.opener.receive)
+        self.column.chooser.chosen.connect(self.opener.take_exemplar)
         self.column.cards.dropped.connect(self.opener.open_mime)
         self.column.pick.requested.connect(self.pick)
         self.column.run.clicked.connect(self.run)
@@ -62,15 +55,15 @@ class HybridsWorkspace(Workspace):
         self.draws.counted.connect(self.counted)
         self.draws.section_changed.connect(self.rest)
         self.opener.shown.connect(self.run)
-        self.sheet.picked.connect(self._look_at)
+        self.sheet.picked.connect(self.look_at)
         self.sheet.chosen.connect(self.kept)
-        self.sheet.asked.connect(self._open_menu)
+        self.sheet.asked.connect(self.offer_for)
         self.panel.bar.favourite.connect(self.keep)
         self.panel.bar.like.connect(self.draw_like)
-        self.favourites_panel.picked.connect(self._look_at)
-        self.favourites_panel.picked.connect(self.kept)
-        self.favourites_panel.changed.connect(self._note_favourites)
-        self.favourites_panel.save_all.connect(self.save_all)
+        self.favourites_panel.icon_list.chosen.connect(self.look_at)
+        self.favourites_panel.icon_list.chosen.connect(self.kept)
+        self.favourites_panel.icon_list.changed.connect(self._note_favourites)
+        self.favourites_panel.button.clicked.connect(self.save_all)
 
     # -- what the window asks for --------------------------------------------------------------
 
@@ -85,8 +78,8 @@ class HybridsWorkspace(Workspace):
 
     def set_destinations(self, destinations: tuple[Destination, ...]) -> None:
         """Say where hybrids can be sent to."""
-        self._destinations = tuple(one for one in destinations if one.title != self.workflow.title)
-        super().set_destinations(self._destinations)
+        others = tuple(one for one in destinations if one.title != self.workflow.title)
+        super().set_destinations(others)
 
     # -- mixing --------------------------------------------------------------------------------
 
@@ -136,18 +129,18 @@ class HybridsWorkspace(Workspace):
         if added:
             self.kept.emit(picture)
 
-    def _look_at(self, picture: Picture) -> None:
-        self.detail.show_picture(picture)
-        self.detail.explain(terms(picture))
-        self.picked.emit(picture)
+    def look_at(self, picture: Picture | None) -> None:
+        """Pick a hybrid, and say what its rank is made of; or none."""
+        if picture is not None:
+            self.detail.explain(edits.terms(picture.icon.score))
+        super().look_at(picture)
 
-    def _open_menu(self, picture: Picture, spot: QPoint) -> None:
-        menu = self.menu = QMenu(self)
+    def fill_result_menu(self, menu: QMenu, picture: Picture) -> None:
+        """Say what can be done with a hybrid."""
         menu.addActions([self.actions_by_name[name] for name in ("favourite", "like")])
         menu.addSeparator()
-        offer(menu, self._destinations, lambda title: self.send_picture(picture, title))
+        super().fill_result_menu(menu, picture)
         menu.addAction(self.actions_by_name["svg"])
-        pop_up(menu, spot)
 
     # -- page ----------------------------------------------------------------------------------
 
@@ -170,8 +163,7 @@ class HybridsWorkspace(Workspace):
         """Leave the hybrids behind: nothing of what they are of is there any more."""
         self.draws.clear()
         self.panel.show_welcome(True)
-        self.detail.show_picture(None)
-        self.picked.emit(None)
+        self.look_at(None)
         self.rest()
 
     def _note_favourites(self) -> None:

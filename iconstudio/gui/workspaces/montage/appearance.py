@@ -4,8 +4,8 @@ from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QTransform
 
 from iconstudio.model import Placement
-from iconstudio.output.colours import Palette, numbered_colour
-from iconstudio.workflows.montage.page import Box, MontagePage, PlacedIcon
+from iconstudio.output.colours import numbered_colour
+from iconstudio.workflows.montage.page import Box, PlacedIcon
 
 
 def rect_of(box: Box) -> QRectF:
@@ -24,10 +24,3 @@ def color_of(layer: PlacedIcon, density: float = 1.0) -> QColor:
     color = QColor(*numbered_colour(layer.number))
     color.setAlphaF(density)
     return color
-
-
-def palette_of(page: MontagePage) -> Palette:
-    """Return the colour of each icon at its placement, for the colour code."""
-    return {
-        (one.icon.pictogram.id, one.placement): numbered_colour(one.number) for one in page.layers
-    }

@@ -30,8 +30,8 @@ EMPTY = "The icons of the montage are listed here."
 class LayerPicture(QWidget):
     """An icon as it is, on a stripe of its colour."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._layer: PlacedIcon | None = None
         self.setFixedSize(5 * UNIT, 4 * UNIT)
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)

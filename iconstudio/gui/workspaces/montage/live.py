@@ -3,11 +3,12 @@
 from collections.abc import Generator
 from dataclasses import dataclass, field
 
-from iconstudio.gui.gallery.pictures import Picture, pictured, titled
+from iconstudio.gui.gallery.pictures import Picture, pictured
 from iconstudio.model import Montage, Remix
-from iconstudio.output.colours import Palette
+from iconstudio.output.colours import Palette, numbered_colour
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
+from iconstudio.workflows.montage.page import MontagePage
 from iconstudio.workflows.montage.spec import MONTAGE
 
 TITLE = "montage"
@@ -21,12 +22,21 @@ class Request:
     montage: Montage
     palette: Palette = field(compare=False)
 
+    @classmethod
+    def of(cls, page: MontagePage) -> "Request":
+        """Return what is wanted of a page."""
+        colours = {
+            (one.icon.pictogram.id, one.placement): numbered_colour(one.number)
+            for one in page.layers
+        }
+        return cls(page.montage(), colours)
+
 
 def made(session: Session, request: Request) -> Generator[Event | Picture]:
     """Return a run, its result as a picture in the colours of the layers."""
     return pictured(
         session.run(MONTAGE, request.montage),
-        titled(TITLE),
+        TITLE,
         colours=lambda icon: _coloured(request, icon),
     )
 

@@ -1,12 +1,11 @@
 """Bring icons and montages onto the canvas, and save montages."""
 
-from collections.abc import Generator, Sequence
-from dataclasses import dataclass
+from collections.abc import Generator
 from pathlib import Path
 
-from iconstudio.gui.exchange.opening import IconOpener
-from iconstudio.gui.exchange.together import ReadTogether, named
-from iconstudio.model import IconstudioError, Layer, Pictogram
+from iconstudio.gui.exchange.opening import IconOpener, Opened
+from iconstudio.inputs.together import ReadTogether, quoted_list
+from iconstudio.model import IconstudioError, Pictogram
 from iconstudio.workflows.montage.file import read_montage
 from iconstudio.workflows.montage.montage import MOST
 from iconstudio.workflows.montage.page import IconShape, MontagePage
@@ -17,14 +16,6 @@ _OVERLAP = (
 )
 
 
-@dataclass(frozen=True, slots=True)
-class OpenedMontage:
-    """A montage from a file of that name."""
-
-    title: str
-    page: MontagePage
-
-
 class MontageOpener(IconOpener):
     """Adds icons on top, or puts a montage in place of what is there."""
 
@@ -33,20 +24,23 @@ class MontageOpener(IconOpener):
     most = MOST
     limit = f"a montage takes at most {MOST} icons"
 
-    def open_work(self, path: str) -> None:
-        """Put the montage of a file in place of what is there."""
-        self.replace(lambda: self._read_montage(Path(path)))
+    def opening(self, path: Path) -> Generator[Opened]:
+        """Yield the montage in a file, and say so if not all of its strokes could be kept."""
+        file = read_montage(path)
+        layers = file.resolved(self.session.icon).layers
+        page = MontagePage.of(
+            layers, [IconShape(self.session.exemplar(one.icon)) for one in layers]
+        )
+        words = f"Opened “{file.title or path.stem}”."
+        yield Opened(words, lambda document: document.change("open montage", page))
+        if [one.strokes for one in page.layers] != [one.strokes for one in layers]:
+            raise IconstudioError(_OVERLAP)
 
     def drawn(self, pictogram: Pictogram) -> IconShape:
         """Return an icon to be added."""
         return IconShape(super().drawn(pictogram))
 
-    def put(self, found: OpenedMontage) -> str:
-        """Show a montage."""
-        self.document.change("open montage", found.page)
-        return f"Opened “{found.title}”."
-
-    def put_all(self, gathered: ReadTogether) -> str:
+    def put(self, gathered: ReadTogether) -> str:
         """Add icons on top, as many as there is room for."""
         page, icons = self.document.page, gathered.found
         room = max(1, MOST - len(page.layers))  # with no room at all, the page itself says so
@@ -54,20 +48,4 @@ class MontageOpener(IconOpener):
         self.document.change("add icon" if len(icons[:room]) == 1 else "add icons", after)
         if left := gathered.names[room:]:
             self.complain(self.no_room(gathered.names[:room], left))
-        return f"Added {named([one.title for one in after.layers[len(page.layers) :]])}."
-
-    def _read_montage(self, path: Path) -> Generator[OpenedMontage]:
-        file = read_montage(path)
-        layers = file.resolved(self.session.icon).layers
-        page = page_of(layers, [IconShape(self.session.exemplar(one.icon)) for one in layers])
-        yield OpenedMontage(file.title or path.stem, page)
-        if [one.strokes for one in page.layers] != [one.strokes for one in layers]:
-            raise IconstudioError(_OVERLAP)
-
-
-def page_of(layers: Sequence[Layer], icons: Sequence[IconShape]) -> MontagePage:
-    """Return a page with ``layers``; where strokes of two icons overlap, the upper one's stay."""
-    page = MontagePage().with_icons(icons)
-    for layer, one in zip(layers, page.layers, strict=True):
-        page = page.placed(one.number, layer.placement).drawn(one.number, layer.strokes)
-    return page
+        return f"Added {quoted_list([one.title for one in after.layers[len(page.layers) :]])}."

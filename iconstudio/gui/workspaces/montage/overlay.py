@@ -12,8 +12,8 @@ from iconstudio.gui.workspaces.montage.tools.scribble import THINNEST, WIDEST, B
 class BrushSlider(QWidget):
     """The width of brush and eraser."""
 
-    def __init__(self, brush: Brush, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, brush: Brush) -> None:
+        super().__init__()
         self.slider = QSlider(
             Qt.Orientation.Horizontal, minimum=THINNEST, maximum=WIDEST, value=brush.width
         )

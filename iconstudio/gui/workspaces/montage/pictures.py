@@ -120,11 +120,6 @@ class LayerPainter(QObject):
         self._timer = QTimer(self, singleShot=True)
         self._timer.timeout.connect(self._go_on)
 
-    @property
-    def sharp(self) -> bool:
-        """Whether nothing is shown by what stands in for it."""
-        return not self._begun
-
     def paint(self, painter: QPainter, layer: PlacedIcon, color: QColor, camera: Camera) -> None:
         """Draw one layer in ``color``, in view coordinates."""
         path = self._crisp.outline(layer.icon.exemplar)

@@ -8,28 +8,22 @@ from PySide6.QtGui import QHideEvent
 from iconstudio.gui.canvas.outlines import IconOutlines
 from iconstudio.gui.canvas.start import StartButtons
 from iconstudio.gui.canvas.view import CanvasView
-from iconstudio.gui.document.document import Document
-from iconstudio.gui.exchange.saving import Saver
 from iconstudio.gui.gallery.detail import DetailPanel
 from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.jobs.live import LiveRunner
-from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.theme.layout import row, splitter
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.montage.actions import ENTRIES
-from iconstudio.gui.workspaces.montage.appearance import palette_of
 from iconstudio.gui.workspaces.montage.layers import LayerList, left_side
 from iconstudio.gui.workspaces.montage.live import TITLE, Request, made
 from iconstudio.gui.workspaces.montage.opening import MontageOpener
 from iconstudio.gui.workspaces.montage.overlay import BrushSlider
 from iconstudio.gui.workspaces.montage.scene import MontageScene
-from iconstudio.gui.workspaces.montage.tools.arrange import ArrangeTool
-from iconstudio.gui.workspaces.montage.tools.scribble import Brush, ScribbleTool
+from iconstudio.gui.workspaces.montage.tools import montage_tools
+from iconstudio.gui.workspaces.montage.tools.scribble import Brush
 from iconstudio.model import Pictogram
-from iconstudio.session import Session
 from iconstudio.workflows.montage.page import MontagePage
-from iconstudio.workflows.workflow import Workflow
 
 DESCRIPTION = "Arrange icons, and scribble over their parts, here"
 INVITATION = (
@@ -40,23 +34,20 @@ INVITATION = (
 class MontageWorkspace(Workspace):
     """Icons to choose from and layers on the left, the canvas, and the live result on the right."""
 
+    page_type = MontagePage
     entries = ENTRIES
 
-    def __init__(self, workflow: Workflow, session: Session, files: Worker, saver: Saver) -> None:
-        super().__init__(workflow, session, files, saver, Document(MontagePage()))
-        self.opener = MontageOpener(session, self.document, self.finder, self)
-        self.outlines = IconOutlines(session, self.finder, self)
-        self.live = LiveRunner(self.worker, partial(made, session), self)
+    def build(self) -> None:
+        """Make canvas, panels and runs."""
+        self.opener = MontageOpener(self.session, self.document, self.finder, self)
+        self.outlines = IconOutlines(self.session, self.finder, self)
+        self.live = LiveRunner(self.worker, partial(made, self.session), self)
         self._kept: Picture | None = None
         self.scene = MontageScene(self.document, self.outlines)
         self.brush = Brush(self)
-        self.tools = {
-            "arrange": ArrangeTool(self.document, self.scene),
-            "brush": ScribbleTool(self.document, self.scene, self.brush, rubs=False),
-            "eraser": ScribbleTool(self.document, self.scene, self.brush, rubs=True),
-        }
+        self.tools = montage_tools(self.document, self.scene, self.brush)
         self.view = CanvasView(self.scene, self.tools["brush"], DESCRIPTION)
-        self.chooser = IconChooser(session, self.finder)
+        self.chooser = IconChooser(self.session, self.finder)
         self.layers = LayerList(self.document)
         self.detail = DetailPanel(upright=True, invitation=INVITATION)
         self.make_actions()
@@ -93,8 +84,7 @@ class MontageWorkspace(Workspace):
 
     def _show_result(self, event: object) -> None:
         if isinstance(event, Picture):
-            self.detail.show_picture(event)
-            self.picked.emit(event)
+            self.look_at(event)
 
     def _note_kept(self, picture: Picture) -> None:
         self._kept = picture
@@ -105,15 +95,13 @@ class MontageWorkspace(Workspace):
         """Show what the page says."""
         page = self.page
         if page.marked:
-            self.live.request(Request(page.montage(), palette_of(page)))
+            self.live.request(Request.of(page))
         else:
             self.live.cancel()
             if self.picture is not None:
-                self.detail.show_picture(None)
-                self.picked.emit(None)
+                self.look_at(None)
         for one in page.layers:
             self.outlines.request(one.icon.exemplar)
-        self.start_buttons.setVisible(not page.layers)
 
     def save(self) -> None:
         """Write the montage into a file."""

@@ -1,30 +1,21 @@
 """Bring icons and files of work onto the page of any workflow."""
 
 from collections.abc import Generator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 from PySide6.QtWidgets import QWidget
 
 from iconstudio.gui.document.document import Document
-from iconstudio.gui.exchange.opening import IconOpener
-from iconstudio.gui.exchange.together import ReadTogether, named
+from iconstudio.gui.exchange.opening import IconOpener, Opened
 from iconstudio.gui.jobs.worker import Worker
+from iconstudio.inputs.together import ReadTogether, quoted_list
 from iconstudio.model import Exemplar, IconstudioError, Pictogram
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.files import read_file
 from iconstudio.workflows.plain import WorkPage
 from iconstudio.workflows.workflow import Workflow
-
-
-@dataclass(frozen=True, slots=True)
-class OpenedWork:
-    """Work from a file of that name."""
-
-    name: str
-    work: Any
 
 
 class WorkOpener(IconOpener):
@@ -46,19 +37,18 @@ class WorkOpener(IconOpener):
         self.question = f"Open a file with a {workflow.noun}"
         self.kinds = f"{workflow.title} files"
 
-    def open_work(self, path: str) -> None:
-        """Put the work in a file in place of what is there."""
-        self.replace(lambda: self._read(Path(path)))
+    def opening(self, path: Path) -> Generator[Event | Opened]:
+        """Yield the work in a file."""
+        work = yield from read_file(path, self._workflow, self.session)
+        for icon in self._workflow.icons(work):
+            self.session.exemplar(icon)  # what cannot be drawn is told before it is on the page
+        step = f"open {self._workflow.noun}"
+        yield Opened(f"Opened “{path.stem}”.", lambda there: there.change(step, WorkPage(work)))
 
-    def put(self, found: OpenedWork) -> str:
-        """Show the work in a file."""
-        self.document.change(f"open {self._workflow.noun}", WorkPage(found.work))
-        return f"Opened “{found.name}”."
-
-    def put_all(self, gathered: ReadTogether) -> str:
+    def put(self, gathered: ReadTogether) -> str:
         """Add icons to the work."""
         self.add_icons(gathered.found)
-        return f"Added {named(gathered.names)}."
+        return f"Added {quoted_list(gathered.names)}."
 
     def add_icons(self, icons: Sequence[Exemplar]) -> None:
         """Add icons that are drawn already, in one step; those that are there stay as they are.
@@ -85,9 +75,3 @@ class WorkOpener(IconOpener):
         if with_icons is None:
             raise IconstudioError(f"“{self._workflow.title}” takes no icons. Open a file instead.")
         self.document.change(text, replace(page, work=with_icons(page.work, icons)))
-
-    def _read(self, path: Path) -> Generator[Event | OpenedWork]:
-        work = yield from read_file(path, self._workflow, self.session)
-        for icon in self._workflow.icons(work):
-            self.session.exemplar(icon)  # what cannot be drawn is told before it is on the page
-        yield OpenedWork(path.stem, work)

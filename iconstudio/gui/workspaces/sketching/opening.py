@@ -1,15 +1,17 @@
 """Bring photos and sketches into the document: from files, the clipboard, a drop, the examples."""
 
-from collections.abc import Callable, Generator
+from collections.abc import Generator
+from functools import partial
 from pathlib import Path
 
 from iconstudio.files import read_bytes
 from iconstudio.gui.canvas.photo import image_of
-from iconstudio.gui.exchange.mime import Drawing, File, Image, Item
-from iconstudio.gui.exchange.opening import Opener
+from iconstudio.gui.exchange.opening import Opened, Opener
 from iconstudio.images.photo import photo_of
 from iconstudio.images.reading import MAX_BYTES, SUFFIXES
-from iconstudio.model import IconstudioError, Photo, Sketch
+from iconstudio.inputs.items import Drawing, File, Image, Item
+from iconstudio.inputs.together import ReadTogether
+from iconstudio.model import IconstudioError, Photo
 from iconstudio.workflows.modelling import page
 from iconstudio.workflows.modelling.file import SketchFile, read_sketch
 
@@ -30,13 +32,13 @@ class SketchOpener(Opener):
         """Ask for a photo."""
         self.ask("Open a photo to trace over", _PHOTOS, self.open_file)
 
-    def open_work(self, path: str) -> None:
-        """Open a sketch file, with the photo that it names."""
-        self.replace(lambda: self._sketch_and_photo(lambda: read_sketch(Path(path))))
+    def opening(self, path: Path) -> Generator[Opened | None]:
+        """Yield the sketch in a file, with the photo that it names."""
+        return self._sketch_and_photo(read_sketch(path))
 
     def open_example(self, example: SketchFile) -> None:
         """Open an example."""
-        self.replace(lambda: self._sketch_and_photo(lambda: example))
+        self.replace(lambda: self._sketch_and_photo(example))
 
     def reading(self, item: Item) -> Generator[None, None, Photo]:
         """Return a photo: of a file, or from the clipboard or a drop."""
@@ -52,31 +54,27 @@ class SketchOpener(Opener):
             f"Open {_quoted(item)} in Edit, Hybrids or Montage."
         )
 
-    def put(self, found: Photo | tuple[str, Sketch, Photo | None]) -> str:
-        """Show a photo, or a sketch and its photo."""
-        if isinstance(found, Photo):
-            page.set_photo(self.document, found)
-            return _about(found)
-        title, sketch, photo = found
-        page.load_sketch(self.document, sketch, photo, "open sketch")
-        return f"Opened “{title}”."
+    def put(self, gathered: ReadTogether) -> str:
+        """Show a photo."""
+        (photo,) = gathered.found
+        page.set_photo(self.document, photo)
+        return _about(photo)
 
     def _photo(self, path: Path) -> Generator[None, None, Photo]:
         image = yield from self.session.image(path)
         return photo_of(image, str(path), read_bytes(path, MAX_BYTES))
 
-    def _sketch_and_photo(
-        self, read: Callable[[], SketchFile]
-    ) -> Generator[tuple[str, Sketch, Photo | None] | None]:
+    def _sketch_and_photo(self, file: SketchFile) -> Generator[Opened | None]:
         """Yield a sketch with its photo; if only the photo is missing, none, and then say so."""
-        file = read()
         photo, trouble = None, None
         if file.photo is not None:
             try:
                 photo = yield from self._photo(file.photo)
             except IconstudioError as error:
                 trouble = error
-        yield file.title, file.sketch, photo
+        sketch, step = file.sketch, "open sketch"
+        put = partial(page.load_sketch, sketch=sketch, photo=photo, text=step)
+        yield Opened(f"Opened “{file.title}”.", put)
         if trouble is not None:
             raise IconstudioError(f"The sketch was opened without its photo: {trouble}")
 

@@ -32,11 +32,6 @@ class SketchScene(Scene):
         """Whether there is neither photo nor outline."""
         return self.document.page.empty
 
-    @property
-    def regions(self) -> Sequence[Point]:
-        """Centres of the salient regions that are shown, in canvas pixels."""
-        return self._regions
-
     def bounds(self) -> QRectF:
         """Return the area to show: the photo, the outline with some air, or an empty canvas."""
         page = self.document.page

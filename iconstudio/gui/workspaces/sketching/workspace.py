@@ -10,10 +10,7 @@ from iconstudio.algorithms.geometry import crosses_itself
 from iconstudio.gui.canvas.start import StartButtons
 from iconstudio.gui.canvas.tools.polygon import PolygonTool
 from iconstudio.gui.canvas.view import CanvasView
-from iconstudio.gui.document.document import Document
-from iconstudio.gui.exchange.saving import Saver
 from iconstudio.gui.gallery.pictures import Picture
-from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.workspaces.remixing import RemixWorkspace
 from iconstudio.gui.workspaces.sketching.actions import ENTRIES
 from iconstudio.gui.workspaces.sketching.opening import SketchOpener
@@ -21,23 +18,23 @@ from iconstudio.gui.workspaces.sketching.overlay import DimSlider
 from iconstudio.gui.workspaces.sketching.scene import SketchScene
 from iconstudio.images.photo import file_beside
 from iconstudio.model import IconstudioError, Polygon, Sketch
-from iconstudio.session import Session
 from iconstudio.workflows.events import Event, RegionsFound
 from iconstudio.workflows.files import write_file
 from iconstudio.workflows.modelling.file import SketchFile
 from iconstudio.workflows.modelling.page import SketchPage
 from iconstudio.workflows.outline import Outline
-from iconstudio.workflows.workflow import Workflow
 
 
 class SketchWorkspace(RemixWorkspace):
     """The outline of an object is traced, perhaps over a photo, and remixed."""
 
+    page_type = SketchPage
     entries = ENTRIES
 
-    def __init__(self, workflow: Workflow, session: Session, files: Worker, saver: Saver) -> None:
-        super().__init__(workflow, session, files, saver, Document(SketchPage()))
-        self.opener = SketchOpener(session, self.document, files, self)
+    def build(self) -> None:
+        """Make canvas, panels and runs."""
+        super().build()
+        self.opener = SketchOpener(self.session, self.document, self.files, self)
         self._regions: tuple = ()
         self.scene = SketchScene(self.document)
         self.outline = Outline(self.document)
@@ -113,7 +110,6 @@ class SketchWorkspace(RemixWorkspace):
         """Show what the page says."""
         page = self.page
         self.show_criteria("sketch")
-        self.start_buttons.setVisible(page.empty)
         self.dim.setVisible(page.photo is not None)
         if not page.vertices:
             self._regions = ()

@@ -3,16 +3,19 @@
 import math
 from dataclasses import replace
 
-from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QKeyEvent, QPainter, QPen
 
 from iconstudio.gui.canvas.camera import Camera
-from iconstudio.gui.canvas.tools.base import NUDGES, Pointer, Tool
+from iconstudio.gui.canvas.tools.base import Pointer, nudge
 from iconstudio.gui.document.document import new_gesture
 from iconstudio.gui.theme.theme import Theme
 from iconstudio.gui.workspaces.montage.appearance import rect_of
 from iconstudio.gui.workspaces.montage.scene import MontageScene
-from iconstudio.gui.workspaces.montage.snapping import (
+from iconstudio.gui.workspaces.montage.tools.base import LayerTool
+from iconstudio.model import CANVAS, Point
+from iconstudio.workflows.montage.page import MontageDocument, choose
+from iconstudio.workflows.montage.snapping import (
     Guides,
     Snapped,
     corners,
@@ -20,9 +23,6 @@ from iconstudio.gui.workspaces.montage.snapping import (
     moved,
     scaled,
 )
-from iconstudio.gui.workspaces.montage.tools.keys import layer_key
-from iconstudio.model import CANVAS, Point
-from iconstudio.workflows.montage.page import MontageDocument, choose
 
 GRIP = 9.0
 """Pixels within which the pointer finds a handle."""
@@ -33,18 +33,21 @@ SNAP = 6.0
 _FREE = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
 
 
-class ArrangeTool(Tool):
+class ArrangeTool(LayerTool):
     """Drags icons about, and their corners to scale them; every drag is one step to undo."""
 
     def __init__(self, document: MontageDocument, scene: MontageScene) -> None:
-        self._document = document
-        self._scene = scene
+        super().__init__(document, scene)
         self._corner: int | None = None
         self._hover = False
         self._start: Point | None = None
         self._snapped: Snapped | None = None
         self._nudges = 0, -1
-        document.page_changed.connect(self._page_changed)
+
+    @property
+    def busy(self) -> bool:
+        """Whether an icon is held."""
+        return self._start is not None
 
     # -- what the canvas shows -----------------------------------------------------------------
 
@@ -81,7 +84,7 @@ class ArrangeTool(Tool):
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawRect(box)
         painter.setBrush(theme.color("surface"))
-        for spot in corners(box):
+        for spot in map(camera.to_view, corners(layer.box)):
             painter.drawRect(QRectF(spot.x() - 4, spot.y() - 4, 8, 8))
 
     # -- pointer -------------------------------------------------------------------------------
@@ -111,16 +114,15 @@ class ArrangeTool(Tool):
         free = bool(pointer.modifiers & _FREE)
         grip = 0.0 if free else SNAP / pointer.camera.zoom
         guides = Guides.of(
-            rect_of(one.box)
-            for one in self._document.page.layers
-            if one is not layer and not one.hidden
+            one.box for one in self._document.page.layers if one is not layer and not one.hidden
         )
-        by = QPointF(*pointer.page) - QPointF(*self._start)
+        by = pointer.page[0] - self._start[0], pointer.page[1] - self._start[1]
         if self._corner is None:
             self._snapped = moved(layer.icon, layer.placement, by, guides, grip)
         else:
             centred = bool(pointer.modifiers & Qt.KeyboardModifier.AltModifier)
-            to = corners(rect_of(layer.box))[self._corner] + by
+            x, y = corners(layer.box)[self._corner]
+            to = x + by[0], y + by[1]
             self._snapped = scaled(
                 layer.icon, layer.placement, self._corner, to, centred, guides, grip
             )
@@ -137,10 +139,6 @@ class ArrangeTool(Tool):
             self._document.change(text, after)
         self._look(pointer)
 
-    def double_click(self, pointer: Pointer) -> None:
-        """Do as for any click."""
-        self.press(pointer)
-
     def leave(self) -> None:
         """Forget the pointer."""
         if self._start is None:
@@ -150,15 +148,13 @@ class ArrangeTool(Tool):
 
     def key(self, event: QKeyEvent) -> bool:
         """Arrows nudge; the rest as with all tools."""
-        if layer_key(self._document, event):
+        if super().key(event):
             return True
-        layer = self._document.page.current
-        if event.key() not in NUDGES or layer is None or self._start is not None:
+        step, layer = nudge(event), self._document.page.current
+        if step is None or layer is None or self.busy:
             return False
-        far = 10 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1
-        dx, dy = (far * step for step in NUDGES[event.key()])
         old = layer.placement
-        new = kept_in(layer.icon, replace(old, dx=old.dx + dx, dy=old.dy + dy))
+        new = kept_in(layer.icon, replace(old, dx=old.dx + step[0], dy=old.dy + step[1]))
         if new != old:
             # Nudges of one icon in a row are one step.
             if self._nudges[1] != layer.number or not event.isAutoRepeat():
@@ -180,13 +176,8 @@ class ArrangeTool(Tool):
         layer = self._document.page.current
         self._corner = None
         if layer is not None:
-            spots = corners(pointer.camera.transform.mapRect(rect_of(layer.box)))
+            spots = map(pointer.camera.to_view, corners(layer.box))
             gaps = [math.dist(spot.toTuple(), pointer.view.toTuple()) for spot in spots]
             if min(gaps) <= GRIP:
                 self._corner = gaps.index(min(gaps))
         self._hover = self._document.page.found(pointer.page) is not None
-
-    def _page_changed(self) -> None:
-        """Let go: what is held may be gone, by an undo in the middle of a drag."""
-        if self._start is not None:
-            self.cancel()

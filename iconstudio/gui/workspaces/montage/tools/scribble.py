@@ -6,11 +6,11 @@ from PySide6.QtCore import QObject, QRectF, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QPainter, QPen
 
 from iconstudio.gui.canvas.camera import Camera
-from iconstudio.gui.canvas.tools.base import Pointer, Tool
+from iconstudio.gui.canvas.tools.base import Pointer
 from iconstudio.gui.theme.theme import Theme
 from iconstudio.gui.workspaces.montage.appearance import color_of
 from iconstudio.gui.workspaces.montage.scene import MontageScene
-from iconstudio.gui.workspaces.montage.tools.keys import layer_key
+from iconstudio.gui.workspaces.montage.tools.base import LayerTool
 from iconstudio.model import CANVAS, Point
 from iconstudio.workflows.montage.page import MontageDocument, MontagePage, choose
 from iconstudio.workflows.montage.strokes import strokes_of, visible
@@ -57,17 +57,13 @@ class Brush(QObject):
         self.set_width(self.width + way * max(1, round(self.width / 6)))
 
 
-class ScribbleTool(Tool):
-    """Draws a line; when the pointer lets go, it becomes strokes, or rubs strokes out.
-
-    Meanwhile the scene shows what that will make of the page.
-    """
+class ScribbleTool(LayerTool):
+    """Draws a line; when the pointer lets go, it becomes strokes, or rubs strokes out."""
 
     def __init__(
         self, document: MontageDocument, scene: MontageScene, brush: Brush, rubs: bool
     ) -> None:
-        self._document = document
-        self._scene = scene
+        super().__init__(document, scene)
         self._brush = brush
         self._always_rubs = rubs
         self._rubs = rubs
@@ -77,7 +73,11 @@ class ScribbleTool(Tool):
         self._so_far: MontagePage | None = None
         self._pointer: Pointer | None = None
         brush.changed.connect(scene.changed)
-        document.page_changed.connect(self._page_changed)
+
+    @property
+    def busy(self) -> bool:
+        """Whether a line is drawn."""
+        return bool(self._points)
 
     @property
     def cursor(self) -> Qt.CursorShape:
@@ -146,21 +146,17 @@ class ScribbleTool(Tool):
         if after != self._document.page:
             self._document.change("erase" if self._rubs else "scribble", after)
 
-    def double_click(self, pointer: Pointer) -> None:
-        """Do as for any click."""
-        self.press(pointer)
-
     def leave(self) -> None:
         """Forget the pointer."""
         self._pointer = None
 
     def key(self, event: QKeyEvent) -> bool:
         """Do as with all tools."""
-        return not self._points and layer_key(self._document, event)
+        return not self.busy and super().key(event)
 
     def cancel(self) -> bool:
         """Give up the line."""
-        drawing = bool(self._points)
+        drawing = self.busy
         self._points, self._widths, self._so_far = [], [], None
         self._scene.preview(None)
         return drawing
@@ -175,11 +171,6 @@ class ScribbleTool(Tool):
         if len(self._points) > _PIECE:
             self._so_far = outcome
             del self._points[:-1], self._widths[:-1]
-
-    def _page_changed(self) -> None:
-        """Give up the line: its icon may be gone, by an undo in the middle of it."""
-        if self._points:
-            self.cancel()
 
     def _outcome(self) -> MontagePage:
         """Return what the line makes of the page."""

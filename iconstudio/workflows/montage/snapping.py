@@ -3,11 +3,8 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
-from PySide6.QtCore import QPointF, QRectF
-
-from iconstudio.gui.workspaces.montage.appearance import rect_of, transform_of
-from iconstudio.model import CANVAS, MARGIN, Placement
-from iconstudio.workflows.montage.page import IconShape
+from iconstudio.model import CANVAS, MARGIN, Placement, Point
+from iconstudio.workflows.montage.page import Box, IconShape
 
 SMALLEST, LARGEST = 0.1, 8.0
 """Range of the scale that dragging can give."""
@@ -24,12 +21,11 @@ class Guides:
     ys: tuple[float, ...] = ()
 
     @classmethod
-    def of(cls, boxes: Iterable[QRectF]) -> "Guides":
+    def of(cls, boxes: Iterable[Box]) -> "Guides":
         """Return the canvas's edges, margins and centre lines, and those of other icons' boxes."""
         sheet = (CANVAS / 2, MARGIN, CANVAS - MARGIN, 0, CANVAS)
-        boxes = list(boxes)
-        xs = [x for one in boxes for x in (one.center().x(), one.left(), one.right())]
-        ys = [y for one in boxes for y in (one.center().y(), one.top(), one.bottom())]
+        lines = [_lines(one) for one in boxes]
+        xs, ys = (tuple(at for one in lines for at in one[axis]) for axis in (0, 1))
         return cls((*sheet, *xs), (*sheet, *ys))
 
 
@@ -42,16 +38,15 @@ class Snapped:
 
 
 def moved(
-    icon: IconShape, start: Placement, by: QPointF, guides: Guides = Guides(), grip: float = 0.0
+    icon: IconShape, start: Placement, by: Point, guides: Guides = Guides(), grip: float = 0.0
 ) -> Snapped:
     """Return where an icon comes to lie that is moved ``by`` canvas pixels.
 
     ``grip`` is the distance, in canvas pixels, at which its centre lines and edges snap.
     """
-    free = replace(start, dx=round(start.dx + by.x()), dy=round(start.dy + by.y()))
-    box = rect_of(icon.placed_box(free))
-    step_x = _step((box.center().x(), box.left(), box.right()), guides.xs, grip)
-    step_y = _step((box.center().y(), box.top(), box.bottom()), guides.ys, grip)
+    free = replace(start, dx=round(start.dx + by[0]), dy=round(start.dy + by[1]))
+    xs, ys = _lines(icon.placed_box(free))
+    step_x, step_y = _step(xs, guides.xs, grip), _step(ys, guides.ys, grip)
     snapped = replace(free, dx=free.dx + round(step_x), dy=free.dy + round(step_y))
     return _told(icon, snapped, guides, grip)
 
@@ -60,7 +55,7 @@ def scaled(
     icon: IconShape,
     start: Placement,
     corner: int,
-    to: QPointF,
+    to: Point,
     centred: bool = False,
     guides: Guides = Guides(),
     grip: float = 0.0,
@@ -70,39 +65,56 @@ def scaled(
     Corners are numbered from the top left, clockwise. The opposite one stays, or the
     centre if ``centred``.
     """
-    box = rect_of(icon.placed_box(start))
-    fixed = box.center() if centred else corners(box)[(corner + 2) % 4]
-    arm = corners(box)[corner] - fixed
-    factor = QPointF.dotProduct(to - fixed, arm) / max(QPointF.dotProduct(arm, arm), 1e-9)
-    candidates = [(guide - fixed.x()) / arm.x() for guide in guides.xs if abs(arm.x()) > 1]
-    candidates += [(guide - fixed.y()) / arm.y() for guide in guides.ys if abs(arm.y()) > 1]
-    reach = max(abs(arm.x()), abs(arm.y()))
+    box = icon.placed_box(start)
+    fixed = centre(box) if centred else corners(box)[(corner + 2) % 4]
+    arm, pulled = _from(fixed, corners(box)[corner]), _from(fixed, to)
+    square = arm[0] * arm[0] + arm[1] * arm[1]
+    factor = (pulled[0] * arm[0] + pulled[1] * arm[1]) / max(square, 1e-9)
+    candidates = [
+        (guide - fixed[axis]) / arm[axis]
+        for axis, some in enumerate((guides.xs, guides.ys))
+        for guide in some
+        if abs(arm[axis]) > 1
+    ]
     nearest = min(candidates, key=lambda one: abs(one - factor), default=factor)
-    if abs(nearest - factor) * reach <= grip:
+    if abs(nearest - factor) * max(abs(arm[0]), abs(arm[1])) <= grip:
         factor = nearest
     scale = min(max(start.scale * factor, SMALLEST), LARGEST)
     # The fixed point of the icon must come out where it was.
-    inverse, _ = transform_of(start).inverted()
-    there = transform_of(replace(start, scale=scale)).map(inverse.map(fixed))
-    shift = fixed - there
-    placement = replace(
-        start, scale=scale, dx=round(start.dx + shift.x()), dy=round(start.dy + shift.y())
-    )
+    own = start.transform.inverse().transformPoint(fixed)
+    dx, dy = _from(replace(start, scale=scale).transform.transformPoint(own), fixed)
+    placement = replace(start, scale=scale, dx=round(start.dx + dx), dy=round(start.dy + dy))
     return _told(icon, placement, guides, grip)
 
 
-def corners(box: QRectF) -> tuple[QPointF, ...]:
+def corners(box: Box) -> tuple[Point, ...]:
     """Return the corners of a box from the top left, clockwise."""
-    return box.topLeft(), box.topRight(), box.bottomRight(), box.bottomLeft()
+    left, top, right, bottom = box
+    return (left, top), (right, top), (right, bottom), (left, bottom)
+
+
+def centre(box: Box) -> Point:
+    """Return the middle of a box."""
+    left, top, right, bottom = box
+    return (left + right) / 2, (top + bottom) / 2
 
 
 def kept_in(icon: IconShape, placement: Placement) -> Placement:
     """Return the nearest placement at which some of the icon's box lies on the canvas."""
-    box = rect_of(icon.placed_box(placement))
-    right, left = max(0.0, _KEPT_IN - box.right()), max(0.0, box.left() - CANVAS + _KEPT_IN)
-    down, up = max(0.0, _KEPT_IN - box.bottom()), max(0.0, box.top() - CANVAS + _KEPT_IN)
-    dx, dy = round(placement.dx + right - left), round(placement.dy + down - up)
-    return replace(placement, dx=dx, dy=dy)
+    left, top, right, bottom = icon.placed_box(placement)
+    dx = max(0.0, _KEPT_IN - right) - max(0.0, left - CANVAS + _KEPT_IN)
+    dy = max(0.0, _KEPT_IN - bottom) - max(0.0, top - CANVAS + _KEPT_IN)
+    return replace(placement, dx=round(placement.dx + dx), dy=round(placement.dy + dy))
+
+
+def _from(start: Point, end: Point) -> Point:
+    return end[0] - start[0], end[1] - start[1]
+
+
+def _lines(box: Box) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    """Return where the upright and the level centre lines and edges of a box are."""
+    (x, y), (left, top, right, bottom) = centre(box), box
+    return (x, left, right), (y, top, bottom)
 
 
 def _step(lines: Sequence[float], guides: Sequence[float], grip: float) -> float:
@@ -117,11 +129,7 @@ def _told(icon: IconShape, placement: Placement, guides: Guides, grip: float) ->
     placement = kept_in(icon, placement)
     if grip <= 0:
         return Snapped(placement)
-    box = rect_of(icon.placed_box(placement))
-    xs, ys = (
-        (box.center().x(), box.left(), box.right()),
-        (box.center().y(), box.top(), box.bottom()),
-    )
+    xs, ys = _lines(icon.placed_box(placement))
     return Snapped(placement, Guides(_met(xs, guides.xs), _met(ys, guides.ys)))
 
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from iconstudio.gui.exchange.mime import Elsewhere, File, Item
+from iconstudio.inputs.items import Elsewhere, File, Item
 from iconstudio.model import IconstudioError, SpriteError
 
 log = logging.getLogger(__name__)
@@ -46,7 +46,9 @@ def read_together(
 
     ``no_room`` returns the sentence for the names that were taken, and what was left over.
     """
-    names, found, complaints = [], [], []
+    names: list[str] = []
+    found: list[Any] = []
+    complaints: list[str] = []
     left: Sequence[Item] = ()
     for number, item in enumerate(items):
         if len(found) == most:
@@ -74,7 +76,7 @@ def read_together(
     yield ReadTogether(tuple(names), tuple(found), tuple(complaints))
 
 
-def named(things: Sequence[Item | str]) -> str:
+def quoted_list(things: Sequence[Item | str]) -> str:
     """Return the names of some things, the first ones of many, as words in a sentence."""
     names = [f"“{one if isinstance(one, str) else one.name}”" for one in things]
     if len(names) > _NAMED + 1:

@@ -1,14 +1,11 @@
 """The area that the tools work on, one among those of the page."""
 
-from PySide6.QtCore import QPointF, Qt
-from PySide6.QtGui import QPolygonF
+from typing import Any, cast
 
 from iconstudio.model import Point
-from iconstudio.workflows.editing.page import Area, EditDocument, Kind
+from iconstudio.workflows.editing.page import Area, EditDocument, EditPage, Kind
 from iconstudio.workflows.outline import Outline
-
-TOKENS = {Kind.REMOVE: "danger", Kind.ADD: "added"}
-"""The colours of areas in the theme."""
+from iconstudio.workflows.pages import Document
 
 
 class AreaOutline(Outline):
@@ -18,11 +15,12 @@ class AreaOutline(Outline):
     that is still being traced is always the selected one.
     """
 
+    document: Document[Any]
+
     def __init__(self, document: EditDocument) -> None:
-        super().__init__(document)
+        super().__init__(cast(Document[Any], document))
         self._index: int | None = None
         self._count = 0
-        document.page_changed.connect(self._page_changed)
 
     @property
     def index(self) -> int | None:
@@ -32,7 +30,7 @@ class AreaOutline(Outline):
     @property
     def area(self) -> Area | None:
         """The selected area."""
-        return None if self._index is None else self.document.page.areas[self._index]
+        return None if self._index is None else self._page.areas[self._index]
 
     @property
     def vertices(self) -> tuple[Point, ...]:
@@ -49,12 +47,12 @@ class AreaOutline(Outline):
     ) -> None:
         """Replace the selected area; with too few vertices a finished one goes altogether."""
         index, area = self._index, self.area
-        if area is None:
+        if index is None or area is None:
             return
         gone = not vertices or (area.closed and len(vertices) < 3)
         there = () if gone else (Area(area.kind, vertices, closed),)
-        areas = self.document.page.areas
-        page = self.document.page.with_areas((*areas[:index], *there, *areas[index + 1 :]))
+        areas = self._page.areas
+        page = self._page.with_areas((*areas[:index], *there, *areas[index + 1 :]))
         self.document.change(f"remove {_named(area)}" if gone else text, page, gesture)
 
     def begin(self, kind: Kind, point: Point) -> None:
@@ -85,28 +83,24 @@ class AreaOutline(Outline):
         if not self.closed:
             self.put("close outline", self.vertices if len(self.vertices) >= 3 else (), True)
 
-    def at(self, point: Point) -> int | None:
-        """Return the area that is seen at a point: what is added lies above what is removed."""
-        areas = self.document.page.areas
-        order = sorted(range(len(areas)), key=lambda i: (areas[i].kind is Kind.ADD, i))
-        for index in reversed(order):
-            shape = QPolygonF([QPointF(*vertex) for vertex in areas[index].vertices])
-            if shape.containsPoint(QPointF(*point), Qt.FillRule.WindingFill):
-                return index
-        return None
-
-    def _append(self, text: str, area: Area) -> None:
-        page = self.document.page
-        self.document.change(text, page.with_areas((*page.areas, area)))
-        self._index = len(page.areas)
-
-    def _page_changed(self) -> None:
-        page = self.document.page
+    def follow_page(self) -> None:
+        """The page has changed: what is traced on it is selected, and nothing that is gone."""
+        page = self._page
         if page.open_area is not None:
             self._index = page.open_area
         elif len(page.areas) != self._count:
             self._index = None
         self._count = len(page.areas)
+
+    @property
+    def _page(self) -> EditPage:
+        page: EditPage = self.document.page
+        return page
+
+    def _append(self, text: str, area: Area) -> None:
+        page = self._page
+        self.document.change(text, page.with_areas((*page.areas, area)))
+        self._index = len(page.areas)
 
 
 def _named(area: Area) -> str:

@@ -1,6 +1,7 @@
-"""Draws a batch of hybrids: what a workspace's thread does, so that the window's need not."""
+"""A batch of hybrids as a sheet takes it in: none that looks like one that is there already."""
 
 from collections.abc import Generator, Sequence
+from contextlib import closing
 from dataclasses import replace
 
 import numpy as np
@@ -8,16 +9,11 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.iconification.energy import joined_ink
 from iconstudio.algorithms.iconification.ranking import Gallery
-from iconstudio.gui.gallery.pictures import Picture, pictured
-from iconstudio.model import CANVAS, Composite, Drawing, Mix, Remix
-from iconstudio.session import Session
-from iconstudio.workflows.events import Event
-from iconstudio.workflows.hybrids.spec import HYBRIDS
+from iconstudio.model import CANVAS, Composite, Drawing, Remix
+from iconstudio.workflows.events import Event, Result
 
 SIDE = 2 * CANVAS
 """Side of what is kept of a hybrid's pixels: there may be hundreds."""
-CODED = CANVAS
-"""Side of its colour-coded picture."""
 
 
 class Seen:
@@ -29,7 +25,7 @@ class Seen:
         Those that are there from the beginning.
     """
 
-    def __init__(self, shown: Sequence[Picture] = ()) -> None:
+    def __init__(self, shown: Sequence[Remix] = ()) -> None:
         self._gallery = Gallery()
         self._shown = shown
         self.count = len(shown)
@@ -37,25 +33,25 @@ class Seen:
     def add(self, composite: Composite) -> bool:
         """Note a hybrid; return whether it is new."""
         shown, self._shown = self._shown, ()
-        for picture in shown:  # only now: this takes a while
-            self._gallery.add(_ink(picture.icon.composite))
+        for icon in shown:  # only now: this takes a while
+            self._gallery.add(_ink(icon.composite))
         new = self._gallery.add(_ink(composite))
         self.count += new
         return new
 
 
-def batch(session: Session, mix: Mix, title: str, seen: Seen) -> Generator[Event | Picture]:
-    """Yield the progress of a mix, and a picture of each hybrid that ``seen`` has not.
-
-    Their titles have numbers, in the order of the draws.
-    """
-
-    def new(icon: Remix) -> Remix | None:
-        if not seen.add(icon.composite):
-            return None
-        return replace(icon, drawing=_reduced(icon.drawing), title=f"{title} {seen.count}")
-
-    return pictured(session.run(HYBRIDS, mix), new, CODED)
+def new_hybrids(draws: Generator[Event], title: str, seen: Seen) -> Generator[Event]:
+    """Pass on the events of a mix but the hybrids that ``seen`` has; their titles get numbers."""
+    with closing(draws):
+        for event in draws:
+            match event:
+                case Result(Remix() as icon):
+                    if seen.add(icon.composite):
+                        named = f"{title} {seen.count}"
+                        small = replace(icon, drawing=_reduced(icon.drawing), title=named)
+                        yield replace(event, icon=small)
+                case _:
+                    yield event
 
 
 def _ink(composite: Composite) -> NDArray[np.bool_]:

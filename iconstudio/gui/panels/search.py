@@ -1,0 +1,43 @@
+"""Icons are looked up by a word, and shown."""
+
+from PySide6.QtWidgets import QFrame, QPushButton
+
+from iconstudio.gui.gallery.sheet import Sheet
+from iconstudio.gui.panels.caption import Caption
+from iconstudio.gui.panels.wordfield import WordField
+from iconstudio.gui.theme.layout import column, row
+
+
+class IconSearch(QFrame):
+    """A field for a word, a button, thumbnails of what is found, and a caption that tells of it.
+
+    Parameters
+    ----------
+    start
+        What the caption says as long as there is no word.
+    """
+
+    def __init__(
+        self,
+        field: WordField,
+        button: QPushButton,
+        sheet: Sheet,
+        start: str,
+        margins: tuple[int, int, int, int] = (0, 0, 0, 0),
+    ) -> None:
+        super().__init__()
+        self.field, self.button, self.sheet = field, button, sheet
+        self.caption = Caption()
+        self._start = start
+        field.setClearButtonEnabled(True)
+        column(row((field, 1), button), self.caption, (sheet, 1), of=self, margins=margins)
+        self.tell_searching("")
+
+    def tell_searching(self, keyword: str) -> None:
+        """Say that a word is being looked up, or what to do if there is none."""
+        self.caption.say(f"Looking for “{keyword}”…" if keyword else self._start)
+
+    def tell_found(self, count: int, *more: str, links: bool = False) -> None:
+        """Say how many icons were found, and what can be done with them."""
+        icons = "1 icon" if count == 1 else f"{count} icons"
+        self.caption.say(" · ".join((f"{icons} found", *more)), links=links)
