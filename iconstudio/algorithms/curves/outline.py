@@ -14,8 +14,8 @@ from iconstudio.model.path import Contour, Path
 
 _STRAY = 0.02
 """Canvas units by which points may be left out before curves are fitted."""
-_SPECK = 0.25
-"""Square canvas units: smaller pieces and holes are left out."""
+_SPECK = 2.0
+"""Square canvas units: smaller pieces and holes, which nobody sees, are left out."""
 
 
 def path_of(lines: Iterable[Line]) -> Path:

@@ -18,6 +18,8 @@ __all__ = ["Prepared", "prepare", "restyled"]
 
 _ROUND = 0.3
 """An open line that encloses so much of what a circle of its length does has an inside."""
+_DOT = 4.0
+"""Canvas units: what is no longer than this is a dot, and stays one."""
 _SOFT = np.array([1.0, 2.0, 1.0]) / 4
 """Widths are blurred by this, so that they do not jump where the curve does not."""
 
@@ -29,6 +31,12 @@ def restyled(lines: Iterable[tuple[Line, Prepared]], seed: int = 0) -> list[Line
     same one on the outside of whatever is closed, and of its holes within.
     """
     lines = list(lines)
+    long = [number for number, (line, _) in enumerate(lines) if _length(line) > _DOT]
+    made = dict(zip(long, _styled([lines[number] for number in long], seed), strict=True))
+    return [made.get(number, line) for number, (line, _) in enumerate(lines)]
+
+
+def _styled(lines: Sequence[tuple[Line, Prepared]], seed: int) -> list[Line]:
     plain = [_clockwise(_curve(line)) for line, _ in lines]
     widths = [line.width for line, _ in lines]
     met = junctions(plain, widths)
@@ -87,6 +95,11 @@ def _line(line: Line, curve: Curve, widths: Numbers) -> Line:
         points=tuple((point.real, point.imag) for point in points.tolist()),
         widths=tuple((line.width * widths).tolist()) if varied else (),
     )
+
+
+def _length(line: Line) -> float:
+    points = np.array(line.points) @ [1, 1j]
+    return float(abs(np.diff(points)).sum())
 
 
 def _curve(line: Line) -> Curve:

@@ -13,6 +13,7 @@ from iconstudio.model import (
     Pictogram,
     Restyled,
     Restyling,
+    StylePair,
 )
 from iconstudio.workers import answer
 from iconstudio.workflows.events import Event, Progress, Result
@@ -104,6 +105,13 @@ def restyled_path(
     prepared = [prepare(style, strength, size) for style in styles]
     drawn = tuple(restyled(zip(lines, prepared, strict=True), seed))
     return path_of(drawn), drawn
+
+
+def warm_up() -> None:
+    """Load what restyles, and compile it if it never was, on a line of nothing."""
+    stroke = StylePair(((0.0, 0.0), (30.0, 4.0), (60.0, 0.0)))
+    bar = Line(((20.0, 20.0), (60.0, 20.0)), width=4.0)
+    restyled_path([bar], [LineStyle("", (stroke,))], 1.0, 1.0, 0)
 
 
 def icon_of(

@@ -1,0 +1,141 @@
+"""Lines in a style, as the program asks for them: they close, meet, and cross no others."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import shapely
+
+from iconstudio.algorithms.curves.restyle import prepare, restyled
+from iconstudio.model import Line, LineStyle, StylePair
+from tests.line_styles import STYLES, circle
+
+
+def style_of(name, **more):
+    points = tuple((0.6 * z.real, 0.6 * z.imag) for z in STYLES[name]()[::2].tolist())
+    return LineStyle(name, (StylePair(points),), **more)
+
+
+@pytest.fixture(scope="module", params=["jitter", "castle", "brush"])
+def style(request):
+    return prepare(style_of(request.param))
+
+
+def line(*points, width=20.0, closed=False):
+    return Line(tuple(points), closed, width)
+
+
+def styled(lines, style, seed=1):
+    return restyled([(one, style) for one in lines], seed)
+
+
+def end(one, index):
+    return complex(*one.points[index])
+
+
+def test_ends_that_met_still_meet(style):
+    """A T, and a corner of two strokes."""
+    lines = [
+        line((30, 60), (220, 60)),
+        line((120, 60), (120, 200)),
+        line((220, 60), (220, 180)),
+    ]
+    bar, stem, side = styled(lines, style)
+    assert end(bar, -1) == pytest.approx(220 + 60j, abs=1e-6)
+    assert end(side, 0) == pytest.approx(220 + 60j, abs=1e-6)
+    assert end(stem, 0) == pytest.approx(120 + 60j, abs=1e-6)
+    assert min(abs(complex(*p) - (120 + 60j)) for p in bar.points) < 1e-6
+
+
+def test_the_same_seed_gives_the_same_lines_and_another_does_not(style):
+    lines = [line((30, 60), (220, 60)), line((30, 120), (220, 160))]
+    assert styled(lines, style, 3) == styled(lines, style, 3)
+    assert styled(lines, style, 3) != styled(lines, style, 4)
+
+
+def test_contours_that_do_not_cross_do_not_cross_when_styled(style):
+    """Thin bands, whose sides are nearer to each other than the style goes astray."""
+    lines = [
+        line(*zip(30 + 200 * np.array([0, 1, 1, 0]), 60 + 5 * np.array([0, 0, 1, 1]) + shift,
+                  strict=True), width=0.0, closed=True)
+        for shift in (0, 30, 60)
+    ]  # fmt: skip
+    made = [shapely.LinearRing(one.points) for one in styled(lines, style)]
+    assert all(one.is_simple for one in made)
+    assert not any(one.intersects(other) for one in made for other in made if one is not other)
+
+
+def test_strokes_that_did_not_touch_do_not_touch(style):
+    lines = [line((30, 60), (220, 60)), line((30, 85), (220, 85))]
+    upper, lower = (shapely.LineString(one.points).buffer(10) for one in styled(lines, style))
+    assert upper.distance(lower) > 0.5
+
+
+def test_a_small_circle_stays_round(style):
+    points = 128 + 128j + (circle(8.0).points - 128 - 128j)
+    small = Line(tuple((z.real, z.imag) for z in points.tolist()), True)
+    (made,) = styled([small], style)
+    radii = abs(np.array([complex(*p) for p in made.points]) - (128 + 128j))
+    assert radii.min() > 5
+    assert radii.max() < 11
+
+
+def test_tips_stay_where_they_are(style):
+    star = [
+        100 * np.exp(1j * np.pi * (k / 5 - 0.5)) * (1 if k % 2 == 0 else 0.4) for k in range(10)
+    ]
+    points = tuple((128 + z.real, 128 + z.imag) for z in star)
+    (made,) = styled([Line(points, True)], style)
+    for tip in points[::2]:
+        assert min(abs(complex(*p) - complex(*tip)) for p in made.points) < 1e-6
+
+
+def test_the_outside_of_closed_lines_is_the_same_whichever_way_they_run():
+    bumps = 10 * abs(np.sin(np.arange(0, 40 * np.pi, 0.05)))
+    x = np.linspace(0, 600, len(bumps))
+    style = prepare(LineStyle("clouds", (StylePair(tuple(zip(x, -bumps, strict=True))),)))
+    points = tuple((z.real, z.imag) for z in circle(80.0).points.tolist())
+    for way in (points, points[::-1]):
+        (made,) = styled([Line(way, True)], style)
+        radii = abs(np.array([complex(*p) for p in made.points]) - (128 + 128j))
+        assert np.median(radii) > np.mean(radii) + 0.2, "round outwards, cusps inwards"
+        forwards = np.diff(np.unwrap(np.angle([complex(*p) - 128 - 128j for p in made.points])))
+        before = np.diff(np.unwrap(np.angle([complex(*p) - 128 - 128j for p in way])))
+        assert forwards.sum() * before.sum() > 0, "and it runs as it did"
+
+
+def test_widths_are_those_of_the_example():
+    plain = style_of("brush")
+    (pair,) = plain.pairs
+    widths = tuple(4 + 2 * np.sin(np.arange(len(pair.styled)) / 40))
+    style = prepare(replace(plain, pairs=(replace(pair, widths=widths),)))
+    (made,) = styled([line((20, 128), (236, 128))], style)
+    assert len(made.widths) == len(made.points)
+    assert 8 < min(made.widths) < 16
+    assert 24 < max(made.widths) < 32
+    assert abs(np.diff(made.widths)).max() < 4
+    (contour,) = styled(
+        [replace(line((20, 60), (236, 60), (128, 200)), width=0, closed=True)], style
+    )
+    assert not contour.widths
+
+
+@pytest.mark.parametrize(
+    "odd",
+    [
+        [(50.0, 50.0), (50.0, 50.0)],
+        [(50.0, 50.0), (50.0, 50.2)],
+        [(50.0, 50.0), (51.0, 50.0), (50.0, 50.0)],
+        [(10.0, 10.0), (90.0, 10.0), (10.0, 10.0), (90.0, 10.0)],
+    ],
+)
+@pytest.mark.parametrize("closed", [False, True])
+def test_odd_lines_come_back_as_lines(style, odd, closed):
+    (made,) = styled([Line(tuple(odd), closed, 10.0)], style)
+    assert made.points
+    assert np.isfinite(np.array(made.points)).all()
+    assert abs(np.array(made.points) - 50).max() < 80
+
+
+def test_nothing_is_nothing():
+    assert restyled([]) == []
