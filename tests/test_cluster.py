@@ -12,6 +12,7 @@ import pytest
 
 from iconstudio.cli.app import run
 from iconstudio.cluster import Cluster
+from iconstudio.model import IconstudioError
 
 pytest.importorskip("distributed", reason="needs the extra “cluster”")
 
@@ -103,3 +104,28 @@ def test_a_worker_is_killed_half_way_and_all_icons_are_there_once(
     assert sorted(written) == sorted(f"icon-{number}.svg" for number in range(ICONS))
     assert digests(tmp_path / "there") == alone
     assert capsys.readouterr().err == ""
+
+
+def test_without_the_extra_a_sentence_says_how_to_install_it(tmp_path, icons, monkeypatch, capsys):
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    words = "restyle", "--set", str(icons), "--style", "Shaky", "--out", str(tmp_path / "out")
+    assert run([*words, "--scheduler", "tcp://127.0.0.1:1"], None) == 2
+    assert 'pip install "iconstudio[cluster]"' in capsys.readouterr().err
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("address", ["", "nonsense", "http://127.0.0.1:1", "tcp://127.0.0.1:{}"])
+def test_no_scheduler(address):
+    with pytest.raises(IconstudioError, match="No Dask scheduler answers"):
+        Cluster(address.format(free_port()), 0.5)
+
+
+def test_something_else_that_listens_is_no_scheduler():
+    refused = pytest.raises(IconstudioError, match="No Dask scheduler answers")
+    with socket.create_server(("127.0.0.1", 0)) as silent, refused:
+        Cluster(f"tcp://127.0.0.1:{silent.getsockname()[1]}", 0.5)
+
+
+def test_a_scheduler_without_workers(scheduler):
+    with pytest.raises(IconstudioError, match="has no workers"):
+        Cluster(scheduler, 15)
