@@ -14,6 +14,7 @@ from functools import lru_cache
 from time import perf_counter
 from typing import Any, Protocol
 
+from iconstudio.cluster import DisconnectedError
 from iconstudio.model import IconstudioError, LineStyle, Path, Pictogram
 from iconstudio.model.icon_set import Member
 from iconstudio.workers import Workers, loss
@@ -217,6 +218,8 @@ def _outcome(
     """Return what has come of an icon."""
     try:
         icon, drawn = future.result()
+    except DisconnectedError:
+        raise
     except IconstudioError as error:
         return MemberSkipped(member, str(error))
     except ImportError as error:
