@@ -107,7 +107,7 @@ class Cluster(AbstractContextManager["Cluster"]):
 
 async def _greet(address: str) -> None:
     """Ask a scheduler who it is: Dask's client waits for ever for what is none, and cannot end."""
-    from distributed.comm import connect
+    from distributed.comm.core import connect
 
     comm = await connect(address)
     try:

@@ -231,7 +231,7 @@ def _outcome(
     except Exception as error:
         reason = loss(error, "Restyling it")
         if reason is None:  # one icon less is better than none at all
-            _log.warning("Restyling %s failed", member.id, exc_info=error)
+            _log.info("Restyling %s failed", member.id, exc_info=error)
             reason = f"The program fails on it: {type(error).__name__}."
         return MemberSkipped(member, reason)
     credits = (*icon.origins, *([thanks(manner.style)] if manner.style.author else ()))
