@@ -70,7 +70,7 @@ class Cluster(AbstractContextManager["Cluster"]):
             self.close()
             raise IconstudioError(
                 f"The Dask scheduler at “{self._address}” has no workers. Start some: "
-                f"“dask worker {self._address} --nthreads 1”, "
+                f"“dask worker {self._address} --nworkers -1 --nthreads 1”, "
                 f"where Iconstudio {__version__} is installed."
             ) from error
 
