@@ -53,7 +53,7 @@ class Cluster(AbstractContextManager["Cluster"]):
             raise IconstudioError(_MISSING) from None
         self._address = address[:200]
         self._count, self._counted = 0, -_RECOUNT
-        for name in logging.root.manager.loggerDict:
+        for name in tuple(logging.root.manager.loggerDict):
             if name.partition(".")[0] == "distributed":  # this program says what is to be known
                 logging.getLogger(name).setLevel(logging.CRITICAL + 1)
         try:
