@@ -13,9 +13,10 @@ import pytest
 from iconstudio.cli.app import run
 from iconstudio.inputs.line_style import write_style
 from iconstudio.inputs.styles import named
+from iconstudio.model import CANVAS, Frame
 from iconstudio.output.restyled_set import MANIFEST
 from iconstudio.session import Session
-from iconstudio.svg.rasterise import rasterise
+from iconstudio.svg.resvg import render_coverage
 from tests.cli.test_interrupt import PROGRAM, members, until
 
 CROSS = (
@@ -25,7 +26,7 @@ CROSS = (
 
 
 def ink(svg):
-    return rasterise(svg)[1] > 127
+    return render_coverage(svg, Frame(0, 0, CANVAS), CANVAS) > 127
 
 
 @pytest.fixture
