@@ -27,6 +27,16 @@ _MISSING = (
 )
 
 
+class DisconnectedError(IconstudioError):
+    """The scheduler is gone."""
+
+    def __init__(self, address: str) -> None:
+        super().__init__(
+            f"The Dask scheduler at “{address}” does not answer any more. Start it anew, and give "
+            "the same command again: it goes on where it was."
+        )
+
+
 class Cluster(AbstractContextManager["Cluster"]):
     """A Dask cluster, by the address of its scheduler: ``tcp://HOST:8786``, say.
 
@@ -43,8 +53,9 @@ class Cluster(AbstractContextManager["Cluster"]):
             raise IconstudioError(_MISSING) from None
         self._address = address[:200]
         self._count, self._counted = 0, -_RECOUNT
-        # What a user should know is said by this program.
-        logging.getLogger("distributed").setLevel(logging.CRITICAL)
+        for name in tuple(logging.root.manager.loggerDict):
+            if name.partition(".")[0] == "distributed":  # this program says what is to be known
+                logging.getLogger(name).setLevel(logging.CRITICAL + 1)
         try:
             asyncio.run(asyncio.wait_for(_greet(address), seconds))
             self._client = Client(address, timeout=seconds, set_as_default=False)
@@ -59,7 +70,7 @@ class Cluster(AbstractContextManager["Cluster"]):
             self.close()
             raise IconstudioError(
                 f"The Dask scheduler at “{self._address}” has no workers. Start some: "
-                f"“dask worker {self._address} --nthreads 1”, "
+                f"“dask worker {self._address} --nworkers -1 --nthreads 1”, "
                 f"where Iconstudio {__version__} is installed."
             ) from error
 
@@ -70,22 +81,20 @@ class Cluster(AbstractContextManager["Cluster"]):
             try:
                 self._count = sum(self._client.nthreads().values())
             except Exception as error:
-                raise IconstudioError(
-                    f"The Dask scheduler at “{self._address}” does not answer any more. Start it "
-                    "anew, and give the same command again: it goes on where it was."
-                ) from error
+                raise DisconnectedError(self._address) from error
             self._counted = monotonic()
         return self._count
 
     def submit(self, function: Callable[..., Any], *args: object) -> "Future[Any]":
         """Call a function of a module of this program in some process.
 
-        The future raises what the function did; ``ProcessDied`` if the processes died of it.
+        The future raises what the function did; ``ProcessDied`` if the processes died of it, and
+        ``DisconnectedError`` if the scheduler is gone.
         """
         task = self._client.submit(_call, __version__, function, args, pure=False)
         future: Future[Any] = Future()
         future.add_done_callback(lambda one: task.cancel() if one.cancelled() else None)
-        task.add_done_callback(lambda one: _settle(future, one))
+        task.add_done_callback(lambda one: _settle(future, one, self._address))
         return future
 
     def close(self) -> None:
@@ -98,7 +107,7 @@ class Cluster(AbstractContextManager["Cluster"]):
 
 async def _greet(address: str) -> None:
     """Ask a scheduler who it is: Dask's client waits for ever for what is none, and cannot end."""
-    from distributed.comm import connect
+    from distributed.comm.core import connect
 
     comm = await connect(address)
     try:
@@ -115,7 +124,7 @@ def _call(version: str, function: Callable[..., Any], args: tuple[object, ...]) 
     return function(*args)
 
 
-def _settle(future: "Future[Any]", task: Any) -> None:
+def _settle(future: "Future[Any]", task: Any, address: str) -> None:
     """Give a future what has become of a task of Dask."""
     from distributed.scheduler import KilledWorker
 
@@ -125,7 +134,7 @@ def _settle(future: "Future[Any]", task: Any) -> None:
         except KilledWorker:
             future.set_exception(ProcessDied(None))
         except CancelledError:
-            future.set_exception(CancelledError())
+            future.set_exception(DisconnectedError(address))
         except Exception as error:
             future.set_exception(error)
     task.release()  # nothing of it is kept in the cluster

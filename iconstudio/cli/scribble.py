@@ -2,7 +2,6 @@
 
 import click
 
-from iconstudio.algorithms.curves.outline import strokes_of
 from iconstudio.cli import line_styles
 from iconstudio.files import write_bytes
 from iconstudio.model import LineStyle
@@ -25,6 +24,8 @@ from iconstudio.workflows.line_style.scribbling import LONGEST, SHORTEST, scribb
 @line_styles.seed_option
 def command(style: LineStyle | None, length: float, out: str, seed: int | None) -> None:
     """Draw a new line in a line style: the picture is as large as the line becomes."""
+    from iconstudio.algorithms.curves.outline import strokes_of
+
     style = line_styles.need_style(style)
     path = line_styles.svg_name(out)
     with Workers(1) as workers:

@@ -22,15 +22,15 @@ def file_stems(names: Mapping[str, str]) -> dict[str, str]:
     is, or that others have, ends with a digest of the identifier.
 
     >>> file_stems({"set:arrow": "arrow", "set:a/b": "a/b"})
-    {'set:arrow': 'arrow', 'set:a/b': 'a-b-d6e3f9f8'}
+    {'set:arrow': 'arrow', 'set:a/b': 'a-b-3c7d5158'}
     """
     safe = {identifier: _safe(name) for identifier, name in names.items()}
     alike = Counter(name.casefold() for name in safe.values())
 
     def kept(identifier: str) -> bool:
         name = safe[identifier]
-        odd = _RESERVED.fullmatch(name) or _DIGESTED.search(name)
-        return name == names[identifier] and alike[name.casefold()] == 1 and not odd
+        alone = alike[name.casefold()] == 1 and not _DIGESTED.search(name)
+        return alone and name == names[identifier]
 
     return {
         identifier: name if kept(identifier) else f"{name}-{_digest(identifier)}"
@@ -44,4 +44,5 @@ def _digest(identifier: str) -> str:
 
 def _safe(name: str) -> str:
     composed = unicodedata.normalize("NFC", name)
-    return _UNSAFE.sub("-", composed)[:_LONGEST].strip("-. ") or "icon"
+    name = _UNSAFE.sub("-", composed)[:_LONGEST].strip("-. ") or "icon"
+    return f"icon-{name}" if _RESERVED.fullmatch(name) else name

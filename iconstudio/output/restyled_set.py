@@ -137,7 +137,7 @@ class RestyledSet:
         Files that were changed since are not removed.
         """
         files = sorted(self._done)
-        sheets = []
+        sheets: list[str] = []
         for start in range(0, len(files), PER_SHEET):
             title = f"{self._name}, {self._manner.style.name}"
             paths = [self._path / file for file in files[start : start + PER_SHEET]]

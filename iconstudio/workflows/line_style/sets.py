@@ -14,6 +14,7 @@ from functools import lru_cache
 from time import perf_counter
 from typing import Any, Protocol
 
+from iconstudio.cluster import DisconnectedError
 from iconstudio.model import IconstudioError, LineStyle, Path, Pictogram
 from iconstudio.model.icon_set import Member
 from iconstudio.workers import Workers, loss
@@ -217,6 +218,8 @@ def _outcome(
     """Return what has come of an icon."""
     try:
         icon, drawn = future.result()
+    except DisconnectedError:
+        raise
     except IconstudioError as error:
         return MemberSkipped(member, str(error))
     except ImportError as error:
@@ -228,7 +231,7 @@ def _outcome(
     except Exception as error:
         reason = loss(error, "Restyling it")
         if reason is None:  # one icon less is better than none at all
-            _log.warning("Restyling %s failed", member.id, exc_info=error)
+            _log.info("Restyling %s failed", member.id, exc_info=error)
             reason = f"The program fails on it: {type(error).__name__}."
         return MemberSkipped(member, reason)
     credits = (*icon.origins, *([thanks(manner.style)] if manner.style.author else ()))

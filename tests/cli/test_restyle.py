@@ -1,0 +1,216 @@
+"""Line styles from the command line: single icons, scribbles, and whole sets."""
+
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from iconstudio.cli.app import run
+from iconstudio.inputs.line_style import write_style
+from iconstudio.inputs.styles import named
+from iconstudio.model import CANVAS, Frame
+from iconstudio.output.restyled_set import MANIFEST
+from iconstudio.session import Session
+from iconstudio.svg.resvg import render_coverage
+from tests.cli.test_interrupt import PROGRAM, members, until
+
+CROSS = (
+    '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24" fill="none" stroke="black" '
+    'stroke-width="2"><path d="M{x} 4V20M4 {x}H20"/></svg>'
+)
+
+
+def ink(svg):
+    return render_coverage(svg, Frame(0, 0, CANVAS), CANVAS) > 127
+
+
+@pytest.fixture
+def icons(tmp_path):
+    folder = tmp_path / "icons"
+    (folder / "more").mkdir(parents=True)
+    for number in range(4):
+        (folder / f"cross-{number}.svg").write_text(CROSS.format(x=7 + number))
+    (folder / "more" / "cross-1.SVG").write_text(CROSS.format(x=15))
+    (folder / ".hidden.svg").write_text(CROSS.format(x=9))
+    (folder / "notes.txt").write_text("no icon")
+    return folder
+
+
+def test_styles_are_listed(capsys):
+    assert run(["restyle", "--list-styles"], None) == 0
+    rows = [line.split("\t") for line in capsys.readouterr().out.splitlines()]
+    assert ["Shaky", "Iconstudio", "CC0-1.0"] in rows
+
+
+def test_an_icon_in_a_style_by_name_and_by_file(tmp_path, capsys):
+    out, again = tmp_path / "house.svg", tmp_path / "again.svg"
+    words = "restyle", "lucide:house", "--seed", "3"
+    assert run([*words, "--style", "shaky", "--out", str(out)], None) == 0
+    write_style(tmp_path / "own.json", named("Shaky"))
+    assert run([*words, "--style", str(tmp_path / "own.json"), "--out", str(again)], None) == 0
+    assert again.read_bytes() == out.read_bytes()
+    with Session() as session:
+        plain = session.exemplar(session.icon("lucide:house")).ink
+        credits = [one.credit for one in session.icon(str(out)).made_of]
+    assert [one.author for one in credits] == ["Lucide Contributors", "Iconstudio"]
+    restyled = ink(out.read_text("utf-8"))
+    assert 0 < (restyled ^ plain).sum() < 0.7 * plain.sum()
+    assert "".join(capsys.readouterr()) == ""
+
+
+def test_strokes_look_like_the_outline(tmp_path):
+    words = "restyle", "lucide:house", "--style", "wobbly", "--out"
+    assert run([*words, str(tmp_path / "outline.svg")], None) == 0
+    assert run([*words, str(tmp_path / "strokes.svg"), "--strokes"], None) == 0
+    strokes = (tmp_path / "strokes.svg").read_text("utf-8")
+    assert strokes.count("<path") == 1 and 'stroke-width="' in strokes
+    outline = (tmp_path / "outline.svg").read_text("utf-8")
+    assert "stroke" not in outline
+    assert (ink(strokes) ^ ink(outline)).sum() < 0.01 * ink(outline).sum()
+
+
+def test_a_file_gives_a_folder_or_an_icon(tmp_path, capsys):
+    file = tmp_path / "restyle.json"
+    file.write_text(json.dumps({"icon": "lucide:house", "style": "Loose", "seed": 3}))
+    assert run(["restyle", str(file), "--out", str(tmp_path / "out")], None) == 0
+    assert "1 icon; see" in capsys.readouterr().out
+    made = (tmp_path / "out" / "restyle-1.svg").read_bytes()
+    assert json.loads((tmp_path / "out" / "results.json").read_text())["results"]
+    assert run(["restyle", str(file), "--out", str(tmp_path / "one.svg")], None) == 0
+    assert (tmp_path / "one.svg").read_bytes() == made
+    words = ["restyle", str(file), "--seed", "4", "--out", str(tmp_path / "other.svg")]
+    assert run(words, None) == 0
+    assert (tmp_path / "other.svg").read_bytes() != made
+
+
+def test_a_scribble_is_as_long_as_asked_and_wholly_in_its_picture(tmp_path):
+    words = "scribble", "--style", "waves", "--length", "500", "--out"
+    assert run([*words, str(tmp_path / "a.svg"), "--seed", "5"], None) == 0
+    assert run([*words, str(tmp_path / "b.svg"), "--seed", "5"], None) == 0
+    assert run([*words, str(tmp_path / "c.svg"), "--seed", "6"], None) == 0
+    svg = (tmp_path / "a.svg").read_text("utf-8")
+    assert svg == (tmp_path / "b.svg").read_text("utf-8")
+    assert svg != (tmp_path / "c.svg").read_text("utf-8")
+    width, height = map(float, re.search(r'viewBox="0 0 (\S+) (\S+)"', svg).groups())
+    numbers = re.search(r'<path d="([^"]+)" fill="none"', svg)[1]
+    points = np.array(re.findall(r"-?[\d.]+", numbers), float)
+    assert points.min() > 0 and points.max() < max(width, height)
+    with Session() as session:
+        (line,) = session.lines(session.icon(str(tmp_path / "a.svg")))
+        frame = session.exemplar(session.icon(str(tmp_path / "a.svg"))).frame
+    steps = np.diff(np.array(line.points), axis=0)
+    length = np.hypot(*steps.T).sum() * frame.size / 256
+    assert length == pytest.approx(500, rel=0.15)
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["restyle", "--out", "x.svg"], "Name one icon"),
+        (["restyle", "lucide:house", "--set", "lucide", "--out", "x.svg"], "Name one icon"),
+        (["restyle", "lucide:house", "--out", "x.svg"], "Which style?"),
+        (["restyle", "lucide:house", "--style", "shakey", "--out", "x.svg"], "“Shaky”?"),
+        (["restyle", "lucide:house", "--style", "no.json", "--out", "x.svg"], "cannot be read"),
+        (["restyle", "lucide:house", "--style", "shaky", "--out", "x.png"], "“x.svg”"),
+        (["restyle", "lucide:house", "--style", "shaky", "--out", "no/x.svg"], "no such folder"),
+        (["restyle", "lucide:huose", "--style", "shaky", "--out", "x.svg"], "no icon"),
+        (["restyle", "no.svg", "--style", "shaky", "--out", "x.svg"], "no such file"),
+        (["restyle", "no.json", "--out", "x"], "cannot be read"),
+        (["restyle", "a:b", "--style", "shaky", "--strength", "nan", "--out", "x.svg"], "from 0.1"),
+        (["restyle", "a:b", "--style", "shaky", "--size", "9", "--out", "x.svg"], "to 4"),
+        (["restyle", "a:b", "--style", "shaky", "--seed", "-1", "--out", "x.svg"], "--seed"),
+        (
+            ["restyle", "a:b", "--scheduler", "x", "--style", "shaky", "--out", "x.svg"],
+            "whole sets",
+        ),
+        (["restyle", "--set", "lucide", "--out", "x"], "Which style?"),
+        (["restyle", "--set", "lucid", "--style", "shaky", "--out", "x"], "Did you mean lucide"),
+        (["restyle", "--set", ".", "--style", "shaky", "--out", "../y"], "no SVG in the folder"),
+        (["restyle", "--set", "", "--style", "shaky", "--out", "x"], "no set of icons"),
+        (["scribble", "--length", "99", "--out", "x.svg"], "Which style?"),
+        (["scribble", "--style", "shaky", "--length", "1e9", "--out", "x.svg"], "to 20000"),
+        (["scribble", "--style", "shaky", "--length", "nan", "--out", "x.svg"], "from 20"),
+    ],
+)
+def test_bad_input_is_told_in_a_sentence(tmp_path, monkeypatch, capsys, words, said):
+    monkeypatch.chdir(tmp_path)
+    assert run(words, None) == 2
+    assert said in capsys.readouterr().err
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_folder_is_restyled_and_what_is_broken_is_named(tmp_path, icons, capsys):
+    (icons / "broken.svg").write_text("<svg")
+    (icons / "empty.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"/>')
+    out = tmp_path / "out"
+    words = ["restyle", "--set", str(icons), "--style", "Shaky", "--out", str(out), "--seed", "2"]
+    assert run(words, None) == 0
+    told = capsys.readouterr()
+    assert re.findall(r"^Skipped (\S+):", told.err, re.M) == ["broken.svg", "empty.svg"]
+    assert told.out.startswith("5 icons, 2 skipped; see")
+    files = sorted(one.name for one in out.iterdir())
+    assert files[:6] == ["CREDITS.md", *(f"cross-{n}.svg" for n in range(4)), files[5]]
+    assert re.fullmatch(r"more-cross-1-[0-9a-f]{8}\.svg", files[5])
+    assert files[6:] == [MANIFEST, "sheet.png"]
+
+    seed = json.loads((out / MANIFEST).read_text())["files"]["cross-2.svg"]["seed"]
+    alone = ["restyle", str(icons / "cross-2.svg"), "--style", "Shaky", "--seed", str(seed)]
+    assert run([*alone, "--out", str(tmp_path / "alone.svg")], None) == 0
+    assert (tmp_path / "alone.svg").read_bytes() == (out / "cross-2.svg").read_bytes()
+
+
+def test_nothing_but_broken_icons(tmp_path, capsys):
+    (tmp_path / "in").mkdir()
+    (tmp_path / "in" / "broken.svg").write_text("<svg")
+    words = ["restyle", "--set", str(tmp_path / "in"), "--style", "Shaky"]
+    assert run([*words, "--out", str(tmp_path / "out")], None) == 2
+    assert "No icon of the set could be restyled." in capsys.readouterr().err
+    assert not list((tmp_path / "out").glob("*.svg"))
+
+
+def test_originals_are_never_written_over(icons, capsys):
+    before = {one: one.read_bytes() for one in icons.rglob("*.*")}
+    for out in (icons, icons / "more", icons / "new"):
+        words = ["restyle", "--set", str(icons), "--style", "Shaky", "--out", str(out)]
+        assert run(words, None) == 2
+        assert "Choose one outside of it" in capsys.readouterr().err
+    assert {one: one.read_bytes() for one in icons.rglob("*.*")} == before
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
+def test_a_set_that_is_stopped_goes_on_where_it_was(tmp_path, icons):
+    for number in range(4, 12):
+        (icons / f"cross-{number}.svg").write_text(CROSS.format(x=6 + number))
+    out = tmp_path / "out"
+    words = ["restyle", "--set", str(icons), "--style", "Shaky", "--out", str(out)]
+    process = subprocess.Popen(
+        [sys.executable, "-c", PROGRAM, *words],
+        start_new_session=True,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+    )
+    try:
+        assert until(lambda: any(out.glob("*.svg")))
+        os.killpg(process.pid, signal.SIGINT)
+        _, said = process.communicate(timeout=30)
+    finally:
+        process.kill()
+        process.wait()
+    assert process.returncode == 130
+    assert said.decode().rstrip().endswith("Stopped.")
+    assert until(lambda: not members(process.pid), 10)
+    kept = json.loads((out / MANIFEST).read_text())["files"]
+    assert 0 < len(kept) == len(list(out.glob("*.svg"))) < 13
+    times = {file: (out / file).stat().st_mtime_ns for file in kept}
+    assert run(words, None) == 0
+    assert all((out / file).stat().st_mtime_ns == times[file] for file in times)
+    fresh = tmp_path / "fresh"
+    assert run([*words[:-1], str(fresh)], None) == 0
+    assert {one.name: one.read_bytes() for one in out.iterdir()} == {
+        one.name: one.read_bytes() for one in fresh.iterdir()
+    }
