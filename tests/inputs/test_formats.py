@@ -155,7 +155,10 @@ def test_there_is_a_sentence_for_every_mistake(data):
     ("keys", "name"),
     [
         ("keyword polygon", "model"),
-        ("icon", "edit"),
+        ("icon", None),  # of two
+        ("icon add", "edit"),
+        ("icon style", "restyle"),
+        ("style strength", "restyle"),
         ("keyword add", "edit"),
         ("icons title", "hybrids"),
         ("keyword count", "hybrids"),

@@ -39,6 +39,9 @@ def analogy(
         for _ in range(parameters.passes):
             made = search.refined(_through(made, level.spacing, pulls), coarser, pulls)
         made = _through(made, level.spacing, pulls)
+        if made.curve.length > parameters.longest * level.lengthening * sweep.length:
+            even = plain.resampled(levels[-1].spacing)
+            return Synthesised(even, np.zeros(len(even.points), np.int64))
         coarser, before = made.curve, level
     assert made is not None
     return made

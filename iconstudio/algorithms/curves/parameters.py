@@ -9,15 +9,16 @@ class Parameters:
 
     | parameter | paper | here | why |
     |---|---|---|---|
-    | D at the finest level | 0.5 | from the texture | a style with a period of 24 needs no 0.5 |
+    | D at the finest level | 0.5 | 0.6 to 2 | as coarse as shows the example as it is |
     | D of a coarser level | 1.2 D | 1.2 D | |
     | samples | 81 or 101, D/4 apart | 13, D apart | the others weigh next to nothing |
     | w_delta | 100 or 100,000 | 3 D² | scales with the texture |
     | w of the coarser B' | 2 | 1 | |
     | w_offset | 3.8; 19 for synthesis | 3.8 | 19 lets lengths explode |
-    | w_B | 0 or 2 | 0 or 2 | |
-    | kappa | 1/2, as 1 + kappa/D | 4 at all levels | one that fades loses loops |
-    | epsilon | | 0.03 | |
+    | w_B | 0 or 2 | 0 or 2; 20 for the rotation alone if 0 | long waves keep their height |
+    | kappa | 1/2, as 1 + kappa/D | 8 at all levels | one that fades loses loops |
+    | epsilon | not given | 0.03 | |
+    | passes a level | not given | 1 | curves begin sharp, see `Search.sharpened` |
     """
 
     spacing: float = 2.0
@@ -53,5 +54,5 @@ class Parameters:
     """Candidates within 1 + epsilon of the best are as good."""
     passes: int = 1
     """Refinements at each level."""
-    longest: float = 12.0
-    """A result this many times as long as B is no style any more."""
+    longest: float = 4.0
+    """A result so many times as long as it should be is no style any more: the line stays plain."""
