@@ -53,6 +53,22 @@ def test_the_same_seed_gives_the_same_lines_and_another_does_not(style):
     assert styled(lines, style, 3) != styled(lines, style, 4)
 
 
+def test_rounding_tells_nothing(style):
+    """Where lines meet, and run straight, much is equal but for the last digit."""
+    lines = [
+        line((30, 60), (220, 60), (220, 180), (30, 180), closed=True),
+        line((120, 60), (120, 180)),
+        line((80, 120), (80, 120.5), (80, 121), (160, 120), width=0.0, closed=True),
+    ]
+    random = np.random.default_rng(1)
+    shaken = []
+    for one in lines:
+        moved = np.array(one.points) + 1e-13 * random.normal(size=(len(one.points), 2))
+        shaken.append(replace(one, points=tuple((x, y) for x, y in moved.tolist())))
+    for one, other in zip(styled(lines, style), styled(shaken, style), strict=True):
+        assert np.array(one.points) == pytest.approx(np.array(other.points), abs=1e-6)
+
+
 def test_contours_that_do_not_cross_do_not_cross_when_styled(style):
     """Thin bands, whose sides are nearer to each other than the style goes astray."""
     lines = [

@@ -15,6 +15,9 @@ from iconstudio.algorithms.curves.pyramid import Level, blurred, swept
 _REACH = 4.0
 """How many spacings from a constraint the curve goes along with it."""
 
+_SAME = 1e-9
+"""Parameters that differ by less are the same, but for rounding."""
+
 
 def analogy(
     levels: Sequence[Level],
@@ -89,7 +92,8 @@ def _through(made: Synthesised, spacing: float, constraints: Sequence[Constraint
         gaps = abs(curve.arc_at(parameters)[:, None] - curve.arc_at(fixed)).min(axis=1)
         parameters = np.union1d(parameters[gaps > spacing / 3], fixed)
     even = replace(even, parameters=parameters, points=curve.smoothly(parameters))
-    before = np.searchsorted(made.curve.parameters, parameters, "right") - 1
+    # Where a point stays where it was, rounding must not tell which one is before it.
+    before = np.searchsorted(made.curve.parameters, parameters + _SAME, "right") - 1
     return Synthesised(even, made.sources[np.clip(before, 0, len(made.sources) - 1)])
 
 

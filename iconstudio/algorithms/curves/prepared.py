@@ -148,7 +148,8 @@ def _period(pairs: Sequence[Pair]) -> float:
         way = pair.plain.at_arc(even + 1) - pair.plain.at_arc(even - 1)
         off = ((pair.styled.at(at) - pair.plain.at(at)) * way.conj()).imag
         length += pair.plain.length
-        crossings += int((np.diff(np.sign(off - np.median(off))) != 0).sum())
+        middle = np.percentile(off, [10, 90]).mean()
+        crossings += int((np.diff(off > middle) != 0).sum())
     return 2 * length / max(crossings, 1)
 
 

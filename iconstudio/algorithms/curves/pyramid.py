@@ -39,7 +39,7 @@ def carried(sources: NDArray[np.int64], above: Level, level: Level) -> NDArray[n
     at = above.order.curve[sources] + above.parameters[sources] / 2  # parameters are at most 1
     here = level.order.curve + level.parameters / 2
     right = np.clip(np.searchsorted(here, at), 1, len(here) - 1)
-    nearer = at - here[right - 1] < here[right] - at
+    nearer = at - here[right - 1] < here[right] - at + 1e-9  # ties must not be told by rounding
     return np.where(nearer, right - 1, right)
 
 

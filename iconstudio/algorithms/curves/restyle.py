@@ -18,6 +18,8 @@ __all__ = ["Prepared", "prepare", "restyled"]
 
 _ROUND = 0.3
 """An open line that encloses so much of what a circle of its length does has an inside."""
+_SLIM = 1e-6
+"""What encloses so little of what a circle of its length does encloses nothing."""
 _DOT = 4.0
 """Canvas units: what is no longer than this is a dot, and stays one."""
 _SOFT = np.array([1.0, 2.0, 1.0]) / 4
@@ -111,7 +113,7 @@ def _clockwise(curve: Curve) -> Curve:
     """Return a curve so that what it encloses lies on its right, as examples are drawn."""
     area = _area(curve)
     whole = curve.length**2 / (4 * np.pi)
-    if area >= 0 or not (curve.closed or -area > _ROUND * whole):
+    if area >= -_SLIM * whole or not (curve.closed or -area > _ROUND * whole):
         return curve
     backwards = Curve.of(curve.points[::-1], curve.closed)
     return replace(backwards, parameters=backwards.parameters / backwards.end, end=1.0)

@@ -22,6 +22,8 @@ _KEPT = 0.6
 _BACK = 0.65
 """How much of the style is left at a conflict after each round."""
 _ROUNDS = 14
+_SAME = 1e-6
+"""Canvas units that are rounding."""
 _STRETCH = 6.0
 """Canvas units: standard deviation of the stretch that gives way."""
 
@@ -109,6 +111,8 @@ def _crossings(lines: _Lines, loop: float) -> NDArray[np.int64]:
     new = crossing[~_known(lines, first, crossing, before)]
     i, j = first[new[:, 0]], first[new[:, 1]]
     far = ~((lines.line[i] == lines.line[j]) & (_apart(lines, i, j) < loop))
+    # Strokes that overlap anyway may cross.
+    far &= abs(lines.plain[i] - lines.plain[j]) > lines.radius[i] + lines.radius[j] + _SAME
     return np.concatenate([i[far], j[far]])
 
 
@@ -164,7 +168,7 @@ def _contacts(lines: _Lines, plain: Points, loop: float) -> NDArray[np.int64]:
     i, j = pairs[:, 0], pairs[:, 1]
     touch = radius[i] + radius[j]
     apart, before = abs(points[i] - points[j]) - touch, abs(plain[i] - plain[j]) - touch
-    tight = (before > 0) & (apart < np.minimum(_CLEARANCE, _KEPT * before))
+    tight = (before > _SAME) & (apart < np.minimum(_CLEARANCE, _KEPT * before))
     i, j = i[tight], j[tight]
     along = _apart(lines, i, j)
     same = lines.line[i] == lines.line[j]
