@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, field, replace
 
+from iconstudio.inputs.line_style import check_style
 from iconstudio.model import CANVAS, Line, LineStyle, Pictogram, Point, Restyling, StylePair
 from iconstudio.workflows.line_style.restyling import LARGEST, SMALLEST, STRONGEST, WEAKEST
 from iconstudio.workflows.pages import Document
@@ -68,18 +69,26 @@ def set_style(document: RestyleDocument, style: LineStyle) -> None:
     document.change("choose style", replace(page, work=replace(page.work, others=some)))
 
 
-def add_example(document: RestyleDocument, points: tuple[Point, ...], plain: bool) -> None:
-    """Draw an example of a style: a styled stroke, or the plain one that belongs to the last."""
-    page = document.page
-    pairs = page.drawn.pairs if page.drawn is not None else ()
-    if not plain:
-        pairs = (*pairs, StylePair(points))
-    elif pairs:
-        pairs = (*pairs[:-1], replace(pairs[-1], plain=points))
-    else:
-        return
-    style = replace(page.drawn or LineStyle(OWN, ()), pairs=pairs)
-    _change(document, "draw example", style=style)
+def with_example(page: RestylePage, pair: StylePair) -> LineStyle:
+    """Return the style that is being drawn with one more example.
+
+    One of the other kind, with a plain stroke or without, begins another style.
+
+    Raises
+    ------
+    IconstudioError
+        If nothing can be learned from it.
+    """
+    drawn = page.drawn
+    kept = () if drawn is None or bool(drawn.pairs[0].plain) != bool(pair.plain) else drawn.pairs
+    style = LineStyle(OWN, (*kept, pair))
+    check_style(style)
+    return style
+
+
+def add_example(document: RestyleDocument, pair: StylePair) -> None:
+    """Draw an example of a style: see ``with_example``."""
+    _change(document, "draw example", style=with_example(document.page, pair))
 
 
 def clear_example(document: RestyleDocument) -> None:
@@ -105,20 +114,25 @@ def select(document: RestyleDocument, lines: frozenset[int]) -> None:
     document.show(replace(document.page, selected=lines))
 
 
-def set_strength(document: RestyleDocument, strength: float) -> None:
+def set_strength(document: RestyleDocument, strength: float, gesture: object = None) -> None:
     """Set how far lines go from the plain ones."""
     value = min(max(strength, WEAKEST), STRONGEST)
-    _change(document, "change strength", "strength", strength=value)
+    _change(document, "change strength", gesture, strength=value)
 
 
-def set_size(document: RestyleDocument, size: float) -> None:
+def set_size(document: RestyleDocument, size: float, gesture: object = None) -> None:
     """Set how large the texture is."""
-    _change(document, "change size", "size", size=min(max(size, SMALLEST), LARGEST))
+    _change(document, "change size", gesture, size=min(max(size, SMALLEST), LARGEST))
 
 
 def set_seed(document: RestyleDocument, seed: int) -> None:
-    """Set what random choices depend on."""
+    """Set what random choices depend on. Digits typed one after the other are undone together."""
     _change(document, "change seed", "seed", seed=seed)
+
+
+def take_over(document: RestyleDocument, strength: float, seed: int) -> None:
+    """Set strength and seed, as those of a variation."""
+    _change(document, "use variation", strength=strength, seed=seed)
 
 
 def set_turning(document: RestyleDocument, turning: bool | None) -> None:

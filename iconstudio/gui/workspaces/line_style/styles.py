@@ -1,0 +1,107 @@
+"""The styles to choose from, each shown by a sample."""
+
+from collections.abc import Iterable
+
+from PySide6.QtCore import Signal
+from PySide6.QtGui import QAction, QPainterPath
+from PySide6.QtWidgets import QFrame, QToolButton
+
+from iconstudio.gui.gallery.pictures import Picture
+from iconstudio.gui.gallery.sheet import Sheet
+from iconstudio.gui.gallery.sheet_delegate import Look
+from iconstudio.gui.jobs.runner import Runner
+from iconstudio.gui.jobs.worker import Worker
+from iconstudio.gui.panels.elided import ElidedLabel
+from iconstudio.gui.theme.layout import card, label, row
+from iconstudio.gui.theme.theme import UNIT
+from iconstudio.gui.workspaces.line_style.live import Sample, samples
+from iconstudio.inputs.styles import bundled
+from iconstudio.model import Icon, LineStyle, Path
+from iconstudio.session import Session
+
+_SIDE = 10 * UNIT
+
+
+class StylesPanel(QFrame):
+    """A sheet of the styles that come with the program, after the user's own.
+
+    Signals
+    -------
+    chosen(LineStyle)
+        The user wants this style.
+    """
+
+    chosen = Signal(object)
+
+    def __init__(self, session: Session, worker: Worker, actions: Iterable[QAction]) -> None:
+        super().__init__()
+        self._session = session
+        self._own: tuple[LineStyle, ...] = ()
+        self._drawn: dict[LineStyle, Picture] = {}
+        self._styles: dict[int, LineStyle] = {}
+        """By the identities of their pictures."""
+        self._used: frozenset[LineStyle] = frozenset()
+        self.runner = Runner(worker, self)
+        self.runner.event.connect(self._show_sample)
+        self.sheet = Sheet(Look(_SIDE, margin=9), _described, "Line styles")
+        self.sheet.chosen.connect(lambda picture: self.chosen.emit(self._styles[id(picture)]))
+        self._name = ElidedLabel("")
+        self._name.setProperty("muted", True)
+        title = label("Line style", "title")
+        top = row(title, (self._name, 1), *map(_button, actions), spacing=UNIT)
+        row(card(top, (self.sheet, 1)), of=self)
+
+    @property
+    def styles(self) -> tuple[LineStyle, ...]:
+        """The styles, in their order."""
+        return (*self._own, *bundled())
+
+    def begin(self) -> None:
+        """Draw the samples, which takes a while; once."""
+        self._draw()
+
+    def add(self, style: LineStyle) -> None:
+        """Add a style of the user's own, in front."""
+        if style not in self.styles:
+            self._own = (style, *self._own)
+            self._draw()
+
+    def show_used(self, used: frozenset[LineStyle], name: str) -> None:
+        """Tick the styles that are in use; ``name`` is that of most lines."""
+        self._used = used
+        self._name.setText(name)
+        self.sheet.model().mark(lambda picture: self._styles.get(id(picture)) in used)
+
+    def _draw(self) -> None:
+        self._show()
+        missing = tuple(one for one in self.styles if one not in self._drawn)
+        if missing:
+            session = self._session
+            self.runner.start(lambda: samples(session, missing))
+
+    def _show_sample(self, event: object) -> None:
+        if isinstance(event, Sample):
+            self._drawn[event.style] = event.picture or _nothing(event.style)
+            self._show()
+
+    def _show(self) -> None:
+        shown = [(one, self._drawn[one]) for one in self.styles if one in self._drawn]
+        self._styles = {id(picture): style for style, picture in shown}
+        self.sheet.show_entries([picture for _, picture in shown])
+
+
+def _button(action: QAction) -> QToolButton:
+    button = QToolButton()
+    button.setDefaultAction(action)
+    button.setAccessibleName(action.iconText())
+    return button
+
+
+def _nothing(style: LineStyle) -> Picture:
+    """Return a picture of a style that makes nothing of the sample."""
+    return Picture(Icon(Path(()), style.name), QPainterPath())
+
+
+def _described(picture: Picture, used: bool) -> tuple[str, str]:
+    name = picture.title.removeprefix("lines, ")
+    return (f"{name}, in use" if used else name), name
