@@ -37,9 +37,21 @@ class RestylePage:
         return self.has_lines and self.work.style is not None
 
     @property
+    def style(self) -> LineStyle | None:
+        """The style of the selected lines, or of most."""
+        others = dict(self.work.others)
+        return next((others[n] for n in sorted(self.selected) if n in others), self.work.style)
+
+    @property
+    def styles(self) -> tuple[LineStyle, ...]:
+        """All styles in use."""
+        some = (self.work.style, *(style for _, style in self.work.others))
+        return tuple(dict.fromkeys(style for style in some if style is not None))
+
+    @property
     def drawn(self) -> LineStyle | None:
         """The style that is being drawn, if it is."""
-        style = self.work.style
+        style = self.style
         return style if style is not None and style.name == OWN else None
 
     def elsewhere(self, before: "RestylePage") -> bool:
@@ -56,17 +68,19 @@ def take_icon(document: RestyleDocument, icon: Pictogram) -> None:
     document.change("choose icon", RestylePage(work))
 
 
+def styled(page: RestylePage, style: LineStyle) -> Restyling:
+    """Return the work with a style for the selected lines, or for all."""
+    work = page.work
+    if not page.selected or work.style is None:
+        return replace(work, style=style, others=())
+    others = dict(work.others) | dict.fromkeys(page.selected, style)
+    some = tuple((n, others[n]) for n in sorted(others) if others[n] != work.style)
+    return replace(work, others=some)
+
+
 def set_style(document: RestyleDocument, style: LineStyle) -> None:
     """Choose a style for the selected lines, or for all."""
-    page = document.page
-    if not page.selected or page.work.style is None:
-        document.change(
-            "choose style", replace(page, work=replace(page.work, style=style, others=()))
-        )
-        return
-    others = dict(page.work.others) | dict.fromkeys(page.selected, style)
-    some = tuple(sorted((n, one) for n, one in others.items() if one != page.work.style))
-    document.change("choose style", replace(page, work=replace(page.work, others=some)))
+    _put(document, "choose style", styled(document.page, style))
 
 
 def with_example(page: RestylePage, pair: StylePair) -> LineStyle:
@@ -88,13 +102,18 @@ def with_example(page: RestylePage, pair: StylePair) -> LineStyle:
 
 def add_example(document: RestyleDocument, pair: StylePair) -> None:
     """Draw an example of a style: see ``with_example``."""
-    _change(document, "draw example", style=with_example(document.page, pair))
+    page = document.page
+    _put(document, "draw example", styled(page, with_example(page, pair)))
 
 
 def clear_example(document: RestyleDocument) -> None:
     """Draw the example anew."""
-    if document.page.drawn is not None:
-        _change(document, "clear example", style=None)
+    page, work = document.page, document.page.work
+    drawn = page.drawn
+    if drawn is not None:
+        style = None if work.style == drawn else work.style
+        others = tuple((n, one) for n, one in work.others if style and one != drawn)
+        _put(document, "clear example", replace(work, style=style, others=others))
 
 
 def add_stroke(document: RestyleDocument, points: tuple[Point, ...], width: float) -> None:
@@ -146,7 +165,10 @@ def on_canvas(points: tuple[Point, ...]) -> bool:
 
 
 def _change(document: RestyleDocument, text: str, gesture: object = None, **fields: object) -> None:
-    page = document.page
-    work = replace(page.work, **fields)  # type: ignore[arg-type]  # as their callers say
-    if work != page.work:
-        document.change(text, replace(page, work=work), gesture)
+    work = replace(document.page.work, **fields)  # type: ignore[arg-type]  # as their callers say
+    _put(document, text, work, gesture)
+
+
+def _put(document: RestyleDocument, text: str, work: Restyling, gesture: object = None) -> None:
+    if work != document.page.work:
+        document.change(text, replace(document.page, work=work), gesture)

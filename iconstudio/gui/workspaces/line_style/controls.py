@@ -39,6 +39,7 @@ class PercentSlider(QWidget):
             singleStep=5,
             pageStep=25,
         )
+        self.slider.setMinimumHeight(3 * UNIT)  # else its round handle is cut off
         self.slider.setAccessibleName(title)
         self.setToolTip(tip)
         words = label(title)

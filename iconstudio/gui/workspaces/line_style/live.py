@@ -75,11 +75,11 @@ def read_lines(session: Session, icon: Pictogram) -> Generator[IconLines]:
 SAMPLE = (
     Line(
         ((28.0, 150.0), (128.0, 40.0), (228.0, 150.0)),
-        width=12.0,
+        width=8.0,
     ),
     Line(
         ((56.0, 122.0), (56.0, 226.0), (200.0, 226.0), (200.0, 122.0)),
-        width=12.0,
+        width=8.0,
     ),
 )
 """What samples are drawn of: a house."""

@@ -97,7 +97,7 @@ class RestyleScene(Scene):
 
     def _paint_thin(self, painter: QPainter, theme: Theme) -> None:
         """Draw where the lines go, and the selected ones."""
-        plain = _cosmetic(theme.color("accent", 0.35), 1.0)
+        plain = _cosmetic(theme.color("accent", 0.55), 1.0)
         selected = _cosmetic(theme.color("accent"), 2.0)
         halo = _cosmetic(theme.color("surface", 0.8), 5.0)
         for number, line in enumerate(self.lines):

@@ -1,6 +1,6 @@
 """The styles to choose from, each shown by a sample."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QAction, QPainterPath
@@ -36,11 +36,11 @@ class StylesPanel(QFrame):
     def __init__(self, session: Session, worker: Worker, actions: Iterable[QAction]) -> None:
         super().__init__()
         self._session = session
+        self._begun = False
         self._own: tuple[LineStyle, ...] = ()
         self._drawn: dict[LineStyle, Picture] = {}
         self._styles: dict[int, LineStyle] = {}
         """By the identities of their pictures."""
-        self._used: frozenset[LineStyle] = frozenset()
         self.runner = Runner(worker, self)
         self.runner.event.connect(self._show_sample)
         self.sheet = Sheet(Look(_SIDE, margin=9), _described, "Line styles")
@@ -57,22 +57,25 @@ class StylesPanel(QFrame):
         return (*self._own, *bundled())
 
     def begin(self) -> None:
-        """Draw the samples, which takes a while; once."""
-        self._draw()
-
-    def add(self, style: LineStyle) -> None:
-        """Add a style of the user's own, in front."""
-        if style not in self.styles:
-            self._own = (style, *self._own)
+        """Draw the samples, which takes a while, now that they are in sight."""
+        if not self._begun:
+            self._begun = True
             self._draw()
 
-    def show_used(self, used: frozenset[LineStyle], name: str) -> None:
-        """Tick the styles that are in use; ``name`` is that of most lines."""
-        self._used = used
-        self._name.setText(name)
+    def add(self, style: LineStyle) -> None:
+        """Add a style of the user's own, in front; it takes the place of one of the same name."""
+        if style not in self.styles:
+            self._own = (style, *(one for one in self._own if one.name != style.name))
+            self._draw()
+
+    def show_used(self, used: Sequence[LineStyle]) -> None:
+        """Tick the styles that are in use."""
+        self._name.setText(", ".join(style.name for style in used))
         self.sheet.model().mark(lambda picture: self._styles.get(id(picture)) in used)
 
     def _draw(self) -> None:
+        if not self._begun:
+            return
         self._show()
         missing = tuple(one for one in self.styles if one not in self._drawn)
         if missing:

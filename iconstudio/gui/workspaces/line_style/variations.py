@@ -11,7 +11,7 @@ from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.workspaces.line_style.live import Made
 from iconstudio.model import Restyling
 
-_SIDE = 11 * UNIT
+_SIDE = 10 * UNIT
 
 
 class VariationsPanel(QFrame):
@@ -41,6 +41,9 @@ class VariationsPanel(QFrame):
         self.sheet.doubleClicked.connect(lambda _: self._take_over())
         tip = "Go on with the strength and the seed of the variation (or double-click it)"
         self.button = push_button("Use these settings", tip, self._take_over, role="pill")
+        policy = self.button.sizePolicy()
+        policy.setRetainSizeWhenHidden(True)
+        self.button.setSizePolicy(policy)
         self.button.hide()
         row(
             card(row((label("Variations", "title"), 1), self.button), (self.sheet, 1)),

@@ -1,6 +1,5 @@
 """Line styles by example (*Curve Analogies*): lines take the hand of a few strokes."""
 
-from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
@@ -17,6 +16,7 @@ from iconstudio.gui.jobs.live import LiveRunner
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.theme.layout import column, row, splitter
+from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.line_style.actions import ENTRIES
 from iconstudio.gui.workspaces.line_style.controls import StyleControls
@@ -70,6 +70,7 @@ class LineStyleWorkspace(Workspace):
         self.view = CanvasView(self.scene, self.tools["select"], DESCRIPTION)
         self.detail = DetailPanel(upright=True, invitation=INVITATION)
         self.detail.switch.hide()
+        self.detail.setMinimumHeight(36 * UNIT)
         self.variations = VariationsPanel()
         self.controls = StyleControls(self.document)
         self.example = ExamplePanel()
@@ -89,10 +90,10 @@ class LineStyleWorkspace(Workspace):
         left = splitter(upright, (self.styles, 380, 1), (self.example, 200, 0))
         middle, right = (
             QWidget(),
-            splitter(upright, (self.variations, 300, 1), (self.detail, 300, 1)),
+            splitter(upright, (self.variations, 290, 1), (self.detail, 310, 1)),
         )
         column((self.canvas_panel_of(*bar), 1), self.controls, of=middle)
-        row(splitter(across, (left, 296, 0), (middle, 560, 3), (right, 404, 2)), of=self)
+        row(splitter(across, (left, 352, 0), (middle, 480, 3), (right, 416, 2)), of=self)
 
     def _wire(self) -> None:
         self.follow(self.live, self._show_result)
@@ -144,7 +145,7 @@ class LineStyleWorkspace(Workspace):
     def outcome(self) -> str:
         """Return how many variations there are."""
         count = len(self.variations.sheet.pictures)
-        return f"Live · {count} variations" if count else "Live"
+        return f"{count} variations" if count else ""
 
     def showEvent(self, event: QShowEvent) -> None:
         """Draw the samples of the styles when they are first in sight."""
@@ -169,7 +170,7 @@ class LineStyleWorkspace(Workspace):
             style = edits.with_example(self.page, pair)
         except IconstudioError:
             return  # too short yet
-        self._preview(_with_style(self.page.work, style))
+        self._preview(edits.styled(self.page, style))
 
     def _add_example(self, pair: StylePair) -> None:
         try:
@@ -213,11 +214,10 @@ class LineStyleWorkspace(Workspace):
         """Show what the page says, and have its lines drawn."""
         page = self.page
         self.controls.show_page(page)
-        self.example.show_style(page.work.style)
-        used = [one for _, one in page.work.others]
-        if page.work.style is not None:
-            used.append(page.work.style)
-        self.styles.show_used(frozenset(used), page.work.style.name if page.work.style else "")
+        self.example.show_style(page.style)
+        for style in page.styles:
+            self.styles.add(style)
+        self.styles.show_used(page.styles)
         self._read_lines()
         self._restyle()
 
@@ -254,6 +254,7 @@ class LineStyleWorkspace(Workspace):
         self.variations.clear()
         if self.picture is not None:
             self.look_at(None)
+        self.rest()
 
     # -- files ---------------------------------------------------------------------------------
 
@@ -273,7 +274,7 @@ class LineStyleWorkspace(Workspace):
 
     def save_style(self) -> None:
         """Write the style into a file."""
-        style = self.page.work.style
+        style = self.page.style
         name = "my style" if style.name == OWN else style.name
 
         def write(path: Path) -> None:
@@ -291,7 +292,3 @@ class LineStyleWorkspace(Workspace):
 
     def _choose_style(self, style: LineStyle) -> None:
         edits.set_style(self.document, style)
-
-
-def _with_style(work: Restyling, style: LineStyle) -> Restyling:
-    return replace(work, style=style)
