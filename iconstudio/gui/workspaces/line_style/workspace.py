@@ -58,7 +58,8 @@ class LineStyleWorkspace(Workspace):
         self.varying = LiveRunner(Worker(self), partial(made_variations, self.session), self)
         self.reading = Runner(self.finder, self)
         self.resting = QTimer(self, singleShot=True, interval=REST)
-        self._made: Made | None = None
+        self.made: Made | None = None
+        """The result in sight, of the page or of what is being drawn."""
         self._kept: Picture | None = None
         self._asked: Pictogram | None = None
         """The icon whose lines are being read, or were last."""
@@ -181,7 +182,7 @@ class LineStyleWorkspace(Workspace):
 
     def _show_result(self, event: object) -> None:
         if isinstance(event, Made):
-            self._made = event
+            self.made = event
             self.scene.show_result(event.picture)
             self.look_at(event.picture)
             self.live.release()
@@ -238,7 +239,7 @@ class LineStyleWorkspace(Workspace):
         if not page.complete:
             self.live.cancel()
             self._leave()
-        elif self._made is not None and self._made.work.icon != page.work.icon:
+        elif self.made is not None and self.made.work.icon != page.work.icon:
             self._leave()
         if page.complete and page.work != self.live.ran:
             self.varying.cancel()
@@ -249,7 +250,7 @@ class LineStyleWorkspace(Workspace):
         """Leave the results behind: they are of something else."""
         self.resting.stop()
         self.varying.cancel()
-        self._made = None
+        self.made = None
         self.scene.show_result(None)
         self.variations.clear()
         if self.picture is not None:
