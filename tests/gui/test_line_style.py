@@ -42,8 +42,8 @@ def settled(place, qtbot):
     """Wait until the result of the page as it is now is in sight."""
 
     def done():
-        made = place.made
-        return not place.live.running and made is not None and made.work == place.page.work
+        made = place.restyler.made
+        return not place.restyler.live.running and made is not None and made.work == place.page.work
 
     qtbot.waitUntil(done, timeout=10000)
 

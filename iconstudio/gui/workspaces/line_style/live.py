@@ -5,7 +5,7 @@ from contextlib import closing
 from dataclasses import dataclass
 
 from iconstudio.gui.gallery.pictures import Picture, pictured
-from iconstudio.model import IconstudioError, Line, LineStyle, Pictogram, Restyling
+from iconstudio.model import IconstudioError, Line, LineStyle, Restyling
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.line_style.restyling import RestyleSettings, variations
@@ -57,19 +57,6 @@ def samples(session: Session, styles: Iterable[LineStyle]) -> Generator[Event | 
         except IconstudioError:
             pass  # whoever chooses it is told
         yield Sample(style, picture)
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class IconLines:
-    """The lines of an icon, as they are."""
-
-    icon: Pictogram
-    lines: tuple[Line, ...]
-
-
-def read_lines(session: Session, icon: Pictogram) -> Generator[IconLines]:
-    """Read the lines of an icon."""
-    yield IconLines(icon, session.lines(icon))
 
 
 SAMPLE = (

@@ -7,13 +7,13 @@ from typing import Any
 from iconstudio.gui.exchange.opening import IconOpener, Opened
 from iconstudio.inputs.line_style import read_style, style_of_lines
 from iconstudio.inputs.together import ReadTogether
-from iconstudio.model import LineStyle, Pictogram
+from iconstudio.model import Pictogram
 from iconstudio.workflows.files import read_file
 from iconstudio.workflows.line_style import page as edits
 from iconstudio.workflows.line_style.page import RestylePage
 from iconstudio.workflows.line_style.spec import LINE_STYLE
 
-STYLES = "Line styles (*.json *.svg);;All files (*)"
+STYLES = "Line styles (*.json *.svg)"
 
 
 class RestyleOpener(IconOpener):
@@ -53,8 +53,4 @@ class RestyleOpener(IconOpener):
         else:
             style = style_of_lines(self.session.lines(self.session.icon(str(path))), path.stem)
         words = " ".join([f"Opened the style “{style.name}”.", *remarks])
-        yield Opened(words, lambda there: _choose(there, style))
-
-
-def _choose(document: edits.RestyleDocument, style: LineStyle) -> None:
-    edits.set_style(document, style)
+        yield Opened(words, lambda there: edits.set_style(there, style))

@@ -161,9 +161,10 @@ class ExamplePad(QWidget):
     def _paint_style(self, painter: QPainter, here: QTransform, scheme: theme.Theme) -> None:
         own = self._style.name == OWN
         pairs = self._style.pairs if own else self._style.pairs[:_SHOWN]
-        onto = here if own else _fitting(pairs, QRectF(self.rect()))
+        room = QRectF(0, 0, self.width() / len(pairs), self.height())
         ink = scheme.color("text" if own else "muted")
-        for pair in pairs:
+        for number, pair in enumerate(pairs):
+            onto = here if own else _fitting(pair, room.translated(number * room.width(), 0))
             _paint(painter, onto, pair.plain, scheme.color("accent", 0.6), _THIN, pair.closed)
             _paint(painter, onto, pair.styled, ink, _INK if own else _THIN, pair.closed)
 
@@ -239,10 +240,9 @@ def _paint(
         painter.strokePath(onto.map(outline(Line(points, closed))), pen(color, width))
 
 
-def _fitting(pairs: tuple[StylePair, ...], room: QRectF) -> QTransform:
-    """Return the mapping that shows examples as large as fits."""
-    points = [point for pair in pairs for point in (*pair.styled, *pair.plain)]
-    xs, ys = zip(*points, strict=True)
+def _fitting(pair: StylePair, room: QRectF) -> QTransform:
+    """Return the mapping that shows an example as large as fits."""
+    xs, ys = zip(*pair.styled, *pair.plain, strict=True)
     box = QRectF(QPointF(min(xs), min(ys)), QPointF(max(xs), max(ys)))
     room = room.adjusted(2 * _ROOM, 2 * _ROOM, -2 * _ROOM, -2 * _ROOM)
     scale = min(room.width() / max(box.width(), 1.0), room.height() / max(box.height(), 1.0))

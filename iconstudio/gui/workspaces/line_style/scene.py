@@ -9,8 +9,8 @@ from iconstudio.gui.canvas.camera import Camera
 from iconstudio.gui.canvas.scene import Scene
 from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.theme.theme import Theme
-from iconstudio.gui.workspaces.line_style.live import IconLines
-from iconstudio.model import Line, Pictogram
+from iconstudio.gui.workspaces.line_style.reading import IconLines
+from iconstudio.model import Line
 from iconstudio.workflows.line_style.page import RestyleDocument, RestylePage
 
 _PLAIN, _ALONE = 0.12, 0.45
@@ -41,11 +41,6 @@ class RestyleScene(Scene):
     def empty(self) -> bool:
         """Whether there is no line yet."""
         return not self.page.has_lines
-
-    @property
-    def icon(self) -> Pictogram | None:
-        """The icon whose lines are at hand."""
-        return None if self._icon_lines is None else self._icon_lines.icon
 
     @property
     def lines(self) -> tuple[Line, ...]:

@@ -37,6 +37,7 @@ class StylesPanel(QFrame):
         super().__init__()
         self._session = session
         self._begun = False
+        self._used: tuple[LineStyle, ...] = ()
         self._own: tuple[LineStyle, ...] = ()
         self._drawn: dict[LineStyle, Picture] = {}
         self._styles: dict[int, LineStyle] = {}
@@ -71,7 +72,15 @@ class StylesPanel(QFrame):
     def show_used(self, used: Sequence[LineStyle]) -> None:
         """Tick the styles that are in use."""
         self._name.setText(", ".join(style.name for style in used))
+        changed, self._used = self._used != tuple(used), tuple(used)
         self.sheet.model().mark(lambda picture: self._styles.get(id(picture)) in used)
+        if changed:
+            self._reveal()
+
+    def _reveal(self) -> None:
+        """Scroll to the style of most lines."""
+        if self._used and (picture := self._drawn.get(self._used[0])) is not None:
+            self.sheet.reveal(picture)
 
     def _draw(self) -> None:
         if not self._begun:
@@ -86,11 +95,22 @@ class StylesPanel(QFrame):
         if isinstance(event, Sample):
             self._drawn[event.style] = event.picture or _nothing(event.style)
             self._show()
+            if self._used[:1] == (event.style,):
+                self._reveal()
 
     def _show(self) -> None:
         shown = [(one, self._drawn[one]) for one in self.styles if one in self._drawn]
         self._styles = {id(picture): style for style, picture in shown}
-        self.sheet.show_entries([picture for _, picture in shown])
+        show_in_place(self.sheet, [picture for _, picture in shown])
+
+
+def show_in_place(sheet: Sheet, pictures: Sequence[Picture]) -> None:
+    """Show other pictures on a sheet; it stays scrolled as it is."""
+    bar = sheet.verticalScrollBar()
+    place = bar.value()
+    sheet.show_entries(pictures)
+    sheet.executeDelayedItemsLayout()
+    bar.setValue(place)
 
 
 def _button(action: QAction) -> QToolButton:

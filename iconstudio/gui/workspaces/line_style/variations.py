@@ -9,6 +9,7 @@ from iconstudio.gui.gallery.sheet_delegate import Look
 from iconstudio.gui.theme.layout import card, label, push_button, row
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.workspaces.line_style.live import Made
+from iconstudio.gui.workspaces.line_style.styles import show_in_place
 from iconstudio.model import Restyling
 
 _SIDE = 10 * UNIT
@@ -64,7 +65,7 @@ class VariationsPanel(QFrame):
         if self._chosen not in pictures:
             self._chosen = None
         self.button.setVisible(self._chosen is not None)
-        self.sheet.show_entries(pictures)
+        show_in_place(self.sheet, pictures)
 
     def _choose(self, picture: Picture) -> None:
         self._chosen = picture

@@ -1,9 +1,8 @@
 """Line styles by example (*Curve Analogies*): lines take the hand of a few strokes."""
 
-from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QWidget
 
@@ -12,8 +11,6 @@ from iconstudio.gui.canvas.view import CanvasView
 from iconstudio.gui.gallery.detail import DetailPanel
 from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.gallery.sending import Destination
-from iconstudio.gui.jobs.live import LiveRunner
-from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.theme.layout import column, row, splitter
 from iconstudio.gui.theme.theme import UNIT
@@ -21,28 +18,22 @@ from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.line_style.actions import ENTRIES
 from iconstudio.gui.workspaces.line_style.controls import StyleControls
 from iconstudio.gui.workspaces.line_style.finding import FindDialog
-from iconstudio.gui.workspaces.line_style.live import (
-    IconLines,
-    Made,
-    made,
-    made_variations,
-    read_lines,
-)
+from iconstudio.gui.workspaces.line_style.live import Made
 from iconstudio.gui.workspaces.line_style.opening import STYLES, RestyleOpener
 from iconstudio.gui.workspaces.line_style.pad import ExamplePanel
+from iconstudio.gui.workspaces.line_style.reading import LineReader
+from iconstudio.gui.workspaces.line_style.restyler import Restyler
 from iconstudio.gui.workspaces.line_style.scene import RestyleScene
 from iconstudio.gui.workspaces.line_style.styles import StylesPanel
 from iconstudio.gui.workspaces.line_style.tools import PenTool, SelectTool
 from iconstudio.gui.workspaces.line_style.variations import VariationsPanel
 from iconstudio.inputs.line_style import write_style
-from iconstudio.model import IconstudioError, LineStyle, Pictogram, Restyling, StylePair
+from iconstudio.model import IconstudioError, Pictogram, StylePair
 from iconstudio.workflows.line_style import page as edits
 from iconstudio.workflows.line_style.page import OWN, RestylePage
 
 DESCRIPTION = "Select lines, or draw some, here"
 INVITATION = "The restyled icon appears here, with its credits."
-REST = 400
-"""Milliseconds without a change after which variations are made."""
 
 
 class LineStyleWorkspace(Workspace):
@@ -54,19 +45,13 @@ class LineStyleWorkspace(Workspace):
     def build(self) -> None:
         """Make canvas, panels and runs."""
         self.opener = RestyleOpener(self.session, self.document, self.finder, self)
-        self.live = LiveRunner(self.worker, partial(made, self.session), self)
-        self.varying = LiveRunner(Worker(self), partial(made_variations, self.session), self)
-        self.reading = Runner(self.finder, self)
-        self.resting = QTimer(self, singleShot=True, interval=REST)
-        self.made: Made | None = None
-        """The result in sight, of the page or of what is being drawn."""
+        self.restyler = Restyler(self.session, self.worker, self)
+        self.reader = LineReader(self.session, self.finder, self)
         self._kept: Picture | None = None
-        self._asked: Pictogram | None = None
-        """The icon whose lines are being read, or were last."""
         self.scene = RestyleScene(self.document)
         self.tools = {
             "select": SelectTool(self.document, self.scene),
-            "pen": PenTool(self.document, self.scene, self._preview),
+            "pen": PenTool(self.document, self.scene, self.restyler.preview),
         }
         self.view = CanvasView(self.scene, self.tools["select"], DESCRIPTION)
         self.detail = DetailPanel(upright=True, invitation=INVITATION)
@@ -97,12 +82,17 @@ class LineStyleWorkspace(Workspace):
         row(splitter(across, (left, 352, 0), (middle, 480, 3), (right, 416, 2)), of=self)
 
     def _wire(self) -> None:
-        self.follow(self.live, self._show_result)
-        self.follow(self.varying, self._show_variation)
-        self.follow(self.reading, self._show_lines)
+        restyler = self.restyler
+        for runner in (restyler.live, restyler.varying):
+            self.follow(runner)
+            runner.failed.connect(self.failed)
+        restyler.restyled.connect(self._show_result)
+        restyler.began_varying.connect(self.variations.clear)
+        restyler.varied.connect(self._show_variation)
+        restyler.left.connect(self._leave)
+        self.follow(self.reader, self.scene.show_lines)
         self.follow(self.opener.runner)
-        self.resting.timeout.connect(self._vary)
-        self.styles.chosen.connect(self._choose_style)
+        self.styles.chosen.connect(lambda style: edits.set_style(self.document, style))
         pad = self.example.pad
         pad.drawing.connect(self._preview_example)
         pad.drawn.connect(self._add_example)
@@ -140,8 +130,7 @@ class LineStyleWorkspace(Workspace):
         elif page.work.style is None:
             self.hinted.emit("There is no style yet. Choose one on the left, or draw an example.")
         else:
-            self.live.run(page.work)
-            self.resting.start()
+            self.restyler.run()
 
     def outcome(self) -> str:
         """Return how many variations there are."""
@@ -161,17 +150,12 @@ class LineStyleWorkspace(Workspace):
 
     # -- results -------------------------------------------------------------------------------
 
-    def _preview(self, work: Restyling) -> None:
-        """Show what work would come to that is not on the page yet."""
-        if (work.icon is not None or work.strokes) and work.style is not None:
-            self.live.request(work)
-
     def _preview_example(self, pair: StylePair) -> None:
         try:
             style = edits.with_example(self.page, pair)
         except IconstudioError:
             return  # too short yet
-        self._preview(edits.styled(self.page, style))
+        self.restyler.preview(edits.styled(self.page, style))
 
     def _add_example(self, pair: StylePair) -> None:
         try:
@@ -180,26 +164,15 @@ class LineStyleWorkspace(Workspace):
             self.hinted.emit(str(error))
             self.show_page()
 
-    def _show_result(self, event: object) -> None:
-        if isinstance(event, Made):
-            self.made = event
-            self.scene.show_result(event.picture)
-            self.look_at(event.picture)
-            self.live.release()
-            if not event.picture.icon.path:
-                self.hinted.emit("Nothing is left of it in this style. Make the size smaller.")
+    def _show_result(self, made: Made) -> None:
+        self.scene.show_result(made.picture)
+        self.look_at(made.picture)
+        if not made.picture.icon.path:
+            self.hinted.emit("Nothing is left of it in this style. Make the size smaller.")
 
-    def _vary(self) -> None:
-        work = self.page.work
-        if self.page.complete and self.varying.ran != work:
-            self.variations.clear()
-            self.varying.request(work)
-
-    def _show_variation(self, event: object) -> None:
-        if isinstance(event, Made):
-            self.variations.add(event)
-            self.counted.emit(len(self.variations.sheet.pictures))
-            self.varying.release()
+    def _show_variation(self, made: Made) -> None:
+        self.variations.add(made)
+        self.counted.emit(len(self.variations.sheet.pictures))
 
     def _look_at_variation(self, picture: Picture) -> None:
         self.scene.show_result(picture)
@@ -219,38 +192,11 @@ class LineStyleWorkspace(Workspace):
         for style in page.styles:
             self.styles.add(style)
         self.styles.show_used(page.styles)
-        self._read_lines()
-        self._restyle()
-
-    def _read_lines(self) -> None:
-        icon = self.page.work.icon
-        if icon is None:
-            self.reading.cancel()
-        elif icon not in (self.scene.icon, self._asked):
-            self._asked = icon
-            self.reading.start(lambda: read_lines(self.session, icon))
-
-    def _show_lines(self, event: object) -> None:
-        if isinstance(event, IconLines):
-            self.scene.show_lines(event)
-
-    def _restyle(self) -> None:
-        page = self.page
-        if not page.complete:
-            self.live.cancel()
-            self._leave()
-        elif self.made is not None and self.made.work.icon != page.work.icon:
-            self._leave()
-        if page.complete and page.work != self.live.ran:
-            self.varying.cancel()
-            self.live.request(page.work)
-            self.resting.start()
+        self.reader.request(page.work.icon)
+        self.restyler.request(page)
 
     def _leave(self) -> None:
         """Leave the results behind: they are of something else."""
-        self.resting.stop()
-        self.varying.cancel()
-        self.made = None
         self.scene.show_result(None)
         self.variations.clear()
         if self.picture is not None:
@@ -271,7 +217,7 @@ class LineStyleWorkspace(Workspace):
 
     def choose_style(self) -> None:
         """Ask for a line style."""
-        self.opener.ask("Open a line style", STYLES.split(";;")[0], self.opener.open_style)
+        self.opener.ask("Open a line style", STYLES, self.opener.open_style)
 
     def save_style(self) -> None:
         """Write the style into a file."""
@@ -290,6 +236,3 @@ class LineStyleWorkspace(Workspace):
     def save(self) -> None:
         """Write the work into a file."""
         self.save_work(self.page.work, self.workflow.noun)
-
-    def _choose_style(self, style: LineStyle) -> None:
-        edits.set_style(self.document, style)
