@@ -170,6 +170,20 @@ def style_of(text: str, tell: Callable[[str], None] = lambda sentence: None) -> 
     return _read(json.parsed(text.encode(errors="replace"), path), path, tell)
 
 
+def check_style(style: LineStyle) -> None:
+    """Refuse a style that nothing can be learned from, or that is too much to learn.
+
+    Raises
+    ------
+    IconstudioError
+        If it is so; it says what to do.
+    """
+    file = StyleFile.of(style)
+    for pair in file.pairs:
+        pair.check()
+    file.check()
+
+
 def written(style: LineStyle) -> str:
     """Return the text of a style's file."""
     return json.encoded(StyleFile.of(style)).decode() + "\n"

@@ -22,17 +22,21 @@ from iconstudio.model import (
     Exemplar,
     Frame,
     IconstudioError,
+    Line,
+    LineStyle,
     Mix,
     Montage,
     Pictogram,
     Placement,
     Polygon,
     Remix,
+    Restyling,
     Score,
     Sketch,
     Source,
     SpriteError,
 )
+from iconstudio.model import Path as Outline
 from iconstudio.session import returned
 from iconstudio.svg import credits
 from iconstudio.svg.decode import decode as svg_text
@@ -51,6 +55,12 @@ from iconstudio.workflows.events import (
 )
 from iconstudio.workflows.grid import GridSettings
 from iconstudio.workflows.hybrids.hybrids import check as check_mix
+from iconstudio.workflows.line_style.restyling import (
+    RestyleSettings,
+    icon_of,
+    lines_of,
+    variations,
+)
 from iconstudio.workflows.montage.montage import check as check_montage
 from iconstudio.workflows.workflow import Workflow
 from tests.shapes import outline
@@ -240,6 +250,8 @@ class FakeSession:
                 return self.mix(work)
             case "montage":
                 return self.montage(work)
+            case "restyle":
+                return self.restyle(work, settings)
         return workflow.run(self, work)
 
     def edit(self, edit: Edit, settings: GridSettings) -> Iterator[Event]:
@@ -313,6 +325,26 @@ class FakeSession:
         finally:
             self.generators_closed += 1
 
+    def lines(self, pictogram: Pictogram) -> tuple[Line, ...]:
+        """A square around a short stroke."""
+        self.thread_ids.add(threading.get_ident())
+        square = ((60.0, 60.0), (196.0, 60.0), (196.0, 196.0), (60.0, 196.0))
+        return Line(square, closed=True), Line(((100.0, 128.0), (156.0, 128.0)), width=10.0)
+
+    def restyle(self, work: Restyling, settings: RestyleSettings | None = None) -> Iterator[Event]:
+        """A box for each line, which is larger with the strength, the size and the seed."""
+        self.calls.append(("restyle", work))
+        self.thread_ids.add(threading.get_ident())
+        lines = lines_of(self, work)
+        try:
+            for one in variations(work) if settings else [work]:
+                while self.gate is not None and not self.gate.acquire(timeout=0.02):
+                    yield Progress("remix", 0.5, "Restyling the lines")
+                styles = [one.style_of(number) for number in range(len(lines))]
+                yield Result(icon_of(one, _boxes(lines, styles, one), lines, styles))
+        finally:
+            self.generators_closed += 1
+
     def close(self) -> None:
         self.closed.set()
 
@@ -369,3 +401,13 @@ class FakeSession:
                 yield Result(icon, preview=preview)
                 preview = False
             yield Recommended(style, settings.lambdas[RECOMMENDED])
+
+
+def _boxes(lines: tuple[Line, ...], styles: list[LineStyle | None], work: Restyling) -> Outline:
+    boxes = []
+    for line, style in zip(lines, styles, strict=True):
+        xs, ys = zip(*line.points, strict=True)
+        more = 4 * work.strength + work.size + work.seed % 100 / 50 + len(style.name) / 10
+        left, top, right, bottom = min(xs) - more, min(ys) - more, max(xs) + more, max(ys) + more
+        boxes.append([(left, top), (right, top), (right, bottom), (left, bottom)])
+    return outline(*boxes)

@@ -43,6 +43,10 @@ class Saver(QObject):
         """Save a result as SVG."""
         self._save_icon(picture, "svg", lambda: _svg(picture))
 
+    def save_strokes(self, picture: Picture) -> None:
+        """Save a restyled icon as SVG in which strokes are strokes."""
+        self._save_icon(picture, "svg", lambda: _strokes(picture))
+
     def save_png(self, picture: Picture) -> None:
         """Save a result as PNG."""
         self._save_icon(picture, "png", lambda: _png(picture))
@@ -171,6 +175,14 @@ def _svg(picture: Picture) -> bytes:
     from iconstudio.output.svg import svg_document
 
     return svg_document(picture.icon).encode()
+
+
+def _strokes(picture: Picture) -> bytes:
+    from iconstudio.algorithms.curves.outline import strokes_of
+    from iconstudio.output.svg import document
+
+    icon = picture.icon
+    return document(icon.title, icon.credits, strokes_of(icon.lines)).encode()
 
 
 def _png(picture: Picture) -> bytes:

@@ -134,7 +134,8 @@ class DetailPanel(QFrame):
         empty.setMargin(3 * UNIT)
         full = QWidget()
         margins = UNIT * 3 // 2, UNIT * 3 // 2, UNIT, UNIT * 3 // 2
-        heading, buttons, sources = self._make_heading(), self._make_buttons(), self._make_sources()
+        heading, buttons = self._make_heading(), self._make_buttons()
+        self._sources = sources = self._make_sources()
         if upright:
             heading.addWidget(self.switch)
             parts = heading, (self.large, 2), self._about, buttons, (sources, 1)
@@ -184,6 +185,9 @@ class DetailPanel(QFrame):
             before = self._rows.takeAt(0).widget()
             before.hide()
             before.deleteLater()
+        # Credits without sources may be long, and have the room.
+        self._sources.setVisible(bool(sources) or self._columns > 1)
+        self._about.setWordWrap(not sources)
         for number, source in enumerate(sources):
             self._rows.addWidget(SourceRow(source), *divmod(number, self._columns))
         self._rows.setRowStretch(self._rows.rowCount(), 1)

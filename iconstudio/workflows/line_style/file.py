@@ -17,7 +17,9 @@ FAR = 20.0 * CANVAS
 
 _Length = Annotated[float, Meta(ge=-FAR, le=FAR)]
 _Points = Annotated[tuple[tuple[_Length, _Length], ...], Meta(max_length=MOST_POINTS)]
-Seed = Annotated[int, Meta(ge=0, le=2**53)]
+LARGEST_SEED = 2**53
+"""More would not be the same number everywhere in JSON."""
+Seed = Annotated[int, Meta(ge=0, le=LARGEST_SEED)]
 
 
 class LineFile(StrictRecord, frozen=True):

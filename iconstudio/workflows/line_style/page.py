@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, field, replace
 
+from iconstudio.inputs.line_style import check_style
 from iconstudio.model import CANVAS, Line, LineStyle, Pictogram, Point, Restyling, StylePair
 from iconstudio.workflows.line_style.restyling import LARGEST, SMALLEST, STRONGEST, WEAKEST
 from iconstudio.workflows.pages import Document
@@ -36,9 +37,21 @@ class RestylePage:
         return self.has_lines and self.work.style is not None
 
     @property
+    def style(self) -> LineStyle | None:
+        """The style of the selected lines, or of most."""
+        others = dict(self.work.others)
+        return next((others[n] for n in sorted(self.selected) if n in others), self.work.style)
+
+    @property
+    def styles(self) -> tuple[LineStyle, ...]:
+        """All styles in use."""
+        some = (self.work.style, *(style for _, style in self.work.others))
+        return tuple(dict.fromkeys(style for style in some if style is not None))
+
+    @property
     def drawn(self) -> LineStyle | None:
         """The style that is being drawn, if it is."""
-        style = self.work.style
+        style = self.style
         return style if style is not None and style.name == OWN else None
 
     def elsewhere(self, before: "RestylePage") -> bool:
@@ -55,37 +68,52 @@ def take_icon(document: RestyleDocument, icon: Pictogram) -> None:
     document.change("choose icon", RestylePage(work))
 
 
+def styled(page: RestylePage, style: LineStyle) -> Restyling:
+    """Return the work with a style for the selected lines, or for all."""
+    work = page.work
+    if not page.selected or work.style is None:
+        return replace(work, style=style, others=())
+    others = dict(work.others) | dict.fromkeys(page.selected, style)
+    some = tuple((n, others[n]) for n in sorted(others) if others[n] != work.style)
+    return replace(work, others=some)
+
+
 def set_style(document: RestyleDocument, style: LineStyle) -> None:
     """Choose a style for the selected lines, or for all."""
-    page = document.page
-    if not page.selected or page.work.style is None:
-        document.change(
-            "choose style", replace(page, work=replace(page.work, style=style, others=()))
-        )
-        return
-    others = dict(page.work.others) | dict.fromkeys(page.selected, style)
-    some = tuple(sorted((n, one) for n, one in others.items() if one != page.work.style))
-    document.change("choose style", replace(page, work=replace(page.work, others=some)))
+    _put(document, "choose style", styled(document.page, style))
 
 
-def add_example(document: RestyleDocument, points: tuple[Point, ...], plain: bool) -> None:
-    """Draw an example of a style: a styled stroke, or the plain one that belongs to the last."""
+def with_example(page: RestylePage, pair: StylePair) -> LineStyle:
+    """Return the style that is being drawn with one more example.
+
+    One of the other kind, with a plain stroke or without, begins another style.
+
+    Raises
+    ------
+    IconstudioError
+        If nothing can be learned from it.
+    """
+    drawn = page.drawn
+    kept = () if drawn is None or bool(drawn.pairs[0].plain) != bool(pair.plain) else drawn.pairs
+    style = LineStyle(OWN, (*kept, pair))
+    check_style(style)
+    return style
+
+
+def add_example(document: RestyleDocument, pair: StylePair) -> None:
+    """Draw an example of a style: see ``with_example``."""
     page = document.page
-    pairs = page.drawn.pairs if page.drawn is not None else ()
-    if not plain:
-        pairs = (*pairs, StylePair(points))
-    elif pairs:
-        pairs = (*pairs[:-1], replace(pairs[-1], plain=points))
-    else:
-        return
-    style = replace(page.drawn or LineStyle(OWN, ()), pairs=pairs)
-    _change(document, "draw example", style=style)
+    _put(document, "draw example", styled(page, with_example(page, pair)))
 
 
 def clear_example(document: RestyleDocument) -> None:
     """Draw the example anew."""
-    if document.page.drawn is not None:
-        _change(document, "clear example", style=None)
+    page, work = document.page, document.page.work
+    drawn = page.drawn
+    if drawn is not None:
+        style = None if work.style == drawn else work.style
+        others = tuple((n, one) for n, one in work.others if style and one != drawn)
+        _put(document, "clear example", replace(work, style=style, others=others))
 
 
 def add_stroke(document: RestyleDocument, points: tuple[Point, ...], width: float) -> None:
@@ -105,20 +133,25 @@ def select(document: RestyleDocument, lines: frozenset[int]) -> None:
     document.show(replace(document.page, selected=lines))
 
 
-def set_strength(document: RestyleDocument, strength: float) -> None:
+def set_strength(document: RestyleDocument, strength: float, gesture: object = None) -> None:
     """Set how far lines go from the plain ones."""
     value = min(max(strength, WEAKEST), STRONGEST)
-    _change(document, "change strength", "strength", strength=value)
+    _change(document, "change strength", gesture, strength=value)
 
 
-def set_size(document: RestyleDocument, size: float) -> None:
+def set_size(document: RestyleDocument, size: float, gesture: object = None) -> None:
     """Set how large the texture is."""
-    _change(document, "change size", "size", size=min(max(size, SMALLEST), LARGEST))
+    _change(document, "change size", gesture, size=min(max(size, SMALLEST), LARGEST))
 
 
 def set_seed(document: RestyleDocument, seed: int) -> None:
-    """Set what random choices depend on."""
+    """Set what random choices depend on. Digits typed one after the other are undone together."""
     _change(document, "change seed", "seed", seed=seed)
+
+
+def take_over(document: RestyleDocument, strength: float, seed: int) -> None:
+    """Set strength and seed, as those of a variation."""
+    _change(document, "use variation", strength=strength, seed=seed)
 
 
 def set_turning(document: RestyleDocument, turning: bool | None) -> None:
@@ -132,7 +165,10 @@ def on_canvas(points: tuple[Point, ...]) -> bool:
 
 
 def _change(document: RestyleDocument, text: str, gesture: object = None, **fields: object) -> None:
-    page = document.page
-    work = replace(page.work, **fields)  # type: ignore[arg-type]  # as their callers say
-    if work != page.work:
-        document.change(text, replace(page, work=work), gesture)
+    work = replace(document.page.work, **fields)  # type: ignore[arg-type]  # as their callers say
+    _put(document, text, work, gesture)
+
+
+def _put(document: RestyleDocument, text: str, work: Restyling, gesture: object = None) -> None:
+    if work != document.page.work:
+        document.change(text, replace(document.page, work=work), gesture)

@@ -1,19 +1,7 @@
 """What line styles declare."""
 
-from dataclasses import replace
-
-from iconstudio.model import Pictogram, Restyling
 from iconstudio.workflows.line_style.file import RestyleFile
 from iconstudio.workflows.workflow import Workflow, lazily
-
-
-def _icons(work: Restyling) -> tuple[Pictogram, ...]:
-    return () if work.icon is None else (work.icon,)
-
-
-def _with_icons(work: Restyling, icons: tuple[Pictogram, ...]) -> Restyling:
-    return replace(work, icon=icons[-1] if icons else None, others=())
-
 
 LINE_STYLE = Workflow(
     name="restyle",
@@ -24,7 +12,7 @@ LINE_STYLE = Workflow(
     file=RestyleFile,
     run=lazily("iconstudio.workflows.line_style.restyling:run"),
     command="iconstudio.cli.restyle:command",
-    work=Restyling,
-    icons=_icons,
-    with_icons=_with_icons,
+    examples="restylings",
+    workspace="iconstudio.gui.workspaces.line_style.workspace:LineStyleWorkspace",
+    page_format="iconstudio.workflows.line_style.page_format:RestylePages",
 )

@@ -1,15 +1,14 @@
 """The column where icons are gathered, and the column where hybrids appear."""
 
-import random
-
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QFrame, QLineEdit, QSpinBox, QStackedWidget, QWidget
+from PySide6.QtWidgets import QFrame, QSpinBox, QStackedWidget, QWidget
 
 from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.gallery.sheet import Sheet
 from iconstudio.gui.gallery.sheet_delegate import Look, Mark
 from iconstudio.gui.panels.caption import Caption
 from iconstudio.gui.panels.chooser import IconChooser
+from iconstudio.gui.panels.seed import SeedField
 from iconstudio.gui.panels.symmetry import WORDS, SymmetryButton
 from iconstudio.gui.theme import icons
 from iconstudio.gui.theme.layout import (
@@ -18,7 +17,6 @@ from iconstudio.gui.theme.layout import (
     label,
     push_button,
     row,
-    tool_button,
     with_role,
 )
 from iconstudio.gui.theme.theme import UNIT
@@ -34,49 +32,6 @@ WIDTH = COLUMNS * SIDE + (COLUMNS - 1) * UNIT // 2 + 4 * UNIT + 2
 """Of the column of icons: as many cards as stand in a row."""
 
 _LOOK = Look(12 * UNIT, mark=Mark.STAR, picks=True, fills=True)
-
-
-class SeedField(QWidget):
-    """The number that the random draws depend on, and a dice that throws another.
-
-    Signals
-    -------
-    changed(object)
-        The user wants this seed, a whole number.
-    """
-
-    changed = Signal(object)
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.field = QLineEdit()
-        self.field.setFixedWidth(11 * UNIT)
-        self.field.setMaxLength(len(str(LARGEST_SEED)))
-        self.field.setAccessibleName("Random seed")
-        self.field.setToolTip("Random seed: the same number gives the same hybrids")
-        self.dice = tool_button("dice", "Another random seed", self._throw, side=20)
-        self.dice.setToolTip("Draw other hybrids: another random seed")
-        words = label("Seed")
-        words.setBuddy(self.field)
-        row(words, self.field, self.dice, of=self, spacing=UNIT // 2)
-        self.field.textEdited.connect(self._read)
-
-    def set_seed(self, seed: int) -> None:
-        """Show the seed."""
-        typed = self.field.text()
-        if (int(typed) if typed.isdigit() else None) != seed and (
-            typed or not self.field.hasFocus()
-        ):
-            self.field.setText(str(seed))
-
-    def _throw(self) -> None:
-        self.changed.emit(random.randrange(10_000))
-
-    def _read(self, text: str) -> None:
-        digits = "".join(c for c in text if c in "0123456789")
-        if digits != text:
-            self.field.setText(digits)
-        self.changed.emit(min(int(digits or 0), LARGEST_SEED))
 
 
 class PickRow(QWidget):
@@ -116,7 +71,7 @@ class IconsColumn(QWidget):
         words = "All are nearly symmetric · Hold to symmetry"
         self.offer = push_button(words, role="pill")
         self.offer.setCursor(Qt.CursorShape.PointingHandCursor)
-        self.seed = SeedField()
+        self.seed = SeedField(LARGEST_SEED, "hybrids")
         self.run = push_button("Mix", role="primary")
         self._count = label(role="heading")
         self._hint = Caption()

@@ -1,0 +1,1 @@
+"""Line styles by example in the window (*Curve Analogies*)."""

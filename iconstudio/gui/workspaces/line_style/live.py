@@ -1,0 +1,72 @@
+"""The lines as they are drawn again and again, and the samples of styles."""
+
+from collections.abc import Generator, Iterable
+from contextlib import closing
+from dataclasses import dataclass
+
+from iconstudio.gui.gallery.pictures import Picture, pictured
+from iconstudio.model import IconstudioError, Line, LineStyle, Restyling
+from iconstudio.session import Session
+from iconstudio.workflows.events import Event
+from iconstudio.workflows.line_style.restyling import RestyleSettings, variations
+from iconstudio.workflows.line_style.spec import LINE_STYLE
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Made:
+    """A result, and the work that it is of."""
+
+    picture: Picture
+    work: Restyling
+
+
+def made(session: Session, work: Restyling) -> Generator[Event | Made]:
+    """Run some work, its result as a picture."""
+    with closing(pictured(session.run(LINE_STYLE, work))) as events:
+        for event in events:
+            yield Made(event, work) if isinstance(event, Picture) else event
+
+
+def made_variations(session: Session, work: Restyling) -> Generator[Event | Made]:
+    """Run the variations of some work, which comes first."""
+    settings = RestyleSettings(variations=True)
+    each = iter(variations(work))
+    with closing(pictured(session.run(LINE_STYLE, work, settings))) as events:
+        for event in events:
+            yield Made(event, next(each)) if isinstance(event, Picture) else event
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Sample:
+    """A style, and what it makes of a few lines; None if nothing."""
+
+    style: LineStyle
+    picture: Picture | None
+
+
+def samples(session: Session, styles: Iterable[LineStyle]) -> Generator[Event | Sample]:
+    """Draw a sample of each style."""
+    for style in styles:
+        picture = None
+        try:
+            for one in made(session, Restyling(style, strokes=SAMPLE)):
+                if isinstance(one, Made):
+                    picture = one.picture
+                else:
+                    yield one
+        except IconstudioError:
+            pass  # whoever chooses it is told
+        yield Sample(style, picture)
+
+
+SAMPLE = (
+    Line(
+        ((28.0, 150.0), (128.0, 40.0), (228.0, 150.0)),
+        width=8.0,
+    ),
+    Line(
+        ((56.0, 122.0), (56.0, 226.0), (200.0, 226.0), (200.0, 122.0)),
+        width=8.0,
+    ),
+)
+"""What samples are drawn of: a house."""

@@ -1,0 +1,56 @@
+"""Bring icons, restylings and line styles onto the page."""
+
+from collections.abc import Generator
+from pathlib import Path
+from typing import Any
+
+from iconstudio.gui.exchange.opening import IconOpener, Opened
+from iconstudio.inputs.line_style import read_style, style_of_lines
+from iconstudio.inputs.together import ReadTogether
+from iconstudio.model import Pictogram
+from iconstudio.workflows.files import read_file
+from iconstudio.workflows.line_style import page as edits
+from iconstudio.workflows.line_style.page import RestylePage
+from iconstudio.workflows.line_style.spec import LINE_STYLE
+
+STYLES = "Line styles (*.json *.svg)"
+
+
+class RestyleOpener(IconOpener):
+    """Puts an icon on the page in place of the one that is there, or the work of a file."""
+
+    question = "Open a restyling"
+    kinds = "Restylings"
+    limit = "the lines of one icon are restyled at a time"
+
+    def opening(self, path: Path) -> Generator[Any]:
+        """Yield the work in a file."""
+        work = yield from read_file(path, LINE_STYLE, self.session)
+        if work.icon is not None:
+            self.session.lines(work.icon)  # what has none is told before it is on the page
+        words = f"Opened “{path.stem}”."
+        yield Opened(words, lambda there: there.change("open restyling", RestylePage(work)))
+
+    def drawn(self, pictogram: Pictogram) -> Pictogram:
+        """Return an icon that has lines."""
+        self.session.lines(pictogram)
+        return pictogram
+
+    def put(self, gathered: ReadTogether) -> str:
+        """Restyle an icon's lines."""
+        (icon,) = gathered.found
+        edits.take_icon(self.document, icon)
+        return f"“{icon.credit.title}” is on the canvas."
+
+    def open_style(self, path: str) -> None:
+        """Learn a style from a file: JSON, or the lines of a drawing."""
+        self.replace(lambda: self._opening_style(Path(path)))
+
+    def _opening_style(self, path: Path) -> Generator[Opened]:
+        remarks: list[str] = []
+        if path.suffix.lower() == ".json":
+            style = read_style(path, remarks.append)
+        else:
+            style = style_of_lines(self.session.lines(self.session.icon(str(path))), path.stem)
+        words = " ".join([f"Opened the style “{style.name}”.", *remarks])
+        yield Opened(words, lambda there: edits.set_style(there, style))

@@ -1,0 +1,238 @@
+"""Line styles by example (*Curve Analogies*): lines take the hand of a few strokes."""
+
+from pathlib import Path
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QHideEvent, QShowEvent
+from PySide6.QtWidgets import QWidget
+
+from iconstudio.gui.canvas.start import StartButtons
+from iconstudio.gui.canvas.view import CanvasView
+from iconstudio.gui.gallery.detail import DetailPanel
+from iconstudio.gui.gallery.pictures import Picture
+from iconstudio.gui.gallery.sending import Destination
+from iconstudio.gui.jobs.worker import Worker
+from iconstudio.gui.theme.layout import column, row, splitter
+from iconstudio.gui.theme.theme import UNIT
+from iconstudio.gui.workspaces.base import Workspace
+from iconstudio.gui.workspaces.line_style.actions import ENTRIES
+from iconstudio.gui.workspaces.line_style.controls import StyleControls
+from iconstudio.gui.workspaces.line_style.finding import FindDialog
+from iconstudio.gui.workspaces.line_style.live import Made
+from iconstudio.gui.workspaces.line_style.opening import STYLES, RestyleOpener
+from iconstudio.gui.workspaces.line_style.pad import ExamplePanel
+from iconstudio.gui.workspaces.line_style.reading import LineReader
+from iconstudio.gui.workspaces.line_style.restyler import Restyler
+from iconstudio.gui.workspaces.line_style.scene import RestyleScene
+from iconstudio.gui.workspaces.line_style.styles import StylesPanel
+from iconstudio.gui.workspaces.line_style.tools import PenTool, SelectTool
+from iconstudio.gui.workspaces.line_style.variations import VariationsPanel
+from iconstudio.inputs.line_style import write_style
+from iconstudio.model import IconstudioError, Pictogram, StylePair
+from iconstudio.workflows.line_style import page as edits
+from iconstudio.workflows.line_style.page import OWN, RestylePage
+
+DESCRIPTION = "Select lines, or draw some, here"
+INVITATION = "The restyled icon appears here, with its credits."
+
+
+class LineStyleWorkspace(Workspace):
+    """Styles on the left, the lines on a canvas, variations and the picked result on the right."""
+
+    page_type = RestylePage
+    entries = ENTRIES
+
+    def build(self) -> None:
+        """Make canvas, panels and runs."""
+        self.opener = RestyleOpener(self.session, self.document, self.finder, self)
+        self.restyler = Restyler(self.session, self.worker, self)
+        self.reader = LineReader(self.session, self.finder, self)
+        self._kept: Picture | None = None
+        self.scene = RestyleScene(self.document)
+        self.tools = {
+            "select": SelectTool(self.document, self.scene),
+            "pen": PenTool(self.document, self.scene, self.restyler.preview),
+        }
+        self.view = CanvasView(self.scene, self.tools["select"], DESCRIPTION)
+        self.detail = DetailPanel(upright=True, invitation=INVITATION)
+        self.detail.switch.hide()
+        self.detail.setMinimumHeight(36 * UNIT)
+        self.variations = VariationsPanel()
+        self.controls = StyleControls(self.document)
+        self.example = ExamplePanel()
+        self.make_actions()
+        actions = self.actions_by_name
+        self.styles = StylesPanel(
+            self.session, Worker(self), [actions["style_in"], actions["style_out"]]
+        )
+        self.start_buttons = StartButtons(self.view, actions["find"], self.examples)
+        self._lay_out()
+        self._wire()
+        self.show_page()
+
+    def _lay_out(self) -> None:
+        bar = "undo redo", "find svg_in", "select pen pan", "fit clear"
+        upright, across = Qt.Orientation.Vertical, Qt.Orientation.Horizontal
+        left = splitter(upright, (self.styles, 380, 1), (self.example, 200, 0))
+        middle, right = (
+            QWidget(),
+            splitter(upright, (self.variations, 290, 1), (self.detail, 310, 1)),
+        )
+        column((self.canvas_panel_of(*bar), 1), self.controls, of=middle)
+        row(splitter(across, (left, 352, 0), (middle, 480, 3), (right, 416, 2)), of=self)
+
+    def _wire(self) -> None:
+        restyler = self.restyler
+        for runner in (restyler.live, restyler.varying):
+            self.follow(runner)
+            runner.failed.connect(self.failed)
+        restyler.restyled.connect(self._show_result)
+        restyler.began_varying.connect(self.variations.clear)
+        restyler.varied.connect(self._show_variation)
+        restyler.left.connect(self._leave)
+        self.follow(self.reader, self.scene.show_lines)
+        self.follow(self.opener.runner)
+        self.styles.chosen.connect(lambda style: edits.set_style(self.document, style))
+        pad = self.example.pad
+        pad.drawing.connect(self._preview_example)
+        pad.drawn.connect(self._add_example)
+        pad.given_up.connect(self.show_page)
+        self.example.clear.clicked.connect(lambda: edits.clear_example(self.document))
+        self.variations.chosen.connect(self._look_at_variation)
+        self.variations.wanted.connect(
+            lambda work: edits.take_over(self.document, work.strength, work.seed)
+        )
+        self.variations.sheet.asked.connect(self.offer_for)
+        self.kept.connect(self._note_kept)
+
+    # -- what the window asks for --------------------------------------------------------------
+
+    @property
+    def icons(self) -> tuple[Pictogram, ...]:
+        """The icon whose lines are restyled."""
+        icon = self.page.work.icon
+        return () if icon is None else (icon,)
+
+    def enter(self) -> None:
+        """Begin on the canvas."""
+        self.view.setFocus()
+
+    def set_destinations(self, destinations: tuple[Destination, ...]) -> None:
+        """Say where icons can be sent to."""
+        others = tuple(one for one in destinations if one.title != self.workflow.title)
+        super().set_destinations(others)
+
+    def run(self) -> None:
+        """Draw the lines once more; say what is missing if that cannot be."""
+        page = self.page
+        if not page.has_lines:
+            self.hinted.emit("There are no lines yet. Find an icon, drop one here, or draw some.")
+        elif page.work.style is None:
+            self.hinted.emit("There is no style yet. Choose one on the left, or draw an example.")
+        else:
+            self.restyler.run()
+
+    def outcome(self) -> str:
+        """Return how many variations there are."""
+        count = len(self.variations.sheet.pictures)
+        return f"{count} variations" if count else ""
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Draw the samples of the styles when they are first in sight."""
+        super().showEvent(event)
+        self.styles.begin()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Keep the result in sight when the user goes elsewhere."""
+        super().hideEvent(event)
+        if not event.spontaneous() and self.picture is not None and self.picture is not self._kept:
+            self.kept.emit(self.picture)
+
+    # -- results -------------------------------------------------------------------------------
+
+    def _preview_example(self, pair: StylePair) -> None:
+        try:
+            style = edits.with_example(self.page, pair)
+        except IconstudioError:
+            return  # too short yet
+        self.restyler.preview(edits.styled(self.page, style))
+
+    def _add_example(self, pair: StylePair) -> None:
+        try:
+            edits.add_example(self.document, pair)
+        except IconstudioError as error:
+            self.hinted.emit(str(error))
+            self.show_page()
+
+    def _show_result(self, made: Made) -> None:
+        self.scene.show_result(made.picture)
+        self.look_at(made.picture)
+        if not made.picture.icon.path:
+            self.hinted.emit("Nothing is left of it in this style. Make the size smaller.")
+
+    def _show_variation(self, made: Made) -> None:
+        self.variations.add(made)
+        self.counted.emit(len(self.variations.sheet.pictures))
+
+    def _look_at_variation(self, picture: Picture) -> None:
+        self.scene.show_result(picture)
+        self.look_at(picture)
+        self.kept.emit(picture)
+
+    def _note_kept(self, picture: Picture) -> None:
+        self._kept = picture
+
+    # -- page ----------------------------------------------------------------------------------
+
+    def show_page(self) -> None:
+        """Show what the page says, and have its lines drawn."""
+        page = self.page
+        self.controls.show_page(page)
+        self.example.show_style(page.style)
+        for style in page.styles:
+            self.styles.add(style)
+        self.styles.show_used(page.styles)
+        self.reader.request(page.work.icon)
+        self.restyler.request(page)
+
+    def _leave(self) -> None:
+        """Leave the results behind: they are of something else."""
+        self.scene.show_result(None)
+        self.variations.clear()
+        if self.picture is not None:
+            self.look_at(None)
+        self.rest()
+
+    # -- files ---------------------------------------------------------------------------------
+
+    def find_icon(self) -> None:
+        """Let the user look up an icon."""
+        dialog = FindDialog(self.session, self.finder, self)
+        dialog.chosen.connect(self.opener.take)
+        dialog.open()
+
+    def choose_drawing(self) -> None:
+        """Ask for a drawing to restyle."""
+        self.opener.ask("Open a drawing", "Drawings (*.svg *.svgz *.png)", self.opener.open_drawing)
+
+    def choose_style(self) -> None:
+        """Ask for a line style."""
+        self.opener.ask("Open a line style", STYLES, self.opener.open_style)
+
+    def save_style(self) -> None:
+        """Write the style into a file."""
+        style = self.page.style
+        name = "my style" if style.name == OWN else style.name
+
+        def write(path: Path) -> None:
+            write_style(path, style)
+
+        self.saver.save_work("line style", name, write)
+
+    def save_strokes(self) -> None:
+        """Save the picked result as SVG in which strokes are strokes."""
+        self._keep(self.saver.save_strokes)
+
+    def save(self) -> None:
+        """Write the work into a file."""
+        self.save_work(self.page.work, self.workflow.noun)
