@@ -12,6 +12,8 @@ from numpy.typing import NDArray
 Points = NDArray[np.complex128]
 Numbers = NDArray[np.float64]
 
+_SAME = 1e-9
+"""Points that are no farther apart are one."""
 _MANY = 4
 """A Gaussian is cut off after so many standard deviations."""
 
@@ -38,9 +40,9 @@ class Curve:
         """
         points = np.asarray(points, complex)
         new = np.ones(len(points), bool)
-        new[1:] = points[1:] != points[:-1]
+        new[1:] = abs(np.diff(points)) > _SAME
         points = points[new]
-        if closed and len(points) > 1 and points[-1] == points[0]:
+        if closed and len(points) > 1 and abs(points[-1] - points[0]) <= _SAME:
             points = points[:-1]
         along = _arc(points, closed)
         return cls(points, along[: len(points)], float(along[-1]), closed)

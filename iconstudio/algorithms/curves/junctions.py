@@ -10,6 +10,9 @@ from iconstudio.algorithms.curves.curve import Curve, Numbers, Points
 _NEAR = 0.75
 """In canvas units: ends so near to a line are meant to meet it, however thin the strokes are."""
 
+_SAME = 1e-9
+"""Parameters that differ by less are the same, but for rounding."""
+
 
 def junctions(curves: Sequence[Curve], widths: Sequence[float]) -> list[list[Constraint]]:
     """Return the constraints of each curve: where it ends on another one, and others end on it.
@@ -32,7 +35,8 @@ def junctions(curves: Sequence[Curve], widths: Sequence[float]) -> list[list[Con
                 if meeting is None or abs(meeting[1] - place) > near:
                     continue
                 found[number][end] = place
-                found[other][meeting[0]] = meeting[1]
+                if all(abs(meeting[0] - at) > _SAME for at in found[other]):
+                    found[other][meeting[0]] = meeting[1]
     return [[Constraint(at, place) for at, place in sorted(one.items())] for one in found]
 
 
@@ -57,7 +61,9 @@ def _nearest(
     gaps = abs(starts + part * way - place)
     best = int(gaps.argmin())
     at = float(curve.parameters_at(first[best : best + 1] + part[best] * abs(way[best]))[0])
-    if curve.closed and at >= curve.end:
+    if abs(at - curve.end) < _SAME:
+        at = 0.0 if curve.closed else curve.end
+    elif at < _SAME:
         at = 0.0
     return at, complex(starts[best] + part[best] * way[best])
 

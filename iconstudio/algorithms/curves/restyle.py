@@ -18,6 +18,8 @@ __all__ = ["Prepared", "prepare", "restyled"]
 
 _ROUND = 0.3
 """An open line that encloses so much of what a circle of its length does has an inside."""
+_MEETS = 0.05
+"""Canvas units between the ends of a line that is closed."""
 _SLIM = 1e-6
 """What encloses so little of what a circle of its length does encloses nothing."""
 _DOT = 4.0
@@ -32,7 +34,7 @@ def restyled(lines: Iterable[tuple[Line, Prepared]], seed: int = 0) -> list[Line
     Lines that met still meet, and none cross or touch that did not. Styles with two sides show the
     same one on the outside of whatever is closed, and of its holes within.
     """
-    lines = list(lines)
+    lines = [(_ring(line), prepared) for line, prepared in lines]
     long = [number for number, (line, _) in enumerate(lines) if _length(line) > _DOT]
     made = dict(zip(long, _styled([lines[number] for number in long], seed), strict=True))
     return [made.get(number, line) for number, (line, _) in enumerate(lines)]
@@ -97,6 +99,13 @@ def _line(line: Line, curve: Curve, widths: Numbers) -> Line:
         points=tuple((point.real, point.imag) for point in points.tolist()),
         widths=tuple((line.width * widths).tolist()) if varied else (),
     )
+
+
+def _ring(line: Line) -> Line:
+    """Return a line that ends where it begins as a closed one."""
+    ends = complex(*line.points[0]) - complex(*line.points[-1])
+    meets = abs(ends) < _MEETS and _length(line) > _DOT
+    return replace(line, closed=True) if meets else line
 
 
 def _length(line: Line) -> float:
