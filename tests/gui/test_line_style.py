@@ -6,16 +6,22 @@ import threading
 
 import pytest
 from fake_session import exemplar
-from hands import at, go_to, press, save_to
+from hands import action, at, go_to, press, save_to, threads_alive
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QInputDevice, QPointingDevice, QTabletEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog
 
+from iconstudio.gui.project import questions
+from iconstudio.gui.window.main_window import MainWindow
+from iconstudio.gui.workspaces.line_style import styles
 from iconstudio.inputs.line_style import read_style, write_style
 from iconstudio.inputs.styles import bundled, named
 from iconstudio.model import LineStyle, StylePair
+from iconstudio.session import Session
+from iconstudio.svg.reading import own_svg
 from iconstudio.workflows.line_style.page import OWN
+from iconstudio.workflows.line_style.spec import LINE_STYLE
 
 LEFT = Qt.MouseButton.LeftButton
 NONE, SHIFT = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ShiftModifier
@@ -38,20 +44,20 @@ def restyled(place, qtbot):
     return place
 
 
-def settled(place, qtbot):
+def settled(place, qtbot, timeout=10000):
     """Wait until the result of the page as it is now is in sight."""
 
     def done():
         made = place.restyler.made
         return not place.restyler.live.running and made is not None and made.work == place.page.work
 
-    qtbot.waitUntil(done, timeout=10000)
+    qtbot.waitUntil(done, timeout=timeout)
 
 
-def choose(place, qtbot, name):
+def choose(place, qtbot, name, timeout=10000):
     """Click the sample of a style."""
     sheet = place.styles.sheet
-    qtbot.waitUntil(lambda: len(sheet.pictures) == len(place.styles.styles), timeout=10000)
+    qtbot.waitUntil(lambda: len(sheet.pictures) == len(place.styles.styles), timeout=timeout)
     row = [style.name for style in place.styles.styles].index(name)
     index = sheet.model().index(row, 0)
     sheet.scrollTo(index)
@@ -315,3 +321,60 @@ def test_a_result_goes_elsewhere_and_icons_come_here(window, restyled, qtbot):
     assert "Montage" in titles
     assert "Line style" not in titles
     assert "Restyle its lines" in [one.invitation for one in montage.destinations]
+
+
+def test_the_page_is_kept_in_a_project(window, restyled, qtbot, tmp_path, monkeypatch):
+    drag(restyled.example.pad, WAVE)
+    select(restyled, (128, 131))
+    choose(restyled, qtbot, "Loops")
+    page, path = restyled.page, tmp_path / "mine.iconstudio"
+    monkeypatch.setattr(questions, "ask_where", lambda *_: path)
+    action(window, "save_project").trigger()
+    qtbot.waitUntil(lambda: path.exists() and not window.project.modified)
+    window.project.new()
+    qtbot.waitUntil(lambda: restyled.page.empty)
+    window.project.open(path)
+    qtbot.waitUntil(lambda: restyled.page == page)
+    assert not window.project.modified
+    select(restyled, (10, 10))
+    assert not window.project.modified
+    settled(restyled, qtbot)
+
+
+def test_from_an_empty_start_to_a_saved_icon_with_the_real_session(qtbot, tmp_path, monkeypatch):
+    shown_styles = tuple(map(named, ("Loops", "Waves")))
+    monkeypatch.setattr(styles, "bundled", lambda: shown_styles)
+    session = Session()
+    window = MainWindow(session, (LINE_STYLE,))
+    qtbot.addWidget(window)
+    window.resize(1280, 720)
+    window.show()
+    place = window.workspace
+    place.take(session.icon("lucide:house"))
+    qtbot.waitUntil(lambda: len(place.scene.lines) == 2, timeout=60000)
+    choose(place, qtbot, "Waves", timeout=60000)
+    settled(place, qtbot, timeout=60000)
+    waves = place.picture.icon
+    place.controls.strength.slider.setValue(150)
+    settled(place, qtbot, timeout=60000)
+    stronger = place.picture.icon
+    assert not stronger.looks_like(waves)
+    place.document.undo_stack.undo()
+    settled(place, qtbot, timeout=60000)
+    assert place.picture.icon.looks_like(waves)
+    points = place.scene.lines[0].points
+    select(place, points[len(points) // 2])  # apart from where the lines meet
+    assert place.page.selected == {0}
+    choose(place, qtbot, "Loops")
+    settled(place, qtbot, timeout=60000)
+    assert not place.picture.icon.looks_like(waves)
+    drag(place.example.pad, WAVE)
+    settled(place, qtbot, timeout=60000)
+    assert place.page.drawn is not None
+    path = tmp_path / "icon.svg"
+    save_to(place, monkeypatch, path)
+    place.actions_by_name["svg"].trigger()
+    qtbot.waitUntil(path.exists)
+    assert "lucide:house" in [one.id for one in own_svg(path.read_bytes(), str(path)).origins]
+    window.close()
+    assert not threads_alive(window)

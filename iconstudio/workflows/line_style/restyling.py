@@ -1,6 +1,7 @@
 """Restyling the lines of an icon (*Curve Analogies*, section 4)."""
 
 from collections.abc import Generator, Sequence
+from concurrent.futures import wait
 from dataclasses import dataclass, replace
 
 from iconstudio.model import (
@@ -25,6 +26,8 @@ STRENGTHS = (1.0, 0.6, 1.5)
 """Of variations, over the one that is wanted: a row each."""
 SEEDS = 4
 """Of variations: a column each."""
+_PATIENCE = 0.05
+"""Seconds that pass at most before a run can be stopped."""
 SECONDS, MEMORY = 60.0, 2 << 30
 
 
@@ -61,6 +64,8 @@ def run(
             for one in wanted
         ]  # fmt: skip
         for number, (one, task) in enumerate(zip(wanted, tasks, strict=True), start=1):
+            while not wait([task], _PATIENCE).done:  # where it can be stopped
+                yield Progress("remix", (number - 1) / len(wanted), "Restyling the lines")
             path, drawn = answer(task, "Restyling the lines")
             yield Result(icon_of(one, path, drawn, styles))
             yield Progress("remix", number / len(wanted), "Restyling the lines")

@@ -73,9 +73,13 @@ class StylesPanel(QFrame):
         """Tick the styles that are in use."""
         self._name.setText(", ".join(style.name for style in used))
         changed, self._used = self._used != tuple(used), tuple(used)
-        self.sheet.model().mark(lambda picture: self._styles.get(id(picture)) in used)
+        self._mark()
         if changed:
             self._reveal()
+
+    def _mark(self) -> None:
+        ticked = [self._drawn[one] for one in self._used if one in self._drawn]
+        self.sheet.model().mark(lambda picture: any(picture is one for one in ticked))
 
     def _reveal(self) -> None:
         """Scroll to the style of most lines."""
@@ -101,6 +105,7 @@ class StylesPanel(QFrame):
     def _show(self) -> None:
         shown = [(one, self._drawn[one]) for one in self.styles if one in self._drawn]
         self._styles = {id(picture): style for style, picture in shown}
+        self._mark()
         show_in_place(self.sheet, [picture for _, picture in shown])
 
 

@@ -37,7 +37,6 @@ class VariationsPanel(QFrame):
         look = Look(_SIDE, margin=7)
         hint = "Variations appear here: other strengths, other seeds"
         self.sheet = Sheet(look, self._describe, "Variations", hint, draggable=True)
-        self.sheet.model().mark(lambda picture: picture is self._chosen)
         self.sheet.chosen.connect(self._choose)
         self.sheet.doubleClicked.connect(lambda _: self._take_over())
         tip = "Go on with the strength and the seed of the variation (or double-click it)"
@@ -63,15 +62,17 @@ class VariationsPanel(QFrame):
 
     def _show(self, pictures: list[Picture]) -> None:
         if self._chosen not in pictures:
-            self._chosen = None
-        self.button.setVisible(self._chosen is not None)
+            self._pick(None)
         show_in_place(self.sheet, pictures)
 
     def _choose(self, picture: Picture) -> None:
-        self._chosen = picture
-        self.button.show()
-        self.sheet.viewport().update()
+        self._pick(picture)
         self.chosen.emit(picture)
+
+    def _pick(self, chosen: Picture | None) -> None:
+        self._chosen = chosen
+        self.button.setVisible(chosen is not None)
+        self.sheet.model().mark(lambda picture: picture is chosen)
 
     def _take_over(self) -> None:
         if self._chosen is not None:
