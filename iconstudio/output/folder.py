@@ -19,6 +19,8 @@ from iconstudio.output.svg import svg_document
 _REPORT = "results.json"
 _KINDS = (".svg", ".png", ".npz")
 _MOST_BYTES = 100_000_000
+_SOON = 2.0
+"""Seconds after its report in which a run may have written a file: clocks of disks are coarse."""
 
 
 def check_folder(path: Path) -> None:
@@ -50,15 +52,22 @@ def check_folder(path: Path) -> None:
 class Folder:
     """Writes files, each in one step; it is made with the first of them.
 
+    Parameters
+    ----------
+    kind
+        What fills it: a run removes what an earlier run of its own kind left there, and nothing
+        else, nor what was changed since.
+
     Raises
     ------
     IconstudioError
         On construction and from every method, if the folder cannot be written.
     """
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path, kind: str) -> None:
         check_folder(path)
         self._path = path
+        self._kind = kind
         self._written: set[str] = set()
 
     def write(self, name: str, content: bytes) -> None:
@@ -76,8 +85,8 @@ class Folder:
 
     def write_report(self, report: dict[str, Any]) -> None:
         """Write ``results.json``; what the one before lists, and this one does not, is removed."""
-        self._remove(_listed(self._path / _REPORT) - self._written)
-        report = report | {"files": sorted(self._written)}
+        self._remove(_listed(self._path / _REPORT, self._kind) - self._written)
+        report = report | {"kind": self._kind, "files": sorted(self._written)}
         text = json.dumps(report, indent=1, ensure_ascii=False, allow_nan=False)
         self.write(_REPORT, text.encode())
 
@@ -101,16 +110,28 @@ def _unwritable(path: Path, error: OSError) -> IconstudioError:
     )
 
 
-def _listed(report: Path) -> set[str]:
-    """Return the files beside a report that it lists as written by its run.
+def _listed(report: Path, kind: str) -> set[str]:
+    """Return the files beside a report of some kind that its run wrote, and nobody since.
 
     Reports of version 0.3 and before list them result by result.
     """
     try:
         said = json.loads(read_bytes(report, _MOST_BYTES))
+        if said.get("kind", kind) != kind:
+            return set()
         names = said.get("files") or [
-            result[kind] for result in said["results"] for kind in ("svg", "png", "sources_png")
+            result[form] for result in said["results"] for form in ("svg", "png", "sources_png")
         ]
-        return {name for name in names if Path(name).name == name and name.endswith(_KINDS)}
+        ours = {name for name in names if Path(name).name == name and name.endswith(_KINDS)}
+        latest = report.stat().st_mtime + _SOON
+        return {name for name in ours if _changed(report.parent / name) <= latest}
     except (IconstudioError, ValueError, RecursionError, TypeError, KeyError, AttributeError):
         return set()  # it is no report of ours
+
+
+def _changed(path: Path) -> float:
+    """Return when a file was changed last; what is not there never was."""
+    try:
+        return path.stat().st_mtime
+    except OSError:
+        return 0.0

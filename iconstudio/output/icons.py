@@ -25,7 +25,7 @@ class IconsReport:
     """
 
     def __init__(self, folder: Path, name: str) -> None:
-        self._folder = Folder(folder)
+        self._folder = Folder(folder, name)
         self._name = name
         self._icons: list[Icon] = []
 

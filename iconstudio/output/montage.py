@@ -23,7 +23,7 @@ class MontageReport:
     """
 
     def __init__(self, folder: Path, montage: Montage) -> None:
-        self._folder = Folder(folder)
+        self._folder = Folder(folder, "montage")
         self._montage = montage
         self._remixes: list[Remix] = []
 

@@ -44,7 +44,7 @@ class GridReport:
     def __init__(
         self, folder: Path, request: Request, lambdas: Iterable[float], *, dump: bool = False
     ) -> None:
-        self._folder = Folder(folder)
+        self._folder = Folder(folder, "model" if request.base is None else "edit")
         self._request = request
         self._lambdas = sorted(set(lambdas))
         self._dumping = dump

@@ -37,7 +37,7 @@ def open_file(path: Path, kind: type[F]) -> F:
     if likely is not None and likely.file is not kind:
         wanted = next(one for one in workflows() if one.file is kind)
         raise IconstudioError(
-            f"In “{path.name}”: this is no {wanted.noun}, but looks like a {likely.noun}. "
+            f"In “{path.name}”: this is no {wanted.noun}, but looks like {_one(likely.noun)}. "
             f"Open it in {likely.title}, or with iconstudio {likely.name}."
         )
     return json.converted(data, kind, path)
@@ -93,3 +93,7 @@ def write_file(path: Path, workflow: Workflow[W], work: W, **more: Any) -> None:
     """
     file = workflow.file.of(work, lambda icon: Reference(reference_to(icon, path)))
     json.write(path, replace(file, workflow=workflow.name, **more))
+
+
+def _one(noun: str) -> str:
+    return f"{'an' if noun[0] in 'aeiou' else 'a'} {noun}"

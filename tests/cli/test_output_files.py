@@ -2,6 +2,7 @@
 
 import json
 import os
+import time
 
 import pytest
 from PIL import Image
@@ -78,8 +79,8 @@ def test_names_of_files_break_no_rows(tmp_path, capsys, name):
 # -- a folder that was used before ---------------------------------------------------------------
 
 
-def fill(path, *names):
-    folder = Folder(path)
+def fill(path, *names, kind="hybrids"):
+    folder = Folder(path, kind)
     for name in names:
         folder.write(name, b"new")
     folder.write_report({"results": []})
@@ -96,6 +97,20 @@ def test_a_second_run_removes_what_the_first_one_listed_and_nothing_else(tmp_pat
     assert there(tmp_path) == {"hybrid-01.svg", "hybrid-03.svg", "sheet.png", "results.json"}
     fill(tmp_path)
     assert there(tmp_path) == {"hybrid-03.svg", "results.json"}
+
+
+def test_another_workflow_leaves_what_is_there(tmp_path):
+    fill(tmp_path, "hybrid-01.svg", "sheet.png")
+    fill(tmp_path, "montage.svg", kind="montage")
+    assert there(tmp_path) == {"hybrid-01.svg", "sheet.png", "montage.svg", "results.json"}
+
+
+def test_what_was_changed_since_stays(tmp_path):
+    fill(tmp_path, "hybrid-01.svg", "hybrid-02.svg")
+    later = time.time() + 60
+    os.utime(tmp_path / "hybrid-02.svg", (later, later))
+    fill(tmp_path, "hybrid-03.svg")
+    assert there(tmp_path) == {"hybrid-02.svg", "hybrid-03.svg", "results.json"}
 
 
 def test_reports_of_earlier_versions_list_their_results(tmp_path):

@@ -114,6 +114,7 @@ class Picture:
     ) -> None:
         """Draw into the square ``target``; what has no colour code, as an icon."""
         painter.save()
+        painter.setClipRect(target)  # an icon may reach out of its canvas
         painter.setRenderHints(
             QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform
         )

@@ -196,7 +196,10 @@ class RemixWorkspace(Workspace, LiveSource):
     def outcome(self) -> str:
         """Return whether results follow, and how many there are of the page as it is now."""
         count = 0 if self.runner.stale else self.browser.results.finished
-        parts = "Live" if self.runner.live else "", f"{count} icons" if count else ""
+        parts = (
+            "Live" if self.runner.live else "",
+            f"{count} icon{'s' * (count > 1)}" if count else "",
+        )
         return " · ".join(part for part in parts if part)
 
     def _renew(self) -> None:
@@ -205,7 +208,7 @@ class RemixWorkspace(Workspace, LiveSource):
             self.browser.clear()
         self.runner.renew()
         runner = self.runner
-        self.browser.results.set_stale(runner.live and runner.stale and not runner.running)
+        self.browser.results.set_stale(runner.stale and not runner.running)
         self.rest()
 
     def _begin_run(self, settings: GridSettings, afresh: bool) -> None:

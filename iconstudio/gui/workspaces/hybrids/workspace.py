@@ -116,7 +116,7 @@ class HybridsWorkspace(Workspace):
         """Return how many hybrids are in sight, and how many there are."""
         count, total = (len(some) for some in (self.sections.in_sight, self.sections.pictures))
         others = f" · {total} with the others" if total > count else ""
-        return f"{count} hybrids{others}" if count else ""
+        return f"{count} hybrid{'s' * (count > 1)}{others}" if count else ""
 
     # -- looking at results --------------------------------------------------------------------
 
