@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QApplication, QFileDialog
 
 from iconstudio.gui.project import questions
 from iconstudio.gui.window.main_window import MainWindow
-from iconstudio.gui.workspaces.line_style import styles
+from iconstudio.gui.workspaces.line_style import own_styles, styles
 from iconstudio.inputs.line_style import read_style, write_style
 from iconstudio.inputs.styles import bundled, named
 from iconstudio.model import LineStyle, StylePair
@@ -188,7 +188,12 @@ def test_the_picture_follows_while_an_example_is_drawn(restyled, qtbot, session)
 def test_an_example_may_be_a_plain_stroke_and_a_styled_one(restyled):
     restyled.example.both.click()
     pad = restyled.example.pad
-    drag(pad, [QPoint(20, 50), QPoint(120, 50), QPoint(220, 50)])
+    straight = [QPoint(20, 50), QPoint(120, 50), QPoint(220, 50)]
+    drag(pad, straight)
+    assert pad.plain
+    restyled.example.clear.click()
+    assert not pad.plain
+    drag(pad, straight)
     assert restyled.page.work.style == named("Ink")
     drag(pad, WAVE)
     (pair,) = restyled.page.work.style.pairs
@@ -286,6 +291,8 @@ def test_styles_are_saved_and_opened(restyled, qtbot, monkeypatch, tmp_path):
     qtbot.waitUntil(lambda: restyled.page.work.style == other)
     settled(restyled, qtbot)
     assert other in restyled.styles.styles
+    found = {style.name for style in own_styles.known_styles()}
+    assert found == {"mine", "Hers"}
 
 
 def test_icons_are_saved_with_strokes_and_credits(restyled, qtbot, monkeypatch, tmp_path):
