@@ -251,6 +251,14 @@ def test_lines_can_be_drawn_and_removed(restyled, qtbot):
     assert len(restyled.page.work.strokes) == 1
     settled(restyled, qtbot)
     assert len(restyled.scene.lines) == 3
+    restyled.actions_by_name["select"].trigger()
+    press(restyled, Qt.Key.Key_A, Qt.KeyboardModifier.ControlModifier)
+    assert restyled.page.selected == {0, 1, 2}
+    press(restyled, Qt.Key.Key_Delete)
+    assert len(restyled.scene.lines) == 2
+    assert restyled.page.work.icon == RING
+    restyled.document.undo_stack.undo()
+    assert len(restyled.scene.lines) == 3
     restyled.actions_by_name["clear"].trigger()
     assert restyled.scene.empty
     assert restyled.picture is None
