@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QApplication, QFileDialog
 
 from iconstudio.gui.project import questions
 from iconstudio.gui.window.main_window import MainWindow
-from iconstudio.gui.workspaces.line_style import styles
+from iconstudio.gui.workspaces.line_style import own_styles, styles
 from iconstudio.inputs.line_style import read_style, write_style
 from iconstudio.inputs.styles import bundled, named
 from iconstudio.model import LineStyle, StylePair
@@ -188,7 +188,12 @@ def test_the_picture_follows_while_an_example_is_drawn(restyled, qtbot, session)
 def test_an_example_may_be_a_plain_stroke_and_a_styled_one(restyled):
     restyled.example.both.click()
     pad = restyled.example.pad
-    drag(pad, [QPoint(20, 50), QPoint(120, 50), QPoint(220, 50)])
+    straight = [QPoint(20, 50), QPoint(120, 50), QPoint(220, 50)]
+    drag(pad, straight)
+    assert pad.plain
+    restyled.example.clear.click()
+    assert not pad.plain
+    drag(pad, straight)
     assert restyled.page.work.style == named("Ink")
     drag(pad, WAVE)
     (pair,) = restyled.page.work.style.pairs
@@ -246,6 +251,14 @@ def test_lines_can_be_drawn_and_removed(restyled, qtbot):
     assert len(restyled.page.work.strokes) == 1
     settled(restyled, qtbot)
     assert len(restyled.scene.lines) == 3
+    restyled.actions_by_name["select"].trigger()
+    press(restyled, Qt.Key.Key_A, Qt.KeyboardModifier.ControlModifier)
+    assert restyled.page.selected == {0, 1, 2}
+    press(restyled, Qt.Key.Key_Delete)
+    assert len(restyled.scene.lines) == 2
+    assert restyled.page.work.icon == RING
+    restyled.document.undo_stack.undo()
+    assert len(restyled.scene.lines) == 3
     restyled.actions_by_name["clear"].trigger()
     assert restyled.scene.empty
     assert restyled.picture is None
@@ -286,6 +299,8 @@ def test_styles_are_saved_and_opened(restyled, qtbot, monkeypatch, tmp_path):
     qtbot.waitUntil(lambda: restyled.page.work.style == other)
     settled(restyled, qtbot)
     assert other in restyled.styles.styles
+    found = {style.name for style in own_styles.known_styles()}
+    assert found == {"mine", "Hers"}
 
 
 def test_icons_are_saved_with_strokes_and_credits(restyled, qtbot, monkeypatch, tmp_path):

@@ -122,6 +122,24 @@ def add_stroke(document: RestyleDocument, points: tuple[Point, ...], width: floa
     _change(document, "draw line", strokes=strokes)
 
 
+def remove_strokes(document: RestyleDocument, first: int) -> None:
+    """Remove those selected lines that were drawn; ``first`` is the number of the first of these.
+
+    Lines of the icon stay.
+    """
+    page, work = document.page, document.page.work
+    removed = {number for number in page.selected if number >= first}
+    if not removed:
+        return
+    count = first + len(work.strokes)
+    kept = [number for number in range(count) if number not in removed]
+    numbers = {number: place for place, number in enumerate(kept)}
+    strokes = tuple(work.strokes[number - first] for number in kept if number >= first)
+    others = tuple((numbers[n], style) for n, style in work.others if n in numbers)
+    work = replace(work, strokes=strokes, others=others)
+    document.change("remove lines", RestylePage(work))
+
+
 def clear_lines(document: RestyleDocument) -> None:
     """Remove all lines, and the icon."""
     work = replace(document.page.work, icon=None, strokes=(), others=())

@@ -9,6 +9,10 @@ def _has_lines(place) -> bool:
     return place.page.has_lines
 
 
+def _has_drawn(place) -> bool:
+    return any(number >= place.scene.first_stroke for number in place.page.selected)
+
+
 def _has_style(place) -> bool:
     return place.page.work.style is not None
 
@@ -31,6 +35,9 @@ ENTRIES = (
           do="save_strokes", menu="&File", enabled=_has_strokes),
     Entry("paste", "P&aste drawing", "Restyle the drawing on the clipboard", Key.Paste,
           do="opener.paste"),
+    Entry("delete", "&Delete drawn lines", "Remove the selected lines that you drew", "Backspace",
+          enabled=_has_drawn,
+          do=lambda place: edits.remove_strokes(place.document, place.scene.first_stroke)),
     Entry("clear", "&Remove all lines", "Remove all lines", "Ctrl+Backspace", "clear",
           do=lambda place: edits.clear_lines(place.document), enabled=_has_lines),
     Entry("run", "Restyle a&new", "Draw the lines, and the variations, once more", "Ctrl+Return"),

@@ -5,13 +5,14 @@ from pathlib import Path
 from typing import Any
 
 from iconstudio.gui.exchange.opening import IconOpener, Opened
+from iconstudio.gui.workspaces.line_style import own_styles
 from iconstudio.inputs.line_style import read_style, style_of_lines
 from iconstudio.inputs.together import ReadTogether
 from iconstudio.model import Pictogram
-from iconstudio.workflows.files import read_file
+from iconstudio.workflows.files import open_file
 from iconstudio.workflows.line_style import page as edits
+from iconstudio.workflows.line_style.file import RestyleFile
 from iconstudio.workflows.line_style.page import RestylePage
-from iconstudio.workflows.line_style.spec import LINE_STYLE
 
 STYLES = "Line styles (*.json *.svg)"
 
@@ -25,10 +26,11 @@ class RestyleOpener(IconOpener):
 
     def opening(self, path: Path) -> Generator[Any]:
         """Yield the work in a file."""
-        work = yield from read_file(path, LINE_STYLE, self.session)
+        file = open_file(path, RestyleFile)
+        work = yield from file.resolving(self.session)
         if work.icon is not None:
             self.session.lines(work.icon)  # what has none is told before it is on the page
-        words = f"Opened “{path.stem}”."
+        words = f"Opened “{file.title or path.stem}”."
         yield Opened(words, lambda there: there.change("open restyling", RestylePage(work)))
 
     def drawn(self, pictogram: Pictogram) -> Pictogram:
@@ -48,9 +50,12 @@ class RestyleOpener(IconOpener):
 
     def _opening_style(self, path: Path) -> Generator[Opened]:
         remarks: list[str] = []
-        if path.suffix.lower() == ".json":
+        written = path.suffix.lower() == ".json"
+        if written:
             style = read_style(path, remarks.append)
         else:
             style = style_of_lines(self.session.lines(self.session.icon(str(path))), path.stem)
         words = " ".join([f"Opened the style “{style.name}”.", *remarks])
         yield Opened(words, lambda there: edits.set_style(there, style))
+        if written:
+            own_styles.note(path)

@@ -36,11 +36,14 @@ class ExamplePad(QWidget):
         An example as it is so far, and once it is finished.
     given_up()
         The example that was being drawn is none.
+    waiting(bool)
+        Whether a plain stroke waits for its styled one.
     """
 
     drawing = Signal(object)
     drawn = Signal(object)
     given_up = Signal()
+    waiting = Signal(bool)
 
     def __init__(self) -> None:
         super().__init__()
@@ -66,9 +69,10 @@ class ExamplePad(QWidget):
         self.pairs = pairs
         self.forget()
 
-    def forget(self) -> None:
-        """Give up what is not finished."""
-        self.plain, self._points, self._widths = (), [], []
+    def forget(self, plain: tuple[Point, ...] = ()) -> None:
+        """Give up what is not finished, but for a ``plain`` stroke."""
+        self.plain, self._points, self._widths = plain, [], []
+        self.waiting.emit(bool(plain))
         self.update()
 
     # -- pointer -------------------------------------------------------------------------------
@@ -112,15 +116,15 @@ class ExamplePad(QWidget):
         points, pair = tuple(self._points), self._pair()
         if not points:
             return
+        stroke = len(set(points)) > 2
         if self._draws_plain:
+            self.forget(points if stroke else ())
+        elif stroke:
             self.forget()
-            self.plain = points if len(set(points)) > 2 else ()
+            self.drawn.emit(pair)
         else:
-            plain = self.plain
-            self.forget()
-            self.plain = plain if len(set(points)) < 3 else ()
-            (self.drawn.emit(pair) if len(set(points)) > 2 else self.given_up.emit())
-        self.update()
+            self.forget(self.plain)
+            self.given_up.emit()
 
     @property
     def _draws_plain(self) -> bool:
@@ -190,12 +194,21 @@ class ExamplePad(QWidget):
 
 
 class ExamplePanel(QFrame):
-    """The pad, a switch between its two ways, and a button to begin anew."""
+    """The pad, a switch between its two ways, and a button to begin anew.
+
+    Signals
+    -------
+    cleared()
+        The example is to be drawn anew.
+    """
+
+    cleared = Signal()
 
     def __init__(self) -> None:
         super().__init__()
         self.pad = ExamplePad()
-        self.clear = tool_button("clear", "Clear the example")
+        self.clear = tool_button("clear", "Clear the example", self._clear)
+        self._own = False
         self.alone, self.both = _segment("Style"), _segment("Plain, style")
         self.alone.setToolTip("Draw strokes in the style: lines follow their hand")
         self.both.setToolTip(
@@ -205,6 +218,7 @@ class ExamplePanel(QFrame):
         self.switch = QFrame()
         segments(self.switch, self.alone, self.both)
         self.alone.setChecked(True)
+        self.pad.waiting.connect(self._enable)
         self.alone.clicked.connect(lambda: self._set_pairs(False))
         self.both.clicked.connect(lambda: self._set_pairs(True))
         top = row((label("Draw an example", "heading"), 1), self.switch, self.clear)
@@ -214,7 +228,18 @@ class ExamplePanel(QFrame):
     def show_style(self, style: LineStyle | None) -> None:
         """Show the examples of the style in use."""
         self.pad.show_style(style)
-        self.clear.setEnabled(style is not None and style.name == OWN)
+        self._own = style is not None and style.name == OWN
+        self._enable(bool(self.pad.plain))
+
+    def _enable(self, waiting: bool) -> None:
+        self.clear.setEnabled(self._own or waiting)
+
+    def _clear(self) -> None:
+        """Clear the plain stroke that waits; else the whole example."""
+        waiting = bool(self.pad.plain)
+        self.pad.forget()
+        if not waiting:
+            self.cleared.emit()
 
     def _set_pairs(self, pairs: bool) -> None:
         self.alone.setChecked(not pairs)

@@ -52,6 +52,11 @@ class RestyleScene(Scene):
             return ()
         return (*self._icon_lines.lines, *work.strokes)
 
+    @property
+    def first_stroke(self) -> int:
+        """The number of the first line that was drawn."""
+        return len(self.lines) - len(self.page.work.strokes)
+
     def show_lines(self, lines: IconLines) -> None:
         """Show the lines of an icon."""
         self._icon_lines = lines

@@ -15,6 +15,7 @@ from iconstudio.gui.panels.elided import ElidedLabel
 from iconstudio.gui.theme.layout import card, label, row
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.workspaces.line_style.live import Sample, samples
+from iconstudio.gui.workspaces.line_style.own_styles import known_styles
 from iconstudio.inputs.styles import bundled
 from iconstudio.model import Icon, LineStyle, Path
 from iconstudio.session import Session
@@ -44,6 +45,8 @@ class StylesPanel(QFrame):
         """By the identities of their pictures."""
         self.runner = Runner(worker, self)
         self.runner.event.connect(self._show_sample)
+        self._reading = Runner(worker, self)
+        self._reading.event.connect(self.add)
         self.sheet = Sheet(Look(_SIDE, margin=9), _described, "Line styles")
         self.sheet.chosen.connect(lambda picture: self.chosen.emit(self._styles[id(picture)]))
         self._name = ElidedLabel("")
@@ -61,6 +64,7 @@ class StylesPanel(QFrame):
         """Draw the samples, which takes a while, now that they are in sight."""
         if not self._begun:
             self._begun = True
+            self._reading.start(known_styles)
             self._draw()
 
     def add(self, style: LineStyle) -> None:
@@ -103,10 +107,10 @@ class StylesPanel(QFrame):
                 self._reveal()
 
     def _show(self) -> None:
-        shown = [(one, self._drawn[one]) for one in self.styles if one in self._drawn]
-        self._styles = {id(picture): style for style, picture in shown}
+        self._drawn = {one: self._drawn[one] for one in self.styles if one in self._drawn}
+        self._styles = {id(picture): style for style, picture in self._drawn.items()}
         self._mark()
-        show_in_place(self.sheet, [picture for _, picture in shown])
+        show_in_place(self.sheet, tuple(self._drawn.values()))
 
 
 def show_in_place(sheet: Sheet, pictures: Sequence[Picture]) -> None:

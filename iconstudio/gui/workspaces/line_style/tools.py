@@ -70,10 +70,13 @@ class SelectTool(Tool):
         edits.select(self._document, page.selected ^ hit if more else hit)
 
     def key(self, event: QKeyEvent) -> bool:
-        """Select all with Ctrl+A."""
+        """Select all with Ctrl+A; remove drawn lines with Delete."""
         control = bool(event.modifiers() & Qt.KeyboardModifier.ControlModifier)
         if event.key() == Qt.Key.Key_A and control:
             edits.select(self._document, frozenset(range(len(self._scene.lines))))
+            return True
+        if event.key() == Qt.Key.Key_Delete:
+            edits.remove_strokes(self._document, self._scene.first_stroke)
             return True
         return False
 

@@ -1,5 +1,6 @@
 """Line styles by example (*Curve Analogies*): lines take the hand of a few strokes."""
 
+from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import Qt
@@ -15,6 +16,7 @@ from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.theme.layout import column, row, splitter
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.workspaces.base import Workspace
+from iconstudio.gui.workspaces.line_style import own_styles
 from iconstudio.gui.workspaces.line_style.actions import ENTRIES
 from iconstudio.gui.workspaces.line_style.controls import StyleControls
 from iconstudio.gui.workspaces.line_style.finding import FindDialog
@@ -97,7 +99,7 @@ class LineStyleWorkspace(Workspace):
         pad.drawing.connect(self._preview_example)
         pad.drawn.connect(self._add_example)
         pad.given_up.connect(self.show_page)
-        self.example.clear.clicked.connect(lambda: edits.clear_example(self.document))
+        self.example.cleared.connect(lambda: edits.clear_example(self.document))
         self.variations.chosen.connect(self._look_at_variation)
         self.variations.wanted.connect(
             lambda work: edits.take_over(self.document, work.strength, work.seed)
@@ -222,12 +224,12 @@ class LineStyleWorkspace(Workspace):
     def save_style(self) -> None:
         """Write the style into a file."""
         style = self.page.style
-        name = "my style" if style.name == OWN else style.name
 
         def write(path: Path) -> None:
-            write_style(path, style)
+            write_style(path, replace(style, name=path.stem) if style.name == OWN else style)
+            own_styles.note(path)
 
-        self.saver.save_work("line style", name, write)
+        self.saver.save_work("line style", style.name, write)
 
     def save_strokes(self) -> None:
         """Save the picked result as SVG in which strokes are strokes."""
