@@ -7,49 +7,52 @@ from numpy.typing import NDArray
 
 from iconstudio.model import Line, Point
 
-_STEP = 2.0
-"""Canvas units between the points of a line that a box may hold."""
+_Numbers = NDArray[np.float64]
 
 
 def line_at(lines: Sequence[Line], point: Point, reach: float) -> int | None:
     """Return the number of the nearest line within ``reach`` canvas units of a point, or none.
 
-    A stroke reaches as far as its ink.
+    A stroke reaches as far as its ink; of several inks at the point, the nearest centre counts.
     """
-    gaps = [max(0.0, _distance(line, point) - line.width / 2) for line in lines]
-    if not gaps or min(gaps) > reach:
+    if not lines:
         return None
-    return min(range(len(gaps)), key=lambda n: (gaps[n], _distance(lines[n], point)))
+    starts, ways, owners = _segments(lines)
+    lengths = np.maximum((ways**2).sum(axis=1), 1e-12)
+    along = np.clip(((point - starts) * ways).sum(axis=1) / lengths, 0, 1)
+    distances = np.hypot(*(starts + along[:, None] * ways - point).T)
+    nearest = np.full(len(lines), np.inf)
+    np.minimum.at(nearest, owners, distances)
+    gaps = np.maximum(nearest - [line.width / 2 for line in lines], 0)
+    best = int(np.lexsort((nearest, gaps))[0])
+    return best if gaps[best] <= reach else None
 
 
 def lines_in(lines: Sequence[Line], one: Point, other: Point) -> frozenset[int]:
-    """Return the numbers of the lines that have a part in the box between two points."""
+    """Return the numbers of the lines that have a part in the box between two points.
+
+    Segments are clipped by the box (Liang and Barsky).
+    """
+    if not lines:
+        return frozenset()
+    starts, ways, owners = _segments(lines)
     low, high = np.minimum(one, other), np.maximum(one, other)
-    return frozenset(
-        number
-        for number, line in enumerate(lines)
-        if ((_dense(line) >= low) & (_dense(line) <= high)).all(axis=1).any()
-    )
+    level = np.abs(ways) < 1e-12
+    within = (starts >= low) & (starts <= high)
+    safe = np.where(level, 1.0, ways)
+    ends = np.sort(np.stack([(low - starts) / safe, (high - starts) / safe]), axis=0)
+    enter = np.where(level, np.where(within, -np.inf, np.inf), ends[0]).max(axis=1)
+    leave = np.where(level, np.where(within, np.inf, -np.inf), ends[1]).min(axis=1)
+    hit = np.maximum(enter, 0) <= np.minimum(leave, 1)
+    return frozenset(np.unique(owners[hit]).tolist())
 
 
-def _segments(line: Line) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return where the segments of a line begin, (n, 2), and how they go on from there."""
-    points = np.array((*line.points, line.points[0]) if line.closed else line.points, dtype=float)
-    return points[:-1], np.diff(points, axis=0)
-
-
-def _distance(line: Line, point: Point) -> float:
-    starts, ways = _segments(line)
-    lengths = np.maximum((ways**2).sum(axis=1), 1e-12)
-    along = np.clip(((point - starts) * ways).sum(axis=1) / lengths, 0, 1)
-    gaps: NDArray[np.float64] = np.hypot(*(starts + along[:, None] * ways - point).T)
-    return float(gaps.min(initial=np.inf))
-
-
-def _dense(line: Line) -> NDArray[np.float64]:
-    starts, ways = _segments(line)
-    counts = np.ceil(np.hypot(*ways.T) / _STEP).astype(int) + 1
-    each = np.repeat(np.arange(len(starts)), counts)
-    along = np.concatenate([np.linspace(0, 1, count) for count in counts])
-    dense: NDArray[np.float64] = starts[each] + along[:, None] * ways[each]
-    return dense
+def _segments(lines: Sequence[Line]) -> tuple[_Numbers, _Numbers, NDArray[np.intp]]:
+    """Return where all segments begin, (n, 2), how they go on, and whose they are."""
+    starts, ways, owners = [], [], []
+    for number, line in enumerate(lines):
+        points = np.array((*line.points, line.points[0]) if line.closed else line.points, float)
+        starts.append(points[:-1])
+        ways.append(np.diff(points, axis=0))
+        owners.append(np.full(len(points) - 1, number))
+    return np.concatenate(starts), np.concatenate(ways), np.concatenate(owners)
