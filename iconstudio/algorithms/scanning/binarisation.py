@@ -12,9 +12,10 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.scanning.checkerboard import without_checkerboard
 from iconstudio.algorithms.scanning.flat import flat_drawing
 from iconstudio.algorithms.scanning.free import LARGE, free_drawing
-from iconstudio.algorithms.scanning.margin import with_margin
+from iconstudio.algorithms.scanning.margin import with_margin, without_half_lines
 from iconstudio.algorithms.scanning.paper import lighting, page, trend
 from iconstudio.algorithms.scanning.resampling import COARSE, reconstructed, resized, shrunk
 from iconstudio.algorithms.tones.tone import Inked, pictogram
@@ -136,6 +137,7 @@ def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
 
     These tell only if nobody says whether it is lighter than its ground.
     """
+    pixels = without_checkerboard(without_half_lines(pixels))
     if not inverted:
         pixels = with_margin(pixels)
     drawing = _coloured_drawing(pixels) if inverted is None else None

@@ -12,8 +12,9 @@ import scipy
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.scanning.free import FILLED, has_colours, on_square, scaled
+from iconstudio.algorithms.scanning.ground import AROUND, ASTRAY, CLEAR, ground_of
 from iconstudio.algorithms.scanning.margin import PAPER
-from iconstudio.algorithms.scanning.palette import CLEAR, Palette, is_in_one_colour, palette_of
+from iconstudio.algorithms.scanning.palette import Palette, is_in_one_colour, palette_of
 from iconstudio.algorithms.scanning.resampling import (
     premultiplied,
     reconstructed,
@@ -31,24 +32,20 @@ _TINY = 64
 _MISSED, _LOSSY = 0.04, 0.15
 """Part of the drawing that may be of other colours than those of the palette and their blends; in
 lossy files, edges are."""
-_ASTRAY = 28.0
-"""Levels by which a pixel misses its blend if it is no such blend."""
 _LACKING = 4
 """Colours of lines and dots that are added to a palette, at most."""
 _ABSENT = 14.0
 """Levels that it costs to blend a colour that no even area near has."""
 _NEAR = 7
 """Pixels across, of what is near."""
-_AROUND = 0.97
-"""How much of the rim of a bitmap has the colour of the ground, if not all corners have."""
-_AT_RIM = 0.3
-"""How much of the rim the colour of white paper has, at least."""
 _BLEEDS = 0.5
 """How much of the rim a coloured ground has, at least; less is what shows beside an app icon."""
 _DESK = 0.75
 """How much of the rim a desk has at least around a sheet of paper, whose corners are sharp."""
 _TINGE = 70.0
 """Levels by which the channels of paper differ, at most."""
+_FADING = 0.9
+"""How much of where a soft shadow meets the ground is nearly of its colour."""
 _CLEAN = 3.0
 """Levels by which the ground of a drawing with shades strays at most; that of a photo does."""
 _EVENLY = 0.4
@@ -77,11 +74,12 @@ def flat_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
     tiny = max(pixels.shape[:2]) <= _TINY and pixels.shape[2] == 4
     if tiny and is_in_one_colour(blended):
         return None
-    palette = palette_of(blended)
+    found = ground_of(blended)
+    palette = palette_of(blended, found)
     if palette is None:
         return None
-    ground, around = _ground(palette, blended)
-    if ground is not None and around > _DESK and _lies_on_a_desk(small, palette.colours[ground]):
+    ground, around = (None, 0.0) if found is None else (0, found.around)
+    if found is not None and around > _DESK and _lies_on_a_desk(small, found.colour):
         return None
     if _is_full_bleed(palette, blended, ground, around):
         return _full_bleed(blended, palette)
@@ -92,7 +90,7 @@ def flat_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
             return None
         palette = _without_fading(palette, ground)
     palette, parts = _completed(blended, palette)
-    return None if parts is None else _painted(parts, palette, ground, around < _AROUND)
+    return None if parts is None else _painted(parts, palette, ground, around < AROUND)
 
 
 def _completed(
@@ -123,8 +121,8 @@ def _is_full_bleed(
     if ground is not None and palette.colours[ground].min() > PAPER:
         # Stripes of white, as on flags: more of a page was added around.
         corners = blended[[0, 0, -1, -1], [0, -1, 0, -1]] - palette.colours[ground]
-        at_corners = np.linalg.norm(corners, axis=1) < _ASTRAY
-        full = around < _AROUND and not at_corners.all() and coloured.any() and not palette.shades
+        at_corners = np.linalg.norm(corners, axis=1) < ASTRAY
+        full = around < AROUND and not at_corners.all() and coloured.any() and not palette.shades
     elif ground is not None:
         full = around > _BLEEDS and coloured[ground]
     elif palette.shades:
@@ -155,28 +153,6 @@ def _full_bleed(blended: NDArray[np.float32], palette: Palette) -> NDArray[np.ui
     return on_square(_at(list(parts), palette.shades, palette, shape)[1])
 
 
-def _ground(palette: Palette, blended: NDArray[np.float32]) -> tuple[int | None, float]:
-    """Return the number of the colour all around, or in all corners, and its share of the rim.
-
-    The number is None if there is no such colour.
-    """
-    if (palette.colours[:, 3] < CLEAR).any():
-        return int(palette.colours[:, 3].argmin()), 1.0
-    away = np.linalg.norm(palette.colours[:, None, None] - blended, axis=3)
-    on_rim = np.concatenate([away[:, 0], away[:, -1], away[:, :, 0], away[:, :, -1]], axis=1)
-    shares = (on_rim < _ASTRAY).mean(axis=1)
-    shares[list(palette.shades)] = 0
-    paper = (palette.colours.min(axis=1) > PAPER) & (shares > _AT_RIM)
-    cornered = (away[:, [0, 0, -1, -1], [0, -1, 0, -1]] < _ASTRAY).all(axis=1)
-    # Paper of which a part lies in the shadow, or beside a desk, has shades.
-    grounds = [shares > _AROUND, cornered] + ([] if palette.shades else [paper])
-    for some in grounds:
-        candidates = np.where(some, shares, 0)
-        if candidates.any():
-            return int(candidates.argmax()), float(candidates.max())
-    return None, 0.0
-
-
 def _lies_on_a_desk(small: NDArray[np.float32], ground: NDArray[np.float32]) -> bool:
     """Whether it is a sheet of paper; a ground as white as that is no desk."""
     if small.shape[2] == 4 or ground.min() > PAPER:
@@ -186,15 +162,15 @@ def _lies_on_a_desk(small: NDArray[np.float32], ground: NDArray[np.float32]) -> 
 
 
 def _without_fading(palette: Palette, ground: int) -> Palette:
-    """Return a palette without shades that fade into the ground, as soft shadows do.
+    """Return a palette without shades that fade into the ground all around, as soft shadows do.
 
-    A ball may have a highlight of the colour of the ground, but not where it meets that.
+    A cloud or a button may fade into it on one side.
     """
     beside = scipy.ndimage.binary_dilation(palette.number == ground, np.ones((_NEAR, _NEAR)))
     for one, shade in palette.shades.items():
         meets = beside & (palette.number == one)
         away = np.linalg.norm(shade[meets] - palette.colours[ground], axis=1)
-        if (away < _ASTRAY).any():
+        if away.size and (away < ASTRAY).mean() > _FADING:
             palette = palette.without(one, ground)
     return palette
 
@@ -235,7 +211,7 @@ def _parts(
             share = np.where(better, at, share)
     drawn = (palette.number != palette.counts.argmax()).sum()
     lacking = None
-    if (missed > _ASTRAY**2).sum() > most * drawn:
+    if (missed > ASTRAY**2).sum() > most * drawn:
         lacking = pixels[missed.argmax()]  # the farthest from all others blends the least
     values = np.zeros((count, len(pixels)), np.float32)
     index = np.arange(len(pixels))

@@ -3,7 +3,8 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.scanning.palette import CLEAR, evenly_painted
+from iconstudio.algorithms.scanning.ground import CLEAR
+from iconstudio.algorithms.scanning.palette import evenly_painted
 from iconstudio.algorithms.scanning.resampling import premultiplied, resized, shrunk
 from iconstudio.algorithms.tones.layers import flattened
 

@@ -12,16 +12,17 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.scanning.ground import CLEAR, Ground
 from iconstudio.algorithms.tones.regions import Mask, nearest
 
-CLEAR = 12.0
-"""Levels of alpha of what is not there."""
 _EVEN = 20.0
 """Levels by which a channel differs within three pixels of an evenly painted area, at most."""
 _SMALL = 40
 """Pixels of the longer side of a bitmap in which areas of two by two pixels count."""
 _BIN = 8
 """Levels of a channel that are counted as one."""
+_CLOSE = 10.0
+"""Levels by which a channel of a colour differs from the ground's, or is no other."""
 _SHARE, _FEWEST = 0.0015, 6
 """Least part of the evenly painted pixels that have a colour of the palette, and their number."""
 _EXACT = 0.9
@@ -83,10 +84,10 @@ class Palette(NamedTuple):
         return self._replace(counts=counts, number=number)
 
 
-def palette_of(blended: NDArray[np.float32]) -> Palette | None:
+def palette_of(blended: NDArray[np.float32], ground: Ground | None) -> Palette | None:
     """Return the palette of a bitmap (h, w, 4); None if it is too coarse, or has too many colours.
 
-    It has two colours at least.
+    It has two colours at least, the first of them that of its ``ground``.
     """
     small = max(blended.shape[:2]) <= _SMALL
     wide = evenly_painted(blended, 3)
@@ -94,22 +95,28 @@ def palette_of(blended: NDArray[np.float32]) -> Palette | None:
     if not even.any():
         return None
     least = max(_FEWEST, _SHARE * even.sum())
-    shaded = [piece for piece in _pieces(blended, wide, least) if _strays(blended[piece]) > _SPREAD]
-    shaded = [_grown(blended, piece, even) for piece in shaded]
-    flat = even & ~np.any(shaded, axis=0) if shaded else even
-    areas = list(_clusters(blended, flat, least))
+    drawn = even if ground is None else even & ~ground.mask
+    pieces = _pieces(blended, wide & drawn, least)
+    shaded = [piece for piece in pieces if _strays(blended[piece]) > _SPREAD]
+    shaded = [_grown(blended, piece, drawn) for piece in shaded]
+    flat = drawn & ~np.any(shaded, axis=0) if shaded else drawn
+    areas, behind = list(_clusters(blended, flat, least)), []
+    if ground is not None:
+        areas, behind = _without_ground(blended, areas, ground)
     if small:
-        areas = _without_blends(blended, areas, shaded, wide)
+        areas = _without_blends(blended, areas, behind, shaded, wide)
     if len(areas) > _MOST:
         return None
     shaded, grainy = _divided(shaded, lambda piece: _is_grainy(blended, piece))
     areas, straying = _divided(areas, lambda area: _strays(blended[area]) > _SPREAD)
     if sum(map(np.sum, grainy + straying)) > _GRAIN * even.sum():
         return None
+    areas = behind + areas
     colours = [np.median(blended[area], axis=0) for area in areas]
     number = np.full(even.shape, -1)
     for one, area in enumerate(areas):
         number[area] = one
+    number[_at_edges(blended, number, colours)] = -1
     shades = {}
     for piece in _joined(blended, shaded):
         number[piece] = len(colours)
@@ -156,32 +163,52 @@ def _clusters(
     counts = np.zeros((256 // _BIN,) * 4, np.intp)
     np.add.at(counts, bins, 1)
     frequent = counts >= least / 4
-    frequent[0, 0, 0, : int(CLEAR) // _BIN + 1] = True
     clusters, count = scipy.ndimage.label(frequent, np.ones((3, 3, 3, 3)))
     of = clusters[bins]
     sizes = np.bincount(of, minlength=count + 1)
-    clear = clusters[0, 0, 0, 0]
-    for one in range(1, count + 1):
-        if sizes[one] >= (1 if one == clear else least):
-            cluster = np.zeros_like(even)
-            cluster[even] = of == one
-            yield cluster
+    for one in 1 + np.flatnonzero(sizes[1:] >= least):
+        cluster = np.zeros_like(even)
+        cluster[even] = of == one
+        yield cluster
+
+
+def _at_edges(
+    blended: NDArray[np.float32], number: NDArray[np.intp], colours: list[NDArray[np.float32]]
+) -> NDArray[np.bool_]:
+    """Return which pixels of a flat colour blend it with another one that differs little."""
+    high, low = scipy.ndimage.maximum_filter(number, 3), scipy.ndimage.minimum_filter(number, 3)
+    edge: NDArray[np.bool_] = (number >= 0) & (high != low)
+    away = abs(blended[edge] - np.array(colours)[number[edge]]).max(axis=1)
+    edge[edge] = away > _CLOSE / 2
+    return edge
+
+
+def _without_ground(
+    blended: NDArray[np.float32], areas: list[NDArray[np.bool_]], ground: Ground
+) -> tuple[list[NDArray[np.bool_]], list[NDArray[np.bool_]]]:
+    """Return the areas of other colours than that of the ground, and the one area of that."""
+    others, alike = _divided(
+        areas, lambda area: abs(np.median(blended[area], axis=0) - ground.colour).max() < _CLOSE
+    )
+    return others, [np.any([ground.mask, *alike], axis=0)]
 
 
 def _without_blends(
     blended: NDArray[np.float32],
     areas: list[NDArray[np.bool_]],
+    behind: list[NDArray[np.bool_]],
     shaded: list[NDArray[np.bool_]],
     wide: NDArray[np.bool_],
 ) -> list[NDArray[np.bool_]]:
     """Return the areas without those of edges: slim, between two others in place and in colour."""
-    colours = [np.median(blended[area], axis=0) for area in areas]
+    every = areas + behind
+    colours = [np.median(blended[area], axis=0) for area in every]
     kept = []
     for number, area in enumerate(areas):
         around = scipy.ndimage.binary_dilation(area, np.ones((3, 3))) & ~area
         others = [
             colours[n]
-            for n, other in enumerate(areas)
+            for n, other in enumerate(every)
             if n != number and (around & other).sum() > _BESIDE * area.sum()
         ]
         others += [np.median(_extended(blended, piece)[area], axis=0) for piece in shaded]
