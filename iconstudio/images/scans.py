@@ -83,7 +83,8 @@ def trace(
     digest = hashlib.sha256(svg.encode()).hexdigest()[:8]
     credit = Credit(name, UNNAMED, UNLICENSED, "", "")
     by_colour = scan.coloured if threshold in (None, scan.threshold) else None
-    faint = threshold is None and scan.threshold < _FAINTEST and by_colour is None
+    faint = threshold is None and by_colour is None
+    faint &= scan.faint or scan.threshold < _FAINTEST
     said = [remark, _PHOTO if scan.shaded else "", _FAINT if faint else "", THIN if thin else ""]
     if by_colour is not None:
         said += [one for what, one in OMITTED.items() if what in by_colour.omissions]

@@ -43,6 +43,10 @@ _GRADUAL, _SOFT, _SOFTEST = 0.01, 6, 12
 if that is out of focus, but no more than the last."""
 _SLIM = 8
 """Half the width in pixels of a faint line: the rules of a notebook, or the rim of a stain."""
+_BROAD, _RAISED = 7, 1.5
+"""Pixels across, in which the middle of a line is, and by how much its darkness is raised."""
+_FAINTER = 0.02
+"""What is seen but too faint to be ink is told if it is so much of it."""
 _BLACK = 0.1
 """A channel of the paper that is darker tells of noise alone."""
 _PLAIN = 0.25
@@ -66,6 +70,8 @@ class Scan:
     """Whether a drawing was made out; if not, ``darkness`` is all of the picture, stretched."""
     shaded: bool = False
     """Whether much of it is neither ink nor paper, as on a photo of something else."""
+    faint: bool = False
+    """Whether lines that can be seen are fainter than ``threshold``."""
     coloured: Inked | None = None
     """Of a drawing in flat colours, its pictogram: what is ink at ``threshold``."""
 
@@ -120,6 +126,8 @@ def scanned(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
     dark = _enlarged(dark, tuple(max(1, round(side * scale)) for side in dark.shape))
     dark = np.clip(scipy.ndimage.gaussian_filter(dark, 1.0), 0, 1)
     threshold = _threshold(dark) if bounds else None
+    if threshold is not None:
+        dark = _evened(dark, threshold)
     if threshold is None:
         low, high = np.percentile(dark, (1, 99.9))
         dark = np.clip((dark - low) / max(high - low, _FAINTEST), 0, 1)
@@ -129,6 +137,7 @@ def scanned(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
         inverted,
         threshold is not None,
         _shading(dark, threshold or 0.5, scale) > _SHADED,
+        threshold is not None and _has_fainter(dark, threshold),
     )
 
 
@@ -287,6 +296,24 @@ def _threshold(dark: NDArray[np.float32]) -> float | None:
     if high - low < LEAST:
         return None
     return (low + high) / 2
+
+
+def _evened(dark: NDArray[np.float32], threshold: float) -> NDArray[np.float32]:
+    """Return the darkness of ink with that of lines that are a little fainter than others raised.
+
+    They are half as dark as their middle at their edges, too.
+    """
+    middle = scipy.ndimage.maximum_filter(dark, _BROAD)
+    evened: NDArray[np.float32] = np.clip(2 * threshold / np.maximum(middle, 1e-6), 1, _RAISED)
+    return np.minimum(dark * evened, 1)
+
+
+def _has_fainter(dark: NDArray[np.float32], threshold: float) -> bool:
+    """Whether lines can be seen beside the ink that are too faint to be ink."""
+    ink = dark > threshold
+    away = ~scipy.ndimage.binary_dilation(ink, iterations=_BROAD)
+    seen = _cleaned((dark > max(threshold / 2, LEAST / 2)) & away, _SPECK)
+    return bool(seen.sum() > _FAINTER * ink.sum())
 
 
 def _shading(dark: NDArray[np.float32], threshold: float, scale: float) -> float:

@@ -178,7 +178,7 @@ def _at_edges(
     """Return which pixels of a flat colour blend it with another one that differs little."""
     high, low = scipy.ndimage.maximum_filter(number, 3), scipy.ndimage.minimum_filter(number, 3)
     edge: NDArray[np.bool_] = (number >= 0) & (high != low)
-    away = abs(blended[edge] - np.array(colours)[number[edge]]).max(axis=1)
+    away = abs(blended[edge] - np.reshape(colours, (-1, 4))[number[edge]]).max(axis=1)
     edge[edge] = away > _CLOSE / 2
     return edge
 
