@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.scanning.checkerboard import without_checkerboard
 from iconstudio.algorithms.scanning.flat import flat_drawing
-from iconstudio.algorithms.scanning.free import LARGE, free_drawing
+from iconstudio.algorithms.scanning.free import LARGE, cut_drawing, free_drawing
 from iconstudio.algorithms.scanning.margin import with_margin, without_half_lines
 from iconstudio.algorithms.scanning.paper import lighting, page, trend
 from iconstudio.algorithms.scanning.resampling import COARSE, reconstructed, resized, shrunk
@@ -43,10 +43,10 @@ _GRADUAL, _SOFT, _SOFTEST = 0.01, 6, 12
 if that is out of focus, but no more than the last."""
 _SLIM = 8
 """Half the width in pixels of a faint line: the rules of a notebook, or the rim of a stain."""
-_BROAD, _RAISED = 7, 1.5
+_BROAD, _RAISED = 7, 2.0
 """Pixels across, in which the middle of a line is, and by how much its darkness is raised."""
-_FAINTER = 0.02
-"""What is seen but too faint to be ink is told if it is so much of it."""
+_SEEN, _FAINTER = 0.08, 0.02
+"""How dark lines are that one can see, and how much of them beside the ink is told."""
 _BLACK = 0.1
 """A channel of the paper that is darker tells of noise alone."""
 _PLAIN = 0.25
@@ -163,7 +163,7 @@ def _coloured_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
     """
     ways = [flat_drawing, free_drawing]
     if max(pixels.shape[:2]) >= LARGE:
-        ways.reverse()
+        ways = [free_drawing, flat_drawing]
     return next((drawing for way in ways if (drawing := way(pixels)) is not None), None)
 
 
@@ -311,8 +311,12 @@ def _evened(dark: NDArray[np.float32], threshold: float) -> NDArray[np.float32]:
 def _has_fainter(dark: NDArray[np.float32], threshold: float) -> bool:
     """Whether lines can be seen beside the ink that are too faint to be ink."""
     ink = dark > threshold
-    away = ~scipy.ndimage.binary_dilation(ink, iterations=_BROAD)
-    seen = _cleaned((dark > max(threshold / 2, LEAST / 2)) & away, _SPECK)
+    away = ~scipy.ndimage.binary_dilation(ink, iterations=_BROAD // 2)
+    paper = dark[away]
+    if not paper.size:
+        return False
+    grain = 1.48 * np.median(abs(paper - np.median(paper)))
+    seen = _cleaned((dark > np.median(paper) + max(_SEEN, 4 * grain)) & away, _SPECK // 3)
     return bool(seen.sum() > _FAINTER * ink.sum())
 
 

@@ -3,7 +3,9 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.scanning.ground import CLEAR
+from iconstudio.algorithms.scanning.cutting import cut_out
+from iconstudio.algorithms.scanning.ground import CLEAR, ground_of
+from iconstudio.algorithms.scanning.margin import rim_of
 from iconstudio.algorithms.scanning.palette import evenly_painted
 from iconstudio.algorithms.scanning.resampling import premultiplied, resized, shrunk
 from iconstudio.algorithms.tones.layers import flattened
@@ -16,6 +18,8 @@ FILLED = 0.94
 """How much of the longer side of the drawing is not air."""
 _SMALL, _PAINTED = 64, 0.5
 """Of a drawing that is longer than the one, so much is evenly painted at least; photos are not."""
+_CLEAN = 0.9
+"""How much of what has the colour of a ground has just that, if no camera saw it."""
 _APART, _PART = 30.0, 0.015
 """Levels by which two colours of a drawing differ, and the least part that the second one has."""
 
@@ -43,6 +47,16 @@ def free_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
     if not has_colours(blended[even]):
         return None
     return on_square(resized(blended, scaled(blended.shape[:2], FILLED / max(blended.shape[:2]))))
+
+
+def cut_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
+    """Return the coloured drawing on an even ground, as ``free_drawing`` does, or None."""
+    if pixels.shape[2] == 4:
+        return None
+    ground = ground_of(premultiplied(pixels.astype(np.float32)))
+    if ground is None or rim_of(ground.mask).mean() < _CLEAN * ground.around:
+        return None
+    return free_drawing(cut_out(pixels, ground.colour[:3], ground.mask))
 
 
 def scaled(shape: tuple[int, ...], scale: float) -> tuple[int, ...]:

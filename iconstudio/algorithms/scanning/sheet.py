@@ -118,7 +118,8 @@ def _is_in_shadow(picture: NDArray[np.float32], outside: NDArray[np.bool_]) -> b
     outside = scipy.ndimage.binary_opening(outside, iterations=_GLINT)
     if quadrangularity(outside) <= _STRAIGHT:
         return False
-    shade = np.median(picture[outside], axis=0) / np.median(picture[~outside], axis=0)
+    paper = np.maximum(np.median(picture[~outside], axis=0), _SAME)  # which may be black
+    shade = np.median(picture[outside], axis=0) / paper
     if np.ptp(shade) > _TINGE * shade.mean():
         return False
     light = scipy.ndimage.gaussian_filter(picture.mean(axis=2), _BLUR)
