@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.scanning.checkerboard import without_checkerboard
 from iconstudio.algorithms.scanning.flat import flat_drawing
-from iconstudio.algorithms.scanning.free import LARGE, cut_drawing, free_drawing
+from iconstudio.algorithms.scanning.free import LARGE, free_drawing
 from iconstudio.algorithms.scanning.margin import with_margin, without_half_lines
 from iconstudio.algorithms.scanning.paper import lighting, page, trend
 from iconstudio.algorithms.scanning.resampling import COARSE, reconstructed, resized, shrunk
@@ -43,6 +43,8 @@ _GRADUAL, _SOFT, _SOFTEST = 0.01, 6, 12
 if that is out of focus, but no more than the last."""
 _SLIM = 8
 """Half the width in pixels of a faint line: the rules of a notebook, or the rim of a stain."""
+_ENLARGED = 2.0
+"""How many times a picture is enlarged at most in which lines are told from the edges of others."""
 _BROAD, _RAISED = 7, 2.0
 """Pixels across, in which the middle of a line is, and by how much its darkness is raised."""
 _SEEN, _FAINTER = 0.08, 0.02
@@ -126,8 +128,10 @@ def scanned(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
     dark = _enlarged(dark, tuple(max(1, round(side * scale)) for side in dark.shape))
     dark = np.clip(scipy.ndimage.gaussian_filter(dark, 1.0), 0, 1)
     threshold = _threshold(dark) if bounds else None
-    if threshold is not None:
+    fainter = False
+    if threshold is not None and scale < _ENLARGED:
         dark = _evened(dark, threshold)
+        fainter = _has_fainter(dark, threshold)
     if threshold is None:
         low, high = np.percentile(dark, (1, 99.9))
         dark = np.clip((dark - low) / max(high - low, _FAINTEST), 0, 1)
@@ -137,7 +141,7 @@ def scanned(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
         inverted,
         threshold is not None,
         _shading(dark, threshold or 0.5, scale) > _SHADED,
-        threshold is not None and _has_fainter(dark, threshold),
+        fainter,
     )
 
 

@@ -14,6 +14,8 @@ from iconstudio.algorithms.scanning.margin import rim_of
 
 _GREY = 12.0
 """Levels by which the channels of a grey differ at most."""
+_APART = 80.0
+"""Levels by which the two greys differ at most; those of a board to play on differ by more."""
 _BLUR = 8
 """Levels on either side of the one grey that are not the other."""
 _NOISE = 14.0
@@ -61,7 +63,7 @@ def without_checkerboard(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
     board = odd if same > 0.5 else 1 - odd
     between = (levels > greys[0] - _NOISE).all(axis=2) & (levels < greys[1] + _NOISE).all(axis=2)
     ground = _ground(number == board, between, board, rows.step * columns.step)
-    return cut_out(pixels, greys[board], ground)
+    return pixels if ground.all() else cut_out(pixels, greys[board], ground)
 
 
 def _greys(rim: NDArray[np.float32]) -> NDArray[np.float32] | None:
@@ -74,7 +76,8 @@ def _greys(rim: NDArray[np.float32]) -> NDArray[np.float32] | None:
     counts[max(0, one - _BLUR) : one + _BLUR + 1] = 0
     pair = np.sort([one, int(counts.argmax())]).astype(np.float32) - 2
     close = abs(grey[:, None] - pair).min(axis=1) < _NOISE
-    return pair if close.sum() > _ON_RIM * len(rim) else None
+    pale = pair[1] - pair[0] < _APART
+    return pair if pale and close.sum() > _ON_RIM * len(rim) else None
 
 
 def _lines(number: NDArray[np.intp]) -> _Lines | None:

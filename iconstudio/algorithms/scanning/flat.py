@@ -11,9 +11,9 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.scanning.free import FILLED, has_colours, on_square, scaled
-from iconstudio.algorithms.scanning.ground import AROUND, ASTRAY, CLEAR, ground_of
-from iconstudio.algorithms.scanning.margin import PAPER
+from iconstudio.algorithms.scanning.free import FILLED, cut_drawing, has_colours, on_square, scaled
+from iconstudio.algorithms.scanning.ground import AROUND, ASTRAY, CLEAR, Ground, ground_of
+from iconstudio.algorithms.scanning.margin import PAPER, rim_of
 from iconstudio.algorithms.scanning.palette import Palette, is_in_one_colour, palette_of
 from iconstudio.algorithms.scanning.resampling import (
     premultiplied,
@@ -44,6 +44,8 @@ _DESK = 0.75
 """How much of the rim a desk has at least around a sheet of paper, whose corners are sharp."""
 _TINGE = 70.0
 """Levels by which the channels of paper differ, at most."""
+_IN_SHADOW = 0.1
+"""How much of the rim has shades, where what has not is no ground."""
 _FADING = 0.9
 """How much of where a soft shadow meets the ground is nearly of its colour."""
 _CLEAN = 3.0
@@ -75,12 +77,14 @@ def flat_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
     if tiny and is_in_one_colour(blended):
         return None
     found = ground_of(blended)
+    if found is not None and found.around > _DESK and _lies_on_a_desk(small, found.colour):
+        return None
     palette = palette_of(blended, found)
     if palette is None:
-        return None
+        return cut_drawing(pixels)
+    if found is not None and _goes_on_in_shadow(palette, found):
+        found = None
     ground, around = (None, 0.0) if found is None else (0, found.around)
-    if found is not None and around > _DESK and _lies_on_a_desk(small, found.colour):
-        return None
     if _is_full_bleed(palette, blended, ground, around):
         return _full_bleed(blended, palette)
     if ground is None:
@@ -90,7 +94,9 @@ def flat_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
             return None
         palette = _without_fading(palette, ground)
     palette, parts = _completed(blended, palette)
-    return None if parts is None else _painted(parts, palette, ground, around < AROUND)
+    if parts is None:
+        return cut_drawing(pixels)
+    return _painted(parts, palette, ground, around < AROUND)
 
 
 def _completed(
@@ -159,6 +165,13 @@ def _lies_on_a_desk(small: NDArray[np.float32], ground: NDArray[np.float32]) -> 
         return False
     sheet = sheet_on_desk(small / np.float32(255))
     return sheet is not None and bool(np.ptp(np.median(small[sheet], axis=0)) < _TINGE)
+
+
+def _goes_on_in_shadow(palette: Palette, ground: Ground) -> bool:
+    """Whether a ground may be that part of paper or of a desk that is lit, beside shades."""
+    shaded = np.isin(rim_of(palette.number), list(palette.shades)).mean() > _IN_SHADOW
+    corners = ground.mask[[0, 0, -1, -1], [0, -1, 0, -1]]
+    return bool(shaded and ground.around < AROUND and not corners.all())
 
 
 def _without_fading(palette: Palette, ground: int) -> Palette:

@@ -50,7 +50,7 @@ def free_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
 
 
 def cut_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
-    """Return the coloured drawing on an even ground, as ``free_drawing`` does, or None."""
+    """Return the drawing (SIDE, SIDE, 4) in many colours on an even ground (h, w, 3), or None."""
     if pixels.shape[2] == 4:
         return None
     ground = ground_of(premultiplied(pixels.astype(np.float32)))
