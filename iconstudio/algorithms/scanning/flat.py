@@ -34,7 +34,7 @@ _MISSED, _LOSSY = 0.04, 0.15
 lossy files, edges are."""
 _LACKING = 4
 """Colours of lines and dots that are added to a palette, at most."""
-_ABSENT = 14.0
+_ABSENT = 20.0
 """Levels that it costs to blend a colour that no even area near has."""
 _NEAR = 7
 """Pixels across, of what is near."""
@@ -77,9 +77,11 @@ def flat_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
     if tiny and is_in_one_colour(blended):
         return None
     found = ground_of(blended)
-    if found is not None and found.around > _DESK and _lies_on_a_desk(small, found.colour):
-        return None
     palette = palette_of(blended, found)
+    if found is not None and found.around > _DESK:
+        sheet = _on_a_desk(small, found.colour)
+        if sheet is not None and not _is_painted(palette, blended, sheet):
+            return None
     if palette is None:
         return cut_drawing(pixels)
     if found is not None and _goes_on_in_shadow(palette, found):
@@ -159,12 +161,24 @@ def _full_bleed(blended: NDArray[np.float32], palette: Palette) -> NDArray[np.ui
     return on_square(_at(list(parts), palette.shades, palette, shape)[1])
 
 
-def _lies_on_a_desk(small: NDArray[np.float32], ground: NDArray[np.float32]) -> bool:
-    """Whether it is a sheet of paper; a ground as white as that is no desk."""
+def _on_a_desk(
+    small: NDArray[np.float32], ground: NDArray[np.float32]
+) -> NDArray[np.bool_] | None:
+    """Return where a sheet of paper lies on its ground; one as white as that is no desk."""
     if small.shape[2] == 4 or ground.min() > PAPER:
-        return False
+        return None
     sheet = sheet_on_desk(small / np.float32(255))
-    return sheet is not None and bool(np.ptp(np.median(small[sheet], axis=0)) < _TINGE)
+    return None if sheet is None or np.ptp(np.median(small[sheet], axis=0)) > _TINGE else sheet
+
+
+def _is_painted(
+    palette: Palette | None, blended: NDArray[np.float32], sheet: NDArray[np.bool_]
+) -> bool:
+    """Whether most of what looks like a sheet has a flat colour, as no camera shows paper."""
+    if palette is None or not palette.is_exact(blended):
+        return False
+    number = palette.number[sheet]
+    return bool(((number >= 0) & ~np.isin(number, list(palette.shades))).mean() > _EVENLY)
 
 
 def _goes_on_in_shadow(palette: Palette, ground: Ground) -> bool:

@@ -23,8 +23,11 @@ _AT_RIM = 0.3
 """How much of the rim the colour of white paper has, at least."""
 _BIN = 16
 """Levels of a channel that are counted as one to find the colour that the rim has most."""
-_STRAYING = 4.0
-"""Levels by which a channel of the ground strays from its colour."""
+_LEAST, _MOST = 4.0, 12.0
+"""Levels by which a channel of the ground strays from its colour: in files that lose nothing, and
+at most."""
+_USUAL = 95
+"""Percent of the rim whose straying tells of the ground's."""
 
 _EXACTLY = 0.3
 """How much of what has its colour has just that."""
@@ -53,7 +56,10 @@ def ground_of(blended: NDArray[np.float32]) -> Ground | None:
     rim = rim_of(blended)
     for colour, least in _candidates(blended, rim):
         around = float((np.linalg.norm(rim - colour, axis=1) < ASTRAY).mean())
-        mask = _reached(blended, colour)
+        away = abs(rim - colour).max(axis=1)
+        alike = away[away < 2 * _MOST]
+        noise = np.percentile(alike, _USUAL) if alike.size else 0.0
+        mask = _reached(blended, colour, float(np.clip(1.5 * noise, _LEAST, _MOST)))
         if around > least and rim_of(mask).mean() > _EXACTLY * around:
             return Ground(colour, mask, around)
     return None
@@ -75,9 +81,11 @@ def _candidates(
         yield np.median(rim[white], axis=0), _AT_RIM
 
 
-def _reached(blended: NDArray[np.float32], colour: NDArray[np.float32]) -> NDArray[np.bool_]:
-    """Return where a colour is that reaches the rim."""
-    pieces, count = scipy.ndimage.label(abs(blended - colour).max(axis=2) < _STRAYING)
+def _reached(
+    blended: NDArray[np.float32], colour: NDArray[np.float32], straying: float
+) -> NDArray[np.bool_]:
+    """Return where a colour is that reaches the rim, if its levels stray by so many."""
+    pieces, count = scipy.ndimage.label(abs(blended - colour).max(axis=2) < straying)
     reaching = np.zeros(count + 1, bool)
     reaching[rim_of(pieces)] = True
     reaching[0] = False

@@ -102,6 +102,8 @@ def palette_of(blended: NDArray[np.float32], ground: Ground | None) -> Palette |
     flat = drawn & ~np.any(shaded, axis=0) if shaded else drawn
     areas, behind = list(_clusters(blended, flat, least)), []
     if ground is not None:
+        if not small:
+            areas = list(_without_rings(blended, areas, ground))
         areas, behind = _without_ground(blended, areas, ground)
     if small:
         areas = _without_blends(blended, areas, behind, shaded, wide)
@@ -175,12 +177,24 @@ def _clusters(
 def _at_edges(
     blended: NDArray[np.float32], number: NDArray[np.intp], colours: list[NDArray[np.float32]]
 ) -> NDArray[np.bool_]:
-    """Return which pixels of a flat colour blend it with another one that differs little."""
-    high, low = scipy.ndimage.maximum_filter(number, 3), scipy.ndimage.minimum_filter(number, 3)
+    """Return which pixels of a flat colour blend it with one that lies beside it, as pale as it."""
+    high = scipy.ndimage.maximum_filter(number, 3)
+    low = scipy.ndimage.minimum_filter(np.where(number < 0, high, number), 3)
     edge: NDArray[np.bool_] = (number >= 0) & (high != low)
     away = abs(blended[edge] - np.reshape(colours, (-1, 4))[number[edge]]).max(axis=1)
     edge[edge] = away > _CLOSE / 2
     return edge
+
+
+def _without_rings(
+    blended: NDArray[np.float32], areas: list[NDArray[np.bool_]], ground: Ground
+) -> Iterator[NDArray[np.bool_]]:
+    """Yield the areas without what is slim and nearly as the ground: lossy files leave it at edges."""
+    for area in areas:
+        if abs(np.median(blended[area], axis=0) - ground.colour).max() < 2 * _EVEN:
+            area = scipy.ndimage.binary_opening(area, np.ones((3, 3)))
+        if area.any():
+            yield area
 
 
 def _without_ground(
