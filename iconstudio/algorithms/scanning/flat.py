@@ -42,6 +42,8 @@ _BLEEDS = 0.5
 """How much of the rim a coloured ground has, at least; less is what shows beside an app icon."""
 _DESK = 0.75
 """How much of the rim a desk has at least around a sheet of paper, whose corners are sharp."""
+_PAINT, _PAPER_AND_INK = 0.02, 2
+"""How much of a sheet a colour has to count, and how many a sheet has with what is drawn on it."""
 _TINGE = 70.0
 """Levels by which the channels of paper differ, at most."""
 _IN_SHADOW = 0.1
@@ -161,9 +163,7 @@ def _full_bleed(blended: NDArray[np.float32], palette: Palette) -> NDArray[np.ui
     return on_square(_at(list(parts), palette.shades, palette, shape)[1])
 
 
-def _on_a_desk(
-    small: NDArray[np.float32], ground: NDArray[np.float32]
-) -> NDArray[np.bool_] | None:
+def _on_a_desk(small: NDArray[np.float32], ground: NDArray[np.float32]) -> NDArray[np.bool_] | None:
     """Return where a sheet of paper lies on its ground; one as white as that is no desk."""
     if small.shape[2] == 4 or ground.min() > PAPER:
         return None
@@ -174,11 +174,11 @@ def _on_a_desk(
 def _is_painted(
     palette: Palette | None, blended: NDArray[np.float32], sheet: NDArray[np.bool_]
 ) -> bool:
-    """Whether most of what looks like a sheet has a flat colour, as no camera shows paper."""
+    """Whether what looks like a sheet has more flat colours than paper with a drawing."""
     if palette is None or not palette.is_exact(blended):
         return False
-    number = palette.number[sheet]
-    return bool(((number >= 0) & ~np.isin(number, list(palette.shades))).mean() > _EVENLY)
+    shares = [(palette.number[sheet] == one).mean() for one in range(len(palette.colours))]
+    return sum(share > _PAINT for share in shares) > _PAPER_AND_INK
 
 
 def _goes_on_in_shadow(palette: Palette, ground: Ground) -> bool:

@@ -55,10 +55,10 @@ def ground_of(blended: NDArray[np.float32]) -> Ground | None:
         return Ground(np.zeros(4, np.float32), clear, 1.0)
     rim = rim_of(blended)
     for colour, least in _candidates(blended, rim):
-        around = float((np.linalg.norm(rim - colour, axis=1) < ASTRAY).mean())
-        away = abs(rim - colour).max(axis=1)
-        alike = away[away < 2 * _MOST]
-        noise = np.percentile(alike, _USUAL) if alike.size else 0.0
+        alike = rim[np.linalg.norm(rim - colour, axis=1) < ASTRAY]
+        around = len(alike) / len(rim)
+        colour = np.median(alike, axis=0)
+        noise = np.percentile(abs(alike - colour).max(axis=1), _USUAL)
         mask = _reached(blended, colour, float(np.clip(1.5 * noise, _LEAST, _MOST)))
         if around > least and rim_of(mask).mean() > _EXACTLY * around:
             return Ground(colour, mask, around)
@@ -73,9 +73,8 @@ def _candidates(
     usual = np.median(rim[bins == np.bincount(bins).argmax()], axis=0)
     yield usual, AROUND
     corners = blended[[0, 0, -1, -1], [0, -1, 0, -1]]
-    corner = np.median(corners, axis=0)
-    if (np.linalg.norm(corners - corner, axis=1) < ASTRAY).all():
-        yield corner, 0.0
+    if (np.linalg.norm(corners - np.median(corners, axis=0), axis=1) < ASTRAY).all():
+        yield corners[0], 0.0
     white = rim.min(axis=1) > PAPER
     if white.any():
         yield np.median(rim[white], axis=0), _AT_RIM
