@@ -30,8 +30,8 @@ _FAINT = (
     "contrast, or choose the threshold in the window."
 )
 _FAINTER = (
-    "Lines that are much fainter than the rest were left out. Draw them with a darker pen, or choose "
-    "the threshold in the window."
+    "Lines that are much fainter than the rest were left out. Draw them with a darker pen, or "
+    "choose the threshold in the window."
 )
 _THIN = 1.5
 """Canvas units that the thickest lines must measure."""

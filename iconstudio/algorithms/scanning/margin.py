@@ -1,8 +1,12 @@
 """Bitmaps that are cropped tightly get back the margin of their page, and lose half a pixel."""
 
+from typing import TypeVar
+
 import numpy as np
 import scipy
 from numpy.typing import NDArray
+
+T = TypeVar("T", bound=np.generic)
 
 PAPER = 225.0
 """Levels from which a colour is that of white paper."""
@@ -29,8 +33,8 @@ def with_margin(pixels: NDArray[np.uint8], tiles: bool = False) -> NDArray[np.ui
     """Return a bitmap (h, w, 3) with more of its white page around, if what it shows is cut by it.
 
     So letters that touch the edge of a wordmark are neither scraps nor ground. It is as it is where
-    its page shows in stripes or takes a whole side, as on flags, or, unless ``tiles``, in the corners alone, as beside an
-    app icon.
+    its page shows in stripes or takes a whole side, as on flags, or, unless ``tiles``, in the
+    corners alone, as beside an app icon.
     """
     if pixels.shape[2] != 3 or min(pixels.shape[:2]) < 8:
         return pixels
@@ -86,7 +90,8 @@ def _is_blurred(pixels: NDArray[np.uint8]) -> bool:
     return bool(steps and np.median(steps) < _STEP)
 
 
-def rim_of(pixels: NDArray[np.generic]) -> NDArray[np.generic]:
+def rim_of(pixels: NDArray[T]) -> NDArray[T]:
+    """Return the pixels (n, ...) along the edge of a picture (h, w, ...), each once."""
     return np.concatenate([pixels[0], pixels[-1], pixels[1:-1, 0], pixels[1:-1, -1]])
 
 

@@ -189,7 +189,7 @@ def _at_edges(
 def _without_rings(
     blended: NDArray[np.float32], areas: list[NDArray[np.bool_]], ground: Ground
 ) -> Iterator[NDArray[np.bool_]]:
-    """Yield the areas without what is slim and nearly as the ground: lossy files leave it at edges."""
+    """Yield the areas without what lossy files leave at edges: slim, and nearly as the ground."""
     for area in areas:
         if abs(np.median(blended[area], axis=0) - ground.colour).max() < 2 * _EVEN:
             area = scipy.ndimage.binary_opening(area, np.ones((3, 3)))
