@@ -109,7 +109,7 @@ def test_of_a_faint_drawing_that_is_read_it_is_told_that_parts_may_be_missing(
     assert bool(session.icon(str(path)).remarks) == faint
 
 
-@pytest.mark.parametrize(("whiskers", "kept", "told"), [(120, True, False), (195, False, True)])
+@pytest.mark.parametrize(("whiskers", "kept", "told"), [(80, True, False), (185, False, True)])
 def test_lines_that_are_fainter_than_others_are_kept_or_told(
     session, tmp_path, whiskers, kept, told
 ):

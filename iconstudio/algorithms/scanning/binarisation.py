@@ -45,8 +45,8 @@ _SLIM = 8
 """Half the width in pixels of a faint line: the rules of a notebook, or the rim of a stain."""
 _ENLARGED = 2.0
 """How many times a picture is enlarged at most in which lines are told from the edges of others."""
-_BROAD, _RAISED = 7, 2.0
-"""Pixels across, in which the middle of a line is, and by how much its darkness is raised."""
+_BESIDE = 3
+"""Pixels beside ink that its blurred edges reach."""
 _SEEN, _FAINTER = 0.08, 0.02
 """How dark lines are that one can see, and how much of them beside the ink is told."""
 _BLACK = 0.1
@@ -130,7 +130,6 @@ def scanned(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
     threshold = _threshold(dark) if bounds else None
     fainter = False
     if threshold is not None and scale < _ENLARGED:
-        dark = _evened(dark, threshold)
         fainter = _has_fainter(dark, threshold)
     if threshold is None:
         low, high = np.percentile(dark, (1, 99.9))
@@ -302,20 +301,10 @@ def _threshold(dark: NDArray[np.float32]) -> float | None:
     return (low + high) / 2
 
 
-def _evened(dark: NDArray[np.float32], threshold: float) -> NDArray[np.float32]:
-    """Return the darkness of ink with that of lines that are a little fainter than others raised.
-
-    They are half as dark as their middle at their edges, too.
-    """
-    middle = scipy.ndimage.maximum_filter(dark, _BROAD)
-    evened: NDArray[np.float32] = np.clip(2 * threshold / np.maximum(middle, 1e-6), 1, _RAISED)
-    return np.minimum(dark * evened, 1)
-
-
 def _has_fainter(dark: NDArray[np.float32], threshold: float) -> bool:
     """Whether lines can be seen beside the ink that are too faint to be ink."""
-    ink = dark > threshold
-    away = ~scipy.ndimage.binary_dilation(ink, iterations=_BROAD // 2)
+    ink = _cleaned(dark > threshold, _SPECK)
+    away = ~scipy.ndimage.binary_dilation(ink, iterations=_BESIDE)
     paper = dark[away]
     if not paper.size:
         return False
