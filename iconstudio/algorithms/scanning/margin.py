@@ -23,6 +23,8 @@ _DARKENED, _DARKEST = 0.6, 10.0
 grey levels that tell of noise alone."""
 _FINE = 100
 """Pixels of the shorter side of a picture of which one pixel is no frame."""
+_RUNS = 2
+"""Pieces of the rim that are white where it is so along one side, at most."""
 _STRIPE = 0.9
 """How much of its bounding box a stripe of a flag fills."""
 _MARGIN = 0.06
@@ -106,11 +108,13 @@ def _is_in_corners(light: NDArray[np.bool_]) -> bool:
 def _is_flag(light: NDArray[np.bool_]) -> bool:
     """Whether what is white is a stripe, or all along one side while the other shows no page.
 
-    What is cropped tightly touches all sides.
+    What is cropped tightly touches all sides, and letters touch them more than once.
     """
+    around = np.concatenate([light[0], light[:, -1], light[-1, ::-1], light[::-1, 0]])
+    once = (around & ~np.roll(around, 1)).sum() <= _RUNS
     for one, other in ((light[0], light[-1]), (light[:, 0], light[:, -1])):
         least, most = sorted([one.mean(), other.mean()])
-        if least < 1 - _WHOLE and most > _WHOLE:
+        if once and least < 1 - _WHOLE and most > _WHOLE:
             return True
     return _is_striped(light)
 
