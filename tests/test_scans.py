@@ -113,10 +113,11 @@ def test_of_a_faint_drawing_that_is_read_it_is_told_that_parts_may_be_missing(
 def test_lines_that_are_fainter_than_others_are_kept_or_told(
     session, tmp_path, whiskers, kept, told
 ):
-    pixels = np.random.default_rng(0).normal(225, 3, (300, 300))
-    y, x = np.mgrid[:300, :300]
-    pixels[(abs(y - 150) < 2) & (abs(x - 150) < 140)] = whiskers
-    pixels[abs(np.hypot(y - 150, x - 150) - 80) < 3] = 40
+    pixels = np.random.default_rng(0).normal(225, 5, (600, 600))
+    y, x = np.mgrid[:600, :600]
+    pixels[(abs(y - 300) < 3) & (abs(x - 300) < 290)] = whiskers
+    pixels[abs(np.hypot(y - 300, x - 300) - 170) < 5] = 40
+    pixels *= 0.6 + 0.4 * x / 600
     path = tmp_path / "cat.png"
     Image.fromarray(np.clip(pixels, 0, 255).astype(np.uint8)).save(path)
     icon = session.icon(str(path))
