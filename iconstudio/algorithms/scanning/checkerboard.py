@@ -38,7 +38,9 @@ class _Lines(NamedTuple):
 
     def cells(self, count: int) -> NDArray[np.intp]:
         """Return in which column or row of squares each of so many pixels is, (count,)."""
-        return np.floor((np.arange(count) + 0.5 - self.first) / self.step).astype(np.intp)
+        at = (np.arange(count) + 0.5 - self.first) / self.step
+        cells: NDArray[np.intp] = np.floor(at).astype(np.intp)
+        return cells
 
 
 def without_checkerboard(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
@@ -99,7 +101,8 @@ def _changes(row: NDArray[np.intp]) -> NDArray[np.float64]:
     """Return where one grey goes over into the other."""
     known = np.flatnonzero(row >= 0)
     change = (np.diff(row[known]) != 0) & (np.diff(known) <= 3)
-    return (known[:-1][change] + known[1:][change] + 1) / 2
+    changes: NDArray[np.float64] = (known[:-1][change] + known[1:][change] + 1) / 2
+    return changes
 
 
 def _ground(

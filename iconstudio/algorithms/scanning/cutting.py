@@ -30,4 +30,5 @@ def cut_out(
         edge[..., None], ground + (levels - ground) / np.maximum(share, 0.1)[..., None], levels
     )
     both = np.concatenate([colours, 255 * share[..., None]], axis=2)
-    return np.clip(np.rint(both), 0, 255).astype(np.uint8)
+    cut: NDArray[np.uint8] = np.clip(np.rint(both), 0, 255).astype(np.uint8)
+    return cut

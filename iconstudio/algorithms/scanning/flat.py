@@ -178,7 +178,7 @@ def _is_painted(
     if palette is None or not palette.is_exact(blended):
         return False
     shares = [(palette.number[sheet] == one).mean() for one in range(len(palette.colours))]
-    return sum(share > _PAINT for share in shares) > _PAPER_AND_INK
+    return bool(sum(share > _PAINT for share in shares) > _PAPER_AND_INK)
 
 
 def _goes_on_in_shadow(palette: Palette, ground: Ground) -> bool:

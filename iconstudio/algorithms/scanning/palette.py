@@ -100,7 +100,8 @@ def palette_of(blended: NDArray[np.float32], ground: Ground | None) -> Palette |
     shaded = [piece for piece in pieces if _strays(blended[piece]) > _SPREAD]
     shaded = [_grown(blended, piece, drawn) for piece in shaded]
     flat = drawn & ~np.any(shaded, axis=0) if shaded else drawn
-    areas, behind = list(_clusters(blended, flat, least)), []
+    areas = list(_clusters(blended, flat, least))
+    behind: list[NDArray[np.bool_]] = []
     if ground is not None:
         if not small:
             areas = list(_without_rings(blended, areas, ground))

@@ -286,7 +286,7 @@ def _alternating(found: Regions, behind: Mask, white: Mask) -> Mask:
 def _tricolour(found: Regions) -> Mask:
     """Return the middle stripes (k + 1,) of flags: those between two others of other colours."""
     outer = found.lengths[0] > 0
-    middle = np.zeros_like(outer)
+    middle: Mask = np.zeros(outer.shape, bool)
     if rectangularity(found) < SHARP:
         return middle
     for number in np.flatnonzero(outer):
