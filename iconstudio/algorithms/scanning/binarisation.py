@@ -56,6 +56,8 @@ _PLAIN = 0.25
 
 _BEYOND = 2
 """Pixels beyond the edge of a small picture that are taken for paper."""
+_LITTLE = 0.25
+"""How much ink the darkest pixel beside an edge has at least, and the brightest at most."""
 
 _Seeing = Callable[[NDArray[np.float32]], NDArray[np.float32]]
 """Tells how dark a picture is, of its colours."""
@@ -266,13 +268,21 @@ def _enlarged(dark: NDArray[np.float32], shape: tuple[int, ...]) -> NDArray[np.f
     if threshold is None:
         return resized(dark, shape)
     whole = 2 * threshold
-    ink = np.pad(np.clip(dark / whole, 0, 1), _BEYOND)
+    ink = _greys_of_edges(np.pad(np.clip(dark / whole, 0, 1), _BEYOND))
     scale = shape[0] / dark.shape[0]
     larger = reconstructed(
         np.stack([ink, 1 - ink]), tuple(round(side * scale) for side in ink.shape)
     )
     at = round(_BEYOND * scale)
     return whole * larger[0, at : at + shape[0], at : at + shape[1]]
+
+
+def _greys_of_edges(ink: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Return ink, from 0 to 1, without noise on the paper and shades within: they are no edges."""
+    near_ink = scipy.ndimage.maximum_filter(ink, 3) > _LITTLE
+    near_paper = scipy.ndimage.minimum_filter(ink, 3) < _LITTLE
+    edges: NDArray[np.float32] = np.where(near_ink & near_paper, ink, np.rint(ink))
+    return edges
 
 
 def _bounds(dark: NDArray[np.float32]) -> tuple[int, int, int, int] | None:

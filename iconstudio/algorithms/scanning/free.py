@@ -49,6 +49,8 @@ def free_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
     blended = np.pad(blended, [(1, 1), (1, 1), (0, 0)])
     shown = blended[..., 3] >= CLEAR
     even = evenly_painted(blended, 3) & shown
+    if longest <= _SMALL and not even.any():
+        even = blended[..., 3] >= _OPAQUE  # of a few pixels, each may be of its own shade
     if not even.any() or (longest > _SMALL and even.sum() < _PAINTED * shown.sum()):
         return None
     if not has_colours(blended[even]):

@@ -13,7 +13,7 @@ import scipy
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.scanning.blending import unblended
-from iconstudio.algorithms.scanning.ground import CLEAR, Ground
+from iconstudio.algorithms.scanning.ground import CLEAR, Ground, are_alike
 from iconstudio.algorithms.tones.regions import Mask, nearest
 
 _EVEN = 20.0
@@ -28,8 +28,6 @@ _CLOSE = 10.0
 """Levels by which a channel of a colour differs from the ground's, or is no other."""
 _SHARE, _FEWEST = 0.0015, 6
 """Least part of the evenly painted pixels that have a colour of the palette, and their number."""
-_EXACT = 0.9
-"""How much of what is flat has the very same colour, in files that lose nothing."""
 _SPREAD = 9.0
 """Levels by which the pixels of one colour stray, as root of the mean square."""
 _GRAINY = 4.0
@@ -104,8 +102,7 @@ class Palette(NamedTuple):
     def is_exact(self, blended: NDArray[np.float32]) -> bool:
         """Whether most of what is flat has the very same colour, as lossy files do not keep it."""
         flat = (self.number >= 0) & ~np.isin(self.number, list(self.shades))
-        away = abs(blended[flat] - self.colours[self.number[flat]]).max(axis=1)
-        return bool(flat.any() and (away < 2).mean() > _EXACT)
+        return are_alike(blended[flat], self.colours[self.number[flat]])
 
     def without(self, one: int, other: int) -> "Palette":
         """Return it with the pixels of one colour given to another."""
@@ -137,7 +134,7 @@ def palette_of(blended: NDArray[np.float32], ground: Ground | None) -> Palette |
     areas = list(_clusters(blended, flat, least))
     behind: list[NDArray[np.bool_]] = []
     if ground is not None:
-        if not small:
+        if not (small and ground.is_exact(blended)):
             areas = list(_without_rings(blended, areas, ground))
         areas, behind = _without_ground(blended, areas, ground)
     if small:
@@ -174,7 +171,7 @@ def evenly_painted(blended: NDArray[np.float32], size: int) -> NDArray[np.bool_]
     even: NDArray[np.bool_] = _range(blended, size) < _EVEN
     if size == 2:
         even[0] = even[:, 0] = False
-        even = scipy.ndimage.binary_dilation(even, np.ones((2, 2)), origin=-1)
+        even = scipy.ndimage.binary_dilation(even, np.ones((2, 2)))
     return even | (blended[..., 3] < CLEAR)
 
 
@@ -195,8 +192,9 @@ def is_in_one_colour(blended: NDArray[np.float32]) -> bool:
     way = colour - ground
     share = np.clip((blended - ground) @ way / max(way @ way, 1), 0, 1)
     strays = np.linalg.norm(blended - ground - share[..., None] * way, axis=2)
-    between = even & (np.minimum(share, 1 - share) * np.linalg.norm(way) > _EVEN)
-    return bool(strays.max() < _EVEN and not between.any())
+    between = np.minimum(share, 1 - share) * np.linalg.norm(way) > _EVEN
+    shaded = scipy.ndimage.binary_erosion(between, np.ones((3, 3)))
+    return bool(strays.max() < _EVEN and not shaded.any())
 
 
 def _clusters(
@@ -293,7 +291,8 @@ def _steeply_shaded(
         by_degrees &= ~piece
     wide = scipy.ndimage.binary_opening(by_degrees, np.ones((_BAND, _BAND)))
     pieces = _pieces(blended, by_degrees, least, _STEEP / 2)
-    return [piece for piece in pieces if (piece & wide).any()]
+    wide_enough = (piece for piece in pieces if (piece & wide).any())
+    return [piece for piece in wide_enough if not _is_grainy(blended, piece)]
 
 
 def _joined(
