@@ -111,6 +111,23 @@ def test_of_a_faint_drawing_that_is_read_it_is_told_that_parts_may_be_missing(
     assert bool(session.icon(str(path)).remarks) == faint
 
 
+@pytest.mark.parametrize(("whiskers", "kept", "told"), [(80, True, False), (185, False, True)])
+def test_lines_that_are_fainter_than_others_are_kept_or_told(
+    session, tmp_path, whiskers, kept, told
+):
+    pixels = np.random.default_rng(0).normal(225, 5, (600, 600))
+    y, x = np.mgrid[:600, :600]
+    pixels[(abs(y - 300) < 3) & (abs(x - 300) < 290)] = whiskers
+    pixels[abs(np.hypot(y - 300, x - 300) - 170) < 5] = 40
+    pixels *= 0.6 + 0.4 * x / 600
+    path = tmp_path / "cat.png"
+    Image.fromarray(np.clip(pixels, 0, 255).astype(np.uint8)).save(path)
+    icon = session.icon(str(path))
+    height, width = (np.ptp(np.flatnonzero(session.exemplar(icon).ink.any(a))) for a in (1, 0))
+    assert (width > 1.5 * height) == kept
+    assert any("fainter" in remark for remark in icon.remarks) == told
+
+
 def test_of_an_animation_that_begins_with_nothing_it_is_told_what_was_read(session, tmp_path):
     path = tmp_path / "blank first.gif"
     blank, black = (Image.new("L", (60, 60), grey) for grey in (255, 0))

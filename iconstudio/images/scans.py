@@ -29,6 +29,10 @@ _FAINT = (
     "The drawing is faint, and parts of it may be missing. Draw with a darker pen, scan with more "
     "contrast, or choose the threshold in the window."
 )
+_FAINTER = (
+    "Lines that are much fainter than the rest were left out. Draw them with a darker pen, or "
+    "choose the threshold in the window."
+)
 _THIN = 1.5
 """Canvas units that the thickest lines must measure."""
 _FAINTEST = 32
@@ -83,10 +87,13 @@ def trace(
     digest = hashlib.sha256(svg.encode()).hexdigest()[:8]
     credit = Credit(name, UNNAMED, UNLICENSED, "", "")
     by_colour = scan.coloured if threshold in (None, scan.threshold) else None
-    faint = threshold is None and scan.threshold < _FAINTEST and by_colour is None
-    said = [remark, _PHOTO if scan.shaded else "", _FAINT if faint else "", THIN if thin else ""]
+    said = [remark, _PHOTO if scan.shaded else "", THIN if thin else ""]
     if by_colour is not None:
         said += [one for what, one in OMITTED.items() if what in by_colour.omissions]
+    elif threshold is None and scan.threshold < _FAINTEST:
+        said.append(_FAINT)
+    elif threshold is None and scan.faint and not scan.shaded:
+        said.append(_FAINTER)
     remarks = tuple(filter(None, said))
     pictogram = Pictogram(f"{OWN}{Path(name).stem}-{digest}", svg, credit, remarks=remarks)
     return Tracing(pictogram, path, width, height)

@@ -288,3 +288,73 @@ def test_the_windows_of_a_black_card_without_a_margin_are_neither_sheets_nor_the
     pixels = rgba(body, 400, "0 0 100 100")[60:340, :, :3]
     ink = scans.fitted(ink_of(recognised(pixels)).astype(float))
     assert scans.iou(ink, scans.fitted(pixels[..., 0] < 128)) > 0.9
+
+
+FADING = {
+    "cloud": '<linearGradient id="w" y2="1"><stop stop-color="#fff"/><stop offset="1" '
+    'stop-color="#c9c2ea"/></linearGradient><circle cx="32" cy="34" r="24" fill="#fa3"/>'
+    '<path d="M28 86a22 22 0 0 1 0-44 28 28 0 0 1 50 6 19 19 0 0 1 0 38z" fill="url(#w)"/>',
+    "button": '<linearGradient id="b" y2="1"><stop stop-color="#fff"/><stop offset="1" '
+    'stop-color="#48c"/></linearGradient><rect x="8" y="30" width="84" height="40" rx="20" '
+    'fill="url(#b)"/>',
+    "pale disc": '<circle cx="50" cy="50" r="48" fill="#e0eeff"/>'
+    '<path d="M40 20h20v40H40zM30 64h40v8H30z" fill="#23c"/>',
+    "pale handle": '<path d="M10 40h50v50H10z" fill="#8c4"/>'
+    '<path d="M66 30l24-24v60H66z" fill="#e4e4e4"/>',
+}
+
+
+@pytest.mark.parametrize("name", FADING)
+@pytest.mark.parametrize(("side", "quality"), [(128, 0), (300, 80)])
+def test_what_is_nearly_as_pale_as_the_page_is_a_part_of_the_drawing(name, side, quality):
+    """Even where it fades into it on one side."""
+    scan = recognised(on_page(FADING[name], side, quality, "0 0 100 100"))
+    right = scans.fitted(pictogram(rgba(FADING[name], 512, "0 0 100 100")) / 255)
+    assert scan.coloured is not None
+    assert scans.iou(scans.fitted(ink_of(scan).astype(float)), right) > 0.9
+
+
+WHITE = '<path d="M0 0h100v60H0z" fill="#fff"/>'
+BARE = {
+    "half": WHITE + '<path d="M0 30h100v30H0z" fill="#d13"/>',
+    "triangle": WHITE + '<path d="M0 0l50 30h50V0z" fill="#d22"/>'
+    '<path d="M0 60l50-30h50v30z" fill="#148"/><circle cx="14" cy="30" r="7" fill="#d22"/>',
+    "serrated": WHITE + '<path d="M30 0l12 10-12 10 12 10-12 10 12 10-12 10h70V0z" fill="#924"/>',
+}
+
+
+@pytest.mark.parametrize("name", BARE)
+@pytest.mark.parametrize(("side", "quality"), [(120, 0), (320, 75)])
+def test_white_all_along_one_side_of_a_flag_is_no_page(name, side, quality):
+    square = Image.new("RGBA", (512, 512))
+    square.paste(Image.fromarray(rgba(BARE[name], 482, "0 -20 100 100")), (15, 15))
+    right = scans.fitted(pictogram(np.asarray(square)) / 255)
+    found = scans.fitted(ink_of(recognised(on_page(BARE[name], side, quality))).astype(float))
+    assert scans.iou(found, right) > 0.88
+
+
+STRIPES = (
+    '<path d="M0 0h100v20H0z"/><path d="M0 20h100v20H0z" fill="#d00"/>'
+    '<path d="M0 40h100v20H0z" fill="#fc0"/>'
+)
+
+
+@pytest.mark.parametrize("quality", [0, 80])
+def test_lines_of_pixels_that_are_dark_for_want_of_a_ground_are_no_frame(quality):
+    pixels = on_page(STRIPES, 300).copy()
+    pixels[-1] //= 8
+    pixels[:, -1] //= 8
+    if quality:
+        file = io.BytesIO()
+        Image.fromarray(pixels).save(file, "JPEG", quality=quality)
+        pixels = np.asarray(Image.open(file))
+    ink = scans.fitted(ink_of(recognised(pixels)).astype(float))
+    assert ndimage.label(ink)[1] == 3 and ink.sum() > 0.9 * 240 * 144
+
+
+@pytest.mark.parametrize("upright", [True, False])
+def test_three_stripes_in_three_colours_are_three(upright):
+    pixels = on_page(STRIPES, 200)
+    if upright:
+        pixels = pixels[:, :180].swapaxes(0, 1)
+    assert ndimage.label(ink_of(recognised(pixels)))[1] == 3

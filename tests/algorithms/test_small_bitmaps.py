@@ -1,11 +1,15 @@
 """Bitmaps of 16 to 48 pixels become what the same drawing becomes as SVG."""
 
+import io
+
 import numpy as np
 import pytest
+from PIL import Image
 from scipy import ndimage
 
 from iconstudio.algorithms.scanning.binarisation import ink_of, recognised
 from iconstudio.algorithms.scanning.blending import unblended
+from iconstudio.algorithms.scanning.palette import evenly_painted
 from iconstudio.algorithms.scanning.resampling import reconstructed
 from iconstudio.algorithms.tones import tone
 from tests import scans
@@ -123,3 +127,41 @@ def test_shapes_cover_as_much_of_each_pixel_as_is_given(side):
     fine = reconstructed(parts, (finer * side, finer * side))
     sharp = (fine.argmax(axis=0) == 0).reshape(side, finer, side, finer).mean(axis=(1, 3))
     assert abs(sharp - ink).mean() < 0.02 and abs(sharp.sum() - ink.sum()) < 0.02 * ink.sum()
+
+
+def test_what_is_evenly_painted_lies_in_an_even_square():
+    random = np.random.default_rng(3)
+    pixels = np.repeat(random.choice([0, 255], (12, 12, 1)), 4, axis=2).astype(np.float32)
+    pixels[..., 3] = 255
+    right = np.zeros((12, 12), bool)
+    for y in range(11):
+        for x in range(11):
+            square = pixels[y : y + 2, x : x + 2]
+            right[y : y + 2, x : x + 2] |= (square == square[0, 0]).all()
+    assert 0 < right.sum() < right.size and (evenly_painted(pixels, 2) == right).all()
+
+
+@pytest.mark.parametrize("quality", [70, 80])
+@pytest.mark.parametrize("side", [16, 24])
+def test_the_noise_of_lossy_files_leaves_no_specks(side, quality):
+    drawing = '<path d="M28 14 80 50 28 86z"/>'
+    file = io.BytesIO()
+    Image.fromarray(bitmap(drawing, side, True)).save(file, "JPEG", quality=quality)
+    ink = found(np.asarray(Image.open(file)))
+    right = scans.fitted(rgba(drawing, 512, VIEW)[..., 3] / 255)
+    assert ndimage.label(ink)[1] == 1 and scans.iou(ink, right) > 0.75
+
+
+@pytest.mark.parametrize("side", [16, 20])
+def test_of_shades_on_nothing_the_palest_are_no_holes(side):
+    right = rgba(DRAWINGS["star"], 512, VIEW)[..., 3] / 255
+    ink = found(bitmap(DRAWINGS["star"], side, False))
+    assert ndimage.label(~ink)[1] == 1 and scans.iou(ink, scans.fitted(right)) > 0.8
+
+
+@pytest.mark.parametrize("side", [16, 32, 128])
+def test_white_behind_the_corners_of_a_pale_tile_is_no_ink(side):
+    tile = '<rect width="100" height="100" rx="24" fill="#f4f2ed"/>'
+    drawing = '<path d="M50 22 82 76H18z"/>'
+    right = scans.fitted(rgba(drawing, 512, VIEW)[..., 3] / 255)
+    assert scans.iou(found(bitmap(tile + drawing, side, True)), right) > 0.85

@@ -12,9 +12,10 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.scanning.checkerboard import without_checkerboard
 from iconstudio.algorithms.scanning.flat import flat_drawing, on_nothing
 from iconstudio.algorithms.scanning.free import LARGE, free_drawing
-from iconstudio.algorithms.scanning.margin import with_margin
+from iconstudio.algorithms.scanning.margin import with_margin, without_half_lines
 from iconstudio.algorithms.scanning.paper import lighting, page, trend
 from iconstudio.algorithms.scanning.resampling import COARSE, reconstructed, resized, shrunk
 from iconstudio.algorithms.tones.tone import Inked, pictogram
@@ -42,6 +43,12 @@ _GRADUAL, _SOFT, _SOFTEST = 0.01, 6, 12
 if that is out of focus, but no more than the last."""
 _SLIM = 8
 """Half the width in pixels of a faint line: the rules of a notebook, or the rim of a stain."""
+_ENLARGED = 2.0
+"""How many times a picture is enlarged at most in which lines are told from the edges of others."""
+_BESIDE = 3
+"""Pixels beside ink that its blurred edges reach."""
+_SEEN, _FAINTER = 0.08, 0.02
+"""How dark lines are that one can see, and how much of them beside the ink is told."""
 _BLACK = 0.1
 """A channel of the paper that is darker tells of noise alone."""
 _PLAIN = 0.25
@@ -49,6 +56,8 @@ _PLAIN = 0.25
 
 _BEYOND = 2
 """Pixels beyond the edge of a small picture that are taken for paper."""
+_LITTLE = 0.25
+"""How much ink the darkest pixel beside an edge has at least, and the brightest at most."""
 
 _Seeing = Callable[[NDArray[np.float32]], NDArray[np.float32]]
 """Tells how dark a picture is, of its colours."""
@@ -68,6 +77,8 @@ class Scan:
     """Whether a drawing was made out; if not, ``darkness`` is all of the picture, stretched."""
     shaded: bool = False
     """Whether much of it is neither ink nor paper, as on a photo of something else."""
+    faint: bool = False
+    """Whether lines that can be seen are fainter than ``threshold``."""
     coloured: Inked | None = None
     """Of a drawing in flat colours, its pictogram: what is ink at ``threshold``."""
 
@@ -122,6 +133,9 @@ def scanned(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
     dark = _enlarged(dark, tuple(max(1, round(side * scale)) for side in dark.shape))
     dark = np.clip(scipy.ndimage.gaussian_filter(dark, 1.0), 0, 1)
     threshold = _threshold(dark) if bounds else None
+    fainter = False
+    if threshold is not None and scale < _ENLARGED:
+        fainter = _has_fainter(dark, threshold)
     if threshold is None:
         low, high = np.percentile(dark, (1, 99.9))
         dark = np.clip((dark - low) / max(high - low, _FAINTEST), 0, 1)
@@ -131,6 +145,7 @@ def scanned(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
         inverted,
         threshold is not None,
         _shading(dark, threshold or 0.5, scale) > _SHADED,
+        fainter,
     )
 
 
@@ -139,6 +154,7 @@ def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
 
     These tell only if nobody says whether it is lighter than its ground.
     """
+    pixels = without_checkerboard(without_half_lines(pixels))
     if inverted is None:
         pixels = on_nothing(pixels)
     if not inverted:
@@ -157,7 +173,7 @@ def _coloured_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
     """
     ways = [flat_drawing, free_drawing]
     if max(pixels.shape[:2]) >= LARGE:
-        ways.reverse()
+        ways = [free_drawing, flat_drawing]
     return next((drawing for way in ways if (drawing := way(pixels)) is not None), None)
 
 
@@ -252,13 +268,21 @@ def _enlarged(dark: NDArray[np.float32], shape: tuple[int, ...]) -> NDArray[np.f
     if threshold is None:
         return resized(dark, shape)
     whole = 2 * threshold
-    ink = np.pad(np.clip(dark / whole, 0, 1), _BEYOND)
+    ink = _greys_of_edges(np.pad(np.clip(dark / whole, 0, 1), _BEYOND))
     scale = shape[0] / dark.shape[0]
     larger = reconstructed(
         np.stack([ink, 1 - ink]), tuple(round(side * scale) for side in ink.shape)
     )
     at = round(_BEYOND * scale)
     return whole * larger[0, at : at + shape[0], at : at + shape[1]]
+
+
+def _greys_of_edges(ink: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Return ink, from 0 to 1, without noise on the paper and shades within: they are no edges."""
+    near_ink = scipy.ndimage.maximum_filter(ink, 3) > _LITTLE
+    near_paper = scipy.ndimage.minimum_filter(ink, 3) < _LITTLE
+    edges: NDArray[np.float32] = np.where(near_ink & near_paper, ink, np.rint(ink))
+    return edges
 
 
 def _bounds(dark: NDArray[np.float32]) -> tuple[int, int, int, int] | None:
@@ -296,6 +320,18 @@ def _threshold(dark: NDArray[np.float32]) -> float | None:
     if high - low < LEAST:
         return None
     return (low + high) / 2
+
+
+def _has_fainter(dark: NDArray[np.float32], threshold: float) -> bool:
+    """Whether lines can be seen beside the ink that are too faint to be ink."""
+    ink = _cleaned(dark > threshold, _SPECK)
+    away = ~scipy.ndimage.binary_dilation(ink, iterations=_BESIDE)
+    paper = dark[away]
+    if not paper.size:
+        return False
+    grain = 1.48 * np.median(abs(paper - np.median(paper)))
+    seen = _cleaned((dark > np.median(paper) + max(_SEEN, 4 * grain)) & away, _SPECK // 3)
+    return bool(seen.sum() > _FAINTER * ink.sum())
 
 
 def _shading(dark: NDArray[np.float32], threshold: float, scale: float) -> float:

@@ -14,15 +14,10 @@ import scipy
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.scanning.blending import unblended
-from iconstudio.algorithms.scanning.free import FILLED, has_colours, on_square, scaled
-from iconstudio.algorithms.scanning.margin import PAPER
-from iconstudio.algorithms.scanning.palette import (
-    CLEAR,
-    SMALL,
-    Palette,
-    is_in_one_colour,
-    palette_of,
-)
+from iconstudio.algorithms.scanning.free import FILLED, cut_drawing, has_colours, on_square, scaled
+from iconstudio.algorithms.scanning.ground import AROUND, ASTRAY, CLEAR, Ground, ground_of
+from iconstudio.algorithms.scanning.margin import PAPER, rim_of
+from iconstudio.algorithms.scanning.palette import SMALL, Palette, is_in_one_colour, palette_of
 from iconstudio.algorithms.scanning.resampling import (
     premultiplied,
     reconstructed,
@@ -38,11 +33,9 @@ _LONGEST = 384
 _MISSED, _MISSED_SMALL, _LOSSY = 0.04, 0.08, 0.15
 """Part of the drawing that may be of other colours than those of the palette and their blends; in
 small bitmaps, more lies where colours meet; in lossy files, edges do."""
-_ASTRAY = 28.0
-"""Levels by which a pixel misses its blend if it is no such blend."""
 _LACKING = 4
 """Colours of lines and dots that are added to a palette, at most."""
-_ABSENT = 14.0
+_ABSENT = 20.0
 """Levels that it costs to blend a colour that no even area near has."""
 _GROUND = 0.9
 """How much of a pixel at the edge of a drawing is ground, at most."""
@@ -51,16 +44,18 @@ _PURE, _BY_DEGREES = 0.9, 0.045
 the midst of blends."""
 _NEAR = 7
 """Pixels across, of what is near."""
-_AROUND = 0.97
-"""How much of the rim of a bitmap has the colour of the ground, if not all corners have."""
-_AT_RIM = 0.3
-"""How much of the rim the colour of white paper has, at least."""
 _BLEEDS = 0.5
 """How much of the rim a coloured ground has, at least; less is what shows beside an app icon."""
 _DESK = 0.75
 """How much of the rim a desk has at least around a sheet of paper, whose corners are sharp."""
+_PAINT, _PAPER_AND_INK = 0.02, 2
+"""How much of a sheet a colour has to count, and how many a sheet has with what is drawn on it."""
 _TINGE = 70.0
 """Levels by which the channels of paper differ, at most."""
+_IN_SHADOW = 0.1
+"""How much of the rim has shades, where what has not is no ground."""
+_FADING = 0.9
+"""How much of where a soft shadow meets the ground is nearly of its colour."""
 _CLEAN = 3.0
 """Levels by which the ground of a drawing with shades strays at most; that of a photo does."""
 _EVENLY = 0.4
@@ -89,12 +84,17 @@ def flat_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
     free = pixels.shape[2] == 4
     if free and max(pixels.shape[:2]) <= SMALL and is_in_one_colour(blended):
         return None
-    palette = palette_of(blended)
+    found = ground_of(blended)
+    palette = palette_of(blended, found)
+    if found is not None and found.around > _DESK:
+        sheet = _on_a_desk(small, found.colour)
+        if sheet is not None and not _is_painted(palette, blended, sheet):
+            return None
     if palette is None:
-        return None
-    ground, around = _ground(palette, blended)
-    if ground is not None and around > _DESK and _lies_on_a_desk(small, palette.colours[ground]):
-        return None
+        return cut_drawing(pixels)
+    if found is not None and _goes_on_in_shadow(palette, found):
+        found = None
+    ground, around = (None, 0.0) if found is None else (0, found.around)
     if _is_full_bleed(palette, blended, ground, around):
         return _full_bleed(blended, palette)
     if ground is None:
@@ -103,11 +103,10 @@ def flat_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
         if palette.noise(ground, blended) > _CLEAN:
             return None
         palette = _without_fading(palette, ground)
-    completed, parts = _completed(blended, palette)
+    palette, parts = _completed(blended, palette)
     if parts is None:
-        return None
-    away = abs(completed.colours - palette.colours[ground]).max(axis=1)
-    return _painted(parts, completed, int(away.argmin()), around < _AROUND)
+        return cut_drawing(pixels)
+    return _painted(parts, palette, ground, around < AROUND)
 
 
 def on_nothing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
@@ -177,8 +176,8 @@ def _is_full_bleed(
     if ground is not None and palette.colours[ground].min() > PAPER:
         # Stripes of white, as on flags: more of a page was added around.
         corners = blended[[0, 0, -1, -1], [0, -1, 0, -1]] - palette.colours[ground]
-        at_corners = np.linalg.norm(corners, axis=1) < _ASTRAY
-        full = around < _AROUND and not at_corners.all() and coloured.any() and not palette.shades
+        at_corners = np.linalg.norm(corners, axis=1) < ASTRAY
+        full = around < AROUND and not at_corners.all() and coloured.any() and not palette.shades
     elif ground is not None:
         full = around > _BLEEDS and coloured[ground]
     elif palette.shades:
@@ -209,46 +208,41 @@ def _full_bleed(blended: NDArray[np.float32], palette: Palette) -> NDArray[np.ui
     return on_square(_at(list(parts), palette.shades, palette, shape)[1])
 
 
-def _ground(palette: Palette, blended: NDArray[np.float32]) -> tuple[int | None, float]:
-    """Return the number of the colour all around, or in all corners, and its share of the rim.
-
-    The number is None if there is no such colour.
-    """
-    if (palette.colours[:, 3] < CLEAR).any():
-        return int(palette.colours[:, 3].argmin()), 1.0
-    away = np.linalg.norm(palette.colours[:, None, None] - blended, axis=3)
-    on_rim = np.concatenate([away[:, 0], away[:, -1], away[:, :, 0], away[:, :, -1]], axis=1)
-    shares = (on_rim < _ASTRAY).mean(axis=1)
-    shares[list(palette.shades)] = 0
-    paper = (palette.colours.min(axis=1) > PAPER) & (shares > _AT_RIM)
-    cornered = (away[:, [0, 0, -1, -1], [0, -1, 0, -1]] < _ASTRAY).all(axis=1)
-    # Paper of which a part lies in the shadow, or beside a desk, has shades.
-    grounds = [shares > _AROUND, cornered] + ([] if palette.shades else [paper])
-    for some in grounds:
-        candidates = np.where(some, shares, 0)
-        if candidates.any():
-            return int(candidates.argmax()), float(candidates.max())
-    return None, 0.0
-
-
-def _lies_on_a_desk(small: NDArray[np.float32], ground: NDArray[np.float32]) -> bool:
-    """Whether it is a sheet of paper; a ground as white as that is no desk."""
+def _on_a_desk(small: NDArray[np.float32], ground: NDArray[np.float32]) -> NDArray[np.bool_] | None:
+    """Return where a sheet of paper lies on its ground; one as white as that is no desk."""
     if small.shape[2] == 4 or ground.min() > PAPER:
-        return False
+        return None
     sheet = sheet_on_desk(small / np.float32(255))
-    return sheet is not None and bool(np.ptp(np.median(small[sheet], axis=0)) < _TINGE)
+    return None if sheet is None or np.ptp(np.median(small[sheet], axis=0)) > _TINGE else sheet
+
+
+def _is_painted(
+    palette: Palette | None, blended: NDArray[np.float32], sheet: NDArray[np.bool_]
+) -> bool:
+    """Whether what looks like a sheet has more flat colours than paper with a drawing."""
+    if palette is None or not palette.is_exact(blended):
+        return False
+    shares = [(palette.number[sheet] == one).mean() for one in range(len(palette.colours))]
+    return bool(sum(share > _PAINT for share in shares) > _PAPER_AND_INK)
+
+
+def _goes_on_in_shadow(palette: Palette, ground: Ground) -> bool:
+    """Whether a ground may be that part of paper or of a desk that is lit, beside shades."""
+    shaded = np.isin(rim_of(palette.number), list(palette.shades)).mean() > _IN_SHADOW
+    corners = ground.mask[[0, 0, -1, -1], [0, -1, 0, -1]]
+    return bool(shaded and ground.around < AROUND and not corners.all())
 
 
 def _without_fading(palette: Palette, ground: int) -> Palette:
-    """Return a palette without shades that fade into the ground, as soft shadows do.
+    """Return a palette without shades that fade into the ground all around, as soft shadows do.
 
-    A ball may have a highlight of the colour of the ground, but not where it meets that.
+    A cloud or a button may fade into it on one side.
     """
     beside = scipy.ndimage.binary_dilation(palette.number == ground, np.ones((_NEAR, _NEAR)))
     for one, shade in palette.shades.items():
         meets = beside & (palette.number == one)
         away = np.linalg.norm(shade[meets] - palette.colours[ground], axis=1)
-        if (away < _ASTRAY).any():
+        if away.size and (away < ASTRAY).mean() > _FADING:
             palette = palette.without(one, ground)
     return palette
 
@@ -271,7 +265,7 @@ def _parts(
     missed, values = best.copy(), np.zeros((count, len(pixels)), np.float32)
     for size in (1, 2, 3) if max(mixed.shape) <= SMALL else (1, 2):
         # What two colours blend is no blend of three.
-        open_ = np.flatnonzero(missed > _ASTRAY**2) if size > 2 else np.arange(len(pixels))
+        open_ = np.flatnonzero(missed > ASTRAY**2) if size > 2 else np.arange(len(pixels))
         for some in combinations(range(count), size):
             corners = [c if len(c) == 1 else c[open_] for c in (colours[one] for one in some)]
             shares, away = unblended(pixels[open_], corners)
@@ -284,7 +278,7 @@ def _parts(
             values[np.ix_(some, at)] = shares[:, better]
     parts[:, mixed] = values
     drawn = (palette.number != palette.counts.argmax()).sum()
-    amiss = float((missed > _ASTRAY**2).sum() / max(drawn, 1))
+    amiss = float((missed > ASTRAY**2).sum() / max(drawn, 1))
     return parts, amiss, pixels[missed.argmax()] if amiss else None
 
 

@@ -3,7 +3,10 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.scanning.palette import CLEAR, evenly_painted
+from iconstudio.algorithms.scanning.cutting import cut_out
+from iconstudio.algorithms.scanning.ground import CLEAR, ground_of
+from iconstudio.algorithms.scanning.margin import rim_of
+from iconstudio.algorithms.scanning.palette import evenly_painted
 from iconstudio.algorithms.scanning.resampling import (
     premultiplied,
     reconstructed,
@@ -22,6 +25,8 @@ _SMALL, _PAINTED = 64, 0.5
 """Of a drawing that is longer than the one, so much is evenly painted at least; photos are not."""
 _OPAQUE = 243.0
 """Levels of alpha of what is opaque."""
+_CLEAN = 0.9
+"""How much of what has the colour of a ground has just that, if no camera saw it."""
 _APART, _PART = 30.0, 0.015
 """Levels by which two colours of a drawing differ, and the least part that the second one has."""
 
@@ -44,6 +49,8 @@ def free_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
     blended = np.pad(blended, [(1, 1), (1, 1), (0, 0)])
     shown = blended[..., 3] >= CLEAR
     even = evenly_painted(blended, 3) & shown
+    if longest <= _SMALL and not even.any():
+        even = blended[..., 3] >= _OPAQUE  # of a few pixels, each may be of its own shade
     if not even.any() or (longest > _SMALL and even.sum() < _PAINTED * shown.sum()):
         return None
     if not has_colours(blended[even]):
@@ -62,6 +69,16 @@ def _with_edges(larger: NDArray[np.float32], alpha: NDArray[np.float32]) -> NDAr
     straight = larger * (np.float32(255) / np.maximum(larger[..., 3:], 1))
     sharp: NDArray[np.float32] = np.where(inside[..., None], straight, np.float32(0))
     return sharp
+
+
+def cut_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
+    """Return the drawing (SIDE, SIDE, 4) in many colours on an even ground (h, w, 3), or None."""
+    if pixels.shape[2] == 4:
+        return None
+    ground = ground_of(premultiplied(pixels.astype(np.float32)))
+    if ground is None or rim_of(ground.mask).mean() < _CLEAN * ground.around:
+        return None
+    return free_drawing(cut_out(pixels, ground.colour[:3], ground.mask))
 
 
 def scaled(shape: tuple[int, ...], scale: float) -> tuple[int, ...]:

@@ -1,8 +1,12 @@
-"""Bitmaps that are cropped tightly get back the margin of their page."""
+"""Bitmaps that are cropped tightly get back the margin of their page, and lose half a pixel."""
+
+from typing import TypeVar
 
 import numpy as np
 import scipy
 from numpy.typing import NDArray
+
+T = TypeVar("T", bound=np.generic)
 
 PAPER = 225.0
 """Levels from which a colour is that of white paper."""
@@ -12,6 +16,15 @@ _CLEAN = 2.5
 """Levels by which a page that a computer drew strays in the median; that of a scan does by more."""
 _EDGE, _STEP = 3, 40.0
 """Pixels within which an edge falls from the page to a drawing, and by how many levels at least."""
+_WHOLE = 0.98
+"""How much of a side is all of it."""
+_DARKENED, _DARKEST = 0.6, 10.0
+"""How bright the last line of a picture is, as part of the line before, if it is half missing; and
+grey levels that tell of noise alone."""
+_FINE = 100
+"""Pixels of the shorter side of a picture of which one pixel is no frame."""
+_RUNS = 2
+"""Pieces of the rim that are white where it is so along one side, at most."""
 _STRIPE = 0.9
 """How much of its bounding box a stripe of a flag fills."""
 _MARGIN = 0.06
@@ -22,12 +35,12 @@ def with_margin(pixels: NDArray[np.uint8], tiles: bool = False) -> NDArray[np.ui
     """Return a bitmap (h, w, 3) with more of its white page around, if what it shows is cut by it.
 
     So letters that touch the edge of a wordmark are neither scraps nor ground. It is as it is where
-    its page shows in stripes, as on flags, or, unless ``tiles``, in the corners alone, as beside an
-    app icon.
+    its page shows in stripes or takes a whole side, as on flags, or, unless ``tiles``, in the
+    corners alone, as beside an app icon.
     """
     if pixels.shape[2] != 3 or min(pixels.shape[:2]) < 8:
         return pixels
-    rim = _rim(pixels)
+    rim = rim_of(pixels)
     white = rim.min(axis=1) > PAPER
     if not _LEAST < white.mean() < _ALL:
         return pixels
@@ -35,13 +48,38 @@ def with_margin(pixels: NDArray[np.uint8], tiles: bool = False) -> NDArray[np.ui
     if np.median(abs(rim[white] - page).max(axis=1)) > _CLEAN:
         return pixels
     light = pixels.min(axis=2) > PAPER
-    if _is_blurred(pixels) or (not tiles and _is_in_corners(light)) or _is_striped(light):
+    if _is_blurred(pixels) or (not tiles and _is_in_corners(light)) or _is_flag(light):
         return pixels
     wide = round(_MARGIN * max(light.shape)) + 2
     padded = np.empty((light.shape[0] + 2 * wide, light.shape[1] + 2 * wide, 3), np.uint8)
     padded[:] = page
     padded[wide:-wide, wide:-wide] = pixels
     return padded
+
+
+def without_half_lines(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """Return a picture (h, w, 3) without first and last rows and columns that are dark all along.
+
+    A drawing of a height or width of no whole pixels covers the last line in part, and in files
+    without transparency the rest of that is black. Where there is a page, it is a frame.
+    """
+    if pixels.shape[2] == 4 or min(pixels.shape[:2]) < _FINE:
+        return pixels
+    height, width = pixels.shape[:2]
+    turned = pixels.swapaxes(0, 1)
+    top, bottom, left, right = (
+        _is_half(line, inner)
+        for side in (pixels, turned)
+        for line, inner in ((side[0], side[2]), (side[-1], side[-3]))
+    )
+    return pixels[int(top) : height - bottom, int(left) : width - right]
+
+
+def _is_half(line: NDArray[np.uint8], inner: NDArray[np.uint8]) -> bool:
+    light = inner.max(axis=1)
+    dark = (line.max(axis=1) <= _DARKENED * light + _DARKEST).mean() > _WHOLE
+    on_page = (inner.min(axis=1) > PAPER).mean() > _WHOLE
+    return bool(dark and light.max() > 4 * _DARKEST and not on_page)
 
 
 def _is_blurred(pixels: NDArray[np.uint8]) -> bool:
@@ -54,7 +92,8 @@ def _is_blurred(pixels: NDArray[np.uint8]) -> bool:
     return bool(steps and np.median(steps) < _STEP)
 
 
-def _rim(pixels: NDArray[np.generic]) -> NDArray[np.generic]:
+def rim_of(pixels: NDArray[T]) -> NDArray[T]:
+    """Return the pixels (n, ...) along the edge of a picture (h, w, ...), each once."""
     return np.concatenate([pixels[0], pixels[-1], pixels[1:-1, 0], pixels[1:-1, -1]])
 
 
@@ -66,10 +105,24 @@ def _is_in_corners(light: NDArray[np.bool_]) -> bool:
     return bool(corners.all() and not sides.any())
 
 
+def _is_flag(light: NDArray[np.bool_]) -> bool:
+    """Whether what is white is a stripe, or all along one side while the other shows no page.
+
+    What is cropped tightly touches all sides, and letters touch them more than once.
+    """
+    around = np.concatenate([light[0], light[:, -1], light[-1, ::-1], light[::-1, 0]])
+    once = (around & ~np.roll(around, 1)).sum() <= _RUNS
+    for one, other in ((light[0], light[-1]), (light[:, 0], light[:, -1])):
+        least, most = sorted([one.mean(), other.mean()])
+        if once and least < 1 - _WHOLE and most > _WHOLE:
+            return True
+    return _is_striped(light)
+
+
 def _is_striped(light: NDArray[np.bool_]) -> bool:
     """Whether most of what is white along the rim belongs to rectangles."""
     pieces, _ = scipy.ndimage.label(light)
-    on_rim = np.bincount(_rim(pieces).ravel(), minlength=pieces.max() + 1)
+    on_rim = np.bincount(rim_of(pieces).ravel(), minlength=pieces.max() + 1)
     on_rim[0] = 0
     stripes = 0
     boxes = scipy.ndimage.find_objects(pieces)

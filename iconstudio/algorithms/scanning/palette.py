@@ -13,10 +13,9 @@ import scipy
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.scanning.blending import unblended
+from iconstudio.algorithms.scanning.ground import CLEAR, Ground, are_alike
 from iconstudio.algorithms.tones.regions import Mask, nearest
 
-CLEAR = 12.0
-"""Levels of alpha of what is not there."""
 _EVEN = 20.0
 """Levels by which a channel differs within three pixels of an evenly painted area, at most."""
 _FLAT, _STEEP, _BAND = 6.0, 60.0, 5
@@ -25,10 +24,10 @@ SMALL = 64
 """Pixels of the longer side of a bitmap in which there is as much of edges as of colours."""
 _BIN = 8
 """Levels of a channel that are counted as one."""
+_CLOSE = 10.0
+"""Levels by which a channel of a colour differs from the ground's, or is no other."""
 _SHARE, _FEWEST = 0.0015, 6
 """Least part of the evenly painted pixels that have a colour of the palette, and their number."""
-_EXACT = 0.9
-"""How much of what is flat has the very same colour, in files that lose nothing."""
 _SPREAD = 9.0
 """Levels by which the pixels of one colour stray, as root of the mean square."""
 _GRAINY = 4.0
@@ -66,12 +65,15 @@ class Palette(NamedTuple):
         return self._replace(colours=colours, counts=np.append(self.counts, 0))
 
     def without_blends(self, blended: NDArray[np.float32]) -> "Palette":
-        """Return it without the colours of edges: slim, between others in place and in colour."""
+        """Return it without the colours of edges: slim, between others in place and in colour.
+
+        The first colour stays.
+        """
         wide = evenly_painted(blended, 3)
         flat = [one for one in range(len(self.colours)) if one not in self.shades]
         alike = {one: abs(blended - self.colours[one]).max(axis=2) < _EVEN for one in flat}
         kept = set(range(len(self.colours)))
-        for one in flat[::-1]:
+        for one in flat[:0:-1]:
             area = self.number == one if self.counts[one] else alike[one]
             if not area.any() or (area & wide).any():
                 continue
@@ -100,8 +102,7 @@ class Palette(NamedTuple):
     def is_exact(self, blended: NDArray[np.float32]) -> bool:
         """Whether most of what is flat has the very same colour, as lossy files do not keep it."""
         flat = (self.number >= 0) & ~np.isin(self.number, list(self.shades))
-        away = abs(blended[flat] - self.colours[self.number[flat]]).max(axis=1)
-        return bool(flat.any() and (away < 2).mean() > _EXACT)
+        return are_alike(blended[flat], self.colours[self.number[flat]])
 
     def without(self, one: int, other: int) -> "Palette":
         """Return it with the pixels of one colour given to another."""
@@ -112,10 +113,10 @@ class Palette(NamedTuple):
         return self._replace(counts=counts, number=number)
 
 
-def palette_of(blended: NDArray[np.float32]) -> Palette | None:
+def palette_of(blended: NDArray[np.float32], ground: Ground | None) -> Palette | None:
     """Return the palette of a bitmap (h, w, 4); None if it is too coarse, or has too many colours.
 
-    It has two colours at least.
+    It has two colours at least, the first of them that of its ``ground``.
     """
     small = max(blended.shape[:2]) <= SMALL
     wide = evenly_painted(blended, 3)
@@ -123,12 +124,19 @@ def palette_of(blended: NDArray[np.float32]) -> Palette | None:
     if not even.any():
         return None
     least = max(_FEWEST, _SHARE * even.sum())
-    shaded = [piece for piece in _pieces(blended, wide, least) if _strays(blended[piece]) > _SPREAD]
+    drawn = even if ground is None else even & ~ground.mask
+    pieces = _pieces(blended, wide & drawn, least)
+    shaded = [piece for piece in pieces if _strays(blended[piece]) > _SPREAD]
     if small:
         shaded += _steeply_shaded(blended, shaded, least)
-    shaded = [_grown(blended, piece, even) for piece in shaded]
-    flat = even & ~np.any(shaded, axis=0) if shaded else even
+    shaded = [_grown(blended, piece, drawn) for piece in shaded]
+    flat = drawn & ~np.any(shaded, axis=0) if shaded else drawn
     areas = list(_clusters(blended, flat, least))
+    behind: list[NDArray[np.bool_]] = []
+    if ground is not None:
+        if not (small and ground.is_exact(blended)):
+            areas = list(_without_rings(blended, areas, ground))
+        areas, behind = _without_ground(blended, areas, ground)
     if small:
         areas = [_trimmed(blended, area) for area in areas]
     if len(areas) > _MOST:
@@ -137,10 +145,12 @@ def palette_of(blended: NDArray[np.float32]) -> Palette | None:
     areas, straying = _divided(areas, lambda area: _strays(blended[area]) > _SPREAD)
     if sum(map(np.sum, grainy + straying)) > _GRAIN * even.sum():
         return None
+    areas = behind + areas
     colours = [np.median(blended[area], axis=0) for area in areas]
     number = np.full(even.shape, -1)
     for one, area in enumerate(areas):
         number[area] = one
+    number[_at_edges(blended, number, colours)] = -1
     shades = {}
     for piece in _joined(blended, shaded):
         number[piece] = len(colours)
@@ -161,7 +171,7 @@ def evenly_painted(blended: NDArray[np.float32], size: int) -> NDArray[np.bool_]
     even: NDArray[np.bool_] = _range(blended, size) < _EVEN
     if size == 2:
         even[0] = even[:, 0] = False
-        even = scipy.ndimage.binary_dilation(even, np.ones((2, 2)), origin=-1)
+        even = scipy.ndimage.binary_dilation(even, np.ones((2, 2)))
     return even | (blended[..., 3] < CLEAR)
 
 
@@ -182,8 +192,9 @@ def is_in_one_colour(blended: NDArray[np.float32]) -> bool:
     way = colour - ground
     share = np.clip((blended - ground) @ way / max(way @ way, 1), 0, 1)
     strays = np.linalg.norm(blended - ground - share[..., None] * way, axis=2)
-    between = even & (np.minimum(share, 1 - share) * np.linalg.norm(way) > _EVEN)
-    return bool(strays.max() < _EVEN and not between.any())
+    between = np.minimum(share, 1 - share) * np.linalg.norm(way) > _EVEN
+    shaded = scipy.ndimage.binary_erosion(between, np.ones((3, 3)))
+    return bool(strays.max() < _EVEN and not shaded.any())
 
 
 def _clusters(
@@ -194,16 +205,46 @@ def _clusters(
     counts = np.zeros((256 // _BIN,) * 4, np.intp)
     np.add.at(counts, bins, 1)
     frequent = counts >= least / 4
-    frequent[0, 0, 0, : int(CLEAR) // _BIN + 1] = True
     clusters, count = scipy.ndimage.label(frequent, np.ones((3, 3, 3, 3)))
     of = clusters[bins]
     sizes = np.bincount(of, minlength=count + 1)
-    clear = clusters[0, 0, 0, 0]
-    for one in range(1, count + 1):
-        if sizes[one] >= (1 if one == clear else least):
-            cluster = np.zeros_like(even)
-            cluster[even] = of == one
-            yield cluster
+    for one in 1 + np.flatnonzero(sizes[1:] >= least):
+        cluster = np.zeros_like(even)
+        cluster[even] = of == one
+        yield cluster
+
+
+def _at_edges(
+    blended: NDArray[np.float32], number: NDArray[np.intp], colours: list[NDArray[np.float32]]
+) -> NDArray[np.bool_]:
+    """Return which pixels of a flat colour blend it with one that lies beside it, as pale as it."""
+    high = scipy.ndimage.maximum_filter(number, 3)
+    low = scipy.ndimage.minimum_filter(np.where(number < 0, high, number), 3)
+    edge: NDArray[np.bool_] = (number >= 0) & (high != low)
+    away = abs(blended[edge] - np.reshape(colours, (-1, 4))[number[edge]]).max(axis=1)
+    edge[edge] = away > _CLOSE / 2
+    return edge
+
+
+def _without_rings(
+    blended: NDArray[np.float32], areas: list[NDArray[np.bool_]], ground: Ground
+) -> Iterator[NDArray[np.bool_]]:
+    """Yield the areas without what lossy files leave at edges: slim, and nearly as the ground."""
+    for area in areas:
+        if abs(np.median(blended[area], axis=0) - ground.colour).max() < 2 * _EVEN:
+            area = scipy.ndimage.binary_opening(area, np.ones((3, 3)))
+        if area.any():
+            yield area
+
+
+def _without_ground(
+    blended: NDArray[np.float32], areas: list[NDArray[np.bool_]], ground: Ground
+) -> tuple[list[NDArray[np.bool_]], list[NDArray[np.bool_]]]:
+    """Return the areas of other colours than that of the ground, and the one area of that."""
+    others, alike = _divided(
+        areas, lambda area: abs(np.median(blended[area], axis=0) - ground.colour).max() < _CLOSE
+    )
+    return others, [np.any([ground.mask, *alike], axis=0)]
 
 
 def _trimmed(blended: NDArray[np.float32], area: NDArray[np.bool_]) -> NDArray[np.bool_]:
@@ -250,7 +291,8 @@ def _steeply_shaded(
         by_degrees &= ~piece
     wide = scipy.ndimage.binary_opening(by_degrees, np.ones((_BAND, _BAND)))
     pieces = _pieces(blended, by_degrees, least, _STEEP / 2)
-    return [piece for piece in pieces if (piece & wide).any()]
+    wide_enough = (piece for piece in pieces if (piece & wide).any())
+    return [piece for piece in wide_enough if not _is_grainy(blended, piece)]
 
 
 def _joined(

@@ -16,7 +16,8 @@ into regions of even colour (``regions``). Of these,
    silhouette, a line of ink runs along the contour (a cloud before the sun, a flag's white half),
    but not if it is pure white and takes a bite out of a colour (a crescent, ``whites``);
 5. of the others, what mainly borders on the outside is ink; what mainly borders on ink is paper
-   (eyes in a face, the door of a house), and what mainly borders on paper is ink;
+   (eyes in a face, the door of a house), and what mainly borders on paper is ink; but the middle
+   of three stripes in three colours is ink as the others are;
 6. between two regions of ink runs a line of paper; in a line drawing, between fills that differ
    strongly, one of ink;
 7. colours that differ little are shades of one, but a figure on its ground is told from it if
@@ -41,9 +42,14 @@ from iconstudio.algorithms.tones.alternation import Omission, Tones, decide
 from iconstudio.algorithms.tones.duotone import dark_is_ink, separated, two_tones
 from iconstudio.algorithms.tones.layers import without_faint
 from iconstudio.algorithms.tones.linework import STRIKING, line_drawing, outline
-from iconstudio.algorithms.tones.regions import Mask, Regions, cielab, nearest
+from iconstudio.algorithms.tones.regions import ALIKE, Mask, Regions, cielab, nearest
 from iconstudio.algorithms.tones.shades import shades
+<<<<<<< HEAD
 from iconstudio.algorithms.tones.tiles import is_sheet, tile
+=======
+from iconstudio.algorithms.tones.tiles import SHARP, is_sheet, rectangularity, tile
+from iconstudio.algorithms.tones.two_tones import dark_is_ink, separated, two_tones
+>>>>>>> 401c25e
 from iconstudio.algorithms.tones.whites import whites
 
 SIDE = 512
@@ -268,6 +274,7 @@ def _alternating(found: Regions, behind: Mask, white: Mask) -> Mask:
     tone = np.where(paper, -1, 0)
     if not behind.any():
         tone[white] = -1
+        tone[_tricolour(found) & ~white] = 1
     # The shade along a contour is no outline of what it is the shade of.
     inner = found.contrasts[:, 1:].max(axis=1)
     shade = (tone == 0) & (found.widths < _NARROW) & (inner > 0) & (inner < STRIKING)
@@ -279,6 +286,20 @@ def _alternating(found: Regions, behind: Mask, white: Mask) -> Mask:
     weights[second] = -found.lengths[second]
     decide(tone, found, weights, shade)
     return tone > 0
+
+
+def _tricolour(found: Regions) -> Mask:
+    """Return the middle stripes (k + 1,) of flags: those between two others of other colours."""
+    outer = found.lengths[0] > 0
+    middle: Mask = np.zeros(outer.shape, bool)
+    if rectangularity(found) < SHARP:
+        return middle
+    for number in np.flatnonzero(outer):
+        beside = np.flatnonzero(outer & (found.lengths[number] > 0))
+        if len(beside) == 2:
+            one, other = found.colours[beside]
+            middle[number] = np.linalg.norm(one - other) > ALIKE
+    return middle
 
 
 def _soft(rgb: NDArray[np.uint8], found: Regions, tones: Tones) -> NDArray[np.float32]:
