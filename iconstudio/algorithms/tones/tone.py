@@ -44,12 +44,7 @@ from iconstudio.algorithms.tones.layers import without_faint
 from iconstudio.algorithms.tones.linework import STRIKING, line_drawing, outline
 from iconstudio.algorithms.tones.regions import ALIKE, Mask, Regions, cielab, nearest
 from iconstudio.algorithms.tones.shades import shades
-<<<<<<< HEAD
-from iconstudio.algorithms.tones.tiles import is_sheet, tile
-=======
 from iconstudio.algorithms.tones.tiles import SHARP, is_sheet, rectangularity, tile
-from iconstudio.algorithms.tones.two_tones import dark_is_ink, separated, two_tones
->>>>>>> 401c25e
 from iconstudio.algorithms.tones.whites import whites
 
 SIDE = 512
