@@ -8,13 +8,14 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.curves.comparison import Rows
 from iconstudio.algorithms.curves.constraints import Constraint, combined
 from iconstudio.algorithms.curves.curve import Curve, Numbers, Points
 from iconstudio.algorithms.curves.neighbourhoods import Neighbourhoods, bend, directions, weights
 from iconstudio.algorithms.curves.parameters import Parameters
 from iconstudio.algorithms.curves.passes import begin, refine
 from iconstudio.algorithms.curves.pyramid import Level, carried
-from iconstudio.algorithms.curves.search import Costs, Rows
+from iconstudio.algorithms.curves.search import Costs
 
 _START = 3
 """Points that a new curve begins with, copied from A'."""

@@ -3,8 +3,9 @@
 import numpy as np
 
 from iconstudio.algorithms.compiled import entry
+from iconstudio.algorithms.curves.comparison import Row, row_of
 from iconstudio.algorithms.curves.sampling import point_out, samples_around, unbend
-from iconstudio.algorithms.curves.search import choose, random_number
+from iconstudio.algorithms.curves.search import WORK, choose, random_number
 
 
 @entry
@@ -15,7 +16,7 @@ def begin(  # type: ignore[no-untyped-def]
     """Fill points and sources from the ``done``-th on, each from the neighbourhood before it."""
     width = len(costs.samples)
     middle = width // 2
-    work = np.empty((16, styled.real.shape[1]))
+    work = np.empty((WORK, styled.real.shape[1]))
     back = np.zeros(width, np.complex128)
     places = np.zeros(width)
     samples = np.zeros(width, np.complex128)
@@ -35,10 +36,10 @@ def begin(  # type: ignore[no-untyped-def]
             point_out(samples, first, middle - 1, ways)
             source = sources[i - 1]
             previous = points[i - 1]
+        row = Row(samples, ways, first, middle)
         points[i], sources[i] = choose(
-            styled, plain, plain, order, costs, samples, ways, first, middle, has_plain,
-            rows.samples[i], rows.ways[i], rows.first[i], rows.last[i], False, samples, ways,
-            0, 0, source, previous, pulls[i], pull_weights[i], state, work,
+            styled, plain, plain, order, costs, row, has_plain, row_of(rows, i), False, row,
+            source, previous, pulls[i], pull_weights[i], state, work,
         )  # fmt: skip
 
 
@@ -53,14 +54,15 @@ def refine(  # type: ignore[no-untyped-def]
     """
     width = len(costs.samples)
     count = len(points)
-    work = np.empty((16, styled.real.shape[1]))
+    work = np.empty((WORK, styled.real.shape[1]))
     samples = np.zeros(width, np.complex128)
     places = np.zeros(width)
     ways = np.zeros(width - 1, np.complex128)
     start = int(random_number(state) * count) if closed else 0
     for nth in range(count):
         i = (start + nth) % count
-        if pull_weights[i] == np.inf:
+        hard = pull_weights[i] == np.inf
+        if hard:
             points[i] = pulls[i]
         first, last = samples_around(
             points, arcs, count, i, around, closed, spacing, samples, places
@@ -72,12 +74,9 @@ def refine(  # type: ignore[no-untyped-def]
         if i > 0 or closed:
             source = sources[(i - 1) % count]
             previous = points[(i - 1) % count]
-        hard = pull_weights[i] == np.inf
         place, sources[i] = choose(
-            styled, plain, coarser, order, costs, samples, ways, first, last, has_plain,
-            rows.samples[i], rows.ways[i], rows.first[i], rows.last[i], has_coarse,
-            coarse_rows.samples[i], coarse_rows.ways[i], coarse_rows.first[i],
-            coarse_rows.last[i], source, previous, pulls[i],
+            styled, plain, coarser, order, costs, Row(samples, ways, first, last), has_plain,
+            row_of(rows, i), has_coarse, row_of(coarse_rows, i), source, previous, pulls[i],
             0.0 if hard else pull_weights[i], state, work,
         )  # fmt: skip
         if not hard:

@@ -6,11 +6,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.curves.comparison import Columns
 from iconstudio.algorithms.curves.curve import Curve, Numbers
 from iconstudio.algorithms.curves.example import Pair
 from iconstudio.algorithms.curves.neighbourhoods import Neighbourhoods, Samples, directions, weights
 from iconstudio.algorithms.curves.parameters import Parameters
-from iconstudio.algorithms.curves.search import Columns, Order
+from iconstudio.algorithms.curves.search import Order
 
 
 @dataclass(frozen=True, eq=False)
