@@ -121,8 +121,7 @@ class Session(AbstractContextManager["Session"]):
         yield from self.open()
         cold, self._cold = self._cold, False
         if cold:
-            for lane in range(self.workers.count):
-                self.workers.submit(warm_up, render_placed, lane=lane)
+            self.workers.everywhere(warm_up, render_placed)
             for cache in ("rasters", "prepared"):
                 self.workers.submit(remove_abandoned, self._cache / cache)
             for name in _SLOW_TO_LOAD:

@@ -127,6 +127,14 @@ class Workers:
         self._lanes[number].add(task)
         return task
 
+    def everywhere(self, function: Callable[..., object], *args: object) -> None:
+        """Have every process run ``function(*args)`` before what comes later; nobody waits for it.
+
+        What it loads and compiles there counts for no time limit of other tasks.
+        """
+        for lane in range(self.count):
+            self.submit(function, *args, lane=lane)
+
     def idlest(self) -> int:
         """Return the number of the process that has least to do."""
         return min(range(self.count), key=self.load)

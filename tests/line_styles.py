@@ -54,8 +54,7 @@ def pair_of(styled):
 
 def unit(points, closed=False):
     """A curve with parameters from 0 to 1."""
-    curve = Curve.of(points, closed)
-    return Curve(curve.points, curve.parameters / curve.end, 1.0, closed)
+    return Curve.of(points, closed).unit
 
 
 def circle(radius=90.0):

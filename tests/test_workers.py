@@ -99,6 +99,17 @@ def test_a_task_runs_in_another_process(workers):
     assert workers.submit(pid).result() != os.getpid()
 
 
+def note(folder):
+    (Path(folder) / str(os.getpid())).touch()
+
+
+def test_every_process_has_done_what_is_asked_of_all_before_what_comes_later(tmp_path):
+    with Workers(2) as both:
+        both.everywhere(note, str(tmp_path))
+        processes = [both.submit(pid, lane=lane).result(60) for lane in (0, 1)]
+        assert {one.name for one in tmp_path.iterdir()} == {str(one) for one in processes}
+
+
 def test_an_error_of_the_task_is_raised(workers):
     with pytest.raises(ValueError, match="no good"):
         workers.submit(fail, "no good").result()

@@ -31,7 +31,6 @@ from iconstudio.svg.lengths import (
 SHAPES = ("path", "rect", "circle", "ellipse", "line", "polyline", "polygon")
 _STEPS = 24
 """Into which curves are divided."""
-_KAPPA = 0.5522847498
 
 
 def path_data(shape: ET.Element, page: Box) -> str:

@@ -120,6 +120,14 @@ def test_the_outside_of_closed_lines_is_the_same_whichever_way_they_run():
         assert forwards.sum() * before.sum() > 0, "and it runs as it did"
 
 
+def test_an_open_line_runs_as_it_did(style):
+    """Whichever side of it the style lies on."""
+    for middle in (126.0, 128.0, 130.0):
+        (made,) = styled([line((20, 128), (128, middle), (236, 128))], style)
+        assert made.points[0][0] < 60
+        assert made.points[-1][0] > 200
+
+
 def test_widths_are_those_of_the_example():
     plain = style_of("brush")
     (pair,) = plain.pairs

@@ -41,10 +41,11 @@ def until(condition, seconds=60):
     return condition()
 
 
-def test_an_interrupt_ends_hybrids_with_130_and_leaves_no_process(tmp_path):
-    icons = ["lets-icons:lamp", "lets-icons:lamp-light", "cuida:lamp-outline"]
-    (tmp_path / "in.json").write_text(json.dumps({"icons": icons, "draws": 1000}), "utf-8")
-    arguments = ["hybrids", str(tmp_path / "in.json"), "--out", str(tmp_path / "out")]
+def interrupted(arguments, moment):
+    """Run a command, interrupt it at a moment, and see that it ends well, and leaves no process.
+
+    ``moment`` is called with the process, and returns at the moment.
+    """
     process = subprocess.Popen(
         [sys.executable, "-c", PROGRAM, *arguments],
         start_new_session=True,
@@ -52,8 +53,7 @@ def test_an_interrupt_ends_hybrids_with_130_and_leaves_no_process(tmp_path):
         stderr=subprocess.PIPE,
     )
     try:
-        assert until(lambda: len(members(process.pid)) > 2)  # its workers are there
-        time.sleep(2)
+        moment(process)
         os.killpg(process.pid, signal.SIGINT)
         _, said = process.communicate(timeout=30)
     finally:
@@ -62,4 +62,16 @@ def test_an_interrupt_ends_hybrids_with_130_and_leaves_no_process(tmp_path):
     assert process.returncode == 130
     assert said.decode().rstrip().endswith("Stopped.")
     assert until(lambda: not members(process.pid), 10)
+
+
+def test_an_interrupt_ends_hybrids_with_130_and_leaves_no_process(tmp_path):
+    icons = ["lets-icons:lamp", "lets-icons:lamp-light", "cuida:lamp-outline"]
+    (tmp_path / "in.json").write_text(json.dumps({"icons": icons, "draws": 1000}), "utf-8")
+    arguments = ["hybrids", str(tmp_path / "in.json"), "--out", str(tmp_path / "out")]
+
+    def at_work(process):
+        assert until(lambda: len(members(process.pid)) > 2)  # its workers are there
+        time.sleep(2)
+
+    interrupted(arguments, at_work)
     assert not (tmp_path / "out" / "results.json").exists()

@@ -1,10 +1,7 @@
 """Line styles from the command line: single icons, scribbles, and whole sets."""
 
 import json
-import os
 import re
-import signal
-import subprocess
 import sys
 
 import numpy as np
@@ -17,7 +14,7 @@ from iconstudio.model import CANVAS, Frame
 from iconstudio.output.restyled_set import MANIFEST
 from iconstudio.session import Session
 from iconstudio.svg.resvg import render_coverage
-from tests.cli.test_interrupt import PROGRAM, members, until
+from tests.cli.test_interrupt import interrupted, until
 
 CROSS = (
     '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24" fill="none" stroke="black" '
@@ -188,22 +185,11 @@ def test_a_set_that_is_stopped_goes_on_where_it_was(tmp_path, icons):
         (icons / f"cross-{number}.svg").write_text(CROSS.format(x=6 + number))
     out = tmp_path / "out"
     words = ["restyle", "--set", str(icons), "--style", "Shaky", "--out", str(out)]
-    process = subprocess.Popen(
-        [sys.executable, "-c", PROGRAM, *words],
-        start_new_session=True,
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.PIPE,
-    )
-    try:
+
+    def begun(process):
         assert until(lambda: any(out.glob("*.svg")))
-        os.killpg(process.pid, signal.SIGINT)
-        _, said = process.communicate(timeout=30)
-    finally:
-        process.kill()
-        process.wait()
-    assert process.returncode == 130
-    assert said.decode().rstrip().endswith("Stopped.")
-    assert until(lambda: not members(process.pid), 10)
+
+    interrupted(words, begun)
     kept = json.loads((out / MANIFEST).read_text())["files"]
     assert 0 < len(kept) == len(list(out.glob("*.svg"))) < 13
     times = {file: (out / file).stat().st_mtime_ns for file in kept}

@@ -5,6 +5,7 @@ import threading
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 
@@ -156,6 +157,7 @@ class FakeSession:
         """How well the results of a style fit, where not as all others do."""
         self.closed = threading.Event()
         self.calls: list[tuple] = []
+        self.workers = SimpleNamespace(everywhere=lambda function, *args: None)
         self.generators_closed = 0
         self.thread_ids: set[int] = set()
 

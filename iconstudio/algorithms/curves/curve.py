@@ -3,7 +3,7 @@
 Points are complex numbers, x + iy.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -46,6 +46,11 @@ class Curve:
             points = points[:-1]
         along = _arc(points, closed)
         return cls(points, along[: len(points)], float(along[-1]), closed)
+
+    @property
+    def unit(self) -> "Curve":
+        """The curve with parameters from 0 to 1."""
+        return replace(self, parameters=self.parameters / self.end, end=1.0)
 
     @cached_property
     def arc(self) -> Numbers:

@@ -28,7 +28,7 @@ class Pair:
             return cls(*_side_by_side(plain, styled, closed))
         after = Curve.of(styled, closed)
         before = _sweep(after) if plain is None else Curve.of(plain, closed)
-        return cls(_from_0_to_1(before), _from_0_to_1(after))
+        return cls(before.unit, after.unit)
 
     def scaled(self, size: float, strength: float = 1.0) -> "Pair":
         """Return the pair in another size, A' nearer to A or farther from it."""
@@ -78,7 +78,3 @@ def _sweep(styled: Curve) -> Curve:
     design = np.stack([np.ones_like(even), even], axis=1)
     start, way = np.linalg.lstsq(design, points, rcond=None)[0]
     return Curve.of(start + way * np.array([0.0, 1.0]))
-
-
-def _from_0_to_1(curve: Curve) -> Curve:
-    return Curve(curve.points, curve.parameters / curve.end, 1.0, curve.closed)

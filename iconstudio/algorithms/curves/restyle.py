@@ -41,7 +41,12 @@ def restyled(lines: Iterable[tuple[Line, Prepared]], seed: int = 0) -> list[Line
 
 
 def _styled(lines: Sequence[tuple[Line, Prepared]], seed: int) -> list[Line]:
-    plain = [_clockwise(_curve(line)) for line, _ in lines]
+    given = [Curve.of(np.array(line.points) @ [1, 1j], line.closed).unit for line, _ in lines]
+    backwards = [_is_anticlockwise(curve) for curve in given]
+    plain = [
+        Curve.of(curve.points[::-1], curve.closed).unit if turned else curve
+        for curve, turned in zip(given, backwards, strict=True)
+    ]
     widths = [line.width for line, _ in lines]
     met = junctions(plain, widths)
     made = [
@@ -55,8 +60,8 @@ def _styled(lines: Sequence[tuple[Line, Prepared]], seed: int) -> list[Line]:
         loop = max(prepared.loop for _, prepared in lines)
         styled = untangled(plain, styled, widths, loop)
     return [
-        _line(line, curve, own)
-        for (line, _), curve, (_, own) in zip(lines, styled, made, strict=True)
+        _line(line, curve, own, turned)
+        for (line, _), curve, (_, own), turned in zip(lines, styled, made, backwards, strict=True)
     ]
 
 
@@ -88,10 +93,10 @@ def _fitting(
     return np.convolve(np.pad(own, 1, mode="edge"), _SOFT, "valid")
 
 
-def _line(line: Line, curve: Curve, widths: Numbers) -> Line:
+def _line(line: Line, curve: Curve, widths: Numbers, turned: bool) -> Line:
+    """Return what a line has become; it runs as it did, if its curve was ``turned`` before."""
     points = curve.points
-    forwards = _area(_curve(line)) * _area(curve) >= 0
-    if not forwards:
+    if turned:
         points, widths = points[::-1], widths[::-1]
     varied = line.width > 0 and np.ptp(widths) > 1e-6
     return replace(
@@ -113,22 +118,9 @@ def _length(line: Line) -> float:
     return float(abs(np.diff(points)).sum())
 
 
-def _curve(line: Line) -> Curve:
-    curve = Curve.of(np.array(line.points) @ [1, 1j], line.closed)
-    return replace(curve, parameters=curve.parameters / curve.end, end=1.0)
-
-
-def _clockwise(curve: Curve) -> Curve:
-    """Return a curve so that what it encloses lies on its right, as examples are drawn."""
-    area = _area(curve)
-    whole = curve.length**2 / (4 * np.pi)
-    if area >= -_SLIM * whole or not (curve.closed or -area > _ROUND * whole):
-        return curve
-    backwards = Curve.of(curve.points[::-1], curve.closed)
-    return replace(backwards, parameters=backwards.parameters / backwards.end, end=1.0)
-
-
-def _area(curve: Curve) -> float:
-    """Return the area to the right of a curve that is closed straight."""
+def _is_anticlockwise(curve: Curve) -> bool:
+    """Whether a curve has what it encloses on its left: examples are drawn the other way."""
     around = np.append(curve.points, curve.points[:1])
-    return float((around[:-1].conj() * around[1:]).imag.sum() / 2)
+    area = float((around[:-1].conj() * around[1:]).imag.sum() / 2)
+    whole = curve.length**2 / (4 * np.pi)
+    return area < -(_SLIM if curve.closed else _ROUND) * whole

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field, replace
 
 from iconstudio.inputs.line_style import check_style
-from iconstudio.model import CANVAS, Line, LineStyle, Pictogram, Point, Restyling, StylePair
+from iconstudio.model import Line, LineStyle, Pictogram, Point, Restyling, StylePair
 from iconstudio.workflows.line_style.restyling import LARGEST, SMALLEST, STRONGEST, WEAKEST
 from iconstudio.workflows.pages import Document
 
@@ -175,11 +175,6 @@ def take_over(document: RestyleDocument, strength: float, seed: int) -> None:
 def set_turning(document: RestyleDocument, turning: bool | None) -> None:
     """Let the style turn with the line, or not; None as it says itself."""
     _change(document, "turn with the line", turning=turning)
-
-
-def on_canvas(points: tuple[Point, ...]) -> bool:
-    """Whether a line has a part on the canvas."""
-    return any(0 <= x <= CANVAS and 0 <= y <= CANVAS for x, y in points)
 
 
 def _change(document: RestyleDocument, text: str, gesture: object = None, **fields: object) -> None:

@@ -122,16 +122,18 @@ def warm_up() -> None:
 def icon_of(
     work: Restyling, path: Path, lines: tuple[Line, ...], styles: Sequence[LineStyle]
 ) -> Icon:
-    """Return a restyled icon: thanks to the icon's makers, and to the styles' authors."""
-    own = work.icon.origins if work.icon is not None else ()
+    """Return a restyled icon."""
+    title, credits = signed(work.icon, styles)
+    return Restyled(path, title, credits, lines=lines)
+
+
+def signed(
+    icon: Pictogram | None, styles: Sequence[LineStyle]
+) -> tuple[str, tuple[Pictogram, ...]]:
+    """Return what a restyled icon is called, and its credits: its makers, and the styles'."""
+    subject, own = ("lines", ()) if icon is None else (icon.credit.title, icon.origins)
     authors = dict.fromkeys(map(thanks, filter(lambda style: style.author, styles)))
-    subject = work.icon.credit.title if work.icon is not None else "lines"
-    return Restyled(
-        path,
-        f"{subject}, {styles[0].name}",
-        (*own, *authors),
-        lines=lines,
-    )
+    return f"{subject}, {styles[0].name}", (*own, *authors)
 
 
 def _style_of(work: Restyling, number: int) -> LineStyle:

@@ -10,7 +10,6 @@ from collections import deque
 from collections.abc import Callable, Generator, Iterable, Sequence
 from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, wait
 from dataclasses import dataclass, replace
-from functools import lru_cache
 from time import perf_counter
 from typing import Any, Protocol
 
@@ -20,7 +19,7 @@ from iconstudio.model.icon_set import Member
 from iconstudio.workers import Workers, loss
 from iconstudio.workflows.estimating import remaining
 from iconstudio.workflows.events import Progress
-from iconstudio.workflows.line_style.restyling import MEMORY, SECONDS, thanks
+from iconstudio.workflows.line_style.restyling import MEMORY, SECONDS, signed
 
 Drawn = tuple[tuple[Path, float], ...]
 """What is drawn of an icon: paths, each with the width of its stroke; 0 is filled."""
@@ -174,28 +173,20 @@ def restyled_member(
         If it cannot be drawn, or has no lines.
     """
     from iconstudio.algorithms.curves.outline import path_of, strokes_of
-    from iconstudio.algorithms.curves.restyle import restyled
+    from iconstudio.algorithms.curves.restyle import prepare, restyled
     from iconstudio.svg.lines import lines_of
     from iconstudio.svg.rasterise import rasterise
     from iconstudio.svg.reading import own_svg
 
     icon = own_svg(source, identifier) if isinstance(source, bytes) else source
     frame, coverage = rasterise(icon.svg)
-    prepared = _prepared(manner.style, manner.strength, manner.size)
+    prepared = prepare(manner.style, manner.strength, manner.size)
     lines = [(line, prepared) for line in lines_of(icon.svg, frame, coverage)]
     made = restyled(lines, manner.seed_of(identifier))
     drawn = strokes_of(made) if manner.strokes else ((path_of(made), 0.0),)
     if not any(path for path, _ in drawn):
         raise IconstudioError("Nothing of it is left in this style. Make the style smaller.")
     return replace(icon, svg=""), drawn
-
-
-@lru_cache(2)
-def _prepared(style: LineStyle, strength: float, size: float) -> Any:
-    """Return a style ready to be applied, which takes as long as a small icon."""
-    from iconstudio.algorithms.curves.restyle import prepare
-
-    return prepare(style, strength, size)
 
 
 def _finished(waiting: Iterable["Future[Any]"]) -> Iterable["Future[Any]"]:
@@ -234,6 +225,5 @@ def _outcome(
             _log.info("Restyling %s failed", member.id, exc_info=error)
             reason = f"The program fails on it: {type(error).__name__}."
         return MemberSkipped(member, reason)
-    credits = (*icon.origins, *([thanks(manner.style)] if manner.style.author else ()))
-    title = f"{icon.credit.title}, {manner.style.name}"
+    title, credits = signed(icon, [manner.style])
     return MemberRestyled(member, source, drawn, title, credits, icon.remarks)

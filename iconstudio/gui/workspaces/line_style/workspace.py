@@ -33,6 +33,7 @@ from iconstudio.inputs.line_style import write_style
 from iconstudio.model import IconstudioError, Pictogram, StylePair
 from iconstudio.workflows.line_style import page as edits
 from iconstudio.workflows.line_style.page import OWN, RestylePage
+from iconstudio.workflows.line_style.restyling import warm_up
 
 DESCRIPTION = "Select lines, or draw some, here"
 INVITATION = "The restyled icon appears here, with its credits."
@@ -46,6 +47,7 @@ class LineStyleWorkspace(Workspace):
 
     def build(self) -> None:
         """Make canvas, panels and runs."""
+        self.session.workers.everywhere(warm_up)
         self.opener = RestyleOpener(self.session, self.document, self.finder, self)
         self.restyler = Restyler(self.session, self.worker, self)
         self.reader = LineReader(self.session, self.finder, self)
