@@ -339,10 +339,16 @@ class FakeSession:
         self.thread_ids.add(threading.get_ident())
         lines = lines_of(self, work)
         try:
-            for one in variations(work) if settings else [work]:
+            settings = settings or RestyleSettings()
+            for one in variations(work) if settings.variations else [work]:
+                styles = [one.style_of(number) for number in range(len(lines))]
+                if settings.previews:
+                    rough = replace(one, strength=0.9 * one.strength)
+                    yield Result(
+                        icon_of(rough, _boxes(lines, styles, rough), lines, styles), preview=True
+                    )
                 while self.gate is not None and not self.gate.acquire(timeout=0.02):
                     yield Progress("remix", 0.5, "Restyling the lines")
-                styles = [one.style_of(number) for number in range(len(lines))]
                 yield Result(icon_of(one, _boxes(lines, styles, one), lines, styles))
         finally:
             self.generators_closed += 1

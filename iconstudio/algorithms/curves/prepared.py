@@ -1,7 +1,7 @@
 """Styles ready to be applied: in the size that a line has room for."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
@@ -24,6 +24,8 @@ _ROOM = 5.0
 """A closed line has room for a style if its radius is so many times the style's offset ..."""
 _PERIODS = 5.0
 """... and it is so many times as long as the style's period."""
+_COARSE, _SKIPPED = 2.0, 2
+"""The least spacing of a coarse curve, and how many levels it does without at least."""
 _KEPT = 64
 """Sizes of styles that stay prepared."""
 
@@ -47,12 +49,19 @@ class Prepared:
         """What has the size that is wanted, whatever it fits on."""
         return _sized(self.style, self.strength, self.size, 0)
 
-    def room(self, line: Curve) -> tuple[Parameters, Sequence[Level]]:
-        """Return what fits on a line: smaller by and by where there is no room."""
+    def room(self, line: Curve, coarse: bool = False) -> tuple[Parameters, Sequence[Level]]:
+        """Return what fits on a line: smaller by and by where there is no room.
+
+        If ``coarse``, without the finest levels: what is made of it is soon there, but blurred.
+        """
         radius, length = _room(line)
         part = min(radius / (_ROOM * self.offset), length / (_PERIODS * self.period), 1.0)
         number = int(np.ceil(np.log(max(part, 1e-9)) / np.log(_SMALLER) - 1e-9))
-        return _sized(self.style, self.strength, self.size, min(number, _SIZES - 1))
+        parameters, levels = _sized(self.style, self.strength, self.size, min(number, _SIZES - 1))
+        if coarse:
+            least = max(_COARSE, parameters.coarser**_SKIPPED * parameters.spacing) - 1e-9
+            levels = [one for one in levels if one.spacing > least] or levels[:1]
+        return parameters, levels
 
     def widths(self, levels: Sequence[Level], sources: NDArray[np.int64]) -> Numbers:
         """Return the width at the candidates of points (n,), over the mean of the example."""
@@ -106,7 +115,10 @@ def _sized(
 ) -> tuple[Parameters, Sequence[Level]]:
     whole = [one.scaled(size, strength) for one in pairs_of(style)]
     smaller = [one.scaled(_SMALLER**number) for one in whole]
-    parameters = Parameters(spacing=max(_FINEST, _spacing(whole) * _SMALLER**number))
+    spacing = max(_FINEST, _spacing(whole) * _SMALLER**number)
+    parameters = Parameters(spacing=spacing)
+    more = max(0.0, np.log(_SPACINGS[0] / spacing) / np.log(parameters.coarser))
+    parameters = replace(parameters, levels=parameters.levels + round(more))
     return parameters, pyramid(smaller, parameters, style.shape)
 
 

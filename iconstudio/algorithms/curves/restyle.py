@@ -28,19 +28,23 @@ _SOFT = np.array([1.0, 2.0, 1.0]) / 4
 """Widths are blurred by this, so that they do not jump where the curve does not."""
 
 
-def restyled(lines: Iterable[tuple[Line, Prepared]], seed: int = 0) -> list[Line]:
+def restyled(
+    lines: Iterable[tuple[Line, Prepared]], seed: int = 0, coarse: bool = False
+) -> list[Line]:
     """Return lines, each in its style. The same seed gives the same lines.
+
+    If they may be ``coarse``, they are the blurred ones from which the others are made.
 
     Lines that met still meet, and none cross or touch that did not. Styles with two sides show the
     same one on the outside of whatever is closed, and of its holes within.
     """
     lines = [(_ring(line), prepared) for line, prepared in lines]
     long = [number for number, (line, _) in enumerate(lines) if _length(line) > _DOT]
-    made = dict(zip(long, _styled([lines[number] for number in long], seed), strict=True))
+    made = dict(zip(long, _styled([lines[number] for number in long], seed, coarse), strict=True))
     return [made.get(number, line) for number, (line, _) in enumerate(lines)]
 
 
-def _styled(lines: Sequence[tuple[Line, Prepared]], seed: int) -> list[Line]:
+def _styled(lines: Sequence[tuple[Line, Prepared]], seed: int, coarse: bool) -> list[Line]:
     given = [Curve.of(np.array(line.points) @ [1, 1j], line.closed).unit for line, _ in lines]
     backwards = [_is_anticlockwise(curve) for curve in given]
     plain = [
@@ -50,7 +54,7 @@ def _styled(lines: Sequence[tuple[Line, Prepared]], seed: int) -> list[Line]:
     widths = [line.width for line, _ in lines]
     met = junctions(plain, widths)
     made = [
-        _one(curve, prepared, seed * 1_000_003 + number, constraints)
+        _one(curve, prepared, seed * 1_000_003 + number, constraints, coarse)
         for number, (curve, (_, prepared), constraints) in enumerate(
             zip(plain, lines, met, strict=True)
         )
@@ -66,14 +70,14 @@ def _styled(lines: Sequence[tuple[Line, Prepared]], seed: int) -> list[Line]:
 
 
 def _one(
-    plain: Curve, prepared: Prepared, seed: int, constraints: Sequence[Constraint]
+    plain: Curve, prepared: Prepared, seed: int, constraints: Sequence[Constraint], coarse: bool
 ) -> tuple[Curve, Numbers]:
     """Return a curve in a style, and its width at each point, over that of its line."""
     style = prepared.style
     pieces, widths = [], []
     whole = parted(plain, constraints)
     for number, (part, own, first, last) in enumerate(whole):
-        parameters, levels = prepared.room(part)
+        parameters, levels = prepared.room(part, coarse)
         made = analogy(levels, part, parameters, seed + number, style.rotation, style.shape, own)
         pieces.append((made.curve, first, last))
         widths.append(prepared.widths(levels, made.sources))

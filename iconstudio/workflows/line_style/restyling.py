@@ -3,6 +3,7 @@
 from collections.abc import Generator, Sequence
 from concurrent.futures import wait
 from dataclasses import dataclass, replace
+from functools import partial
 
 from iconstudio.model import (
     Credit,
@@ -37,12 +38,14 @@ class RestyleSettings:
 
     variations: bool = False
     """Whether other seeds and strengths follow the one that is wanted."""
+    previews: bool = False
+    """Whether a coarse result may come before the finished one, if that takes longer."""
 
 
 def run(
     resources: Resources, work: Restyling, settings: RestyleSettings | None = None
 ) -> Generator[Event]:
-    """Restyle lines: yield the icon that is wanted, then variations if ``settings`` ask for them.
+    """Restyle lines: yield the icon that is wanted, and what else ``settings`` ask for.
 
     Raises
     ------
@@ -52,19 +55,21 @@ def run(
     yield Progress("remix", 0.0, "Reading the lines")
     lines = lines_of(resources, work)
     styles = [_style_of(work, number) for number in range(len(lines))]
-    varied = settings is not None and settings.variations
-    wanted = variations(work) if varied else [work]
+    settings = settings or RestyleSettings()
+    wanted = variations(work) if settings.variations else [work]
     ticket = resources.workers.ticket()
     try:
-        tasks = [
-            resources.workers.submit(
-                restyled_path, lines, styles, one.strength, one.size, one.seed,
-                timeout=SECONDS, memory=MEMORY, ticket=ticket,
-            )
-            for one in wanted
-        ]  # fmt: skip
+        submit = partial(
+            resources.workers.submit, restyled_path, lines, styles,
+            timeout=SECONDS, memory=MEMORY, ticket=ticket,
+        )  # fmt: skip
+        coarse = submit(work.strength, work.size, work.seed, True) if settings.previews else None
+        tasks = [submit(one.strength, one.size, one.seed) for one in wanted]
         for number, (one, task) in enumerate(zip(wanted, tasks, strict=True), start=1):
             while not wait([task], _PATIENCE).done:  # where it can be stopped
+                if coarse is not None and coarse.done() and coarse.exception() is None:
+                    yield Result(icon_of(one, *coarse.result(), styles), preview=True)
+                    coarse = None
                 yield Progress("remix", (number - 1) / len(wanted), "Restyling the lines")
             path, drawn = answer(task, "Restyling the lines")
             yield Result(icon_of(one, path, drawn, styles))
@@ -101,14 +106,19 @@ def variations(work: Restyling) -> list[Restyling]:
 
 
 def restyled_path(
-    lines: Sequence[Line], styles: Sequence[LineStyle], strength: float, size: float, seed: int
+    lines: Sequence[Line],
+    styles: Sequence[LineStyle],
+    strength: float,
+    size: float,
+    seed: int,
+    coarse: bool = False,
 ) -> tuple[Path, tuple[Line, ...]]:
     """Return lines in their styles, and what they draw. Runs in a worker process."""
     from iconstudio.algorithms.curves.outline import path_of
     from iconstudio.algorithms.curves.restyle import prepare, restyled
 
     prepared = [prepare(style, strength, size) for style in styles]
-    drawn = tuple(restyled(zip(lines, prepared, strict=True), seed))
+    drawn = tuple(restyled(zip(lines, prepared, strict=True), seed, coarse))
     return path_of(drawn), drawn
 
 

@@ -3,6 +3,7 @@
 from collections.abc import Generator, Iterable
 from contextlib import closing
 from dataclasses import dataclass
+from itertools import repeat
 
 from iconstudio.gui.gallery.pictures import Picture, pictured
 from iconstudio.model import IconstudioError, Line, LineStyle, Restyling
@@ -21,16 +22,17 @@ class Made:
 
 
 def made(session: Session, work: Restyling) -> Generator[Event | Made]:
-    """Run some work, its result as a picture."""
-    with closing(pictured(session.run(LINE_STYLE, work))) as events:
-        for event in events:
-            yield Made(event, work) if isinstance(event, Picture) else event
+    """Run some work: its result as a picture, after a coarse one if that is there before."""
+    return _made(session, work, RestyleSettings(previews=True))
 
 
 def made_variations(session: Session, work: Restyling) -> Generator[Event | Made]:
     """Run the variations of some work, which comes first."""
-    settings = RestyleSettings(variations=True)
-    each = iter(variations(work))
+    return _made(session, work, RestyleSettings(variations=True))
+
+
+def _made(session: Session, work: Restyling, settings: RestyleSettings) -> Generator[Event | Made]:
+    each = iter(variations(work)) if settings.variations else repeat(work)
     with closing(pictured(session.run(LINE_STYLE, work, settings))) as events:
         for event in events:
             yield Made(event, next(each)) if isinstance(event, Picture) else event
@@ -49,7 +51,7 @@ def samples(session: Session, styles: Iterable[LineStyle]) -> Generator[Event | 
     for style in styles:
         picture = None
         try:
-            for one in made(session, Restyling(style, strokes=SAMPLE)):
+            for one in _made(session, Restyling(style, strokes=SAMPLE), RestyleSettings()):
                 if isinstance(one, Made):
                     picture = one.picture
                 else:

@@ -149,8 +149,10 @@ class LineStyleWorkspace(Workspace):
     def hideEvent(self, event: QHideEvent) -> None:
         """Keep the result in sight when the user goes elsewhere."""
         super().hideEvent(event)
-        if not event.spontaneous() and self.picture is not None and self.picture is not self._kept:
-            self.kept.emit(self.picture)
+        picture = self.picture
+        if event.spontaneous() or picture is None or picture.preview or picture is self._kept:
+            return
+        self.kept.emit(picture)
 
     # -- results -------------------------------------------------------------------------------
 
