@@ -135,9 +135,12 @@ def _crossing(
 
 
 def _side(a: Points, b: Points, c: Points) -> Numbers:
-    """Return on which side of the lines from a to b the points c lie."""
+    """Return on which side of the lines from a to b the points c lie: 0 on them, but for rounding.
+
+    Along a straight line, rounding would tell crossings.
+    """
     sides: Numbers = ((b - a).conj() * (c - a)).imag
-    return sides
+    return np.where(abs(sides) < _SAME * abs(b - a), 0.0, sides)
 
 
 def _known(
