@@ -295,7 +295,7 @@ class Session(AbstractContextManager["Session"]):
         plain = tuple(one for one in exemplars if not has_pale_areas(one.coverage))
         if len(plain) >= _PLENTY:
             exemplars = plain
-        yield Retrieved(keyword, exemplars)
+        yield Retrieved(keyword, exemplars, self.collection.remark(keyword))
         return exemplars
 
     def prepare(

@@ -41,6 +41,8 @@ def run(session: Session, events: Generator[Event], report: Report, stopwatch: S
                     bar.say(event.reason)
                 case Retrieved():
                     bar.say(f"{len(event.exemplars)} different icons of “{event.keyword}”")
+                    if event.remark:
+                        bar.say(event.remark)
                 case Result(preview=False):
                     results += 1
         bar.show(1.0, "Drawing the contact sheet")

@@ -41,6 +41,8 @@ def command(word: str, exclude: tuple[str, ...], sheet: Path | None, profile: bo
         for pictogram in pictograms:
             credit = pictogram.credit
             click.echo(row(pictogram.id, credit.author, credit.license))
+        if remark := session.collection.remark(word):
+            click.echo(remark, err=True)
 
 
 def _draw(

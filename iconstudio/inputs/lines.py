@@ -1,27 +1,51 @@
 """Points in files: those of very many are simplified once read, and few digits are written."""
 
 from iconstudio.algorithms.geometry import simplified, simplified_line
-from iconstudio.model import CANVAS, MARGIN, Point, Polygon
+from iconstudio.model import CANVAS, MARGIN, IconstudioError, Point, Polygon
 
 STRAY = 0.2
 """How far, in canvas units, lines of more than ``MANY`` points may stray to have fewer."""
 MANY = 500
 """Points that nobody draws by hand."""
+MOST = 20_000
+"""Points of an outline, once it is simplified: one with more fills the canvas with noise."""
 
 
 def outline(points: tuple[Point, ...]) -> Polygon:
-    """Return a polygon in any unit, simplified as for the canvas if it has many points."""
+    """Return a polygon in any unit, simplified as for the canvas if it has many points.
+
+    Raises
+    ------
+    IconstudioError
+        If more than ``MOST`` are left.
+    """
     polygon = Polygon.of(points)
     if len(polygon.vertices) <= MANY:
         return polygon
     left, top, right, bottom = polygon.bounds
-    return simplified(polygon, STRAY * max(right - left, bottom - top) / (CANVAS - 2 * MARGIN))
+    return _simpler(polygon, STRAY * max(right - left, bottom - top) / (CANVAS - 2 * MARGIN))
 
 
 def area(points: tuple[Point, ...]) -> Polygon:
-    """Return a polygon in canvas units, simplified if it has many points."""
+    """Return a polygon in canvas units, simplified if it has many points.
+
+    Raises
+    ------
+    IconstudioError
+        If more than ``MOST`` are left.
+    """
     polygon = Polygon.of(points)
-    return simplified(polygon, STRAY) if len(polygon.vertices) > MANY else polygon
+    return _simpler(polygon, STRAY) if len(polygon.vertices) > MANY else polygon
+
+
+def _simpler(polygon: Polygon, stray: float) -> Polygon:
+    count = len(polygon.vertices)
+    if count > MOST and (left := len(simplified_line(polygon.vertices, stray))) > MOST:
+        raise IconstudioError(
+            f"An outline of {count:,} points runs to and fro so much that {left:,} of them are "
+            f"needed to draw it, and at most {MOST:,} can be. Trace it along the edge of the thing."
+        )
+    return simplified(polygon, stray)
 
 
 def line(points: tuple[Point, ...]) -> tuple[Point, ...]:

@@ -5,6 +5,7 @@ import os
 import sqlite3
 import threading
 from collections.abc import Callable, Generator, Iterable
+from dataclasses import replace
 from functools import wraps
 from pathlib import Path
 from typing import Any, TypeVar
@@ -12,14 +13,16 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.library import database, search
+from iconstudio.library import database, messages, search
 from iconstudio.library.archive import Archive
 from iconstudio.library.fingerprint import stack
 from iconstudio.library.iconify import document
 from iconstudio.library.lookup import Lookup
+from iconstudio.library.phrases import Answer
 from iconstudio.library.words import query, symbols
 from iconstudio.library.words.decency import is_insult
 from iconstudio.library.words.naming import take_apart
+from iconstudio.library.words.nearness import nearest
 from iconstudio.library.words.query import Style
 from iconstudio.library.words.vocabulary import PREPOSITIONS
 from iconstudio.model import Credit, IconstudioError, Pictogram
@@ -39,13 +42,6 @@ _LOOK_UP = " Search for what it shows instead, with a word such as 'dog'."
 _FEW = 20
 """With fewer drawings, a keyword lends no parts to choose from."""
 _ANY = Style()
-_LONGEST = 60
-"""Most characters of a keyword that a message repeats."""
-_THING = "Name the thing to draw, such as 'dog'."
-_ENGLISH = (
-    "Icons have English names, and logos of brands are left out: "
-    "try another English word for the thing."
-)
 
 
 def cache_folder() -> Path:
@@ -192,14 +188,27 @@ class Collection:
             If the keyword is empty, or nothing answers it; the message names what is near.
         """
         if not query.plain(keyword):
-            raise IconstudioError(f"There is no word in {_said(keyword)}. {_THING}")
-        scores = self._scores(keyword)
+            raise IconstudioError(f"There is no word in {messages.said(keyword)}. {messages.THING}")
+        scores = self._answer(keyword).scores
         for number in self._numbers(exclude):
             scores.pop(number, None)
         found = self._choose(scores, limit, self._lookup.style(keyword))
         if not found:
             raise IconstudioError(self._nothing(keyword, bool(exclude)))
         return self._pictograms(found)
+
+    @_mended
+    def remark(self, keyword: str) -> str:
+        """Return how a keyword was read where it is not as typed, and what is near; else nothing.
+
+        That is which of its words were left out, and which were taken for others.
+        """
+        answer = self._answer(keyword)
+        numbers = {word for word in answer.left_out if word.isdigit()}
+        style = Style(frozenset(numbers))
+        if numbers and any(style.distance(row[1]) == 0 for row in self._named(answer.scores)):
+            answer = replace(answer, left_out=tuple(w for w in answer.left_out if w not in numbers))
+        return messages.remark(answer, self._lookup.spelling(_name(keyword)))
 
     @_mended
     def get(self, identifier: str) -> Pictogram:
@@ -215,8 +224,8 @@ class Collection:
         if not numbers:
             meant = spelt[0] if spelt else identifier
             raise IconstudioError(
-                f"The collection has no icon '{_shortened(meant)}'."
-                f"{_hint(self._near(meant)) or _LOOK_UP}"
+                f"The collection has no icon '{messages.shortened(meant)}'."
+                f"{messages.hint(self._near(meant)) or _LOOK_UP}"
             )
         return self._pictograms(numbers[:1])[0]
 
@@ -243,14 +252,14 @@ class Collection:
         in_set = {number: scores[number] for number, _ in own if number in scores}
         named = [*self._choose(in_set, 2), *self._choose(scores, 4)]
         if not named:
-            return search.nearest(identifier, [row[1] for row in own])
+            return nearest(identifier, [row[1] for row in own])
         return tuple(dict.fromkeys(one.id for one in self._pictograms(named)))[:4]
 
     @_mended
     def suggest(self, keyword: str) -> tuple[str, ...]:
         """Return keywords near to ``keyword`` in spelling that do have results."""
         words = query.plain(keyword)
-        return () if is_insult(words) else search.nearest(words, self._lookup.proposals())
+        return () if is_insult(words) else nearest(words, self._lookup.proposals())
 
     @_mended
     def keyword(self, title: str) -> str:
@@ -261,22 +270,25 @@ class Collection:
         """
         words = take_apart(title.removesuffix(".svg") or "-").words
         leading = [" ".join(words[:count]) for count in range(len(words), 0, -1)]
-        return next((name for name in (*leading, *words[1:]) if self._answered(name)), "")
+        enough = (
+            name
+            for name in (*leading, *words[1:])
+            if len(self._lookup.plainly(query.plain(name))) >= _FEW
+        )
+        return next(enough, "")
 
-    def _answered(self, name: str) -> bool:
-        return len(self._lookup.plainly(query.plain(name))) >= _FEW
-
-    def _scores(self, keyword: str) -> dict[int, int]:
-        """Return the icons that answer a keyword, each with its score: the lower the better.
+    def _answer(self, keyword: str) -> Answer:
+        """Return the icons that answer a keyword, and how it was read.
 
         If the keyword is an identifier, its icon comes first, then what has the same name.
         """
         spelt = list(query.identifiers(keyword, self.sets))
         meant = dict.fromkeys(self._numbers(spelt)[:1], -1)
         if ":" in keyword:
-            return self._lookup.scores(_name(keyword)) | meant
-        found = self._lookup.scores(keyword) or meant
-        return found or (self._lookup.scores(_name(spelt[0])) if spelt else {})
+            answer = self._lookup.answer(_name(keyword))
+            return replace(answer, scores=answer.scores | meant)
+        found = self._lookup.answer(keyword) or Answer(meant)
+        return found or (self._lookup.answer(_name(spelt[0])) if spelt else found)
 
     def _choose(self, scores: dict[int, int], limit: int, style: Style = _ANY) -> list[int]:
         found = self._in_order(scores, search.RELEVANT, style)
@@ -313,12 +325,12 @@ class Collection:
         return self._rows(f"SELECT number, id FROM icon WHERE number IN ({listed})")
 
     def _nothing(self, keyword: str, excluded: bool) -> str:
-        if excluded and self._scores(keyword):
-            return f"Every icon for {_said(keyword)} is excluded. Exclude fewer."
-        none = f"No icon is called {_said(keyword)}."
+        if excluded and self._answer(keyword).scores:
+            return f"Every icon for {messages.said(keyword)} is excluded. Exclude fewer."
+        none = f"No icon is called {messages.said(keyword)}."
         words = query.plain(keyword)
         if is_insult(words) or PREPOSITIONS.issuperset(words.split()):
-            return f"{none} {_THING}"
+            return f"{none} {messages.THING}"
         if beside := self._lookup.beside(_name(keyword)):
             return f"{none} Of its kind there are: {', '.join(beside)}."
         parts = () if symbols.has_symbols(keyword) else self._lookup.parts(_name(keyword))
@@ -326,7 +338,7 @@ class Collection:
             return f"{none} Alone, these words find icons: {', '.join(parts)}."
         english = filter(self._lookup.scores, symbols.english(keyword.strip()))
         near = tuple(english) or (self.suggest(_name(keyword)) if query.is_latin(keyword) else ())
-        return f"{none}{_hint(near)} {_ENGLISH}"
+        return f"{none}{messages.hint(near)} {messages.ENGLISH}"
 
     def _numbers(self, identifiers: Iterable[str]) -> list[int]:
         query = "SELECT number FROM icon WHERE id = ?"
@@ -352,24 +364,10 @@ class Collection:
             return self._database.execute(query, tuple(values)).fetchall()
 
 
-def _said(keyword: str) -> str:
-    """Return a keyword as a message has it: quoted, a symbol with its name."""
-    name = query.plain(keyword) if symbols.has_symbols(keyword) else ""
-    return f"'{_shortened(keyword.strip())}'" + (f" ({name})" if name else "")
-
-
-def _shortened(text: str) -> str:
-    return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}…"
-
-
 def _name(identifier: str) -> str:
     """Return what an icon is called in its set: *home* of *mdi:home*."""
     name = identifier.rpartition(":")[2]
     return name if query.plain(name) else identifier
-
-
-def _hint(near: tuple[str, ...]) -> str:
-    return f" Did you mean {', '.join(near)}?" if near else ""
 
 
 def _glob(text: str) -> str:

@@ -1,7 +1,5 @@
 """How the drawings that answer a keyword are put in order, and made different from one another."""
 
-from collections.abc import Sequence
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -23,20 +21,8 @@ ITSELF = 2
 PLENTY = 120
 """With so many relevant drawings, those that differ little are left out."""
 
-_LIKE = 0.75
-"""So much of a word's letters is in its place if it is only misspelt: another word is no hint."""
-
-_LIKER = 0.8
-"""The same if it begins with another letter, unless no more than one letter is wrong."""
-
-_BEHIND = 0.1
-"""Words that are less like it than the most like one, by more than this, are no hints either."""
-
 _BLOCK = 64
 """So many drawings are compared at once."""
-
-_FEWEST = 3
-"""Letters of a word that another may be like."""
 
 ENOUGH = 60
 """With so many relevant drawings, the others are left out."""
@@ -89,35 +75,3 @@ def different(cells: NDArray[np.uint64], limit: int, alike: float = ALIKE) -> li
                 kept.append(index)
                 open_ &= far[place]
     return kept
-
-
-def nearest(keyword: str, words: Sequence[str], count: int = 3) -> tuple[str, ...]:
-    """Return the words that are spelt most nearly like ``keyword``, if it is long enough to tell.
-
-    Letters that have changed places are one mistake.
-    """
-    from difflib import SequenceMatcher
-
-    length, letters = len(keyword), sorted(keyword)
-    if length < _FEWEST:
-        return ()
-    matcher = SequenceMatcher(b=keyword)
-    one_wrong = 1 - 1 / length
-    likely = [
-        word
-        for word in words
-        if abs(len(word) - len(keyword)) <= 2
-        and (word[:2] == keyword[:2] or word[-2:] == keyword[-2:] or word[:1] == keyword[1:2])
-    ]
-    alike: dict[str, float] = {}
-    for word in likely:
-        least = _LIKE if word[0] == keyword[0] else max(_LIKE, min(_LIKER, one_wrong))
-        matcher.set_seq1(word)
-        if sorted(word) == letters:
-            alike[word] = one_wrong
-        elif matcher.quick_ratio() >= least and (ratio := matcher.ratio()) >= least:
-            alike[word] = ratio
-    best = max(alike.values(), default=0)
-    close = [word for word in alike if alike[word] >= best - _BEHIND]
-    close.sort(key=lambda word: (word[0] != keyword[0], sorted(word) != letters, -alike[word]))
-    return tuple(close[:count])

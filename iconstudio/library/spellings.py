@@ -1,44 +1,62 @@
-"""How else a keyword may be spelt: joined or parted, as icons are called."""
+"""How else a keyword may be spelt: joined or parted, as icons are called, or rightly."""
 
-from collections.abc import Callable, Iterable, Sequence
-from itertools import pairwise
-from typing import Any
+from itertools import islice, pairwise, product
 
-from iconstudio.library.words import query
-
-Rows = Callable[[str, Sequence[Any]], list[tuple[Any, ...]]]
-"""Runs a query with values, and returns its rows."""
+from iconstudio.library.terms import Terms
+from iconstudio.library.words import query, symbols
+from iconstudio.library.words.nearness import nearest
+from iconstudio.library.words.usage import INFORMAL
+from iconstudio.library.words.vocabulary import FAMILIAR
 
 _SHORT = 4
 """Of a keyword of so many words each, and each two together, are spelt as icons spell them."""
 
+_MISSPELT = 4
+"""Letters of the shortest word that is taken for another, misspelt."""
+
+_MOST = 9
+"""At most so many ways to spell a keyword rightly are tried."""
+
+Words = tuple[str, ...]
+
 
 class Spellings:
-    """Spells keywords. ``rows`` asks the database."""
+    """Spells keywords."""
 
-    def __init__(self, rows: Rows) -> None:
-        self._rows = rows
+    def __init__(self, terms: Terms) -> None:
+        self._terms = terms
 
-    def of(self, words: tuple[str, ...]) -> list[tuple[str, ...]]:
+    def of(self, words: Words) -> list[Words]:
         """Return words as they are, and as icons have them, in one or parted.
 
         So a word with a hyphen finds what it finds joined and in several words.
         """
         found = [words, ("".join(words),)]
         if len(words) <= _SHORT:
-            known = self._known(first + second for first, second in pairwise(words))
+            known = self._terms.leading(first + second for first, second in pairwise(words))
             found += (one for one in query.joinings(words) if not known.isdisjoint(one))
             for place, word in enumerate(words):
-                for parted in sorted(self._known(query.partings(word))):
+                for parted in sorted(self._terms.leading(query.partings(word))):
                     found.append((*words[:place], *parted.split(), *words[place + 1 :]))
         return list(dict.fromkeys(found))
 
-    def _known(self, terms: Iterable[str]) -> set[str]:
-        """Return which of some terms icons are called by, or lead to icons."""
-        wanted = list(dict.fromkeys(terms))
-        marks = ",".join("?" * len(wanted))
-        sql = (
-            f"SELECT term FROM reading WHERE term IN ({marks}) "
-            f"UNION SELECT word FROM relation WHERE word IN ({marks})"
-        )
-        return {row[0] for row in self._rows(sql, wanted * 2)}
+    def corrected(self, words: Words) -> list[dict[str, str]]:
+        """Return what the misspelt ones of several words may stand for, the likeliest first."""
+        meant = {word: self._meant(word) for word in words if self._is_misspelt(word)}
+        meant = {word: right for word, right in meant.items() if right}
+        if not meant:
+            return []
+        choices = islice(product(*meant.values()), _MOST)
+        return [dict(zip(meant, choice, strict=True)) for choice in choices]
+
+    def _is_misspelt(self, word: str) -> bool:
+        """Whether no icon has a word in its name, nor leads it to any, or few do by mistake."""
+        if len(word) < _MISSPELT or not word.isalpha() or word in FAMILIAR or word in INFORMAL:
+            return False
+        if self._terms.spelling(word):
+            return True
+        return not (self._terms.named(word) or self._terms.is_known(word))
+
+    def _meant(self, word: str) -> tuple[str, ...]:
+        right = (*self._terms.spelling(word), *symbols.english(word))
+        return right or nearest(word, self._terms.proposals())

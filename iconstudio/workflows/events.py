@@ -17,6 +17,8 @@ class Retrieved(Event):
 
     keyword: str
     exemplars: tuple[Exemplar, ...]
+    remark: str = ""
+    """How the keyword was read if not as typed, for the user."""
 
 
 @dataclass(frozen=True, slots=True)

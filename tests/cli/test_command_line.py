@@ -130,6 +130,21 @@ def test_the_sheet_shows_what_is_listed(tmp_path, capsys, monkeypatch):
     assert drawn == listed
 
 
+@pytest.mark.parametrize(
+    ("word", "told"),
+    [
+        ("speach bubble", "“speach” was read as “speech”.\n"),
+        ("red otter", "No icon has all of these words: “red” was left out.\n"),
+        ("calender", "Did you mean calendar?\n"),
+        ("otter", ""),
+    ],
+)
+def test_how_words_were_read_is_told_beside_the_icons(capsys, word, told):
+    assert run(["search", word], NoWindow()) == 0
+    out, err = capsys.readouterr()
+    assert out and err == told
+
+
 @pytest.mark.parametrize("word", ["", "   ", "motorbyke"])
 def test_unknown_words_are_told(capsys, word):
     assert run(["search", word], NoWindow()) == 2

@@ -275,7 +275,8 @@ class FakeSession:
         while self.search_gate is not None and not self.search_gate.acquire(timeout=0.02):
             yield Progress("prepare", 0.1, f"Drawing the icons for “{keyword}”")
         yield Progress("prepare", 0.2, f"Drawing the icons for “{keyword}”")
-        yield Retrieved(keyword, tuple(self._exemplars(exclude)))
+        remark = "“doog” was read as “dog”." if "doog" in keyword else ""
+        yield Retrieved(keyword, tuple(self._exemplars(exclude)), remark)
         yield Progress("prepare", 1.0, f"Drawing the icons for “{keyword}”")
 
     def model(self, sketch: Sketch, settings: GridSettings = GridSettings()) -> Iterator[Event]:  # noqa: B008

@@ -117,6 +117,15 @@ def test_a_word_that_was_changed_meanwhile_is_forgotten(chooser, qtbot, session)
     assert [call[1] for call in session.calls] == ["cat", "dog"]
 
 
+def test_how_the_word_was_read_is_said(chooser, qtbot):
+    found(chooser, qtbot, "red doog")
+    qtbot.waitUntil(lambda: "found" in chooser.caption.text())
+    assert chooser.caption.text().startswith("“doog” was read as “dog”. 60 icons found")
+    found(chooser, qtbot, "dog")
+    qtbot.waitUntil(lambda: "found" in chooser.caption.text())
+    assert chooser.caption.text().startswith("60 icons found")
+
+
 def test_an_emptied_field_forgets_what_was_found(chooser, qtbot):
     found(chooser, qtbot)
     chooser.field.selectAll()

@@ -58,6 +58,15 @@ def test_icons_are_found_while_the_user_still_draws(sketching, qtbot, session):
     assert "60 icons found" in sketching.keyword_panel.caption.text()
 
 
+def test_how_the_name_was_read_is_said_also_when_icons_are_left_out(sketching, qtbot):
+    type_keyword(sketching, "doog")
+    caption = sketching.keyword_panel.caption
+    qtbot.waitUntil(lambda: "“doog” was read as “dog”. 60 icons found" in caption.text())
+    excluded = sketching.keyword_panel.sheet.model().entries[0].id
+    sketching.keyword_panel.set_sketch("doog", frozenset({excluded}))
+    assert "“doog” was read as “dog”. 60 icons found · 1 left out" in caption.text()
+
+
 def test_an_unknown_name_says_what_is_near(sketching, qtbot):
     type_keyword(sketching, "zzebra")
     qtbot.waitUntil(lambda: "zebra”, “zip" in sketching.keyword_panel.caption.text())

@@ -82,6 +82,7 @@ def write_wordnet(folder: Path) -> Path:
         "  1 This line is part of the licence.\n"
         + "".join(f"{verb} v 1 1 @ 1 0 00000001  \n" for verb in VERBS)
     )
+    (folder / "index.adj").write_text("neural a 1 0 1 0 00000001  \n")
     (folder / "index.sense").write_text(
         "".join(
             f"{word}%1:{kind:02d}:00:: {key:08d} 1 {int(word not in UNCOUNTED)}\n"

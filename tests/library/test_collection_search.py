@@ -12,6 +12,7 @@ from small_world import icon_set, shape
 from iconstudio.library import search
 from iconstudio.library.fingerprint import SIDE, WORDS, fingerprint, stack, unlikeness
 from iconstudio.library.words.naming import take_apart
+from iconstudio.library.words.nearness import nearest
 from iconstudio.model import IconstudioError
 
 bitmaps = hnp.arrays(np.bool_, (5, SIDE, SIDE))
@@ -72,7 +73,7 @@ def test_two_words_must_both_be_there(opened):
     assert ids(collection, "horse bowl") == ["horse-bowl"]
 
 
-@pytest.mark.parametrize("keyword", ["", "  ", "-", "?!", "\U0001f1e9"])
+@pytest.mark.parametrize("keyword", ["", "  ", "--", "?!", "\U0001f1e9"])
 def test_a_keyword_without_a_word(opened, keyword):
     with pytest.raises(IconstudioError, match="There is no word in"):
         opened(small("dog")).search(keyword)
@@ -340,9 +341,9 @@ def test_a_title_says_what_icons_like_it_are_looked_for_by(opened, monkeypatch, 
 
 @pytest.mark.parametrize(("foreign", "word"), [("ordinateur", "ringmaster"), ("Schuh", "church")])
 def test_another_word_is_no_hint_however_many_letters_it_shares(foreign, word):
-    assert search.nearest(foreign, [word, "computer"]) == ()
+    assert nearest(foreign, [word, "computer"]) == ()
 
 
 def test_what_is_spelt_much_less_like_it_is_no_hint():
-    assert search.nearest("lampe", ["amp", "lap", "lamp", "clamp"]) == ("lamp",)
-    assert search.nearest("tabel", ["table", "label"]) == ("table", "label")
+    assert nearest("lampe", ["amp", "lap", "lamp", "clamp"]) == ("lamp",)
+    assert nearest("tabel", ["table", "label"]) == ("table", "label")

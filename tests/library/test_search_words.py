@@ -150,6 +150,11 @@ def test_verb_forms(verb, forms):
     assert set(forms.split()) <= set(verb_forms(verb))
 
 
+@pytest.mark.parametrize(("verb", "wrong"), [("run", "runing"), ("swim", "swiming")])
+def test_of_a_short_verb_the_last_letter_is_doubled(verb, wrong):
+    assert wrong not in verb_forms(verb)
+
+
 @pytest.mark.parametrize("word", ["as", "new", "ga"])
 def test_a_word_is_no_half_of_a_plural(wordnet, word):
     assert wordnet.lemma(word) == word

@@ -6,7 +6,6 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
-from iconstudio.model import Exemplar
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event, Retrieved
 
@@ -37,8 +36,8 @@ class Preparation(QObject):
     -------
     started(str)
         Another keyword is being looked up; empty if there is none.
-    retrieved(tuple)
-        The exemplars of the keyword.
+    retrieved(tuple, str)
+        The exemplars of the keyword, and how it was read if not as typed.
     failed(str)
         The keyword cannot be used; a sentence for the user.
     remarked(str)
@@ -48,7 +47,7 @@ class Preparation(QObject):
     """
 
     started = Signal(str)
-    retrieved = Signal(tuple)
+    retrieved = Signal(tuple, str)
     failed = Signal(str)
     remarked = Signal(str)
     settled = Signal()
@@ -59,7 +58,7 @@ class Preparation(QObject):
         self.runner = Runner(worker, self)
         """Does the work; its ``progress`` and ``ended`` may be listened to."""
         self._query = self._wanted = self._ready = Query()
-        self._known: dict[Query, tuple[Exemplar, ...]] = {}
+        self._known: dict[Query, Retrieved] = {}
         self._troubled = False
         self._timer = QTimer(self, singleShot=True, interval=DEBOUNCE)
         self._timer.timeout.connect(self._look_up)
@@ -97,10 +96,10 @@ class Preparation(QObject):
     def _show(self, event: Event) -> None:
         if isinstance(event, Retrieved):
             self._known.pop(self._query, None)
-            self._known[self._query] = event.exemplars
+            self._known[self._query] = event
             while len(self._known) > _KEPT:
                 del self._known[next(iter(self._known))]
-            self.retrieved.emit(event.exemplars)
+            self.retrieved.emit(event.exemplars, event.remark)
 
     def _look_up(self) -> None:
         query = self._wanted
@@ -108,7 +107,8 @@ class Preparation(QObject):
             self.started.emit(query.keyword)
         self._query = query
         if query in self._known:  # a run may keep the worker from saying so for long
-            self.retrieved.emit(self._known[query])
+            known = self._known[query]
+            self.retrieved.emit(known.exemplars, known.remark)
         if query.keyword:
             self.runner.start(lambda: self._session.prepare(query.keyword, query.exclude))
         else:

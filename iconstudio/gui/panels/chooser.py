@@ -124,7 +124,7 @@ class IconChooser(IconSearch):
             self._found = event.exemplars
             self._fill()
             what = "click to add or take away" if self._multiple else "click one to use it"
-            self.tell_found(len(self._found), what)
+            self.tell_found(len(self._found), what, remark=event.remark)
 
     def take(self, exemplar: Exemplar) -> None:
         """Choose an icon that was opened; it stays in front of what is found."""

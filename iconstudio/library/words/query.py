@@ -18,7 +18,20 @@ _LETTERS = str.maketrans(
     {"ß": "ss", "æ": "ae", "œ": "oe", "ø": "o", "đ": "d", "ð": "d", "þ": "th", "ł": "l", "ı": "i"}
 )
 """Letters that Unicode does not compose from others."""
-_APOSTROPHES = re.compile(r"['\u2018\u2019\u02bc`]")
+_SIGNS = (
+    (r"['\u2018\u2019\u02bc`]", ""),
+    ("&", " and "),
+    (r"(?<=[a-z])\+\+", " plus plus"),
+    (r"\b([acf])#", r"\1 sharp"),
+    (r"(?<=\d)\s*%", " percent"),
+)
+"""Signs within words, and how they are read: *C++*, *C#*, *50%*."""
+_ALONE = {
+    "@": "at sign", "#": "hashtag", "$": "dollar", "\u20ac": "euro", "\u00a3": "pound",
+    "\u00a5": "yen", "%": "percent", "&": "ampersand", "*": "asterisk", "+": "plus", "-": "minus",
+    "=": "equal", "?": "question mark", "!": "exclamation mark",
+}  # fmt: skip
+"""Signs that are looked for on their own."""
 _LONGEST = 24
 """Most letters of a word that is taken for several."""
 _PARTS = 3
@@ -33,12 +46,16 @@ _FRAMING = {
 def plain(keyword: str) -> str:
     """Return the words of a keyword in lower case, without accents, joined by spaces."""
     spoken = "".join(map(_joining, symbols.spoken(keyword)))
+    if named := _ALONE.get(spoken.strip()):
+        return named
     bare = "".join(
         character
         for character in unicodedata.normalize("NFKD", spoken)
         if not unicodedata.combining(character)
     )
-    bare = _APOSTROPHES.sub("", bare.replace("&", " and ")).casefold().translate(_LETTERS)
+    bare = bare.casefold().translate(_LETTERS)
+    for written, read in _SIGNS:
+        bare = re.sub(written, read, bare)
     return " ".join(re.findall(r"[^\W_]+", bare))
 
 
@@ -125,13 +142,14 @@ class Style:
 
     def distance(self, name: str) -> int:
         """Return 0 if a name says that the drawing has the style, 2 if another, else 1."""
-        tokens = set(re.split("[^a-z]+", name))
+        tokens = set(re.split("[^a-z0-9]+", name))
         return 1 + bool(tokens & self.others) - bool(tokens & self.words)
 
 
 def style(words: tuple[str, ...]) -> Style:
-    """Return the style that words ask for beside the thing."""
-    asked = set(words).difference(without_style(words)) & STYLES
+    """Return the style that words ask for beside the thing, and its numbers."""
+    dropped = set(words).difference(without_style(words))
+    asked = {word for word in dropped if word in STYLES or word.isdigit()}
     same: set[str] = set(asked)
     others: set[str] = set()
     for groups in STYLE_GROUPS:
@@ -153,6 +171,11 @@ def without_framing(words: tuple[str, ...]) -> tuple[str, ...]:
 def telling(words: tuple[str, ...]) -> tuple[str, ...]:
     """Return words without articles and prepositions, unless there are no others."""
     return tuple(word for word in words if word not in PREPOSITIONS) or words
+
+
+def tells(word: str) -> bool:
+    """Whether a word says something of the thing, and not only how it is drawn."""
+    return word not in PREPOSITIONS and word not in STYLES and word not in _KINDS_OF_PICTURES
 
 
 def identifiers(text: str, prefixes: frozenset[str]) -> Iterator[str]:

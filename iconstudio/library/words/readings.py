@@ -16,12 +16,16 @@ from iconstudio.library.words.vocabulary import (
     PEOPLE,
     PREPOSITIONS,
 )
+from iconstudio.library.words.vocabulary import words as word_set
 from iconstudio.library.words.wordnet import WordNet
 
 EXACT, POSED, COMPOUND, PART, BADGED, SCENE, MENTION = 0, 1, 2, 2, 6, 7, 12
 
 _WORDY = 6
 """A name of so many words is a list of keywords, led by a category and by the thing itself."""
+
+_POSES = ATTRIBUTES - word_set("animal vehicle transport pet farm baby")
+"""Words that name nothing, but say how a thing is."""
 
 
 def readings(words: tuple[str, ...], wordnet: WordNet) -> dict[str, int]:
@@ -76,13 +80,18 @@ def _heads(words: tuple[str, ...], wordnet: WordNet) -> Iterator[tuple[str, int]
 
 
 def _strip(words: tuple[str, ...], extras: frozenset[str]) -> tuple[tuple[str, ...], bool]:
-    """Return ``words`` without the ``extras`` at either end, and whether there were any."""
-    before = len(words)
-    while len(words) > 1 and words[-1] in extras:
-        words = words[:-1]
-    while len(words) > 1 and words[0] in extras:
-        words = words[1:]
-    return words, len(words) < before
+    """Return ``words`` without the ``extras`` at either end, and whether there were any.
+
+    They are none if nothing but a pose or a view is left: *wifi low* is a wifi, no *low*.
+    """
+    left = words
+    while len(left) > 1 and left[-1] in extras:
+        left = left[:-1]
+    while len(left) > 1 and left[0] in extras:
+        left = left[1:]
+    if left == words or (extras.isdisjoint(ATTRIBUTES) and _POSES.issuperset(left)):
+        return words, False
+    return left, True
 
 
 def _compound(words: tuple[str, ...], tier: int, wordnet: WordNet) -> Iterator[tuple[str, int]]:

@@ -24,11 +24,12 @@ from iconstudio.library.words.wordnet import (
     WordNet,
 )
 
-FORM, SAME, NAMED, KIND, BROADER, BROADEST, BESIDE = 0, 1, 2, 3, 7, 8, 9
+FORM, SAME, NAMED, KIND, BROADER, BROADEST, BESIDE, SPELLING = 0, 1, 2, 3, 7, 8, 9, 10
 """``FORM``: the word is an inflected form of a verb. ``NAMED`` are kinds that bear the word: a
 fingernail is nearer to a nail than a thumbtack is. ``BROADEST`` is the nearest of all that it is a
 kind of that has drawings: a reptile for a crocodile, if nothing is nearer.
-``BESIDE`` it are other kinds of the same: they do not answer, but may be proposed."""
+``BESIDE`` it are other kinds of the same: they do not answer, but may be proposed. So may what it
+is a misspelling of: its right ``SPELLING``."""
 _FARTHER = 2
 """What is led to by another than the first meaning of a word has a rank higher by this."""
 

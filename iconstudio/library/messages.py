@@ -1,0 +1,40 @@
+"""What is said of how a keyword was read, and of what is near it."""
+
+from iconstudio.library.phrases import Answer
+from iconstudio.library.words import query, symbols
+
+THING = "Name the thing to draw, such as 'dog'."
+ENGLISH = (
+    "Icons have English names, and logos of brands are left out: "
+    "try another English word for the thing."
+)
+_LONGEST = 60
+"""Most characters of a keyword that a message repeats."""
+
+
+def said(keyword: str) -> str:
+    """Return a keyword as a message has it: quoted, a symbol with its name."""
+    name = query.plain(keyword) if symbols.has_symbols(keyword) else ""
+    return f"'{shortened(keyword.strip())}'" + (f" ({name})" if name else "")
+
+
+def shortened(text: str) -> str:
+    """Return a text that is too long to be repeated without its end."""
+    return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}…"
+
+
+def hint(near: tuple[str, ...]) -> str:
+    """Return what else may have been meant, if anything, after a blank."""
+    return f" Did you mean {', '.join(near)}?" if near else ""
+
+
+def remark(answer: Answer, near: tuple[str, ...]) -> str:
+    """Return how words were read if not as typed, and what else may have been meant."""
+    if not answer:
+        return ""
+    sentences = [f"“{typed}” was read as “{right}”." for typed, right in answer.read_as]
+    if answer.left_out:
+        words = " and ".join(f"“{word}”" for word in answer.left_out)
+        were = "was" if len(answer.left_out) == 1 else "were"
+        sentences.append(f"No icon has all of these words: {words} {were} left out.")
+    return (" ".join(sentences) + hint(near)).strip()
