@@ -9,10 +9,12 @@ import pytest
 from iconstudio.gui.window.availability import missing_library
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
-# A cache of our own, also for the programs that tests start; the collection is unpacked once.
-CACHE = tempfile.mkdtemp(prefix="iconstudio-tests-")
+# A cache of our own, also for the programs that tests start: processes that share the tests out
+# find the one of who started them, so that all is unpacked and compiled once.
+PROCESS = os.environ.get("PYTEST_XDIST_WORKER", "")
+CACHE = os.environ["ICONSTUDIO_CACHE"] if PROCESS else tempfile.mkdtemp(prefix="iconstudio-tests-")
 os.environ["ICONSTUDIO_CACHE"] = CACHE
-os.environ["ICONSTUDIO_DATA"] = os.path.join(CACHE, "data")  # nobody's work is kept or offered
+os.environ["ICONSTUDIO_DATA"] = os.path.join(CACHE, "data", PROCESS)  # nobody's work is offered
 
 
 MISSING = missing_library()
@@ -32,7 +34,8 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 def pytest_unconfigure(config: pytest.Config) -> None:
-    shutil.rmtree(CACHE, ignore_errors=True)
+    if not PROCESS:
+        shutil.rmtree(CACHE, ignore_errors=True)
 
 
 def pytest_ignore_collect(collection_path, config: pytest.Config) -> bool | None:
