@@ -11,9 +11,14 @@ from iconstudio.files import replaceable
 from iconstudio.inputs.line_style import read_style
 from iconstudio.inputs.styles import bundled, named
 from iconstudio.model import IconstudioError, LineStyle
-from iconstudio.workflows.line_style.restyling import LARGEST, SMALLEST, STRONGEST, WEAKEST
+from iconstudio.workflows.line_style.restyling import (
+    LARGEST,
+    LARGEST_SEED,
+    SMALLEST,
+    STRONGEST,
+    WEAKEST,
+)
 
-LARGEST_SEED = 2**53
 _SUFFIXES = (".json",)
 
 

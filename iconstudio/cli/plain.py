@@ -39,6 +39,6 @@ def into_folder(
 
 
 def _reading_and_running(session: Session, workflow: Workflow[Any], file: Path) -> Generator[Event]:
-    work = yield from read_file(file, workflow, session)
+    work = yield from read_file(file, workflow, session, running.tell)
     running.tell_remarks(workflow.icons(work))
     yield from session.run(workflow, work)

@@ -119,7 +119,7 @@ def _restyle_file(
 
 
 def _reading_and_running(session: Session, file: Path, asked: _Asked) -> Generator[Event]:
-    work: Restyling = yield from read_file(file, LINE_STYLE, session)
+    work: Restyling = yield from read_file(file, LINE_STYLE, session, running.tell)
     yield from session.run(LINE_STYLE, asked.of(work))
 
 

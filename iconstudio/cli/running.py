@@ -59,6 +59,11 @@ def tell_results(count: int, noun: str, sheet: Path) -> None:
     click.echo(f"{results}; see {click.format_filename(sheet)}")
 
 
+def tell(sentence: str) -> None:
+    """Say what a user should know, beside the results."""
+    click.echo(sentence, err=True)
+
+
 def tell_remarks(icons: Iterable[Pictogram]) -> None:
     """Say what could not be read of the drawings of icons: a line each, if there is anything."""
     for icon in dict.fromkeys(icons):

@@ -1,6 +1,6 @@
 """The files of the user's work: read and written as their workflows declare."""
 
-from collections.abc import Generator, Iterable
+from collections.abc import Callable, Generator, Iterable
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -70,15 +70,23 @@ def _unknown_workflow(data: object, some: Iterable[Workflow[Any]]) -> str | None
     return None if any(one.name == name for one in some) else name
 
 
-def read_file(path: Path, workflow: Workflow[W], resources: Resources) -> Generator[Event, None, W]:
-    """Return the work in a file; yield progress.
+def read_file(
+    path: Path,
+    workflow: Workflow[W],
+    resources: Resources,
+    tell: Callable[[str], object] = lambda sentence: None,
+) -> Generator[Event, None, W]:
+    """Return the work in a file; yield progress. ``tell`` is called with what a user should know.
 
     Raises
     ------
     IconstudioError
         If it cannot be read, or is of another workflow.
     """
-    return (yield from open_file(path, workflow.file).resolving(resources))
+    file = open_file(path, workflow.file)
+    for remark in file.remarks:
+        tell(f"In “{path.name}”: {remark}")
+    return (yield from file.resolving(resources))
 
 
 def write_file(path: Path, workflow: Workflow[W], work: W, **more: Any) -> None:

@@ -64,6 +64,11 @@ class File(StrictRecord, Generic[W], frozen=True, kw_only=True):
         """Return the file of some work; ``refer`` returns the references of its icons."""
         raise NotImplementedError
 
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """What a user should know of how it is read."""
+        return ()
+
     def resolved(self, find: Find) -> W:
         """Return the work, its icons found by ``find``."""
         raise NotImplementedError

@@ -105,6 +105,27 @@ def test_a_scribble_is_as_long_as_asked_and_wholly_in_its_picture(tmp_path):
     assert length == pytest.approx(500, rel=0.15)
 
 
+def test_a_scribble_has_the_widths_of_its_style(tmp_path):
+    file = str(tmp_path / "brush.svg")
+    assert run(["scribble", "--style", "Brush", "--length", "300", "--out", file], None) == 0
+    svg = (tmp_path / "brush.svg").read_text("utf-8")
+    assert "stroke-width" not in svg, "a stroke has one width"
+    height = float(re.search(r'viewBox="0 0 (\S+) (\S+)"', svg)[2])
+    found = ink(svg)
+    thick = found.sum(axis=0)[found.any(axis=0)] * height / found.shape[0]
+    assert thick.max() > 2 * thick.min()
+
+
+def test_a_line_of_very_many_points_is_told_to_be_simplified(tmp_path, capsys):
+    file = tmp_path / "restyle.json"
+    turn = np.linspace(0, 2 * np.pi, 30_000)
+    points = np.column_stack([128 + 90 * np.cos(turn), 128 + 90 * np.sin(turn)]).round(4)
+    line = {"points": points.tolist(), "width": 8}
+    file.write_text(json.dumps({"lines": [line], "style": "Waves"}))
+    assert run(["restyle", str(file), "--out", str(tmp_path / "one.svg")], None) == 0
+    assert "Line 1 has 30,000 points; it is drawn with fewer" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [

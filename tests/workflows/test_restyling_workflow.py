@@ -2,6 +2,7 @@
 
 from concurrent.futures import Future
 from contextlib import closing
+from dataclasses import replace
 
 import numpy as np
 from shapely import LineString
@@ -9,7 +10,12 @@ from shapely import LineString
 from iconstudio.inputs.styles import named
 from iconstudio.model import Line, Restyling
 from iconstudio.workflows.events import Result
-from iconstudio.workflows.line_style.restyling import RestyleSettings, run
+from iconstudio.workflows.line_style.restyling import (
+    LARGEST_SEED,
+    RestyleSettings,
+    run,
+    variations,
+)
 
 BAR = Line(((20.0, 128.0), (236.0, 128.0)), width=8.0)
 WORK = Restyling(named("Waves"), strokes=(BAR,))
@@ -76,3 +82,9 @@ def test_the_finished_result_does_what_the_coarse_one_did():
     assert len(before.points) < 0.8 * len(after.points)
     off = np.ptp(np.array(after.points)[:, 1])
     assert LineString(before.points).hausdorff_distance(LineString(after.points)) < off / 2
+
+
+def test_the_seeds_of_variations_can_all_be_kept_in_files():
+    seeds = [one.seed for one in variations(replace(WORK, seed=LARGEST_SEED))]
+    assert all(0 <= seed <= LARGEST_SEED for seed in seeds)
+    assert len(set(seeds)) == 4

@@ -6,6 +6,7 @@ from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.ndimage import gaussian_filter1d
 
 from iconstudio.algorithms.curves.curve import Curve, Numbers
 from iconstudio.algorithms.curves.example import Pair
@@ -26,6 +27,8 @@ _PERIODS = 5.0
 """... and it is so many times as long as the style's period."""
 _COARSE, _SKIPPED = 2.0, 2
 """The least spacing of a coarse curve, and how many levels it does without at least."""
+_SOFT = 2.0
+"""Standard deviation, in points, of the blur of widths."""
 _KEPT = 64
 """Sizes of styles that stay prepared."""
 
@@ -76,6 +79,12 @@ class Prepared:
                 own = np.interp(along, np.linspace(0, 1, len(width)), width)
                 found[here] = np.maximum(0.1, 1 + self.strength * (own - 1))
         return found
+
+
+def smoothed(widths: Numbers, closed: bool) -> Numbers:
+    """Return widths along a curve that do not jump where it does not: candidates may."""
+    found: Numbers = gaussian_filter1d(widths, _SOFT, mode="wrap" if closed else "nearest")
+    return found
 
 
 @lru_cache(_KEPT)

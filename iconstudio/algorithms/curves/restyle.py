@@ -10,7 +10,7 @@ from iconstudio.algorithms.curves.corners import joined, parted
 from iconstudio.algorithms.curves.curve import Curve, Numbers
 from iconstudio.algorithms.curves.junctions import junctions
 from iconstudio.algorithms.curves.multiresolution import analogy
-from iconstudio.algorithms.curves.prepared import Prepared, prepare
+from iconstudio.algorithms.curves.prepared import Prepared, prepare, smoothed
 from iconstudio.algorithms.curves.untangling import untangled
 from iconstudio.model import Line
 
@@ -24,8 +24,6 @@ _SLIM = 1e-6
 """What encloses so little of what a circle of its length does encloses nothing."""
 _DOT = 4.0
 """Canvas units: what is no longer than this is a dot, and stays one."""
-_SOFT = np.array([1.0, 2.0, 1.0]) / 4
-"""Widths are blurred by this, so that they do not jump where the curve does not."""
 
 
 def restyled(
@@ -88,13 +86,13 @@ def _one(
 def _fitting(
     curve: Curve, pieces: Sequence[tuple[Curve, float, float]], widths: Sequence[Numbers]
 ) -> Numbers:
-    """Return the widths of a curve's parts at its own points, blurred a little."""
+    """Return the widths of a curve's parts at its own points, smoothed."""
     at = np.concatenate([first + one.parameters * (last - first) for one, first, last in pieces])
     found = np.concatenate(widths)
     order = np.argsort(np.mod(at, curve.end) if curve.closed else at, kind="stable")
     at = np.mod(at, curve.end)[order] if curve.closed else at[order]
     own = np.interp(curve.parameters, at, found[order])
-    return np.convolve(np.pad(own, 1, mode="edge"), _SOFT, "valid")
+    return smoothed(own, curve.closed)
 
 
 def _line(line: Line, curve: Curve, widths: Numbers, turned: bool) -> Line:

@@ -6,10 +6,16 @@ from msgspec import Meta
 
 from iconstudio.inputs.formats import MOST_POINTS, Many, Reference, StrictRecord, Text
 from iconstudio.inputs.line_style import StyleFile
-from iconstudio.inputs.lines import line, rounded
+from iconstudio.inputs.lines import STRAY, line, rounded
 from iconstudio.inputs.styles import bundled, named
 from iconstudio.model import CANVAS, IconstudioError, Line, LineStyle, Restyling
-from iconstudio.workflows.line_style.restyling import LARGEST, SMALLEST, STRONGEST, WEAKEST
+from iconstudio.workflows.line_style.restyling import (
+    LARGEST,
+    LARGEST_SEED,
+    SMALLEST,
+    STRONGEST,
+    WEAKEST,
+)
 from iconstudio.workflows.workflow import File, Find, Refer
 
 FAR = 20.0 * CANVAS
@@ -17,8 +23,8 @@ FAR = 20.0 * CANVAS
 
 _Length = Annotated[float, Meta(ge=-FAR, le=FAR)]
 _Points = Annotated[tuple[tuple[_Length, _Length], ...], Meta(max_length=MOST_POINTS)]
-LARGEST_SEED = 2**53
-"""More would not be the same number everywhere in JSON."""
+MANY_TOLD = 20_000
+"""Of lines of more points it is said that they are simplified; nobody sees it."""
 Seed = Annotated[int, Meta(ge=0, le=LARGEST_SEED)]
 
 
@@ -76,6 +82,16 @@ class RestyleFile(File[Restyling], frozen=True):
             seed=work.seed,
             rotation=work.turning,
             others=tuple(OtherStyle(number, _written(style)) for number, style in work.others),
+        )
+
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """Which lines are simplified."""
+        return tuple(
+            f"Line {number} has {len(one.points):,} points; it is drawn with fewer, "
+            f"at most {STRAY} units off."
+            for number, one in enumerate(self.lines, start=1)
+            if len(one.points) > MANY_TOLD
         )
 
     def resolved(self, find: Find) -> Restyling:

@@ -25,6 +25,8 @@ WEAKEST, STRONGEST = 0.1, 3.0
 SMALLEST, LARGEST = 0.25, 4.0
 STRENGTHS = (1.0, 0.6, 1.5)
 """Of variations, over the one that is wanted: a row each."""
+LARGEST_SEED = 2**53
+"""More would not be the same number everywhere in JSON."""
 SEEDS = 4
 """Of variations: a column each."""
 _PATIENCE = 0.05
@@ -98,7 +100,7 @@ def variations(work: Restyling) -> list[Restyling]:
         replace(
             work,
             strength=min(max(factor * work.strength, WEAKEST), STRONGEST),
-            seed=work.seed + number,
+            seed=(work.seed + number) % (LARGEST_SEED + 1),
         )
         for factor in STRENGTHS
         for number in range(SEEDS)

@@ -16,12 +16,16 @@ def scribbled(style: LineStyle, length: float, seed: int) -> tuple[Line, Point]:
     import numpy as np
 
     from iconstudio.algorithms.curves.multiresolution import scribble
-    from iconstudio.algorithms.curves.restyle import prepare
+    from iconstudio.algorithms.curves.prepared import prepare, smoothed
 
-    parameters, levels = prepare(style).whole
-    made = scribble(levels, length, parameters, seed, style.rotation).curve
-    points = np.stack([made.points.real, made.points.imag], axis=1)
-    points += WIDTH - points.min(axis=0)
-    across, down = np.ceil(points.max(axis=0) + WIDTH)
-    line = Line(tuple((x, y) for x, y in points.tolist()), width=WIDTH)
+    prepared = prepare(style)
+    parameters, levels = prepared.whole
+    made = scribble(levels, length, parameters, seed, style.rotation)
+    widths = WIDTH * smoothed(prepared.widths(levels, made.sources), False)
+    points = np.stack([made.curve.points.real, made.curve.points.imag], axis=1)
+    edge = max(WIDTH, widths.max())
+    points += edge - points.min(axis=0)
+    across, down = np.ceil(points.max(axis=0) + edge)
+    varied = tuple(widths.tolist()) if np.ptp(widths) > 0 else ()
+    line = Line(tuple((x, y) for x, y in points.tolist()), width=WIDTH, widths=varied)
     return line, (float(across), float(down))

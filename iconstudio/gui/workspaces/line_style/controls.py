@@ -10,9 +10,14 @@ from iconstudio.gui.panels.seed import SeedField
 from iconstudio.gui.theme.layout import card, column, label, row
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.workflows.line_style import page as edits
-from iconstudio.workflows.line_style.file import LARGEST_SEED
 from iconstudio.workflows.line_style.page import RestyleDocument, RestylePage
-from iconstudio.workflows.line_style.restyling import LARGEST, SMALLEST, STRONGEST, WEAKEST
+from iconstudio.workflows.line_style.restyling import (
+    LARGEST,
+    LARGEST_SEED,
+    SMALLEST,
+    STRONGEST,
+    WEAKEST,
+)
 
 
 class PercentSlider(QWidget):
