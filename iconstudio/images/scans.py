@@ -86,10 +86,10 @@ def trace(
     svg = _document(path, width, height)
     digest = hashlib.sha256(svg.encode()).hexdigest()[:8]
     credit = Credit(name, UNNAMED, UNLICENSED, "", "")
-    by_colour = scan.coloured if threshold in (None, scan.threshold) else None
     said = [remark, _PHOTO if scan.shaded else "", THIN if thin else ""]
-    if by_colour is not None:
-        said += [one for what, one in OMITTED.items() if what in by_colour.omissions]
+    said += [one for what, one in OMITTED.items() if what in scan.omissions]
+    if scan.coloured is not None and threshold in (None, scan.threshold):
+        pass  # its colours were told apart, however pale
     elif threshold is None and scan.threshold < _FAINTEST:
         said.append(_FAINT)
     elif threshold is None and scan.faint and not scan.shaded:

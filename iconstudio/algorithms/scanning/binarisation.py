@@ -16,8 +16,11 @@ from iconstudio.algorithms.scanning.checkerboard import without_checkerboard
 from iconstudio.algorithms.scanning.flat import flat_drawing, on_nothing
 from iconstudio.algorithms.scanning.free import LARGE, free_drawing
 from iconstudio.algorithms.scanning.margin import with_margin, without_half_lines
+from iconstudio.algorithms.scanning.noise import without_noise
 from iconstudio.algorithms.scanning.paper import lighting, page, trend
 from iconstudio.algorithms.scanning.resampling import COARSE, reconstructed, resized, shrunk
+from iconstudio.algorithms.scanning.shadow import without_shadow
+from iconstudio.algorithms.tones.alternation import Omission
 from iconstudio.algorithms.tones.tone import Inked, pictogram
 from iconstudio.model import IconstudioError
 
@@ -81,6 +84,8 @@ class Scan:
     """Whether lines that can be seen are fainter than ``threshold``."""
     coloured: Inked | None = None
     """Of a drawing in flat colours, its pictogram: what is ink at ``threshold``."""
+    omissions: frozenset[Omission] = frozenset()
+    """What of the picture was left out."""
 
     def at(self, threshold: int) -> NDArray[np.bool_]:
         """Return where it is ink at a threshold, (h, w) as ``darkness`` or its pictogram."""
@@ -154,7 +159,12 @@ def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
 
     These tell only if nobody says whether it is lighter than its ground.
     """
-    pixels = without_checkerboard(without_half_lines(pixels))
+    opaque = pixels.shape[2] == 3
+    pixels = without_noise(without_checkerboard(without_half_lines(pixels)))
+    left_out: frozenset[Omission] = frozenset()
+    lit = without_shadow(pixels) if inverted is None else None
+    if lit is not None:
+        pixels, left_out = lit, frozenset({Omission.FAINT})
     if inverted is None:
         pixels = on_nothing(pixels)
     if not inverted:
@@ -162,8 +172,11 @@ def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
     drawing = _coloured_drawing(pixels) if inverted is None else None
     coloured = None if drawing is None else pictogram(drawing)
     if coloured is None or not (coloured.coverage > 127).any():
-        return scanned(pixels if inverted else with_margin(pixels, tiles=True), inverted)
-    return replace(scanned(pixels), found=True, shaded=False, coloured=coloured)
+        found = scanned(pixels if inverted else with_margin(pixels, tiles=True), inverted)
+        return replace(found, omissions=left_out)
+    # Of what is opaque all over, only a shadow is hardly so.
+    left_out |= coloured.omissions - ({Omission.FAINT} if opaque else set())
+    return replace(scanned(pixels), found=True, shaded=False, coloured=coloured, omissions=left_out)
 
 
 def _coloured_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:

@@ -14,9 +14,15 @@ import scipy
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.scanning.blending import unblended
-from iconstudio.algorithms.scanning.free import FILLED, cut_drawing, has_colours, on_square, scaled
+from iconstudio.algorithms.scanning.free import (
+    FILLED,
+    cut_drawing,
+    has_colours,
+    on_square,
+    scaled,
+)
 from iconstudio.algorithms.scanning.ground import AROUND, ASTRAY, CLEAR, Ground, ground_of
-from iconstudio.algorithms.scanning.margin import PAPER, rim_of
+from iconstudio.algorithms.scanning.margin import PAPER, has_stripes, rim_of
 from iconstudio.algorithms.scanning.palette import SMALL, Palette, is_in_one_colour, palette_of
 from iconstudio.algorithms.scanning.resampling import (
     premultiplied,
@@ -50,6 +56,8 @@ _DESK = 0.75
 """How much of the rim a desk has at least around a sheet of paper, whose corners are sharp."""
 _PAINT, _PAPER_AND_INK = 0.02, 2
 """How much of a sheet a colour has to count, and how many a sheet has with what is drawn on it."""
+_ALL_ALONG = 0.98
+"""How much of the lines beside a stripe has another colour, if that is a stripe, too."""
 _TINGE = 70.0
 """Levels by which the channels of paper differ, at most."""
 _IN_SHADOW = 0.1
@@ -119,6 +127,9 @@ def on_nothing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
     blended = premultiplied(pixels.astype(np.float32))
     if not _is_sparse(blended) or not is_in_one_colour(blended):
         return pixels
+    coloured = (np.ptp(pixels, axis=2) > _TINGE).any()
+    if coloured and has_stripes(blended.min(axis=2) > PAPER):
+        return pixels  # a flag
     away = (255 - blended[..., :3]).max(axis=2)
     alpha = np.rint(np.clip((away - away.min()) / np.ptp(away), 0, 1) * 255).astype(np.uint8)
     return np.dstack([np.zeros_like(pixels), alpha])
@@ -177,7 +188,9 @@ def _is_full_bleed(
         # Stripes of white, as on flags: more of a page was added around.
         corners = blended[[0, 0, -1, -1], [0, -1, 0, -1]] - palette.colours[ground]
         at_corners = np.linalg.norm(corners, axis=1) < ASTRAY
-        full = around < AROUND and not at_corners.all() and coloured.any() and not palette.shades
+        striped = has_stripes(palette.number == ground)
+        full = around < AROUND and (striped or not at_corners.all())
+        full = full and coloured.any() and not palette.shades
     elif ground is not None:
         full = around > _BLEEDS and coloured[ground]
     elif palette.shades:
@@ -194,17 +207,18 @@ def _is_full_bleed(
 
 def _grain(palette: Palette, blended: NDArray[np.float32]) -> float:
     """Return by how many levels pixels of even areas stray from those around, in the mean."""
-    even = scipy.ndimage.binary_erosion(palette.number >= 0)
+    low = scipy.ndimage.minimum_filter(palette.number, 3)
+    even = (low >= 0) & (low == scipy.ndimage.maximum_filter(palette.number, 3))
     away = abs(blended - scipy.ndimage.uniform_filter(blended, (3, 3, 1)))[even]
     return float(away.max(axis=1).mean()) if even.any() else np.inf
 
 
-def _full_bleed(blended: NDArray[np.float32], palette: Palette) -> NDArray[np.uint8] | None:
-    """Return a drawing that covers all of a bitmap, opaque; None if its colours do not make it."""
+def _full_bleed(blended: NDArray[np.float32], palette: Palette) -> NDArray[np.uint8]:
+    """Return a drawing that covers all of a bitmap, opaque; as it is if it has too many colours."""
+    shape = scaled(blended.shape[:2], FILLED / max(blended.shape[:2]))
     palette, parts = _completed(blended, palette)
     if parts is None:
-        return None
-    shape = scaled(parts.shape[1:], FILLED / max(parts.shape[1:]))
+        return on_square(resized(blended, shape))
     return on_square(_at(list(parts), palette.shades, palette, shape)[1])
 
 
@@ -219,8 +233,12 @@ def _on_a_desk(small: NDArray[np.float32], ground: NDArray[np.float32]) -> NDArr
 def _is_painted(
     palette: Palette | None, blended: NDArray[np.float32], sheet: NDArray[np.bool_]
 ) -> bool:
-    """Whether what looks like a sheet has more flat colours than paper with a drawing."""
-    if palette is None or not palette.is_exact(blended):
+    """Whether what looks like a sheet is a stripe, or in more flat colours than a drawing."""
+    if palette is None:
+        return False
+    if has_stripes(palette.number != 0, _ALL_ALONG) and _grain(palette, blended) < _GRAIN:
+        return True
+    if not palette.is_exact(blended):
         return False
     shares = [(palette.number[sheet] == one).mean() for one in range(len(palette.colours))]
     return bool(sum(share > _PAINT for share in shares) > _PAPER_AND_INK)

@@ -33,6 +33,11 @@ _EXACT, _SAME = 0.9, 2.0
 nothing."""
 _EXACTLY = 0.3
 """How much of what has its colour has just that."""
+_FAINT, _PLAIN, _LOSSY = 12.0, 128.0, 0.3
+"""Levels by which noise differs from the ground at most, and edges do; how many pixels have noise
+in lossy files, for each that has an edge, at least."""
+_TINY = 40
+"""Pixels of the longer side of a bitmap in which noise cannot be told from what is drawn."""
 
 
 class Ground(NamedTuple):
@@ -48,6 +53,19 @@ class Ground(NamedTuple):
     def is_exact(self, blended: NDArray[np.float32]) -> bool:
         """Whether most of it has the very same colour, as lossy files do not keep it."""
         return are_alike(blended[self.mask], self.colour)
+
+    def is_lossy(self, blended: NDArray[np.float32]) -> bool:
+        """Whether much of a bitmap is nearly of its colour, as what lossy files leave at edges."""
+        if max(blended.shape[:2]) < _TINY:
+            return False
+        away = abs(blended - self.colour).max(axis=2)
+        low, high = (
+            filtered(blended, (2, 2, 1))
+            for filtered in (scipy.ndimage.minimum_filter, scipy.ndimage.maximum_filter)
+        )
+        uneven = (high - low).max(axis=2) > 1
+        faint = ((away > 0) & (away <= _FAINT) & uneven).sum()
+        return bool(faint > _LOSSY * ((away > _FAINT) & (away <= _PLAIN)).sum())
 
 
 def are_alike(pixels: NDArray[np.float32], colours: NDArray[np.float32]) -> bool:

@@ -27,6 +27,9 @@ _RUNS = 2
 """Pieces of the rim that are white where it is so along one side, at most."""
 _STRIPE = 0.9
 """How much of its bounding box a stripe of a flag fills."""
+_BROAD, _PLAIN, _OBLONG = 0.03, 0.6, 1.2
+"""The least height of a stripe on white, as part of the picture's; how much of the lines beside it
+is white; and how oblong a picture with a cross is at least."""
 _MARGIN = 0.06
 """Width of the margin that is added, as part of the longer side."""
 
@@ -116,7 +119,7 @@ def _is_flag(light: NDArray[np.bool_]) -> bool:
         least, most = sorted([one.mean(), other.mean()])
         if once and least < 1 - _WHOLE and most > _WHOLE:
             return True
-    return _is_striped(light)
+    return _is_striped(light) or has_stripes(light, _WHOLE)
 
 
 def _is_striped(light: NDArray[np.bool_]) -> bool:
@@ -130,3 +133,27 @@ def _is_striped(light: NDArray[np.bool_]) -> bool:
         if (pieces[boxes[number - 1]] == number).mean() > _STRIPE:
             stripes += on_rim[number]
     return bool(2 * stripes > on_rim.sum())
+
+
+def has_stripes(light: NDArray[np.bool_], beside: float = _PLAIN) -> bool:
+    """Whether stripes or a cross that are not ``light`` run from side to side, as on flags.
+
+    Of the lines beside a stripe, so much is light. One stripe is none, and in a square picture, a
+    cross may be a plus sign.
+    """
+    down, across = _stripes(light, beside), _stripes(light.T, beside)
+    height, width = light.shape
+    return max(down, across) > 1 or (down + across > 1 and width > _OBLONG * height)
+
+
+def _stripes(light: NDArray[np.bool_], least: float) -> int:
+    """Return how many stripes run across, with straight edges and light beside them."""
+    bands, _ = scipy.ndimage.label(light.mean(axis=1) < 1 - _WHOLE)
+    found = 0
+    for (band,) in scipy.ndimage.find_objects(bands):
+        beside = [
+            row for row in (band.start - _EDGE, band.stop + _EDGE - 1) if 0 <= row < len(light)
+        ]
+        straight = all(light[row].mean() > least for row in beside)
+        found += straight and band.stop - band.start > _BROAD * len(light)
+    return found

@@ -127,7 +127,7 @@ def palette_of(blended: NDArray[np.float32], ground: Ground | None) -> Palette |
     drawn = even if ground is None else even & ~ground.mask
     pieces = _pieces(blended, wide & drawn, least)
     shaded = [piece for piece in pieces if _strays(blended[piece]) > _SPREAD]
-    if small:
+    if small and (ground is None or not ground.is_lossy(blended)):
         shaded += _steeply_shaded(blended, shaded, least)
     shaded = [_grown(blended, piece, drawn) for piece in shaded]
     flat = drawn & ~np.any(shaded, axis=0) if shaded else drawn

@@ -1,0 +1,156 @@
+"""The shadow that a drawing from a computer casts on its ground, soft or hard, is left out."""
+
+import math
+
+import numpy as np
+import scipy
+from numpy.typing import NDArray
+
+from iconstudio.algorithms.scanning.cutting import cut_out
+from iconstudio.algorithms.scanning.ground import AROUND, ASTRAY, Ground, ground_of
+from iconstudio.algorithms.scanning.resampling import premultiplied
+from iconstudio.algorithms.tones.regions import Mask, nearest
+
+_LONGEST = 1024
+"""Pixels of the longer side of the largest picture that is looked at."""
+_TINGE = 14.0
+"""Levels by which a shadow misses the colour of its ground, made darker."""
+_DEEPEST, _FAINTEST = 0.35, 0.96
+"""How bright a shadow is at least and at most, as part of its ground."""
+_GENTLE = 36.0
+"""Levels by which a soft shadow differs within three pixels at most."""
+_STEP, _STEEP, _BESIDE = 0.5, 0.2, 9
+"""How much of its depth a soft shadow gains within three pixels, where it is steep; how much of it
+is so, within so many pixels across of the ground, at most."""
+_NEAR = 7
+"""Pixels across, of what lies along a shadow."""
+_FLAT, _ACROSS = 4.0, 5
+"""Levels by which an area differs that is as many pixels wide, if it is evenly painted."""
+_SEEN = 0.04
+"""Size of what can be seen of a shadow, as part of that of the drawing, at least."""
+_LEAST = 0.25
+"""Size of the drawing, as part of that of its shadow, at least."""
+_ALONG = 0.3
+"""How much of the contour of the drawing a soft shadow lies along, at least."""
+_LIKE = 0.12
+"""By how much of its ground a shadow in a hole differs in brightness from that outside."""
+_SHIFTED = 0.85
+"""How much of a hard shadow is what the drawing covers, shifted, and the other way round."""
+_FAR = 0.12
+"""How far below the drawing a hard shadow lies at most, as part of the drawing's size."""
+_EVEN = 8.0
+"""Levels by which a hard shadow strays from its colour."""
+
+
+def without_shadow(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
+    """Return a picture (h, w, 3) whose drawing casts no shadow; None if it casts none as it is.
+
+    A shadow is the even ground, darker: soft, and fading into it all around; or hard, and of the
+    shape of the drawing, shifted.
+    """
+    if pixels.shape[2] == 4 or not 16 <= min(pixels.shape[:2]) <= max(pixels.shape[:2]) <= _LONGEST:
+        return None
+    levels = pixels.astype(np.float32)
+    ground = ground_of(premultiplied(levels))
+    if ground is None or ground.around < AROUND or ground.colour[:3].max() < 2 * ASTRAY:
+        return None
+    bright = (levels @ ground.colour[:3]) / (ground.colour[:3] @ ground.colour[:3])
+    tinge = abs(levels - bright[..., None] * ground.colour[:3]).max(axis=2)
+    dark = (tinge < _TINGE) & (bright > _DEEPEST) & ~ground.mask
+    away = abs(levels - ground.colour[:3]).max(axis=2)
+    shadow = _soft(levels, dark, bright, away, ground)
+    if shadow is None:
+        shadow = _hard(dark & (bright < _FAINTEST), bright, away, ground)
+    if shadow is None:
+        return None
+    behind = ground.mask | shadow
+    cut = cut_out(pixels, levels[nearest(behind)], behind).astype(np.float32)
+    alpha = cut[..., 3:] / 255
+    free = cut[..., :3] * alpha + ground.colour[:3] * (1 - alpha)
+    free[behind] = ground.colour[:3]
+    without: NDArray[np.uint8] = np.rint(free).astype(np.uint8)
+    return without
+
+
+def _soft(
+    levels: NDArray[np.float32],
+    dark: Mask,
+    bright: NDArray[np.float32],
+    away: NDArray[np.float32],
+    ground: Ground,
+) -> Mask | None:
+    """Return where a soft shadow lies, of what is ``dark``, or None."""
+    even = (_range(levels, _ACROSS) < _FLAT) & (away > ASTRAY / 2)
+    painted = scipy.ndimage.binary_dilation(even, np.ones((_ACROSS, _ACROSS)))
+    gentle = dark & (_range(levels, 3) < _GENTLE) & ~painted
+    outside = scipy.ndimage.binary_propagation(ground.mask, mask=ground.mask | gentle)
+    shadow = outside & ~ground.mask
+    drawn = ~outside & (away > ASTRAY)
+    seen = scipy.ndimage.binary_opening(shadow & (away > ASTRAY), np.ones((3, 3)))
+    # What is painted in such greys itself cannot be told from its shadow.
+    pale = (even & dark & (away > ASTRAY)).sum() > _SEEN * drawn.sum()
+    if pale or not _is_shadow(seen, drawn):
+        return None
+    wide, beside = (
+        scipy.ndimage.binary_dilation(one, np.ones((_BESIDE, _BESIDE)))
+        for one in (seen, ground.mask)
+    )
+    meets = scipy.ndimage.binary_dilation(shadow, np.ones((3, 3))) & wide & beside & ~ground.mask
+    steep = meets & (_range(levels, 3) > _STEP * np.percentile(away[seen], 90))
+    if steep.sum() >= _STEEP * meets.sum():
+        return None
+    contour = scipy.ndimage.binary_dilation(outside, np.ones((3, 3))) & ~outside
+    along = contour & scipy.ndimage.binary_dilation(seen, np.ones((_NEAR, _NEAR)))
+    if along.sum() < _ALONG * contour.sum():
+        return None
+    # What shows through holes is as dark as what lies outside, and no part of what is painted.
+    holes = gentle & (abs(bright - bright[nearest(shadow)]) < _LIKE)
+    beside = scipy.ndimage.binary_dilation(painted, np.ones((3, 3))) & holes
+    found: Mask = shadow | (holes & ~scipy.ndimage.binary_propagation(beside, mask=holes))
+    return found
+
+
+def _hard(
+    dark: Mask, bright: NDArray[np.float32], away: NDArray[np.float32], ground: Ground
+) -> Mask | None:
+    """Return where a hard shadow lies, of what is ``dark``, or None."""
+    if not dark.any():
+        return None
+    counts = np.bincount(np.rint(bright[dark] * 255).astype(np.intp))
+    level = float(counts.argmax())
+    shadow = dark & (abs(bright * 255 - level) < _EVEN)
+    drawn = away > ASTRAY
+    drawn &= ~dark | scipy.ndimage.binary_opening(dark & ~shadow, np.ones((3, 3)))
+    if not _is_shadow(scipy.ndimage.binary_opening(shadow, np.ones((2, 2))), drawn):
+        return None
+    # Where the drawing must be shifted to for most of it to fall on shadow and least on ground.
+    fits = scipy.signal.fftconvolve(
+        shadow.astype(np.float32) - ground.mask, drawn[::-1, ::-1].astype(np.float32)
+    )
+    y, x = np.unravel_index(int(fits.argmax()), fits.shape)
+    down, across = y - len(drawn) + 1, x - drawn.shape[1] + 1
+    if down < 0 or math.hypot(down, across) > _FAR * math.sqrt(drawn.sum()):
+        return None
+    cast = scipy.ndimage.shift(drawn, (down, across), order=0)
+    cast &= ground.mask | shadow
+    wide_cast, wide = (
+        scipy.ndimage.binary_dilation(one, np.ones((3, 3))) for one in (cast, shadow)
+    )
+    hits = (wide_cast & shadow).sum(), (wide & cast).sum()
+    if hits[0] < _SHIFTED * shadow.sum() or hits[1] < _SHIFTED * cast.sum():
+        return None
+    edge: Mask = wide & dark
+    return edge
+
+
+def _is_shadow(seen: Mask, drawn: Mask) -> bool:
+    """Whether what is seen of a shadow is neither noise nor all that there is."""
+    return bool(_SEEN * drawn.sum() < seen.sum() < drawn.sum() / _LEAST)
+
+
+def _range(levels: NDArray[np.float32], size: int) -> NDArray[np.float32]:
+    """Return by how many levels a channel differs within so many pixels, at most."""
+    high = scipy.ndimage.maximum_filter(levels, (size, size, 1))
+    low = scipy.ndimage.minimum_filter(levels, (size, size, 1))
+    most: NDArray[np.float32] = (high - low).max(axis=2)
+    return most
