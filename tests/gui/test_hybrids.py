@@ -14,12 +14,15 @@ from PySide6.QtWidgets import QApplication
 
 from iconstudio.algorithms.raster import solid
 from iconstudio.gui.exchange.dragging import packed
-from iconstudio.gui.gallery.pictures import Picture
+from iconstudio.gui.gallery.display import DisplaySwitch
+from iconstudio.gui.gallery.pictures import Display, Picture
 from iconstudio.gui.gallery.sheet_model import Rule
 from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.gui.workspaces.hybrids.cards import on_shape
 from iconstudio.model import Axis, IconstudioError
 from iconstudio.session import Session
+from iconstudio.workflows.hybrids import page as edits
+from iconstudio.workflows.hybrids.hybrids import MOST
 from iconstudio.workflows.hybrids.spec import HYBRIDS
 
 LEFT = Qt.MouseButton.LeftButton
@@ -189,6 +192,36 @@ def test_picking_again_brings_the_next_group_and_undo_the_last(chosen, qtbot, se
     assert names(chosen) == first
     pick(chosen, qtbot, 3)
     assert session.calls[-2][1:] == ("lamp", 3, None, 0), "another number begins anew"
+
+
+def test_icons_that_the_user_chose_or_pinned_stay_when_the_program_picks(chosen, qtbot):
+    sent = exemplar(50)
+    chosen.take(sent.pictogram)
+    qtbot.waitUntil(lambda: sent.id in names(chosen))
+    pinned = names(chosen)[0]
+    edits.set_pins(chosen.document, pinned, ((128.0, 128.0),))
+    pick(chosen, qtbot, 4)
+    assert names(chosen)[:2] == [pinned, sent.id] and len(names(chosen)) == 6
+    assert all(one.picked for one in chosen.page.ingredients[2:])
+
+
+def test_more_picks_than_there_is_room_for_are_told(place, qtbot):
+    for number in range(MOST - 2):
+        place.opener.take_exemplar(exemplar(20 + number))
+    search(place.column.chooser, "lamp")
+    pick(place, qtbot, 4)
+    assert len(names(place)) == MOST
+    assert f"at most {MOST} icons can be mixed" in place.window().pane.notice.label.text()
+
+
+def test_the_sheet_has_the_switch_of_how_results_are_shown(mixed, qtbot):
+    (switch,) = mixed.panel.findChildren(DisplaySwitch)
+    assert switch.isVisible()
+    seen = set()
+    for display in Display:
+        QTest.mouseClick(switch.segments[display], LEFT)
+        seen.add(bytes(mixed.sheet.viewport().grab().toImage().constBits()))
+    assert len(seen) == 3
 
 
 def test_picking_needs_a_word(place):

@@ -323,7 +323,9 @@ def test_a_page_that_cannot_be_read_is_told_and_the_file_is_safe(
         parts = {name: archive.read(name) for name in archive.namelist()}
     index = json.loads(parts["project.json"])
     index["pages"]["montage"]["layers"][0]["icon"] = "/etc/passwd"
-    index["pages"]["unheard-of"] = {}
+    index["pages"]["unheard-of"] = {"icon": "own:unheard"}
+    index["icons"]["own:unheard"] = {"part": "icons/unheard-of.svg"}
+    parts["icons/unheard-of.svg"] = b"<svg/>"
     parts["project.json"] = json.dumps(index).encode()
     with zipfile.ZipFile(path, "w") as archive:
         for name, data in parts.items():
@@ -337,6 +339,16 @@ def test_a_page_that_cannot_be_read_is_told_and_the_file_is_safe(
     assert pages(other)["edit"] == pages(window)["edit"]
     assert other.project.path is None
     assert other.project.modified
+    again = tmp_path / "again.iconstudio"
+    other.workspace_of("Hybrids").take(OWN)
+    qtbot.waitUntil(lambda: OWN.id in other.workspace_of("Hybrids").page.ids)
+    save(other, qtbot, again, monkeypatch)
+    with zipfile.ZipFile(again) as archive:
+        stored = json.loads(archive.read("project.json"))
+        assert archive.read("icons/unheard-of.svg") == b"<svg/>"
+    assert stored["pages"]["unheard-of"] == index["pages"]["unheard-of"]
+    assert stored["pages"]["montage"] == index["pages"]["montage"]
+    assert stored["icons"] | index["icons"] == stored["icons"]
 
 
 def test_what_cannot_be_saved_is_told_and_stays(window, qtbot, tmp_path, monkeypatch):

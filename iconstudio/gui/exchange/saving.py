@@ -28,7 +28,7 @@ class Saver(QObject):
     failed(str)
         Something could not be written; a sentence for the user.
     saved(str)
-        What has been saved, for the status line.
+        What has been saved, for the status line; nothing when saving begins.
     """
 
     failed = Signal(str)
@@ -76,9 +76,7 @@ class Saver(QObject):
         folder = self.ask_folder()
         if folder is None:
             return
-        job = self._worker.submit(lambda: _writing_all(folder, tuple(pictures)))
-        job.event.connect(self._tell)
-        job.failed.connect(self.failed)
+        self._start(lambda: _writing_all(folder, tuple(pictures)))
 
     def ask_folder(self) -> Path | None:
         """Ask for a folder to save into; None if the user thinks better of it."""
@@ -94,20 +92,22 @@ class Saver(QObject):
         path = self.ask_path(what, _file_name(name), kind)
         if path is None:
             return
+        self.saved.emit("")
         try:
             path = suffixed(path, f".{kind}")
         except IconstudioError as error:
             self.failed.emit(str(error))
             return
-        job = self._worker.submit(lambda: _writing(path, write))
-        job.event.connect(self._tell)
-        job.failed.connect(self.failed)
+        self._start(lambda: _writing(path, write))
 
     def _save_icon(self, picture: Picture, kind: str, content: Callable[[], bytes]) -> None:
         self._save("icon", _named(picture), kind, lambda path: _write(path, content()))
 
-    def _tell(self, what: str) -> None:
-        self.saved.emit(f"Saved {what}.")
+    def _start(self, make: Callable[[], Generator[str]]) -> None:
+        self.saved.emit("")
+        job = self._worker.submit(make)
+        job.event.connect(lambda what: self.saved.emit(f"Saved {what}."))
+        job.failed.connect(self.failed)
 
 
 def ask_path(window: QWidget, title: str, kinds: str, suffix: str, name: str) -> Path | None:

@@ -99,7 +99,7 @@ class SourceRow(QWidget):
         who = (
             f"made of {_counted(len(icon.made_of), 'icon')}" if icon.made_of else icon.credit.author
         )
-        text = ElidedLabel(f"{who} · {icon.credit.license}")
+        text = ElidedLabel(who, tail=f" · {icon.credit.license}")
         text.setProperty("muted", True)
         text.setToolTip("\n".join(_thanks(one.credit) for one in icon.origins))
         words = column(None, title, text, None, spacing=1)

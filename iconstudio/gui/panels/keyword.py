@@ -53,7 +53,7 @@ class KeywordPanel(IconSearch):
         self._excluded: frozenset[str] = frozenset()
         self._found, self._remark = 0, ""
         button.clicked.connect(self.run)
-        self.field.textEdited.connect(lambda text: edits.set_keyword(document, text))
+        self.field.textEdited.connect(lambda text: edits.set_keyword(document, text, field.gesture))
         self.field.returnPressed.connect(self.run)
         self.sheet.chosen.connect(lambda icon: edits.toggle_icon(document, icon.id))
         self.sheet.asked.connect(self._open_menu)
@@ -84,6 +84,7 @@ class KeywordPanel(IconSearch):
 
         ``remark`` says how the keyword was read if not as typed.
         """
+        self.field.end_entry()
         self._found, self._remark = len(exemplars), remark
         found = {icon.id for icon in exemplars}
         merged = list(exemplars)

@@ -61,14 +61,17 @@ class ProjectFiles(QObject):
         What was done, and what could not be; a sentence for the user.
     imported(WorkFile)
         A file was opened that is no project.
+    restoring(bool)
+        Work that a window left behind is being read, or no longer, whatever came of it.
     restored(Found)
-        All of the work that a window left behind is here.
+        All of it is here.
     """
 
     changed = Signal()
     remarked = Signal(str)
     failed = Signal(str)
     imported = Signal(object)
+    restoring = Signal(bool)
     restored = Signal(object)
 
     def __init__(self, session: Session, work: Work, files: Worker, window: QWidget) -> None:
@@ -89,6 +92,7 @@ class ProjectFiles(QObject):
         self._runner = Runner(files, self)
         self._runner.event.connect(self._receive)
         self._runner.failed.connect(self.failed)
+        self._runner.ended.connect(lambda _: self.restoring.emit(False))
         self.journaling.failed.connect(self.failed)
         work.changed.connect(self._compare)
 
@@ -133,6 +137,7 @@ class ProjectFiles(QObject):
         """Open work that a window left behind, still unsaved."""
         session, formats = self._session, self._work.formats
         self._runner.start(lambda: _restoring(session, found, formats))
+        self.restoring.emit(True)
 
     def save(self, then: Callable[[], object] | None = None) -> None:
         """Save into the file, or ask for one; ``then`` is called once that is done."""
@@ -146,6 +151,7 @@ class ProjectFiles(QObject):
         try:
             path = questions.ask_where(self._window, self.name or f"Untitled{SUFFIX}")
         except IconstudioError as error:
+            self.remarked.emit("")
             self.failed.emit(str(error))
             return
         if path is not None:
@@ -190,6 +196,7 @@ class ProjectFiles(QObject):
             archive.save(path, contents.project(formats))
             yield _stamp(path)
 
+        self.remarked.emit("")
         job = self._files.submit(saving)
         job.event.connect(lambda stamp: self._note_saved(path, contents, then, project, stamp))
         job.failed.connect(self.failed)

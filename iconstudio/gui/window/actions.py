@@ -109,13 +109,13 @@ COMMON = (
         "cancel", "&Cancel", "Stop; finished results stay", "Ctrl+.",
         enabled=lambda place: place.busy,
     ),
-    Entry("plain", "&Icons", "Show the results as they are", **_shows(Display.PLAIN)),
+    Entry("plain", "Ico&ns", "Show the results as they are", **_shows(Display.PLAIN)),
     Entry(
-        "both", "Icons and &colour code", "Show results with their colour code", "Ctrl+Shift+K",
+        "both", "Icons and colo&ur code", "Show results with their colour code", "Ctrl+Shift+K",
         **_shows(Display.BOTH),
     ),
     Entry(
-        "coded", "Colour co&de", "Colour the results by source", "Ctrl+K",
+        "coded", "Colou&r code", "Colour the results by source", "Ctrl+K",
         **_shows(Display.CODED),
     ),
 )  # fmt: skip

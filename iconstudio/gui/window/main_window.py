@@ -1,6 +1,6 @@
 """The window: what all workspaces share, and the switch between them."""
 
-from collections.abc import Sequence
+from collections.abc import Generator, Sequence
 from pathlib import Path
 
 from PySide6.QtCore import QMimeData, QTimer, QUrl
@@ -36,7 +36,8 @@ _TITLE = "Iconstudio"
 _PLAIN = "iconstudio.gui.workspaces.plain.workspace:PlainWorkspace"
 """The workspace of workflows that have none of their own."""
 _PATIENCE = 300
-"""Milliseconds after which what was left behind is looked for: first the window opens."""
+"""Milliseconds after which what was left behind is looked for, and what may be needed next is
+loaded: first the window opens."""
 
 
 class MainWindow(QMainWindow):
@@ -93,11 +94,13 @@ class MainWindow(QMainWindow):
             failed.connect(lambda message: self.pane.notice.say(message))
         project.changed.connect(self._show_title)
         project.imported.connect(self._import)
+        project.restoring.connect(self.recovery.set_restoring)
         project.restored.connect(self.recovery.withdraw)
         project.journaling.found.connect(self.recovery.offer)
         self.recovery.restore.connect(project.restore)
         self.recovery.dismiss.connect(self._dismiss)
         QTimer.singleShot(_PATIENCE, self, project.journaling.look)
+        QTimer.singleShot(_PATIENCE, self, lambda: self._files.submit(self._load_workspaces))
         self._show_title()
         self.recent.sent.connect(self._send_picture)
 
@@ -140,6 +143,12 @@ class MainWindow(QMainWindow):
 
     def _current(self) -> str:
         return self.workspace.workflow.name if self.panes.count() else ""
+
+    def _load_workspaces(self) -> Generator[None]:
+        """Load the code of all workspaces, so that the first visit need not wait for it."""
+        for workflow in self._workflows:
+            load_object(workflow.workspace or _PLAIN)
+            yield
 
     def _pane(self, number: int) -> WorkspacePane:
         """Return a workspace's pane, made if it is the first time."""

@@ -3,6 +3,7 @@
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QSpinBox, QStackedWidget, QWidget
 
+from iconstudio.gui.gallery.display import DisplaySwitch
 from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.gallery.sheet import Sheet
 from iconstudio.gui.gallery.sheet_delegate import Look, Mark
@@ -14,6 +15,7 @@ from iconstudio.gui.theme import icons
 from iconstudio.gui.theme.layout import (
     card,
     column,
+    hidden,
     label,
     push_button,
     row,
@@ -31,7 +33,7 @@ from iconstudio.workflows.hybrids.page import HybridsDocument, HybridsPage
 WIDTH = COLUMNS * SIDE + (COLUMNS - 1) * UNIT // 2 + 4 * UNIT + 2
 """Of the column of icons: as many cards as stand in a row."""
 
-_LOOK = Look(12 * UNIT, mark=Mark.STAR, picks=True, fills=True)
+_LOOK = Look(12 * UNIT, mark=Mark.STAR, picks=True, fills=True, coded=True)
 
 
 class PickRow(QWidget):
@@ -88,7 +90,7 @@ class IconsColumn(QWidget):
         self.offer.clicked.connect(
             lambda: edits.set_symmetry(document, edits.shared_axis(document.page))
         )
-        self.seed.changed.connect(lambda seed: edits.set_seed(document, seed))
+        self.seed.changed.connect(lambda seed: edits.set_seed(document, seed, self.seed.gesture))
 
     def show_page(self, page: HybridsPage) -> None:
         """Show what is to be mixed, and offer a symmetry that all icons nearly have."""
@@ -124,17 +126,14 @@ class SheetPanel(QFrame):
         self.bar = HoverBar(self.sheet)
         self.sections = Sections(self.sheet, self.bar)
         self.note = label()
-        self.button = push_button("Whole sheet", "Go back to all hybrids")
+        self.button = hidden(push_button("Whole sheet", "Go back to all hybrids"))
         self.button.setIcon(icons.icon("back"))
-        policy = self.button.sizePolicy()
-        policy.setRetainSizeWhenHidden(True)
-        self.button.setSizePolicy(policy)
-        self.button.hide()
         self._stack = QStackedWidget()
         self._stack.addWidget(self._welcome())
         self._stack.addWidget(self.sheet)
         title = label("Hybrids", "title")
-        top = row(title, (self.note, 1), self.button, margins=(UNIT // 2, 0, UNIT, 0))
+        parts = title, (self.note, 1), self.button, DisplaySwitch()
+        top = row(*parts, margins=(UNIT // 2, 0, UNIT, 0))
         half = UNIT // 2
         column(top, (self._stack, 1), of=self, spacing=half, margins=(UNIT, UNIT, half, half))
 

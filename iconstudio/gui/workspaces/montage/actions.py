@@ -9,7 +9,7 @@ def _holds_icons(place) -> bool:
 
 
 ENTRIES = (
-    Entry("svg_in", "Op&en drawing…", "Add a drawing of your own", "Ctrl+Shift+O", "open",
+    Entry("svg_in", "O&pen drawing…", "Add a drawing of your own", "Ctrl+Shift+O", "open",
           do="chooser.choose_file", menu="&File"),
     Entry("paste", "P&aste drawing", "Add the drawing on the clipboard", Key.Paste,
           do="opener.paste"),

@@ -7,10 +7,12 @@ from collections.abc import Callable
 from typing import Any
 
 from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QWidget
 
 from iconstudio.gui.document.document import Document
 from iconstudio.gui.exchange.saving import Saver
 from iconstudio.gui.gallery.detail import DetailPanel
+from iconstudio.gui.gallery.display import DisplaySwitch
 from iconstudio.gui.gallery.pictures import Picture, pictured
 from iconstudio.gui.gallery.sending import Destination
 from iconstudio.gui.gallery.sheet import Sheet
@@ -18,7 +20,7 @@ from iconstudio.gui.gallery.sheet_delegate import framed
 from iconstudio.gui.gallery.sheet_model import results_with
 from iconstudio.gui.jobs.live import LiveRunner
 from iconstudio.gui.jobs.worker import Worker
-from iconstudio.gui.theme.layout import card, label, row, splitter
+from iconstudio.gui.theme.layout import card, hidden, label, push_button, row, splitter
 from iconstudio.gui.window.actions import Entry, work_entries
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.plain.icons import WorkIcons
@@ -42,26 +44,36 @@ class PlainWorkspace(Workspace):
             self.worker, lambda work: pictured(session.run(workflow, work)), self
         )
         self.results = Sheet(
-            framed(_SIDE),
+            framed(_SIDE, coded=True),
             results_with("Click to see it large"),
             workflow.title,
             hint="The icons appear here",
             draggable=True,
         )
         self.detail = DetailPanel()
-        run = Entry("run", f"&{workflow.title}", "Make the icons anew", "Ctrl+Return")
+        run = Entry("run", workflow.title.replace("&", "&&"), "Make the icons anew", "Ctrl+Return")
         self.entries = (run, *work_entries(workflow.noun, lambda place: True))
         self.make_actions()
-        shown = card(label(workflow.title, "title"), (self.results, 1))
+        self.switch = hidden(DisplaySwitch())
+        shown = card(row((label(workflow.title, "title"), 1), *self._buttons()), (self.results, 1))
         right = splitter(Qt.Orientation.Vertical, (shown, 420, 1), (self.detail, 190, 0))
         row(*filter(None, [self.work_icons]), (right, 1), of=self)
         self._wire()
+
+    def _buttons(self) -> tuple[QWidget, ...]:
+        """Return what stands above the results; a workflow without icons begins with a file."""
+        if self.work_icons is not None:
+            return (self.switch,)
+        action = self.actions_by_name["open"]
+        words = f"Open {self.workflow.noun}…"
+        return self.switch, push_button(words, action.toolTip(), action.trigger)
 
     def _wire(self) -> None:
         if self.work_icons is not None:
             self.work_icons.chooser.chosen.connect(lambda icon: self.opener.add_icons([icon]))
             self.work_icons.removed.connect(lambda icon: self.opener.remove_icon(icon.id))
         self.results.chosen.connect(self._look_at)
+        self.results.changed.connect(self._show_switch)
         self.runner.began.connect(self._clear)
         self.follow(self.runner, self._show)
         self.follow(self.opener.runner)
@@ -97,6 +109,10 @@ class PlainWorkspace(Workspace):
             self._clear()
         else:
             make(page.work)
+
+    def _show_switch(self) -> None:
+        """Let the user choose between icons and their colour code, if any has one."""
+        self.switch.setVisible(any(one.has_code for one in self.results.pictures))
 
     def _clear(self) -> None:
         self.results.show_entries(())
