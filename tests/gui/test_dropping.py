@@ -16,7 +16,7 @@ from PySide6.QtWidgets import QApplication
 
 from iconstudio.gui.exchange.dragging import packed
 from iconstudio.gui.exchange.mime import holds_words, items
-from iconstudio.gui.gallery.pictures import picture_of
+from iconstudio.gui.pictures.picture import picture_of
 from iconstudio.model import Composite, Placement, Polygon, Remix, Score, Sketch, Source
 from iconstudio.output.svg import svg_document
 from iconstudio.svg.decode import decode

@@ -1,4 +1,4 @@
-from iconstudio.gui.panels.elided import ElidedLabel
+from iconstudio.gui.theme.elided import ElidedLabel
 
 
 def test_a_long_text_ends_in_an_ellipsis_and_comes_back(qtbot):

@@ -15,8 +15,8 @@ from PySide6.QtWidgets import QApplication
 from iconstudio.algorithms.raster import solid
 from iconstudio.gui.exchange.dragging import packed
 from iconstudio.gui.gallery.display import DisplaySwitch
-from iconstudio.gui.gallery.pictures import Display, Picture
 from iconstudio.gui.gallery.sheet_model import Rule
+from iconstudio.gui.pictures.picture import Display, Picture
 from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.gui.workspaces.hybrids.cards import on_shape
 from iconstudio.model import Axis, IconstudioError

@@ -11,8 +11,8 @@ from PySide6.QtCore import QSettings, Qt
 from PySide6.QtTest import QTest
 
 from iconstudio.gui.gallery.cell import CellState
+from iconstudio.gui.preferences import preferred
 from iconstudio.gui.window.main_window import MainWindow
-from iconstudio.gui.window.preferences import preferred
 from iconstudio.model import CANVAS, Axis, Polygon, Sketch
 from iconstudio.output.colours import SIGNIFICANT
 from iconstudio.workflows.events import Progress, Recommended, StyleSkipped

@@ -7,8 +7,8 @@ import pytest
 from hands import go_to, shown
 from PySide6.QtWidgets import QMenu
 
-from iconstudio.gui.window.actions import MENUS
 from iconstudio.gui.window.main_window import MainWindow
+from iconstudio.gui.window.menus import MENUS
 from iconstudio.workflows.registry import registered, workflows
 from tests.toy import MIRROR
 

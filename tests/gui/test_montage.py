@@ -24,7 +24,7 @@ from PySide6.QtWidgets import QApplication, QFileDialog
 from iconstudio.algorithms.iconification.guidance import scribble
 from iconstudio.gui.exchange.dragging import packed
 from iconstudio.gui.exchange.mime import holds_something
-from iconstudio.gui.gallery.pictures import Display
+from iconstudio.gui.pictures.picture import Display
 from iconstudio.gui.theme import theme
 from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.gui.workspaces.montage import pictures as montage_pictures

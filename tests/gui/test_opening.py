@@ -10,8 +10,8 @@ from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent, QImage
 from PySide6.QtWidgets import QApplication, QFileDialog
 
-from iconstudio.gui.canvas.mipmap import Mipmap
-from iconstudio.gui.canvas.photo import image_of, mipmap_of, qt_image
+from iconstudio.gui.pictures.mipmap import Mipmap
+from iconstudio.gui.pictures.photo import image_of, mipmap_of, qt_image
 from iconstudio.images.photo import photo_of
 from iconstudio.images.reading import Image
 from iconstudio.inputs.examples import examples

@@ -21,8 +21,8 @@ from PySide6.QtCore import QMimeData, QUrl
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QMessageBox
 
-from iconstudio.gui.canvas.photo import mipmap_of
 from iconstudio.gui.exchange.saving import suffixed
+from iconstudio.gui.pictures.photo import mipmap_of
 from iconstudio.gui.project import questions, recents
 from iconstudio.gui.project.questions import Answer
 from iconstudio.gui.window.main_window import MainWindow

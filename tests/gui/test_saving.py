@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QApplication
 
 from iconstudio.gui.exchange import saving
 from iconstudio.gui.gallery.display import setting
-from iconstudio.gui.gallery.pictures import Display
+from iconstudio.gui.pictures.picture import Display
 from iconstudio.model import IconstudioError
 from iconstudio.output.png import coverage
 from iconstudio.output.svg import svg_document

@@ -10,7 +10,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QFileDialog, QPushButton
 
-from iconstudio.gui.gallery.pictures import Display, picture_of
+from iconstudio.gui.pictures.picture import Display, picture_of
 from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.model import Icon, Polygon, Sketch
 from iconstudio.workflows.events import Result

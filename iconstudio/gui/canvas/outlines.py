@@ -5,8 +5,8 @@ from collections.abc import Generator
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QPainterPath
 
-from iconstudio.gui.canvas.vector import painter_path
 from iconstudio.gui.jobs.worker import Worker
+from iconstudio.gui.pictures.vector import painter_path
 from iconstudio.model import Exemplar, IconstudioError
 from iconstudio.session import Session
 

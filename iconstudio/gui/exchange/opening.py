@@ -11,10 +11,10 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 from iconstudio.gui.document.document import Document
 from iconstudio.gui.exchange import mime
 from iconstudio.gui.exchange.patience import Patience
+from iconstudio.gui.exchange.scanning import ImageInput, ScanDialog, may_be_scan, pictogram_of
+from iconstudio.gui.exchange.symbols import SymbolDialog
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Job, Worker
-from iconstudio.gui.panels.scanning import ImageInput, ScanDialog, may_be_scan, pictogram_of
-from iconstudio.gui.panels.symbols import SymbolDialog
 from iconstudio.inputs.items import Drawing, Elsewhere, File, Image, Item, Reference
 from iconstudio.inputs.together import ReadTogether, Sprite, quoted_list, read_together, was
 from iconstudio.model import IconstudioError, Pictogram

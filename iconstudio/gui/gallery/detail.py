@@ -17,10 +17,10 @@ from PySide6.QtWidgets import (
 )
 
 from iconstudio.gui.gallery.display import DisplaySwitch, setting
-from iconstudio.gui.gallery.pictures import Picture, SourcePicture, source_pictures
 from iconstudio.gui.gallery.sending import Destination, offer
-from iconstudio.gui.panels.elided import ElidedLabel
+from iconstudio.gui.pictures.picture import Picture, SourcePicture, source_pictures
 from iconstudio.gui.theme import theme
+from iconstudio.gui.theme.elided import ElidedLabel
 from iconstudio.gui.theme.layout import column, label, push_button, row, scrolled
 from iconstudio.gui.theme.painting import fill_rounded, smooth_painter
 from iconstudio.gui.theme.theme import UNIT

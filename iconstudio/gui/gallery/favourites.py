@@ -2,11 +2,11 @@
 
 from PySide6.QtWidgets import QFrame, QMenu
 
-from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.gallery.sending import pop_up
 from iconstudio.gui.gallery.sheet import Sheet
 from iconstudio.gui.gallery.sheet_delegate import framed
 from iconstudio.gui.gallery.sheet_model import results_with
+from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.theme.layout import label, push_button, row, with_role
 from iconstudio.gui.theme.theme import UNIT
 

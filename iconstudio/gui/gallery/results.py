@@ -17,7 +17,7 @@ from iconstudio.gui.canvas.tools.base import NUDGES
 from iconstudio.gui.gallery.axes import Grid, RowHead, Scale
 from iconstudio.gui.gallery.cell import CellState, ResultCell
 from iconstudio.gui.gallery.display import DisplaySwitch
-from iconstudio.gui.gallery.pictures import Picture
+from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.theme.layout import column, label, row, with_role
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.workflows.events import StyleMatched, StyleSkipped

@@ -8,8 +8,8 @@ from PySide6.QtGui import QImage, QPainter, QPen
 from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
 from iconstudio.gui.gallery.display import setting
-from iconstudio.gui.gallery.pictures import Display, stencil
 from iconstudio.gui.gallery.sheet_model import Index, Rule
+from iconstudio.gui.pictures.picture import Display, stencil
 from iconstudio.gui.theme import icons, theme
 from iconstudio.gui.theme.painting import RADIUS, paint_frame
 from iconstudio.gui.theme.theme import UNIT

@@ -9,13 +9,13 @@ from PySide6.QtWidgets import QFileDialog
 
 from iconstudio.gui.exchange.dragging import take_copy, unpacked
 from iconstudio.gui.exchange.opening import IconOpener
+from iconstudio.gui.exchange.scanning import may_be_scan
 from iconstudio.gui.gallery.sheet import Sheet
 from iconstudio.gui.gallery.sheet_delegate import Look
 from iconstudio.gui.gallery.sheet_model import credited
 from iconstudio.gui.jobs.preparation import DEBOUNCE
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
-from iconstudio.gui.panels.scanning import may_be_scan
 from iconstudio.gui.panels.search import IconSearch
 from iconstudio.gui.panels.wordfield import WordField
 from iconstudio.gui.theme.layout import push_button

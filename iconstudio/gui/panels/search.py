@@ -5,8 +5,8 @@ from html import escape
 from PySide6.QtWidgets import QFrame, QPushButton
 
 from iconstudio.gui.gallery.sheet import Sheet
-from iconstudio.gui.panels.caption import Caption
 from iconstudio.gui.panels.wordfield import WordField
+from iconstudio.gui.theme.caption import Caption
 from iconstudio.gui.theme.layout import column, row
 
 

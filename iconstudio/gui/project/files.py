@@ -9,9 +9,9 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 
-from iconstudio.gui.gallery.pictures import Picture, picture_of
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
+from iconstudio.gui.pictures.picture import Picture, picture_of
 from iconstudio.gui.project import questions, recents
 from iconstudio.gui.project.journaling import Found, Journaling
 from iconstudio.gui.project.questions import Answer

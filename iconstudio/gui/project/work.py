@@ -4,8 +4,8 @@ from collections.abc import Callable, Mapping
 
 from PySide6.QtCore import QObject, Signal
 
-from iconstudio.gui.gallery.pictures import picture_of
 from iconstudio.gui.gallery.recent import RecentResults
+from iconstudio.gui.pictures.picture import picture_of
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.project.archive import Project
 from iconstudio.project.contents import Contents, Formats

@@ -9,10 +9,10 @@ from PySide6.QtWidgets import QMainWindow, QMenu, QStackedWidget, QWidget
 
 from iconstudio.gui.exchange.saving import Saver
 from iconstudio.gui.gallery import display
-from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.gallery.recent import RecentResults
 from iconstudio.gui.gallery.sending import Destination
 from iconstudio.gui.jobs.worker import Worker
+from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.project import recents
 from iconstudio.gui.project.files import ProjectFiles, WorkFile
 from iconstudio.gui.project.journaling import Found
@@ -20,9 +20,10 @@ from iconstudio.gui.project.recovery import RecoveryBar
 from iconstudio.gui.project.work import Work
 from iconstudio.gui.theme.layout import column, row
 from iconstudio.gui.theme.theme import UNIT
-from iconstudio.gui.window.actions import MENUS, RECENT, WINDOW, Actions, fill_menu
+from iconstudio.gui.window.menus import MENUS, RECENT, WINDOW, fill_menu
 from iconstudio.gui.window.modes import ModeSwitch
 from iconstudio.gui.window.pane import WorkspacePane
+from iconstudio.gui.workspaces.actions import Actions
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.model import Pictogram
 from iconstudio.session import Session

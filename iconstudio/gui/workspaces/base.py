@@ -19,7 +19,7 @@ from iconstudio.gui.gallery.sending import Destination
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.panels.canvas import CanvasPanel
-from iconstudio.gui.window.actions import COMMON, EXAMPLES, REDO, UNDO, Actions, Entry
+from iconstudio.gui.workspaces.actions import COMMON, EXAMPLES, REDO, UNDO, Actions, Entry
 from iconstudio.gui.workspaces.results import ResultsWidget
 from iconstudio.inputs.examples import examples
 from iconstudio.model import Pictogram

@@ -6,11 +6,11 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
-from iconstudio.gui.gallery.pictures import Picture, pictured
 from iconstudio.gui.jobs.live import LiveRunner
 from iconstudio.gui.jobs.preparation import Preparation
 from iconstudio.gui.jobs.worker import Worker
-from iconstudio.gui.window.preferences import prefer, preferred
+from iconstudio.gui.pictures.picture import Picture, pictured
+from iconstudio.gui.preferences import prefer, preferred
 from iconstudio.model import Remix
 from iconstudio.workflows.criteria import CriteriaDocument, CriteriaPage
 from iconstudio.workflows.events import Event, StyleSkipped

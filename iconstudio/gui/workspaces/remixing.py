@@ -10,14 +10,14 @@ from PySide6.QtWidgets import QWidget
 
 from iconstudio.gui.document.document import Document
 from iconstudio.gui.gallery.browser import ResultsBrowser
-from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.jobs.preparation import Preparation, Query
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.panels.keyword import KeywordPanel
 from iconstudio.gui.panels.symmetry import SymmetryButton, SymmetryHint
+from iconstudio.gui.pictures.picture import Picture
+from iconstudio.gui.preferences import preferred
 from iconstudio.gui.theme.layout import row, splitter
-from iconstudio.gui.window.actions import CANVAS, Entry
-from iconstudio.gui.window.preferences import preferred
+from iconstudio.gui.workspaces.actions import CANVAS, Entry
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.grid_runner import FINE, LIVE, GridRunner, LiveSource
 from iconstudio.gui.workspaces.symmetry import SymmetryDetection

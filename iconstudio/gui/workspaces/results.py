@@ -7,9 +7,9 @@ from PySide6.QtWidgets import QMenu, QWidget
 
 from iconstudio.gui.exchange.saving import Saver
 from iconstudio.gui.gallery.detail import DetailPanel
-from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.gallery.sending import Destination, offer, pop_up
-from iconstudio.gui.window.actions import Actions
+from iconstudio.gui.pictures.picture import Picture
+from iconstudio.gui.workspaces.actions import Actions
 
 
 class ResultsWidget(QWidget):

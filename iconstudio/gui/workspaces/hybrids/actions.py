@@ -1,6 +1,6 @@
 """What can be done with a mix and its hybrids."""
 
-from iconstudio.gui.window.actions import Entry, Key, work_entries
+from iconstudio.gui.workspaces.actions import Entry, Key, work_entries
 
 
 def _has_icons(place) -> bool:

@@ -23,8 +23,8 @@ from iconstudio.algorithms.raster import solid
 from iconstudio.gui.canvas.tools.base import NUDGES
 from iconstudio.gui.exchange.dragging import take_copy
 from iconstudio.gui.exchange.mime import holds_something
-from iconstudio.gui.gallery.pictures import stencil, tinted
 from iconstudio.gui.gallery.sheet_model import credited
+from iconstudio.gui.pictures.picture import stencil, tinted
 from iconstudio.gui.theme import theme
 from iconstudio.gui.theme.layout import tool_button, with_role
 from iconstudio.gui.theme.painting import smooth_painter

@@ -4,14 +4,14 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QSpinBox, QStackedWidget, QWidget
 
 from iconstudio.gui.gallery.display import DisplaySwitch
-from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.gallery.sheet import Sheet
 from iconstudio.gui.gallery.sheet_delegate import Look, Mark
-from iconstudio.gui.panels.caption import Caption
 from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.panels.seed import SeedField
 from iconstudio.gui.panels.symmetry import WORDS, SymmetryButton
+from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.theme import icons
+from iconstudio.gui.theme.caption import Caption
 from iconstudio.gui.theme.layout import (
     card,
     column,

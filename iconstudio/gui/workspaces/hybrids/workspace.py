@@ -5,9 +5,9 @@ from PySide6.QtWidgets import QMenu, QWidget
 
 from iconstudio.gui.gallery.detail import DetailPanel
 from iconstudio.gui.gallery.favourites import FavouritesPanel
-from iconstudio.gui.gallery.pictures import Picture, picture_of
 from iconstudio.gui.gallery.sending import Destination
 from iconstudio.gui.panels.chooser import IconChooser
+from iconstudio.gui.pictures.picture import Picture, picture_of
 from iconstudio.gui.theme.layout import column, row, splitter
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.hybrids.actions import ENTRIES

@@ -1,6 +1,6 @@
 """What can be done with lines and their style."""
 
-from iconstudio.gui.window.actions import CANVAS, Entry, Key, tool, work_entries
+from iconstudio.gui.workspaces.actions import CANVAS, Entry, Key, tool, work_entries
 from iconstudio.model import Restyled
 from iconstudio.workflows.line_style import page as edits
 

@@ -10,9 +10,9 @@ from PySide6.QtWidgets import QWidget
 from iconstudio.gui.canvas.start import StartButtons
 from iconstudio.gui.canvas.view import CanvasView
 from iconstudio.gui.gallery.detail import DetailPanel
-from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.gallery.sending import Destination
 from iconstudio.gui.jobs.worker import Worker
+from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.theme.layout import column, row, splitter
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.workspaces.base import Workspace

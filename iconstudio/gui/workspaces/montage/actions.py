@@ -1,6 +1,6 @@
 """What can be done with a montage."""
 
-from iconstudio.gui.window.actions import CANVAS, Entry, Key, tool, work_entries
+from iconstudio.gui.workspaces.actions import CANVAS, Entry, Key, tool, work_entries
 from iconstudio.workflows.montage import edits
 
 

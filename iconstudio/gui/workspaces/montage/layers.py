@@ -4,9 +4,9 @@ from PySide6.QtCore import QPoint, QRectF, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPaintEvent
 from PySide6.QtWidgets import QFrame, QSplitter, QWidget
 
-from iconstudio.gui.gallery.pictures import tinted
-from iconstudio.gui.panels.elided import ElidedLabel
+from iconstudio.gui.pictures.picture import tinted
 from iconstudio.gui.theme import icons, theme
+from iconstudio.gui.theme.elided import ElidedLabel
 from iconstudio.gui.theme.layout import (
     card,
     column,

@@ -9,9 +9,9 @@ from iconstudio.gui.canvas.outlines import IconOutlines
 from iconstudio.gui.canvas.start import StartButtons
 from iconstudio.gui.canvas.view import CanvasView
 from iconstudio.gui.gallery.detail import DetailPanel
-from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.jobs.live import LiveRunner
 from iconstudio.gui.panels.chooser import IconChooser
+from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.theme.layout import row, splitter
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.montage.actions import ENTRIES

@@ -13,15 +13,15 @@ from iconstudio.gui.document.document import Document
 from iconstudio.gui.exchange.saving import Saver
 from iconstudio.gui.gallery.detail import DetailPanel
 from iconstudio.gui.gallery.display import DisplaySwitch
-from iconstudio.gui.gallery.pictures import Picture, pictured
 from iconstudio.gui.gallery.sending import Destination
 from iconstudio.gui.gallery.sheet import Sheet
 from iconstudio.gui.gallery.sheet_delegate import framed
 from iconstudio.gui.gallery.sheet_model import results_with
 from iconstudio.gui.jobs.live import LiveRunner
 from iconstudio.gui.jobs.worker import Worker
+from iconstudio.gui.pictures.picture import Picture, pictured
 from iconstudio.gui.theme.layout import card, hidden, label, push_button, row, splitter
-from iconstudio.gui.window.actions import Entry, work_entries
+from iconstudio.gui.workspaces.actions import Entry, work_entries
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.plain.icons import WorkIcons
 from iconstudio.gui.workspaces.plain.opening import WorkOpener, WorkPage

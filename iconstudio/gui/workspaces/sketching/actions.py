@@ -1,6 +1,6 @@
 """What can be done with a sketch."""
 
-from iconstudio.gui.window.actions import Entry, Key, tool, work_entries
+from iconstudio.gui.workspaces.actions import Entry, Key, tool, work_entries
 from iconstudio.gui.workspaces.remixing import GRID
 
 

@@ -10,7 +10,7 @@ from iconstudio.algorithms.geometry import crosses_itself
 from iconstudio.gui.canvas.start import StartButtons
 from iconstudio.gui.canvas.tools.polygon import PolygonTool
 from iconstudio.gui.canvas.view import CanvasView
-from iconstudio.gui.gallery.pictures import Picture
+from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.workspaces.remixing import RemixWorkspace
 from iconstudio.gui.workspaces.sketching.actions import ENTRIES
 from iconstudio.gui.workspaces.sketching.opening import SketchOpener

@@ -1,18 +1,17 @@
-"""What can be done, declared by name: words, keys, what it does and when; and the menus."""
+"""What can be done, declared by name: words, keys, what it does and when."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
 from operator import attrgetter
 from typing import Any
 
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
-from PySide6.QtWidgets import QMenu, QWidget
+from PySide6.QtWidgets import QWidget
 
 from iconstudio.gui.gallery.display import setting
-from iconstudio.gui.gallery.pictures import Display
+from iconstudio.gui.pictures.picture import Display
 from iconstudio.gui.theme import icons
-from iconstudio.gui.window.about import show_about
 
 Key = QKeySequence.StandardKey
 
@@ -62,28 +61,6 @@ def _shows(display: Display) -> dict[str, Any]:
     }
 
 
-WINDOW = (
-    Entry(
-        "new_project", "&New project", "Start another project", Key.New, do="project.new"
-    ),
-    Entry(
-        "open_project", "&Open…", "Open a project, or a file of work", Key.Open,
-        do="project.choose",
-    ),
-    Entry(
-        "save_project", "&Save", "Save the project: the pages of all workflows", Key.Save,
-        do="project.save",
-    ),
-    Entry(
-        "save_project_as", "Save &as…", "Save the project in another file", "Ctrl+Shift+S",
-        do="project.save_as",
-    ),
-    Entry("quit", "&Quit", "", Key.Quit, do="close"),
-    Entry("about", "&About Iconstudio", do=show_about),
-)  # fmt: skip
-"""What the window does, whatever workspace is in use."""
-
-RECENT = Entry("recent", "Open &recent", "Open a project of late")
 EXAMPLES = Entry("examples", "E&xamples", "Start from an example", icon="examples")
 UNDO = Entry("undo", "&Undo", "Undo", Key.Undo, "undo")
 REDO = Entry("redo", "&Redo", "Redo", Key.Redo, "redo")
@@ -151,30 +128,6 @@ def tool(name: str, text: str, tip: str, keys: str, icon: str) -> Entry:
     return Entry(name, text, tip, keys, icon, **use)
 
 
-DISPLAYS = tuple(one.value for one in Display)
-"""How results are shown."""
-
-MODES, OWN = "modes", "own"
-"""Places in the menus: of the switch between workspaces, and of a workspace's own actions."""
-
-MENUS: dict[str, tuple[str, ...]] = {
-    "&File": (
-        *("new_project", "open_project", "recent", "save_project", "save_project_as", ""),
-        *("new", OWN, "examples", "", "open", "save", ""),
-        *("svg", "png", "code_png", "copy", "", "quit"),
-    ),
-    "&Edit": (
-        *("undo", "redo", "", "paste", "delete", "clear", OWN, ""),
-        *("run", "live", "fine", "cancel"),
-    ),
-    "&View": (MODES, "", OWN, "pan", "", "zoom_in", "zoom_out", "fit", "", *DISPLAYS),
-    "&Help": ("about",),
-}
-
-
-_SHARED = {name for names in MENUS.values() for name in names}
-
-
 class Actions(Mapping[str, QAction]):
     """Actions by name, each connected to what it does: ``actions["run"]``.
 
@@ -222,8 +175,7 @@ class Actions(Mapping[str, QAction]):
 
     def own(self, menu: str) -> list[QAction]:
         """Return the actions for a menu that only this owner has."""
-        entries = self._entries.items()
-        return [self[name] for name, one in entries if one.menu == menu and name not in _SHARED]
+        return [self[name] for name, one in self._entries.items() if one.menu == menu]
 
     def _connect(self, entry: Entry, action: QAction) -> None:
         do, owner = entry.do or entry.name, self._owner
@@ -242,25 +194,6 @@ class Actions(Mapping[str, QAction]):
             action.toggled.connect(lambda on: do(owner, on))
         else:
             action.triggered.connect(lambda: do(owner))
-
-
-def fill_menu(
-    menu: QMenu, title: str, window: Actions, workspace: Actions, modes: Sequence[QAction]
-) -> None:
-    """Fill a menu anew with what the window and the workspace in use can do."""
-    for action in menu.actions():  # after QMenu.clear, PySide takes them for deleted
-        menu.removeAction(action)
-        if action.isSeparator():
-            action.deleteLater()
-    for name in MENUS[title]:
-        if name == "":
-            menu.addSeparator()
-        elif name == OWN:
-            menu.addActions(workspace.own(title))
-        elif name == MODES:
-            menu.addActions(modes)
-        elif (action := workspace.get(name) or window.get(name)) is not None:
-            menu.addAction(action)
 
 
 def _call(method: str, owner: QWidget, *on: bool) -> None:

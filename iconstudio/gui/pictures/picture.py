@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPainterPath, QTransform
 
-from iconstudio.gui.canvas.mipmap import Mipmap
-from iconstudio.gui.canvas.vector import painter_path
+from iconstudio.gui.pictures.mipmap import Mipmap
+from iconstudio.gui.pictures.vector import painter_path
 from iconstudio.model import CANVAS, Composite, Exemplar, Icon, Pictogram, Placement, Remix, Source
 from iconstudio.workflows.events import Event, Result
 
