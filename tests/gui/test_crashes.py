@@ -134,7 +134,7 @@ def test_what_is_offered_is_kept_until_it_is_dismissed(started, qtbot):
 def test_restoring_is_shown_while_it_lasts_and_can_be_called_off(started, qtbot, monkeypatch):
     window = started()
     trace(window.workspace)
-    journalled(qtbot)
+    journalled(qtbot, points=len(SQUARE))
     crash(window)
     window = started()
     offered(window, qtbot)

@@ -6,9 +6,9 @@ from itertools import pairwise
 
 import pytest
 from fake_session import exemplar
-from hands import save_to, search, workspaces
+from hands import drop, save_to, search, workspaces
 from PySide6.QtCore import QEvent, QMimeData, QPoint, QPointF, Qt, QUrl
-from PySide6.QtGui import QContextMenuEvent, QDropEvent, QWheelEvent
+from PySide6.QtGui import QContextMenuEvent, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
@@ -54,8 +54,8 @@ def mixed(chosen, qtbot):
 
 
 def pick(place, qtbot, count):
-    place.column.pick.count.setValue(count)
-    QTest.mouseClick(place.column.pick.button, LEFT)
+    place.column.count.setValue(count)
+    QTest.mouseClick(place.column.pick, LEFT)
     qtbot.waitUntil(lambda: not place.opener.runner.running, timeout=20000)
 
 
@@ -111,11 +111,6 @@ def scroll_down(place):
     QApplication.sendEvent(viewport, event)
 
 
-def drop(place, data):
-    event = QDropEvent(QPointF(9, 9), Qt.DropAction.CopyAction, data, LEFT, CTRL.NoModifier)
-    place.column.cards.dropEvent(event)
-
-
 def names(place):
     return [one.id for one in place.document.page.ingredients]
 
@@ -153,11 +148,11 @@ def test_icons_and_files_can_be_dropped_on_the_cards_and_pasted(place, qtbot, tm
     own, mix = tmp_path / "own.svg", tmp_path / "two.json"
     own.write_text(SVG)
     mix.write_text('{"icons": ["shapes:ring-4", "shapes:frame-5"]}')
-    drop(place, packed(exemplar(2).pictogram))
+    drop(place.column.cards.viewport(), packed(exemplar(2).pictogram))
     qtbot.waitUntil(lambda: names(place) == ["shapes:cross-2"])
     urls = QMimeData()
     urls.setUrls([QUrl.fromLocalFile(str(own))])
-    drop(place, urls)
+    drop(place.column.cards.viewport(), urls)
     qtbot.waitUntil(lambda: len(names(place)) == 2)
     urls.setUrls([QUrl.fromLocalFile(str(mix))])
     QApplication.clipboard().setMimeData(urls)
@@ -225,7 +220,7 @@ def test_the_sheet_has_the_switch_of_how_results_are_shown(mixed, qtbot):
 
 
 def test_picking_needs_a_word(place):
-    QTest.mouseClick(place.column.pick.button, LEFT)
+    QTest.mouseClick(place.column.pick, LEFT)
     assert "Type what the icons should show" in place.window().pane.notice.label.text()
 
 

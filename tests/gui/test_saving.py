@@ -212,9 +212,9 @@ def test_a_new_try_takes_the_place_of_what_failed_before(done, tmp_path, monkeyp
     notice = done.window().pane.notice
     for name in ("one", "two"):
         save_to(done, monkeypatch, tmp_path / name / "dog.svg")
-        done.save_svg()
+        done.actions_by_name["svg"].trigger()
         qtbot.waitUntil(lambda name=name: f"{name}/dog.svg" in notice.label.text())
     assert "one/dog.svg" not in notice.label.text()
     save_to(done, monkeypatch, tmp_path / "dog.svg")
-    done.save_svg()
+    done.actions_by_name["svg"].trigger()
     qtbot.waitUntil(lambda: not notice.isVisible())

@@ -2,8 +2,6 @@
 
 from PySide6.QtCore import QEvent, QRectF, Qt, Signal
 from PySide6.QtGui import (
-    QDragEnterEvent,
-    QDropEvent,
     QFocusEvent,
     QKeyEvent,
     QMouseEvent,
@@ -19,8 +17,7 @@ from iconstudio.gui.canvas.navigation import CameraView
 from iconstudio.gui.canvas.scene import Scene
 from iconstudio.gui.canvas.tools.base import Pointer, Tool
 from iconstudio.gui.canvas.tools.pan import PanTool
-from iconstudio.gui.exchange.dragging import take_copy
-from iconstudio.gui.exchange.mime import holds_something
+from iconstudio.gui.exchange.dropping import DropTarget
 from iconstudio.gui.theme import theme
 from iconstudio.gui.theme.theme import UNIT
 
@@ -49,7 +46,7 @@ class CanvasView(CameraView):
         self._backdrop_seen: object = None
         self.setMouseTracking(True)
         self.setTabletTracking(True)
-        self.setAcceptDrops(True)
+        DropTarget(self, self.dropped.emit)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMinimumSize(40 * UNIT, 30 * UNIT)
         self.setAccessibleName("Canvas")
@@ -158,16 +155,6 @@ class CanvasView(CameraView):
         self._pan.cancel()
         self._panning = False
         super().focusOutEvent(event)
-
-    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        """Let anything be dropped; what cannot be used is told."""
-        if holds_something(event.mimeData()):
-            take_copy(event)
-
-    def dropEvent(self, event: QDropEvent) -> None:
-        """Pass on what was dropped."""
-        take_copy(event)
-        self.dropped.emit(event.mimeData())
 
     # -- helpers -------------------------------------------------------------------------------
 

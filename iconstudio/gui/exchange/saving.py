@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.pictures.picture import Picture
+from iconstudio.inputs.together import counted
 from iconstudio.model import IconstudioError
 
 PNG_SIZE = 1024
@@ -151,12 +152,9 @@ def _writing_all(folder: Path, pictures: Sequence[Picture]) -> Generator[str]:
         try:
             _write(_free(folder, _file_name(_named(picture))), _svg(picture))
         except IconstudioError as error:
-            raise IconstudioError(f"{_icons(done)} of {len(pictures)} saved. {error}") from None
-    yield f"{_icons(len(pictures))} in “{folder}”"
-
-
-def _icons(count: int) -> str:
-    return "1 icon" if count == 1 else f"{count} icons"
+            saved = f"{counted(done, 'icon')} of {len(pictures)} saved."
+            raise IconstudioError(f"{saved} {error}") from None
+    yield f"{counted(len(pictures), 'icon')} in “{folder}”"
 
 
 def _free(folder: Path, name: str) -> Path:

@@ -81,8 +81,9 @@ class ResultsBrowser(QSplitter):
         """Nothing more is to come; ``keep`` the best result in sight."""
         self.results.end()
         best = self._best
-        first = whole and not self._settled
-        if best is not None and (first or self._pick_is_hidden()):
+        focus, first = self.results.focus, whole and not self._settled
+        hidden = focus is not None and self.results.skipped(focus[0])
+        if best is not None and (first or hidden):
             self._pick(best)
         self._settled = self._settled or (whole and best is not None)
         if keep and self.results.finished:
@@ -108,10 +109,6 @@ class ResultsBrowser(QSplitter):
     def _pick(self, picture: Picture) -> None:
         composite = picture.icon.composite
         self.results.pick(composite.style, composite.lambda_s)
-
-    def _pick_is_hidden(self) -> bool:
-        focus = self.results.focus
-        return focus is not None and self.results.skipped(focus[0])
 
     def _choose(self, picture: Picture) -> None:
         self._settled = True

@@ -24,6 +24,7 @@ from iconstudio.gui.theme.elided import ElidedLabel
 from iconstudio.gui.theme.layout import column, label, push_button, row, scrolled
 from iconstudio.gui.theme.painting import fill_rounded, smooth_painter
 from iconstudio.gui.theme.theme import UNIT
+from iconstudio.inputs.together import counted
 from iconstudio.model import Credit, Icon, Remix
 
 INVITATION = "Pick a result to see it large, with the icons that its parts come from."
@@ -97,7 +98,7 @@ class SourceRow(QWidget):
         share.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         share.setToolTip("Part of the icon's ink that comes from this source")
         who = (
-            f"made of {_counted(len(icon.made_of), 'icon')}" if icon.made_of else icon.credit.author
+            f"made of {counted(len(icon.made_of), 'icon')}" if icon.made_of else icon.credit.author
         )
         text = ElidedLabel(who, tail=f" · {icon.credit.license}")
         text.setProperty("muted", True)
@@ -173,7 +174,7 @@ class DetailPanel(QFrame):
         sources = source_pictures(composite, picture.colours)
         self._show_sources(sources)
         icons = len({source.source.exemplar.id for source in sources})
-        about = f"{_counted(len(sources), 'part')} of {_counted(icons, 'icon')}"
+        about = f"{counted(len(sources), 'part')} of {counted(icons, 'icon')}"
         if picture.preview:
             about = "preview"
         # Of hybrids and montages, λ is always the same.
@@ -248,10 +249,6 @@ def _merits(icon: Remix) -> list[str]:
 def _floor(percent: float) -> str:
     """Return one decimal, never rounded up to 100."""
     return f"{math.floor(10 * percent) / 10:g}"
-
-
-def _counted(count: int, noun: str) -> str:
-    return f"1 {noun}" if count == 1 else f"{count} {noun}s"
 
 
 def _placement_text(picture: SourcePicture) -> str:

@@ -13,8 +13,6 @@ from iconstudio.gui.theme.theme import UNIT
 SIDE = 7 * UNIT
 """Side of a favourite in device-independent pixels."""
 
-EMPTY = "Results that you keep gather here"
-
 
 class FavouritesPanel(QFrame):
     """A row of results in the order in which they were kept.
@@ -24,7 +22,7 @@ class FavouritesPanel(QFrame):
     ``icon_list`` tells of all that, and ``button`` when all are to be saved.
     """
 
-    def __init__(self, hint: str = EMPTY) -> None:
+    def __init__(self, hint: str) -> None:
         super().__init__()
         with_role(self, "card")
         self.menu: QMenu | None = None

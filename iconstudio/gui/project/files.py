@@ -196,28 +196,21 @@ class ProjectFiles(QObject):
             archive.save(path, contents.project(formats))
             yield _stamp(path)
 
+        def saved(stamp: _Stamp | None) -> None:
+            recents.note(path)
+            self.remarked.emit(f"Saved “{path}”.")
+            if project != self._project:  # another one has taken its place
+                return
+            self._path, self._saved, self._stamp = path, contents, stamp
+            self._compare()
+            self.changed.emit()
+            if then is not None:
+                then()
+
         self.remarked.emit("")
         job = self._files.submit(saving)
-        job.event.connect(lambda stamp: self._note_saved(path, contents, then, project, stamp))
+        job.event.connect(saved)
         job.failed.connect(self.failed)
-
-    def _note_saved(
-        self,
-        path: Path,
-        contents: Contents,
-        then: Callable[[], object] | None,
-        project: int,
-        stamp: _Stamp | None,
-    ) -> None:
-        recents.note(path)
-        self.remarked.emit(f"Saved “{path}”.")
-        if project != self._project:  # another one has taken its place
-            return
-        self._path, self._saved, self._stamp = path, contents, stamp
-        self._compare()
-        self.changed.emit()
-        if then is not None:
-            then()
 
     def _receive(self, event: object) -> None:
         match event:

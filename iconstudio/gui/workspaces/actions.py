@@ -52,6 +52,14 @@ def _holds_result(place: Any) -> bool:
     return place.picture is not None
 
 
+def _takes_out(save: str) -> dict[str, Any]:
+    """Return what an action does that takes the picked result out, by a method of the saver."""
+    return {
+        "do": lambda place: place.take_out(getattr(place.saver, save)),
+        "enabled": _holds_result,
+    }
+
+
 def _shows(display: Display) -> dict[str, Any]:
     """Return what an action does that shows results in another way, and when it is checked."""
     return {
@@ -68,19 +76,20 @@ REDO = Entry("redo", "&Redo", "Redo", Key.Redo, "redo")
 COMMON = (
     Entry(
         "svg", "Save icon as S&VG…", "Save the picked icon as SVG", "Ctrl+E",
-        do="save_svg", enabled=_holds_result,
+        **_takes_out("save_svg"),
     ),
     Entry(
         "png", "Save icon as PN&G…", "Save the picked icon as PNG", "Ctrl+Shift+E",
-        do="save_png", enabled=_holds_result,
+        **_takes_out("save_png"),
     ),
     Entry(
         "code_png", "Save colour co&de as PNG…", "Save what comes from where as PNG",
-        do="save_code", enabled=lambda place: _holds_result(place) and place.picture.has_code,
+        **_takes_out("save_code")
+        | {"enabled": lambda place: _holds_result(place) and place.picture.has_code},
     ),
     Entry(
         "copy", "&Copy icon as SVG", "Copy the picked icon as SVG", "Ctrl+Shift+C",
-        do="copy_svg", enabled=_holds_result,
+        **_takes_out("copy_svg"),
     ),
     Entry(
         "cancel", "&Cancel", "Stop; finished results stay", "Ctrl+.",

@@ -64,6 +64,8 @@ class Workspace(ResultsWidget):
     """Makes the page to begin with, unless a document is given."""
     entries: ClassVar[tuple[Entry, ...]] = ()
     """All that can be done here, beside what can be done everywhere."""
+    sends_to_itself: ClassVar[bool] = True
+    """Whether results can be worked on here again."""
     opener: Opener | None = None
     """Brings onto the page what is opened, dropped and pasted, if anything can be."""
     view: CanvasView | None = None
@@ -128,10 +130,12 @@ class Workspace(ResultsWidget):
 
     def set_destinations(self, destinations: tuple[Destination, ...]) -> None:
         """Say where icons can be sent to; called once."""
-        self.destinations = destinations
+        title = self.workflow.title
+        own = self.sends_to_itself
+        self.destinations = tuple(one for one in destinations if own or one.title != title)
         if self.detail is not None:
             self.detail.set_destinations(
-                destinations, lambda title: self.send_picture(self.picture, title)
+                self.destinations, lambda title: self.send_picture(self.picture, title)
             )
 
     def new(self) -> None:

@@ -19,8 +19,9 @@ from iconstudio.gui.preferences import preferred
 from iconstudio.gui.theme.layout import row, splitter
 from iconstudio.gui.workspaces.actions import CANVAS, Entry
 from iconstudio.gui.workspaces.base import Workspace
-from iconstudio.gui.workspaces.grid_runner import FINE, LIVE, GridRunner, LiveSource
+from iconstudio.gui.workspaces.grid_runner import FINE, LIVE, GridRunner, Place
 from iconstudio.gui.workspaces.symmetry import SymmetryDetection
+from iconstudio.inputs.together import counted
 from iconstudio.workflows import criteria as edits
 from iconstudio.workflows.criteria import CriteriaPage
 from iconstudio.workflows.events import Event
@@ -36,11 +37,11 @@ GRID = (
 """What every workspace with a grid of results does."""
 
 
-class RemixWorkspace(Workspace, LiveSource):
+class RemixWorkspace(Workspace):
     """Canvas and keyword on the left, results and details on the right.
 
     A subclass makes in ``build`` a ``view``, an ``opener`` and its actions, calls ``lay_out``, and
-    says what its page wants (see ``LiveSource``).
+    says what its page wants.
     """
 
     document: Document[CriteriaPage]
@@ -84,12 +85,24 @@ class RemixWorkspace(Workspace, LiveSource):
 
     # -- what a subclass says ------------------------------------------------------------------
 
-    def focus(self) -> tuple[str, float] | None:
+    def inputs(self) -> object:
+        """Return what the results depend on, to be compared."""
+        raise NotImplementedError
+
+    def problem(self) -> str:
+        """Return what is missing before the page can be remixed, as a sentence; else nothing."""
+        raise NotImplementedError
+
+    def settings(self) -> GridSettings:
+        """Return which results to make: all. Called only if there is no problem."""
+        return GridSettings()
+
+    def focus(self) -> Place | None:
         """Return style and lambda_S of the picked result."""
         return self.browser.results.focus
 
     def events(self, inputs: Any, settings: GridSettings) -> Generator[Event]:
-        """Return the run of the work that ``inputs`` is."""
+        """Return the run of the work that ``inputs`` is; called in the worker's thread."""
         return self.session.run(self.workflow, inputs, settings)
 
     def complete(self) -> None:
@@ -196,11 +209,8 @@ class RemixWorkspace(Workspace, LiveSource):
     def outcome(self) -> str:
         """Return whether results follow, and how many there are of the page as it is now."""
         count = 0 if self.runner.stale else self.browser.results.finished
-        parts = (
-            "Live" if self.runner.live else "",
-            f"{count} icon{'s' * (count > 1)}" if count else "",
-        )
-        return " · ".join(part for part in parts if part)
+        parts = "Live" if self.runner.live else "", counted(count, "icon") if count else ""
+        return " · ".join(filter(None, parts))
 
     def _renew(self) -> None:
         """Follow a change of the page; results of something else have nothing to do here."""

@@ -129,8 +129,6 @@ class EditWorkspace(RemixWorkspace):
         self.show_criteria("edit")
         if page.empty:
             self.start_panel.offer(True)
-        else:
-            self.outlines.request(page.icon)
 
     def follow_styles(self, on: bool) -> None:
         """Follow a change of the styles that are wanted."""

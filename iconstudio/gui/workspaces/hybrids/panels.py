@@ -1,6 +1,6 @@
 """The column where icons are gathered, and the column where hybrids appear."""
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QSpinBox, QStackedWidget, QWidget
 
 from iconstudio.gui.gallery.display import DisplaySwitch
@@ -36,30 +36,6 @@ WIDTH = COLUMNS * SIDE + (COLUMNS - 1) * UNIT // 2 + 4 * UNIT + 2
 _LOOK = Look(12 * UNIT, mark=Mark.STAR, picks=True, fills=True, coded=True)
 
 
-class PickRow(QWidget):
-    """“Pick 5 for me”.
-
-    Signals
-    -------
-    requested(int)
-        So many icons are to be picked.
-    """
-
-    requested = Signal(int)
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.count = QSpinBox(minimum=FEWEST, maximum=MOST, value=5)
-        self.count.setAccessibleName("How many icons to pick")
-        self.count.setFixedSize(7 * UNIT, 4 * UNIT)
-        tip = "Let the program pick icons of this name that mix well"
-        self.button = push_button("Pick for me", tip, self._request)
-        row(self.button, self.count, (label("icons that mix well"), 1), of=self)
-
-    def _request(self) -> None:
-        self.requested.emit(self.count.value())
-
-
 class IconsColumn(QWidget):
     """Find icons above, what was gathered below, and how to mix it: edits the page."""
 
@@ -67,7 +43,11 @@ class IconsColumn(QWidget):
         super().__init__()
         self.setFixedWidth(WIDTH)
         self.chooser = chooser
-        self.pick = PickRow()
+        self.count = QSpinBox(minimum=FEWEST, maximum=MOST, value=5)
+        self.count.setAccessibleName("How many icons to pick")
+        self.count.setFixedSize(7 * UNIT, 4 * UNIT)
+        tip = "Let the program pick icons of this name that mix well"
+        self.pick = push_button("Pick for me", tip)
         self.cards = Cards(document)
         self.symmetry = SymmetryButton()
         words = "All are nearly symmetric · Hold to symmetry"
@@ -75,12 +55,13 @@ class IconsColumn(QWidget):
         self.offer.setCursor(Qt.CursorShape.PointingHandCursor)
         self.seed = SeedField(LARGEST_SEED, "hybrids")
         self.run = push_button("Mix", role="primary")
-        self._count = label(role="heading")
+        self._gathered = label(role="heading")
         self._hint = Caption()
         wide = (UNIT * 3 // 2,) * 4
         settings = row(self.symmetry, self.seed, None, self.run)
-        gathered = self._count, self._hint, (self.cards, 1), self.offer, settings
-        finding = card((chooser, 1), self.pick, margins=wide)
+        gathered = self._gathered, self._hint, (self.cards, 1), self.offer, settings
+        picking = row(self.pick, self.count, (label("icons that mix well"), 1))
+        finding = card((chooser, 1), picking, margins=wide)
         column((finding, 5), (card(*gathered, margins=wide), 6), of=self)
         self._wire(document)
 
@@ -95,7 +76,7 @@ class IconsColumn(QWidget):
     def show_page(self, page: HybridsPage) -> None:
         """Show what is to be mixed, and offer a symmetry that all icons nearly have."""
         count = len(page.ingredients)
-        self._count.setText(f"Icons to mix · {count}" if count else "Icons to mix")
+        self._gathered.setText(f"Icons to mix · {count}" if count else "Icons to mix")
         self._hint.say(
             "Click a part on an icon to pin it: every hybrid keeps it."
             if count

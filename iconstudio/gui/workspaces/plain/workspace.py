@@ -13,7 +13,6 @@ from iconstudio.gui.document.document import Document
 from iconstudio.gui.exchange.saving import Saver
 from iconstudio.gui.gallery.detail import DetailPanel
 from iconstudio.gui.gallery.display import DisplaySwitch
-from iconstudio.gui.gallery.sending import Destination
 from iconstudio.gui.gallery.sheet import Sheet
 from iconstudio.gui.gallery.sheet_delegate import framed
 from iconstudio.gui.gallery.sheet_model import results_with
@@ -25,6 +24,7 @@ from iconstudio.gui.workspaces.actions import Entry, work_entries
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.plain.icons import WorkIcons
 from iconstudio.gui.workspaces.plain.opening import WorkOpener, WorkPage
+from iconstudio.inputs.together import counted
 from iconstudio.model import Pictogram
 from iconstudio.session import Session
 from iconstudio.workflows.workflow import Workflow
@@ -35,6 +35,8 @@ _SIDE = 112
 
 class PlainWorkspace(Workspace):
     """Icons are chosen, and a workflow runs over them as it declares."""
+
+    sends_to_itself = False
 
     def __init__(self, workflow: Workflow, session: Session, files: Worker, saver: Saver) -> None:
         super().__init__(workflow, session, files, saver, Document(WorkPage(workflow.work())))
@@ -81,11 +83,6 @@ class PlainWorkspace(Workspace):
     def enter(self) -> None:
         """Begin with looking icons up, if it takes any."""
         (self.results if self.work_icons is None else self.work_icons.chooser).setFocus()
-
-    def set_destinations(self, destinations: tuple[Destination, ...]) -> None:
-        """Say where icons can be sent to."""
-        others = tuple(one for one in destinations if one.title != self.workflow.title)
-        super().set_destinations(others)
 
     def run(self) -> None:
         """Make the icons of what is there anew; nothing of an empty page."""
@@ -137,7 +134,7 @@ class PlainWorkspace(Workspace):
     def outcome(self) -> str:
         """Return how many icons there are."""
         count = len(self.results.pictures)
-        return "1 icon" if count == 1 else f"{count} icons" if count else ""
+        return counted(count, "icon") if count else ""
 
     def save(self) -> None:
         """Write the work into a file."""

@@ -10,11 +10,12 @@ from iconstudio.algorithms.geometry import crosses_itself
 from iconstudio.gui.canvas.start import StartButtons
 from iconstudio.gui.canvas.tools.polygon import PolygonTool
 from iconstudio.gui.canvas.view import CanvasView
+from iconstudio.gui.panels.slider import IconSlider
 from iconstudio.gui.pictures.picture import Picture
+from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.workspaces.remixing import RemixWorkspace
 from iconstudio.gui.workspaces.sketching.actions import ENTRIES
 from iconstudio.gui.workspaces.sketching.opening import SketchOpener
-from iconstudio.gui.workspaces.sketching.overlay import DimSlider
 from iconstudio.gui.workspaces.sketching.scene import SketchScene
 from iconstudio.images.photo import file_beside
 from iconstudio.model import IconstudioError, Polygon, Sketch
@@ -42,7 +43,7 @@ class SketchWorkspace(RemixWorkspace):
         self.tools = {"trace": self.tool}
         words = "Trace the outline of an object here"
         self.view = CanvasView(self.scene, self.tool, words)
-        self.dim = DimSlider(self.scene)
+        self.dim = IconSlider("dim", "Dim the photo", (0, 100), 35, self.scene.set_dim, 7 * UNIT)
         self.offer_symmetry(lambda page: page.sketch.polygon if page.closed else None, _filled)
         self.make_actions()
         self.start_buttons = StartButtons(self.view, self.actions_by_name["photo"], self.examples)
