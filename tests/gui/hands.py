@@ -84,9 +84,8 @@ def drop(widget, data, action=Qt.DropAction.CopyAction):
     """Drop something as the window system does: whoever accepts it around ``widget`` gets it."""
     spot = widget.rect().center()
     both = Qt.DropAction.CopyAction | Qt.DropAction.MoveAction
-    enter = QDragEnterEvent(
-        spot, both, data, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
-    )
+    hand = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
+    enter = QDragEnterEvent(spot, both, data, *hand)
     enter.setDropAction(action)
     enter.ignore()
     QApplication.sendEvent(widget, enter)
