@@ -2,6 +2,7 @@
 
 import subprocess
 import sys
+from types import SimpleNamespace
 
 from hands import go_to
 from PySide6.QtCore import QEvent, QObject
@@ -51,9 +52,14 @@ def test_what_fills_an_outline_is_loaded_while_the_window_idles(tmp_path):
 
 
 def test_what_makes_workspaces_is_loaded_while_the_window_idles(window, qtbot, monkeypatch):
-    loaded = []
-    monkeypatch.setattr(main_window, "load_object", loaded.append)
-    qtbot.waitUntil(lambda: loaded == [one.workspace for one in workflows()])
+    loaded, ready = [], []
+
+    def load(name):
+        loaded.append(name)
+        return SimpleNamespace(get_ready=lambda: ready.append(name))
+
+    monkeypatch.setattr(main_window, "load_object", load)
+    qtbot.waitUntil(lambda: loaded == ready == [one.workspace for one in workflows()])
     assert len(window.findChildren(Workspace)) == 1
 
 

@@ -146,9 +146,9 @@ class MainWindow(QMainWindow):
         return self.workspace.workflow.name if self.panes.count() else ""
 
     def _load_workspaces(self) -> Generator[None]:
-        """Load the code of all workspaces, so that the first visit need not wait for it."""
+        """Load all workspaces, so that the first visit need not wait for it."""
         for workflow in self._workflows:
-            load_object(workflow.workspace or _PLAIN)
+            load_object(workflow.workspace or _PLAIN).get_ready()
             yield
 
     def _pane(self, number: int) -> WorkspacePane:

@@ -102,6 +102,10 @@ class Workspace(ResultsWidget):
         self.idle.connect(lambda _: self.note_busy(False))
         self.build()
 
+    @staticmethod
+    def get_ready() -> None:
+        """Read what the first visit would wait for; called in another thread, some time before."""
+
     def build(self) -> None:
         """Make all that is to be seen, and connect it with the work."""
 

@@ -29,6 +29,7 @@ from iconstudio.gui.workspaces.line_style.styles import StylesPanel
 from iconstudio.gui.workspaces.line_style.tools import PenTool, SelectTool
 from iconstudio.gui.workspaces.line_style.variations import VariationsPanel
 from iconstudio.inputs.line_style import write_style
+from iconstudio.inputs.styles import bundled
 from iconstudio.model import IconstudioError, Pictogram, StylePair
 from iconstudio.workflows.line_style import page as edits
 from iconstudio.workflows.line_style.page import OWN, RestylePage
@@ -45,6 +46,11 @@ class LineStyleWorkspace(Workspace):
     keeps_last = True
     entries = ENTRIES
     sends_to_itself = False
+
+    @staticmethod
+    def get_ready() -> None:
+        """Read the styles of the program."""
+        bundled()
 
     def build(self) -> None:
         """Make canvas, panels and runs."""
