@@ -128,7 +128,7 @@ def test_what_is_offered_is_kept_until_it_is_dismissed(started, qtbot):
     assert not window.recovery.isVisible()
     qtbot.waitUntil(lambda: not list(journals_folder().glob("*")))
     assert not window.project.modified
-    assert not found.left.folder.exists()
+    assert not found.folder.exists()
 
 
 def test_restoring_is_shown_while_it_lasts_and_can_be_called_off(started, qtbot, monkeypatch):

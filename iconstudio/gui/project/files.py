@@ -13,7 +13,7 @@ from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.pictures.picture import Picture, picture_of
 from iconstudio.gui.project import questions, recents
-from iconstudio.gui.project.journaling import Found, Journaling
+from iconstudio.gui.project.journaling import Journaling
 from iconstudio.gui.project.questions import Answer
 from iconstudio.gui.project.work import Work
 from iconstudio.inputs import json
@@ -22,6 +22,7 @@ from iconstudio.model import IconstudioError
 from iconstudio.project import archive
 from iconstudio.project.archive import SUFFIX, Project
 from iconstudio.project.contents import Contents, Formats, reading
+from iconstudio.project.journal import LeftBehind
 from iconstudio.session import Session
 from iconstudio.workflows.files import likely_workflow
 
@@ -35,7 +36,7 @@ class _OpenedProject:
 
     contents: Contents
     path: Path | None
-    found: Found | None = None
+    found: LeftBehind | None = None
     stamp: _Stamp | None = None
     pictures: tuple[Picture, ...] = ()
     """Of the results, drawn where nobody waits for them."""
@@ -63,7 +64,7 @@ class ProjectFiles(QObject):
         A file was opened that is no project.
     restoring(bool)
         Work that a window left behind is being read, or no longer, whatever came of it.
-    restored(Found)
+    restored(LeftBehind)
         All of it is here.
     """
 
@@ -133,7 +134,7 @@ class ProjectFiles(QObject):
         else:
             self._runner.start(lambda: _workflow_of(path, formats))
 
-    def restore(self, found: Found) -> None:
+    def restore(self, found: LeftBehind) -> None:
         """Open work that a window left behind, still unsaved."""
         session, formats = self._session, self._work.formats
         self._runner.start(lambda: _restoring(session, found, formats))
@@ -239,7 +240,7 @@ class ProjectFiles(QObject):
         self._compare()
         self.changed.emit()
         if found is not None and whole:
-            self.journaling.restored(found.left)
+            self.journaling.restored(found)
             self.restored.emit(found)
 
     def _compare(self) -> None:
@@ -287,8 +288,8 @@ def _opening(session: Session, path: Path, formats: Formats) -> Generator[Any]:
                 yield step
 
 
-def _restoring(session: Session, found: Found, formats: Formats) -> Generator[Any]:
-    index, parts = found.left.read()
+def _restoring(session: Session, found: LeftBehind, formats: Formats) -> Generator[Any]:
+    index, parts = found.read()
     path = Path(found.file) if found.file else None
     with closing(reading(session, index, parts, formats)) as steps:
         for step in steps:

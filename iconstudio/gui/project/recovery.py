@@ -7,9 +7,9 @@ from pathlib import Path
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QLabel, QProgressBar
 
-from iconstudio.gui.project.journaling import Found
 from iconstudio.gui.theme.layout import push_button, row, with_role
 from iconstudio.gui.theme.theme import UNIT
+from iconstudio.project.journal import LeftBehind
 from iconstudio.workflows.workflow import Workflow
 
 
@@ -18,7 +18,7 @@ class RecoveryBar(QFrame):
 
     Signals
     -------
-    restore(Found), dismiss(Found)
+    restore(LeftBehind), dismiss(LeftBehind)
         What the user wants to become of the work in sight.
     """
 
@@ -29,7 +29,7 @@ class RecoveryBar(QFrame):
         super().__init__()
         with_role(with_role(self, "notice"), "hint")
         self._workflows = workflows
-        self._offers: list[Found] = []
+        self._offers: list[LeftBehind] = []
         self._restoring = False
         self.label = QLabel(wordWrap=True)
         self.label.setTextFormat(Qt.TextFormat.PlainText)
@@ -48,12 +48,12 @@ class RecoveryBar(QFrame):
         self.bar.hide()
         self.hide()
 
-    def offer(self, found: Found) -> None:
+    def offer(self, found: LeftBehind) -> None:
         """Offer one more."""
         self._offers.append(found)
         self._show()
 
-    def withdraw(self, found: Found) -> None:
+    def withdraw(self, found: LeftBehind) -> None:
         """Offer one no longer."""
         if found in self._offers:
             self._offers.remove(found)
@@ -74,8 +74,8 @@ class RecoveryBar(QFrame):
             self.label.setText(words)
             self.setAccessibleName(self.label.text())
 
-    def _words(self, found: Found) -> str:
-        when = time.localtime(found.left.when)
+    def _words(self, found: LeftBehind) -> str:
+        when = time.localtime(found.when)
         day = "today" if when[:3] == time.localtime()[:3] else f"on {time.strftime('%d %B', when)}"
         clock = time.strftime("%H:%M", when)
         known = self._workflows.get(found.current)

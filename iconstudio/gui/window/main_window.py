@@ -15,7 +15,6 @@ from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.project import recents
 from iconstudio.gui.project.files import ProjectFiles, WorkFile
-from iconstudio.gui.project.journaling import Found
 from iconstudio.gui.project.recovery import RecoveryBar
 from iconstudio.gui.project.work import Work
 from iconstudio.gui.theme.layout import column, row
@@ -26,6 +25,7 @@ from iconstudio.gui.window.pane import WorkspacePane
 from iconstudio.gui.workspaces.actions import Actions
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.model import Pictogram
+from iconstudio.project.journal import LeftBehind
 from iconstudio.session import Session
 from iconstudio.workflows import registry
 from iconstudio.workflows.workflow import Workflow, load_object
@@ -190,9 +190,9 @@ class MainWindow(QMainWindow):
         data.setUrls([QUrl.fromLocalFile(str(file.path))])
         self.workspace.open_mime(data)
 
-    def _dismiss(self, found: Found) -> None:
+    def _dismiss(self, found: LeftBehind) -> None:
         self.recovery.withdraw(found)
-        self.project.journaling.dismiss(found.left)
+        self.project.journaling.dismiss(found)
 
     # -- the window itself ---------------------------------------------------------------------
 
