@@ -8,7 +8,7 @@ import os
 import secrets
 import shutil
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Generator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -138,7 +138,7 @@ class LeftBehind:
         self.lock.release()
 
 
-def left_behind(folder: Path) -> Iterator[LeftBehind]:
+def left_behind(folder: Path) -> Generator[LeftBehind]:
     """Yield what windows that are no more have left in the folder of all journals, newest first."""
     found = []
     with suppress(OSError):

@@ -281,10 +281,6 @@ class Opener(QObject):
             self._patience.end()
 
 
-def _is_project(path: str) -> bool:
-    return path.lower().endswith(SUFFIX)
-
-
 def _is_work(item: Item) -> bool:
     """Whether something is a file of the program's own."""
     return isinstance(item, File) and item.path.lower().endswith((".json", SUFFIX))
@@ -292,7 +288,7 @@ def _is_work(item: Item) -> bool:
 
 def _way(opener: Opener, path: str) -> Callable[[str], object]:
     """Return how a file of the program's own is opened: a project is none of the page's."""
-    return opener.project.emit if _is_project(path) else opener.open_work
+    return opener.project.emit if path.lower().endswith(SUFFIX) else opener.open_work
 
 
 class IconOpener(Opener):

@@ -50,7 +50,7 @@ class Journaling(QObject):
 
     def look(self) -> None:
         """Look for what was left behind."""
-        self._worker.submit(_looking).event.connect(self._find)
+        self._worker.submit(lambda: left_behind(journals_folder())).event.connect(self._find)
 
     def note(self) -> None:
         """Keep what is there now in place of what was kept."""
@@ -141,7 +141,3 @@ class Journaling(QObject):
 def _done(work: Callable[[], object]) -> Generator[None]:
     work()
     yield
-
-
-def _looking() -> Generator[LeftBehind]:
-    yield from left_behind(journals_folder())

@@ -74,7 +74,8 @@ class PlainWorkspace(Workspace):
         if self.work_icons is not None:
             self.work_icons.chooser.chosen.connect(lambda icon: self.opener.add_icons([icon]))
             self.work_icons.removed.connect(lambda icon: self.opener.remove_icon(icon.id))
-        self.results.chosen.connect(self._look_at)
+        self.results.chosen.connect(self.look_at)
+        self.results.chosen.connect(self.kept)
         self.results.changed.connect(self._show_switch)
         self.runner.began.connect(self._clear)
         self.follow(self.runner, self._show)
@@ -113,8 +114,7 @@ class PlainWorkspace(Workspace):
 
     def _clear(self) -> None:
         self.results.show_entries(())
-        self.detail.show_picture(None)
-        self.picked.emit(None)
+        self.look_at(None)
 
     def _show(self, event: object) -> None:
         if isinstance(event, Picture):
@@ -123,13 +123,7 @@ class PlainWorkspace(Workspace):
             self.counted.emit(len(self.results.pictures))
             self.runner.release()
             if self.picture is None:
-                self._look_at(event, kept=False)
-
-    def _look_at(self, picture: Picture, kept: bool = True) -> None:
-        self.detail.show_picture(picture)
-        self.picked.emit(picture)
-        if kept:
-            self.kept.emit(picture)
+                self.look_at(event)
 
     def outcome(self) -> str:
         """Return how many icons there are."""
