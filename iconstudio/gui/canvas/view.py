@@ -40,7 +40,8 @@ class CanvasView(CameraView):
         self.setAccessibleDescription(description)
         self.scene = scene
         self._tool = tool
-        self._pan = PanTool(self.pan)
+        self.pan_tool = PanTool(self.pan)
+        """The tool that moves the page."""
         self._panning = False
         self._backdrop_pixmap = QPixmap()
         self._backdrop_seen: object = None
@@ -63,18 +64,13 @@ class CanvasView(CameraView):
     @property
     def tool(self) -> Tool:
         """The tool in use."""
-        return self._pan if self._panning else self._tool
+        return self.pan_tool if self._panning else self._tool
 
     def set_tool(self, tool: Tool) -> None:
         """Use another tool."""
         self._tool.leave()
         self._tool = tool
         self.refresh()
-
-    @property
-    def pan_tool(self) -> PanTool:
-        """The tool that moves the page."""
-        return self._pan
 
     def refresh(self) -> None:
         """Draw again what the scene and the tool show now."""
@@ -144,7 +140,7 @@ class CanvasView(CameraView):
     def keyReleaseEvent(self, event: QKeyEvent) -> None:
         """Stop panning when the space bar goes up."""
         if event.key() == Qt.Key.Key_Space and not event.isAutoRepeat():
-            self._pan.cancel()
+            self.pan_tool.cancel()
             self._panning = False
             self.refresh()
         else:
@@ -152,7 +148,7 @@ class CanvasView(CameraView):
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
         """Stop panning: the space bar may go up elsewhere."""
-        self._pan.cancel()
+        self.pan_tool.cancel()
         self._panning = False
         super().focusOutEvent(event)
 

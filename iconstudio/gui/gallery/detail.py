@@ -122,7 +122,6 @@ class DetailPanel(QFrame):
         self.picture: Picture | None = None
         self._columns = 1 if upright else 2
         self.large = LargePicture(wide=upright)
-        self.switch = DisplaySwitch()
         self._title, self._about = label(role="title"), label()
         self._about.setToolTip("How far the icon's filled shape and the drawn one cover each other")
         self._rows = QGridLayout()
@@ -138,13 +137,12 @@ class DetailPanel(QFrame):
         heading, buttons = self._make_heading(), self._make_buttons()
         self._sources = sources = self._make_sources()
         if upright:
+            self.switch = DisplaySwitch()
             heading.addWidget(self.switch)
             parts = heading, (self.large, 2), self._about, buttons, (sources, 1)
             column(*parts, of=full, margins=margins)
         else:
             heading.addLayout(buttons)
-            self.switch.setParent(full)
-            self.switch.hide()
             side = column(heading, self._about, (sources, 1), spacing=UNIT // 2)
             row(self.large, (side, 1), of=full, spacing=2 * UNIT, margins=margins)
         self._stack = QStackedLayout(self)

@@ -5,7 +5,6 @@ from collections.abc import Sequence
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu
 
-from iconstudio.gui.pictures.picture import Display
 from iconstudio.gui.window.about import show_about
 from iconstudio.gui.workspaces.actions import Actions, Entry, Key
 
@@ -32,9 +31,6 @@ WINDOW = (
 
 RECENT = Entry("recent", "Open &recent", "Open a project of late")
 
-DISPLAYS = tuple(one.value for one in Display)
-"""How results are shown."""
-
 MODES, OWN = "modes", "own"
 """Places in the menus: of the switch between workspaces, and of a workspace's own actions."""
 
@@ -48,7 +44,10 @@ MENUS: dict[str, tuple[str, ...]] = {
         *("undo", "redo", "", "paste", "delete", "clear", OWN, ""),
         *("run", "live", "fine", "cancel"),
     ),
-    "&View": (MODES, "", OWN, "pan", "", "zoom_in", "zoom_out", "fit", "", *DISPLAYS),
+    "&View": (
+        *(MODES, "", OWN, "pan", "", "zoom_in", "zoom_out", "fit", ""),
+        *("plain", "both", "coded"),
+    ),
     "&Help": ("about",),
 }
 
