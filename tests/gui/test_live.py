@@ -655,7 +655,7 @@ def test_the_pick_stays_while_a_run_goes_on_and_is_the_best_in_the_end(drawn, qt
     """Rows come one after another, each with a better star; the pick moves once, at the end."""
     from iconstudio.gui.gallery.browser import ResultsBrowser
 
-    board, results = ResultsBrowser(), drawn.browser.results.pictures
+    board, results = ResultsBrowser("Welcome", "Closer"), drawn.browser.results.pictures
     qtbot.addWidget(board)
     settings = GridSettings()
     scored = [

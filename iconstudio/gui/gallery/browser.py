@@ -28,9 +28,10 @@ class ResultsBrowser(QSplitter):
     kept = Signal(object)
     counted = Signal(int)
 
-    def __init__(self) -> None:
+    def __init__(self, welcome: str, nearer: str) -> None:
+        """For the words, see ``ResultsPanel``."""
         super().__init__(Qt.Orientation.Vertical)
-        self.results = ResultsPanel()
+        self.results = ResultsPanel(welcome, nearer)
         self.detail = DetailPanel()
         self._settled = False
         self._owed = False  # the finished result of a preview that the user picked

@@ -37,10 +37,10 @@ class KeywordPanel(IconSearch):
 
     run = Signal()
 
-    def __init__(self, document: CriteriaDocument) -> None:
-        field = KeywordField(placeholderText="What is it? For example: motorcycle")
+    def __init__(self, document: CriteriaDocument, placeholder: str, tip: str) -> None:
+        """``placeholder`` says what to type, and ``tip`` what the button does."""
+        field = KeywordField(placeholderText=placeholder)
         field.setAccessibleName("What the object is")
-        tip = "Make new icons in four styles (Ctrl+Return)"
         button = push_button("Remix", tip, role="primary")
         sheet = Sheet(Look(44, margin=6, mark=Mark.STRUCK), _described, "Icons found")
         margins = UNIT * 3 // 2, UNIT * 3 // 2, UNIT * 3 // 2, UNIT
@@ -58,11 +58,6 @@ class KeywordPanel(IconSearch):
         self.sheet.chosen.connect(lambda icon: edits.toggle_icon(document, icon.id))
         self.sheet.asked.connect(self._open_menu)
         self.caption.linkActivated.connect(lambda _: edits.exclude_icons(document, frozenset()))
-
-    def set_words(self, placeholder: str, tip: str) -> None:
-        """Say what to type, and what the button does."""
-        self.field.setPlaceholderText(placeholder)
-        self.button.setToolTip(tip)
 
     def set_sketch(self, keyword: str, excluded: frozenset[str]) -> None:
         """Show what the document says."""

@@ -11,7 +11,7 @@ from iconstudio.gui.theme.theme import UNIT
 
 
 class IconSlider(QWidget):
-    """Calls ``change`` with each value; ``width`` of the slider in device-independent pixels."""
+    """Calls ``change`` with each value."""
 
     def __init__(
         self,
@@ -20,14 +20,14 @@ class IconSlider(QWidget):
         values: tuple[int, int],
         value: int,
         change: Callable[[int], None],
-        width: int,
     ) -> None:
         """``values`` are the least and the greatest."""
         super().__init__()
         least, most = values
         self.slider = QSlider(Qt.Orientation.Horizontal, minimum=least, maximum=most, value=value)
-        self.slider.setFixedWidth(width)
+        self.slider.setFixedWidth(9 * UNIT)
+        self.slider.setMinimumHeight(3 * UNIT)  # else its round handle is cut off
         self.slider.setAccessibleName(name)
         self.slider.valueChanged.connect(change)
         self.setToolTip(name)
-        row(icons.Sign(icon), self.slider, of=self, spacing=UNIT // 2)
+        row(icons.Sign(icon), self.slider, of=self, spacing=UNIT // 2, margins=(UNIT, 0, 0, 0))

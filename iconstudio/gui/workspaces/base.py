@@ -9,6 +9,7 @@ from PySide6.QtCore import QMimeData, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QWidget
 
+from iconstudio.gui.canvas.outlines import IconOutlines
 from iconstudio.gui.canvas.tools.base import Tool
 from iconstudio.gui.canvas.view import CanvasView
 from iconstudio.gui.document.document import Document
@@ -197,6 +198,11 @@ class Workspace(ResultsWidget):
     def finder(self) -> Worker:
         """Looks icons up and draws them also while a run goes on."""
         return Worker(self)
+
+    @cached_property
+    def outlines(self) -> IconOutlines:
+        """The outlines of icons, for a canvas that shows some."""
+        return IconOutlines(self.session, self.finder, self)
 
     def show_page(self) -> None:
         """Show what the page says."""

@@ -1,7 +1,7 @@
 """What modelling and editing share: name the object, remix, look at a grid of results."""
 
 from collections.abc import Callable, Generator, Sequence
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -45,14 +45,22 @@ class RemixWorkspace(Workspace):
     """
 
     document: Document[CriteriaPage]
+    placeholder: ClassVar[str]
+    """What to type as the name of the object."""
+    tip: ClassVar[str]
+    """What the button beside it does."""
+    welcome: ClassVar[str]
+    """What will appear in the grid."""
+    nearer: ClassVar[str]
+    """What the results on its left are."""
 
     def build(self) -> None:
         """Make what is not a subclass's own."""
         self.preparation = Preparation(self.session, self.worker, self)
         self.runner = GridRunner(self, self.preparation, self.worker, self)
         self._opening = Runner(self.worker, self)
-        self.keyword_panel = KeywordPanel(self.document)
-        self.browser = ResultsBrowser()
+        self.keyword_panel = KeywordPanel(self.document, self.placeholder, self.tip)
+        self.browser = ResultsBrowser(self.welcome, self.nearer)
         self.detail = self.browser.detail
         self.symmetry = SymmetryButton()
 

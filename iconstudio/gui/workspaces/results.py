@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QMenu, QWidget
 from iconstudio.gui.exchange.saving import Saver
 from iconstudio.gui.gallery.detail import DetailPanel
 from iconstudio.gui.gallery.sending import Destination, offer, pop_up
+from iconstudio.gui.gallery.sheet import Sheet
 from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.workspaces.actions import Actions
 
@@ -68,6 +69,12 @@ class ResultsWidget(QWidget):
             return
         if self.keeps_last and not event.spontaneous():
             self.kept.emit(picture)
+
+    def pick_from(self, sheet: Sheet) -> None:
+        """Let the results on a sheet be looked at, and kept."""
+        sheet.picked.connect(self.look_at)
+        sheet.chosen.connect(self.look_at)
+        sheet.chosen.connect(self.kept)
 
     def take_out(self, save: Callable[[Picture], None]) -> None:
         """Save the picked result, or copy it; that keeps it in sight."""

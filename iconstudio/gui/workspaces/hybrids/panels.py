@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QFrame, QSpinBox, QStackedWidget, QWidget
 from iconstudio.gui.gallery.display import DisplaySwitch
 from iconstudio.gui.gallery.sheet import Sheet
 from iconstudio.gui.gallery.sheet_delegate import Look, Mark
+from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.panels.seed import SeedField
 from iconstudio.gui.panels.symmetry import WORDS, SymmetryButton
@@ -25,6 +26,7 @@ from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.workspaces.hybrids.cards import COLUMNS, SIDE, Cards
 from iconstudio.gui.workspaces.hybrids.hover_bar import HoverBar
 from iconstudio.gui.workspaces.hybrids.sections import Sections
+from iconstudio.session import Session
 from iconstudio.workflows.hybrids import page as edits
 from iconstudio.workflows.hybrids.file import LARGEST_SEED
 from iconstudio.workflows.hybrids.hybrids import FEWEST, MOST
@@ -39,10 +41,10 @@ _LOOK = Look(12 * UNIT, mark=Mark.STAR, picks=True, fills=True, coded=True)
 class IconsColumn(QWidget):
     """Find icons above, what was gathered below, and how to mix it: edits the page."""
 
-    def __init__(self, document: HybridsDocument, chooser: IconChooser) -> None:
+    def __init__(self, document: HybridsDocument, session: Session, worker: Worker) -> None:
         super().__init__()
         self.setFixedWidth(WIDTH)
-        self.chooser = chooser
+        self.chooser = IconChooser(session, worker, multiple=True)
         self.count = QSpinBox(minimum=FEWEST, maximum=MOST, value=5)
         self.count.setAccessibleName("How many icons to pick")
         self.count.setFixedSize(7 * UNIT, 4 * UNIT)
@@ -61,7 +63,7 @@ class IconsColumn(QWidget):
         settings = row(self.symmetry, self.seed, None, self.run)
         gathered = self._gathered, self._hint, (self.cards, 1), self.offer, settings
         picking = row(self.pick, self.count, (label("icons that mix well"), 1))
-        finding = card((chooser, 1), picking, margins=wide)
+        finding = card((self.chooser, 1), picking, margins=wide)
         column((finding, 5), (card(*gathered, margins=wide), 6), of=self)
         self._wire(document)
 

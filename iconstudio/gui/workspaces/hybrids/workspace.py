@@ -5,7 +5,6 @@ from PySide6.QtWidgets import QMenu, QWidget
 
 from iconstudio.gui.gallery.detail import DetailPanel
 from iconstudio.gui.gallery.favourites import FavouritesPanel
-from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.pictures.picture import Picture, picture_of
 from iconstudio.gui.theme.layout import column, row, splitter
 from iconstudio.gui.workspaces.base import Workspace
@@ -29,9 +28,7 @@ class HybridsWorkspace(Workspace):
     def build(self) -> None:
         """Make canvas, panels and runs."""
         self.opener = HybridsOpener(self.session, self.document, self.finder, self)
-        self.column = IconsColumn(
-            self.document, IconChooser(self.session, self.finder, multiple=True)
-        )
+        self.column = IconsColumn(self.document, self.session, self.finder)
         self.panel = SheetPanel()
         self.sheet, self.sections = self.panel.sheet, self.panel.sections
         self.draws = Draws(self.session, self.worker, self.panel, self)
@@ -56,13 +53,11 @@ class HybridsWorkspace(Workspace):
         self.draws.counted.connect(self.counted)
         self.draws.section_changed.connect(self.rest)
         self.opener.shown.connect(self.run)
-        self.sheet.picked.connect(self.look_at)
-        self.sheet.chosen.connect(self.kept)
+        self.pick_from(self.sheet)
+        self.pick_from(self.favourites_panel.icon_list)
         self.sheet.asked.connect(self.offer_for)
         self.panel.bar.favourite.connect(self.keep)
         self.panel.bar.like.connect(self.draw_like)
-        self.favourites_panel.icon_list.chosen.connect(self.look_at)
-        self.favourites_panel.icon_list.chosen.connect(self.kept)
         self.favourites_panel.icon_list.changed.connect(self._note_favourites)
         self.favourites_panel.button.clicked.connect(self.save_all)
 

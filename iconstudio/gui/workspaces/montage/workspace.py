@@ -4,7 +4,6 @@ from functools import partial
 
 from PySide6.QtCore import Qt
 
-from iconstudio.gui.canvas.outlines import IconOutlines
 from iconstudio.gui.canvas.start import StartButtons
 from iconstudio.gui.canvas.view import CanvasView
 from iconstudio.gui.gallery.detail import DetailPanel
@@ -13,7 +12,6 @@ from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.panels.slider import IconSlider
 from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.theme.layout import row, splitter
-from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.montage.actions import ENTRIES
 from iconstudio.gui.workspaces.montage.layers import LayerList, left_side
@@ -41,7 +39,6 @@ class MontageWorkspace(Workspace):
     def build(self) -> None:
         """Make canvas, panels and runs."""
         self.opener = MontageOpener(self.session, self.document, self.finder, self)
-        self.outlines = IconOutlines(self.session, self.finder, self)
         self.live = LiveRunner(self.worker, partial(made, self.session), self)
         self.scene = MontageScene(self.document, self.outlines)
         self.brush = Brush(self)
@@ -51,12 +48,10 @@ class MontageWorkspace(Workspace):
         self.layers = LayerList(self.document)
         self.detail = DetailPanel(upright=True, invitation=INVITATION)
         self.make_actions()
-        self.actions_by_name["brush"].setChecked(True)
         self.start_buttons = StartButtons(self.view, self.actions_by_name["svg_in"], self.examples)
         bar = "undo redo", "arrange brush eraser pan", "mirror fit clear"
-        brush = self.brush
-        sizes, width = (THINNEST, WIDEST), 10 * UNIT
-        self.slider = IconSlider("brush", "Brush size", sizes, brush.width, brush.set_width, width)
+        sizes, brush = (THINNEST, WIDEST), self.brush
+        self.slider = IconSlider("brush", "Brush size", sizes, brush.width, brush.set_width)
         brush.changed.connect(self.slider.slider.setValue)
         panel = self.canvas_panel_of(*bar, trailing=[self.slider])
         left = left_side(self.chooser, self.layers)

@@ -74,8 +74,8 @@ class PlainWorkspace(Workspace):
         if self.work_icons is not None:
             self.work_icons.chooser.chosen.connect(lambda icon: self.opener.add_icons([icon]))
             self.work_icons.removed.connect(lambda icon: self.opener.remove_icon(icon.id))
-        self.results.chosen.connect(self.look_at)
-        self.results.chosen.connect(self.kept)
+        self.pick_from(self.results)
+        self.results.asked.connect(self.offer_for)
         self.results.changed.connect(self._show_switch)
         self.runner.began.connect(self._clear)
         self.follow(self.runner, self._show)
