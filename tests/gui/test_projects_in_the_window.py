@@ -90,7 +90,8 @@ def fill(window, qtbot, photo=None):
     page = page.placed(0, Placement(1.25, True, 300, -7)).drawn(0, [Stroke(3.0, ((1.0, 2.0),))])
     window.workspace_of("Montage").document.change("montage", page.hidden(1, True))
     ask = PickRequest("lamp", 4, Axis.VERTICAL, 3)
-    mix = HybridsPage((Ingredient(icon(3), ((4.0, 5.0),)), Ingredient(icon(1, OWN))), ask, 5, 6)
+    pinned, picked = Ingredient(icon(3), ((4.0, 5.0),)), Ingredient(icon(1, OWN), picked=True)
+    mix = HybridsPage((pinned, picked), ask, 5, 6)
     window.workspace_of("Hybrids").document.change("mix", mix)
     mirrored = WorkPage(Mirroring((icon(5).pictogram, OWN)))
     window.workspace_of("Mirror").document.change("mirror", mirrored)
@@ -104,7 +105,7 @@ def plain(page):
         case MontagePage():
             return page.chosen, [replace(one, icon=one.icon.pictogram) for one in page.layers]
         case HybridsPage():
-            icons = [(one.exemplar.pictogram, one.pins) for one in page.ingredients]
+            icons = [(one.exemplar.pictogram, one.pins, one.picked) for one in page.ingredients]
             return icons, replace(page, ingredients=(), favourites=())
     return replace(page, photo=None) if hasattr(page, "photo") else page
 
