@@ -77,6 +77,7 @@ class Saver(QObject):
         folder = self.ask_folder()
         if folder is None:
             return
+        self.saved.emit("")
         self._start(lambda: _writing_all(folder, tuple(pictures)))
 
     def ask_folder(self) -> Path | None:
@@ -105,7 +106,6 @@ class Saver(QObject):
         self._save("icon", _named(picture), kind, lambda path: _write(path, content()))
 
     def _start(self, make: Callable[[], Generator[str]]) -> None:
-        self.saved.emit("")
         job = self._worker.submit(make)
         job.event.connect(lambda what: self.saved.emit(f"Saved {what}."))
         job.failed.connect(self.failed)
