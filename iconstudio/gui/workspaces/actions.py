@@ -123,7 +123,8 @@ def work_entries(noun: str, enabled: Ask) -> tuple[Entry, ...]:
     """Return what is done with work that is called ``noun``; it is there if ``enabled``."""
     json = f"&Export {noun} as JSON…"
     return (
-        Entry("new", f"Ne&w {noun}", "Start afresh", "Ctrl+Shift+N", "new"),
+        Entry("new", f"Ne&w {noun}", "Start afresh", "Ctrl+Shift+N", "new",
+              do=lambda place: place.document.change(f"new {noun}", place.blank)),
         Entry("open", f"&Import {noun}…", f"Read the {noun} in a JSON file",
               do="opener.choose_work"),
         Entry("save", json, f"Write the {noun} into a JSON file", enabled=enabled),

@@ -143,10 +143,6 @@ class Workspace(ResultsWidget):
                 self.destinations, lambda title: self.send_picture(self.picture, title)
             )
 
-    def new(self) -> None:
-        """Start afresh."""
-        self.document.change(f"new {self.workflow.noun}", self.blank)
-
     def run(self) -> None:
         """Do the work for what lies on the canvas."""
 
