@@ -14,7 +14,12 @@ PACKAGE = ROOT / "iconstudio"
 ADAPTERS = {
     "numba": {"algorithms/compiled.py"},
     "resvg_py": {"svg/resvg.py"},
-    "fontTools": {"svg/geometry.py", "model/path.py", "model/placement.py", "gui/canvas/vector.py"},
+    "fontTools": {
+        "svg/geometry.py",
+        "model/path.py",
+        "model/placement.py",
+        "gui/pictures/vector.py",
+    },
     "tree_sitter": {"svg/syntax.py"},
     "tree_sitter_typescript": {"svg/syntax.py"},
     "tinycss2": {"svg/stylesheet.py"},

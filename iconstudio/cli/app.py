@@ -4,6 +4,7 @@ import errno
 import os
 import sys
 from collections.abc import Sequence
+from pathlib import Path
 from typing import ClassVar, Protocol
 
 import click
@@ -60,6 +61,8 @@ class _Commands(click.Group):
 
         if cmd_name.lower().endswith(SUFFIX):
             return _opening(cmd_name)
+        if cmd_name.lower().endswith(".json"):
+            raise IconstudioError(_advice(cmd_name))
         own = {one.name: one for one in workflows()}.get(cmd_name)
         if own is not None and not own.command:
             from iconstudio.cli.plain import command_of
@@ -103,6 +106,19 @@ def _opening(path: str) -> click.Command:
         ctx.exit(_checked(ctx.obj).open_project(path))
 
     return command
+
+
+def _advice(path: str) -> str:
+    """Say which command runs the work in a JSON file."""
+    from iconstudio.inputs import json
+    from iconstudio.workflows.files import likely_workflow
+    from iconstudio.workflows.registry import workflows
+
+    likely = likely_workflow(json.load(Path(path)), workflows())
+    if likely is None:
+        return f"“{path}” is no command. Name one before it: iconstudio COMMAND {path} --out FOLDER"
+    how = f"iconstudio {likely.name} {path} --out FOLDER"
+    return f"“{path}” is no command, but {likely.noun} work. Run it by: {how}"
 
 
 def _checked(window: Window) -> Window:

@@ -4,7 +4,6 @@ import gc
 import sys
 from pathlib import Path
 
-from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QApplication
 from shiboken6.Shiboken import createdByPython
 
@@ -26,7 +25,7 @@ def application() -> QApplication:
     app.setApplicationDisplayName("Iconstudio")
     theme.prepare(app)
     theme.apply(app, theme.current())
-    _Follower(app)
+    app.styleHints().colorSchemeChanged.connect(lambda _: theme.apply(app, theme.current()))
     app.aboutToQuit.connect(leave_clipboard)
     return app
 
@@ -80,15 +79,3 @@ def start(window: MainWindow, example: str) -> None:
     """Load an example and remix it as soon as it is there."""
     sketching = window.workspace_of(MODELLING.title)
     sketching.demonstrate(read_example(example))
-
-
-class _Follower(QObject):
-    """Gives the application the other look when the system changes its colour scheme."""
-
-    def __init__(self, app: QApplication) -> None:
-        super().__init__(app)
-        self._app = app
-        app.styleHints().colorSchemeChanged.connect(self._follow)
-
-    def _follow(self) -> None:
-        theme.apply(self._app, theme.current())

@@ -84,6 +84,11 @@ def quoted_list(things: Sequence[Item | str]) -> str:
     return " and ".join(filter(None, (", ".join(names[:-1]), names[-1])))
 
 
+def counted(count: int, noun: str) -> str:
+    """Return a number of things in words: “1 icon”, “12 icons”."""
+    return f"1 {noun}" if count == 1 else f"{count:,} {noun}s"
+
+
 def was(things: Sequence[object]) -> str:
     """Return the verb that goes with the names of some things."""
     return "was" if len(things) == 1 else "were"

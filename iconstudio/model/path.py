@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Protocol, cast
 
 from fontTools.misc.transform import Transform as Transform
 
@@ -94,6 +94,15 @@ class Path:
                 for one in self.contours
             )
         )
+
+    @property
+    def bounds(self) -> tuple[float, float, float, float]:
+        """Left, top, right and bottom of what it covers; it must not be empty."""
+        from fontTools.pens.boundsPen import BoundsPen
+
+        pen = BoundsPen(None)
+        self.draw(pen)
+        return cast(tuple[float, float, float, float], pen.bounds)
 
     def svg(self) -> str:
         """Return SVG path data, to a hundredth of a unit."""

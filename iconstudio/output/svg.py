@@ -13,6 +13,9 @@ _NO_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 _REPLACEMENT = "\ufffd"
 _NO_WORD = re.compile(r"[\W_]+")
 _ROUND = ' stroke-linecap="round" stroke-linejoin="round"'
+_CUT = "It reached out of its canvas; what was outside is cut off."
+_ROUNDING = 0.5
+"""Pixels by which the outline of what fills the canvas may reach out of it."""
 _SLUG = 40
 """Most characters that a title lends to an identifier."""
 
@@ -77,7 +80,8 @@ def pictogram_of(icon: Icon) -> Pictogram:
     """Return an icon that was made here as a pictogram, to be used like any other.
 
     Its identifier is ``made:`` with the title's words and a digest of the outline; its licence
-    names those of everything that it was made of.
+    names those of everything that it was made of. Like the results in sight it ends where the
+    canvas does; if something was beyond that, a remark says so.
     """
     words = _NO_WORD.sub("-", icon.title.casefold()[:_SLUG]).strip("-") or "icon"
     digest = hashlib.sha256(icon.path.svg().encode()).hexdigest()[:8]
@@ -87,7 +91,16 @@ def pictogram_of(icon: Icon) -> Pictogram:
         svg=svg_document(icon),
         credit=Credit(icon.title, "you, with Iconstudio", ", ".join(licences), "", ""),
         made_of=icon.credits,
+        remarks=() if _fits(icon.path) else (_CUT,),
     )
+
+
+def _fits(path: Path) -> bool:
+    """Whether nothing of a path is outside of the canvas, but for what rounding adds."""
+    if not path:
+        return True
+    left, top, right, bottom = path.bounds
+    return min(left, top) >= -_ROUNDING and max(right, bottom) <= CANVAS + _ROUNDING
 
 
 def _in_words(credits: Sequence[Pictogram]) -> str:

@@ -6,6 +6,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from msgspec import structs
+
 from iconstudio.inputs import json
 from iconstudio.model import Icon, IconstudioError
 from iconstudio.project.archive import INDEX, Index, Project
@@ -39,6 +41,8 @@ class Contents:
     recent: tuple[Icon, ...] = ()
     complaints: tuple[str, ...] = ()
     """What could not be read; a sentence for the user each."""
+    unread: Project | None = None
+    """The project with pages that could not be read: they are stored again as they were."""
 
     def alike(self, other: "Contents", formats: Formats) -> bool:
         """Whether there is nothing that would be lost with the other ones in their place."""
@@ -52,13 +56,18 @@ class Contents:
 
     def project(self, formats: Formats, file: str = "") -> Project:
         """Return them as they are stored; a journal tells in which ``file`` they were saved."""
-        parts = Parts()
+        unread = self.unread
+        parts = Parts() if unread is None else Parts(unread.index.icons)
         pages = {name: formats[name].write(page, parts) for name, page in self.pages.items()}
         recent = tuple(parts.result(one) for one in self.recent if one.path)
-        index = Index(
-            current=self.current, pages=pages, recent=recent, icons=parts.icons, file=file
-        )
-        return Project(index, parts.contents)
+        icons: dict[str, Any] = {**parts.icons}
+        contents = parts.contents
+        if unread is not None:
+            pages = unread.index.pages | pages
+            icons = unread.index.icons | icons
+            contents = {**unread.parts} | contents
+        index = Index(current=self.current, pages=pages, recent=recent, icons=icons, file=file)
+        return Project(index, contents)
 
 
 def reading(
@@ -69,13 +78,15 @@ def reading(
 ) -> Generator[Any]:
     """Yield the contents of a project at last; before that progress, or None.
 
-    A page that cannot be read is told, and the others are there.
+    A page that cannot be read is told and kept, and the others are there.
     """
     parts = StoredParts(index.icons, contents, session)
     pages: dict[str, Page] = {}
     for name in sorted(index.pages):
         if name not in formats.workflows:
-            parts.complaints.append(f"There is no workflow “{name}” here: its page was left out.")
+            parts.complaints.append(
+                f"There is no workflow “{name}” here: its page is not shown, but kept as it is."
+            )
             continue
         try:
             stored = json.converted(index.pages[name], formats[name].stored, _HERE, f", {name}")
@@ -85,7 +96,9 @@ def reading(
             title = formats.workflows[name].title
             parts.complaints.append(f"The page of {title} could not be read. {error}")
     recent = yield from parts.results(index.recent)
-    yield Contents(index.current, pages, recent, tuple(parts.complaints))
+    left = {name: page for name, page in index.pages.items() if name not in pages}
+    unread = Project(structs.replace(index, pages=left), contents) if left else None
+    yield Contents(index.current, pages, recent, tuple(parts.complaints), unread)
 
 
 def _all_in(some: tuple[Icon, ...], others: tuple[Icon, ...]) -> bool:

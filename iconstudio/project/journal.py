@@ -8,9 +8,9 @@ import os
 import secrets
 import shutil
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Generator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -99,6 +99,10 @@ class LeftBehind:
     when: float
     """Seconds since the epoch."""
     lock: "FileLock"
+    file: str = ""
+    """The path of the file that it is of; empty if it was never saved."""
+    current: str = ""
+    """The name of the workflow that was in sight."""
 
     def index(self) -> Index:
         """Return what it says, without its parts.
@@ -134,7 +138,7 @@ class LeftBehind:
         self.lock.release()
 
 
-def left_behind(folder: Path) -> Iterator[LeftBehind]:
+def left_behind(folder: Path) -> Generator[LeftBehind]:
     """Yield what windows that are no more have left in the folder of all journals, newest first."""
     found = []
     with suppress(OSError):
@@ -149,7 +153,11 @@ def left_behind(folder: Path) -> Iterator[LeftBehind]:
         except OSError:  # it lives
             continue
         if _changed(one / INDEX):
-            yield LeftBehind(one, when, lock)
+            left = LeftBehind(one, when, lock)
+            with suppress(IconstudioError):  # it is told when it is to be restored
+                index = left.index()
+                left = replace(left, file=index.file, current=index.current)
+            yield left
         else:  # what was cleared, or never written
             _remove(one, lock)
 

@@ -2,7 +2,7 @@
 
 import itertools
 import re
-from collections.abc import Generator, Mapping
+from collections.abc import Generator, Iterable, Mapping
 from dataclasses import asdict, replace
 from functools import lru_cache
 from pathlib import Path as FilePath
@@ -80,7 +80,9 @@ class ProjectSession(Protocol):
 class Parts:
     """Collects the parts of a project while its pages are written."""
 
-    def __init__(self) -> None:
+    def __init__(self, others: Iterable[str] = ()) -> None:
+        """``others`` are the references of icons on pages that are stored as they were."""
+        self._taken = {name for name in others if name.startswith(UNCOLLECTED)}
         self.contents: dict[str, bytes] = {}
         """By the names of the parts."""
         self.icons: dict[str, StoredIcon] = {}
@@ -92,6 +94,8 @@ class Parts:
         wanted = _reference(pictogram.id)
         names = itertools.chain([wanted], (f"{wanted}-{number}" for number in itertools.count(2)))
         for name in names:
+            if name in self._taken:
+                continue
             other = self._pictograms.setdefault(name, pictogram)
             if other is pictogram or _alike(other, pictogram):
                 break

@@ -41,9 +41,9 @@ class CriteriaPage(Page, Protocol):
 CriteriaDocument = Document[CriteriaPage]
 
 
-def set_keyword(document: CriteriaDocument, keyword: str) -> None:
-    """Name the object. Letters typed one after the other are undone together."""
-    document.change("name the object", document.page.with_criteria(keyword=keyword), "keyword")
+def set_keyword(document: CriteriaDocument, keyword: str, gesture: object = None) -> None:
+    """Name the object. Letters that are typed in one ``gesture`` are undone together."""
+    document.change("name the object", document.page.with_criteria(keyword=keyword), gesture)
 
 
 def toggle_icon(document: CriteriaDocument, icon: str) -> None:

@@ -206,3 +206,20 @@ def test_showing_what_is_not_there(tmp_path, capsys, name, words):
 def test_a_picture_that_cannot_be_written(tmp_path, capsys):
     assert run(["show", ICON, "--png", str(tmp_path / "no" / "x.png")], None) == 2
     assert "cannot be written" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("data", "said"),
+    [
+        ({"icons": [ICON, OTHER]}, "but mix work. Run it by: iconstudio hybrids {} --out FOLDER"),
+        ({"hello": 1}, "Name one before it: iconstudio COMMAND {} --out FOLDER"),
+        ("{", "is not valid JSON"),
+        (None, "There is no"),
+    ],
+)
+def test_a_file_in_place_of_a_command_is_told_which_one_runs_it(tmp_path, capsys, data, said):
+    file = tmp_path / "input.json"
+    if data is not None:
+        file.write_text(data if isinstance(data, str) else json.dumps(data), "utf-8")
+    assert run([str(file)], None) == 2
+    assert said.format(file) in capsys.readouterr().err

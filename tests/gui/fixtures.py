@@ -10,11 +10,12 @@ from PySide6.QtCore import QSettings, QtMsgType
 from PySide6.QtWidgets import QApplication
 
 from iconstudio.gui.app import application, leave_clipboard
-from iconstudio.gui.gallery import display, pictures
+from iconstudio.gui.gallery import display
+from iconstudio.gui.pictures import picture
+from iconstudio.gui.preferences import prefer
 from iconstudio.gui.project import questions
 from iconstudio.gui.project.questions import Answer
 from iconstudio.gui.window.main_window import MainWindow
-from iconstudio.gui.window.preferences import prefer
 from iconstudio.gui.workspaces.grid_runner import LIVE
 
 _HARMLESS = tuple(
@@ -90,7 +91,7 @@ def no_thread_is_left():
 @pytest.fixture
 def session(monkeypatch):
     # Small colour-coded pictures: quicker, and as good to look for colours.
-    monkeypatch.setattr(pictures, "COLOUR_CODE_SIZE", 128)
+    monkeypatch.setattr(picture, "COLOUR_CODE_SIZE", 128)
     return FakeSession()
 
 

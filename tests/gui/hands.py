@@ -4,8 +4,9 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt
-from PySide6.QtGui import QAction
+from PySide6.QtGui import QAction, QDragEnterEvent, QDropEvent
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
 
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.panels.chooser import IconChooser
@@ -77,6 +78,23 @@ def shown(window, qtbot):
     # At once: windows of earlier tests would slow down whatever concerns all widgets.
     window.deleteLater()
     QCoreApplication.sendPostedEvents(window, QEvent.Type.DeferredDelete)
+
+
+def drop(widget, data, action=Qt.DropAction.CopyAction):
+    """Drop something as the window system does: whoever accepts it around ``widget`` gets it."""
+    spot = widget.rect().center()
+    both = Qt.DropAction.CopyAction | Qt.DropAction.MoveAction
+    hand = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
+    enter = QDragEnterEvent(spot, both, data, *hand)
+    enter.setDropAction(action)
+    enter.ignore()
+    QApplication.sendEvent(widget, enter)
+    if not enter.isAccepted():
+        return None
+    event = QDropEvent(spot, both, data, *hand)
+    event.setDropAction(action)
+    QApplication.sendEvent(widget, event)
+    return event.dropAction()
 
 
 def search(chooser: IconChooser, keyword: str) -> None:

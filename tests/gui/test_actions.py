@@ -4,7 +4,7 @@ import pytest
 from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QWidget
 
-from iconstudio.gui.window.actions import Actions, Entry, tool
+from iconstudio.gui.workspaces.actions import Actions, Entry, tool
 
 
 class Place(QWidget):

@@ -9,7 +9,7 @@ from images import pixels
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDrag, QDragEnterEvent, QDropEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QFileDialog, QWidget
+from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
 from iconstudio.gui.exchange.dragging import unpacked
 from iconstudio.gui.jobs.worker import Worker
@@ -248,9 +248,9 @@ def drop(chooser, *urls):
     none = Qt.KeyboardModifier.NoModifier
     enter = QDragEnterEvent(place, copy, data, LEFT, none)
     enter.ignore()
-    chooser.dragEnterEvent(enter)
+    QApplication.sendEvent(chooser, enter)
     if enter.isAccepted():
-        chooser.dropEvent(QDropEvent(QPointF(place), copy, data, LEFT, none))
+        QApplication.sendEvent(chooser, QDropEvent(QPointF(place), copy, data, LEFT, none))
     return enter.isAccepted()
 
 

@@ -97,7 +97,7 @@ def test_only_moves_of_one_gesture_merge():
 def test_letters_typed_one_after_the_other_are_one_step():
     document = Document(SketchPage())
     for text in ("d", "do", "dog"):
-        criteria.set_keyword(document, text)
+        criteria.set_keyword(document, text, gesture=1)
     assert document.undo_stack.count() == 1
     document.undo_stack.undo()
     assert document.page.sketch.keyword == ""

@@ -128,7 +128,27 @@ def test_what_is_offered_is_kept_until_it_is_dismissed(started, qtbot):
     assert not window.recovery.isVisible()
     qtbot.waitUntil(lambda: not list(journals_folder().glob("*")))
     assert not window.project.modified
-    assert not found.left.folder.exists()
+    assert not found.folder.exists()
+
+
+def test_restoring_is_shown_while_it_lasts_and_can_be_called_off(started, qtbot, monkeypatch):
+    window = started()
+    trace(window.workspace)
+    journalled(qtbot, points=len(SQUARE))
+    crash(window)
+    window = started()
+    offered(window, qtbot)
+    click(window.workspace, SQUARE[0])  # so that it is asked whether this may go
+    bar = window.recovery
+    for answer in (Answer.CANCEL, Answer.DISCARD):
+        monkeypatch.setattr(questions, "ask_about_unsaved", lambda *_, answer=answer: answer)
+        bar.restore_button.click()
+        assert bar.bar.isVisible() and not bar.restore_button.isEnabled()
+        assert "Restoring" in bar.label.text()
+        qtbot.waitUntil(lambda: not bar.bar.isVisible())
+        assert bar.isVisible() is (answer is Answer.CANCEL)
+        assert bar.restore_button.isEnabled() or not bar.isVisible()
+    assert len(window.workspace.page.vertices) == len(SQUARE)
 
 
 def test_what_was_restored_is_of_the_same_file(started, qtbot, tmp_path, monkeypatch):

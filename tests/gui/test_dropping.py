@@ -8,15 +8,15 @@ from urllib.parse import quote
 import numpy as np
 import pytest
 from fake_session import drawing, exemplar, read_simply
-from hands import SQUARE, threads_alive
+from hands import SQUARE, drop, threads_alive
 from PySide6.QtCore import QByteArray, QMimeData, Qt, QUrl
-from PySide6.QtGui import QDragEnterEvent, QDropEvent, QImage
+from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from iconstudio.gui.exchange.dragging import packed
 from iconstudio.gui.exchange.mime import holds_words, items
-from iconstudio.gui.gallery.pictures import picture_of
+from iconstudio.gui.pictures.picture import picture_of
 from iconstudio.model import Composite, Placement, Polygon, Remix, Score, Sketch, Source
 from iconstudio.output.svg import svg_document
 from iconstudio.svg.decode import decode
@@ -79,22 +79,6 @@ def words(text):
     data = QMimeData()
     data.setText(text)
     return data
-
-
-def drop(widget, data, action=Qt.DropAction.CopyAction):
-    """Drop something as the window system does: whoever accepts it around ``widget`` gets it."""
-    spot = widget.rect().center()
-    both = Qt.DropAction.CopyAction | Qt.DropAction.MoveAction
-    enter = QDragEnterEvent(spot, both, data, LEFT, NONE)
-    enter.setDropAction(action)
-    enter.ignore()
-    QApplication.sendEvent(widget, enter)
-    if not enter.isAccepted():
-        return None
-    event = QDropEvent(spot, both, data, LEFT, NONE)
-    event.setDropAction(action)
-    QApplication.sendEvent(widget, event)
-    return event.dropAction()
 
 
 def paste(place, data):

@@ -7,10 +7,10 @@ import threading
 
 import pytest
 from fake_session import RECOMMENDED, exemplar
-from hands import at, click, drag, press, save_to, search, type_keyword, workspaces
+from hands import at, click, drag, drop, press, save_to, search, type_keyword, workspaces
 from images import pixels
-from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
-from PySide6.QtGui import QDropEvent, QImage
+from PySide6.QtCore import QMimeData, Qt, QUrl
+from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog
 
@@ -86,17 +86,6 @@ def finish(place, qtbot):
     qtbot.waitUntil(lambda: not place.runner.running, timeout=20000)
 
 
-def drop(place, data):
-    event = QDropEvent(
-        QPointF(60, 60),
-        Qt.DropAction.CopyAction,
-        data,
-        Qt.MouseButton.LeftButton,
-        Qt.KeyboardModifier.NoModifier,
-    )
-    place.view.dropEvent(event)
-
-
 # -- choosing an icon ------------------------------------------------------------------------
 
 
@@ -145,7 +134,7 @@ def test_the_choice_is_given_up_with_escape(editing):
 
 
 def test_an_icon_can_be_dropped_from_elsewhere_in_the_window(empty, qtbot):
-    drop(empty, packed(exemplar(3).pictogram))
+    drop(empty.view, packed(exemplar(3).pictogram))
     settle(empty, qtbot)
     assert empty.document.page.icon.id == "shapes:triangle-3"
 
@@ -155,7 +144,7 @@ def test_an_svg_of_ones_own_can_be_dropped_or_pasted(empty, qtbot, tmp_path):
     path.write_text(SVG)
     data = QMimeData()
     data.setUrls([QUrl.fromLocalFile(str(path))])
-    drop(empty, data)
+    drop(empty.view, data)
     settle(empty, qtbot)
     assert empty.document.page.icon.id.startswith("own:logo-")
     empty.actions_by_name["undo"].trigger()

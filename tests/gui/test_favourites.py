@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QApplication, QMenu
 
 from iconstudio.gui.exchange.dragging import unpacked
 from iconstudio.gui.gallery.favourites import FavouritesPanel
-from iconstudio.gui.gallery.pictures import Picture, pictured
+from iconstudio.gui.pictures.picture import Picture, pictured
 from iconstudio.model import Polygon, Sketch
 
 LEFT = Qt.MouseButton.LeftButton

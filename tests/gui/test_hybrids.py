@@ -6,20 +6,23 @@ from itertools import pairwise
 
 import pytest
 from fake_session import exemplar
-from hands import save_to, search, workspaces
+from hands import drop, save_to, search, workspaces
 from PySide6.QtCore import QEvent, QMimeData, QPoint, QPointF, Qt, QUrl
-from PySide6.QtGui import QContextMenuEvent, QDropEvent, QWheelEvent
+from PySide6.QtGui import QContextMenuEvent, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from iconstudio.algorithms.raster import solid
 from iconstudio.gui.exchange.dragging import packed
-from iconstudio.gui.gallery.pictures import Picture
+from iconstudio.gui.gallery.display import DisplaySwitch
 from iconstudio.gui.gallery.sheet_model import Rule
+from iconstudio.gui.pictures.picture import Display, Picture
 from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.gui.workspaces.hybrids.cards import on_shape
 from iconstudio.model import Axis, IconstudioError
 from iconstudio.session import Session
+from iconstudio.workflows.hybrids import page as edits
+from iconstudio.workflows.hybrids.hybrids import MOST
 from iconstudio.workflows.hybrids.spec import HYBRIDS
 
 LEFT = Qt.MouseButton.LeftButton
@@ -51,8 +54,8 @@ def mixed(chosen, qtbot):
 
 
 def pick(place, qtbot, count):
-    place.column.pick.count.setValue(count)
-    QTest.mouseClick(place.column.pick.button, LEFT)
+    place.column.count.setValue(count)
+    QTest.mouseClick(place.column.pick, LEFT)
     qtbot.waitUntil(lambda: not place.opener.runner.running, timeout=20000)
 
 
@@ -108,11 +111,6 @@ def scroll_down(place):
     QApplication.sendEvent(viewport, event)
 
 
-def drop(place, data):
-    event = QDropEvent(QPointF(9, 9), Qt.DropAction.CopyAction, data, LEFT, CTRL.NoModifier)
-    place.column.cards.dropEvent(event)
-
-
 def names(place):
     return [one.id for one in place.document.page.ingredients]
 
@@ -150,11 +148,11 @@ def test_icons_and_files_can_be_dropped_on_the_cards_and_pasted(place, qtbot, tm
     own, mix = tmp_path / "own.svg", tmp_path / "two.json"
     own.write_text(SVG)
     mix.write_text('{"icons": ["shapes:ring-4", "shapes:frame-5"]}')
-    drop(place, packed(exemplar(2).pictogram))
+    drop(place.column.cards.viewport(), packed(exemplar(2).pictogram))
     qtbot.waitUntil(lambda: names(place) == ["shapes:cross-2"])
     urls = QMimeData()
     urls.setUrls([QUrl.fromLocalFile(str(own))])
-    drop(place, urls)
+    drop(place.column.cards.viewport(), urls)
     qtbot.waitUntil(lambda: len(names(place)) == 2)
     urls.setUrls([QUrl.fromLocalFile(str(mix))])
     QApplication.clipboard().setMimeData(urls)
@@ -191,8 +189,38 @@ def test_picking_again_brings_the_next_group_and_undo_the_last(chosen, qtbot, se
     assert session.calls[-2][1:] == ("lamp", 3, None, 0), "another number begins anew"
 
 
+def test_icons_that_the_user_chose_or_pinned_stay_when_the_program_picks(chosen, qtbot):
+    sent = exemplar(50)
+    chosen.take(sent.pictogram)
+    qtbot.waitUntil(lambda: sent.id in names(chosen))
+    pinned = names(chosen)[0]
+    edits.set_pins(chosen.document, pinned, ((128.0, 128.0),))
+    pick(chosen, qtbot, 4)
+    assert names(chosen)[:2] == [pinned, sent.id] and len(names(chosen)) == 6
+    assert all(one.picked for one in chosen.page.ingredients[2:])
+
+
+def test_more_picks_than_there_is_room_for_are_told(place, qtbot):
+    for number in range(MOST - 2):
+        place.opener.take_exemplar(exemplar(20 + number))
+    search(place.column.chooser, "lamp")
+    pick(place, qtbot, 4)
+    assert len(names(place)) == MOST
+    assert f"at most {MOST} icons can be mixed" in place.window().pane.notice.label.text()
+
+
+def test_the_sheet_has_the_switch_of_how_results_are_shown(mixed, qtbot):
+    (switch,) = mixed.panel.findChildren(DisplaySwitch)
+    assert switch.isVisible()
+    seen = set()
+    for display in Display:
+        QTest.mouseClick(switch.segments[display], LEFT)
+        seen.add(bytes(mixed.sheet.viewport().grab().toImage().constBits()))
+    assert len(seen) == 3
+
+
 def test_picking_needs_a_word(place):
-    QTest.mouseClick(place.column.pick.button, LEFT)
+    QTest.mouseClick(place.column.pick, LEFT)
     assert "Type what the icons should show" in place.window().pane.notice.label.text()
 
 

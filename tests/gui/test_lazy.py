@@ -2,11 +2,13 @@
 
 import subprocess
 import sys
+from types import SimpleNamespace
 
 from hands import go_to
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QApplication, QWidget
 
+from iconstudio.gui.window import main_window
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.workflows.registry import workflows
 
@@ -47,6 +49,18 @@ def test_what_fills_an_outline_is_loaded_while_the_window_idles(tmp_path):
     command = [sys.executable, str(script)]
     loaded = subprocess.run(command, check=True, capture_output=True, text=True).stdout
     assert len(loaded.split()) < 5  # of hundreds
+
+
+def test_what_makes_workspaces_is_loaded_while_the_window_idles(window, qtbot, monkeypatch):
+    loaded, ready = [], []
+
+    def load(name):
+        loaded.append(name)
+        return SimpleNamespace(get_ready=lambda: ready.append(name))
+
+    monkeypatch.setattr(main_window, "load_object", load)
+    qtbot.waitUntil(lambda: loaded == ready == [one.workspace for one in workflows()])
+    assert len(window.findChildren(Workspace)) == 1
 
 
 def test_a_workspace_is_made_when_it_is_first_used(window):

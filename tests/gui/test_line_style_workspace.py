@@ -320,7 +320,7 @@ def test_the_work_is_saved_and_opened(restyled, qtbot, monkeypatch, tmp_path):
     qtbot.waitUntil(path.exists)
     assert json.loads(path.read_text())["style"] == "Ink"
     work = restyled.page.work
-    restyled.new()
+    restyled.actions_by_name["new"].trigger()
     assert restyled.page.empty
     restyled.opener.open_work(str(path))
     qtbot.waitUntil(lambda: restyled.page.work == work)

@@ -11,8 +11,8 @@ from PySide6.QtCore import QSettings, Qt
 from PySide6.QtTest import QTest
 
 from iconstudio.gui.gallery.cell import CellState
+from iconstudio.gui.preferences import preferred
 from iconstudio.gui.window.main_window import MainWindow
-from iconstudio.gui.window.preferences import preferred
 from iconstudio.model import CANVAS, Axis, Polygon, Sketch
 from iconstudio.output.colours import SIGNIFICANT
 from iconstudio.workflows.events import Progress, Recommended, StyleSkipped
@@ -655,7 +655,7 @@ def test_the_pick_stays_while_a_run_goes_on_and_is_the_best_in_the_end(drawn, qt
     """Rows come one after another, each with a better star; the pick moves once, at the end."""
     from iconstudio.gui.gallery.browser import ResultsBrowser
 
-    board, results = ResultsBrowser(), drawn.browser.results.pictures
+    board, results = ResultsBrowser("Welcome", "Closer"), drawn.browser.results.pictures
     qtbot.addWidget(board)
     settings = GridSettings()
     scored = [

@@ -13,11 +13,11 @@ from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
 
-from iconstudio.gui.canvas.mipmap import Mipmap
 from iconstudio.gui.gallery.cell import CellState
 from iconstudio.gui.gallery.detail import SourceRow
-from iconstudio.gui.gallery.pictures import Display, SourcePicture
-from iconstudio.gui.panels.elided import ElidedLabel
+from iconstudio.gui.pictures.mipmap import Mipmap
+from iconstudio.gui.pictures.picture import Display, SourcePicture
+from iconstudio.gui.theme.elided import ElidedLabel
 from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.model import Credit, Pictogram, Placement, Source
 from iconstudio.workflows.grid import GridSettings

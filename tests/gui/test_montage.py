@@ -8,10 +8,9 @@ from itertools import pairwise
 
 import pytest
 from fake_session import exemplar
-from hands import at, drag, press, save_to, search, threads_alive, workspaces
+from hands import at, drag, drop, press, save_to, search, threads_alive, workspaces
 from PySide6.QtCore import QEvent, QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import (
-    QDropEvent,
     QImage,
     QInputDevice,
     QPainter,
@@ -23,8 +22,7 @@ from PySide6.QtWidgets import QApplication, QFileDialog
 
 from iconstudio.algorithms.iconification.guidance import scribble
 from iconstudio.gui.exchange.dragging import packed
-from iconstudio.gui.exchange.mime import holds_something
-from iconstudio.gui.gallery.pictures import Display
+from iconstudio.gui.pictures.picture import Display
 from iconstudio.gui.theme import theme
 from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.gui.workspaces.montage import pictures as montage_pictures
@@ -139,11 +137,7 @@ def test_icons_and_files_can_be_dropped_on_the_canvas(place, qtbot, tmp_path):
     urls = QMimeData()
     urls.setUrls([QUrl.fromLocalFile(str(file))])
     for count, data in enumerate((packed(CROSS), urls), start=1):
-        event = QDropEvent(
-            QPointF(9, 9), Qt.DropAction.CopyAction, data, LEFT, Qt.KeyboardModifier.NoModifier
-        )
-        assert holds_something(data)
-        place.view.dropEvent(event)
+        drop(place.view, data)
         qtbot.waitUntil(lambda count=count: len(place.document.page.layers) == count)
     assert [one.icon.pictogram.id[:6] for one in place.document.page.layers] == ["shapes", "own:mi"]
 

@@ -4,14 +4,14 @@ import json
 
 import numpy as np
 import pytest
-from hands import SQUARE, click, trace, type_keyword
+from hands import SQUARE, click, drop, trace, type_keyword
 from images import assert_alike
-from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
-from PySide6.QtGui import QDropEvent, QImage
+from PySide6.QtCore import QMimeData, Qt, QUrl
+from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication, QFileDialog
 
-from iconstudio.gui.canvas.mipmap import Mipmap
-from iconstudio.gui.canvas.photo import image_of, mipmap_of, qt_image
+from iconstudio.gui.pictures.mipmap import Mipmap
+from iconstudio.gui.pictures.photo import image_of, mipmap_of, qt_image
 from iconstudio.images.photo import photo_of
 from iconstudio.images.reading import Image
 from iconstudio.inputs.examples import examples
@@ -52,14 +52,7 @@ def test_a_photo_is_opened_from_the_menu(sketching, qtbot, photo_file, monkeypat
 def test_a_dropped_photo_is_opened(sketching, qtbot, photo_file):
     data = QMimeData()
     data.setUrls([QUrl.fromLocalFile(str(photo_file))])
-    drop = QDropEvent(
-        QPointF(50, 50),
-        Qt.DropAction.CopyAction,
-        data,
-        Qt.MouseButton.LeftButton,
-        Qt.KeyboardModifier.NoModifier,
-    )
-    sketching.view.dropEvent(drop)
+    drop(sketching.view, data)
     qtbot.waitUntil(has_photo(sketching))
 
 

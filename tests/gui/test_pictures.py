@@ -8,10 +8,10 @@ from images import assert_alike, blank, difference, pixels
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QIcon, QPainter
 
-from iconstudio.gui.canvas.mipmap import Mipmap
 from iconstudio.gui.canvas.tools.polygon import PolygonTool
-from iconstudio.gui.canvas.vector import painter_path
-from iconstudio.gui.gallery.pictures import Display, Picture, pictured, placed, stencil
+from iconstudio.gui.pictures.mipmap import Mipmap
+from iconstudio.gui.pictures.picture import Display, Picture, pictured, placed, stencil
+from iconstudio.gui.pictures.vector import painter_path
 from iconstudio.gui.theme import icons, theme
 from iconstudio.model import CANVAS, Contour, Icon, Path, Placement, Polygon, Sketch
 from iconstudio.workflows.grid import GridSettings

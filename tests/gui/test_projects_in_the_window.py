@@ -21,8 +21,8 @@ from PySide6.QtCore import QMimeData, QUrl
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QMessageBox
 
-from iconstudio.gui.canvas.photo import mipmap_of
 from iconstudio.gui.exchange.saving import suffixed
+from iconstudio.gui.pictures.photo import mipmap_of
 from iconstudio.gui.project import questions, recents
 from iconstudio.gui.project.questions import Answer
 from iconstudio.gui.window.main_window import MainWindow
@@ -90,7 +90,8 @@ def fill(window, qtbot, photo=None):
     page = page.placed(0, Placement(1.25, True, 300, -7)).drawn(0, [Stroke(3.0, ((1.0, 2.0),))])
     window.workspace_of("Montage").document.change("montage", page.hidden(1, True))
     ask = PickRequest("lamp", 4, Axis.VERTICAL, 3)
-    mix = HybridsPage((Ingredient(icon(3), ((4.0, 5.0),)), Ingredient(icon(1, OWN))), ask, 5, 6)
+    pinned, picked = Ingredient(icon(3), ((4.0, 5.0),)), Ingredient(icon(1, OWN), picked=True)
+    mix = HybridsPage((pinned, picked), ask, 5, 6)
     window.workspace_of("Hybrids").document.change("mix", mix)
     mirrored = WorkPage(Mirroring((icon(5).pictogram, OWN)))
     window.workspace_of("Mirror").document.change("mirror", mirrored)
@@ -104,7 +105,7 @@ def plain(page):
         case MontagePage():
             return page.chosen, [replace(one, icon=one.icon.pictogram) for one in page.layers]
         case HybridsPage():
-            icons = [(one.exemplar.pictogram, one.pins) for one in page.ingredients]
+            icons = [(one.exemplar.pictogram, one.pins, one.picked) for one in page.ingredients]
             return icons, replace(page, ingredients=(), favourites=())
     return replace(page, photo=None) if hasattr(page, "photo") else page
 
@@ -323,7 +324,9 @@ def test_a_page_that_cannot_be_read_is_told_and_the_file_is_safe(
         parts = {name: archive.read(name) for name in archive.namelist()}
     index = json.loads(parts["project.json"])
     index["pages"]["montage"]["layers"][0]["icon"] = "/etc/passwd"
-    index["pages"]["unheard-of"] = {}
+    index["pages"]["unheard-of"] = {"icon": "own:unheard"}
+    index["icons"]["own:unheard"] = {"part": "icons/unheard-of.svg"}
+    parts["icons/unheard-of.svg"] = b"<svg/>"
     parts["project.json"] = json.dumps(index).encode()
     with zipfile.ZipFile(path, "w") as archive:
         for name, data in parts.items():
@@ -337,6 +340,16 @@ def test_a_page_that_cannot_be_read_is_told_and_the_file_is_safe(
     assert pages(other)["edit"] == pages(window)["edit"]
     assert other.project.path is None
     assert other.project.modified
+    again = tmp_path / "again.iconstudio"
+    other.workspace_of("Hybrids").take(OWN)
+    qtbot.waitUntil(lambda: OWN.id in other.workspace_of("Hybrids").page.ids)
+    save(other, qtbot, again, monkeypatch)
+    with zipfile.ZipFile(again) as archive:
+        stored = json.loads(archive.read("project.json"))
+        assert archive.read("icons/unheard-of.svg") == b"<svg/>"
+    assert stored["pages"]["unheard-of"] == index["pages"]["unheard-of"]
+    assert stored["pages"]["montage"] == index["pages"]["montage"]
+    assert stored["icons"] | index["icons"] == stored["icons"]
 
 
 def test_what_cannot_be_saved_is_told_and_stays(window, qtbot, tmp_path, monkeypatch):

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QApplication
 
 from iconstudio.gui.exchange import saving
 from iconstudio.gui.gallery.display import setting
-from iconstudio.gui.gallery.pictures import Display
+from iconstudio.gui.pictures.picture import Display
 from iconstudio.model import IconstudioError
 from iconstudio.output.png import coverage
 from iconstudio.output.svg import svg_document
@@ -206,3 +206,15 @@ def test_nothing_can_be_saved_before_there_is_something(sketching):
     assert not any(sketching.actions_by_name[name].isEnabled() for name in names)
     trace(sketching)
     assert sketching.actions_by_name["save"].isEnabled()
+
+
+def test_a_new_try_takes_the_place_of_what_failed_before(done, tmp_path, monkeypatch, qtbot):
+    notice = done.window().pane.notice
+    for name in ("one", "two"):
+        save_to(done, monkeypatch, tmp_path / name / "dog.svg")
+        done.actions_by_name["svg"].trigger()
+        qtbot.waitUntil(lambda name=name: f"{name}/dog.svg" in notice.label.text())
+    assert "one/dog.svg" not in notice.label.text()
+    save_to(done, monkeypatch, tmp_path / "dog.svg")
+    done.actions_by_name["svg"].trigger()
+    qtbot.waitUntil(lambda: not notice.isVisible())

@@ -9,7 +9,7 @@ from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QFileDialog
 
-from iconstudio.gui.panels.scanning import DARKEST, ScanDialog, ScanView
+from iconstudio.gui.exchange.scanning import DARKEST, ScanDialog, ScanView
 from iconstudio.images.scans import Tracing
 from iconstudio.model import IconstudioError
 from tests.shapes import outline

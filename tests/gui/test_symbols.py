@@ -5,9 +5,9 @@ from PySide6.QtCore import QMimeData, Qt, QUrl
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
+from iconstudio.gui.exchange.symbols import SymbolDialog
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.panels.chooser import IconChooser
-from iconstudio.gui.panels.symbols import SymbolDialog
 
 EDIT, HYBRIDS, MONTAGE = 1, 2, 3
 SHEET = (

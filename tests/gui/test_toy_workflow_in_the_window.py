@@ -8,9 +8,16 @@ from fake_session import FakeSession, exemplar
 from hands import go_to, shown, trace, type_keyword
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QFileDialog, QPushButton
 
+from iconstudio.gui.pictures.picture import Display, picture_of
 from iconstudio.gui.window.main_window import MainWindow
+from iconstudio.model import Icon, Polygon, Sketch
+from iconstudio.workflows.events import Result
+from iconstudio.workflows.grid import GridSettings
+from iconstudio.workflows.modelling.spec import MODELLING
 from iconstudio.workflows.registry import registered, workflows
+from tests.shapes import outline
 from tests.toy import MIRROR
 
 
@@ -137,11 +144,17 @@ def test_remarks_on_its_icons_are_told(mirror, window, qtbot):
     qtbot.waitUntil(lambda: len(titles(mirror)) == 1)
 
 
-def test_one_that_takes_no_icons_says_so(qtbot):
+def test_one_that_takes_no_icons_offers_to_open_a_file(qtbot, monkeypatch):
     bare = replace(MIRROR, name="bare", title="Bare", invitation="", with_icons=None)
     with registered(bare), shown(MainWindow(FakeSession()), qtbot) as window:
         place = go_to(window, "Bare")
         assert place.work_icons is None
+        (button,) = (one for one in place.findChildren(QPushButton) if "Open" in one.text())
+        assert button.isVisible()
+        asked = []
+        monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *a: (asked.append(a) or "", ""))
+        QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+        assert len(asked) == 1
         told = []
         place.failed.connect(told.append)
         place.take(exemplar(1).pictogram)
@@ -170,3 +183,31 @@ def test_what_has_no_sources_has_no_colour_code_to_save(mirror, window, qtbot):
     items = {action.text(): action.isEnabled() for action in window.recent.menu.actions()}
     assert items["Save PNG…"] and not items["Save colour code as PNG…"]
     window.recent.menu.close()
+
+
+def test_the_colour_code_is_offered_where_results_have_one(mirror, window, qtbot):
+    mirror.work_icons.chooser.chosen.emit(exemplar(1))
+    qtbot.waitUntil(lambda: len(titles(mirror)) == 1)
+    assert not mirror.switch.isVisible()
+    sketch = Sketch(Polygon(((0, 0), (9, 0), (9, 9))), "dog")
+    events = FakeSession().run(MODELLING, sketch, GridSettings())
+    remix = next(one for one in events if isinstance(one, Result))
+    mirror._show(picture_of(remix.icon))
+    assert mirror.switch.isVisible()
+    seen = set()
+    for display in Display:
+        QTest.mouseClick(mirror.switch.segments[display], Qt.MouseButton.LeftButton)
+        seen.add(bytes(mirror.results.viewport().grab().toImage().constBits()))
+    assert len(seen) == 3
+
+
+def test_what_is_cut_off_at_the_edge_of_the_canvas_is_told(mirror, window, qtbot):
+    inside, outside = outline([(9, 9), (90, 9), (9, 90)]), outline([(9, 9), (300, 9), (9, 90)])
+    for path, told in ((inside, False), (outside, True)):
+        mirror.send_picture(picture_of(Icon(path, "wide", (exemplar(1).pictogram,))), "Montage")
+        qtbot.waitUntil(lambda: len(window.workspace.page.layers) == 1)
+        assert window.pane.notice.isVisible() is told
+        window.workspace.document.undo_stack.undo()
+        go_to(window, "Mirror")
+    go_to(window, "Montage").document.undo_stack.redo()
+    assert "reached out of its canvas" in window.pane.notice.label.text()

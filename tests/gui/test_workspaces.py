@@ -14,8 +14,8 @@ from PySide6.QtWidgets import QApplication, QPushButton, QToolButton
 from iconstudio.gui.document.document import Document
 from iconstudio.gui.exchange.dragging import unpacked
 from iconstudio.gui.gallery import recent
-from iconstudio.gui.window.actions import Entry
 from iconstudio.gui.window.main_window import MainWindow
+from iconstudio.gui.workspaces.actions import Entry
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.sketching.workspace import SketchWorkspace
 from iconstudio.workflows.criteria import set_keyword

@@ -5,8 +5,8 @@ from collections.abc import Generator
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QPainterPath
 
-from iconstudio.gui.canvas.vector import painter_path
 from iconstudio.gui.jobs.worker import Worker
+from iconstudio.gui.pictures.vector import painter_path
 from iconstudio.model import Exemplar, IconstudioError
 from iconstudio.session import Session
 
@@ -29,14 +29,11 @@ class IconOutlines(QObject):
         self._paths: dict[str, QPainterPath | None] = {}
 
     def outline(self, icon: Exemplar) -> QPainterPath | None:
-        """Return the outline of an icon; None as long as it is not traced."""
-        return self._paths.get(icon.pictogram.svg)
-
-    def request(self, icon: Exemplar) -> None:
-        """Have an icon traced."""
+        """Return the outline of an icon; None as long as it is not traced, which begins now."""
         if icon.pictogram.svg not in self._paths:
             self._paths[icon.pictogram.svg] = None
             self._worker.submit(lambda: self._trace(icon)).event.connect(self._keep)
+        return self._paths[icon.pictogram.svg]
 
     def _trace(self, icon: Exemplar) -> Generator[tuple[str, QPainterPath]]:
         try:

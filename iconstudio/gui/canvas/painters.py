@@ -10,7 +10,7 @@ from PySide6.QtGui import QColor, QFont, QPainter, QPainterPath, QPen, QPolygonF
 
 from iconstudio.algorithms.geometry import simplified_line
 from iconstudio.gui.canvas.camera import Camera
-from iconstudio.gui.canvas.photo import mipmap_of
+from iconstudio.gui.pictures.photo import mipmap_of
 from iconstudio.gui.theme.theme import UNIT, Theme, strong
 from iconstudio.model import CANVAS, MARGIN, Axis, Photo, Point
 

@@ -2,8 +2,6 @@
 
 from PySide6.QtCore import QEvent, QRectF, Qt, Signal
 from PySide6.QtGui import (
-    QDragEnterEvent,
-    QDropEvent,
     QFocusEvent,
     QKeyEvent,
     QMouseEvent,
@@ -19,8 +17,7 @@ from iconstudio.gui.canvas.navigation import CameraView
 from iconstudio.gui.canvas.scene import Scene
 from iconstudio.gui.canvas.tools.base import Pointer, Tool
 from iconstudio.gui.canvas.tools.pan import PanTool
-from iconstudio.gui.exchange.dragging import take_copy
-from iconstudio.gui.exchange.mime import holds_something
+from iconstudio.gui.exchange.dropping import DropTarget
 from iconstudio.gui.theme import theme
 from iconstudio.gui.theme.theme import UNIT
 
@@ -43,13 +40,14 @@ class CanvasView(CameraView):
         self.setAccessibleDescription(description)
         self.scene = scene
         self._tool = tool
-        self._pan = PanTool(self.pan)
+        self.pan_tool = PanTool(self.pan)
+        """The tool that moves the page."""
         self._panning = False
         self._backdrop_pixmap = QPixmap()
         self._backdrop_seen: object = None
         self.setMouseTracking(True)
         self.setTabletTracking(True)
-        self.setAcceptDrops(True)
+        DropTarget(self, self.dropped.emit)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMinimumSize(40 * UNIT, 30 * UNIT)
         self.setAccessibleName("Canvas")
@@ -66,18 +64,13 @@ class CanvasView(CameraView):
     @property
     def tool(self) -> Tool:
         """The tool in use."""
-        return self._pan if self._panning else self._tool
+        return self.pan_tool if self._panning else self._tool
 
     def set_tool(self, tool: Tool) -> None:
         """Use another tool."""
         self._tool.leave()
         self._tool = tool
         self.refresh()
-
-    @property
-    def pan_tool(self) -> PanTool:
-        """The tool that moves the page."""
-        return self._pan
 
     def refresh(self) -> None:
         """Draw again what the scene and the tool show now."""
@@ -147,7 +140,7 @@ class CanvasView(CameraView):
     def keyReleaseEvent(self, event: QKeyEvent) -> None:
         """Stop panning when the space bar goes up."""
         if event.key() == Qt.Key.Key_Space and not event.isAutoRepeat():
-            self._pan.cancel()
+            self.pan_tool.cancel()
             self._panning = False
             self.refresh()
         else:
@@ -155,19 +148,9 @@ class CanvasView(CameraView):
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
         """Stop panning: the space bar may go up elsewhere."""
-        self._pan.cancel()
+        self.pan_tool.cancel()
         self._panning = False
         super().focusOutEvent(event)
-
-    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        """Let anything be dropped; what cannot be used is told."""
-        if holds_something(event.mimeData()):
-            take_copy(event)
-
-    def dropEvent(self, event: QDropEvent) -> None:
-        """Pass on what was dropped."""
-        take_copy(event)
-        self.dropped.emit(event.mimeData())
 
     # -- helpers -------------------------------------------------------------------------------
 

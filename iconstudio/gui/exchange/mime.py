@@ -1,15 +1,13 @@
 """What is dropped or pasted, read from its MIME data, in whichever form it comes."""
 
 import html
-import os
-import re
 
 from PySide6.QtCore import QMimeData, QUrl
 from PySide6.QtGui import QGuiApplication, QImage, QPixmap
 
 from iconstudio.gui.exchange.dragging import unpacked
 from iconstudio.images.pillow import is_image
-from iconstudio.inputs.items import Drawing, Elsewhere, File, Image, Item, Reference
+from iconstudio.inputs.items import Drawing, Elsewhere, File, Image, Item, Reference, named_in
 from iconstudio.svg.pasted import data_images, drawings_in, is_part
 
 SVG = "image/svg+xml"
@@ -17,11 +15,6 @@ _SVG_TYPES = (SVG, "image/x-inkscape-svg", "application/svg+xml")
 _PIXELS = tuple(f"image/{one}" for one in ("png", "tiff", "webp", "bmp", "avif", "heic", "jpeg"))
 """Of several forms of an image, the ones to take first: those that lose nothing."""
 _READING = ("xcb", "wayland")
-_PATH = re.compile(r"[/~]|[A-Za-z]:[\\/]|\\\\")
-_WEB = re.compile(r"[A-Za-z][A-Za-z0-9+.-]*://")
-_REFERENCE = re.compile(r"[a-z][a-z0-9-]*:[a-z0-9][a-z0-9-]*")
-_MOST_LINES = 200
-"""A longer text is no list of files."""
 
 
 def holds_something(data: QMimeData) -> bool:
@@ -35,7 +28,7 @@ def holds_words(data: QMimeData) -> bool:
     text = data.text()
     if data.hasUrls() or not text.strip() or any(map(data.hasFormat, _SVG_TYPES)):
         return False
-    return not drawings_in(text) and all(isinstance(one, Reference) for one in _named(text))
+    return not drawings_in(text) and all(isinstance(one, Reference) for one in named_in(text))
 
 
 def items(data: QMimeData, images_first: bool = False) -> tuple[Item, ...]:
@@ -53,7 +46,7 @@ def items(data: QMimeData, images_first: bool = False) -> tuple[Item, ...]:
     for way in reversed(ways) if images_first else ways:
         if found := way(data):
             return found
-    return listed or _named(data.text())
+    return listed or named_in(data.text())
 
 
 def _drawings(data: QMimeData) -> tuple[Item, ...]:
@@ -101,20 +94,3 @@ def _in_addresses(text: str, markup: str = "") -> tuple[Item, ...]:
         for kind, data in found
         if kind == SVG or is_image(data)
     )
-
-
-def _named(text: str) -> tuple[Item, ...]:
-    """Return what the lines of a text name; nothing if one of them names nothing."""
-    lines = [line.strip().strip("\"'") for line in text.splitlines() if line.strip()]
-    found = [_in_line(line) for line in lines[: _MOST_LINES + 1]]
-    return () if None in found or len(found) > _MOST_LINES else tuple(dict.fromkeys(found))
-
-
-def _in_line(line: str) -> Item | None:
-    if (url := QUrl(line)).isLocalFile():
-        return File(url.toLocalFile())
-    if _WEB.match(line):
-        return Elsewhere(line)
-    if _PATH.match(line):
-        return File(os.path.expanduser(line))
-    return Reference(line) if _REFERENCE.fullmatch(line) else None

@@ -11,10 +11,10 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 from iconstudio.gui.document.document import Document
 from iconstudio.gui.exchange import mime
 from iconstudio.gui.exchange.patience import Patience
+from iconstudio.gui.exchange.scanning import ImageInput, ScanDialog, may_be_scan, pictogram_of
+from iconstudio.gui.exchange.symbols import SymbolDialog
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Job, Worker
-from iconstudio.gui.panels.scanning import ImageInput, ScanDialog, may_be_scan, pictogram_of
-from iconstudio.gui.panels.symbols import SymbolDialog
 from iconstudio.inputs.items import Drawing, Elsewhere, File, Image, Item, Reference
 from iconstudio.inputs.together import ReadTogether, Sprite, quoted_list, read_together, was
 from iconstudio.model import IconstudioError, Pictogram
@@ -281,10 +281,6 @@ class Opener(QObject):
             self._patience.end()
 
 
-def _is_project(path: str) -> bool:
-    return path.lower().endswith(SUFFIX)
-
-
 def _is_work(item: Item) -> bool:
     """Whether something is a file of the program's own."""
     return isinstance(item, File) and item.path.lower().endswith((".json", SUFFIX))
@@ -292,7 +288,7 @@ def _is_work(item: Item) -> bool:
 
 def _way(opener: Opener, path: str) -> Callable[[str], object]:
     """Return how a file of the program's own is opened: a project is none of the page's."""
-    return opener.project.emit if _is_project(path) else opener.open_work
+    return opener.project.emit if path.lower().endswith(SUFFIX) else opener.open_work
 
 
 class IconOpener(Opener):

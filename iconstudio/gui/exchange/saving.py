@@ -9,8 +9,9 @@ from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QMimeData, QObject, S
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
-from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.jobs.worker import Worker
+from iconstudio.gui.pictures.picture import Picture
+from iconstudio.inputs.together import counted
 from iconstudio.model import IconstudioError
 
 PNG_SIZE = 1024
@@ -28,7 +29,7 @@ class Saver(QObject):
     failed(str)
         Something could not be written; a sentence for the user.
     saved(str)
-        What has been saved, for the status line.
+        What has been saved, for the status line; nothing when saving begins.
     """
 
     failed = Signal(str)
@@ -76,9 +77,8 @@ class Saver(QObject):
         folder = self.ask_folder()
         if folder is None:
             return
-        job = self._worker.submit(lambda: _writing_all(folder, tuple(pictures)))
-        job.event.connect(self._tell)
-        job.failed.connect(self.failed)
+        self.saved.emit("")
+        self._start(lambda: _writing_all(folder, tuple(pictures)))
 
     def ask_folder(self) -> Path | None:
         """Ask for a folder to save into; None if the user thinks better of it."""
@@ -94,20 +94,21 @@ class Saver(QObject):
         path = self.ask_path(what, _file_name(name), kind)
         if path is None:
             return
+        self.saved.emit("")
         try:
             path = suffixed(path, f".{kind}")
         except IconstudioError as error:
             self.failed.emit(str(error))
             return
-        job = self._worker.submit(lambda: _writing(path, write))
-        job.event.connect(self._tell)
-        job.failed.connect(self.failed)
+        self._start(lambda: _writing(path, write))
 
     def _save_icon(self, picture: Picture, kind: str, content: Callable[[], bytes]) -> None:
         self._save("icon", _named(picture), kind, lambda path: _write(path, content()))
 
-    def _tell(self, what: str) -> None:
-        self.saved.emit(f"Saved {what}.")
+    def _start(self, make: Callable[[], Generator[str]]) -> None:
+        job = self._worker.submit(make)
+        job.event.connect(lambda what: self.saved.emit(f"Saved {what}."))
+        job.failed.connect(self.failed)
 
 
 def ask_path(window: QWidget, title: str, kinds: str, suffix: str, name: str) -> Path | None:
@@ -151,12 +152,9 @@ def _writing_all(folder: Path, pictures: Sequence[Picture]) -> Generator[str]:
         try:
             _write(_free(folder, _file_name(_named(picture))), _svg(picture))
         except IconstudioError as error:
-            raise IconstudioError(f"{_icons(done)} of {len(pictures)} saved. {error}") from None
-    yield f"{_icons(len(pictures))} in “{folder}”"
-
-
-def _icons(count: int) -> str:
-    return "1 icon" if count == 1 else f"{count} icons"
+            saved = f"{counted(done, 'icon')} of {len(pictures)} saved."
+            raise IconstudioError(f"{saved} {error}") from None
+    yield f"{counted(len(pictures), 'icon')} in “{folder}”"
 
 
 def _free(folder: Path, name: str) -> Path:

@@ -22,13 +22,12 @@ _HEAD = 13 * UNIT
 
 
 class Scale(QWidget):
-    """The axis above the columns: “closer to the sketch” on one side, “smoother” on the other."""
+    """The axis above the columns: “smoother” on the right, and on the left ``nearer``."""
 
-    def __init__(self) -> None:
+    def __init__(self, nearer: str) -> None:
         super().__init__()
         self._lambdas: Sequence[float] = ()
-        self.nearer = "Closer to the sketch"
-        """What the columns on the left are."""
+        self._nearer = nearer
         self.setFixedHeight(4 * UNIT + 4)
         self.setToolTip("λ: how much smooth seams weigh against the sketch (λ_S in the paper)")
         self.setAccessibleName("Columns: from closer to the sketch to smoother")
@@ -46,7 +45,7 @@ class Scale(QWidget):
             font = painter.font()
             font.setPixelSize(12)
             painter.setFont(font)
-            left, right = self.nearer, "Smoother"
+            left, right = self._nearer, "Smoother"
             metrics = painter.fontMetrics()
             line = QRectF(2, 0, self.width() - 4, 18)
             painter.setPen(scheme.color("text"))

@@ -4,8 +4,8 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QSplitter
 
 from iconstudio.gui.gallery.detail import DetailPanel
-from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.gallery.results import ResultsPanel
+from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.workflows.events import Event, Recommended, StyleMatched, StyleSkipped
 from iconstudio.workflows.grid import GridSettings
@@ -28,9 +28,10 @@ class ResultsBrowser(QSplitter):
     kept = Signal(object)
     counted = Signal(int)
 
-    def __init__(self) -> None:
+    def __init__(self, welcome: str, nearer: str) -> None:
+        """For the words, see ``ResultsPanel``."""
         super().__init__(Qt.Orientation.Vertical)
-        self.results = ResultsPanel()
+        self.results = ResultsPanel(welcome, nearer)
         self.detail = DetailPanel()
         self._settled = False
         self._owed = False  # the finished result of a preview that the user picked
@@ -81,8 +82,9 @@ class ResultsBrowser(QSplitter):
         """Nothing more is to come; ``keep`` the best result in sight."""
         self.results.end()
         best = self._best
-        first = whole and not self._settled
-        if best is not None and (first or self._pick_is_hidden()):
+        focus, first = self.results.focus, whole and not self._settled
+        hidden = focus is not None and self.results.skipped(focus[0])
+        if best is not None and (first or hidden):
             self._pick(best)
         self._settled = self._settled or (whole and best is not None)
         if keep and self.results.finished:
@@ -108,10 +110,6 @@ class ResultsBrowser(QSplitter):
     def _pick(self, picture: Picture) -> None:
         composite = picture.icon.composite
         self.results.pick(composite.style, composite.lambda_s)
-
-    def _pick_is_hidden(self) -> bool:
-        focus = self.results.focus
-        return focus is not None and self.results.skipped(focus[0])
 
     def _choose(self, picture: Picture) -> None:
         self._settled = True

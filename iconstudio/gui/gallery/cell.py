@@ -8,7 +8,7 @@ from PySide6.QtGui import QPainter, QPainterPath, QPaintEvent, QPen
 from PySide6.QtWidgets import QAbstractButton, QSizePolicy
 
 from iconstudio.gui.gallery.display import setting
-from iconstudio.gui.gallery.pictures import Picture
+from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.theme import theme
 from iconstudio.gui.theme.painting import RADIUS, fill_rounded, paint_frame, smooth_painter
 

@@ -17,13 +17,14 @@ from PySide6.QtWidgets import (
 )
 
 from iconstudio.gui.gallery.display import DisplaySwitch, setting
-from iconstudio.gui.gallery.pictures import Picture, SourcePicture, source_pictures
 from iconstudio.gui.gallery.sending import Destination, offer
-from iconstudio.gui.panels.elided import ElidedLabel
+from iconstudio.gui.pictures.picture import Picture, SourcePicture, source_pictures
 from iconstudio.gui.theme import theme
+from iconstudio.gui.theme.elided import ElidedLabel
 from iconstudio.gui.theme.layout import column, label, push_button, row, scrolled
 from iconstudio.gui.theme.painting import fill_rounded, smooth_painter
 from iconstudio.gui.theme.theme import UNIT
+from iconstudio.inputs.together import counted
 from iconstudio.model import Credit, Icon, Remix
 
 INVITATION = "Pick a result to see it large, with the icons that its parts come from."
@@ -97,9 +98,9 @@ class SourceRow(QWidget):
         share.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         share.setToolTip("Part of the icon's ink that comes from this source")
         who = (
-            f"made of {_counted(len(icon.made_of), 'icon')}" if icon.made_of else icon.credit.author
+            f"made of {counted(len(icon.made_of), 'icon')}" if icon.made_of else icon.credit.author
         )
-        text = ElidedLabel(f"{who} · {icon.credit.license}")
+        text = ElidedLabel(who, tail=f" · {icon.credit.license}")
         text.setProperty("muted", True)
         text.setToolTip("\n".join(_thanks(one.credit) for one in icon.origins))
         words = column(None, title, text, None, spacing=1)
@@ -121,7 +122,6 @@ class DetailPanel(QFrame):
         self.picture: Picture | None = None
         self._columns = 1 if upright else 2
         self.large = LargePicture(wide=upright)
-        self.switch = DisplaySwitch()
         self._title, self._about = label(role="title"), label()
         self._about.setToolTip("How far the icon's filled shape and the drawn one cover each other")
         self._rows = QGridLayout()
@@ -137,13 +137,12 @@ class DetailPanel(QFrame):
         heading, buttons = self._make_heading(), self._make_buttons()
         self._sources = sources = self._make_sources()
         if upright:
+            self.switch = DisplaySwitch()
             heading.addWidget(self.switch)
             parts = heading, (self.large, 2), self._about, buttons, (sources, 1)
             column(*parts, of=full, margins=margins)
         else:
             heading.addLayout(buttons)
-            self.switch.setParent(full)
-            self.switch.hide()
             side = column(heading, self._about, (sources, 1), spacing=UNIT // 2)
             row(self.large, (side, 1), of=full, spacing=2 * UNIT, margins=margins)
         self._stack = QStackedLayout(self)
@@ -173,7 +172,7 @@ class DetailPanel(QFrame):
         sources = source_pictures(composite, picture.colours)
         self._show_sources(sources)
         icons = len({source.source.exemplar.id for source in sources})
-        about = f"{_counted(len(sources), 'part')} of {_counted(icons, 'icon')}"
+        about = f"{counted(len(sources), 'part')} of {counted(icons, 'icon')}"
         if picture.preview:
             about = "preview"
         # Of hybrids and montages, λ is always the same.
@@ -248,10 +247,6 @@ def _merits(icon: Remix) -> list[str]:
 def _floor(percent: float) -> str:
     """Return one decimal, never rounded up to 100."""
     return f"{math.floor(10 * percent) / 10:g}"
-
-
-def _counted(count: int, noun: str) -> str:
-    return f"1 {noun}" if count == 1 else f"{count} {noun}s"
 
 
 def _placement_text(picture: SourcePicture) -> str:

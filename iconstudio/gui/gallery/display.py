@@ -3,9 +3,9 @@
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QButtonGroup, QFrame, QToolButton
 
-from iconstudio.gui.gallery.pictures import Display
+from iconstudio.gui.pictures.picture import Display
+from iconstudio.gui.preferences import prefer, preferred
 from iconstudio.gui.theme.layout import segments
-from iconstudio.gui.window.preferences import prefer, preferred
 
 _NAME = "display"
 """Under which it is remembered."""

@@ -2,18 +2,16 @@
 
 from PySide6.QtWidgets import QFrame, QMenu
 
-from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.gallery.sending import pop_up
 from iconstudio.gui.gallery.sheet import Sheet
 from iconstudio.gui.gallery.sheet_delegate import framed
 from iconstudio.gui.gallery.sheet_model import results_with
+from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.theme.layout import label, push_button, row, with_role
 from iconstudio.gui.theme.theme import UNIT
 
 SIDE = 7 * UNIT
 """Side of a favourite in device-independent pixels."""
-
-EMPTY = "Results that you keep gather here"
 
 
 class FavouritesPanel(QFrame):
@@ -24,7 +22,7 @@ class FavouritesPanel(QFrame):
     ``icon_list`` tells of all that, and ``button`` when all are to be saved.
     """
 
-    def __init__(self, hint: str = EMPTY) -> None:
+    def __init__(self, hint: str) -> None:
         super().__init__()
         with_role(self, "card")
         self.menu: QMenu | None = None

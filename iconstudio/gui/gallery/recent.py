@@ -6,11 +6,11 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QMenu
 
 from iconstudio.gui.exchange.saving import Saver
-from iconstudio.gui.gallery.pictures import Picture, same
 from iconstudio.gui.gallery.sending import Destination, offer, pop_up
 from iconstudio.gui.gallery.sheet import Sheet
 from iconstudio.gui.gallery.sheet_delegate import framed
 from iconstudio.gui.gallery.sheet_model import results_with
+from iconstudio.gui.pictures.picture import Picture, same
 
 SIDE = 38
 """Side of an entry in device-independent pixels."""

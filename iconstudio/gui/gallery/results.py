@@ -17,19 +17,21 @@ from iconstudio.gui.canvas.tools.base import NUDGES
 from iconstudio.gui.gallery.axes import Grid, RowHead, Scale
 from iconstudio.gui.gallery.cell import CellState, ResultCell
 from iconstudio.gui.gallery.display import DisplaySwitch
-from iconstudio.gui.gallery.pictures import Picture
+from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.theme.layout import column, label, row, with_role
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.workflows.events import StyleMatched, StyleSkipped
 
-WELCOME = (
-    "Your icons appear here: a row for each style, from thin lines to solid.\n"
-    "On the left they stay closer to your sketch; to the right, larger parts join more smoothly."
-)
-
 
 class ResultsPanel(QFrame):
     """All results of a run; fills while it goes on.
+
+    Parameters
+    ----------
+    welcome
+        Says what will appear here.
+    nearer
+        What the results on the left are.
 
     Signals
     -------
@@ -45,7 +47,7 @@ class ResultsPanel(QFrame):
     chosen = Signal(object)
     asked = Signal(object, QPoint)
 
-    def __init__(self) -> None:
+    def __init__(self, welcome: str, nearer: str) -> None:
         super().__init__()
         with_role(self, "card")
         self._cells: dict[tuple[str, float], ResultCell] = {}
@@ -60,13 +62,13 @@ class ResultsPanel(QFrame):
         self.switch = DisplaySwitch()
         self.note = label(wordWrap=True)
         top = row(label("Results", "title"), (self.note, 1), self.switch)
-        self.scale = Scale()
+        self.scale = Scale(nearer)
         self._sheet = Grid(self.scale)
         self._grid = self._sheet.cells
         below = QWidget()
         # Nothing is left for what is below it until it is full.
         column((self._sheet, 1000), (None, 1), of=below, spacing=0)
-        self._welcome = label(WELCOME, alignment=Qt.AlignmentFlag.AlignCenter, wordWrap=True)
+        self._welcome = label(welcome, alignment=Qt.AlignmentFlag.AlignCenter, wordWrap=True)
         self._stack = QStackedLayout()
         margins = 2 * UNIT, UNIT * 3 // 2, 2 * UNIT, UNIT
         column(top, (self._stack, 1), of=self, margins=margins)
@@ -74,11 +76,6 @@ class ResultsPanel(QFrame):
         self._stack.addWidget(self._welcome)
         self._stack.addWidget(below)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
-
-    def set_words(self, welcome: str, nearer: str) -> None:
-        """Say what will appear here, and what the results on the left are."""
-        self._welcome.setText(welcome)
-        self.scale.nearer = nearer
 
     @property
     def pictures(self) -> list[Picture]:

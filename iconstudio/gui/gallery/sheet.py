@@ -15,7 +15,6 @@ from PySide6.QtWidgets import QListView
 
 from iconstudio.gui.exchange.dragging import drag
 from iconstudio.gui.gallery.display import setting
-from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.gallery.sheet_delegate import Look, SheetDelegate
 from iconstudio.gui.gallery.sheet_model import (
     Describe,
@@ -25,6 +24,7 @@ from iconstudio.gui.gallery.sheet_model import (
     SheetModel,
     pictogram_of,
 )
+from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.theme import theme
 
 _CHOOSE = Qt.Key.Key_Space, Qt.Key.Key_Return, Qt.Key.Key_Enter

@@ -8,8 +8,8 @@ from PySide6.QtGui import QImage, QPainter, QPen
 from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
 from iconstudio.gui.gallery.display import setting
-from iconstudio.gui.gallery.pictures import Display, stencil
 from iconstudio.gui.gallery.sheet_model import Index, Rule
+from iconstudio.gui.pictures.picture import Display, stencil
 from iconstudio.gui.theme import icons, theme
 from iconstudio.gui.theme.painting import RADIUS, paint_frame
 from iconstudio.gui.theme.theme import UNIT
@@ -40,11 +40,13 @@ class Look:
     """Whether the one that is picked is shown."""
     fills: bool = False
     """Whether as many as fit in a row share its width, and rules go across."""
+    coded: bool = False
+    """Whether they are shown by their colour code, too, as the user wants it."""
 
 
-def framed(side: int) -> Look:
-    """Return how results in a row look, each on a small sheet of its own."""
-    return Look(side, margin=3.5, framed=True)
+def framed(side: int, coded: bool = False) -> Look:
+    """Return how results look that are each on a small sheet of their own."""
+    return Look(side, margin=3.5, framed=True, coded=coded)
 
 
 class SheetDelegate(QStyledItemDelegate):
@@ -92,7 +94,7 @@ class SheetDelegate(QStyledItemDelegate):
                 pixels = round(inner.width() * painter.device().devicePixelRatioF())
                 painter.drawImage(inner, self._image(entry, scheme, pixels))
             else:
-                display = setting.value if self.look.fills else Display.PLAIN
+                display = setting.value if self.look.coded else Display.PLAIN
                 entry.paint(painter, inner, scheme.color("text"), display)
             painter.setOpacity(1.0)
             _paint_mark(painter, mark, box, inner, scheme)

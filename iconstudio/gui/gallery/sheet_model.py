@@ -13,7 +13,7 @@ from PySide6.QtCore import (
 )
 
 from iconstudio.gui.exchange.dragging import packed
-from iconstudio.gui.gallery.pictures import Picture
+from iconstudio.gui.pictures.picture import Picture
 from iconstudio.model import Exemplar, Pictogram
 
 Index = QModelIndex | QPersistentModelIndex

@@ -43,7 +43,7 @@ class Job(QObject):
         self._cancelled = threading.Event()
         self._yielded.connect(self._deliver)
         self._raised.connect(self._complain)
-        self._ended.connect(self._finish)
+        self._ended.connect(self.finished)
 
     @property
     def cancelled(self) -> bool:
@@ -85,9 +85,6 @@ class Job(QObject):
     def _complain(self, message: str) -> None:
         if not self.cancelled:
             self.failed.emit(message)
-
-    def _finish(self) -> None:
-        self.finished.emit()
 
 
 class _Thread(QThread):

@@ -3,19 +3,20 @@
 from collections.abc import Generator
 from contextlib import closing
 
-from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtGui import QDragEnterEvent, QDropEvent, QKeyEvent
+from PySide6.QtCore import QMimeData, Qt, QTimer, Signal
+from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QFileDialog
 
-from iconstudio.gui.exchange.dragging import take_copy, unpacked
+from iconstudio.gui.exchange.dragging import unpacked
+from iconstudio.gui.exchange.dropping import DropTarget
 from iconstudio.gui.exchange.opening import IconOpener
+from iconstudio.gui.exchange.scanning import may_be_scan
 from iconstudio.gui.gallery.sheet import Sheet
 from iconstudio.gui.gallery.sheet_delegate import Look
 from iconstudio.gui.gallery.sheet_model import credited
 from iconstudio.gui.jobs.preparation import DEBOUNCE
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
-from iconstudio.gui.panels.scanning import may_be_scan
 from iconstudio.gui.panels.search import IconSearch
 from iconstudio.gui.panels.wordfield import WordField
 from iconstudio.gui.theme.layout import push_button
@@ -61,7 +62,11 @@ class IconChooser(IconSearch):
         self._keyword = ""
         self._found: tuple[Exemplar, ...] = ()
         self._opened: dict[str, Exemplar] = {}
-        self.setAcceptDrops(True)
+        DropTarget(
+            self,
+            lambda data: self.open_file(_dropped_drawing(data)),
+            lambda data: _dropped_drawing(data) is not None,
+        )
         self.setFocusProxy(self.field)
 
         self._search = Runner(worker, self)
@@ -94,18 +99,6 @@ class IconChooser(IconSearch):
         if not may_be_scan(path):
             self.caption.say(f"Opening “{path}”…")
         self._opener.open_drawing(path)
-
-    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        """Let a drawing be dropped; anything else is for the workspace around."""
-        if _dropped_drawing(event) is not None:
-            take_copy(event)
-
-    def dropEvent(self, event: QDropEvent) -> None:
-        """Open a file that was dropped."""
-        path = _dropped_drawing(event)
-        if path is not None:
-            take_copy(event)
-            self.open_file(path)
 
     def _look_up(self) -> None:
         self._timer.stop()
@@ -208,9 +201,8 @@ def _retrieved(session: Session, keyword: str) -> Generator[Event]:
                 return
 
 
-def _dropped_drawing(event: QDropEvent) -> str | None:
-    """Return the path of a single SVG file that is dragged."""
-    data = event.mimeData()
+def _dropped_drawing(data: QMimeData) -> str | None:
+    """Return the path of a single SVG file that is dragged; all else is for the workspace."""
     urls = data.urls()
     if len(urls) != 1 or not urls[0].isLocalFile() or unpacked(data) is not None:
         return None

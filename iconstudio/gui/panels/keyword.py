@@ -37,10 +37,10 @@ class KeywordPanel(IconSearch):
 
     run = Signal()
 
-    def __init__(self, document: CriteriaDocument) -> None:
-        field = KeywordField(placeholderText="What is it? For example: motorcycle")
+    def __init__(self, document: CriteriaDocument, placeholder: str, tip: str) -> None:
+        """``placeholder`` says what to type, and ``tip`` what the button does."""
+        field = KeywordField(placeholderText=placeholder)
         field.setAccessibleName("What the object is")
-        tip = "Make new icons in four styles (Ctrl+Return)"
         button = push_button("Remix", tip, role="primary")
         sheet = Sheet(Look(44, margin=6, mark=Mark.STRUCK), _described, "Icons found")
         margins = UNIT * 3 // 2, UNIT * 3 // 2, UNIT * 3 // 2, UNIT
@@ -53,16 +53,11 @@ class KeywordPanel(IconSearch):
         self._excluded: frozenset[str] = frozenset()
         self._found, self._remark = 0, ""
         button.clicked.connect(self.run)
-        self.field.textEdited.connect(lambda text: edits.set_keyword(document, text))
+        self.field.textEdited.connect(lambda text: edits.set_keyword(document, text, field.gesture))
         self.field.returnPressed.connect(self.run)
         self.sheet.chosen.connect(lambda icon: edits.toggle_icon(document, icon.id))
         self.sheet.asked.connect(self._open_menu)
         self.caption.linkActivated.connect(lambda _: edits.exclude_icons(document, frozenset()))
-
-    def set_words(self, placeholder: str, tip: str) -> None:
-        """Say what to type, and what the button does."""
-        self.field.setPlaceholderText(placeholder)
-        self.button.setToolTip(tip)
 
     def set_sketch(self, keyword: str, excluded: frozenset[str]) -> None:
         """Show what the document says."""
@@ -84,6 +79,7 @@ class KeywordPanel(IconSearch):
 
         ``remark`` says how the keyword was read if not as typed.
         """
+        self.field.end_entry()
         self._found, self._remark = len(exemplars), remark
         found = {icon.id for icon in exemplars}
         merged = list(exemplars)

@@ -5,9 +5,10 @@ from html import escape
 from PySide6.QtWidgets import QFrame, QPushButton
 
 from iconstudio.gui.gallery.sheet import Sheet
-from iconstudio.gui.panels.caption import Caption
 from iconstudio.gui.panels.wordfield import WordField
+from iconstudio.gui.theme.caption import Caption
 from iconstudio.gui.theme.layout import column, row
+from iconstudio.inputs.together import counted
 
 
 class IconSearch(QFrame):
@@ -41,7 +42,6 @@ class IconSearch(QFrame):
 
     def tell_found(self, count: int, *more: str, remark: str = "", links: bool = False) -> None:
         """Say how many icons were found, what can be done with them, and how the word was read."""
-        icons = "1 icon" if count == 1 else f"{count} icons"
-        told = " · ".join((f"{icons} found", *more))
+        told = " · ".join((f"{counted(count, 'icon')} found", *more))
         said = escape(remark) if links else remark
         self.caption.say(f"{said} {told}" if remark else told, links=links)

@@ -5,6 +5,7 @@ import random
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QLineEdit, QWidget
 
+from iconstudio.gui.document.document import new_gesture
 from iconstudio.gui.theme.layout import label, row, tool_button
 from iconstudio.gui.theme.theme import UNIT
 
@@ -22,7 +23,8 @@ class SeedField(QWidget):
     Signals
     -------
     changed(object)
-        The user wants this seed, a whole number.
+        The user wants this seed, a whole number. What is typed until Enter, or until the focus
+        goes elsewhere, is one ``gesture``, and so is each throw.
     """
 
     changed = Signal(object)
@@ -41,6 +43,8 @@ class SeedField(QWidget):
         words.setBuddy(self.field)
         row(words, self.field, self.dice, of=self, spacing=UNIT // 2)
         self.field.textEdited.connect(self._read)
+        self.field.editingFinished.connect(self._end_entry)
+        self.gesture = new_gesture()
 
     def set_seed(self, seed: int) -> None:
         """Show the seed."""
@@ -50,7 +54,11 @@ class SeedField(QWidget):
         ):
             self.field.setText(str(seed))
 
+    def _end_entry(self) -> None:
+        self.gesture = new_gesture()
+
     def _throw(self) -> None:
+        self._end_entry()
         self.changed.emit(random.randrange(10_000))
 
     def _read(self, text: str) -> None:

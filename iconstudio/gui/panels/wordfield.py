@@ -4,6 +4,7 @@ from PySide6.QtCore import QEvent
 from PySide6.QtGui import QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QApplication, QLineEdit
 
+from iconstudio.gui.document.document import new_gesture
 from iconstudio.gui.exchange.mime import holds_words
 
 Key = QKeySequence.StandardKey
@@ -12,7 +13,8 @@ Key = QKeySequence.StandardKey
 class WordField(QLineEdit):
     """Takes words that are pasted; drawings and files are pasted, and dropped, into the workspace.
 
-    So are the shortcuts in ``others`` the workspace's.
+    So are the shortcuts in ``others`` the workspace's. What is typed until Enter, or until the
+    focus goes elsewhere, is one entry, and its changes one ``gesture``.
     """
 
     others: tuple[QKeySequence.StandardKey, ...] = ()
@@ -21,6 +23,12 @@ class WordField(QLineEdit):
         super().__init__(**properties)
         self.setMaxLength(100)
         self.setAcceptDrops(False)  # a file is for the workspace to open, its address is no word
+        self.gesture = new_gesture()
+        self.editingFinished.connect(self.end_entry)
+
+    def end_entry(self) -> None:
+        """What is typed from now on is another entry."""
+        self.gesture = new_gesture()
 
     def event(self, event: QEvent) -> bool:
         """Do not claim shortcuts that are the workspace's."""

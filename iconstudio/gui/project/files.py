@@ -9,11 +9,11 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 
-from iconstudio.gui.gallery.pictures import Picture, picture_of
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
+from iconstudio.gui.pictures.picture import Picture, picture_of
 from iconstudio.gui.project import questions, recents
-from iconstudio.gui.project.journaling import Found, Journaling
+from iconstudio.gui.project.journaling import Journaling
 from iconstudio.gui.project.questions import Answer
 from iconstudio.gui.project.work import Work
 from iconstudio.inputs import json
@@ -22,6 +22,7 @@ from iconstudio.model import IconstudioError
 from iconstudio.project import archive
 from iconstudio.project.archive import SUFFIX, Project
 from iconstudio.project.contents import Contents, Formats, reading
+from iconstudio.project.journal import LeftBehind
 from iconstudio.session import Session
 from iconstudio.workflows.files import likely_workflow
 
@@ -35,7 +36,7 @@ class _OpenedProject:
 
     contents: Contents
     path: Path | None
-    found: Found | None = None
+    found: LeftBehind | None = None
     stamp: _Stamp | None = None
     pictures: tuple[Picture, ...] = ()
     """Of the results, drawn where nobody waits for them."""
@@ -61,14 +62,17 @@ class ProjectFiles(QObject):
         What was done, and what could not be; a sentence for the user.
     imported(WorkFile)
         A file was opened that is no project.
-    restored(Found)
-        All of the work that a window left behind is here.
+    restoring(bool)
+        Work that a window left behind is being read, or no longer, whatever came of it.
+    restored(LeftBehind)
+        All of it is here.
     """
 
     changed = Signal()
     remarked = Signal(str)
     failed = Signal(str)
     imported = Signal(object)
+    restoring = Signal(bool)
     restored = Signal(object)
 
     def __init__(self, session: Session, work: Work, files: Worker, window: QWidget) -> None:
@@ -89,6 +93,7 @@ class ProjectFiles(QObject):
         self._runner = Runner(files, self)
         self._runner.event.connect(self._receive)
         self._runner.failed.connect(self.failed)
+        self._runner.ended.connect(lambda _: self.restoring.emit(False))
         self.journaling.failed.connect(self.failed)
         work.changed.connect(self._compare)
 
@@ -129,10 +134,11 @@ class ProjectFiles(QObject):
         else:
             self._runner.start(lambda: _workflow_of(path, formats))
 
-    def restore(self, found: Found) -> None:
+    def restore(self, found: LeftBehind) -> None:
         """Open work that a window left behind, still unsaved."""
         session, formats = self._session, self._work.formats
         self._runner.start(lambda: _restoring(session, found, formats))
+        self.restoring.emit(True)
 
     def save(self, then: Callable[[], object] | None = None) -> None:
         """Save into the file, or ask for one; ``then`` is called once that is done."""
@@ -146,6 +152,7 @@ class ProjectFiles(QObject):
         try:
             path = questions.ask_where(self._window, self.name or f"Untitled{SUFFIX}")
         except IconstudioError as error:
+            self.remarked.emit("")
             self.failed.emit(str(error))
             return
         if path is not None:
@@ -190,27 +197,21 @@ class ProjectFiles(QObject):
             archive.save(path, contents.project(formats))
             yield _stamp(path)
 
-        job = self._files.submit(saving)
-        job.event.connect(lambda stamp: self._note_saved(path, contents, then, project, stamp))
-        job.failed.connect(self.failed)
+        def saved(stamp: _Stamp | None) -> None:
+            recents.note(path)
+            self.remarked.emit(f"Saved “{path}”.")
+            if project != self._project:  # another one has taken its place
+                return
+            self._path, self._saved, self._stamp = path, contents, stamp
+            self._compare()
+            self.changed.emit()
+            if then is not None:
+                then()
 
-    def _note_saved(
-        self,
-        path: Path,
-        contents: Contents,
-        then: Callable[[], object] | None,
-        project: int,
-        stamp: _Stamp | None,
-    ) -> None:
-        recents.note(path)
-        self.remarked.emit(f"Saved “{path}”.")
-        if project != self._project:  # another one has taken its place
-            return
-        self._path, self._saved, self._stamp = path, contents, stamp
-        self._compare()
-        self.changed.emit()
-        if then is not None:
-            then()
+        self.remarked.emit("")
+        job = self._files.submit(saving)
+        job.event.connect(saved)
+        job.failed.connect(self.failed)
 
     def _receive(self, event: object) -> None:
         match event:
@@ -239,7 +240,7 @@ class ProjectFiles(QObject):
         self._compare()
         self.changed.emit()
         if found is not None and whole:
-            self.journaling.restored(found.left)
+            self.journaling.restored(found)
             self.restored.emit(found)
 
     def _compare(self) -> None:
@@ -287,8 +288,8 @@ def _opening(session: Session, path: Path, formats: Formats) -> Generator[Any]:
                 yield step
 
 
-def _restoring(session: Session, found: Found, formats: Formats) -> Generator[Any]:
-    index, parts = found.left.read()
+def _restoring(session: Session, found: LeftBehind, formats: Formats) -> Generator[Any]:
+    index, parts = found.read()
     path = Path(found.file) if found.file else None
     with closing(reading(session, index, parts, formats)) as steps:
         for step in steps:

@@ -2,28 +2,15 @@
 
 import time
 from collections.abc import Callable, Generator
-from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from iconstudio.gui.jobs.worker import Worker
-from iconstudio.model import IconstudioError
 from iconstudio.project.archive import Project
 from iconstudio.project.journal import Journal, LeftBehind, journals_folder, left_behind
 
 GAP = 0.02
 """Seconds from one writing to the next at least: a drag is many changes."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Found:
-    """Work that was left behind, and what it says of itself."""
-
-    left: LeftBehind
-    file: str
-    """The path of the file that it is of; empty if it was never saved."""
-    current: str
-    """The name of the workflow that was in sight."""
 
 
 class Journaling(QObject):
@@ -36,7 +23,7 @@ class Journaling(QObject):
 
     Signals
     -------
-    found(Found)
+    found(LeftBehind)
         A window that is no more left work behind.
     failed(str)
         Work cannot be kept; a sentence for the user. Once, until it can be again.
@@ -63,7 +50,7 @@ class Journaling(QObject):
 
     def look(self) -> None:
         """Look for what was left behind."""
-        self._worker.submit(_looking).event.connect(self._find)
+        self._worker.submit(lambda: left_behind(journals_folder())).event.connect(self._find)
 
     def note(self) -> None:
         """Keep what is there now in place of what was kept."""
@@ -115,9 +102,9 @@ class Journaling(QObject):
         self._gone.append(left)
         self._worker.submit(lambda: _done(left.discard))
 
-    def _find(self, found: Found) -> None:
-        self._held.append(found.left)
-        self.found.emit(found)
+    def _find(self, left: LeftBehind) -> None:
+        self._held.append(left)
+        self.found.emit(left)
 
     def _write(self) -> None:
         self._writing = self._kept = True
@@ -154,13 +141,3 @@ class Journaling(QObject):
 def _done(work: Callable[[], object]) -> Generator[None]:
     work()
     yield
-
-
-def _looking() -> Generator[Found]:
-    for left in left_behind(journals_folder()):
-        try:
-            index = left.index()
-            found = Found(left, index.file, index.current)
-        except IconstudioError:  # it is told when it is to be restored
-            found = Found(left, "", "")
-        yield found

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QMenu
 
-from iconstudio.gui.window.preferences import remember, remembered
+from iconstudio.gui.preferences import remember, remembered
 
 MOST = 10
 _NAME = "recent projects"

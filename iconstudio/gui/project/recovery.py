@@ -5,11 +5,11 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QFrame, QLabel
+from PySide6.QtWidgets import QFrame, QLabel, QProgressBar
 
-from iconstudio.gui.project.journaling import Found
 from iconstudio.gui.theme.layout import push_button, row, with_role
 from iconstudio.gui.theme.theme import UNIT
+from iconstudio.project.journal import LeftBehind
 from iconstudio.workflows.workflow import Workflow
 
 
@@ -18,7 +18,7 @@ class RecoveryBar(QFrame):
 
     Signals
     -------
-    restore(Found), dismiss(Found)
+    restore(LeftBehind), dismiss(LeftBehind)
         What the user wants to become of the work in sight.
     """
 
@@ -29,7 +29,8 @@ class RecoveryBar(QFrame):
         super().__init__()
         with_role(with_role(self, "notice"), "hint")
         self._workflows = workflows
-        self._offers: list[Found] = []
+        self._offers: list[LeftBehind] = []
+        self._restoring = False
         self.label = QLabel(wordWrap=True)
         self.label.setTextFormat(Qt.TextFormat.PlainText)
         self.restore_button = push_button(
@@ -38,29 +39,43 @@ class RecoveryBar(QFrame):
         self.dismiss_button = push_button(
             "&Dismiss", "Remove it for good", lambda: self.dismiss.emit(self._offers[0])
         )
+        self.bar = QProgressBar(textVisible=False, maximum=0)  # nobody knows how long it takes
+        self.bar.setFixedWidth(15 * UNIT)
+        self.bar.setAccessibleName("Restoring")
         margins = UNIT * 3 // 2, UNIT // 2, UNIT, UNIT // 2
-        row((self.label, 1), self.restore_button, self.dismiss_button, of=self, margins=margins)
+        parts = (self.label, 1), self.bar, self.restore_button, self.dismiss_button
+        row(*parts, of=self, margins=margins)
+        self.bar.hide()
         self.hide()
 
-    def offer(self, found: Found) -> None:
+    def offer(self, found: LeftBehind) -> None:
         """Offer one more."""
         self._offers.append(found)
         self._show()
 
-    def withdraw(self, found: Found) -> None:
+    def withdraw(self, found: LeftBehind) -> None:
         """Offer one no longer."""
         if found in self._offers:
             self._offers.remove(found)
         self._show()
 
+    def set_restoring(self, restoring: bool) -> None:
+        """Say whether the work in sight is being restored; until then it can be asked for."""
+        self.bar.setVisible(restoring)
+        for button in (self.restore_button, self.dismiss_button):
+            button.setEnabled(not restoring)
+        self._restoring = restoring
+        self._show()
+
     def _show(self) -> None:
         self.setVisible(bool(self._offers))
         if self._offers:
-            self.label.setText(self._words(self._offers[0]))
+            words = "Restoring the work…" if self._restoring else self._words(self._offers[0])
+            self.label.setText(words)
             self.setAccessibleName(self.label.text())
 
-    def _words(self, found: Found) -> str:
-        when = time.localtime(found.left.when)
+    def _words(self, found: LeftBehind) -> str:
+        when = time.localtime(found.when)
         day = "today" if when[:3] == time.localtime()[:3] else f"on {time.strftime('%d %B', when)}"
         clock = time.strftime("%H:%M", when)
         known = self._workflows.get(found.current)

@@ -4,9 +4,10 @@ from collections.abc import Callable, Mapping
 
 from PySide6.QtCore import QObject, Signal
 
-from iconstudio.gui.gallery.pictures import picture_of
 from iconstudio.gui.gallery.recent import RecentResults
+from iconstudio.gui.pictures.picture import picture_of
 from iconstudio.gui.workspaces.base import Workspace
+from iconstudio.project.archive import Project
 from iconstudio.project.contents import Contents, Formats
 from iconstudio.workflows.workflow import Workflow
 
@@ -46,6 +47,8 @@ class Work(QObject):
         self._current = current
         self._show = show
         self._made: dict[str, Workspace] = {}
+        self._unread: Project | None = None
+        """Pages that are not in sight, but kept."""
         recent.changed.connect(self.changed)
 
     def watch(self, workspace: Workspace) -> None:
@@ -60,10 +63,12 @@ class Work(QObject):
             for name, one in self._made.items()
             if not one.pages.alike(one.document.page, one.blank)
         }
-        return Contents(self._current(), pages, tuple(one.icon for one in self._recent.pictures))
+        recent = tuple(one.icon for one in self._recent.pictures)
+        return Contents(self._current(), pages, recent, unread=self._unread)
 
     def load(self, contents: Contents) -> None:
         """Put a project in place of all that is there."""
+        self._unread = contents.unread
         if contents.current in self._workflows:
             self._show(contents.current)
         for name in dict.fromkeys((*self._made, *contents.pages)):

@@ -118,6 +118,15 @@ def tool_button(
     return button
 
 
+def hidden(widget: W) -> W:
+    """Return a widget hidden, and with its room kept: what is beside it does not move."""
+    policy = widget.sizePolicy()
+    policy.setRetainSizeWhenHidden(True)
+    widget.setSizePolicy(policy)
+    widget.hide()
+    return widget
+
+
 class OnResize(QObject):
     """Calls a function whenever a widget has another size."""
 

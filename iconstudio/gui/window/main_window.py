@@ -1,6 +1,6 @@
 """The window: what all workspaces share, and the switch between them."""
 
-from collections.abc import Sequence
+from collections.abc import Generator, Sequence
 from pathlib import Path
 
 from PySide6.QtCore import QMimeData, QTimer, QUrl
@@ -9,22 +9,23 @@ from PySide6.QtWidgets import QMainWindow, QMenu, QStackedWidget, QWidget
 
 from iconstudio.gui.exchange.saving import Saver
 from iconstudio.gui.gallery import display
-from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.gallery.recent import RecentResults
 from iconstudio.gui.gallery.sending import Destination
 from iconstudio.gui.jobs.worker import Worker
+from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.project import recents
 from iconstudio.gui.project.files import ProjectFiles, WorkFile
-from iconstudio.gui.project.journaling import Found
 from iconstudio.gui.project.recovery import RecoveryBar
 from iconstudio.gui.project.work import Work
 from iconstudio.gui.theme.layout import column, row
 from iconstudio.gui.theme.theme import UNIT
-from iconstudio.gui.window.actions import MENUS, RECENT, WINDOW, Actions, fill_menu
+from iconstudio.gui.window.menus import MENUS, RECENT, WINDOW, fill_menu
 from iconstudio.gui.window.modes import ModeSwitch
 from iconstudio.gui.window.pane import WorkspacePane
+from iconstudio.gui.workspaces.actions import Actions
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.model import Pictogram
+from iconstudio.project.journal import LeftBehind
 from iconstudio.session import Session
 from iconstudio.workflows import registry
 from iconstudio.workflows.workflow import Workflow, load_object
@@ -36,7 +37,8 @@ _TITLE = "Iconstudio"
 _PLAIN = "iconstudio.gui.workspaces.plain.workspace:PlainWorkspace"
 """The workspace of workflows that have none of their own."""
 _PATIENCE = 300
-"""Milliseconds after which what was left behind is looked for: first the window opens."""
+"""Milliseconds after which what was left behind is looked for, and what may be needed next is
+loaded: first the window opens."""
 
 
 class MainWindow(QMainWindow):
@@ -93,11 +95,13 @@ class MainWindow(QMainWindow):
             failed.connect(lambda message: self.pane.notice.say(message))
         project.changed.connect(self._show_title)
         project.imported.connect(self._import)
+        project.restoring.connect(self.recovery.set_restoring)
         project.restored.connect(self.recovery.withdraw)
         project.journaling.found.connect(self.recovery.offer)
         self.recovery.restore.connect(project.restore)
         self.recovery.dismiss.connect(self._dismiss)
         QTimer.singleShot(_PATIENCE, self, project.journaling.look)
+        QTimer.singleShot(_PATIENCE, self, lambda: self._files.submit(self._load_workspaces))
         self._show_title()
         self.recent.sent.connect(self._send_picture)
 
@@ -141,6 +145,12 @@ class MainWindow(QMainWindow):
     def _current(self) -> str:
         return self.workspace.workflow.name if self.panes.count() else ""
 
+    def _load_workspaces(self) -> Generator[None]:
+        """Load all workspaces, so that the first visit need not wait for it."""
+        for workflow in self._workflows:
+            load_object(workflow.workspace or _PLAIN).get_ready()
+            yield
+
     def _pane(self, number: int) -> WorkspacePane:
         """Return a workspace's pane, made if it is the first time."""
         if number not in self._made:
@@ -180,9 +190,9 @@ class MainWindow(QMainWindow):
         data.setUrls([QUrl.fromLocalFile(str(file.path))])
         self.workspace.open_mime(data)
 
-    def _dismiss(self, found: Found) -> None:
+    def _dismiss(self, found: LeftBehind) -> None:
         self.recovery.withdraw(found)
-        self.project.journaling.dismiss(found.left)
+        self.project.journaling.dismiss(found)
 
     # -- the window itself ---------------------------------------------------------------------
 

@@ -28,7 +28,7 @@ class Notice(QFrame):
 
     resized = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         with_role(self, "notice")
         self._messages: dict[str, bool] = {}

@@ -1,9 +1,10 @@
 """A workspace with its progress below, and its messages floating over it."""
 
-from PySide6.QtGui import QDragEnterEvent, QDropEvent
+from PySide6.QtCore import QMimeData
 from PySide6.QtWidgets import QWidget
 
-from iconstudio.gui.exchange.dragging import take_copy, unpacked
+from iconstudio.gui.exchange.dragging import unpacked
+from iconstudio.gui.exchange.dropping import DropTarget
 from iconstudio.gui.exchange.mime import holds_something
 from iconstudio.gui.theme.layout import OnResize, column
 from iconstudio.gui.theme.theme import UNIT
@@ -24,7 +25,7 @@ class WorkspacePane(QWidget):
         self.workspace = workspace
         self.notice = Notice(self)
         self.status = StatusStrip()
-        self.setAcceptDrops(True)
+        DropTarget(self, workspace.open_mime, _is_of_others)
         column((workspace, 1), self.status, of=self, margins=(UNIT, 0, UNIT, 0))
         workspace.remarked.connect(self.say)
         workspace.failed.connect(self.notice.say)
@@ -46,16 +47,6 @@ class WorkspacePane(QWidget):
         self.notice.clear()
         self.status.say(remark)
 
-    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        """Let anything of other programs be dropped; what cannot be used is told."""
-        if holds_something(event.mimeData()) and unpacked(event.mimeData()) is None:
-            take_copy(event)
-
-    def dropEvent(self, event: QDropEvent) -> None:
-        """Open what was dropped."""
-        take_copy(event)
-        self.workspace.open_mime(event.mimeData())
-
     def _show_remarks(self) -> None:
         """Show the remarks on the icons of the page as it is now; messages are dealt with."""
         about: dict[tuple[str, ...], list[str]] = {}
@@ -65,3 +56,8 @@ class WorkspacePane(QWidget):
         self.notice.clear()
         said = (f"{quoted_list(some)}: {' '.join(each)}" for each, some in about.items())
         self.notice.remark(said)
+
+
+def _is_of_others(data: QMimeData) -> bool:
+    """Whether another program gives something."""
+    return holds_something(data) and unpacked(data) is None

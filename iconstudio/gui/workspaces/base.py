@@ -9,6 +9,7 @@ from PySide6.QtCore import QMimeData, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QWidget
 
+from iconstudio.gui.canvas.outlines import IconOutlines
 from iconstudio.gui.canvas.tools.base import Tool
 from iconstudio.gui.canvas.view import CanvasView
 from iconstudio.gui.document.document import Document
@@ -19,7 +20,7 @@ from iconstudio.gui.gallery.sending import Destination
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.panels.canvas import CanvasPanel
-from iconstudio.gui.window.actions import COMMON, EXAMPLES, REDO, UNDO, Actions, Entry
+from iconstudio.gui.workspaces.actions import COMMON, EXAMPLES, REDO, UNDO, Actions, Entry
 from iconstudio.gui.workspaces.results import ResultsWidget
 from iconstudio.inputs.examples import examples
 from iconstudio.model import Pictogram
@@ -64,6 +65,8 @@ class Workspace(ResultsWidget):
     """Makes the page to begin with, unless a document is given."""
     entries: ClassVar[tuple[Entry, ...]] = ()
     """All that can be done here, beside what can be done everywhere."""
+    sends_to_itself: ClassVar[bool] = True
+    """Whether results can be worked on here again."""
     opener: Opener | None = None
     """Brings onto the page what is opened, dropped and pasted, if anything can be."""
     view: CanvasView | None = None
@@ -100,6 +103,10 @@ class Workspace(ResultsWidget):
         self.idle.connect(lambda _: self.note_busy(False))
         self.build()
 
+    @staticmethod
+    def get_ready() -> None:
+        """Read what the first visit would wait for; called in another thread, some time before."""
+
     def build(self) -> None:
         """Make all that is to be seen, and connect it with the work."""
 
@@ -128,15 +135,13 @@ class Workspace(ResultsWidget):
 
     def set_destinations(self, destinations: tuple[Destination, ...]) -> None:
         """Say where icons can be sent to; called once."""
-        self.destinations = destinations
+        title = self.workflow.title
+        own = self.sends_to_itself
+        self.destinations = tuple(one for one in destinations if own or one.title != title)
         if self.detail is not None:
             self.detail.set_destinations(
-                destinations, lambda title: self.send_picture(self.picture, title)
+                self.destinations, lambda title: self.send_picture(self.picture, title)
             )
-
-    def new(self) -> None:
-        """Start afresh."""
-        self.document.change(f"new {self.workflow.noun}", self.blank)
 
     def run(self) -> None:
         """Do the work for what lies on the canvas."""
@@ -189,6 +194,11 @@ class Workspace(ResultsWidget):
     def finder(self) -> Worker:
         """Looks icons up and draws them also while a run goes on."""
         return Worker(self)
+
+    @cached_property
+    def outlines(self) -> IconOutlines:
+        """The outlines of icons, for a canvas that shows some."""
+        return IconOutlines(self.session, self.finder, self)
 
     def show_page(self) -> None:
         """Show what the page says."""

@@ -2,52 +2,29 @@
 
 from collections.abc import Generator
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, Signal
 
-from iconstudio.gui.gallery.pictures import Picture, pictured
 from iconstudio.gui.jobs.live import LiveRunner
 from iconstudio.gui.jobs.preparation import Preparation
 from iconstudio.gui.jobs.worker import Worker
-from iconstudio.gui.window.preferences import prefer, preferred
+from iconstudio.gui.pictures.picture import Picture, pictured
+from iconstudio.gui.preferences import prefer, preferred
 from iconstudio.model import Remix
-from iconstudio.workflows.criteria import CriteriaDocument, CriteriaPage
+from iconstudio.workflows.criteria import CriteriaPage
 from iconstudio.workflows.events import Event, StyleSkipped
 from iconstudio.workflows.grid import GridSettings
 from iconstudio.workflows.remixing import FINE as FINE_SIDE
+
+if TYPE_CHECKING:
+    from iconstudio.gui.workspaces.remixing import RemixWorkspace
 
 LIVE, FINE = "live", "fine"
 """Under which it is remembered whether live mode is on, and fine quality."""
 
 Place = tuple[str, float]
 """Style and lambda_S of a result."""
-
-
-class LiveSource:
-    """A workspace, as far as it says what its page wants."""
-
-    document: CriteriaDocument
-
-    def inputs(self) -> object:
-        """Return what the results depend on, to be compared."""
-        raise NotImplementedError
-
-    def problem(self) -> str:
-        """Return what is missing before the page can be remixed, as a sentence; else nothing."""
-        raise NotImplementedError
-
-    def settings(self) -> GridSettings:
-        """Return which results to make: all. Called only if there is no problem."""
-        return GridSettings()
-
-    def focus(self) -> Place | None:
-        """Return style and lambda_S of the result that the user looks at."""
-        raise NotImplementedError
-
-    def events(self, inputs: object, settings: GridSettings) -> Generator[Event]:
-        """Return the run that makes the results. Called in the worker's thread."""
-        raise NotImplementedError
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,7 +64,7 @@ class GridRunner(QObject):
     ended = Signal(bool, bool)
 
     def __init__(
-        self, page: LiveSource, preparation: Preparation, worker: Worker, parent: QObject
+        self, page: "RemixWorkspace", preparation: Preparation, worker: Worker, parent: QObject
     ) -> None:
         super().__init__(parent)
         self._page = page

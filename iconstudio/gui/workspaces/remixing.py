@@ -1,7 +1,7 @@
 """What modelling and editing share: name the object, remix, look at a grid of results."""
 
 from collections.abc import Callable, Generator, Sequence
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,17 +10,18 @@ from PySide6.QtWidgets import QWidget
 
 from iconstudio.gui.document.document import Document
 from iconstudio.gui.gallery.browser import ResultsBrowser
-from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.jobs.preparation import Preparation, Query
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.panels.keyword import KeywordPanel
 from iconstudio.gui.panels.symmetry import SymmetryButton, SymmetryHint
+from iconstudio.gui.pictures.picture import Picture
+from iconstudio.gui.preferences import preferred
 from iconstudio.gui.theme.layout import row, splitter
-from iconstudio.gui.window.actions import CANVAS, Entry
-from iconstudio.gui.window.preferences import preferred
+from iconstudio.gui.workspaces.actions import CANVAS, Entry
 from iconstudio.gui.workspaces.base import Workspace
-from iconstudio.gui.workspaces.grid_runner import FINE, LIVE, GridRunner, LiveSource
+from iconstudio.gui.workspaces.grid_runner import FINE, LIVE, GridRunner, Place
 from iconstudio.gui.workspaces.symmetry import SymmetryDetection
+from iconstudio.inputs.together import counted
 from iconstudio.workflows import criteria as edits
 from iconstudio.workflows.criteria import CriteriaPage
 from iconstudio.workflows.events import Event
@@ -36,22 +37,30 @@ GRID = (
 """What every workspace with a grid of results does."""
 
 
-class RemixWorkspace(Workspace, LiveSource):
+class RemixWorkspace(Workspace):
     """Canvas and keyword on the left, results and details on the right.
 
     A subclass makes in ``build`` a ``view``, an ``opener`` and its actions, calls ``lay_out``, and
-    says what its page wants (see ``LiveSource``).
+    says what its page wants.
     """
 
     document: Document[CriteriaPage]
+    placeholder: ClassVar[str]
+    """What to type as the name of the object."""
+    tip: ClassVar[str]
+    """What the button beside it does."""
+    welcome: ClassVar[str]
+    """What will appear in the grid."""
+    nearer: ClassVar[str]
+    """What the results on its left are."""
 
     def build(self) -> None:
         """Make what is not a subclass's own."""
         self.preparation = Preparation(self.session, self.worker, self)
         self.runner = GridRunner(self, self.preparation, self.worker, self)
         self._opening = Runner(self.worker, self)
-        self.keyword_panel = KeywordPanel(self.document)
-        self.browser = ResultsBrowser()
+        self.keyword_panel = KeywordPanel(self.document, self.placeholder, self.tip)
+        self.browser = ResultsBrowser(self.welcome, self.nearer)
         self.detail = self.browser.detail
         self.symmetry = SymmetryButton()
 
@@ -84,12 +93,24 @@ class RemixWorkspace(Workspace, LiveSource):
 
     # -- what a subclass says ------------------------------------------------------------------
 
-    def focus(self) -> tuple[str, float] | None:
+    def inputs(self) -> object:
+        """Return what the results depend on, to be compared."""
+        raise NotImplementedError
+
+    def problem(self) -> str:
+        """Return what is missing before the page can be remixed, as a sentence; else nothing."""
+        raise NotImplementedError
+
+    def settings(self) -> GridSettings:
+        """Return which results to make: all. Called only if there is no problem."""
+        return GridSettings()
+
+    def focus(self) -> Place | None:
         """Return style and lambda_S of the picked result."""
         return self.browser.results.focus
 
     def events(self, inputs: Any, settings: GridSettings) -> Generator[Event]:
-        """Return the run of the work that ``inputs`` is."""
+        """Return the run of the work that ``inputs`` is; called in the worker's thread."""
         return self.session.run(self.workflow, inputs, settings)
 
     def complete(self) -> None:
@@ -196,11 +217,8 @@ class RemixWorkspace(Workspace, LiveSource):
     def outcome(self) -> str:
         """Return whether results follow, and how many there are of the page as it is now."""
         count = 0 if self.runner.stale else self.browser.results.finished
-        parts = (
-            "Live" if self.runner.live else "",
-            f"{count} icon{'s' * (count > 1)}" if count else "",
-        )
-        return " · ".join(part for part in parts if part)
+        parts = "Live" if self.runner.live else "", counted(count, "icon") if count else ""
+        return " · ".join(filter(None, parts))
 
     def _renew(self) -> None:
         """Follow a change of the page; results of something else have nothing to do here."""

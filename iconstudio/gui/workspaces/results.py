@@ -1,15 +1,18 @@
 """What a workspace does with its results: shows, keeps, saves and sends them."""
 
 from collections.abc import Callable, Sequence
+from typing import ClassVar
 
 from PySide6.QtCore import QPoint, Signal
+from PySide6.QtGui import QHideEvent
 from PySide6.QtWidgets import QMenu, QWidget
 
 from iconstudio.gui.exchange.saving import Saver
 from iconstudio.gui.gallery.detail import DetailPanel
-from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.gallery.sending import Destination, offer, pop_up
-from iconstudio.gui.window.actions import Actions
+from iconstudio.gui.gallery.sheet import Sheet
+from iconstudio.gui.pictures.picture import Picture
+from iconstudio.gui.workspaces.actions import Actions
 
 
 class ResultsWidget(QWidget):
@@ -36,14 +39,21 @@ class ResultsWidget(QWidget):
     is in sight. What makes no sense is disabled."""
     saver: Saver
     """Asks where results go."""
+    keeps_last: ClassVar[bool] = False
+    """Whether the result in sight is kept when the user goes elsewhere."""
     destinations: Sequence[Destination] = ()
     """Where icons can be sent to."""
     menu: QMenu | None = None
     """What can be done with the result that was asked about last."""
 
+    def __init__(self) -> None:
+        super().__init__()
+        self._kept: Picture | None = None
+        self.kept.connect(self._note_kept)
+
     @property
     def picture(self) -> Picture | None:
-        """The picked result, which Save SVG, Save PNG and Copy take."""
+        """The picked result."""
         return None if self.detail is None else self.detail.picture
 
     def look_at(self, picture: Picture | None) -> None:
@@ -51,21 +61,26 @@ class ResultsWidget(QWidget):
         self.detail.show_picture(picture)
         self.picked.emit(picture)
 
-    def save_svg(self) -> None:
-        """Save the picked result as SVG."""
-        self._keep(self.saver.save_svg)
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Keep the result in sight if it should be."""
+        super().hideEvent(event)
+        picture = self.picture
+        if picture is None or picture.preview or picture is self._kept:
+            return
+        if self.keeps_last and not event.spontaneous():
+            self.kept.emit(picture)
 
-    def save_png(self) -> None:
-        """Save the picked result as PNG."""
-        self._keep(self.saver.save_png)
+    def pick_from(self, sheet: Sheet) -> None:
+        """Let the results on a sheet be looked at, and kept."""
+        sheet.picked.connect(self.look_at)
+        sheet.chosen.connect(self.look_at)
+        sheet.chosen.connect(self.kept)
 
-    def save_code(self) -> None:
-        """Save the colour code of the picked result."""
-        self._keep(self.saver.save_code)
-
-    def copy_svg(self) -> None:
-        """Put the picked result on the clipboard."""
-        self._keep(self.saver.copy_svg)
+    def take_out(self, save: Callable[[Picture], None]) -> None:
+        """Save the picked result, or copy it; that keeps it in sight."""
+        if self.picture is not None:
+            self.kept.emit(self.picture)
+            save(self.picture)
 
     def send_picture(self, picture: Picture, title: str) -> None:
         """Send a result to the workspace of that title."""
@@ -84,7 +99,5 @@ class ResultsWidget(QWidget):
         """Say what can be done with a result: it can be sent elsewhere."""
         offer(menu, self.destinations, lambda title: self.send_picture(picture, title))
 
-    def _keep(self, save: Callable[[Picture], None]) -> None:
-        if self.picture is not None:
-            self.kept.emit(self.picture)
-            save(self.picture)
+    def _note_kept(self, picture: Picture) -> None:
+        self._kept = picture

@@ -26,6 +26,8 @@ class Ingredient:
 
     exemplar: Exemplar
     pins: tuple[Point, ...] = ()
+    picked: bool = False
+    """Whether the program picked it: then others may take its place, unless it has pins."""
 
     @property
     def id(self) -> str:
@@ -77,6 +79,8 @@ class HybridsPage:
 
 HybridsDocument = Document[HybridsPage]
 
+_FULL = f"At most {MOST} icons can be mixed. Remove one first."
+
 
 def add_icons(document: HybridsDocument, icons: Sequence[Exemplar]) -> tuple[Exemplar, ...]:
     """Mix more icons, as many as there is room for, and return the others.
@@ -92,7 +96,7 @@ def add_icons(document: HybridsDocument, icons: Sequence[Exemplar]) -> tuple[Exe
     new = tuple({one.id: one for one in icons if one.id not in page.ids}.values())
     room = MOST - len(page.ingredients)
     if new and room <= 0:
-        raise IconstudioError(f"At most {MOST} icons can be mixed. Remove one first.")
+        raise IconstudioError(_FULL)
     if new:
         more = (*page.ingredients, *map(Ingredient, new[:room]))
         text = "add icon" if len(new[:room]) == 1 else "add icons"
@@ -109,12 +113,29 @@ def remove_icon(document: HybridsDocument, identifier: str) -> None:
         document.change("remove icon", replace(page, ingredients=left, ask=ask))
 
 
-def set_icons(document: HybridsDocument, icons: tuple[Exemplar, ...], ask: PickRequest) -> None:
-    """Mix the icons that the program picked; pins on those that stay, stay."""
+def set_picked(
+    document: HybridsDocument, icons: tuple[Exemplar, ...], ask: PickRequest
+) -> tuple[Exemplar, ...]:
+    """Mix the icons that the program picked in place of those that it had picked before.
+
+    Those that the user chose, or pinned parts of, stay. Return the icons for which that leaves no
+    room.
+
+    Raises
+    ------
+    IconstudioError
+        If there is no room at all.
+    """
     page = document.page
-    known = {one.id: one for one in page.ingredients}
-    picked = tuple(known.get(icon.id, Ingredient(icon)) for icon in icons)
-    document.change("pick icons", replace(page, ingredients=picked, ask=ask))
+    kept = tuple(one for one in page.ingredients if one.pins or not one.picked)
+    names = {one.id for one in kept}
+    new = [icon for icon in icons if icon.id not in names]
+    room = MOST - len(kept)
+    if new and not room:
+        raise IconstudioError(_FULL)
+    picked = (Ingredient(icon, picked=True) for icon in new[:room])
+    document.change("pick icons", replace(page, ingredients=(*kept, *picked), ask=ask))
+    return tuple(new[room:])
 
 
 def clear_icons(document: HybridsDocument) -> None:
@@ -133,10 +154,10 @@ def set_pins(document: HybridsDocument, identifier: str, pins: tuple[Point, ...]
     document.change(text, replace(page, ingredients=changed))
 
 
-def set_seed(document: HybridsDocument, seed: int) -> None:
-    """Draw by another random seed. Digits typed one after the other are undone together."""
+def set_seed(document: HybridsDocument, seed: int, gesture: object = None) -> None:
+    """Draw by another random seed. Digits that are typed in one ``gesture`` are undone together."""
     if seed != document.page.seed:
-        document.change("change seed", replace(document.page, seed=seed), gesture="seed")
+        document.change("change seed", replace(document.page, seed=seed), gesture)
 
 
 def set_symmetry(document: HybridsDocument, axis: Axis | None) -> None:

@@ -20,6 +20,7 @@ class StoredIngredient(Record, frozen=True):
 
     icon: Text
     pins: Pins = ()
+    picked: bool = False
 
 
 class StoredAsk(Record, frozen=True):
@@ -57,7 +58,7 @@ class HybridsPages(PageFormat[HybridsPage, StoredMix]):
         """Return a page as it is stored."""
         return StoredMix(
             tuple(
-                StoredIngredient(parts.icon(one.exemplar.pictogram), one.pins)
+                StoredIngredient(parts.icon(one.exemplar.pictogram), one.pins, one.picked)
                 for one in page.ingredients
             ),
             None if page.ask is None else StoredAsk(**asdict(page.ask)),
@@ -73,7 +74,7 @@ class HybridsPages(PageFormat[HybridsPage, StoredMix]):
         mixed: dict[str, Ingredient] = {}
         for one in stored.icons:
             icon = parts.exemplar(parts.icon(one.icon))
-            mixed[icon.id] = Ingredient(icon, one.pins)
+            mixed[icon.id] = Ingredient(icon, one.pins, one.picked)
             yield
         favourites = yield from parts.results(stored.favourites)
         return HybridsPage(

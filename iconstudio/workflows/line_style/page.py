@@ -162,9 +162,9 @@ def set_size(document: RestyleDocument, size: float, gesture: object = None) -> 
     _change(document, "change size", gesture, size=min(max(size, SMALLEST), LARGEST))
 
 
-def set_seed(document: RestyleDocument, seed: int) -> None:
-    """Set what random choices depend on. Digits typed one after the other are undone together."""
-    _change(document, "change seed", "seed", seed=seed)
+def set_seed(document: RestyleDocument, seed: int, gesture: object = None) -> None:
+    """Set what random choices depend on."""
+    _change(document, "change seed", gesture, seed=seed)
 
 
 def take_over(document: RestyleDocument, strength: float, seed: int) -> None:

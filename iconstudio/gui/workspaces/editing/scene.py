@@ -7,7 +7,7 @@ from iconstudio.gui.canvas import painters
 from iconstudio.gui.canvas.camera import Camera
 from iconstudio.gui.canvas.outlines import IconOutlines
 from iconstudio.gui.canvas.scene import Scene
-from iconstudio.gui.gallery.pictures import stencil
+from iconstudio.gui.pictures.picture import stencil
 from iconstudio.gui.theme.theme import UNIT, Theme
 from iconstudio.model import CANVAS, MARGIN, Exemplar
 from iconstudio.workflows.editing.page import Area, EditDocument, Kind

@@ -3,7 +3,6 @@
 from collections.abc import Generator
 from typing import NamedTuple
 
-from iconstudio.gui.canvas.outlines import IconOutlines
 from iconstudio.gui.canvas.view import CanvasView
 from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.workspaces.editing.actions import ENTRIES
@@ -20,14 +19,6 @@ from iconstudio.workflows.editing.page import EditPage
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.grid import GridSettings
 
-WELCOME = (
-    "The changed icon appears here, several times: on the left it keeps closer to what you drew;\n"
-    "to the right, the new parts join more smoothly."
-)
-
-
-PLACEHOLDER = "What is it? For example: camera"
-TIP = "Make the icon anew where it is marked (Ctrl+Return)"
 DESCRIPTION = "Mark what should go and what should come here"
 
 
@@ -43,19 +34,23 @@ class EditWorkspace(RemixWorkspace):
 
     page_type = EditPage
     entries = ENTRIES
+    placeholder = "What is it? For example: camera"
+    tip = "Make the icon anew where it is marked (Ctrl+Return)"
+    welcome = (
+        "The changed icon appears here, several times: on the left it keeps closer to what you "
+        "drew;\nto the right, the new parts join more smoothly."
+    )
+    nearer = "Closer to the drawing"
 
     def build(self) -> None:
         """Make canvas, panels and runs."""
         super().build()
         self.opener = EditOpener(self.session, self.document, self.files, self)
-        self.outlines = IconOutlines(self.session, self.finder, self)
         self.outline = AreaOutline(self.document)
         self.tools = edit_tools(self.outline)
         self.tool = self.tools["remove"]
         self.scene = EditScene(self.document, self.outlines)
         self.view = CanvasView(self.scene, self.tool, DESCRIPTION)
-        self.browser.results.set_words(WELCOME, "Closer to the drawing")
-        self.keyword_panel.set_words(PLACEHOLDER, TIP)
         self.offer_symmetry(_outline, lambda page: place_edit(page.edit(), page.icon).silhouette)
         self.make_actions()
         chooser = IconChooser(self.session, self.finder)
@@ -129,8 +124,6 @@ class EditWorkspace(RemixWorkspace):
         self.show_criteria("edit")
         if page.empty:
             self.start_panel.offer(True)
-        else:
-            self.outlines.request(page.icon)
 
     def follow_styles(self, on: bool) -> None:
         """Follow a change of the styles that are wanted."""

@@ -1,6 +1,6 @@
 """What can be done with a mix and its hybrids."""
 
-from iconstudio.gui.window.actions import Entry, Key, work_entries
+from iconstudio.gui.workspaces.actions import Entry, Key, work_entries
 
 
 def _has_icons(place) -> bool:
@@ -12,13 +12,13 @@ def _picked(place) -> bool:
 
 
 ENTRIES = (
-    Entry("svg_in", "Op&en drawing…", "Mix a drawing of your own", "Ctrl+Shift+O", "open",
+    Entry("svg_in", "O&pen drawing…", "Mix a drawing of your own", "Ctrl+Shift+O", "open",
           do="column.chooser.choose_file", menu="&File"),
     Entry("save_all", "Save all &favourites…", "Save every favourite as SVG", "Ctrl+Alt+S",
           menu="&File", enabled=lambda place: place.page.favourites),
     Entry("paste", "&Paste icon", "Mix the drawing on the clipboard", Key.Paste,
           do="opener.paste"),
-    Entry("clear", "&Remove all icons", "Remove all icons", "Ctrl+Backspace", "clear",
+    Entry("clear", "Remove &all icons", "Remove all icons", "Ctrl+Backspace", "clear",
           enabled=_has_icons),
     Entry("favourite", "&Favourite", "Keep the picked hybrid, or no longer", "F", menu="&Edit",
           do=lambda place: place.keep(place.picture), enabled=_picked),

@@ -8,8 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import (
-    QDragEnterEvent,
-    QDropEvent,
     QKeyEvent,
     QMouseEvent,
     QPainter,
@@ -21,10 +19,9 @@ from PySide6.QtWidgets import QGridLayout, QScrollArea, QWidget
 from iconstudio.algorithms.iconification.guidance import mirror_image
 from iconstudio.algorithms.raster import solid
 from iconstudio.gui.canvas.tools.base import NUDGES
-from iconstudio.gui.exchange.dragging import take_copy
-from iconstudio.gui.exchange.mime import holds_something
-from iconstudio.gui.gallery.pictures import stencil, tinted
+from iconstudio.gui.exchange.dropping import DropTarget
 from iconstudio.gui.gallery.sheet_model import credited
+from iconstudio.gui.pictures.picture import stencil, tinted
 from iconstudio.gui.theme import theme
 from iconstudio.gui.theme.layout import tool_button, with_role
 from iconstudio.gui.theme.painting import smooth_painter
@@ -219,7 +216,7 @@ class Cards(QScrollArea):
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setFrameShape(QScrollArea.Shape.NoFrame)
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self.setAcceptDrops(True)
+        DropTarget(self.viewport(), self.dropped.emit)
         self.cards: list[IconCard] = []
         inside = QWidget()
         self._grid = QGridLayout(inside)
@@ -251,16 +248,6 @@ class Cards(QScrollArea):
             parts = pinned(pins, np.stack([one.exemplar.ink for one in ingredients]), axis)
         for card, ingredient, held in zip(self.cards, ingredients, parts, strict=True):
             card.show_icon(ingredient, axis, held)
-
-    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        """Let anything be dropped; what cannot be used is told."""
-        if holds_something(event.mimeData()):
-            take_copy(event)
-
-    def dropEvent(self, event: QDropEvent) -> None:
-        """Take what was dropped."""
-        take_copy(event)
-        self.dropped.emit(event.mimeData())
 
 
 def on_shape(exemplar: Exemplar, point: Point) -> Point:

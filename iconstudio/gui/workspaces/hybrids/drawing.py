@@ -4,10 +4,10 @@ from dataclasses import replace
 
 from PySide6.QtCore import QObject, Signal
 
-from iconstudio.gui.gallery.pictures import Picture, pictured
 from iconstudio.gui.gallery.sheet_model import Rule
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
+from iconstudio.gui.pictures.picture import Picture, pictured
 from iconstudio.gui.workspaces.hybrids.panels import SheetPanel
 from iconstudio.gui.workspaces.hybrids.sections import Section
 from iconstudio.model import CANVAS, IconstudioError, Mix

@@ -3,9 +3,9 @@
 from PySide6.QtCore import QEvent, QObject, QPersistentModelIndex, Qt, Signal, SignalInstance
 from PySide6.QtWidgets import QToolButton, QWidget
 
-from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.gallery.sheet import Sheet
 from iconstudio.gui.gallery.sheet_model import Index
+from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.theme import icons
 from iconstudio.gui.theme.layout import row, tool_button, with_role
 

@@ -61,7 +61,7 @@ class HybridsOpener(IconOpener):
         ask = PickRequest(keyword, count, page.symmetry)
         if page.ask is not None and ask == replace(page.ask, group=0):
             ask = replace(ask, group=page.ask.group + 1)
-        self.replace(lambda: _picking(self.session, ask))
+        self.replace(lambda: self._picking(ask))
 
     def take_exemplar(self, icon: Exemplar) -> None:
         """Add an icon that is drawn already."""
@@ -79,19 +79,23 @@ class HybridsOpener(IconOpener):
         said = f"Added {quoted_list(added)}." if added else "", _there(there)
         return " ".join(filter(None, said))
 
+    def _picking(self, ask: PickRequest) -> Generator[Event | Opened]:
+        session = self.session
+        with closing(session.choose(ask.keyword, ask.count, ask.symmetry, ask.group)) as choosing:
+            icons = yield from choosing
+        picked = tuple(map(session.exemplar, icons))
+
+        def put(document: HybridsDocument) -> None:
+            if left := edits.set_picked(document, picked, ask):
+                self.complain(self.no_room((), [one.id for one in left]))
+
+        yield Opened(f"Picked {len(picked)} icons for “{ask.keyword}”.", put)
+
 
 def _there(names: Sequence[str]) -> str:
     if not names:
         return ""
     return f"{quoted_list(names)} {'is' if len(names) == 1 else 'are'} among the icons already."
-
-
-def _picking(session: Session, ask: PickRequest) -> Generator[Event | Opened]:
-    with closing(session.choose(ask.keyword, ask.count, ask.symmetry, ask.group)) as choosing:
-        icons = yield from choosing
-    picked = tuple(map(session.exemplar, icons))
-    words = f"Picked {len(picked)} icons for “{ask.keyword}”."
-    yield Opened(words, lambda document: edits.set_icons(document, picked, ask))
 
 
 def _page(session: Session, path: Path) -> Generator[Event, None, HybridsPage]:
@@ -114,7 +118,7 @@ def _page(session: Session, path: Path) -> Generator[Event, None, HybridsPage]:
     check(mix)
     pins = mix.pins or ((),) * len(mix.icons)
     ingredients = tuple(
-        Ingredient(session.exemplar(icon), points)
+        Ingredient(session.exemplar(icon), points, picked=ask is not None)
         for icon, points in zip(mix.icons, pins, strict=True)
     )
     name = file.title or path.stem

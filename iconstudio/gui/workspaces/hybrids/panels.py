@@ -1,19 +1,22 @@
 """The column where icons are gathered, and the column where hybrids appear."""
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QSpinBox, QStackedWidget, QWidget
 
-from iconstudio.gui.gallery.pictures import Picture
+from iconstudio.gui.gallery.display import DisplaySwitch
 from iconstudio.gui.gallery.sheet import Sheet
 from iconstudio.gui.gallery.sheet_delegate import Look, Mark
-from iconstudio.gui.panels.caption import Caption
+from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.panels.seed import SeedField
 from iconstudio.gui.panels.symmetry import WORDS, SymmetryButton
+from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.theme import icons
+from iconstudio.gui.theme.caption import Caption
 from iconstudio.gui.theme.layout import (
     card,
     column,
+    hidden,
     label,
     push_button,
     row,
@@ -23,6 +26,7 @@ from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.workspaces.hybrids.cards import COLUMNS, SIDE, Cards
 from iconstudio.gui.workspaces.hybrids.hover_bar import HoverBar
 from iconstudio.gui.workspaces.hybrids.sections import Sections
+from iconstudio.session import Session
 from iconstudio.workflows.hybrids import page as edits
 from iconstudio.workflows.hybrids.file import LARGEST_SEED
 from iconstudio.workflows.hybrids.hybrids import FEWEST, MOST
@@ -31,41 +35,21 @@ from iconstudio.workflows.hybrids.page import HybridsDocument, HybridsPage
 WIDTH = COLUMNS * SIDE + (COLUMNS - 1) * UNIT // 2 + 4 * UNIT + 2
 """Of the column of icons: as many cards as stand in a row."""
 
-_LOOK = Look(12 * UNIT, mark=Mark.STAR, picks=True, fills=True)
-
-
-class PickRow(QWidget):
-    """“Pick 5 for me”.
-
-    Signals
-    -------
-    requested(int)
-        So many icons are to be picked.
-    """
-
-    requested = Signal(int)
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.count = QSpinBox(minimum=FEWEST, maximum=MOST, value=5)
-        self.count.setAccessibleName("How many icons to pick")
-        self.count.setFixedSize(7 * UNIT, 4 * UNIT)
-        tip = "Let the program pick icons of this name that mix well"
-        self.button = push_button("Pick for me", tip, self._request)
-        row(self.button, self.count, (label("icons that mix well"), 1), of=self)
-
-    def _request(self) -> None:
-        self.requested.emit(self.count.value())
+_LOOK = Look(12 * UNIT, mark=Mark.STAR, picks=True, fills=True, coded=True)
 
 
 class IconsColumn(QWidget):
     """Find icons above, what was gathered below, and how to mix it: edits the page."""
 
-    def __init__(self, document: HybridsDocument, chooser: IconChooser) -> None:
+    def __init__(self, document: HybridsDocument, session: Session, worker: Worker) -> None:
         super().__init__()
         self.setFixedWidth(WIDTH)
-        self.chooser = chooser
-        self.pick = PickRow()
+        self.chooser = IconChooser(session, worker, multiple=True)
+        self.count = QSpinBox(minimum=FEWEST, maximum=MOST, value=5)
+        self.count.setAccessibleName("How many icons to pick")
+        self.count.setFixedSize(7 * UNIT, 4 * UNIT)
+        tip = "Let the program pick icons of this name that mix well"
+        self.pick = push_button("Pick for me", tip)
         self.cards = Cards(document)
         self.symmetry = SymmetryButton()
         words = "All are nearly symmetric · Hold to symmetry"
@@ -73,12 +57,13 @@ class IconsColumn(QWidget):
         self.offer.setCursor(Qt.CursorShape.PointingHandCursor)
         self.seed = SeedField(LARGEST_SEED, "hybrids")
         self.run = push_button("Mix", role="primary")
-        self._count = label(role="heading")
+        self._gathered = label(role="heading")
         self._hint = Caption()
         wide = (UNIT * 3 // 2,) * 4
         settings = row(self.symmetry, self.seed, None, self.run)
-        gathered = self._count, self._hint, (self.cards, 1), self.offer, settings
-        finding = card((chooser, 1), self.pick, margins=wide)
+        gathered = self._gathered, self._hint, (self.cards, 1), self.offer, settings
+        picking = row(self.pick, self.count, (label("icons that mix well"), 1))
+        finding = card((self.chooser, 1), picking, margins=wide)
         column((finding, 5), (card(*gathered, margins=wide), 6), of=self)
         self._wire(document)
 
@@ -88,12 +73,12 @@ class IconsColumn(QWidget):
         self.offer.clicked.connect(
             lambda: edits.set_symmetry(document, edits.shared_axis(document.page))
         )
-        self.seed.changed.connect(lambda seed: edits.set_seed(document, seed))
+        self.seed.changed.connect(lambda seed: edits.set_seed(document, seed, self.seed.gesture))
 
     def show_page(self, page: HybridsPage) -> None:
         """Show what is to be mixed, and offer a symmetry that all icons nearly have."""
         count = len(page.ingredients)
-        self._count.setText(f"Icons to mix · {count}" if count else "Icons to mix")
+        self._gathered.setText(f"Icons to mix · {count}" if count else "Icons to mix")
         self._hint.say(
             "Click a part on an icon to pin it: every hybrid keeps it."
             if count
@@ -124,17 +109,14 @@ class SheetPanel(QFrame):
         self.bar = HoverBar(self.sheet)
         self.sections = Sections(self.sheet, self.bar)
         self.note = label()
-        self.button = push_button("Whole sheet", "Go back to all hybrids")
+        self.button = hidden(push_button("Whole sheet", "Go back to all hybrids"))
         self.button.setIcon(icons.icon("back"))
-        policy = self.button.sizePolicy()
-        policy.setRetainSizeWhenHidden(True)
-        self.button.setSizePolicy(policy)
-        self.button.hide()
         self._stack = QStackedWidget()
         self._stack.addWidget(self._welcome())
         self._stack.addWidget(self.sheet)
         title = label("Hybrids", "title")
-        top = row(title, (self.note, 1), self.button, margins=(UNIT // 2, 0, UNIT, 0))
+        parts = title, (self.note, 1), self.button, DisplaySwitch()
+        top = row(*parts, margins=(UNIT // 2, 0, UNIT, 0))
         half = UNIT // 2
         column(top, (self._stack, 1), of=self, spacing=half, margins=(UNIT, UNIT, half, half))
 

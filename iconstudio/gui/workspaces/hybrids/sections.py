@@ -5,9 +5,9 @@ from dataclasses import dataclass, field
 
 from PySide6.QtCore import QObject, QPersistentModelIndex, QPoint
 
-from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.gallery.sheet import Sheet
 from iconstudio.gui.gallery.sheet_model import Rule
+from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.workspaces.hybrids.hover_bar import HoverBar
 from iconstudio.model import Mix

@@ -5,15 +5,14 @@ from PySide6.QtWidgets import QMenu, QWidget
 
 from iconstudio.gui.gallery.detail import DetailPanel
 from iconstudio.gui.gallery.favourites import FavouritesPanel
-from iconstudio.gui.gallery.pictures import Picture, picture_of
-from iconstudio.gui.gallery.sending import Destination
-from iconstudio.gui.panels.chooser import IconChooser
+from iconstudio.gui.pictures.picture import Picture, picture_of
 from iconstudio.gui.theme.layout import column, row, splitter
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.hybrids.actions import ENTRIES
 from iconstudio.gui.workspaces.hybrids.drawing import CODED, Draws
 from iconstudio.gui.workspaces.hybrids.opening import HybridsOpener
 from iconstudio.gui.workspaces.hybrids.panels import IconsColumn, SheetPanel
+from iconstudio.inputs.together import counted
 from iconstudio.model import IconstudioError, Pictogram
 from iconstudio.workflows.hybrids import page as edits
 from iconstudio.workflows.hybrids.page import HybridsPage
@@ -24,13 +23,12 @@ class HybridsWorkspace(Workspace):
 
     page_type = HybridsPage
     entries = ENTRIES
+    sends_to_itself = False
 
     def build(self) -> None:
         """Make canvas, panels and runs."""
         self.opener = HybridsOpener(self.session, self.document, self.finder, self)
-        self.column = IconsColumn(
-            self.document, IconChooser(self.session, self.finder, multiple=True)
-        )
+        self.column = IconsColumn(self.document, self.session, self.finder)
         self.panel = SheetPanel()
         self.sheet, self.sections = self.panel.sheet, self.panel.sections
         self.draws = Draws(self.session, self.worker, self.panel, self)
@@ -48,20 +46,18 @@ class HybridsWorkspace(Workspace):
     def _wire(self) -> None:
         self.column.chooser.chosen.connect(self.opener.take_exemplar)
         self.column.cards.dropped.connect(self.opener.open_mime)
-        self.column.pick.requested.connect(self.pick)
+        self.column.pick.clicked.connect(self.pick)
         self.column.run.clicked.connect(self.run)
         self.follow(self.draws.runner, self.draws.show)
         self.follow(self.opener.runner)
         self.draws.counted.connect(self.counted)
         self.draws.section_changed.connect(self.rest)
         self.opener.shown.connect(self.run)
-        self.sheet.picked.connect(self.look_at)
-        self.sheet.chosen.connect(self.kept)
+        self.pick_from(self.sheet)
+        self.pick_from(self.favourites_panel.icon_list)
         self.sheet.asked.connect(self.offer_for)
         self.panel.bar.favourite.connect(self.keep)
         self.panel.bar.like.connect(self.draw_like)
-        self.favourites_panel.icon_list.chosen.connect(self.look_at)
-        self.favourites_panel.icon_list.chosen.connect(self.kept)
         self.favourites_panel.icon_list.changed.connect(self._note_favourites)
         self.favourites_panel.button.clicked.connect(self.save_all)
 
@@ -75,11 +71,6 @@ class HybridsWorkspace(Workspace):
     def enter(self) -> None:
         """Begin with looking icons up, or go on at the sheet."""
         (self.sheet if self.sections.all else self.column.chooser).setFocus()
-
-    def set_destinations(self, destinations: tuple[Destination, ...]) -> None:
-        """Say where hybrids can be sent to."""
-        others = tuple(one for one in destinations if one.title != self.workflow.title)
-        super().set_destinations(others)
 
     # -- mixing --------------------------------------------------------------------------------
 
@@ -102,12 +93,12 @@ class HybridsWorkspace(Workspace):
         except IconstudioError as error:
             self.failed.emit(str(error))
 
-    def pick(self, count: int) -> None:
+    def pick(self) -> None:
         """Let the program pick icons of the word that is looked up; once more, the next best."""
         keyword = self.column.chooser.field.text().strip()
         if keyword:
             self.remarked.emit("")
-            self.opener.pick(keyword, count)
+            self.opener.pick(keyword, self.column.count.value())
         else:
             self.hinted.emit("Type what the icons should show, for example “lamp”.")
             self.column.chooser.setFocus()
@@ -116,7 +107,7 @@ class HybridsWorkspace(Workspace):
         """Return how many hybrids are in sight, and how many there are."""
         count, total = (len(some) for some in (self.sections.in_sight, self.sections.pictures))
         others = f" · {total} with the others" if total > count else ""
-        return f"{count} hybrid{'s' * (count > 1)}{others}" if count else ""
+        return f"{counted(count, 'hybrid')}{others}" if count else ""
 
     # -- looking at results --------------------------------------------------------------------
 

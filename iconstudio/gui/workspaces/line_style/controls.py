@@ -102,7 +102,7 @@ class StyleControls(QFrame):
         )
         self.turning.clicked.connect(self._turn)
         self.seed = SeedField(LARGEST_SEED, "lines")
-        self.seed.changed.connect(lambda seed: edits.set_seed(document, seed))
+        self.seed.changed.connect(lambda seed: edits.set_seed(document, seed, self.seed.gesture))
         sliders = column(self.strength, self.size, spacing=UNIT // 2)
         others = column(self.seed, self.turning, spacing=UNIT // 2)
         row(card(row((sliders, 1), others, spacing=3 * UNIT)), of=self)

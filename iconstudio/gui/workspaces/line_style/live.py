@@ -5,7 +5,7 @@ from contextlib import closing
 from dataclasses import dataclass
 from itertools import repeat
 
-from iconstudio.gui.gallery.pictures import Picture, pictured
+from iconstudio.gui.pictures.picture import Picture, pictured
 from iconstudio.model import IconstudioError, Line, LineStyle, Restyling
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event

@@ -3,7 +3,7 @@
 from collections.abc import Generator
 from pathlib import Path
 
-from iconstudio.gui.window.preferences import remember, remembered
+from iconstudio.gui.preferences import remember, remembered
 from iconstudio.inputs.line_style import read_style
 from iconstudio.model import IconstudioError, LineStyle
 

@@ -7,7 +7,7 @@ from PySide6.QtGui import QPainter, QPainterPath, QPen, QPolygonF
 
 from iconstudio.gui.canvas.camera import Camera
 from iconstudio.gui.canvas.scene import Scene
-from iconstudio.gui.gallery.pictures import Picture
+from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.theme.theme import Theme
 from iconstudio.gui.workspaces.line_style.reading import IconLines
 from iconstudio.model import Line

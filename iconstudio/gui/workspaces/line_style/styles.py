@@ -6,12 +6,12 @@ from PySide6.QtCore import Signal
 from PySide6.QtGui import QAction, QPainterPath
 from PySide6.QtWidgets import QFrame, QToolButton
 
-from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.gallery.sheet import Sheet
 from iconstudio.gui.gallery.sheet_delegate import Look
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
-from iconstudio.gui.panels.elided import ElidedLabel
+from iconstudio.gui.pictures.picture import Picture
+from iconstudio.gui.theme.elided import ElidedLabel
 from iconstudio.gui.theme.layout import card, label, row
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.workspaces.line_style.live import Sample, samples

@@ -3,9 +3,9 @@
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFrame
 
-from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.gallery.sheet import Sheet
 from iconstudio.gui.gallery.sheet_delegate import Look
+from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.theme.layout import card, label, push_button, row
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.workspaces.line_style.live import Made

@@ -4,15 +4,14 @@ from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QHideEvent, QShowEvent
+from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QWidget
 
 from iconstudio.gui.canvas.start import StartButtons
 from iconstudio.gui.canvas.view import CanvasView
 from iconstudio.gui.gallery.detail import DetailPanel
-from iconstudio.gui.gallery.pictures import Picture
-from iconstudio.gui.gallery.sending import Destination
 from iconstudio.gui.jobs.worker import Worker
+from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.theme.layout import column, row, splitter
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.workspaces.base import Workspace
@@ -30,6 +29,7 @@ from iconstudio.gui.workspaces.line_style.styles import StylesPanel
 from iconstudio.gui.workspaces.line_style.tools import PenTool, SelectTool
 from iconstudio.gui.workspaces.line_style.variations import VariationsPanel
 from iconstudio.inputs.line_style import write_style
+from iconstudio.inputs.styles import bundled
 from iconstudio.model import IconstudioError, Pictogram, StylePair
 from iconstudio.workflows.line_style import page as edits
 from iconstudio.workflows.line_style.page import OWN, RestylePage
@@ -43,7 +43,14 @@ class LineStyleWorkspace(Workspace):
     """Styles on the left, the lines on a canvas, variations and the picked result on the right."""
 
     page_type = RestylePage
+    keeps_last = True
     entries = ENTRIES
+    sends_to_itself = False
+
+    @staticmethod
+    def get_ready() -> None:
+        """Read the styles of the program."""
+        bundled()
 
     def build(self) -> None:
         """Make canvas, panels and runs."""
@@ -51,7 +58,6 @@ class LineStyleWorkspace(Workspace):
         self.opener = RestyleOpener(self.session, self.document, self.finder, self)
         self.restyler = Restyler(self.session, self.worker, self)
         self.reader = LineReader(self.session, self.finder, self)
-        self._kept: Picture | None = None
         self.scene = RestyleScene(self.document)
         self.tools = {
             "select": SelectTool(self.document, self.scene),
@@ -107,7 +113,6 @@ class LineStyleWorkspace(Workspace):
             lambda work: edits.take_over(self.document, work.strength, work.seed)
         )
         self.variations.sheet.asked.connect(self.offer_for)
-        self.kept.connect(self._note_kept)
 
     # -- what the window asks for --------------------------------------------------------------
 
@@ -120,11 +125,6 @@ class LineStyleWorkspace(Workspace):
     def enter(self) -> None:
         """Begin on the canvas."""
         self.view.setFocus()
-
-    def set_destinations(self, destinations: tuple[Destination, ...]) -> None:
-        """Say where icons can be sent to."""
-        others = tuple(one for one in destinations if one.title != self.workflow.title)
-        super().set_destinations(others)
 
     def run(self) -> None:
         """Draw the lines once more; say what is missing if that cannot be."""
@@ -145,14 +145,6 @@ class LineStyleWorkspace(Workspace):
         """Draw the samples of the styles when they are first in sight."""
         super().showEvent(event)
         self.styles.begin()
-
-    def hideEvent(self, event: QHideEvent) -> None:
-        """Keep the result in sight when the user goes elsewhere."""
-        super().hideEvent(event)
-        picture = self.picture
-        if event.spontaneous() or picture is None or picture.preview or picture is self._kept:
-            return
-        self.kept.emit(picture)
 
     # -- results -------------------------------------------------------------------------------
 
@@ -184,9 +176,6 @@ class LineStyleWorkspace(Workspace):
         self.scene.show_result(picture)
         self.look_at(picture)
         self.kept.emit(picture)
-
-    def _note_kept(self, picture: Picture) -> None:
-        self._kept = picture
 
     # -- page ----------------------------------------------------------------------------------
 
@@ -234,10 +223,6 @@ class LineStyleWorkspace(Workspace):
             own_styles.note(path)
 
         self.saver.save_work("line style", style.name, write)
-
-    def save_strokes(self) -> None:
-        """Save the picked result as SVG in which strokes are strokes."""
-        self._keep(self.saver.save_strokes)
 
     def save(self) -> None:
         """Write the work into a file."""

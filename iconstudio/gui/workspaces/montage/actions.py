@@ -1,6 +1,6 @@
 """What can be done with a montage."""
 
-from iconstudio.gui.window.actions import CANVAS, Entry, Key, tool, work_entries
+from iconstudio.gui.workspaces.actions import CANVAS, Entry, Key, tool, work_entries
 from iconstudio.workflows.montage import edits
 
 
@@ -9,7 +9,7 @@ def _holds_icons(place) -> bool:
 
 
 ENTRIES = (
-    Entry("svg_in", "Op&en drawing…", "Add a drawing of your own", "Ctrl+Shift+O", "open",
+    Entry("svg_in", "O&pen drawing…", "Add a drawing of your own", "Ctrl+Shift+O", "open",
           do="chooser.choose_file", menu="&File"),
     Entry("paste", "P&aste drawing", "Add the drawing on the clipboard", Key.Paste,
           do="opener.paste"),
@@ -24,8 +24,8 @@ ENTRIES = (
           do=lambda place: place.brush.step(1)),
     Entry("narrower", "&Narrower brush", "Narrower brush", "[", menu="&Edit",
           do=lambda place: place.brush.step(-1)),
-    tool("arrange", "&Arrange icons", "Choose, move and scale icons", "V", "arrow"),
     tool("brush", "&Keep brush", "Scribble over the parts to keep", "B", "brush"),
+    tool("arrange", "&Arrange icons", "Choose, move and scale icons", "V", "arrow"),
     tool("eraser", "&Eraser", "Rub scribbles out", "E", "eraser"),
     *work_entries("montage", _holds_icons),
     *CANVAS,

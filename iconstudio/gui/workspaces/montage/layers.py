@@ -4,9 +4,9 @@ from PySide6.QtCore import QPoint, QRectF, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPaintEvent
 from PySide6.QtWidgets import QFrame, QSplitter, QWidget
 
-from iconstudio.gui.gallery.pictures import tinted
-from iconstudio.gui.panels.elided import ElidedLabel
+from iconstudio.gui.pictures.picture import tinted
 from iconstudio.gui.theme import icons, theme
+from iconstudio.gui.theme.elided import ElidedLabel
 from iconstudio.gui.theme.layout import (
     card,
     column,
@@ -21,6 +21,7 @@ from iconstudio.gui.theme.layout import (
 from iconstudio.gui.theme.painting import fill_rounded, smooth_painter
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.workspaces.montage.appearance import color_of
+from iconstudio.inputs.together import counted
 from iconstudio.workflows.montage import edits
 from iconstudio.workflows.montage.page import MontageDocument, MontagePage, PlacedIcon, choose
 
@@ -85,7 +86,8 @@ class LayerRow(QFrame):
             self._hidden = layer.hidden
             self._show_eye()
         self.picture.show_layer(layer)
-        self.count.setText(_counted(len(layer.strokes)))
+        strokes = len(layer.strokes)
+        self.count.setText(counted(strokes, "stroke") if strokes else "not marked yet")
         self.setToolTip(f"{layer.icon.pictogram.name}\nClick to scribble over it, drag to reorder")
         self.setAccessibleName(f"{layer.title}, {self.count.text()}")
         turn_role(self, "chosen", chosen)
@@ -209,7 +211,3 @@ def left_side(chooser: QWidget, layers: LayerList) -> QSplitter:
     area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
     listed = card(label("Layers", "heading"), (area, 1))
     return splitter(Qt.Orientation.Vertical, (finding, 300, 0), (listed, 260, 0))
-
-
-def _counted(strokes: int) -> str:
-    return {0: "not marked yet", 1: "1 stroke"}.get(strokes, f"{strokes} strokes")

@@ -3,7 +3,7 @@
 from collections.abc import Generator
 from dataclasses import dataclass, field
 
-from iconstudio.gui.gallery.pictures import Picture, pictured
+from iconstudio.gui.pictures.picture import Picture, pictured
 from iconstudio.model import Montage, Remix
 from iconstudio.output.colours import Palette, numbered_colour
 from iconstudio.session import Session

@@ -11,7 +11,7 @@ from PySide6.QtGui import QColor, QImage, QPainter
 
 from iconstudio.gui.canvas.camera import Camera
 from iconstudio.gui.canvas.outlines import IconOutlines
-from iconstudio.gui.gallery.pictures import stencil
+from iconstudio.gui.pictures.picture import stencil
 from iconstudio.gui.workspaces.montage.appearance import rect_of, transform_of
 from iconstudio.workflows.montage.page import PlacedIcon
 

@@ -3,25 +3,23 @@
 from functools import partial
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QHideEvent
 
-from iconstudio.gui.canvas.outlines import IconOutlines
 from iconstudio.gui.canvas.start import StartButtons
 from iconstudio.gui.canvas.view import CanvasView
 from iconstudio.gui.gallery.detail import DetailPanel
-from iconstudio.gui.gallery.pictures import Picture
 from iconstudio.gui.jobs.live import LiveRunner
 from iconstudio.gui.panels.chooser import IconChooser
+from iconstudio.gui.panels.slider import IconSlider
+from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.theme.layout import row, splitter
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.montage.actions import ENTRIES
 from iconstudio.gui.workspaces.montage.layers import LayerList, left_side
 from iconstudio.gui.workspaces.montage.live import TITLE, Request, made
 from iconstudio.gui.workspaces.montage.opening import MontageOpener
-from iconstudio.gui.workspaces.montage.overlay import BrushSlider
 from iconstudio.gui.workspaces.montage.scene import MontageScene
 from iconstudio.gui.workspaces.montage.tools import montage_tools
-from iconstudio.gui.workspaces.montage.tools.scribble import Brush
+from iconstudio.gui.workspaces.montage.tools.scribble import THINNEST, WIDEST, Brush
 from iconstudio.model import Pictogram
 from iconstudio.workflows.montage.page import MontagePage
 
@@ -35,14 +33,13 @@ class MontageWorkspace(Workspace):
     """Icons to choose from and layers on the left, the canvas, and the live result on the right."""
 
     page_type = MontagePage
+    keeps_last = True
     entries = ENTRIES
 
     def build(self) -> None:
         """Make canvas, panels and runs."""
         self.opener = MontageOpener(self.session, self.document, self.finder, self)
-        self.outlines = IconOutlines(self.session, self.finder, self)
         self.live = LiveRunner(self.worker, partial(made, self.session), self)
-        self._kept: Picture | None = None
         self.scene = MontageScene(self.document, self.outlines)
         self.brush = Brush(self)
         self.tools = montage_tools(self.document, self.scene, self.brush)
@@ -51,17 +48,17 @@ class MontageWorkspace(Workspace):
         self.layers = LayerList(self.document)
         self.detail = DetailPanel(upright=True, invitation=INVITATION)
         self.make_actions()
-        self.actions_by_name["brush"].setChecked(True)
         self.start_buttons = StartButtons(self.view, self.actions_by_name["svg_in"], self.examples)
         bar = "undo redo", "arrange brush eraser pan", "mirror fit clear"
-        self.slider = BrushSlider(self.brush)
+        sizes, brush = (THINNEST, WIDEST), self.brush
+        self.slider = IconSlider("brush", "Brush size", sizes, brush.width, brush.set_width)
+        brush.changed.connect(self.slider.slider.setValue)
         panel = self.canvas_panel_of(*bar, trailing=[self.slider])
         left = left_side(self.chooser, self.layers)
         parts = (left, 292, 0), (panel, 552, 3), (self.detail, 416, 2)
         row(splitter(Qt.Orientation.Horizontal, *parts), of=self)
         self.chooser.chosen.connect(lambda one: self.opener.take(one.pictogram))
         self.follow(self.live, self._show_result)
-        self.kept.connect(self._note_kept)
 
     # -- what the window asks for --------------------------------------------------------------
 
@@ -74,20 +71,11 @@ class MontageWorkspace(Workspace):
         """Begin with looking for icons, then on the canvas."""
         (self.view if self.page.layers else self.chooser).setFocus()
 
-    def hideEvent(self, event: QHideEvent) -> None:
-        """Keep the result in sight when the user goes elsewhere."""
-        super().hideEvent(event)
-        if not event.spontaneous() and self.picture is not None and self.picture is not self._kept:
-            self.kept.emit(self.picture)
-
     # -- result --------------------------------------------------------------------------------
 
     def _show_result(self, event: object) -> None:
         if isinstance(event, Picture):
             self.look_at(event)
-
-    def _note_kept(self, picture: Picture) -> None:
-        self._kept = picture
 
     # -- page ----------------------------------------------------------------------------------
 
@@ -100,8 +88,6 @@ class MontageWorkspace(Workspace):
             self.live.cancel()
             if self.picture is not None:
                 self.look_at(None)
-        for one in page.layers:
-            self.outlines.request(one.icon.exemplar)
 
     def save(self) -> None:
         """Write the montage into a file."""

@@ -7,22 +7,24 @@ from collections.abc import Callable
 from typing import Any
 
 from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QWidget
 
 from iconstudio.gui.document.document import Document
 from iconstudio.gui.exchange.saving import Saver
 from iconstudio.gui.gallery.detail import DetailPanel
-from iconstudio.gui.gallery.pictures import Picture, pictured
-from iconstudio.gui.gallery.sending import Destination
+from iconstudio.gui.gallery.display import DisplaySwitch
 from iconstudio.gui.gallery.sheet import Sheet
 from iconstudio.gui.gallery.sheet_delegate import framed
 from iconstudio.gui.gallery.sheet_model import results_with
 from iconstudio.gui.jobs.live import LiveRunner
 from iconstudio.gui.jobs.worker import Worker
-from iconstudio.gui.theme.layout import card, label, row, splitter
-from iconstudio.gui.window.actions import Entry, work_entries
+from iconstudio.gui.pictures.picture import Picture, pictured
+from iconstudio.gui.theme.layout import card, hidden, label, push_button, row, splitter
+from iconstudio.gui.workspaces.actions import Entry, work_entries
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.plain.icons import WorkIcons
 from iconstudio.gui.workspaces.plain.opening import WorkOpener, WorkPage
+from iconstudio.inputs.together import counted
 from iconstudio.model import Pictogram
 from iconstudio.session import Session
 from iconstudio.workflows.workflow import Workflow
@@ -34,6 +36,8 @@ _SIDE = 112
 class PlainWorkspace(Workspace):
     """Icons are chosen, and a workflow runs over them as it declares."""
 
+    sends_to_itself = False
+
     def __init__(self, workflow: Workflow, session: Session, files: Worker, saver: Saver) -> None:
         super().__init__(workflow, session, files, saver, Document(WorkPage(workflow.work())))
         self.opener = WorkOpener(workflow, session, self.document, self.finder, self)
@@ -42,26 +46,37 @@ class PlainWorkspace(Workspace):
             self.worker, lambda work: pictured(session.run(workflow, work)), self
         )
         self.results = Sheet(
-            framed(_SIDE),
+            framed(_SIDE, coded=True),
             results_with("Click to see it large"),
             workflow.title,
             hint="The icons appear here",
             draggable=True,
         )
         self.detail = DetailPanel()
-        run = Entry("run", f"&{workflow.title}", "Make the icons anew", "Ctrl+Return")
+        run = Entry("run", workflow.title.replace("&", "&&"), "Make the icons anew", "Ctrl+Return")
         self.entries = (run, *work_entries(workflow.noun, lambda place: True))
         self.make_actions()
-        shown = card(label(workflow.title, "title"), (self.results, 1))
+        self.switch = hidden(DisplaySwitch())
+        shown = card(row((label(workflow.title, "title"), 1), *self._buttons()), (self.results, 1))
         right = splitter(Qt.Orientation.Vertical, (shown, 420, 1), (self.detail, 190, 0))
         row(*filter(None, [self.work_icons]), (right, 1), of=self)
         self._wire()
+
+    def _buttons(self) -> tuple[QWidget, ...]:
+        """Return what stands above the results; a workflow without icons begins with a file."""
+        if self.work_icons is not None:
+            return (self.switch,)
+        action = self.actions_by_name["open"]
+        words = f"Open {self.workflow.noun}…"
+        return self.switch, push_button(words, action.toolTip(), action.trigger)
 
     def _wire(self) -> None:
         if self.work_icons is not None:
             self.work_icons.chooser.chosen.connect(lambda icon: self.opener.add_icons([icon]))
             self.work_icons.removed.connect(lambda icon: self.opener.remove_icon(icon.id))
-        self.results.chosen.connect(self._look_at)
+        self.pick_from(self.results)
+        self.results.asked.connect(self.offer_for)
+        self.results.changed.connect(self._show_switch)
         self.runner.began.connect(self._clear)
         self.follow(self.runner, self._show)
         self.follow(self.opener.runner)
@@ -69,11 +84,6 @@ class PlainWorkspace(Workspace):
     def enter(self) -> None:
         """Begin with looking icons up, if it takes any."""
         (self.results if self.work_icons is None else self.work_icons.chooser).setFocus()
-
-    def set_destinations(self, destinations: tuple[Destination, ...]) -> None:
-        """Say where icons can be sent to."""
-        others = tuple(one for one in destinations if one.title != self.workflow.title)
-        super().set_destinations(others)
 
     def run(self) -> None:
         """Make the icons of what is there anew; nothing of an empty page."""
@@ -98,10 +108,13 @@ class PlainWorkspace(Workspace):
         else:
             make(page.work)
 
+    def _show_switch(self) -> None:
+        """Let the user choose between icons and their colour code, if any has one."""
+        self.switch.setVisible(any(one.has_code for one in self.results.pictures))
+
     def _clear(self) -> None:
         self.results.show_entries(())
-        self.detail.show_picture(None)
-        self.picked.emit(None)
+        self.look_at(None)
 
     def _show(self, event: object) -> None:
         if isinstance(event, Picture):
@@ -110,18 +123,12 @@ class PlainWorkspace(Workspace):
             self.counted.emit(len(self.results.pictures))
             self.runner.release()
             if self.picture is None:
-                self._look_at(event, kept=False)
-
-    def _look_at(self, picture: Picture, kept: bool = True) -> None:
-        self.detail.show_picture(picture)
-        self.picked.emit(picture)
-        if kept:
-            self.kept.emit(picture)
+                self.look_at(event)
 
     def outcome(self) -> str:
         """Return how many icons there are."""
         count = len(self.results.pictures)
-        return "1 icon" if count == 1 else f"{count} icons" if count else ""
+        return counted(count, "icon") if count else ""
 
     def save(self) -> None:
         """Write the work into a file."""

@@ -1,6 +1,6 @@
 """What can be done with a sketch."""
 
-from iconstudio.gui.window.actions import Entry, Key, tool, work_entries
+from iconstudio.gui.workspaces.actions import Entry, Key, tool, work_entries
 from iconstudio.gui.workspaces.remixing import GRID
 
 
@@ -16,7 +16,7 @@ ENTRIES = (
           do="tool.delete_selected", enabled=_drawn),
     Entry("clear", "Clear &outline", "Remove the outline", "Ctrl+Backspace", "clear",
           do="outline.clear", enabled=_drawn),
-    Entry("run", "&Remix", "Make new icons in four styles", "Ctrl+Return"),
+    Entry("run", "Remi&x", "Make new icons in four styles", "Ctrl+Return"),
     tool("trace", "&Trace outline", "Trace the outline", "P", "polygon"),
     Entry("regions", "&Salient regions", "Show the regions that are matched", "R", "regions",
           do="show_regions", checkable=True, menu="&View"),

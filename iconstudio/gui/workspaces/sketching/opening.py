@@ -5,8 +5,8 @@ from functools import partial
 from pathlib import Path
 
 from iconstudio.files import read_bytes
-from iconstudio.gui.canvas.photo import image_of
 from iconstudio.gui.exchange.opening import Opened, Opener
+from iconstudio.gui.pictures.photo import image_of
 from iconstudio.images.photo import photo_of
 from iconstudio.images.reading import MAX_BYTES, SUFFIXES
 from iconstudio.inputs.items import Drawing, File, Image, Item

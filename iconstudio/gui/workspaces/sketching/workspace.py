@@ -10,11 +10,11 @@ from iconstudio.algorithms.geometry import crosses_itself
 from iconstudio.gui.canvas.start import StartButtons
 from iconstudio.gui.canvas.tools.polygon import PolygonTool
 from iconstudio.gui.canvas.view import CanvasView
-from iconstudio.gui.gallery.pictures import Picture
+from iconstudio.gui.panels.slider import IconSlider
+from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.workspaces.remixing import RemixWorkspace
 from iconstudio.gui.workspaces.sketching.actions import ENTRIES
 from iconstudio.gui.workspaces.sketching.opening import SketchOpener
-from iconstudio.gui.workspaces.sketching.overlay import DimSlider
 from iconstudio.gui.workspaces.sketching.scene import SketchScene
 from iconstudio.images.photo import file_beside
 from iconstudio.model import IconstudioError, Polygon, Sketch
@@ -24,12 +24,21 @@ from iconstudio.workflows.modelling.file import SketchFile
 from iconstudio.workflows.modelling.page import SketchPage
 from iconstudio.workflows.outline import Outline
 
+DESCRIPTION = "Trace the outline of an object here"
+
 
 class SketchWorkspace(RemixWorkspace):
     """The outline of an object is traced, perhaps over a photo, and remixed."""
 
     page_type = SketchPage
     entries = ENTRIES
+    placeholder = "What is it? For example: motorcycle"
+    tip = "Make new icons in four styles (Ctrl+Return)"
+    welcome = (
+        "Your icons appear here: a row for each style, from thin lines to solid.\nOn the left "
+        "they stay closer to your sketch; to the right, larger parts join more smoothly."
+    )
+    nearer = "Closer to the sketch"
 
     def build(self) -> None:
         """Make canvas, panels and runs."""
@@ -40,9 +49,8 @@ class SketchWorkspace(RemixWorkspace):
         self.outline = Outline(self.document)
         self.tool = PolygonTool(self.outline)
         self.tools = {"trace": self.tool}
-        words = "Trace the outline of an object here"
-        self.view = CanvasView(self.scene, self.tool, words)
-        self.dim = DimSlider(self.scene)
+        self.view = CanvasView(self.scene, self.tool, DESCRIPTION)
+        self.dim = IconSlider("dim", "Dim the photo", (0, 100), 35, self.scene.set_dim)
         self.offer_symmetry(lambda page: page.sketch.polygon if page.closed else None, _filled)
         self.make_actions()
         self.start_buttons = StartButtons(self.view, self.actions_by_name["photo"], self.examples)

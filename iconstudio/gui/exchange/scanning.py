@@ -9,10 +9,10 @@ from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QCheckBox, QLabel, QSlider, QWidget
 
 from iconstudio.algorithms.scanning.binarisation import Scan
-from iconstudio.gui.canvas.photo import image_of, qt_image
+from iconstudio.gui.exchange.icon_dialog import GAP, IconDialog, ScanView
 from iconstudio.gui.jobs.live import LiveRunner
 from iconstudio.gui.jobs.worker import Worker
-from iconstudio.gui.panels.icon_dialog import GAP, IconDialog, ScanView
+from iconstudio.gui.pictures.photo import image_of, qt_image
 from iconstudio.gui.theme.layout import push_button, row
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.images.reading import SUFFIXES, Image, is_image_file

@@ -4,9 +4,9 @@ from collections.abc import Callable, Generator, Sequence
 
 from PySide6.QtWidgets import QLineEdit, QListWidget, QWidget
 
+from iconstudio.gui.exchange.icon_dialog import GAP, IconDialog, ScanView
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
-from iconstudio.gui.panels.icon_dialog import GAP, IconDialog, ScanView
 from iconstudio.gui.theme.layout import column, row
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.model import Exemplar, Pictogram

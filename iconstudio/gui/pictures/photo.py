@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 
-from iconstudio.gui.canvas.mipmap import Mipmap
+from iconstudio.gui.pictures.mipmap import Mipmap
 from iconstudio.images.reading import LONGEST, Image
 from iconstudio.model import IconstudioError, Photo
 

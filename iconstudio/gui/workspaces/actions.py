@@ -1,18 +1,17 @@
-"""What can be done, declared by name: words, keys, what it does and when; and the menus."""
+"""What can be done, declared by name: words, keys, what it does and when."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
 from operator import attrgetter
 from typing import Any
 
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
-from PySide6.QtWidgets import QMenu, QWidget
+from PySide6.QtWidgets import QWidget
 
 from iconstudio.gui.gallery.display import setting
-from iconstudio.gui.gallery.pictures import Display
+from iconstudio.gui.pictures.picture import Display
 from iconstudio.gui.theme import icons
-from iconstudio.gui.window.about import show_about
 
 Key = QKeySequence.StandardKey
 
@@ -53,6 +52,14 @@ def _holds_result(place: Any) -> bool:
     return place.picture is not None
 
 
+def _takes_out(save: str) -> dict[str, Any]:
+    """Return what an action does that takes the picked result out, by a method of the saver."""
+    return {
+        "do": lambda place: place.take_out(getattr(place.saver, save)),
+        "enabled": _holds_result,
+    }
+
+
 def _shows(display: Display) -> dict[str, Any]:
     """Return what an action does that shows results in another way, and when it is checked."""
     return {
@@ -62,28 +69,6 @@ def _shows(display: Display) -> dict[str, Any]:
     }
 
 
-WINDOW = (
-    Entry(
-        "new_project", "&New project", "Start another project", Key.New, do="project.new"
-    ),
-    Entry(
-        "open_project", "&Open…", "Open a project, or a file of work", Key.Open,
-        do="project.choose",
-    ),
-    Entry(
-        "save_project", "&Save", "Save the project: the pages of all workflows", Key.Save,
-        do="project.save",
-    ),
-    Entry(
-        "save_project_as", "Save &as…", "Save the project in another file", "Ctrl+Shift+S",
-        do="project.save_as",
-    ),
-    Entry("quit", "&Quit", "", Key.Quit, do="close"),
-    Entry("about", "&About Iconstudio", do=show_about),
-)  # fmt: skip
-"""What the window does, whatever workspace is in use."""
-
-RECENT = Entry("recent", "Open &recent", "Open a project of late")
 EXAMPLES = Entry("examples", "E&xamples", "Start from an example", icon="examples")
 UNDO = Entry("undo", "&Undo", "Undo", Key.Undo, "undo")
 REDO = Entry("redo", "&Redo", "Redo", Key.Redo, "redo")
@@ -91,31 +76,32 @@ REDO = Entry("redo", "&Redo", "Redo", Key.Redo, "redo")
 COMMON = (
     Entry(
         "svg", "Save icon as S&VG…", "Save the picked icon as SVG", "Ctrl+E",
-        do="save_svg", enabled=_holds_result,
+        **_takes_out("save_svg"),
     ),
     Entry(
         "png", "Save icon as PN&G…", "Save the picked icon as PNG", "Ctrl+Shift+E",
-        do="save_png", enabled=_holds_result,
+        **_takes_out("save_png"),
     ),
     Entry(
         "code_png", "Save colour co&de as PNG…", "Save what comes from where as PNG",
-        do="save_code", enabled=lambda place: _holds_result(place) and place.picture.has_code,
+        **_takes_out("save_code")
+        | {"enabled": lambda place: _holds_result(place) and place.picture.has_code},
     ),
     Entry(
         "copy", "&Copy icon as SVG", "Copy the picked icon as SVG", "Ctrl+Shift+C",
-        do="copy_svg", enabled=_holds_result,
+        **_takes_out("copy_svg"),
     ),
     Entry(
         "cancel", "&Cancel", "Stop; finished results stay", "Ctrl+.",
         enabled=lambda place: place.busy,
     ),
-    Entry("plain", "&Icons", "Show the results as they are", **_shows(Display.PLAIN)),
+    Entry("plain", "Ico&ns", "Show the results as they are", **_shows(Display.PLAIN)),
     Entry(
-        "both", "Icons and &colour code", "Show results with their colour code", "Ctrl+Shift+K",
+        "both", "Icons and colo&ur code", "Show results with their colour code", "Ctrl+Shift+K",
         **_shows(Display.BOTH),
     ),
     Entry(
-        "coded", "Colour co&de", "Colour the results by source", "Ctrl+K",
+        "coded", "Colou&r code", "Colour the results by source", "Ctrl+K",
         **_shows(Display.CODED),
     ),
 )  # fmt: skip
@@ -137,7 +123,8 @@ def work_entries(noun: str, enabled: Ask) -> tuple[Entry, ...]:
     """Return what is done with work that is called ``noun``; it is there if ``enabled``."""
     json = f"&Export {noun} as JSON…"
     return (
-        Entry("new", f"Ne&w {noun}", "Start afresh", "Ctrl+Shift+N", "new"),
+        Entry("new", f"Ne&w {noun}", "Start afresh", "Ctrl+Shift+N", "new",
+              do=lambda place: place.document.change(f"new {noun}", place.blank)),
         Entry("open", f"&Import {noun}…", f"Read the {noun} in a JSON file",
               do="opener.choose_work"),
         Entry("save", json, f"Write the {noun} into a JSON file", enabled=enabled),
@@ -149,30 +136,6 @@ def tool(name: str, text: str, tip: str, keys: str, icon: str) -> Entry:
     """Return the action that takes a tool; see ``Workspace.use_tool``."""
     use = {"do": lambda place: place.use_tool(name), "choice": "tool", "menu": "&View"}
     return Entry(name, text, tip, keys, icon, **use)
-
-
-DISPLAYS = tuple(one.value for one in Display)
-"""How results are shown."""
-
-MODES, OWN = "modes", "own"
-"""Places in the menus: of the switch between workspaces, and of a workspace's own actions."""
-
-MENUS: dict[str, tuple[str, ...]] = {
-    "&File": (
-        *("new_project", "open_project", "recent", "save_project", "save_project_as", ""),
-        *("new", OWN, "examples", "", "open", "save", ""),
-        *("svg", "png", "code_png", "copy", "", "quit"),
-    ),
-    "&Edit": (
-        *("undo", "redo", "", "paste", "delete", "clear", OWN, ""),
-        *("run", "live", "fine", "cancel"),
-    ),
-    "&View": (MODES, "", OWN, "pan", "", "zoom_in", "zoom_out", "fit", "", *DISPLAYS),
-    "&Help": ("about",),
-}
-
-
-_SHARED = {name for names in MENUS.values() for name in names}
 
 
 class Actions(Mapping[str, QAction]):
@@ -222,8 +185,7 @@ class Actions(Mapping[str, QAction]):
 
     def own(self, menu: str) -> list[QAction]:
         """Return the actions for a menu that only this owner has."""
-        entries = self._entries.items()
-        return [self[name] for name, one in entries if one.menu == menu and name not in _SHARED]
+        return [self[name] for name, one in self._entries.items() if one.menu == menu]
 
     def _connect(self, entry: Entry, action: QAction) -> None:
         do, owner = entry.do or entry.name, self._owner
@@ -242,25 +204,6 @@ class Actions(Mapping[str, QAction]):
             action.toggled.connect(lambda on: do(owner, on))
         else:
             action.triggered.connect(lambda: do(owner))
-
-
-def fill_menu(
-    menu: QMenu, title: str, window: Actions, workspace: Actions, modes: Sequence[QAction]
-) -> None:
-    """Fill a menu anew with what the window and the workspace in use can do."""
-    for action in menu.actions():  # after QMenu.clear, PySide takes them for deleted
-        menu.removeAction(action)
-        if action.isSeparator():
-            action.deleteLater()
-    for name in MENUS[title]:
-        if name == "":
-            menu.addSeparator()
-        elif name == OWN:
-            menu.addActions(workspace.own(title))
-        elif name == MODES:
-            menu.addActions(modes)
-        elif (action := workspace.get(name) or window.get(name)) is not None:
-            menu.addAction(action)
 
 
 def _call(method: str, owner: QWidget, *on: bool) -> None:

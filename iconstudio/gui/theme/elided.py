@@ -10,17 +10,20 @@ from iconstudio.gui.theme import theme
 
 
 class ElidedLabel(QLabel):
-    """A label as wide as its layout lets it be; with ``url``, it is a link."""
+    """A label as wide as its layout lets it be; with ``url``, it is a link.
 
-    def __init__(self, text: str, url: str = "") -> None:
+    What is cut is the text before ``tail``, as long as there is room for that.
+    """
+
+    def __init__(self, text: str, url: str = "", tail: str = "") -> None:
         super().__init__()
-        self._whole = text
+        self._head, self._tail = text, tail
         self._url = url
         self.setTextFormat(Qt.TextFormat.RichText if url else Qt.TextFormat.PlainText)
         self.setOpenExternalLinks(bool(url))
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        self.setAccessibleName(text)
-        self._show(text)
+        self.setAccessibleName(text + tail)
+        self._show(text + tail)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Fit the text to the new width."""
@@ -34,10 +37,10 @@ class ElidedLabel(QLabel):
             self._fit()
 
     def _fit(self) -> None:
-        elided = self.fontMetrics().elidedText(
-            self._whole, Qt.TextElideMode.ElideRight, self.width()
-        )
-        self._show(elided)
+        metrics, end = self.fontMetrics(), Qt.TextElideMode.ElideRight
+        tail = metrics.elidedText(self._tail, end, self.width())
+        room = self.width() - metrics.horizontalAdvance(tail)
+        self._show(metrics.elidedText(self._head, end, room) + tail)
 
     def _show(self, text: str) -> None:
         if self._url:

@@ -5,11 +5,11 @@ from PySide6.QtCore import QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QImage, QPainterPath, QPaintEvent, QTransform
 from PySide6.QtWidgets import QDialog, QFrame, QHBoxLayout, QWidget
 
-from iconstudio.gui.canvas.mipmap import Mipmap
-from iconstudio.gui.canvas.vector import painter_path
-from iconstudio.gui.gallery.pictures import stencil
-from iconstudio.gui.panels.caption import Caption
+from iconstudio.gui.pictures.mipmap import Mipmap
+from iconstudio.gui.pictures.picture import stencil
+from iconstudio.gui.pictures.vector import painter_path
 from iconstudio.gui.theme import theme
+from iconstudio.gui.theme.caption import Caption
 from iconstudio.gui.theme.layout import Part, column, push_button, row, with_role
 from iconstudio.gui.theme.painting import smooth_painter
 from iconstudio.gui.theme.theme import UNIT

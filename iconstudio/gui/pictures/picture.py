@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPainterPath, QTransform
 
-from iconstudio.gui.canvas.mipmap import Mipmap
-from iconstudio.gui.canvas.vector import painter_path
+from iconstudio.gui.pictures.mipmap import Mipmap
+from iconstudio.gui.pictures.vector import painter_path
 from iconstudio.model import CANVAS, Composite, Exemplar, Icon, Pictogram, Placement, Remix, Source
 from iconstudio.workflows.events import Event, Result
 
@@ -171,13 +171,13 @@ def pictured(
                 _ = picture.coded
 
 
-def picture_of(icon: Icon, size: int | None = None, colours: "Palette | None" = None) -> Picture:
+def picture_of(icon: Icon, size: int | None = None) -> Picture:
     """Return the picture of an icon; ``size`` is the side of the colour-coded one in pixels.
 
     That one is made at once, for a thread that has nothing to do later; as long as somebody has
     the picture, it is not made again.
     """
-    picture = _made.get(id(icon)) or _drawn(icon, size or COLOUR_CODE_SIZE, colours)
+    picture = _made.get(id(icon)) or _drawn(icon, size or COLOUR_CODE_SIZE)
     _ = picture.coded
     return picture
 

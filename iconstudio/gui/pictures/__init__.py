@@ -1,0 +1,1 @@
+"""Icons and photos as Qt draws them."""
