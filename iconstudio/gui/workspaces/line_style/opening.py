@@ -30,7 +30,7 @@ class RestyleOpener(IconOpener):
         work = yield from file.resolving(self.session)
         if work.icon is not None:
             self.session.lines(work.icon)  # what has none is told before it is on the page
-        words = f"Opened “{file.title or path.stem}”."
+        words = " ".join([f"Opened “{file.title or path.stem}”.", *file.remarks])
         yield Opened(words, lambda there: there.change("open restyling", RestylePage(work)))
 
     def drawn(self, pictogram: Pictogram) -> Pictogram:
