@@ -129,7 +129,7 @@ def analogy(style: LineStyle, pair: StylePair, plain: Sequence[Line], seed: int)
 def figure_6() -> list[list[Panel]]:
     """Synthesis with translation invariance: much of a little."""
     style = named("Loops")
-    parameters, levels = prepare(style).sizes[0]
+    parameters, levels = prepare(style).whole
     made = scribble(levels, 2800.0, parameters, seed=4).curve.points
     line = Line(tuple((z.real, z.imag) for z in made.tolist()), False, WIDTH)
     return [[Panel("A′", (after(style.pairs[0]),))], [Panel("B′", (line,))]]
@@ -209,10 +209,9 @@ def document(rows: Sequence[Sequence[Panel]]) -> str:
                 left += GAP
             x, y = left - x0, middle - (y0 + y1) / 2
             parts.append(f'<g transform="translate({x:.2f} {y:.2f})">')
-            parts += (
-                f'<path d="{path.svg()}" stroke-width="{width:g}"/>'
-                for path, width in strokes_of(panel.lines)
-            )
+            for path, width in strokes_of(panel.lines):
+                paint = f'stroke-width="{width:g}"' if width else f'fill="{INK}" stroke="none"'
+                parts.append(f'<path d="{path.svg()}" {paint}/>')
             parts.append("</g>")
             parts.append(_text(left + (x1 - x0) / 2, bottom + tall + 30, panel.name, 17))
             left += x1 - x0 + GAP

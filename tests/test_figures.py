@@ -1,0 +1,20 @@
+"""The figures of the documentation can be made again, and show what they should."""
+
+import pytest
+
+from iconstudio.model import Frame, Line
+from iconstudio.svg.resvg import render_coverage
+from tests.figures.curves import FIGURES, Panel, document
+
+
+@pytest.mark.parametrize("name", sorted(FIGURES.keys() - {"styles"}))  # which takes long
+def test_a_figure_shows_its_panels(name):
+    rows = FIGURES[name]()
+    assert document(rows).count("<path") >= sum(map(len, rows)) > 0
+
+
+@pytest.mark.parametrize("widths", [(), (4.0, 12.0)])
+def test_strokes_of_one_width_and_of_several_are_seen(widths):
+    line = Line(((10.0, 40.0), (90.0, 40.0)), width=8.0, widths=widths)
+    drawn = render_coverage(document([[Panel("", (line,))]]), Frame(0, 0, 160), 160)
+    assert 300 < (drawn > 127).sum() < 1200
