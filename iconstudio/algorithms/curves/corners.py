@@ -1,6 +1,7 @@
 """Sharp corners: where a pen turns round, a line is two, which meet there.
 
-Beyond the paper: its neighbourhoods turn as a whole, so that at a tip points pile up.
+Beyond the paper: its neighbourhoods turn as a whole, so that at a tip points pile up. Where the
+shape of B counts, the example says what becomes of corners, and lines stay whole.
 """
 
 from collections.abc import Sequence

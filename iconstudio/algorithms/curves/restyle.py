@@ -73,7 +73,7 @@ def _one(
     """Return a curve in a style, and its width at each point, over that of its line."""
     style = prepared.style
     pieces, widths = [], []
-    whole = parted(plain, constraints)
+    whole = [(plain, constraints, 0.0, plain.end)] if style.shape else parted(plain, constraints)
     for number, (part, own, first, last) in enumerate(whole):
         parameters, levels = prepared.room(part, coarse)
         made = analogy(levels, part, parameters, seed + number, style.rotation, style.shape, own)

@@ -1,8 +1,9 @@
 """No new crossings, and no new contacts: styled lines give way where the plain ones do not meet.
 
 Beyond the paper. Where two styled lines, or two parts of one, cross or nearly touch and the plain
-ones do not, both go back towards the plain ones, along a short stretch: as little as is enough. In
-the end that always is, as the plain lines do not cross there.
+ones do not (the sides of an open line's tip excepted), both go back towards the plain ones, along
+a short stretch: as little as is enough. In the end that always is, as the plain lines do not cross
+there.
 """
 
 from collections.abc import Sequence
@@ -22,6 +23,8 @@ _KEPT = 0.6
 _BACK = 0.65
 """How much of the style is left at a conflict after each round."""
 _ROUNDS = 14
+_STRAIGHT = 0.85
+"""What goes so much of the way as the crow flies goes straight."""
 _SAME = 1e-6
 """Canvas units that are rounding."""
 _STRETCH = 6.0
@@ -111,8 +114,9 @@ def _crossings(lines: _Lines, loop: float) -> NDArray[np.int64]:
     new = crossing[~_known(lines, first, crossing, before)]
     i, j = first[new[:, 0]], first[new[:, 1]]
     far = ~((lines.line[i] == lines.line[j]) & (_apart(lines, i, j) < loop))
-    # Strokes that overlap anyway may cross.
+    # Strokes that overlap anyway may cross, and so may the sides of a tip.
     far &= abs(lines.plain[i] - lines.plain[j]) > lines.radius[i] + lines.radius[j] + _SAME
+    far &= ~_at_a_tip(lines, i, j)
     return np.concatenate([i[far], j[far]])
 
 
@@ -177,7 +181,22 @@ def _contacts(lines: _Lines, plain: Points, loop: float) -> NDArray[np.int64]:
     same = lines.line[i] == lines.line[j]
     # Along one line, what is near is no contact; nor where the line itself turns back so tightly.
     near = same & (along < np.maximum(loop, 3 * (radius[i] + radius[j]) + 4 * _CLEARANCE))
+    near |= _at_a_tip(lines, i, j)
     return np.concatenate([i[~near], j[~near]])
+
+
+def _at_a_tip(lines: _Lines, i: NDArray[np.int64], j: NDArray[np.int64]) -> NDArray[np.bool_]:
+    """Return which points of an open line lie on both sides of a tip: it goes there and back."""
+    middle = (i + j) // 2
+    straight = _STRAIGHT * _apart(lines, i, j) / 2
+    tips: NDArray[np.bool_] = (
+        (lines.line[i] == lines.line[j])
+        & np.isinf(lines.length[i])
+        & (abs(lines.plain[middle] - lines.plain[i]) > straight)
+        & (abs(lines.plain[middle] - lines.plain[j]) > straight)
+        & (abs(lines.plain[i] - lines.plain[j]) < straight)
+    )
+    return tips
 
 
 def _apart(lines: _Lines, i: NDArray[np.int64], j: NDArray[np.int64]) -> Numbers:
