@@ -4,7 +4,6 @@ What lights the paper unevenly is divided out (flat-field correction), so that o
 (N. Otsu, 1979) serves all of it; it may be a coloured pen, chalk on a board, or transparent.
 """
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
@@ -12,10 +11,17 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.scanning.behind import left_behind
 from iconstudio.algorithms.scanning.checkerboard import without_checkerboard
+from iconstudio.algorithms.scanning.doubts import (
+    SPECK,
+    has_fainter_lines,
+    shading,
+    without_specks,
+)
 from iconstudio.algorithms.scanning.flat import flat_drawing, on_nothing
 from iconstudio.algorithms.scanning.free import LARGE, free_drawing
-from iconstudio.algorithms.scanning.margin import with_margin, without_half_lines
+from iconstudio.algorithms.scanning.margin import rim_of, with_margin, without_half_lines
 from iconstudio.algorithms.scanning.noise import without_noise
 from iconstudio.algorithms.scanning.paper import lighting, page, trend
 from iconstudio.algorithms.scanning.resampling import COARSE, reconstructed, resized, shrunk
@@ -31,8 +37,6 @@ LEAST = 0.12
 
 _COARSE = 512
 """Pixels of the longer side at which paper and drawing are told apart."""
-_SPECK = 72
-"""Most pixels of what is taken for dirt, on the paper or in the ink."""
 _MARGIN = 0.04
 """Air around a drawing, as part of its longer side."""
 _OPAQUE = 0.95
@@ -41,17 +45,8 @@ _FAINTEST = 0.02
 """Less contrast than this is not made more."""
 _SHADED = 0.04
 """So much of what is not paper is shading on a photo, and not on a drawing."""
-_GRADUAL, _SOFT, _SOFTEST = 0.01, 6, 12
-"""Shading changes by so much from pixel to pixel, at so many pixels from the edge of ink; at more
-if that is out of focus, but no more than the last."""
-_SLIM = 8
-"""Half the width in pixels of a faint line: the rules of a notebook, or the rim of a stain."""
 _ENLARGED = 2.0
 """How many times a picture is enlarged at most in which lines are told from the edges of others."""
-_BESIDE = 3
-"""Pixels beside ink that its blurred edges reach."""
-_SEEN, _FAINTER = 0.08, 0.02
-"""How dark lines are that one can see, and how much of them beside the ink is told."""
 _BLACK = 0.1
 """A channel of the paper that is darker tells of noise alone."""
 _PLAIN = 0.25
@@ -140,7 +135,7 @@ def scanned(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
     threshold = _threshold(dark) if bounds else None
     fainter = False
     if threshold is not None and scale < _ENLARGED:
-        fainter = _has_fainter(dark, threshold)
+        fainter = has_fainter_lines(dark, threshold)
     if threshold is None:
         low, high = np.percentile(dark, (1, 99.9))
         dark = np.clip((dark - low) / max(high - low, _FAINTEST), 0, 1)
@@ -149,7 +144,7 @@ def scanned(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
         round((0.5 if threshold is None else threshold) * 255),
         inverted,
         threshold is not None,
-        _shading(dark, threshold or 0.5, scale) > _SHADED,
+        shading(dark, threshold or 0.5, scale) > _SHADED,
         fainter,
     )
 
@@ -160,23 +155,41 @@ def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
     These tell only if nobody says whether it is lighter than its ground.
     """
     opaque = pixels.shape[2] == 3
-    pixels = without_noise(without_checkerboard(without_half_lines(pixels)))
+    picture = without_checkerboard(without_half_lines(pixels))
+    pixels = without_noise(picture)
     left_out: frozenset[Omission] = frozenset()
     lit = without_shadow(pixels) if inverted is None else None
     if lit is not None:
-        pixels, left_out = lit, frozenset({Omission.FAINT})
+        pixels = picture = lit
+        left_out = frozenset({Omission.FAINT})
     if inverted is None:
         pixels = on_nothing(pixels)
     if not inverted:
         pixels = with_margin(pixels)
     drawing = _coloured_drawing(pixels) if inverted is None else None
     coloured = None if drawing is None else pictogram(drawing)
-    if coloured is None or not (coloured.coverage > 127).any():
+    if drawing is None or coloured is None or not (coloured.coverage > 127).any():
         found = scanned(pixels if inverted else with_margin(pixels, tiles=True), inverted)
+        if inverted is None and found.found and not found.shaded and _is_on_paper(found):
+            left_out |= left_behind(picture, least=found.threshold / 255)
         return replace(found, omissions=left_out)
     # Of what is opaque all over, only a shadow is hardly so.
     left_out |= coloured.omissions - ({Omission.FAINT} if opaque else set())
+    if not left_out & {Omission.TILE, Omission.PAGE} and not _fills_its_box(drawing):
+        left_out |= left_behind(picture, drawing)
     return replace(scanned(pixels), found=True, shaded=False, coloured=coloured, omissions=left_out)
+
+
+def _is_on_paper(scan: Scan) -> bool:
+    """Whether what is around a drawing is no ink."""
+    return bool((rim_of(scan.darkness) <= scan.threshold).mean() > 0.5)
+
+
+def _fills_its_box(drawing: NDArray[np.uint8]) -> bool:
+    """Whether a drawing (n, n, 4) is a full rectangle, as one that reaches all edges is."""
+    seen = drawing[..., 3] > 0
+    height, width = (np.ptp(np.flatnonzero(seen.any(axis=axis))) + 1 for axis in (1, 0))
+    return bool(seen.sum() == height * width)
 
 
 def _coloured_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
@@ -203,7 +216,7 @@ def ink_of(scan: Scan, threshold: int | None = None) -> NDArray[np.bool_]:
     if threshold is None and not scan.found:
         raise IconstudioError("No drawing can be made out on it.")
     ink = scan.at(scan.threshold if threshold is None else threshold)
-    ink = ~_cleaned(~_cleaned(ink, _SPECK), _SPECK)
+    ink = ~without_specks(~without_specks(ink, SPECK), SPECK)
     if ink.any():
         return ink
     if threshold is None:
@@ -306,7 +319,7 @@ def _bounds(dark: NDArray[np.float32]) -> tuple[int, int, int, int] | None:
         return None
     # Also what is a little fainter than the rest: the user may want it.
     ink = soft > 0.7 * threshold
-    ink = _cleaned(ink, ink.size // 20000)
+    ink = without_specks(ink, ink.size // 20000)
     if not ink.any():
         return None
     rows, columns = np.flatnonzero(ink.any(axis=1)), np.flatnonzero(ink.any(axis=0))
@@ -333,59 +346,6 @@ def _threshold(dark: NDArray[np.float32]) -> float | None:
     if high - low < LEAST:
         return None
     return (low + high) / 2
-
-
-def _has_fainter(dark: NDArray[np.float32], threshold: float) -> bool:
-    """Whether lines can be seen beside the ink that are too faint to be ink."""
-    ink = _cleaned(dark > threshold, _SPECK)
-    away = ~scipy.ndimage.binary_dilation(ink, iterations=_BESIDE)
-    paper = dark[away]
-    if not paper.size:
-        return False
-    grain = 1.48 * np.median(abs(paper - np.median(paper)))
-    seen = _cleaned((dark > np.median(paper) + max(_SEEN, 4 * grain)) & away, _SPECK // 3)
-    return bool(seen.sum() > _FAINTER * ink.sum())
-
-
-def _shading(dark: NDArray[np.float32], threshold: float, scale: float) -> float:
-    """Return how much of what is not paper is neither ink, its edge nor a line, from 0 to 1.
-
-    What was enlarged much by ``scale``, or is out of focus, has wider edges.
-    """
-    ink = dark > threshold
-    even = scipy.ndimage.gaussian_filter(dark, 2.0)  # without noise
-    slope = np.hypot(*np.gradient(np.pad(even, 1, mode="edge")))[1:-1, 1:-1]
-    enlarged = max(1.0, scale / 2)
-    width = round(np.clip(_spread(ink, dark, slope), _SOFT * enlarged, _SOFTEST * enlarged))
-    edge = scipy.ndimage.maximum_filter(ink, 2 * width + 1) & ~scipy.ndimage.minimum_filter(
-        ink, 2 * width + 1
-    )
-    visible = even > LEAST
-    around = 2 * round(_SLIM * enlarged) + 1
-    wide = scipy.ndimage.grey_opening(even, around) > LEAST
-    shading = visible & ~edge & (slope > _GRADUAL) & scipy.ndimage.maximum_filter(wide, around)
-    return float(shading.sum() / max(1, visible.sum()))
-
-
-def _spread(ink: NDArray[np.bool_], dark: NDArray[np.float32], slope: NDArray[np.float32]) -> float:
-    """Return over how many pixels the sharpest edges of ink are spread: three of their sigmas.
-
-    All edges of a drawing out of focus are alike; of other photos, some are sharp.
-    """
-    rim = ink & ~scipy.ndimage.binary_erosion(ink)
-    if not rim.any():
-        return 0.0
-    steepest = max(float(np.percentile(slope[rim], 90)), 1e-6)
-    return 3 * float(np.median(dark[ink])) / (math.sqrt(2 * math.pi) * steepest)
-
-
-def _cleaned(shape: NDArray[np.bool_], speck: int) -> NDArray[np.bool_]:
-    """Return a shape without parts of at most ``speck`` pixels."""
-    labels, _ = scipy.ndimage.label(shape)
-    large = np.bincount(labels.ravel()) > speck
-    large[0] = False
-    cleaned: NDArray[np.bool_] = large[labels]
-    return cleaned
 
 
 def _luminance(picture: NDArray[np.float32]) -> NDArray[np.float32]:

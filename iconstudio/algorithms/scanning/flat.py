@@ -74,6 +74,11 @@ _LINES = 0.08
 """Half the width of the thickest lines, as part of the drawing."""
 _SPARSE = 0.6
 """How much of its bounding box a drawing in lines fills at most."""
+_WINDOWS, _RECTANGULAR = 0.75, 0.9
+"""How much of a frame its windows span, at least, and of their bounding boxes they fill; a sign
+spans less of the tile that it is on, or is no rectangle."""
+_TOUCHING = 3
+"""Pixels on either side of where rectangles touch, of 512."""
 _FULL = 0.7
 """How much of its bounding box a tile or a badge fills, and a little air."""
 
@@ -326,9 +331,25 @@ def _painted(
     if not own and depth.max() < _LINES * max(labels.shape) and ink.mean() < _SPARSE:
         # The frame of a drawing in lines is no tile, nor a desk with sheets on it.
         return on_square(np.where(ink[..., None], colours, 0))
+    if not own and _has_windows(ink, inside & ~ink):
+        return None
     painted = on_square(np.where(inside[..., None], colours, 0))
     on_tile = own or cut or Omission.TILE in pictogram(painted).omissions
     return painted if on_tile else None
+
+
+def _has_windows(ink: NDArray[np.bool_], holes: NDArray[np.bool_]) -> bool:
+    """Whether holes are the windows of a frame: rectangles that span most of it."""
+    # Squares of a checkerboard touch at their corners.
+    apart = scipy.ndimage.binary_erosion(holes, np.ones((3, 3)), iterations=_TOUCHING)
+    pieces, _ = scipy.ndimage.label(apart)
+    whole = sum(pieces[box].size for box in scipy.ndimage.find_objects(pieces))
+    spans = (
+        max(int(np.ptp(np.flatnonzero(mask.any(axis=axis)))) for axis in (0, 1))
+        for mask in (holes, ink)
+    )
+    across, least = next(spans), _WINDOWS * next(spans)
+    return bool(across > least and apart.sum() > _RECTANGULAR * whole)
 
 
 def _enlarged(

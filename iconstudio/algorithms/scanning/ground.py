@@ -36,6 +36,8 @@ _EXACTLY = 0.3
 _FAINT, _PLAIN, _LOSSY = 12.0, 128.0, 0.3
 """Levels by which noise differs from the ground at most, and edges do; how many pixels have noise
 in lossy files, for each that has an edge, at least."""
+_CLEAN = 5.0
+"""Levels by which pixels of a ground that a computer painted stray in the median, at most."""
 _TINY = 40
 """Pixels of the longer side of a bitmap in which noise cannot be told from what is drawn."""
 
@@ -49,6 +51,10 @@ class Ground(NamedTuple):
     """(h, w): where it is, but for what the drawing encloses."""
     around: float
     """How much of the rim has its colour."""
+
+    def is_clean(self, blended: NDArray[np.float32]) -> bool:
+        """Whether a computer painted it, and no camera or scanner saw it."""
+        return bool(np.median(abs(blended[self.mask] - self.colour).max(axis=1)) < _CLEAN)
 
     def is_exact(self, blended: NDArray[np.float32]) -> bool:
         """Whether most of it has the very same colour, as lossy files do not keep it."""

@@ -148,7 +148,10 @@ def has_stripes(light: NDArray[np.bool_], beside: float = _PLAIN) -> bool:
 
 def _stripes(light: NDArray[np.bool_], least: float) -> int:
     """Return how many stripes run across, with straight edges and light beside them."""
-    bands, _ = scipy.ndimage.label(light.mean(axis=1) < 1 - _WHOLE)
+    across = np.pad(light.mean(axis=1) < 1 - _WHOLE, _EDGE, mode="edge")
+    # Of an edge, some lines may be light.
+    across = scipy.ndimage.binary_closing(across, np.ones(_EDGE))[_EDGE:-_EDGE]
+    bands, _ = scipy.ndimage.label(across)
     found = 0
     for (band,) in scipy.ndimage.find_objects(bands):
         beside = [

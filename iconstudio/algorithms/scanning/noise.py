@@ -1,33 +1,70 @@
-"""What lossy files leave around the edges of a small bitmap is smoothed away."""
+"""What lossy files leave around the edges of a bitmap is taken back: noise, and colours."""
 
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.scanning.ground import ground_of
+from iconstudio.algorithms.scanning.ground import ASTRAY, Ground, ground_of
+from iconstudio.algorithms.scanning.palette import evenly_painted
 from iconstudio.algorithms.scanning.resampling import premultiplied
 
 LONGEST = 192
 """Pixels of the longer side of a bitmap in which such noise is as wide as what is drawn."""
+_FRINGED = 512
+"""Pixels of the longer side of a bitmap in which the colours at its edges are as wide."""
 _REACH = 3
 """Pixels around that are averaged."""
 _YCBCR = np.array([[0.299, 0.587, 0.114], [-0.169, -0.331, 0.5], [0.5, -0.419, -0.081]], np.float32)
 """Luminance and chrominance, by which pixels are compared."""
 _LEVELS, _WIDTH, _ROUNDS = 15.0, 1.0, 2
 """Levels of those, and pixels, over which weights fall; and how often pixels are averaged."""
+_FULL, _NONE = 0.8, 0.1
+"""How much of a pixel has the one colour of a drawing at least if it has no other, and at most if
+it has none."""
+_FARTHEST = 90
+"""Percent of the drawing that are nearer to the ground than its one colour."""
+_FEW = 0.002
+"""How much of a drawing may be evenly painted in other colours, at most, if these are noise."""
 
 
 def without_noise(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """Return a small bitmap (h, w, 3) from a lossy file without noise; any other as it is.
+    """Return a bitmap (h, w, 3) from a lossy file without noise; a large one or any other as it is.
 
-    Each pixel becomes the mean of those around that differ little (C. Tomasi, R. Manduchi, 1998).
+    A drawing in one colour has no others at its edges. In a small one, each pixel becomes the mean
+    of those around that differ little (C. Tomasi, R. Manduchi, 1998).
     """
-    if pixels.shape[2] == 4 or max(pixels.shape[:2]) > LONGEST:
+    if pixels.shape[2] == 4 or max(pixels.shape[:2]) > _FRINGED:
         return pixels
-    height, width = pixels.shape[:2]
     levels = pixels.astype(np.float32)
     ground = ground_of(premultiplied(levels))
-    if ground is None or not ground.is_lossy(premultiplied(levels)):
+    if ground is None or ground.mask.all() or not ground.is_lossy(premultiplied(levels)):
         return pixels
+    if ground.is_clean(premultiplied(levels)):
+        levels = _without_fringes(levels, ground)
+    if max(pixels.shape[:2]) <= LONGEST:
+        levels = _smoothed(levels)
+    clean: NDArray[np.uint8] = np.clip(np.rint(levels), 0, 255).astype(np.uint8)
+    return clean
+
+
+def _without_fringes(levels: NDArray[np.float32], ground: Ground) -> NDArray[np.float32]:
+    """Return a picture as blends of its ground and one colour, if no other is evenly painted."""
+    off = levels - ground.colour[:3]
+    away = np.linalg.norm(off, axis=2)
+    way = np.median(off[away >= np.percentile(away[~ground.mask], _FARTHEST)], axis=0)
+    share = off @ way / max(float(way @ way), 1.0)
+    stray = np.linalg.norm(off - share[..., None] * way, axis=2) > ASTRAY
+    even = evenly_painted(premultiplied(levels), 3)
+    full, part = (even & ~stray & (share > least) for least in (_FULL, _NONE))
+    others = even & (stray | (part & ~full))
+    if not full.any() or others.sum() > _FEW * (share > _NONE).sum():
+        return levels
+    share = np.where(full, 1, np.where(even & ~part, 0, share))
+    blended: NDArray[np.float32] = ground.colour[:3] + share[..., None] * way
+    return blended
+
+
+def _smoothed(levels: NDArray[np.float32]) -> NDArray[np.float32]:
+    height, width = levels.shape[:2]
     for _ in range(_ROUNDS):
         around = np.pad(levels, [(_REACH, _REACH), (_REACH, _REACH), (0, 0)], mode="edge")
         total, weights = np.zeros_like(levels), np.zeros_like(levels[..., :1])
@@ -39,5 +76,4 @@ def without_noise(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
             total += weight * other
             weights += weight
         levels = total / weights
-    smooth: NDArray[np.uint8] = np.clip(np.rint(levels), 0, 255).astype(np.uint8)
-    return smooth
+    return levels

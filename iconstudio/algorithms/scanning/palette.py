@@ -28,6 +28,8 @@ _CLOSE = 10.0
 """Levels by which a channel of a colour differs from the ground's, or is no other."""
 _SHARE, _FEWEST = 0.0015, 6
 """Least part of the evenly painted pixels that have a colour of the palette, and their number."""
+_BLOCK = 64
+"""Pixels of a block, of which lossy files leave noise beside edges."""
 _SPREAD = 9.0
 """Levels by which the pixels of one colour stray, as root of the mean square."""
 _GRAINY = 4.0
@@ -233,6 +235,10 @@ def _without_rings(
     for area in areas:
         if abs(np.median(blended[area], axis=0) - ground.colour).max() < 2 * _EVEN:
             area = scipy.ndimage.binary_opening(area, np.ones((3, 3)))
+            pieces, count = scipy.ndimage.label(area)
+            beside = np.unique(pieces[scipy.ndimage.binary_dilation(ground.mask, np.ones((5, 5)))])
+            noise = np.isin(np.arange(count + 1), beside) & (np.bincount(pieces.ravel()) < _BLOCK)
+            area = area & ~noise[pieces]
         if area.any():
             yield area
 

@@ -26,6 +26,8 @@ _NEAR = 7
 """Pixels across, of what lies along a shadow."""
 _FLAT, _ACROSS = 4.0, 5
 """Levels by which an area differs that is as many pixels wide, if it is evenly painted."""
+_NOISE, _REACH = 10.0, 12
+"""Levels by which noise differs from an even area, at most, and within how many pixels of it."""
 _SEEN = 0.04
 """Size of what can be seen of a shadow, as part of that of the drawing, at least."""
 _LEAST = 0.25
@@ -81,7 +83,9 @@ def _soft(
 ) -> Mask | None:
     """Return where a soft shadow lies, of what is ``dark``, or None."""
     even = (_range(levels, _ACROSS) < _FLAT) & (away > ASTRAY / 2)
-    painted = scipy.ndimage.binary_dilation(even, np.ones((_ACROSS, _ACROSS)))
+    alike = _alike(levels, even)
+    painted = scipy.ndimage.binary_propagation(even, mask=alike)
+    painted |= scipy.ndimage.binary_dilation(even, np.ones((_ACROSS, _ACROSS)))
     gentle = dark & (_range(levels, 3) < _GENTLE) & ~painted
     outside = scipy.ndimage.binary_propagation(ground.mask, mask=ground.mask | gentle)
     shadow = outside & ~ground.mask
@@ -105,9 +109,19 @@ def _soft(
         return None
     # What shows through holes is as dark as what lies outside, and no part of what is painted.
     holes = gentle & (abs(bright - bright[nearest(shadow)]) < _LIKE)
-    beside = scipy.ndimage.binary_dilation(painted, np.ones((3, 3))) & holes
+    beside = (alike | scipy.ndimage.binary_dilation(painted, np.ones((3, 3)))) & holes
     found: Mask = shadow | (holes & ~scipy.ndimage.binary_propagation(beside, mask=holes))
     return found
+
+
+def _alike(levels: NDArray[np.float32], even: Mask) -> Mask:
+    """Return what is as the even area beside it, but for the noise that files leave at edges."""
+    if not even.any():
+        return even
+    alike = abs(levels - levels[nearest(even)]).max(axis=2) < _NOISE
+    beside = scipy.ndimage.distance_transform_edt(~even) < _REACH
+    like: Mask = even | (alike & beside)
+    return like
 
 
 def _hard(

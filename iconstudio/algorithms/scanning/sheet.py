@@ -26,9 +26,9 @@ _DARK = 0.02
 """What is no brighter has no colour that could be compared."""
 _INK, _DRAWN = 0.6, 0.002
 """Ink is so dark beside its paper, and covers so much of it, at least."""
-_FLAT = 1.5 / 255
-"""What was photographed varies by more."""
-_SAME = 0.03
+_FLAT, _NOISY = 1.5 / 255, 16 / 255
+"""What was photographed varies by more; and paper beside edges, by the noise of lossy files."""
+_SAME = 0.06
 """Colours that differ by no more are one."""
 
 
@@ -97,7 +97,7 @@ def _is_card(
 ) -> bool:
     """Whether this was drawn by a computer, and what is cut out of the light shows its ground."""
     outside, paper = ~sheet, sheet & bright
-    if not all(_is_flat(picture[part]) for part in (outside, paper)):
+    if not (_is_flat(picture[outside], _FLAT) and _is_flat(picture[paper], _NOISY)):
         return False
     ink = sheet & ~bright
     ink[:_GLINT], ink[-_GLINT:], ink[:, :_GLINT], ink[:, -_GLINT:] = False, False, False, False
@@ -133,6 +133,6 @@ def _is_in_shadow(picture: NDArray[np.float32], outside: NDArray[np.bool_]) -> b
     return bool(ink.sum() > _DRAWN * outside.sum())
 
 
-def _is_flat(colours: NDArray[np.float32]) -> bool:
+def _is_flat(colours: NDArray[np.float32], most: float) -> bool:
     low, high = np.percentile(colours, (20, 80), axis=0)
-    return bool((high - low < _FLAT).all())
+    return bool((high - low < most).all())

@@ -1,0 +1,59 @@
+"""What lies behind the drawing on a bitmap, and is left out with its ground: a tile, or a page.
+
+It is told as of the same drawing with a rectangle or a tile behind it: white goes without saying
+behind black and grey alone. Only what a computer painted is told, not the paper of a scan.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from iconstudio.algorithms.scanning.ground import ASTRAY, ground_of
+from iconstudio.algorithms.scanning.palette import evenly_painted
+from iconstudio.algorithms.scanning.resampling import premultiplied, shrunk
+from iconstudio.algorithms.tones.alternation import Omission
+from iconstudio.algorithms.tones.regions import GREY, cielab, near_white
+
+_LONGEST = 384
+"""Pixels of the longer side of the bitmap that is looked at."""
+_FEWEST, _COLOURED = 9, 0.03
+"""Pixels of even colour from which colours are told; how much of a drawing has some, at least."""
+_OTHER, _PLATE = 8.0, 0.1
+"""Levels by which a white tile differs from the white around it, and how much of all that is white
+it has, at least."""
+
+
+def left_behind(
+    pixels: NDArray[np.uint8], drawing: NDArray[np.uint8] | None = None, least: float = 0.0
+) -> frozenset[Omission]:
+    """Return what is left out with the ground of a bitmap (h, w, 3), or (h, w, 4) without one.
+
+    What is white is no part of the drawing, either, if it is less dark than ``least``, from 0 to 1;
+    nothing is left out that the coloured ``drawing`` (n, n, 4) shows.
+    """
+    if pixels.shape[2] == 4:
+        return frozenset()
+    small = shrunk(pixels, -(-max(pixels.shape[:2]) // _LONGEST)) * np.float32(255)
+    blended = premultiplied(small)
+    ground = ground_of(blended)
+    if ground is None or not ground.is_clean(blended):
+        return frozenset()
+    if not near_white(cielab(np.rint(ground.colour[None, :3]).astype(np.uint8)))[0]:
+        shown = drawing is not None and _has_colour(drawing, ground.colour[:3])
+        return frozenset() if shown else frozenset({Omission.TILE})
+    lab = cielab(np.rint(small).astype(np.uint8))
+    even = evenly_painted(blended, 3)
+    white = near_white(lab)
+    drawn = even & ~white
+    chroma = np.hypot(lab[..., 1], lab[..., 2])
+    coloured = chroma[drawn if drawn.sum() > _FEWEST else ~white] > GREY
+    paper = even & white & (1 - small.min(axis=2) / 255 < least)
+    corner = np.median(small[[0, 0, -1, -1], [0, -1, 0, -1]], axis=0)
+    plate = paper & (abs(small - corner).max(axis=2) > _OTHER)
+    told = coloured.sum() > _COLOURED * len(coloured) or plate.sum() > _PLATE * paper.sum()
+    return frozenset({Omission.PAGE} if told else ())
+
+
+def _has_colour(drawing: NDArray[np.uint8], colour: NDArray[np.float32]) -> bool:
+    """Whether some of a drawing (n, n, 4) has a colour (3,)."""
+    seen = drawing[drawing[..., 3] > 0][:, :3]
+    return bool((np.linalg.norm(seen - colour, axis=1) < ASTRAY).mean() > _COLOURED)
