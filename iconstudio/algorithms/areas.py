@@ -132,12 +132,14 @@ def stroked(
         dot = shapely.points(points[0])
         return shapely.buffer(dot, width / 2, quad_segs=quarter, cap_style=shape)
     if closed:
-        points = np.concatenate([points, points[:1]])
+        # A ring is thinned from within, which fails where the pen is wider than what it encloses:
+        # so it is a line that goes on along its first side once more.
+        points = np.concatenate([points, points[:2]])
     return shapely.buffer(
-        shapely.linestrings(points) if not closed else shapely.linearrings(points),
+        shapely.linestrings(points),
         width / 2,
         quad_segs=quarter,
-        cap_style=cap,
+        cap_style="flat" if closed else cap,
         join_style=join,
         mitre_limit=mitre,
     )

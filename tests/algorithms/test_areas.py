@@ -104,3 +104,19 @@ def test_specks_are_left_out():
     area = areas.united([areas.rectangle(0, 0, 10, 10), areas.rectangle(20, 20, 20.1, 20.1)])
     area = areas.without(area, areas.rectangle(4, 4, 4.2, 4.2))
     assert areas.size_of(areas.without_specks(area, 0.25)) == 100
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_closed_stroke_wider_than_what_it_encloses_is_whole(seed):
+    """Rings were torn there; the oracle is a capsule for each side."""
+    corners = np.array([[100, 100], [116, 100], [108, 108]], float)
+    after = np.roll(corners, -1, axis=0)
+    sides = [np.linspace(a, b, 8, endpoint=False) for a, b in zip(corners, after, strict=True)]
+    points = np.concatenate(sides) + np.random.default_rng(seed).normal(0, 1.0, (24, 2))
+    following = np.roll(points, -1, axis=0)
+    capsules = areas.united(
+        areas.stroked(np.array([a, b]), False, 22.2) for a, b in zip(points, following, strict=True)
+    )
+    stroke = areas.stroked(points, True, 22.2)
+    assert areas.size_of(areas.without(capsules, stroke)) < 0.5
+    assert areas.size_of(areas.without(stroke, capsules)) < 0.5

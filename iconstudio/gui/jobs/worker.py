@@ -4,6 +4,7 @@ import logging
 import queue
 import threading
 from collections.abc import Callable, Generator
+from concurrent.futures import CancelledError
 from contextlib import closing
 from typing import Any
 
@@ -59,6 +60,8 @@ class Job(QObject):
         try:
             if not self.cancelled:
                 self._drain()
+        except CancelledError:
+            pass  # what works for it has been closed: so is the window
         except IconstudioError as error:
             self._raised.emit(str(error))
         except Exception as error:
