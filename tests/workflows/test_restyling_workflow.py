@@ -5,8 +5,10 @@ from contextlib import closing
 from dataclasses import replace
 
 import numpy as np
+import pytest
 from shapely import LineString
 
+from iconstudio.algorithms.curves.outline import path_of
 from iconstudio.inputs.styles import named
 from iconstudio.model import Line, Restyling
 from iconstudio.workflows.events import Result
@@ -88,3 +90,15 @@ def test_the_seeds_of_variations_can_all_be_kept_in_files():
     seeds = [one.seed for one in variations(replace(WORK, seed=LARGEST_SEED))]
     assert all(0 <= seed <= LARGEST_SEED for seed in seeds)
     assert len(set(seeds)) == 4
+
+
+@pytest.mark.parametrize("name", ["Speed", "Drips", "Castle"])
+def test_what_is_drawn_stays_on_the_canvas(name):
+    frame = ((8.0, 8.0), (248.0, 8.0), (248.0, 248.0), (8.0, 248.0))
+    work = Restyling(named(name), strokes=(Line(frame, closed=True, width=16.0),))
+    with closing(run(Resources(at_once=True), work)) as events:
+        (result,) = (event for event in events if isinstance(event, Result))
+    left, top, right, bottom = result.icon.path.bounds
+    assert min(left, top) > -1 and max(right, bottom) < 257
+    outline, strokes = result.icon.path, path_of(result.icon.lines)
+    assert outline.bounds == pytest.approx(strokes.bounds, abs=0.5), "as outline and as strokes"

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 
 from iconstudio.model import (
+    CANVAS,
     Credit,
     Icon,
     IconstudioError,
@@ -16,6 +17,7 @@ from iconstudio.model import (
     Restyled,
     Restyling,
     StylePair,
+    Transform,
 )
 from iconstudio.workers import answer
 from iconstudio.workflows.events import Event, Progress, Result
@@ -32,6 +34,8 @@ SEEDS = 4
 _PATIENCE = 0.05
 """Seconds that pass at most before a run can be stopped."""
 SECONDS, MEMORY = 60.0, 2 << 30
+_ROUNDING = 0.5
+"""Canvas units by which an outline may reach out of the canvas."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -121,7 +125,35 @@ def restyled_path(
 
     prepared = [prepare(style, strength, size) for style in styles]
     drawn = tuple(restyled(zip(lines, prepared, strict=True), seed, coarse))
-    return path_of(drawn), drawn
+    return _within(path_of(drawn), drawn, path_of(lines))
+
+
+def _within(path: Path, lines: tuple[Line, ...], plain: Path) -> tuple[Path, tuple[Line, ...]]:
+    """Return what was drawn, smaller if it reaches out of the canvas and the plain lines do not.
+
+    It shrinks towards the middle of the canvas.
+    """
+    middle = CANVAS / 2
+    reach = max(_reach(path), middle)
+    room = max(_reach(plain), middle)
+    if reach <= room + _ROUNDING:
+        return path, lines
+    scale = room / reach
+    smaller = Transform(scale, 0, 0, scale, middle * (1 - scale), middle * (1 - scale))
+    return path.transformed(smaller), tuple(
+        replace(
+            one,
+            points=tuple(map(smaller.transformPoint, one.points)),
+            width=scale * one.width,
+            widths=tuple(scale * width for width in one.widths),
+        )
+        for one in lines
+    )
+
+
+def _reach(path: Path) -> float:
+    """Return how far a path reaches from the middle of the canvas, to a side of it."""
+    return max((abs(side - CANVAS / 2) for side in path.bounds), default=0.0) if path else 0.0
 
 
 def warm_up() -> None:
