@@ -313,6 +313,19 @@ def test_what_takes_long_to_open_is_told_meanwhile(place, qtbot, own, monkeypatc
     assert place.window().pane.notice.isVisible() != good
 
 
+def test_a_dropped_project_that_cannot_be_opened_is_told_until_it_is_read(place, qtbot, tmp_path):
+    """Patience was never told that this is somebody else's: it said “Opening…” for good."""
+    path, told = tmp_path / "empty.iconstudio", []
+    path.write_bytes(b"")
+    place.remarked.connect(told.append)
+    place.open_mime(urls(path))
+    pane = place.window().pane
+    qtbot.waitUntil(lambda: pane.notice.isVisible())
+    qtbot.wait(700)
+    assert "Opening…" not in told
+    assert pane.notice.isVisible()
+
+
 def test_of_several_files_an_edit_takes_one_and_says_so(edit, qtbot, own):
     drop(edit.view, urls(*own(3)))
     there(edit, qtbot, 1)

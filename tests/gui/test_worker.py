@@ -2,6 +2,7 @@
 
 import threading
 import time
+from concurrent.futures import CancelledError
 
 import pytest
 
@@ -76,6 +77,17 @@ def test_any_other_error_is_told_and_logged_and_the_worker_lives_on(qtbot, worke
     assert "a job failed" in caplog.text
     again = listen(worker.submit(lambda: (number for number in [2])))
     qtbot.waitUntil(lambda: again == [("event", 2), ("finished", None)])
+
+
+def test_workers_that_are_closed_are_no_error(qtbot, worker, caplog):
+    def work():
+        yield 1
+        raise CancelledError("The worker processes have been closed.")
+
+    heard = listen(worker.submit(work))
+    qtbot.waitUntil(lambda: ("finished", None) in heard)
+    assert heard == [("event", 1), ("finished", None)]
+    assert not caplog.text
 
 
 def test_a_cancelled_generator_is_closed_and_tells_nothing_more(qtbot, worker):

@@ -185,11 +185,6 @@ class Opener(QObject):
             case _:
                 self.open_items((item,))
 
-    def open_project(self, path: str) -> None:
-        """Have a project opened, which is told by who does it."""
-        self._patience.end(silently=True)
-        self.project.emit(path)
-
     def open_items(self, items: Sequence[Item]) -> None:
         """Open several things together; what is left over is told."""
         works = [one for one in items if _is_work(one)]
@@ -293,7 +288,10 @@ def _is_work(item: Item) -> bool:
 
 def _way(opener: Opener, path: str) -> Callable[[str], object]:
     """Return how a file of the program's own is opened: a project is none of the page's."""
-    return opener.open_project if path.lower().endswith(SUFFIX) else opener.open_work
+    if not path.lower().endswith(SUFFIX):
+        return opener.open_work
+    opener._patience.end(silently=True)  # who opens it says so
+    return opener.project.emit
 
 
 class IconOpener(Opener):
