@@ -46,6 +46,8 @@ class RestyleSettings:
     """Whether other seeds and strengths follow the one that is wanted."""
     previews: bool = False
     """Whether a coarse result may come before the finished one, if that takes longer."""
+    coarse: bool = False
+    """Whether results may be coarse, for small pictures: they take less than half the time."""
 
 
 def run(
@@ -70,7 +72,7 @@ def run(
             timeout=SECONDS, memory=MEMORY, ticket=ticket,
         )  # fmt: skip
         coarse = submit(work.strength, work.size, work.seed, True) if settings.previews else None
-        tasks = [submit(one.strength, one.size, one.seed) for one in wanted]
+        tasks = [submit(one.strength, one.size, one.seed, settings.coarse) for one in wanted]
         for number, (one, task) in enumerate(zip(wanted, tasks, strict=True), start=1):
             while not wait([task], _PATIENCE).done:  # where it can be stopped
                 if coarse is not None and coarse.done() and coarse.exception() is None:

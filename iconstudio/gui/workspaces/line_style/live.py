@@ -51,7 +51,8 @@ def samples(session: Session, styles: Iterable[LineStyle]) -> Generator[Event | 
     for style in styles:
         picture = None
         try:
-            for one in _made(session, Restyling(style, strokes=SAMPLE), RestyleSettings()):
+            settings = RestyleSettings(coarse=True)
+            for one in _made(session, Restyling(style, strokes=SAMPLE), settings):
                 if isinstance(one, Made):
                     picture = one.picture
                 else:
