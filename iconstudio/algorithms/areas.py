@@ -169,13 +169,17 @@ def without(one: Area, other: Area) -> Area:
     return _areal(shapely.difference(one, other))
 
 
-def without_specks(area: Area, least: float) -> Area:
-    """Return an area without pieces and holes that are smaller."""
+def without_specks(area: Area, least: float, hole: float | None = None) -> Area:
+    """Return an area without pieces smaller than ``least``, and holes smaller than ``hole``.
+
+    Without ``hole``, the same holds for both.
+    """
+    hole = least if hole is None else hole
     kept = []
-    for one in shapely.get_parts(area):
-        if shapely.area(one) >= least:
-            outer, *holes = shapely.get_rings(one)
-            large = [hole for hole in holes if shapely.area(shapely.polygons(hole)) >= least]
+    for piece in shapely.get_parts(area):
+        if shapely.area(piece) >= least:
+            outer, *holes = shapely.get_rings(piece)
+            large = [one for one in holes if shapely.area(shapely.polygons(one)) >= hole]
             kept.append(shapely.Polygon(outer, large))
     return shapely.MultiPolygon(kept)
 

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 import shapely
 
+from iconstudio.algorithms.curves.outline import path_of
 from iconstudio.algorithms.curves.restyle import prepare, restyled
 from iconstudio.model import Line, LineStyle, StylePair
 from tests.line_styles import STYLES, circle
@@ -163,3 +164,11 @@ def test_odd_lines_come_back_as_lines(style, odd, closed):
 
 def test_nothing_is_nothing():
     assert restyled([]) == []
+
+
+def test_a_pinhole_in_thick_strokes_is_none():
+    """A triangle whose inside is much smaller than its stroke is wide."""
+    triangle = ((100, 100), (142, 100), (121, 136))
+    for width, holes in ((6.0, 1), (20.0, 0)):
+        path = path_of([line(*triangle, width=width, closed=True)])
+        assert len(path.contours) == 1 + holes

@@ -16,6 +16,8 @@ _STRAY = 0.02
 """Canvas units by which points may be left out before curves are fitted."""
 _SPECK = 2.0
 """Square canvas units: smaller pieces and holes, which nobody sees, are left out."""
+_PINHOLE = 1 / 3
+"""Side of a hole, over the width of the widest stroke, which looks like a fault if smaller."""
 
 
 def path_of(lines: Iterable[Line]) -> Path:
@@ -25,7 +27,9 @@ def path_of(lines: Iterable[Line]) -> Path:
     """
     contours: list[Points] = []
     strokes: list[Area] = []
+    widest = 0.0
     for line in lines:
+        widest = max(widest, line.width)
         points = _points(line)
         if line.widths:
             strokes.append(_brushed(points, line.closed, np.array(line.widths, dtype=float)))
@@ -34,7 +38,8 @@ def path_of(lines: Iterable[Line]) -> Path:
         else:
             contours.append(_without_repeats(points))
     whole = areas.united([areas.inked(contours), *strokes])
-    rings = areas.outlines(areas.without_specks(whole, _SPECK), _STRAY)
+    hole = max(_SPECK, (_PINHOLE * widest) ** 2)
+    rings = areas.outlines(areas.without_specks(whole, _SPECK, hole), _STRAY)
     return Path(tuple(_fitted(ring, True) for ring in rings))
 
 
