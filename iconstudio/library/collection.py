@@ -327,7 +327,8 @@ class Collection:
     def _nothing(self, keyword: str, excluded: bool) -> str:
         if excluded and self._answer(keyword).scores:
             return f"Every icon for {messages.said(keyword)} is excluded. Exclude fewer."
-        none = f"No icon is called {messages.said(keyword)}."
+        only = messages.only(self._lookup.answer(keyword))
+        none = f"No icon is called {messages.said(keyword)}. {only}".rstrip()
         words = query.plain(keyword)
         if is_insult(words) or PREPOSITIONS.issuperset(words.split()):
             return f"{none} {messages.THING}"

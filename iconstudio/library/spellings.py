@@ -1,11 +1,13 @@
 """How else a keyword may be spelt: joined or parted, as icons are called, or rightly."""
 
+from collections.abc import Iterator
 from itertools import islice, pairwise, product
 
 from iconstudio.library.terms import Terms
 from iconstudio.library.words import query, symbols
 from iconstudio.library.words.nearness import nearest
-from iconstudio.library.words.usage import INFORMAL
+from iconstudio.library.words.regional import other_spellings
+from iconstudio.library.words.usage import ALONE, CROSSED_OUT, INFORMAL
 from iconstudio.library.words.vocabulary import FAMILIAR
 
 _SHORT = 4
@@ -35,10 +37,24 @@ class Spellings:
         if len(words) <= _SHORT:
             known = self._terms.leading(first + second for first, second in pairwise(words))
             found += (one for one in query.joinings(words) if not known.isdisjoint(one))
+            found += self._otherwise(words)
             for place, word in enumerate(words):
                 for parted in sorted(self._terms.leading(query.partings(word))):
                     found.append((*words[:place], *parted.split(), *words[place + 1 :]))
         return list(dict.fromkeys(found))
+
+    def _otherwise(self, words: Words) -> Iterator[Words]:
+        """Yield words as they are spelt elsewhere, and as names of icons say the same."""
+        if len(words) == 1:
+            yield from (tuple(meant.split()) for meant in ALONE.get(words[0], ()))
+        else:
+            for place, word in enumerate(words):
+                for same in CROSSED_OUT.get(word, ()):
+                    yield (*words[:place], *same.split(), *words[place + 1 :])
+        spelt = {word: list(other_spellings(word)) for word in words}
+        known = self._terms.leading(other for others in spelt.values() for other in others)
+        choices = ((word, *(one for one in spelt[word] if one in known)) for word in words)
+        yield from islice(product(*choices), 1, _MOST)
 
     def corrected(self, words: Words) -> list[dict[str, str]]:
         """Return what the misspelt ones of several words may stand for, the likeliest first."""
