@@ -94,7 +94,8 @@ class Phrases:
         while start < len(words):
             for end in range(min(start + _LONGEST, len(words)), start, -1):
                 part = words[start:end]
-                if any(map(query.tells, part)) and self._terms.plainly(" ".join(part)):
+                bare = " ".join(map(without_number, part))
+                if any(map(query.tells, part)) and self._terms.plainly(bare):
                     found.append(" ".join(part))
                     break
             start = end
@@ -112,6 +113,7 @@ class Phrases:
             (
                 self._together(words),
                 *(_at_least(0, self._together(one)) for one in others),
+                *(_at_least(0, self._together(one)) for one in self._spellings.same(words)),
                 *(_at_least(1, self._together(one)) for one in meant),
             )
         )

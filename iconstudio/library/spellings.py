@@ -44,17 +44,21 @@ class Spellings:
         return list(dict.fromkeys(found))
 
     def _otherwise(self, words: Words) -> Iterator[Words]:
-        """Yield words as they are spelt elsewhere, and as names of icons say the same."""
-        if len(words) == 1:
-            yield from (tuple(meant.split()) for meant in ALONE.get(words[0], ()))
-        else:
-            for place, word in enumerate(words):
-                for same in CROSSED_OUT.get(word, ()):
-                    yield (*words[:place], *same.split(), *words[place + 1 :])
+        """Yield words as they are spelt elsewhere."""
         spelt = {word: list(other_spellings(word)) for word in words}
         known = self._terms.leading(other for others in spelt.values() for other in others)
         choices = ((word, *(one for one in spelt[word] if one in known)) for word in words)
         yield from islice(product(*choices), 1, _MOST)
+
+    @staticmethod
+    def same(words: Words) -> Iterator[Words]:
+        """Yield what names of icons say for words that mean a thing switched off, or alone."""
+        if meant := ALONE.get("".join(words), ()):
+            yield from (tuple(one.split()) for one in meant)
+        elif 1 < len(words) <= _SHORT:
+            for place, word in enumerate(words):
+                for sign in CROSSED_OUT.get(word, ()):
+                    yield (*words[:place], *sign.split(), *words[place + 1 :])
 
     def corrected(self, words: Words) -> list[dict[str, str]]:
         """Return what the misspelt ones of several words may stand for, the likeliest first."""

@@ -70,6 +70,7 @@ def test_what_only_an_alias_calls_so_stands_behind(world):
         ("no smoking dog house", "dog house"),
         ("man with lamp", "man, lamp"),
         ("speech bubble calendar", "speech bubble, calendar"),
+        ("lamp3 dog house", "lamp3, dog house"),
     ],
 )
 def test_words_that_find_nothing_together_are_told_by_those_that_do(world, keyword, told):

@@ -175,7 +175,11 @@ def test_what_is_switched_off_is_found_as_its_names_say_it(opened, typed):
 @pytest.mark.parametrize(
     ("typed", "parts"),
     [
-        ("eye slash", ("eye",)),
+        ("eye slash", ("eye-",)),
+        ("power off", ("power",)),
+        ("switch off", ("power",)),
+        ("turn off", ("power",)),
+        ("log off", ("out", "exit", "leave")),
         ("camera off", ("camera-x",)),
         ("wifi off", ("wifi-x",)),
         ("on/off", ("power",)),
@@ -189,4 +193,6 @@ def test_what_is_off_comes_first(bundled, typed, parts):
 
 
 def test_what_no_icon_is_switched_off_of_is_told(bundled):
+    for keyword in ("spin off", "bell off mute slash", "dog off"):
+        assert "“x”" not in bundled.remark(keyword)
     assert bundled.remark("mic off") == "No icon has all of these words: “off” was left out."
