@@ -327,7 +327,8 @@ class Collection:
     def _nothing(self, keyword: str, excluded: bool) -> str:
         if excluded and self._answer(keyword).scores:
             return f"Every icon for {messages.said(keyword)} is excluded. Exclude fewer."
-        none = f"No icon is called {messages.said(keyword)}."
+        only = messages.only(self._lookup.answer(keyword))
+        none = f"No icon is called {messages.said(keyword)}. {only}".rstrip()
         words = query.plain(keyword)
         if is_insult(words) or PREPOSITIONS.issuperset(words.split()):
             return f"{none} {messages.THING}"
@@ -336,8 +337,11 @@ class Collection:
         parts = () if symbols.has_symbols(keyword) else self._lookup.parts(_name(keyword))
         if parts:
             return f"{none} Alone, these words find icons: {', '.join(parts)}."
-        english = filter(self._lookup.scores, symbols.english(keyword.strip()))
-        near = tuple(english) or (self.suggest(_name(keyword)) if query.is_latin(keyword) else ())
+        english = tuple(filter(self._lookup.scores, symbols.english(keyword.strip())))
+        near = self.suggest(_name(keyword)) if query.is_latin(keyword) else ()
+        if english:  # of what is only spelt like it, that is likely which is in these as well
+            near = (*(one for one in near if one in " ".join(english).split()), *english)
+            near = tuple(dict.fromkeys(near))
         return f"{none}{messages.hint(near)} {messages.ENGLISH}"
 
     def _numbers(self, identifiers: Iterable[str]) -> list[int]:

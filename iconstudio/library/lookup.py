@@ -1,5 +1,7 @@
 """Which icons answer a keyword, and what is near: looked up in the unpacked collection."""
 
+from dataclasses import replace
+
 from iconstudio.library.phrases import Answer, Phrases
 from iconstudio.library.terms import FEW, Rows, Scores, Terms
 from iconstudio.library.words import query, symbols
@@ -7,7 +9,7 @@ from iconstudio.library.words.query import Style
 from iconstudio.library.words.vocabulary import ATTRIBUTES, PREPOSITIONS
 
 _MOST = 8
-"""Of a keyword of many words, so many are looked up on their own."""
+"""Of a keyword of more words, so many are looked up: what others cost grows much faster."""
 
 
 class Lookup:
@@ -26,13 +28,18 @@ class Lookup:
         words = tuple(query.plain(keyword).split())
         if not words:
             return Answer()
+        if len(words) > _MOST:
+            different = tuple(dict.fromkeys(words))
+            answer = self._phrases.answer(different[:_MOST])
+            cut = len(different) > _MOST
+            return replace(answer, looked_up=_MOST) if cut else answer
         if symbols.has_symbols(keyword):
             return Answer(self._named_by(keyword.strip(), words))
         return self._phrases.answer(words)
 
     def style(self, keyword: str) -> Style:
         """Return the style that a keyword asks for, unless the words together name a thing."""
-        words = query.spelt_out(tuple(query.plain(keyword).split()))
+        words = query.spelt_out(tuple(query.plain(keyword).split())[:_MOST])
         asked = query.style(words)
         return Style() if asked.words and self.plainly(" ".join(words)) else asked
 

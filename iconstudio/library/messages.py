@@ -34,7 +34,15 @@ def remark(answer: Answer, near: tuple[str, ...]) -> str:
         return ""
     sentences = [f"“{typed}” was read as “{right}”." for typed, right in answer.read_as]
     if answer.left_out:
-        words = " and ".join(f"“{word}”" for word in answer.left_out)
+        *before, last = (f"“{word}”" for word in answer.left_out)
+        words = f"{', '.join(before)} and {last}" if before else last
         were = "was" if len(answer.left_out) == 1 else "were"
         sentences.append(f"No icon has all of these words: {words} {were} left out.")
+    if answer.looked_up:
+        sentences.append(only(answer))
     return (" ".join(sentences) + hint(near)).strip()
+
+
+def only(answer: Answer) -> str:
+    """Return that not all words were looked up, if so."""
+    return f"Only the first {answer.looked_up} words were looked up." if answer.looked_up else ""

@@ -10,12 +10,15 @@ from iconstudio.library.spellings import Spellings, Words
 from iconstudio.library.terms import NEVER, Scores, Terms
 from iconstudio.library.words import query
 from iconstudio.library.words.decency import is_insult
-from iconstudio.library.words.naming import is_negated, take_apart
+from iconstudio.library.words.naming import is_negated, take_apart, without_number
 from iconstudio.library.words.readings import COMPOUND
 from iconstudio.library.words.vocabulary import ATTRIBUTES, PEOPLE, STYLES
 
 _LONGEST = 3
 """At most so many words are told of as one that icons answer on its own."""
+
+_JOINED = 48
+"""Most letters of a word that is taken for two."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,6 +30,8 @@ class Answer:
     """Words that the icons were found without."""
     read_as: tuple[tuple[str, str], ...] = ()
     """Words that are misspelt, each with the one it was taken for."""
+    looked_up: int = 0
+    """Only so many words were looked up; 0 if all were."""
 
     def __bool__(self) -> bool:
         return bool(self.scores)
@@ -89,7 +94,8 @@ class Phrases:
         while start < len(words):
             for end in range(min(start + _LONGEST, len(words)), start, -1):
                 part = words[start:end]
-                if any(map(query.tells, part)) and self._terms.plainly(" ".join(part)):
+                bare = " ".join(map(without_number, part))
+                if any(map(query.tells, part)) and self._terms.plainly(bare):
                     found.append(" ".join(part))
                     break
             start = end
@@ -107,6 +113,7 @@ class Phrases:
             (
                 self._together(words),
                 *(_at_least(0, self._together(one)) for one in others),
+                *(_at_least(0, self._together(one)) for one in self._spellings.same(words)),
                 *(_at_least(1, self._together(one)) for one in meant),
             )
         )
@@ -139,12 +146,25 @@ class Phrases:
         return next(filter(None, map(self._near, dict.fromkeys(spelt))), Answer())
 
     def _near(self, words: Words) -> Answer:
-        for fewer in (query.without_style(words), query.telling(words)):
-            if fewer != words:
-                return _leaving(set(words).difference(fewer), words, self.answer(fewer))
+        if (core := query.without_style(words)) != words:
+            return self._without_style(words, core)
+        if (told := query.telling(words)) != words:
+            return _leaving(set(words).difference(told), words, self.answer(told))
         if len(words) == 1:
             return Answer(self._parted(words[0]))
         return self._activity(words) or self._head(words) or self._without_attribute(words)
+
+    def _without_style(self, words: Words, core: Words) -> Answer:
+        """Return the icons of words without a style; those with their numbers come first."""
+        answer = self.answer(core)
+        numbered = {word: bare for word in words if (bare := without_number(word)) in core}
+        numbered = {word: bare for word, bare in numbered.items() if bare != word}
+        left_out = set(words).difference(core, numbered)
+        for word, bare in numbered.items():
+            scores, found = self._terms.numbered(answer.scores, word, bare)
+            read_as = answer.read_as if found else (*answer.read_as, (word, bare))
+            answer = replace(answer, scores=scores, read_as=read_as)
+        return _leaving(left_out, words, answer)
 
     def _activity(self, words: Words) -> Answer:
         """Return the drawings of what people do: somebody is in them in any case."""
@@ -154,8 +174,13 @@ class Phrases:
         return _leaving(set(words).difference(rest), words, Answer(self._whole(rest)))
 
     def _without_attribute(self, words: Words) -> Answer:
-        """Return the things of the words before one for a view, say: a swing set is swings."""
-        if words[-1] in ATTRIBUTES and not self._terms.is_known(" ".join(words)):
+        """Return the things of the words before one for a view, say: a swing set is swings.
+
+        Or before one that names nothing by itself: *eco friendly* tells of what is eco.
+        """
+        last = words[-1]
+        only_says_how = last in ATTRIBUTES or (self._terms.named(last) and not self._leads(last))
+        if only_says_how and not self._terms.is_known(" ".join(words)):
             return _leaving({words[-1]}, words, self.answer(words[:-1]))
         return Answer()
 
@@ -174,16 +199,22 @@ class Phrases:
             if start == len(words) - 1 and self._terms.is_no_noun(words[start]):
                 return Answer()
             found = self._terms.plainly(" ".join(words[start:]))
+            if start == len(words) - 1 and not self._leads(words[start]):
+                return Answer()
             if found and min(found.values()) < COMPOUND:
                 return _leaving({*words[:start]}, words, Answer(found))
         return Answer()
+
+    def _leads(self, word: str) -> bool:
+        """Whether a word names a thing, and does not only say of what kind others are."""
+        return self._terms.is_thing(word) or self._terms.is_known(word)
 
     def _parted(self, word: str) -> Scores:
         """Return the icons whose names have both words that ``word`` is joined from.
 
         Or those of the one, if the other only says how they are drawn.
         """
-        pairs = list(query.halves(word))
+        pairs = list(query.halves(word)) if len(word) <= _JOINED else []
         for first, second in pairs:
             name = f"{first}-{second}"
             if {first, second} & STYLES and self._terms.is_name(name):

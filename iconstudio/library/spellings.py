@@ -1,11 +1,13 @@
 """How else a keyword may be spelt: joined or parted, as icons are called, or rightly."""
 
+from collections.abc import Iterator
 from itertools import islice, pairwise, product
 
 from iconstudio.library.terms import Terms
 from iconstudio.library.words import query, symbols
 from iconstudio.library.words.nearness import nearest
-from iconstudio.library.words.usage import INFORMAL
+from iconstudio.library.words.regional import other_spellings
+from iconstudio.library.words.usage import ALONE, CROSSED_OUT, INFORMAL
 from iconstudio.library.words.vocabulary import FAMILIAR
 
 _SHORT = 4
@@ -35,10 +37,28 @@ class Spellings:
         if len(words) <= _SHORT:
             known = self._terms.leading(first + second for first, second in pairwise(words))
             found += (one for one in query.joinings(words) if not known.isdisjoint(one))
+            found += self._otherwise(words)
             for place, word in enumerate(words):
                 for parted in sorted(self._terms.leading(query.partings(word))):
                     found.append((*words[:place], *parted.split(), *words[place + 1 :]))
         return list(dict.fromkeys(found))
+
+    def _otherwise(self, words: Words) -> Iterator[Words]:
+        """Yield words as they are spelt elsewhere."""
+        spelt = {word: list(other_spellings(word)) for word in words}
+        known = self._terms.leading(other for others in spelt.values() for other in others)
+        choices = ((word, *(one for one in spelt[word] if one in known)) for word in words)
+        yield from islice(product(*choices), 1, _MOST)
+
+    @staticmethod
+    def same(words: Words) -> Iterator[Words]:
+        """Yield what names of icons say for words that mean a thing switched off, or alone."""
+        if meant := ALONE.get("".join(words), ()):
+            yield from (tuple(one.split()) for one in meant)
+        elif 1 < len(words) <= _SHORT:
+            for place, word in enumerate(words):
+                for sign in CROSSED_OUT.get(word, ()):
+                    yield (*words[:place], *sign.split(), *words[place + 1 :])
 
     def corrected(self, words: Words) -> list[dict[str, str]]:
         """Return what the misspelt ones of several words may stand for, the likeliest first."""

@@ -3,6 +3,7 @@
 Scores are a relation's rank and a reading's tier added up: the lower the better.
 """
 
+import re
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
@@ -112,6 +113,25 @@ class Terms:
             return found
         behind = dict.fromkeys(called - own, _ALIAS) | dict.fromkeys(called & more, COMPOUND)
         return found | behind
+
+    def numbered(self, found: Scores, word: str, bare: str) -> tuple[Scores, bool]:
+        """Return icons with those of another number behind, and whether any has that of ``word``.
+
+        Of *mp3*, whose ``bare`` word is *mp*, *mp-4* has another number. If any has the number, all
+        others are behind.
+        """
+        number = str(int(word.removeprefix(bare).lstrip("x")))
+        listed = ",".join(map(str, found))
+        rows = self._rows(f"SELECT number, id FROM icon WHERE number IN ({listed})", ())
+        having = re.compile(rf"(?<![a-z]){bare}-?0*(\d+)(?!\d)")
+        numbers = {icon: having.findall(name.partition(":")[2]) for icon, name in rows}
+        has_it = any(number in own for own in numbers.values())
+        behind = {
+            icon: max(found[icon], MENTION + 1)
+            for icon, own in numbers.items()
+            if number not in own and (own or has_it)
+        }
+        return found | behind, has_it
 
     def _singles(self, words: str) -> list[str]:
         """Return what words are the plural of, and several of: glasses are no glass."""

@@ -70,6 +70,7 @@ def test_what_only_an_alias_calls_so_stands_behind(world):
         ("no smoking dog house", "dog house"),
         ("man with lamp", "man, lamp"),
         ("speech bubble calendar", "speech bubble, calendar"),
+        ("lamp3 dog house", "lamp3, dog house"),
     ],
 )
 def test_words_that_find_nothing_together_are_told_by_those_that_do(world, keyword, told):
@@ -119,3 +120,57 @@ def test_a_word_that_few_names_misspell_does_not_hide_the_right_one(bundled, key
 @pytest.mark.parametrize("keyword", ["witch", "otter", "bison", "mango", "saturn", "dog", "a b"])
 def test_a_rare_word_is_no_misspelling(bundled, keyword):
     assert "Did you mean" not in bundled.remark(keyword)
+
+
+@pytest.fixture
+def numbers(opened):
+    names = ("mp", "file-mp3", "audio-file-mp-3", "house", "house-03", "house-2", "eco-house")
+    friendly = ("pet-friendly", "child-friendly")
+    return opened(icon_set("a", {name: shape(n) for n, name in enumerate((*names, *friendly))}))
+
+
+@pytest.mark.parametrize(
+    ("keyword", "first", "remark"),
+    [
+        ("mp3", {"file-mp3", "audio-file-mp-3"}, ""),
+        ("mp4", {"mp"}, "“mp4” was read as “mp”."),
+        ("house3", {"house-03"}, ""),
+        ("house9", {"house"}, "“house9” was read as “house”."),
+        ("eco friendly", {"eco-house"}, "No icon has all of these words: “friendly” was left out."),
+    ],
+)
+def test_a_word_that_is_found_is_not_said_to_be_left_out(numbers, keyword, first, remark):
+    assert set(ids(numbers, keyword)[: len(first)]) == first
+    assert numbers.remark(keyword) == remark
+
+
+@pytest.mark.parametrize("keyword", ["user friendly", "eco friendly"])
+def test_a_word_that_only_says_how_is_left_out(bundled, keyword):
+    assert not any("pet" in name or "child" in name for name in ids(bundled, keyword))
+    assert bundled._lookup.answer(keyword).left_out == ("friendly",)
+
+
+MANY = " ".join(f"speech{a}ling{b}" for a in "abcdefghij" for b in "abcdefghij")
+
+
+@pytest.mark.parametrize("keyword", ["dog " * 2000, "dog house " * 1000, MANY, f"dog {MANY}"])
+def test_what_many_words_cost_is_bounded(world, keyword):
+    asked = []
+    rows = world._lookup._terms._rows
+    world._lookup._terms._rows = lambda *query: asked.append(1) or rows(*query)
+    world._lookup.answer(keyword)
+    assert len(asked) < 2000
+
+
+def test_repeated_words_are_looked_up_once(world):
+    assert ids(world, "dog house " * 500) == ids(world, "dog house")
+    assert world.remark("dog house " * 500) == ""
+
+
+def test_words_that_are_not_looked_up_are_told(world):
+    cut = "Only the first 8 words were looked up."
+    few = "red blue big old sad odd hot dog"
+    assert world.remark(few).startswith("No icon has all") and cut not in world.remark(few)
+    assert world.remark(f"{few} lamp house").endswith(cut)
+    with pytest.raises(IconstudioError, match=cut):
+        world.search(MANY)

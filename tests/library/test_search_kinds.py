@@ -230,7 +230,7 @@ def test_of_brands_it_is_told_that_there_are_none(bundled, brand):
         bundled.search(brand)
 
 
-@pytest.mark.parametrize("keyword", ["x" * 5000, "unheardof:" + "x" * 5000, "dog qq " * 999])
+@pytest.mark.parametrize("keyword", ["x" * 5000, "unheardof:" + "x" * 5000, "zzq qqz " * 999])
 def test_a_keyword_that_is_very_long_is_not_repeated_whole(bundled, keyword):
     for ask in (bundled.search, bundled.get):
         with pytest.raises(IconstudioError) as error:
@@ -241,3 +241,13 @@ def test_a_keyword_that_is_very_long_is_not_repeated_whole(bundled, keyword):
 def test_of_an_unknown_icon_without_a_like_it_is_told_what_to_do(bundled):
     with pytest.raises(IconstudioError, match=r"no icon 'nope:nope'\. Search for what it shows"):
         bundled.get("nope:nope")
+
+
+@pytest.mark.parametrize(
+    ("keyword", "told", "never"), [("telefone", "telephone", "zzz"), ("facebook", "", "macbook")]
+)
+def test_a_hint_is_near_or_none(bundled, keyword, told, never):
+    with pytest.raises(IconstudioError) as error:
+        bundled.search(keyword)
+    assert never not in str(error.value)
+    assert not told or f"Did you mean {told}" in str(error.value)

@@ -4,6 +4,7 @@ import pytest
 from small_world import icon_set, shape
 
 from iconstudio.library.words import query
+from iconstudio.library.words.regional import other_spellings
 from iconstudio.library.words.usage import INFORMAL, STAND_INS
 from iconstudio.library.words.vocabulary import words
 from iconstudio.model import IconstudioError
@@ -123,3 +124,75 @@ def test_a_far_fetched_word_answers_none(bundled, keyword, never):
     except IconstudioError:
         found = []
     assert not [name for name in found if never in name]
+
+
+@pytest.mark.parametrize(
+    ("british", "american"),
+    [
+        ("colour", "color"), ("grey", "gray"), ("theatre", "theater"), ("licence", "license"),
+        ("organiser", "organizer"), ("catalogue", "catalog"), ("labelled", "labeled"),
+        ("neighbours", "neighbors"), ("analyse", "analyze"), ("metres", "meters"),
+        ("coloured", "colored"), ("tyre", "tire"), ("travelling", "traveling"),
+    ],
+)  # fmt: skip
+def test_british_and_american_spellings_lead_to_each_other(british, american):
+    assert american in other_spellings(british)
+    assert british in other_spellings(american)
+
+
+@pytest.mark.parametrize(
+    "word", ["hour", "four", "for", "your", "poet", "filing", "filling", "door"]
+)
+def test_a_word_that_only_looks_so_is_spelt_one_way(word):
+    assert list(other_spellings(word)) == []
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [
+        ("colour picker", "color picker"),
+        ("colour palette", "color palette"),
+        ("colour", "color"),
+        ("shopping centre", "shopping center"),
+        ("fire alarm theatre", "fire alarm theater"),
+        ("favourite folder", "favorite folder"),
+        ("car tyre", "car tire"),
+        ("data centre", "data center"),
+    ],
+)
+def test_a_phrase_finds_the_same_however_it_is_spelt(bundled, one, other):
+    assert set(bundled._lookup.scores(one)) == set(bundled._lookup.scores(other))
+
+
+@pytest.mark.parametrize("typed", ["bell off", "bell-slash", "bell muted", "disabled bell"])
+def test_what_is_switched_off_is_found_as_its_names_say_it(opened, typed):
+    names = ("bell", "bell-x", "box", "bell-plus")
+    assert ids(opened(icon_set("a", {one: shape(n) for n, one in enumerate(names)})), typed) == [
+        "bell-x"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("typed", "parts"),
+    [
+        ("eye slash", ("eye-",)),
+        ("power off", ("power",)),
+        ("switch off", ("power",)),
+        ("turn off", ("power",)),
+        ("log off", ("out", "exit", "leave")),
+        ("camera off", ("camera-x",)),
+        ("wifi off", ("wifi-x",)),
+        ("on/off", ("power",)),
+        ("on off", ("power",)),
+        ("mute", ("volume-x", "speaker-x", "volume-zero", "quiet")),
+        ("volume off", ("volume-x",)),
+    ],
+)
+def test_what_is_off_comes_first(bundled, typed, parts):
+    assert all(any(part in name for part in parts) for name in ids(bundled, typed)[:4])
+
+
+def test_what_no_icon_is_switched_off_of_is_told(bundled):
+    for keyword in ("spin off", "bell off mute slash", "dog off"):
+        assert "“x”" not in bundled.remark(keyword)
+    assert bundled.remark("mic off") == "No icon has all of these words: “off” was left out."

@@ -52,7 +52,7 @@ def take_apart(name: str) -> Name:
         elif number.isdigit() or (position and len(token) == 1 and not _says(tokens, position)):
             variant.append(token)
         else:
-            bare = _TAIL_NUMBER.sub("", token)
+            bare = without_number(token)
             if bare != token:
                 variant.append(token[len(bare) :])
             words.append(bare)
@@ -61,6 +61,11 @@ def take_apart(name: str) -> Name:
     while len(words) > 1 and words[0] in LEADING_STYLES:
         styles.append(words.pop(0))
     return Name(tuple(words), tuple(styles), size, tuple(variant))
+
+
+def without_number(word: str) -> str:
+    """Return a word without the number at its end: *mp3* as *mp*."""
+    return _TAIL_NUMBER.sub("", word)
 
 
 _KEPT = {

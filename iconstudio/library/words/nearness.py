@@ -5,7 +5,7 @@ from collections.abc import Sequence
 _LIKE = 0.75
 """So much of a word's letters is in its place if it is only misspelt: another word is no hint."""
 
-_LIKER = 0.8
+_LIKER = 0.85
 """The same if it begins with another letter, unless no more than one letter is wrong."""
 
 _BEHIND = 0.1

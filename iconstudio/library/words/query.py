@@ -187,7 +187,8 @@ def identifiers(text: str, prefixes: frozenset[str]) -> Iterator[str]:
     tokens = re.findall(r"[a-z0-9]+", parted.casefold())
     if tokens[:1] in (["i"], ["icon"], ["iconify"]):
         tokens = tokens[1:]
-    for count in range(len(tokens) - 1, 0, -1):
+    most = max((prefix.count("-") + 1 for prefix in prefixes), default=0)
+    for count in range(min(len(tokens) - 1, most), 0, -1):
         prefix = "-".join(tokens[:count])
         if prefix in prefixes:
             yield f"{prefix}:{'-'.join(tokens[count:])}"

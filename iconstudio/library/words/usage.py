@@ -103,9 +103,10 @@ INFORMAL = _listed(
     loco: locomotive, lp: vinyl record, maths: math, meds: medicine, mgr: manager, moggie: cat,
     moggy: cat, mozzie: mosquito, msg: message, mtg: meeting, mtn: mountain, mum: mother,
     mushie: mushroom, nan: grandparent, nana: grandparent, nanna: grandparent, notif: notification,
-    oj: orange juice, papa: father, phys: physics, pic: picture, piccy: picture, piggie: pig,
-    pinkie: little finger, pinky: little finger, prev: previous, prof: teacher,
-    pushchair: stroller, pussycat: cat, pw: password, pwd: password, qtip: cotton swab,
+    oj: orange juice, papa: father, phys: physics, pic: picture,
+    piccy: picture, piggie: pig, pinkie: little finger, pinky: little finger, prev: previous,
+    prof: teacher, pushchair: stroller, pussycat: cat, pw: password, pwd: password,
+    qtip: cotton swab,
     rew: rewind, rip: gravestone, roach: cockroach, roo: kangaroo, rugger: rugby, sammie: sandwich,
     santa: father christmas, santaclaus: father christmas, sarnie: sandwich, shades: sunglasses,
     shroom: mushroom, sneaks: sneaker, spag: spaghetti, spagbol: spaghetti, spud: potato,
@@ -123,6 +124,24 @@ INFORMAL = _listed(
     """
 )
 """What people type for short, or as they talk at home, in one word: two words are read as one."""
+
+CROSSED_OUT = {
+    word: ("x", "x mark", "cross", "hide", "invisible", "silence", "quiet")
+    for word in ("off", "slash", "slashed", "mute", "muted", "disabled")
+}
+"""What says of a thing that it is switched off or struck out, and what names of icons have for it.
+
+Of the words on the left, the collection has nearly none: such drawings are of no use as parts."""
+
+_MUTE = ("volume x", "speaker x", "speaker x mark", "volume zero", "sound quiet")
+_NO_EYE = ("eye closed", "eye invisible", "eye hide", "eye x", "eye cross")
+ALONE = {
+    "mute": _MUTE, "muted": _MUTE, "soundoff": _MUTE, "unmute": ("volume",),
+    "eyeoff": _NO_EYE, "eyeslash": _NO_EYE,
+    "onoff": ("power",), "offon": ("power",), "poweroff": ("power",), "turnoff": ("power",),
+    "switchoff": ("power",), "logoff": ("log out",), "signoff": ("sign out",),
+}  # fmt: skip
+"""What words, joined, mean if no others stand beside them."""
 
 OTHER_IN_PLURAL = frozenset({"boxers", "glasses", "greens", "news"})
 """What is not several of what it is the plural of."""
