@@ -1,0 +1,242 @@
+"""Torn elements made whole (beyond the paper).
+
+The exemplar's own whole elements are laid where the synthesised layer is most like them, the best
+first, unless they would touch one that lies there already. What ink is then left is torn, and taken
+out; where a gap remains that has room for an element, the most likely one is laid there.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import ndimage
+
+from iconstudio.algorithms.patterns.distance import CLAMP, signed_distance
+from iconstudio.algorithms.patterns.elements import EIGHT, Element, Elements
+from iconstudio.algorithms.patterns.exemplar import Placed, Places
+from iconstudio.algorithms.patterns.fourier import Field, Spectrum, backward, forward
+
+Bitmap = NDArray[np.bool_]
+
+_REACH = 3.0
+"""Pixels around its contour in which an element is compared with a layer."""
+_LIKELY = 0.75
+"""Of what an element differs from emptiness, it may differ so much from what it replaces."""
+_VISIBLE = 0.25
+"""Of an element's ink, so much lies in the pattern at least."""
+_FULL = 0.97
+"""Of the exemplar's share of ink, how much a pattern has before gaps are left empty."""
+_FULLEST = 1.08
+"""Of that share, how much it has before anything more is left out."""
+_CLOSEST = 1.5, 4.0
+"""Pixels between elements: the least and the most that is kept free in any case."""
+
+
+class Mended(NamedTuple):
+    """A layer of whole elements."""
+
+    distance: Field
+    """(H, W)"""
+    source: Places
+    """(H, W, 2)"""
+    placed: tuple[Placed, ...]
+
+
+class _Candidate(NamedTuple):
+    """An element, where it may lie, and how unlike it the layer is there: 0 to 1 or more."""
+
+    unlikeness: float
+    element: Element
+    top: int
+    left: int
+
+
+def mended(
+    distance: Field,
+    source: Places,
+    elements: Elements,
+    tile: bool,
+    random: np.random.Generator,
+    ask: Callable[[], None] = lambda: None,
+) -> Mended:
+    """Return a layer (H, W) in which no element is torn.
+
+    Parameters
+    ----------
+    distance, source
+        Signed distances, and where in the exemplar each pixel comes from.
+    elements
+        Of the exemplar's layer. If none is whole, the layer stays as it is.
+    """
+    if not elements.whole:
+        return Mended(distance, source, ())
+    sheet = _Sheet(distance, source, elements, tile)
+    unlikeness = []
+    for element in elements.whole:
+        ask()
+        unlikeness.append(sheet.unlikeness(element))
+    candidates = [
+        _Candidate(float(values[y, x]), element, y, x)
+        for element, values in zip(elements.whole, unlikeness, strict=True)
+        for y, x in np.argwhere(_least(values, tile) & (values < _LIKELY))
+    ]
+    for one in sorted(candidates, key=lambda candidate: candidate.unlikeness):
+        if sheet.share < _FULLEST * elements.share:
+            sheet.lay(one)
+    while sheet.share < _FULL * elements.share:
+        ask()
+        found = next(_fitting(sheet, elements.whole, unlikeness, random), None)
+        if found is None:
+            break
+        sheet.lay(found)
+    return sheet.result()
+
+
+def _least(values: Field, tile: bool) -> Bitmap:
+    mode = "wrap" if tile else "nearest"
+    lowest: Bitmap = values == ndimage.minimum_filter(values, 3, mode=mode)
+    return lowest
+
+
+def _fitting(
+    sheet: "_Sheet",
+    whole: Sequence[Element],
+    unlikeness: list[Field],
+    random: np.random.Generator,
+) -> Iterator[_Candidate]:
+    """Give elements that fit into gaps, where each is least unlikely; the rarest first."""
+    blocked = forward(sheet.blocked.astype(np.float32), sheet.blocked.shape)
+    order = random.permutation(len(whole))
+    for k in sorted(order, key=lambda k: sheet.count(whole[k])):
+        room = sheet.correlated(blocked, whole[k].ink.astype(np.float32)) < 0.5
+        room &= np.isfinite(unlikeness[k])
+        if room.any():
+            y, x = np.unravel_index(np.argmin(np.where(room, unlikeness[k], np.inf)), room.shape)
+            yield _Candidate(float(unlikeness[k][y, x]), whole[k], int(y), int(x))
+
+
+class _Sheet:
+    """A layer that elements are laid on; if it is no tile, with a border as wide as the largest."""
+
+    def __init__(self, distance: Field, source: Places, elements: Elements, tile: bool) -> None:
+        self._elements, self._tile = elements, tile
+        self._distance, self._source = distance, source
+        largest = max(max(one.ink.shape) for one in elements.whole)
+        self._border = 0 if tile else largest
+        near = np.pad(np.clip(distance, -_REACH, _REACH), self._border)
+        self._shape = near.shape
+        self._visible = np.pad(np.ones(distance.shape, np.float32), self._border)
+        self._near = forward(near, self._shape)
+        self._squares = forward(near**2, self._shape)
+        self._seen = None if tile else forward(self._visible, self._shape)
+        self._laid: list[_Candidate] = []
+        self._kept = self._running()
+        ink = np.pad(self._kept, self._border)
+        self._inked = float(self._kept.sum())
+        low, high = _CLOSEST
+        self._near_gap = _disk(min(max(elements.gap, low), high))
+        self._wide_gap = _disk(max(elements.spacing, low))
+        self._taken = ndimage.binary_dilation(ink, self._near_gap)
+        self.blocked = ndimage.binary_dilation(ink, self._wide_gap)
+
+    def _running(self) -> Bitmap:
+        """Return the ink that comes from what is no element, and goes on beyond the exemplar."""
+        ink: Bitmap = self._distance < 0
+        labels, count = ndimage.label(ink, EIGHT)
+        running = self._elements.running[self._source[..., 0], self._source[..., 1]]
+        share = ndimage.mean(running, labels, np.arange(1, count + 1)) if count else np.zeros(0)
+        kept: Bitmap = np.append(False, share > 0.5)[labels]
+        return kept
+
+    def correlated(self, spectrum: Spectrum, weights: Field) -> Field:
+        """Return the sums over a rectangle of weights (n, m) at all places (H, W)."""
+        return backward(spectrum * np.conj(forward(weights, self._shape)), self._shape)
+
+    def unlikeness(self, element: Element) -> Field:
+        """Return how much the layer differs from an element wherever its rectangle may begin.
+
+        As a part of what emptiness differs from it; infinite where too little of it is visible.
+        """
+        own = np.clip(element.distance, -_REACH, _REACH)
+        weight = (element.distance < _REACH).astype(np.float32)
+        empty = weight * (_REACH - own) ** 2
+        different = self.correlated(self._squares, weight) - 2 * self.correlated(
+            self._near, weight * own
+        )
+        if self._seen is None:
+            values = (different + (weight * own**2).sum()) / empty.sum()
+        else:
+            seen = self.correlated(self._seen, weight * own**2)
+            most = self.correlated(self._seen, empty)
+            inked = self.correlated(self._seen, element.ink.astype(np.float32))
+            enough = inked > _VISIBLE * element.ink.sum()
+            values = np.where(enough, (different + seen) / np.maximum(most, 1e-3), np.inf)
+        unlike: Field = values.astype(np.float32)
+        return unlike
+
+    def lay(self, candidate: _Candidate) -> None:
+        """Lay an element, unless something is too near."""
+        at, ink = self._place(candidate), candidate.element.ink
+        if (self._taken[at] & ink).any():
+            return
+        self._laid.append(candidate)
+        self._inked += float((ink * self._visible[at]).sum())
+        for blocked, gap in ((self._taken, self._near_gap), (self.blocked, self._wide_gap)):
+            margin = len(gap) // 2
+            place = self._place(candidate, margin)
+            blocked[place] |= ndimage.binary_dilation(np.pad(ink, margin), gap)
+
+    def count(self, element: Element) -> int:
+        """Return how often an element was laid."""
+        return sum(one.element is element for one in self._laid)
+
+    def _place(
+        self, candidate: _Candidate, margin: int = 0
+    ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+        rows, columns = (
+            np.arange(begin - margin, begin + length + margin) % n
+            for begin, length, n in zip(
+                (candidate.top, candidate.left), candidate.element.ink.shape, self._shape,
+                strict=True,
+            )
+        )  # fmt: skip
+        return np.ix_(rows, columns)
+
+    @property
+    def share(self) -> float:
+        """The share of the pattern that is ink."""
+        return self._inked / float(self._visible.sum())
+
+    def result(self) -> Mended:
+        """Return the layer of what was laid, and of what goes on beyond the exemplar."""
+        height, width = self._distance.shape
+        begin = self._border
+        inside = slice(begin, begin + height), slice(begin, begin + width)
+        distance = np.full(self._shape, CLAMP, np.float32)
+        if self._kept.any():
+            kept = np.where(self._kept, -self._distance, np.minimum(-self._distance, -0.01))
+            away = ndimage.distance_transform_edt(~self._kept)
+            kept = np.where(away > 2, -CLAMP, kept).astype(np.float32)
+            distance[inside] = signed_distance(kept, self._tile)
+        source = np.pad(self._source, ((begin, begin), (begin, begin), (0, 0)), "edge")
+        most = np.array(self._elements.running.shape) - 1
+        placed = []
+        for one in self._laid:
+            at = self._place(one)
+            element = one.element
+            nearer = element.distance < distance[at]
+            corner = np.array([element.top, element.left])
+            own = np.indices(element.ink.shape).transpose(1, 2, 0) + corner
+            source[at] = np.where(nearer[..., None], np.clip(own, 0, most), source[at])
+            distance[at] = np.minimum(element.distance, distance[at])
+            down, right = one.top - begin - element.top, one.left - begin - element.left
+            placed.append(Placed(element.layer, element.number, down, right))
+        return Mended(distance[inside], source[inside], tuple(placed))
+
+
+def _disk(radius: float) -> Bitmap:
+    whole = int(radius)
+    y, x = np.ogrid[-whole : whole + 1, -whole : whole + 1]
+    disk: Bitmap = y * y + x * x <= radius * radius
+    return disk
