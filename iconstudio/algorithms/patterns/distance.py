@@ -1,8 +1,8 @@
 """Signed distance functions of layers (section 2, figure 1).
 
 Distances are exact to the contour that linear interpolation finds between the pixels' centres
-(marching squares), so they are finer than pixels. They are clamped: what is farther off than
-``CLAMP`` pixels tells nothing about shapes, and would outweigh what does.
+(marching squares), so they are finer than pixels. They are clamped to ``CLAMP`` pixels: farther off
+they tell nothing about shapes.
 """
 
 import numpy as np

@@ -28,7 +28,7 @@ Field = NDArray[np.float32]
 STEPS = 5
 """Of time, in an E-step."""
 TIME = 0.5
-BAND = 4.0
+BAND = 2.0
 """Pixels on either side of the zero level set in which its curvature acts."""
 LEAST_SLOPE = 0.5
 COVERING = 16

@@ -1,7 +1,7 @@
 """The start: image quilting with channels of signed distances (section 2; Efros and Freeman 2001).
 
 Patches are laid in rows. Each is one of those that fit best on what it overlaps, of all places
-of the exemplar; among the best few, the one whose seam is the cheapest. On a tile, patches overlap
+of the exemplar; among the best few, one whose seam is the cheapest. On a tile, patches overlap
 across the borders as well.
 """
 
@@ -22,6 +22,9 @@ _TOLERANCE = 0.1
 """Seams that cost at most so much more than the cheapest are as good (Efros and Freeman)."""
 _TRIED = 12
 """Of how many patches that fit the seams are found."""
+_AGREEMENT = 0.2
+"""How much it counts that a patch differs beside the seam: one through the ground alone costs
+nothing, but may move what is regular."""
 _RESISTANCE = 20.0
 """How many times more it costs to cross an element."""
 
@@ -122,6 +125,7 @@ class _Quilt:
         difference = np.sqrt(((self._exemplar[at] - current) ** 2).sum(axis=2))
         weighted = difference * np.maximum(self._resistance[at], resistance)
         taken, cost = minimum_seam(weighted, there, kept)
+        cost += _AGREEMENT * float(difference[there].sum())
         places = np.indices(there.shape, np.int32).transpose(1, 2, 0) + np.array([y, x], np.int32)
         return cost, taken, places
 

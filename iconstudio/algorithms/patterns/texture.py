@@ -30,31 +30,42 @@ def means(
     """Return the weighted means of what the matches have, (H, W, C), for each pixel."""
     count = exemplar.shape[2]
     height, width = where.shape
-    sums = np.zeros((height, width * count))
-    masses = np.zeros((height, width))
+    more = where.window if where.tile else 0
+    sums = np.zeros((height + more, (width + more) * count))
+    masses = np.zeros((height + more, width + more))
     _add_up(
         flat(exemplar), count, where.window, where.rows, where.columns,
         matches, weights, sums, masses,
     )  # fmt: skip
-    mean = sums.reshape(height, width, count) / masses[..., None]
-    return np.rint(mean).astype(np.int16)
+    sums = _folded(sums.reshape(*masses.shape, count), where.shape)
+    mean = sums / _folded(masses[..., None], where.shape)
+    rounded: Channels = np.rint(mean).astype(np.int16)
+    return rounded
+
+
+def _folded(sums: NDArray[np.float64], shape: tuple[int, int]) -> NDArray[np.float64]:
+    """Return sums (h, w, C) of that shape: what is beyond the border is added opposite."""
+    height, width = shape
+    sums[: len(sums) - height] += sums[height:]
+    sums[:, : sums.shape[1] - width] += sums[:, width:]
+    return sums[:height, :width]
 
 
 @entry
 def _add_up(exemplar, count, window, rows, columns, matches, weights, sums, masses):  # type: ignore[no-untyped-def]
     """Add each match, times its weight, to the sums (H, W C), and its weight to the masses."""
-    height, width = masses.shape
     for a in range(len(rows)):
         for b in range(len(columns)):
-            v, u, weight = matches[a, b, 0], matches[a, b, 1], weights[a, b]
+            y, x = rows[a], columns[b]
+            v, u, weight = matches[a, b, 0], matches[a, b, 1] * count, weights[a, b]
             for i in range(window):
-                y = (rows[a] + i) % height
+                mass = masses[y + i, x : x + window]
                 for j in range(window):
-                    x = (columns[b] + j) % width
-                    masses[y, x] += weight
-                    for k in range(count):
-                        value = exemplar[v + i, (u + j) * count + k]
-                        sums[y, x * count + k] += weight * value
+                    mass[j] += weight
+                total = sums[y + i, x * count : (x + window) * count]
+                values = exemplar[v + i, u : u + window * count]
+                for k in range(window * count):
+                    total[k] += weight * values[k]
 
 
 def sources(
