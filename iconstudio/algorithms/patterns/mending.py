@@ -82,12 +82,12 @@ def mended(
         for y, x in np.argwhere(_least(values, tile) & (values < _LIKELY))
     ]
     for one in sorted(candidates, key=lambda candidate: candidate.unlikeness):
-        if sheet.share < _FULLEST * elements.share:
+        if sheet.share_with(one) <= _FULLEST * elements.share:
             sheet.lay(one)
     while sheet.share < _FULL * elements.share:
         ask()
         found = next(_fitting(sheet, elements.whole, unlikeness, random), None)
-        if found is None:
+        if found is None or sheet.share_with(found) > _FULLEST * elements.share:
             break
         sheet.lay(found)
     return sheet.result()
@@ -207,6 +207,11 @@ class _Sheet:
     def share(self) -> float:
         """The share of the pattern that is ink."""
         return self._inked / float(self._visible.sum())
+
+    def share_with(self, candidate: _Candidate) -> float:
+        """Return the share of ink once an element lies there."""
+        more = (candidate.element.ink * self._visible[self._place(candidate)]).sum()
+        return self.share + float(more / self._visible.sum())
 
     def result(self) -> Mended:
         """Return the layer of what was laid, and of what goes on beyond the exemplar."""
