@@ -82,7 +82,7 @@ def mended(
         for y, x in np.argwhere(_least(values, tile) & (values < _LIKELY))
     ]
     for one in sorted(candidates, key=lambda candidate: candidate.unlikeness):
-        if sheet.share_with(one) <= _FULLEST * elements.share:
+        if sheet.has_room(one) and sheet.share_with(one) <= _FULLEST * elements.share:
             sheet.lay(one)
     while sheet.share < _FULL * elements.share:
         ask()
@@ -95,7 +95,7 @@ def mended(
 
 def _least(values: Field, tile: bool) -> Bitmap:
     mode = "wrap" if tile else "nearest"
-    lowest: Bitmap = values == ndimage.minimum_filter(values, 3, mode=mode)
+    lowest: Bitmap = values == ndimage.minimum_filter(values, 5, mode=mode)
     return lowest
 
 
@@ -175,11 +175,13 @@ class _Sheet:
         unlike: Field = values.astype(np.float32)
         return unlike
 
+    def has_room(self, candidate: _Candidate) -> bool:
+        """Return whether nothing lies too near."""
+        return not (self._taken[self._place(candidate)] & candidate.element.ink).any()
+
     def lay(self, candidate: _Candidate) -> None:
-        """Lay an element, unless something is too near."""
+        """Lay an element."""
         at, ink = self._place(candidate), candidate.element.ink
-        if (self._taken[at] & ink).any():
-            return
         self._laid.append(candidate)
         self._inked += float((ink * self._visible[at]).sum())
         for blocked, gap in ((self._taken, self._near_gap), (self.blocked, self._wide_gap)):

@@ -179,7 +179,7 @@ class _Synthesis:
             level_set.evolved(one, to, attraction, 1 - attraction, tile)
             for one, to in zip(before, goal, strict=True)
         ])  # fmt: skip
-        colours = self._weights.colours(picture)
+        colours = self._weights.colours(picture)[..., : self._weights.shown]
         moved = colours
         for m in reversed(range(len(after))):  # collapse: the first layer over all others
             layer = warped(colours, before[m], after[m], tile)
