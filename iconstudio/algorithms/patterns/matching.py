@@ -4,6 +4,12 @@ By PatchMatch (Barnes et al. 2009): a neighbourhood tries where its neighbours' 
 and places at random around its own match, nearer and nearer. A match is only given up for a better
 one, so the energy never rises. Rows are worked on in bands, which do not wait for one another:
 the result does not depend on how many run at once.
+
+A kd-tree on 24 principal components finds better matches: on three exemplars and two seeds, the
+energy at 256 x 256 pixels was 0.67 of that by two sweeps, and 0.76 of that by ten. But it took 7.6
+and 2.3 times as long, after six seconds for the trees of an exemplar; with 12 components and a
+tolerance, it reached the energy of ten sweeps in 0.8 of their time, after the same six seconds. As
+much was torn by either: 0.27 of the ink by two sweeps, 0.29 by ten, 0.26 and 0.29 by the trees.
 """
 
 from collections.abc import Callable

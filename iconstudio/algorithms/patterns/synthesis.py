@@ -10,6 +10,8 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
+from scipy.ndimage import zoom
 
 from iconstudio.algorithms.patterns import level_set
 from iconstudio.algorithms.patterns.distance import signed_distance
@@ -18,7 +20,7 @@ from iconstudio.algorithms.patterns.energy import (
     per_pixel,
     reduced,
 )
-from iconstudio.algorithms.patterns.exemplar import Pattern, Places
+from iconstudio.algorithms.patterns.exemplar import Colours, Distances, Pattern, Places
 from iconstudio.algorithms.patterns.layers import collapse
 from iconstudio.algorithms.patterns.matching import (
     Integers,
@@ -104,9 +106,9 @@ class _Synthesis:
                 )
             if factor == 1:
                 break
-            yield self._preview(source, factor, energy)
+            yield self._preview(picture, source, factor, energy)
             factor //= 2
-        yield self._finished(picture, source, energy)
+        yield self._finished(picture, source)
 
     def _first(self) -> int:
         sides = *self._settings.size, *self._prepared.exemplar.colours.shape[:2]
@@ -187,19 +189,19 @@ class _Synthesis:
             moved = np.where(foreground[..., None], layer, moved)
         return self._weights.channels(moved, after)
 
-    def _preview(self, source: Places, factor: int, energy: float) -> Pattern:
-        """Return what the exemplar at its finest resolution shows at these places."""
+    def _preview(self, picture: Channels, source: Places, factor: int, energy: float) -> Pattern:
+        """Return a coarse picture as large as the finished one."""
         while factor > 1:
             factor //= 2
             shape = tuple(-(-n // factor) for n in self._settings.size)
             most = tuple(-(-n // factor) for n in self._prepared.exemplar.colours.shape[:2])
             source = upsampled(source, shape, most)
-        y, x = source[..., 0], source[..., 1]
-        return Pattern(
-            self._prepared.exemplar.colours[y, x], self._prepared.distances[:, y, x], energy, 0.0
-        )
+        coarse = self._weights.distances(picture)
+        distances = np.stack([enlarged(one, self._settings.size) for one in coarse])
+        colours = collapse(distances, [source] * (len(coarse) + 1), self._prepared.paints)
+        return Pattern(colours, distances, energy, 0.0)
 
-    def _finished(self, picture: Channels, source: Places, energy: float) -> Pattern:
+    def _finished(self, picture: Channels, source: Places) -> Pattern:
         layers = []
         tile = self._settings.tile
         for m, distance in enumerate(self._weights.distances(picture)):
@@ -217,8 +219,18 @@ class _Synthesis:
         colours = collapse(
             distances, [one.source for one in layers] + [source], self._prepared.paints
         )
+        energy = self._energy(colours, distances, layers[0].source)
         placed = tuple(one for layer in layers for one in layer.placed)
         return Pattern(colours, distances, energy, float(torn), True, placed)
+
+    def _energy(self, colours: Colours, distances: Distances, source: Places) -> float:
+        """Return the energy of a finished picture, of its smallest neighbourhoods."""
+        exemplar = self._prepared.channels
+        picture = self._weights.channels(colours, distances)
+        where = Neighbourhoods.of(picture.shape[:2], SMALLEST_WINDOW, self._settings.tile)
+        start = where.matches(source, exemplar)
+        _, costs = matched(picture, exemplar, where, start, self._settings.seed, self._ask)
+        return per_pixel(costs, SMALLEST_WINDOW)
 
 
 def windows(side: int, exemplar: int) -> list[int]:
@@ -229,6 +241,13 @@ def windows(side: int, exemplar: int) -> list[int]:
         sizes.append(size)
         size *= 2
     return sizes[::-1]
+
+
+def enlarged(field: NDArray[np.float32], size: tuple[int, int]) -> NDArray[np.float32]:
+    """Return a field (h, w) that is interpolated, (H, W)."""
+    scale = [wanted / had for wanted, had in zip(size, field.shape, strict=True)]
+    large: NDArray[np.float32] = zoom(field, scale, order=1, mode="nearest", grid_mode=True)
+    return large
 
 
 def upsampled(source: Places, shape: tuple[int, ...], exemplar: tuple[int, ...]) -> Places:

@@ -9,6 +9,7 @@ from iconstudio.algorithms.patterns import synthesis
 from iconstudio.algorithms.patterns.distance import coverage
 from iconstudio.algorithms.patterns.exemplar import Exemplar
 from iconstudio.algorithms.patterns.prepared import Prepared
+from iconstudio.algorithms.patterns.selection import best
 from iconstudio.algorithms.patterns.synthesis import Settings, synthesised
 from iconstudio.algorithms.patterns.torn import torn_ink
 from iconstudio.model import IconstudioError
@@ -104,6 +105,7 @@ def test_energy_does_not_rise_within_a_resolution(monkeypatch):
         return found
 
     monkeypatch.setattr(synthesis, "matched", watched)
+    monkeypatch.setattr(synthesis._Synthesis, "_energy", lambda *_: 0.0)  # of the mended picture
     made(shapes(), iterations=6)
     made(two_layers(), iterations=6)
     assert len(energies) > 15
@@ -118,6 +120,13 @@ def test_the_same_seed_makes_the_same_bytes():
     assert first.distances.tobytes() == again.distances.tobytes()
     assert first.placed == again.placed
     assert first.colours.tobytes() != other.colours.tobytes()
+
+
+def test_the_best_of_several_seeds_has_the_lowest_energy_if_nothing_is_torn():
+    prepared, settings = Prepared.of(shapes()), Settings((64, 64), iterations=2)
+    every = [made(shapes(), size=(64, 64), iterations=2, seed=seed) for seed in range(3)]
+    *_, chosen = best(prepared, settings, 3)
+    assert (chosen.torn, chosen.energy) == min((one.torn, one.energy) for one in every)
 
 
 def test_previews_come_first_and_are_as_large():
