@@ -1,4 +1,4 @@
-"""The elements that an exemplar repeats, as far as they are seen whole."""
+"""The elements that an exemplar repeats, as far as they are seen whole (beyond the paper)."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -6,6 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 from scipy import ndimage
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components, minimum_spanning_tree
 
 from iconstudio.algorithms.patterns.distance import CLAMP, signed_distance
 from iconstudio.algorithms.patterns.exemplar import Exemplar
@@ -13,11 +15,16 @@ from iconstudio.algorithms.raster import solid
 
 Bitmap = NDArray[np.bool_]
 Labels = NDArray[np.int32]
+Integers = NDArray[np.int64]
+Numbers = NDArray[np.float64]
 
 EIGHT = np.ones((3, 3), np.bool_)
 MARGIN = int(CLAMP) + 1
 _SPECK = 4
 """Pixels of ink that are no element."""
+_PART_MOST, _JUMP = 3.0, 2.0
+"""Components are parts of one element if they are at most so many pixels apart, and all others are
+so many times as far."""
 _RUNNING = 0.5
 """What touches the border and is so long, of the exemplar's side, is no element that was cut."""
 
@@ -64,7 +71,7 @@ def elements_of(exemplar: Exemplar, layer: int) -> Elements:
     mask = exemplar.masks[layer]
     ink = mask > 0.5
     if exemplar.labels is None:
-        labels, _ = components(ink)
+        labels = grouped(*components(ink))
     else:
         labels = np.where(ink, exemplar.labels[layer], 0)
     whole: list[Element] = []
@@ -83,8 +90,17 @@ def elements_of(exemplar: Exemplar, layer: int) -> Elements:
             alone = mask * ndimage.binary_dilation(own, EIGHT, mask=own | (labels == 0))
             whole.append(_cropped(alone, box, layer, len(whole)))
             numbers.append(number)
-    gap, spacing = _gaps(labels, numbers)
+    gap, spacing = _distances(labels, numbers)
     return Elements(tuple(whole), running, gap, spacing, _share(ink, round(spacing / 2)))
+
+
+def _distances(labels: Labels, numbers: Sequence[int]) -> tuple[float, float]:
+    """Return the least and a common distance from an element to what is nearest to it."""
+    if len(np.unique(labels[labels > 0])) < 2 or not numbers:
+        return 2.0, 4.0
+    count = int(labels.max())
+    own = _nearest(*_gaps(labels, count), count)[np.array(numbers) - 1]
+    return float(own.min()), float(np.median(own))
 
 
 def _share(ink: Bitmap, margin: int) -> float:
@@ -107,13 +123,44 @@ def _cropped(
     return Element(layer, number, top, left, distance < 0, distance)
 
 
-def _gaps(labels: Labels, numbers: Sequence[int]) -> tuple[float, float]:
-    """Return the least and a common distance from an element to the nearest other, in pixels."""
-    if len(numbers) < 2:
-        return 2.0, 4.0
-    gaps = []
-    for number in numbers:
-        own = labels == number
-        away = ndimage.distance_transform_edt(own | (labels == 0))
-        gaps.append(away[own].min() - 1)
-    return float(min(gaps)), float(np.median(gaps))
+def _gaps(labels: Labels, count: int) -> tuple[Integers, Numbers]:
+    """Return which components are neighbours, (n, 2) from 1, and how many pixels apart (n,)."""
+    away, nearest = ndimage.distance_transform_edt(labels == 0, return_indices=True)
+    owner = labels[tuple(nearest)]
+    firsts, seconds, apart = [], [], []
+    for one, other in ((np.s_[:, :-1], np.s_[:, 1:]), (np.s_[:-1], np.s_[1:])):
+        meeting = owner[one] != owner[other]
+        firsts.append(owner[one][meeting])
+        seconds.append(owner[other][meeting])
+        apart.append((away[one] + away[other])[meeting])
+    ends = np.sort(np.stack([np.concatenate(firsts), np.concatenate(seconds)], axis=1), axis=1)
+    number, which = np.unique(ends[:, 0] * (count + 1) + ends[:, 1], return_inverse=True)
+    least = np.full(len(number), np.inf)
+    np.minimum.at(least, which, np.concatenate(apart))
+    return np.stack(np.divmod(number, count + 1), axis=1), least
+
+
+def _nearest(pairs: Integers, apart: Numbers, count: int) -> Numbers:
+    """Return how far each component, from 1, is from the nearest other (count,)."""
+    least = np.full(count + 1, np.inf)
+    np.minimum.at(least, pairs.ravel(), np.repeat(apart, 2))
+    return least[1:]
+
+
+def grouped(labels: Labels, count: int) -> Labels:
+    """Return components with those joined that are parts of one element, such as both eyes.
+
+    Those are the short edges of the minimum spanning tree, if the next longer ones are far longer.
+    """
+    if count < 3:
+        return labels
+    pairs, apart = _gaps(labels, count)
+    tree = minimum_spanning_tree(coo_array((apart + 1, pairs.T), (count + 1, count + 1))).tocoo()
+    edges = np.sort(tree.data - 1)
+    jumps = (edges[:-1] <= _PART_MOST) & (edges[1:] >= _JUMP * np.maximum(edges[:-1], 1))
+    if not jumps.any():
+        return labels
+    short = tree.data - 1 <= edges[:-1][jumps].max()
+    parts = coo_array((tree.data[short], (tree.row[short], tree.col[short])), tree.shape)
+    _, groups = connected_components(parts, directed=False)
+    return np.where(labels > 0, groups[labels] + 1, 0).astype(np.int32)

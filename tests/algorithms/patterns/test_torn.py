@@ -5,11 +5,22 @@ import pytest
 from scipy import ndimage
 
 from iconstudio.algorithms.patterns.distance import signed_distance
+from iconstudio.algorithms.patterns.elements import elements_of
 from iconstudio.algorithms.patterns.layers import paints
 from iconstudio.algorithms.patterns.mending import mended
 from iconstudio.algorithms.patterns.prepared import Prepared
 from iconstudio.algorithms.patterns.torn import torn_ink
-from tests.algorithms.patterns.ornaments import SIDE, disc, shapes, soft, stripes, two_layers
+from tests.algorithms.patterns.ornaments import (
+    SIDE,
+    X,
+    Y,
+    black_on_white,
+    disc,
+    shapes,
+    soft,
+    stripes,
+    two_layers,
+)
 
 INK = shapes().masks[0] > 0.5
 
@@ -52,6 +63,16 @@ def test_mending_makes_torn_elements_whole_and_keeps_the_others():
     assert torn_ink(layer.distance < 0, INK) == 0
     stayed = [(one.element, one.down, one.right) for one in layer.placed]
     assert {(k, 0, 0) for k in range(5)} <= set(stayed)
+
+
+def test_parts_of_an_element_stay_together():
+    eyes = [disc(y + 3, x + side, 1.4) for y, x in ((14, 14), (45, 40)) for side in (-3, 3)]
+    mouths = [np.maximum(np.abs(Y - y + 2), np.abs(X - x) - 5) - 1 for y, x in ((14, 14), (45, 40))]
+    faces = black_on_white(soft(np.minimum.reduce([*eyes, *mouths, disc(14, 44, 9)])))
+    elements = elements_of(faces, 0)
+    assert len(elements.whole) == 3
+    assert sorted(ndimage.label(one.ink)[1] for one in elements.whole) == [1, 3, 3]
+    assert 12 < elements.gap <= elements.spacing < 35
 
 
 def test_what_goes_on_beyond_the_exemplar_is_left_alone():
