@@ -72,21 +72,20 @@ def mended(
     if not elements.whole:
         return Mended(distance, source, ())
     sheet = _Sheet(distance, source, elements, tile)
-    unlikeness = []
+    unlikeness: list[Field] = []
+    candidates: list[_Candidate] = []
     for element in elements.whole:
         ask()
-        unlikeness.append(sheet.unlikeness(element))
-    candidates = [
-        _Candidate(float(values[y, x]), element, y, x)
-        for element, values in zip(elements.whole, unlikeness, strict=True)
-        for y, x in np.argwhere(_least(values, tile) & (values < _LIKELY))
-    ]
+        values = sheet.unlikeness(element)
+        places = np.argwhere(_least(values, tile) & (values < _LIKELY))
+        candidates += [_Candidate(float(values[y, x]), element, y, x) for y, x in places]
+        unlikeness.append(values)
     for one in sorted(candidates, key=lambda candidate: candidate.unlikeness):
+        ask()
         if sheet.has_room(one) and sheet.share_with(one) <= _FULLEST * elements.share:
             sheet.lay(one)
     while sheet.share < _FULL * elements.share:
-        ask()
-        found = next(_fitting(sheet, elements.whole, unlikeness, random), None)
+        found = next(_fitting(sheet, elements.whole, unlikeness, random, ask), None)
         if found is None or sheet.share_with(found) > _FULLEST * elements.share:
             break
         sheet.lay(found)
@@ -104,11 +103,13 @@ def _fitting(
     whole: Sequence[Element],
     unlikeness: list[Field],
     random: np.random.Generator,
+    ask: Callable[[], None],
 ) -> Iterator[_Candidate]:
     """Give elements that fit into gaps, where each is least unlikely; the rarest first."""
     blocked = forward(sheet.blocked.astype(np.float32), sheet.blocked.shape)
     order = random.permutation(len(whole))
     for k in sorted(order, key=lambda k: sheet.count(whole[k])):
+        ask()
         room = sheet.correlated(blocked, whole[k].ink.astype(np.float32)) < 0.5
         room &= np.isfinite(unlikeness[k])
         if room.any():

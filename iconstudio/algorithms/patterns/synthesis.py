@@ -163,12 +163,13 @@ class _Synthesis:
         if finest:
             mean = means(exemplar, where, matches, robust_weights(costs, window))
             picture = self._evolved(picture, mean, attraction)
-            costs = differences(picture, exemplar, where, matches)
-            mean = means(exemplar, where, matches, robust_weights(costs, window))
+            moved = differences(picture, exemplar, where, matches)
+            mean = means(exemplar, where, matches, robust_weights(moved, window))
             shown = self._weights.shown
             after = np.concatenate([mean[..., :shown], picture[..., shown:]], axis=2)
         else:
             after = means(exemplar, where, matches, robust_weights(costs, window))
+        self._ask()
         if differences(after, exemplar, where, matches).sum() > costs.sum():
             after = means(exemplar, where, matches, np.ones(costs.shape))
         return after
@@ -177,13 +178,14 @@ class _Synthesis:
         """Return the picture with its zero level sets moved, and its colours warped along."""
         tile = self._settings.tile
         before, goal = self._weights.distances(picture), self._weights.distances(mean)
-        after = np.stack([
-            level_set.evolved(one, to, attraction, 1 - attraction, tile)
-            for one, to in zip(before, goal, strict=True)
-        ])  # fmt: skip
+        after = np.empty_like(before)
+        for m, (one, to) in enumerate(zip(before, goal, strict=True)):
+            self._ask()
+            after[m] = level_set.evolved(one, to, attraction, 1 - attraction, tile)
         colours = self._weights.colours(picture)[..., : self._weights.shown]
         moved = colours
         for m in reversed(range(len(after))):  # collapse: the first layer over all others
+            self._ask()
             layer = warped(colours, before[m], after[m], tile)
             foreground = (after[m] < 0) | (before[m] < 0)
             moved = np.where(foreground[..., None], layer, moved)
@@ -207,18 +209,21 @@ class _Synthesis:
         for m, distance in enumerate(self._weights.distances(picture)):
             self._ask()
             one = Mended(signed_distance(-distance, tile), source, ())
+            self._ask()
             if self._settings.mend:
                 elements = self._prepared.elements[m]
                 one = mended(one.distance, source, elements, tile, self._random, self._ask)
             layers.append(one)
         distances = np.stack([one.distance for one in layers])
         torn = np.mean([
-            torn_ink(distance < 0, mask > 0.5, tile)
+            torn_ink(distance < 0, mask > 0.5, tile, self._ask)
             for distance, mask in zip(distances, self._prepared.exemplar.masks, strict=True)
         ])  # fmt: skip
+        self._ask()
         colours = collapse(
             distances, [one.source for one in layers] + [source], self._prepared.paints
         )
+        self._ask()
         energy = self._energy(colours, distances, layers[0].source)
         placed = tuple(one for layer in layers for one in layer.placed)
         return Pattern(colours, distances, energy, float(torn), True, placed)

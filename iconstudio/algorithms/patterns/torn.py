@@ -1,5 +1,6 @@
 """How much of a pattern is torn: a measure of its elements against the exemplar's."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -27,7 +28,9 @@ class _Shape:
     ink: int
 
 
-def torn_ink(ink: Bitmap, exemplar: Bitmap, tile: bool = False) -> float:
+def torn_ink(
+    ink: Bitmap, exemplar: Bitmap, tile: bool = False, ask: Callable[[], None] = lambda: None
+) -> float:
     """Return the share of a pattern's ink that lies in torn elements, from 0 to 1.
 
     Elements are connected components with their holes filled; those at the border are left out.
@@ -40,13 +43,19 @@ def torn_ink(ink: Bitmap, exemplar: Bitmap, tile: bool = False) -> float:
         (H, W) and (h, w).
     tile
         Whether opposite borders of the pattern meet.
+    ask
+        Called for each element; what it raises ends the work.
     """
     known = _shapes(exemplar, False)
     found = _shapes(ink, tile)
     total = sum(shape.ink for shape in found)
     if not known or not total:
         return 0.0
-    return sum(shape.ink for shape in found if not _is_like_any(shape, known)) / total
+    torn = 0
+    for shape in found:
+        ask()
+        torn += 0 if _is_like_any(shape, known) else shape.ink
+    return torn / total
 
 
 def _shapes(ink: Bitmap, tile: bool) -> list[_Shape]:
