@@ -25,6 +25,8 @@ _SPECK = 4
 _PART_MOST, _JUMP = 3.0, 2.0
 """Components are parts of one element if they are at most so many pixels apart, and all others are
 so many times as far."""
+_CONNECTED = 0.25
+"""If more of the ink goes on beyond the exemplar, nothing is an element."""
 _RUNNING = 0.5
 """What touches the border and is so long, of the exemplar's side, is no element that was cut."""
 
@@ -91,6 +93,8 @@ def elements_of(exemplar: Exemplar, layer: int) -> Elements:
             whole.append(_cropped(alone, box, layer, len(whole)))
             numbers.append(number)
     gap, spacing = _distances(labels, numbers)
+    if running.sum() > _CONNECTED * ink.sum():
+        whole = []  # of a network of lines, a closed one is no element by itself
     return Elements(tuple(whole), running, gap, spacing, _share(ink, round(spacing / 2)))
 
 

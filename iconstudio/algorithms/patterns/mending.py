@@ -84,11 +84,13 @@ def mended(
         ask()
         if sheet.has_room(one) and sheet.share_with(one) <= _FULLEST * elements.share:
             sheet.lay(one)
-    while sheet.share < _FULL * elements.share:
-        found = next(_fitting(sheet, elements.whole, unlikeness, random, ask), None)
-        if found is None or sheet.share_with(found) > _FULLEST * elements.share:
-            break
-        sheet.lay(found)
+    for blocked in (sheet.sparsely, sheet.densely):
+        while sheet.share < _FULL * elements.share:
+            fitting = _fitting(sheet, blocked, elements.whole, unlikeness, random, ask)
+            found = next(fitting, None)
+            if found is None or sheet.share_with(found) > _FULLEST * elements.share:
+                break
+            sheet.lay(found)
     return sheet.result()
 
 
@@ -100,17 +102,18 @@ def _least(values: Field, tile: bool) -> Bitmap:
 
 def _fitting(
     sheet: "_Sheet",
+    blocked: Bitmap,
     whole: Sequence[Element],
     unlikeness: list[Field],
     random: np.random.Generator,
     ask: Callable[[], None],
 ) -> Iterator[_Candidate]:
     """Give elements that fit into gaps, where each is least unlikely; the rarest first."""
-    blocked = forward(sheet.blocked.astype(np.float32), sheet.blocked.shape)
+    spectrum = forward(blocked.astype(np.float32), blocked.shape)
     order = random.permutation(len(whole))
     for k in sorted(order, key=lambda k: sheet.count(whole[k])):
         ask()
-        room = sheet.correlated(blocked, whole[k].ink.astype(np.float32)) < 0.5
+        room = sheet.correlated(spectrum, whole[k].ink.astype(np.float32)) < 0.5
         room &= np.isfinite(unlikeness[k])
         if room.any():
             y, x = np.unravel_index(np.argmin(np.where(room, unlikeness[k], np.inf)), room.shape)
@@ -138,8 +141,9 @@ class _Sheet:
         low, high = _CLOSEST
         self._near_gap = _disk(min(max(elements.gap, low), high))
         self._wide_gap = _disk(max(elements.spacing, low))
-        self._taken = ndimage.binary_dilation(ink, self._near_gap)
-        self.blocked = ndimage.binary_dilation(ink, self._wide_gap)
+        # Where no further ink may lie: at the least distance, and at a common one.
+        self.densely = ndimage.binary_dilation(ink, self._near_gap)
+        self.sparsely = ndimage.binary_dilation(ink, self._wide_gap)
 
     def _running(self) -> Bitmap:
         """Return the ink that comes from what is no element, and goes on beyond the exemplar."""
@@ -178,14 +182,14 @@ class _Sheet:
 
     def has_room(self, candidate: _Candidate) -> bool:
         """Return whether nothing lies too near."""
-        return not (self._taken[self._place(candidate)] & candidate.element.ink).any()
+        return not (self.densely[self._place(candidate)] & candidate.element.ink).any()
 
     def lay(self, candidate: _Candidate) -> None:
         """Lay an element."""
         at, ink = self._place(candidate), candidate.element.ink
         self._laid.append(candidate)
         self._inked += float((ink * self._visible[at]).sum())
-        for blocked, gap in ((self._taken, self._near_gap), (self.blocked, self._wide_gap)):
+        for blocked, gap in ((self.densely, self._near_gap), (self.sparsely, self._wide_gap)):
             margin = len(gap) // 2
             place = self._place(candidate, margin)
             blocked[place] |= ndimage.binary_dilation(np.pad(ink, margin), gap)

@@ -61,8 +61,9 @@ def torn_ink(
 def _shapes(ink: Bitmap, tile: bool) -> list[_Shape]:
     """Return the components that do not touch the border."""
     height, width = ink.shape
-    if tile:  # each as it is when the borders are moved away from it
-        ink = np.pad(ink, ((0, height), (0, width)), mode="wrap")
+    top, left = (height // 2, width // 2) if tile else (0, 0)
+    if tile:  # what begins within half a period of the middle is whole
+        ink = np.pad(ink, ((top, height - top), (left, width - left)), mode="wrap")
     filled = solid(ink)
     labels, _ = ndimage.label(filled, EIGHT)
     shapes = []
@@ -71,7 +72,7 @@ def _shapes(ink: Bitmap, tile: bool) -> list[_Shape]:
             rows.stop == len(ink) or columns.stop == ink.shape[1]
         ):
             continue
-        if tile and (rows.start > height or columns.start > width):
+        if tile and not (0 <= rows.start - top < height and 0 <= columns.start - left < width):
             continue
         own = np.pad(labels[rows, columns] == number, 2)
         inside = int((own[2:-2, 2:-2] & ink[rows, columns]).sum())

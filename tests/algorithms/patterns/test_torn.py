@@ -52,6 +52,17 @@ def test_on_a_tile_elements_go_on_across_the_borders():
     assert torn_ink(half, INK, tile=True) == 1
 
 
+def test_what_lies_in_a_ring_that_goes_across_the_border_is_not_torn():
+    ring = soft(np.minimum(np.abs(disc(31, 31, 10)) - 1.5, disc(31, 31, 4))) > 0.5
+    for shift in (20, 28, 36, 44):
+        assert torn_ink(np.roll(ring, shift, axis=(0, 1)), ring, tile=True) == 0
+
+
+def test_a_network_of_lines_has_no_elements():
+    lines = np.minimum(np.abs(Y % 16 - 8), np.abs(disc(16, 16, 4))) - 1.5
+    assert not elements_of(black_on_white(soft(lines)), 0).whole
+
+
 def test_mending_makes_torn_elements_whole_and_keeps_the_others():
     prepared = Prepared.of(shapes())
     torn = INK.copy()
