@@ -59,6 +59,7 @@ def mended(
     tile: bool,
     random: np.random.Generator,
     ask: Callable[[], None] = lambda: None,
+    guidance: Bitmap | None = None,
 ) -> Mended:
     """Return a layer (H, W) in which no element is torn.
 
@@ -68,10 +69,14 @@ def mended(
         Signed distances, and where in the exemplar each pixel comes from.
     elements
         Of the exemplar's layer. If none is whole, the layer stays as it is.
+    guidance
+        (H, W), where ink may lie: elements lie there wholly, what else there is ends at its border.
     """
+    if guidance is not None:
+        distance = np.maximum(distance, signed_distance(guidance - np.float32(0.5), tile))
     if not elements.whole:
         return Mended(distance, source, ())
-    sheet = _Sheet(distance, source, elements, tile)
+    sheet = _Sheet(distance, source, elements, tile, guidance)
     unlikeness: list[Field] = []
     candidates: list[_Candidate] = []
     for element in elements.whole:
@@ -123,17 +128,27 @@ def _fitting(
 class _Sheet:
     """A layer that elements are laid on; if it is no tile, with a border as wide as the largest."""
 
-    def __init__(self, distance: Field, source: Places, elements: Elements, tile: bool) -> None:
+    def __init__(
+        self,
+        distance: Field,
+        source: Places,
+        elements: Elements,
+        tile: bool,
+        guidance: Bitmap | None,
+    ) -> None:
         self._elements, self._tile = elements, tile
         self._distance, self._source = distance, source
         largest = max(max(one.ink.shape) for one in elements.whole)
         self._border = 0 if tile else largest
         near = np.pad(np.clip(distance, -_REACH, _REACH), self._border)
         self._shape = near.shape
-        self._visible = np.pad(np.ones(distance.shape, np.float32), self._border)
+        visible = np.pad(np.ones(distance.shape, np.float32), self._border)
+        allowed = np.ones(distance.shape, np.bool_) if guidance is None else guidance
+        allowed = np.pad(allowed, self._border, mode="edge")
+        self._area = visible * allowed
         self._near = forward(near, self._shape)
         self._squares = forward(near**2, self._shape)
-        self._seen = None if tile else forward(self._visible, self._shape)
+        self._seen = None if tile else forward(visible, self._shape)
         self._laid: list[_Candidate] = []
         self._kept = self._running()
         ink = np.pad(self._kept, self._border)
@@ -142,8 +157,8 @@ class _Sheet:
         self._near_gap = _disk(min(max(elements.gap, low), high))
         self._wide_gap = _disk(max(elements.spacing, low))
         # Where no further ink may lie: at the least distance, and at a common one.
-        self.densely = ndimage.binary_dilation(ink, self._near_gap)
-        self.sparsely = ndimage.binary_dilation(ink, self._wide_gap)
+        self.densely = ndimage.binary_dilation(ink, self._near_gap) | ~allowed
+        self.sparsely = ndimage.binary_dilation(ink, self._wide_gap) | ~allowed
 
     def _running(self) -> Bitmap:
         """Return the ink that comes from what is no element, and goes on beyond the exemplar."""
@@ -188,7 +203,7 @@ class _Sheet:
         """Lay an element."""
         at, ink = self._place(candidate), candidate.element.ink
         self._laid.append(candidate)
-        self._inked += float((ink * self._visible[at]).sum())
+        self._inked += float((ink * self._area[at]).sum())
         for blocked, gap in ((self.densely, self._near_gap), (self.sparsely, self._wide_gap)):
             margin = len(gap) // 2
             place = self._place(candidate, margin)
@@ -212,13 +227,13 @@ class _Sheet:
 
     @property
     def share(self) -> float:
-        """The share of the pattern that is ink."""
-        return self._inked / float(self._visible.sum())
+        """The share of the pattern, where it may lie, that is ink."""
+        return self._inked / float(self._area.sum())
 
     def share_with(self, candidate: _Candidate) -> float:
         """Return the share of ink once an element lies there."""
-        more = (candidate.element.ink * self._visible[self._place(candidate)]).sum()
-        return self.share + float(more / self._visible.sum())
+        more = (candidate.element.ink * self._area[self._place(candidate)]).sum()
+        return self.share + float(more / self._area.sum())
 
     def result(self) -> Mended:
         """Return the layer of what was laid, and of what goes on beyond the exemplar."""

@@ -44,7 +44,7 @@ _FIRST, _CHANGE = 0.2, 0.75
 """lambda at first, and by how much it grows and mu = 1 - lambda sinks."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Settings:
     """What is wanted."""
 
@@ -55,6 +55,9 @@ class Settings:
     iterations: int = 10
     """At most, for each size of neighbourhoods."""
     mend: bool = True
+    """Whether torn elements are made whole."""
+    guidance: NDArray[np.bool_] | None = None
+    """Where ink may lie, of the size of the pattern; None for everywhere. It needs mending."""
 
 
 def synthesised(
@@ -74,6 +77,9 @@ def synthesised(
     IconstudioError
         If the exemplar or the size is too small.
     """
+    guidance = settings.guidance
+    if guidance is not None and (guidance.shape != settings.size or not guidance.any()):
+        raise IconstudioError("The shape to fill is empty, or not as large as the pattern.")
     if min(settings.size) < 2 * SMALLEST_WINDOW:
         raise IconstudioError("A pattern is at least 16 pixels wide and high.")
     yield from _Synthesis(prepared, settings, ask).run()
@@ -212,7 +218,10 @@ class _Synthesis:
             self._ask()
             if self._settings.mend:
                 elements = self._prepared.elements[m]
-                one = mended(one.distance, source, elements, tile, self._random, self._ask)
+                one = mended(
+                    one.distance, source, elements, tile, self._random, self._ask,
+                    self._settings.guidance,
+                )  # fmt: skip
             layers.append(one)
         distances = np.stack([one.distance for one in layers])
         torn = np.mean([
