@@ -26,9 +26,11 @@ _LIKELY = 0.75
 _VISIBLE = 0.25
 """Of an element's ink, so much lies in the pattern at least."""
 _FULL = 0.97
-"""Of the exemplar's share of ink, how much a pattern has before gaps are left empty."""
+"""Of the exemplar's share of ink, how much a pattern has before narrow gaps are left empty."""
+_LIKELY_FULL = 1.03
+"""How much of it elements make before less likely ones are left out."""
 _FULLEST = 1.08
-"""Of that share, how much it has before anything more is left out."""
+"""How much of it a pattern has at most; up to that, wide gaps are filled."""
 _CLOSEST = 1.5, 4.0
 """Pixels between elements: the least and the most that is kept free in any case."""
 
@@ -87,10 +89,10 @@ def mended(
         unlikeness.append(values)
     for one in sorted(candidates, key=lambda candidate: candidate.unlikeness):
         ask()
-        if sheet.has_room(one) and sheet.share_with(one) <= _FULLEST * elements.share:
+        if sheet.has_room(one) and sheet.share_with(one) <= _LIKELY_FULL * elements.share:
             sheet.lay(one)
-    for blocked in (sheet.sparsely, sheet.densely):
-        while sheet.share < _FULL * elements.share:
+    for blocked, most in ((sheet.sparsely, _FULLEST), (sheet.densely, _FULL)):
+        while sheet.share < most * elements.share:
             fitting = _fitting(sheet, blocked, elements.whole, unlikeness, random, ask)
             found = next(fitting, None)
             if found is None or sheet.share_with(found) > _FULLEST * elements.share:
