@@ -5,6 +5,8 @@ Distances are exact to the contour that linear interpolation finds between the p
 they tell nothing about shapes.
 """
 
+from collections.abc import Callable
+
 import numpy as np
 from numpy.typing import NDArray
 from skimage.measure import find_contours
@@ -22,7 +24,9 @@ def signed_distances(masks: Field, tile: bool = False) -> Field:
     return np.stack([signed_distance(mask - np.float32(0.5), tile) for mask in masks])
 
 
-def signed_distance(height: Field, tile: bool = False) -> Field:
+def signed_distance(
+    height: Field, tile: bool = False, ask: Callable[[], None] = lambda: None
+) -> Field:
     """Return the distance in pixels to where a field (h, w) is 0, negative where it is positive.
 
     Parameters
@@ -31,11 +35,14 @@ def signed_distance(height: Field, tile: bool = False) -> Field:
         Such as a mask less a half, or a distance function that is none any more, negated.
     tile
         Whether opposite borders meet. Else a contour lies only between pixels.
+    ask
+        Called for each contour; what it raises ends the work.
     """
     margin = int(CLAMP) + 1 if tile else 0
     padded = bordered(height, margin, tile)
     nearest = np.full(padded.shape, CLAMP**2)
     for contour in find_contours(padded, 0.0):
+        ask()
         lower_to_segments(nearest, contour, CLAMP)
     distance = np.where(padded > 0, -np.sqrt(nearest), np.sqrt(nearest)).astype(np.float32)
     rows, columns = height.shape

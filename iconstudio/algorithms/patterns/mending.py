@@ -98,7 +98,7 @@ def mended(
             if found is None or sheet.share_with(found) > _FULLEST * elements.share:
                 break
             sheet.lay(found)
-    return sheet.result()
+    return sheet.result(ask)
 
 
 def _least(values: Field, tile: bool) -> Bitmap:
@@ -156,11 +156,12 @@ class _Sheet:
         ink = np.pad(self._kept, self._border)
         self._inked = float(self._kept.sum())
         low, high = _CLOSEST
-        self._near_gap = _disk(min(max(elements.gap, low), high))
-        self._wide_gap = _disk(max(elements.spacing, low))
+        near_gap, wide_gap = min(max(elements.gap, low), high), max(elements.spacing, low)
+        self._near_gap, self._wide_gap = _disk(near_gap), _disk(wide_gap)
         # Where no further ink may lie: at the least distance, and at a common one.
-        self.densely = ndimage.binary_dilation(ink, self._near_gap) | ~allowed
-        self.sparsely = ndimage.binary_dilation(ink, self._wide_gap) | ~allowed
+        away = ndimage.distance_transform_edt(~ink) if ink.any() else np.full(ink.shape, np.inf)
+        self.densely = (away <= near_gap) | ~allowed
+        self.sparsely = (away <= wide_gap) | ~allowed
 
     def _running(self) -> Bitmap:
         """Return the ink that comes from what is no element, and goes on beyond the exemplar."""
@@ -237,7 +238,7 @@ class _Sheet:
         more = (candidate.element.ink * self._area[self._place(candidate)]).sum()
         return self.share + float(more / self._area.sum())
 
-    def result(self) -> Mended:
+    def result(self, ask: Callable[[], None]) -> Mended:
         """Return the layer of what was laid, and of what goes on beyond the exemplar."""
         height, width = self._distance.shape
         begin = self._border
@@ -252,6 +253,7 @@ class _Sheet:
         most = np.array(self._elements.running.shape) - 1
         placed = []
         for one in self._laid:
+            ask()
             at = self._place(one)
             element = one.element
             nearer = element.distance < distance[at]

@@ -214,7 +214,7 @@ class _Synthesis:
         tile = self._settings.tile
         for m, distance in enumerate(self._weights.distances(picture)):
             self._ask()
-            one = Mended(signed_distance(-distance, tile), source, ())
+            one = Mended(signed_distance(-distance, tile, self._ask), source, ())
             self._ask()
             if self._settings.mend:
                 elements = self._prepared.elements[m]

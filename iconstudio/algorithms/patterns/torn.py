@@ -46,8 +46,8 @@ def torn_ink(
     ask
         Called for each element; what it raises ends the work.
     """
-    known = _shapes(exemplar, False)
-    found = _shapes(ink, tile)
+    known = _shapes(exemplar, False, ask)
+    found = _shapes(ink, tile, ask)
     total = sum(shape.ink for shape in found)
     if not known or not total:
         return 0.0
@@ -58,13 +58,15 @@ def torn_ink(
     return torn / total
 
 
-def _shapes(ink: Bitmap, tile: bool) -> list[_Shape]:
+def _shapes(ink: Bitmap, tile: bool, ask: Callable[[], None]) -> list[_Shape]:
     """Return the components that do not touch the border."""
     height, width = ink.shape
     top, left = (height // 2, width // 2) if tile else (0, 0)
     if tile:  # what begins within half a period of the middle is whole
         ink = np.pad(ink, ((top, height - top), (left, width - left)), mode="wrap")
+    ask()
     filled = solid(ink)
+    ask()
     labels, _ = ndimage.label(filled, EIGHT)
     shapes = []
     for number, (rows, columns) in enumerate(ndimage.find_objects(labels), 1):
@@ -74,6 +76,7 @@ def _shapes(ink: Bitmap, tile: bool) -> list[_Shape]:
             continue
         if tile and not (0 <= rows.start - top < height and 0 <= columns.start - left < width):
             continue
+        ask()
         own = np.pad(labels[rows, columns] == number, 2)
         inside = int((own[2:-2, 2:-2] & ink[rows, columns]).sum())
         shapes.append(_Shape(own, ndimage.binary_dilation(own, EIGHT), int(own.sum()), inside))
