@@ -82,8 +82,8 @@ class Pattern:
     distances: Distances
     """Those of its layers: their zero level sets are the contours."""
     energy: float
-    """Equation 6, per pixel of all neighbourhoods."""
+    """Equation 6, per pixel of all neighbourhoods of the smallest size."""
     torn: float
-    """The share of its ink in torn elements, the mean of its layers."""
+    """The share of its ink in torn elements, the mean of its layers; not measured of previews."""
     finished: bool = False
     placed: tuple[Placed, ...] = field(default=())

@@ -12,8 +12,9 @@ Where we depart from the paper:
 
 - The mean instead of the sum over all neighbourhoods that cover a pixel, of which there are 16, and
   mu divided by 16: it is the same balance, whatever the number.
-- |grad phi| is taken upwind, but counts as at least ``LEAST_SLOPE``. At the middle of a thin line
-  it vanishes, so that a line that ever came too close to another could never return.
+- |grad phi| is taken upwind, but counts as at least ``LEAST_SLOPE``, and at most 1. At the
+  middle of a thin line it vanishes, so that a line that ever came too close to another could never
+  return.
 - Curvature acts within the narrow band only; what is farther is pulled to the mean alone.
 """
 
