@@ -22,6 +22,8 @@ EIGHT = np.ones((3, 3), np.bool_)
 MARGIN = int(CLAMP) + 1
 _SPECK = 4
 """Pixels of ink that are no element."""
+_THIN = 2.0
+"""What covers so many times as much as what is ink of it is drawn in lines too thin for pixels."""
 _PART_MOST, _JUMP = 3.0, 2.0
 """Components are parts of one element if they are at most so many pixels apart, and all others are
 so many times as far."""
@@ -73,9 +75,10 @@ def elements_of(exemplar: Exemplar, layer: int) -> Elements:
     mask = exemplar.masks[layer]
     ink = mask > 0.5
     if exemplar.labels is None:
-        labels = grouped(*components(ink))
+        labels = known = grouped(*components(ink))
     else:
-        labels = np.where(ink, exemplar.labels[layer], 0)
+        known = exemplar.labels[layer]
+        labels = np.where(ink, known, 0)
     whole: list[Element] = []
     numbers: list[int] = []
     running = np.zeros(ink.shape, np.bool_)
@@ -88,7 +91,7 @@ def elements_of(exemplar: Exemplar, layer: int) -> Elements:
         if any(first or last for first, last, _ in sides):
             if any(extent >= _RUNNING for *_, extent in sides):
                 running |= own
-        elif own.sum() > _SPECK:
+        elif own.sum() > max(_SPECK, mask[known == number].sum() / _THIN):
             alone = mask * ndimage.binary_dilation(own, EIGHT, mask=own | (labels == 0))
             whole.append(_cropped(alone, box, layer, len(whole)))
             numbers.append(number)

@@ -6,6 +6,7 @@ out; where a gap remains that has room for an element, the most likely one is la
 """
 
 from collections.abc import Callable, Iterator, Sequence
+from statistics import median
 from typing import NamedTuple
 
 import numpy as np
@@ -79,6 +80,7 @@ def mended(
     if not elements.whole:
         return Mended(distance, source, ())
     sheet = _Sheet(distance, source, elements, tile, guidance)
+    areas = [int(element.ink.sum()) for element in elements.whole]
     unlikeness: list[Field] = []
     candidates: list[_Candidate] = []
     for element in elements.whole:
@@ -91,9 +93,13 @@ def mended(
         ask()
         if sheet.has_room(one) and sheet.share_with(one) <= _LIKELY_FULL * elements.share:
             sheet.lay(one)
-    for blocked, most in ((sheet.sparsely, _FULLEST), (sheet.densely, _FULL)):
+    for blocked, most, least in (
+        (sheet.sparsely, _FULLEST, median(areas)),
+        (sheet.sparsely, _FULL, 0),
+        (sheet.densely, _FULL, 0),
+    ):
         while sheet.share < most * elements.share:
-            fitting = _fitting(sheet, blocked, elements.whole, unlikeness, random, ask)
+            fitting = _fitting(sheet, blocked, elements.whole, unlikeness, random, ask, least)
             found = next(fitting, None)
             if found is None or sheet.share_with(found) > _FULLEST * elements.share:
                 break
@@ -114,12 +120,15 @@ def _fitting(
     unlikeness: list[Field],
     random: np.random.Generator,
     ask: Callable[[], None],
+    least: float,
 ) -> Iterator[_Candidate]:
-    """Give elements that fit into gaps, where each is least unlikely; the rarest first."""
+    """Give elements of an area that fit into gaps, where each is least unlikely, rarest first."""
     spectrum = forward(blocked.astype(np.float32), blocked.shape)
     order = random.permutation(len(whole))
     for k in sorted(order, key=lambda k: sheet.count(whole[k])):
         ask()
+        if whole[k].ink.sum() < least:
+            continue
         room = sheet.correlated(spectrum, whole[k].ink.astype(np.float32)) < 0.5
         room &= np.isfinite(unlikeness[k])
         if room.any():
