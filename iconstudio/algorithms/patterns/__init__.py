@@ -1,0 +1,1 @@
+"""Example-Based Art Pattern Synthesis Using Level Sets (Wu, Wang and Yu)."""

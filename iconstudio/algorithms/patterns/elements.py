@@ -1,0 +1,173 @@
+"""The elements that an exemplar repeats, as far as they are seen whole (beyond the paper)."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import ndimage
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components, minimum_spanning_tree
+
+from iconstudio.algorithms.patterns.distance import CLAMP, signed_distance
+from iconstudio.algorithms.patterns.exemplar import Exemplar
+from iconstudio.algorithms.raster import solid
+
+Bitmap = NDArray[np.bool_]
+Labels = NDArray[np.int32]
+Integers = NDArray[np.int64]
+Numbers = NDArray[np.float64]
+
+EIGHT = np.ones((3, 3), np.bool_)
+MARGIN = int(CLAMP) + 1
+_SPECK = 4
+"""Pixels of ink that are no element."""
+_THIN = 2.0
+"""What covers so many times as much as what is ink of it is drawn in lines too thin for pixels."""
+_PART_MOST, _JUMP = 3.0, 2.0
+"""Components are parts of one element if they are at most so many pixels apart, and all others are
+so many times as far."""
+_CONNECTED = 0.25
+"""If more of the ink goes on beyond the exemplar, nothing is an element."""
+_RUNNING = 0.5
+"""What touches the border and is so long, of the exemplar's side, is no element that was cut."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Element:
+    """An element, in the smallest rectangle around it and ``MARGIN`` pixels more."""
+
+    layer: int
+    number: int
+    top: int
+    left: int
+    """Of that rectangle, in the exemplar."""
+    ink: Bitmap
+    """(n, m)"""
+    distance: NDArray[np.float32]
+    """(n, m), of the element alone."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Elements:
+    """What a layer consists of."""
+
+    whole: Sequence[Element]
+    running: Bitmap
+    """(h, w), ink that goes on beyond the exemplar, such as stripes and vines."""
+    gap: float
+    """Pixels between the elements that are nearest to each other,"""
+    spacing: float
+    """and, of a common one, to the next."""
+    share: float
+    """Of the rectangle around all ink, and half the spacing, that is ink: a blank frame around
+    an exemplar is no part of its pattern."""
+
+
+def components(ink: Bitmap) -> tuple[Labels, int]:
+    """Return the components of ink (h, w), numbered from 1; what lies in a hole belongs to it."""
+    labels, count = ndimage.label(solid(ink), EIGHT)
+    return np.where(ink, labels, 0).astype(np.int32), count
+
+
+def elements_of(exemplar: Exemplar, layer: int) -> Elements:
+    """Return the elements of a layer: those with labels, or else its components."""
+    mask = exemplar.masks[layer]
+    ink = mask > 0.5
+    if exemplar.labels is None:
+        labels = known = grouped(*components(ink))
+    else:
+        known = exemplar.labels[layer]
+        labels = np.where(ink, known, 0)
+    whole: list[Element] = []
+    numbers: list[int] = []
+    running = np.zeros(ink.shape, np.bool_)
+    for number, box in enumerate(ndimage.find_objects(labels), 1):
+        if box is None:
+            continue
+        own = labels == number
+        sides = [(one.start == 0, one.stop == n, (one.stop - one.start) / n)
+                 for one, n in zip(box, ink.shape, strict=True)]  # fmt: skip
+        if any(first or last for first, last, _ in sides):
+            if any(extent >= _RUNNING for *_, extent in sides):
+                running |= own
+        elif own.sum() > max(_SPECK, mask[known == number].sum() / _THIN):
+            alone = mask * ndimage.binary_dilation(own, EIGHT, mask=own | (labels == 0))
+            whole.append(_cropped(alone, box, layer, len(whole)))
+            numbers.append(number)
+    gap, spacing = _distances(labels, numbers)
+    if running.sum() > _CONNECTED * ink.sum():
+        whole = []  # of a network of lines, a closed one is no element by itself
+    return Elements(tuple(whole), running, gap, spacing, _share(ink, round(spacing / 2)))
+
+
+def _distances(labels: Labels, numbers: Sequence[int]) -> tuple[float, float]:
+    """Return the least and a common distance from an element to what is nearest to it."""
+    if len(np.unique(labels[labels > 0])) < 2 or not numbers:
+        return 2.0, 4.0
+    count = int(labels.max())
+    own = _nearest(*_gaps(labels, count), count)[np.array(numbers) - 1]
+    return float(own.min()), float(np.median(own))
+
+
+def _share(ink: Bitmap, margin: int) -> float:
+    rows, columns = (np.flatnonzero(ink.any(axis=axis)) for axis in (1, 0))
+    if not len(rows):
+        return 0.0
+    height, width = (
+        min(used[-1] + 1 + margin, n) - max(used[0] - margin, 0)
+        for used, n in zip((rows, columns), ink.shape, strict=True)
+    )
+    return float(ink.sum() / (height * width))
+
+
+def _cropped(
+    alone: NDArray[np.float32], box: tuple[slice, slice], layer: int, number: int
+) -> Element:
+    crop = tuple(slice(one.start, one.stop + 2 * MARGIN) for one in box)
+    distance = signed_distance(np.pad(alone, MARGIN)[crop] - np.float32(0.5))
+    top, left = (one.start - MARGIN for one in box)
+    return Element(layer, number, top, left, distance < 0, distance)
+
+
+def _gaps(labels: Labels, count: int) -> tuple[Integers, Numbers]:
+    """Return which components are neighbours, (n, 2) from 1, and how many pixels apart (n,)."""
+    away, nearest = ndimage.distance_transform_edt(labels == 0, return_indices=True)
+    owner = labels[tuple(nearest)]
+    firsts, seconds, apart = [], [], []
+    for one, other in ((np.s_[:, :-1], np.s_[:, 1:]), (np.s_[:-1], np.s_[1:])):
+        meeting = owner[one] != owner[other]
+        firsts.append(owner[one][meeting])
+        seconds.append(owner[other][meeting])
+        apart.append((away[one] + away[other])[meeting])
+    ends = np.sort(np.stack([np.concatenate(firsts), np.concatenate(seconds)], axis=1), axis=1)
+    number, which = np.unique(ends[:, 0] * (count + 1) + ends[:, 1], return_inverse=True)
+    least = np.full(len(number), np.inf)
+    np.minimum.at(least, which, np.concatenate(apart))
+    return np.stack(np.divmod(number, count + 1), axis=1), least
+
+
+def _nearest(pairs: Integers, apart: Numbers, count: int) -> Numbers:
+    """Return how far each component, from 1, is from the nearest other (count,)."""
+    least = np.full(count + 1, np.inf)
+    np.minimum.at(least, pairs.ravel(), np.repeat(apart, 2))
+    return least[1:]
+
+
+def grouped(labels: Labels, count: int) -> Labels:
+    """Return components with those joined that are parts of one element, such as both eyes.
+
+    Those are the short edges of the minimum spanning tree, if the next longer ones are far longer.
+    """
+    if count < 3:
+        return labels
+    pairs, apart = _gaps(labels, count)
+    tree = minimum_spanning_tree(coo_array((apart + 1, pairs.T), (count + 1, count + 1))).tocoo()
+    edges = np.sort(tree.data - 1)
+    jumps = (edges[:-1] <= _PART_MOST) & (edges[1:] >= _JUMP * np.maximum(edges[:-1], 1))
+    if not jumps.any():
+        return labels
+    short = tree.data - 1 <= edges[:-1][jumps].max()
+    parts = coo_array((tree.data[short], (tree.row[short], tree.col[short])), tree.shape)
+    _, groups = connected_components(parts, directed=False)
+    return np.where(labels > 0, groups[labels] + 1, 0).astype(np.int32)

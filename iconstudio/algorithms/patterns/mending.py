@@ -1,0 +1,282 @@
+"""Torn elements made whole (beyond the paper).
+
+The exemplar's own whole elements are laid where the synthesised layer is most like them, the best
+first, unless they would touch one that lies there already. What ink is then left is torn, and taken
+out; where a gap remains that has room for an element, the most likely one is laid there.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from statistics import median
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import ndimage
+
+from iconstudio.algorithms.patterns.distance import CLAMP, signed_distance
+from iconstudio.algorithms.patterns.elements import EIGHT, Element, Elements
+from iconstudio.algorithms.patterns.exemplar import Placed, Places
+from iconstudio.algorithms.patterns.fourier import Field, Spectrum, backward, forward
+
+Bitmap = NDArray[np.bool_]
+
+_REACH = 3.0
+"""Pixels around its contour in which an element is compared with a layer."""
+_LIKELY = 0.75
+"""Of what an element differs from emptiness, it may differ so much from what it replaces."""
+_VISIBLE = 0.25
+"""Of an element's ink, so much lies in the pattern at least."""
+_FULL = 0.97
+"""Of the exemplar's share of ink, how much a pattern has before narrow gaps are left empty."""
+_LIKELY_FULL = 1.03
+"""How much of it elements make before less likely ones are left out."""
+_FULLEST = 1.08
+"""How much of it a pattern has at most; up to that, wide gaps are filled."""
+_CLOSEST = 1.5, 4.0
+"""Pixels between elements: the least and the most that is kept free in any case."""
+
+
+class Mended(NamedTuple):
+    """A layer of whole elements."""
+
+    distance: Field
+    """(H, W)"""
+    source: Places
+    """(H, W, 2)"""
+    placed: tuple[Placed, ...]
+
+
+class _Candidate(NamedTuple):
+    """An element, where it may lie, and how unlike it the layer is there: 0 to 1 or more."""
+
+    unlikeness: float
+    element: Element
+    top: int
+    left: int
+
+
+def mended(
+    distance: Field,
+    source: Places,
+    elements: Elements,
+    tile: bool,
+    random: np.random.Generator,
+    ask: Callable[[], None] = lambda: None,
+    guidance: Bitmap | None = None,
+) -> Mended:
+    """Return a layer (H, W) in which no element is torn.
+
+    Parameters
+    ----------
+    distance, source
+        Signed distances, and where in the exemplar each pixel comes from.
+    elements
+        Of the exemplar's layer. If none is whole, the layer stays as it is.
+    guidance
+        (H, W), where ink may lie: elements lie there wholly, what else there is ends at its border.
+    """
+    if guidance is not None:
+        distance = np.maximum(distance, signed_distance(guidance - np.float32(0.5), tile))
+    if not elements.whole:
+        return Mended(distance, source, ())
+    sheet = _Sheet(distance, source, elements, tile, guidance)
+    areas = [int(element.ink.sum()) for element in elements.whole]
+    unlikeness: list[Field] = []
+    candidates: list[_Candidate] = []
+    for element in elements.whole:
+        ask()
+        values = sheet.unlikeness(element)
+        places = np.argwhere(_least(values, tile) & (values < _LIKELY))
+        candidates += [_Candidate(float(values[y, x]), element, y, x) for y, x in places]
+        unlikeness.append(values)
+    for one in sorted(candidates, key=lambda candidate: candidate.unlikeness):
+        ask()
+        if sheet.has_room(one) and sheet.share_with(one) <= _LIKELY_FULL * elements.share:
+            sheet.lay(one)
+    for blocked, most, least in (
+        (sheet.sparsely, _FULLEST, median(areas)),
+        (sheet.sparsely, _FULL, 0),
+        (sheet.densely, _FULL, 0),
+    ):
+        while sheet.share < most * elements.share:
+            fitting = _fitting(sheet, blocked, elements.whole, unlikeness, random, ask, least)
+            found = next(fitting, None)
+            if found is None or sheet.share_with(found) > _FULLEST * elements.share:
+                break
+            sheet.lay(found)
+    return sheet.result(ask)
+
+
+def _least(values: Field, tile: bool) -> Bitmap:
+    mode = "wrap" if tile else "nearest"
+    lowest: Bitmap = values == ndimage.minimum_filter(values, 5, mode=mode)
+    return lowest
+
+
+def _fitting(
+    sheet: "_Sheet",
+    blocked: Bitmap,
+    whole: Sequence[Element],
+    unlikeness: list[Field],
+    random: np.random.Generator,
+    ask: Callable[[], None],
+    least: float,
+) -> Iterator[_Candidate]:
+    """Give elements of an area that fit into gaps, where each is least unlikely, rarest first."""
+    spectrum = forward(blocked.astype(np.float32), blocked.shape)
+    order = random.permutation(len(whole))
+    for k in sorted(order, key=lambda k: sheet.count(whole[k])):
+        ask()
+        if whole[k].ink.sum() < least:
+            continue
+        room = sheet.correlated(spectrum, whole[k].ink.astype(np.float32)) < 0.5
+        room &= np.isfinite(unlikeness[k])
+        if room.any():
+            y, x = np.unravel_index(np.argmin(np.where(room, unlikeness[k], np.inf)), room.shape)
+            yield _Candidate(float(unlikeness[k][y, x]), whole[k], int(y), int(x))
+
+
+class _Sheet:
+    """A layer that elements are laid on; if it is no tile, with a border as wide as the largest."""
+
+    def __init__(
+        self,
+        distance: Field,
+        source: Places,
+        elements: Elements,
+        tile: bool,
+        guidance: Bitmap | None,
+    ) -> None:
+        self._elements, self._tile = elements, tile
+        self._distance, self._source = distance, source
+        largest = max(max(one.ink.shape) for one in elements.whole)
+        self._border = 0 if tile else largest
+        near = np.pad(np.clip(distance, -_REACH, _REACH), self._border)
+        self._shape = near.shape
+        visible = np.pad(np.ones(distance.shape, np.float32), self._border)
+        allowed = np.ones(distance.shape, np.bool_) if guidance is None else guidance
+        allowed = np.pad(allowed, self._border, mode="edge")
+        self._area = visible * allowed
+        self._near = forward(near, self._shape)
+        self._squares = forward(near**2, self._shape)
+        self._seen = None if tile else forward(visible, self._shape)
+        self._laid: list[_Candidate] = []
+        self._kept = self._running()
+        ink = np.pad(self._kept, self._border)
+        self._inked = float(self._kept.sum())
+        low, high = _CLOSEST
+        near_gap, wide_gap = min(max(elements.gap, low), high), max(elements.spacing, low)
+        self._near_gap, self._wide_gap = _disk(near_gap), _disk(wide_gap)
+        # Where no further ink may lie: at the least distance, and at a common one.
+        away = ndimage.distance_transform_edt(~ink) if ink.any() else np.full(ink.shape, np.inf)
+        self.densely = (away <= near_gap) | ~allowed
+        self.sparsely = (away <= wide_gap) | ~allowed
+
+    def _running(self) -> Bitmap:
+        """Return the ink that comes from what is no element, and goes on beyond the exemplar."""
+        ink: Bitmap = self._distance < 0
+        labels, count = ndimage.label(ink, EIGHT)
+        running = self._elements.running[self._source[..., 0], self._source[..., 1]]
+        share = ndimage.mean(running, labels, np.arange(1, count + 1)) if count else np.zeros(0)
+        kept: Bitmap = np.append(False, share > 0.5)[labels]
+        return kept
+
+    def correlated(self, spectrum: Spectrum, weights: Field) -> Field:
+        """Return the sums over a rectangle of weights (n, m) at all places (H, W)."""
+        return backward(spectrum * np.conj(forward(weights, self._shape)), self._shape)
+
+    def unlikeness(self, element: Element) -> Field:
+        """Return how much the layer differs from an element wherever its rectangle may begin.
+
+        As a part of what emptiness differs from it; infinite where too little of it is visible.
+        """
+        own = np.clip(element.distance, -_REACH, _REACH)
+        weight = (element.distance < _REACH).astype(np.float32)
+        empty = weight * (_REACH - own) ** 2
+        different = self.correlated(self._squares, weight) - 2 * self.correlated(
+            self._near, weight * own
+        )
+        if self._seen is None:
+            values = (different + (weight * own**2).sum()) / empty.sum()
+        else:
+            seen = self.correlated(self._seen, weight * own**2)
+            most = self.correlated(self._seen, empty)
+            inked = self.correlated(self._seen, element.ink.astype(np.float32))
+            enough = inked > _VISIBLE * element.ink.sum()
+            values = np.where(enough, (different + seen) / np.maximum(most, 1e-3), np.inf)
+        unlike: Field = values.astype(np.float32)
+        return unlike
+
+    def has_room(self, candidate: _Candidate) -> bool:
+        """Return whether nothing lies too near."""
+        return not (self.densely[self._place(candidate)] & candidate.element.ink).any()
+
+    def lay(self, candidate: _Candidate) -> None:
+        """Lay an element."""
+        at, ink = self._place(candidate), candidate.element.ink
+        self._laid.append(candidate)
+        self._inked += float((ink * self._area[at]).sum())
+        for blocked, gap in ((self.densely, self._near_gap), (self.sparsely, self._wide_gap)):
+            margin = len(gap) // 2
+            place = self._place(candidate, margin)
+            blocked[place] |= ndimage.binary_dilation(np.pad(ink, margin), gap)
+
+    def count(self, element: Element) -> int:
+        """Return how often an element was laid."""
+        return sum(one.element is element for one in self._laid)
+
+    def _place(
+        self, candidate: _Candidate, margin: int = 0
+    ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+        rows, columns = (
+            np.arange(begin - margin, begin + length + margin) % n
+            for begin, length, n in zip(
+                (candidate.top, candidate.left), candidate.element.ink.shape, self._shape,
+                strict=True,
+            )
+        )  # fmt: skip
+        return np.ix_(rows, columns)
+
+    @property
+    def share(self) -> float:
+        """The share of the pattern, where it may lie, that is ink."""
+        return self._inked / float(self._area.sum())
+
+    def share_with(self, candidate: _Candidate) -> float:
+        """Return the share of ink once an element lies there."""
+        more = (candidate.element.ink * self._area[self._place(candidate)]).sum()
+        return self.share + float(more / self._area.sum())
+
+    def result(self, ask: Callable[[], None]) -> Mended:
+        """Return the layer of what was laid, and of what goes on beyond the exemplar."""
+        height, width = self._distance.shape
+        begin = self._border
+        inside = slice(begin, begin + height), slice(begin, begin + width)
+        distance = np.full(self._shape, CLAMP, np.float32)
+        if self._kept.any():
+            kept = np.where(self._kept, -self._distance, np.minimum(-self._distance, -0.01))
+            away = ndimage.distance_transform_edt(~self._kept)
+            kept = np.where(away > 2, -CLAMP, kept).astype(np.float32)
+            distance[inside] = signed_distance(kept, self._tile)
+        source = np.pad(self._source, ((begin, begin), (begin, begin), (0, 0)), "edge")
+        most = np.array(self._elements.running.shape) - 1
+        placed = []
+        for one in self._laid:
+            ask()
+            at = self._place(one)
+            element = one.element
+            nearer = element.distance < distance[at]
+            corner = np.array([element.top, element.left])
+            own = np.indices(element.ink.shape).transpose(1, 2, 0) + corner
+            source[at] = np.where(nearer[..., None], np.clip(own, 0, most), source[at])
+            distance[at] = np.minimum(element.distance, distance[at])
+            down, right = one.top - begin - element.top, one.left - begin - element.left
+            placed.append(Placed(element.layer, element.number, down, right))
+        return Mended(distance[inside], source[inside], tuple(placed))
+
+
+def _disk(radius: float) -> Bitmap:
+    whole = int(radius)
+    y, x = np.ogrid[-whole : whole + 1, -whole : whole + 1]
+    disk: Bitmap = y * y + x * x <= radius * radius
+    return disk
