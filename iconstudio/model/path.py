@@ -6,7 +6,11 @@ from typing import Protocol, cast
 
 from fontTools.misc.transform import Transform as Transform
 
+from iconstudio.model.canvas import CANVAS
 from iconstudio.model.sketch import Point
+
+OVERHANG = 0.5
+"""Canvas units by which the outline of what fills the canvas may reach out of it: rounding."""
 
 Line = tuple[Point]
 """The end of a straight segment, which begins where the one before ends."""
@@ -103,6 +107,14 @@ class Path:
         pen = BoundsPen(None)
         self.draw(pen)
         return cast(tuple[float, float, float, float], pen.bounds)
+
+    @property
+    def overhang(self) -> float:
+        """By how much it reaches out of the canvas at most, in canvas units; 0 if it does not."""
+        if not self:
+            return 0.0
+        left, top, right, bottom = self.bounds
+        return max(0.0, -left, -top, right - CANVAS, bottom - CANVAS)
 
     def svg(self) -> str:
         """Return SVG path data, to a hundredth of a unit."""

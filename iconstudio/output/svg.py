@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from xml.sax.saxutils import escape, quoteattr
 
 from iconstudio.model import CANVAS, Credit, Icon, Path, Pictogram
+from iconstudio.model.path import OVERHANG
 from iconstudio.svg.mark import IN_MARKUP
 
 _NO_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
@@ -14,8 +15,6 @@ _REPLACEMENT = "\ufffd"
 _NO_WORD = re.compile(r"[\W_]+")
 _ROUND = ' stroke-linecap="round" stroke-linejoin="round"'
 _CUT = "It reached out of its canvas; what was outside is cut off."
-_ROUNDING = 0.5
-"""Pixels by which the outline of what fills the canvas may reach out of it."""
 _SLUG = 40
 """Most characters that a title lends to an identifier."""
 
@@ -91,16 +90,8 @@ def pictogram_of(icon: Icon) -> Pictogram:
         svg=svg_document(icon),
         credit=Credit(icon.title, "you, with Iconstudio", ", ".join(licences), "", ""),
         made_of=icon.credits,
-        remarks=() if _fits(icon.path) else (_CUT,),
+        remarks=(_CUT,) if icon.path.overhang > OVERHANG else (),
     )
-
-
-def _fits(path: Path) -> bool:
-    """Whether nothing of a path is outside of the canvas, but for what rounding adds."""
-    if not path:
-        return True
-    left, top, right, bottom = path.bounds
-    return min(left, top) >= -_ROUNDING and max(right, bottom) <= CANVAS + _ROUNDING
 
 
 def _in_words(credits: Sequence[Pictogram]) -> str:

@@ -126,8 +126,7 @@ def _partings(lines: Sequence[Line], drawing: Drawing) -> Iterator[float]:
 
 
 def _row(line: Line) -> shapely.LineString:
-    points = np.array(line.points)
-    return shapely.LineString(np.concatenate([points, points[:1]]) if line.closed else points)
+    return shapely.LineString(_whole(line))
 
 
 def _rms(values: Points) -> float:

@@ -86,6 +86,19 @@ def test_strokes_stay_strokes_if_that_is_wanted():
     assert filled == 0
 
 
+@pytest.mark.parametrize("strokes", [False, True])
+def test_icons_of_a_set_stay_on_the_canvas_too(strokes):
+    """They were restyled by other code than single ones, which shrink."""
+    frame = (
+        '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24" fill="none" stroke="black" '
+    )
+    frame += 'stroke-width="2"><path d="M1 1H23V23H1Z"/></svg>'
+    manner = Manner(named("Speed"), strokes=strokes)
+    _, drawn = restyled_member("test:frame", Pictogram("test:frame", frame, CREDIT), manner)
+    assert max(path.overhang + width / 2 for path, width in drawn) < (12 if strokes else 1)
+    assert all(path.overhang < 1 for path, _ in drawn)
+
+
 def test_the_file_of_a_drawing_is_read_where_it_is_restyled():
     icon, drawn = restyled_member("a/cross.svg", cross(8).encode(), MANNER)
     assert (icon.credit.title, icon.svg) == ("cross.svg", "")

@@ -212,11 +212,13 @@ class Opener(QObject):
     def replace(self, make: Callable[[], Generator[Any]]) -> None:
         """Put what ``make()`` yields on the page, unless something else replaces it before."""
         self._begin_anew()
+        self._patience.begin()
         self.runner.start(make)
 
     def add(self, make: Callable[[], Generator[Any]]) -> None:
         """Put what ``make()`` yields on the page, whatever else is opened meanwhile."""
         self._begin_anew()
+        self._patience.begin()
         job = self._worker.submit(make)
         self._adding.append(job)
         job.event.connect(self.receive)
@@ -268,7 +270,6 @@ class Opener(QObject):
     def _begin_anew(self) -> None:
         if not self._busy:
             self.began.emit()
-        self._patience.begin()
 
     def _added(self) -> None:
         if (job := self.sender()) in self._adding:  # else it was cancelled
@@ -288,10 +289,7 @@ def _is_work(item: Item) -> bool:
 
 def _way(opener: Opener, path: str) -> Callable[[str], object]:
     """Return how a file of the program's own is opened: a project is none of the page's."""
-    if not path.lower().endswith(SUFFIX):
-        return opener.open_work
-    opener._patience.end(silently=True)  # who opens it says so
-    return opener.project.emit
+    return opener.project.emit if path.lower().endswith(SUFFIX) else opener.open_work
 
 
 class IconOpener(Opener):

@@ -19,6 +19,7 @@ from iconstudio.model import (
     StylePair,
     Transform,
 )
+from iconstudio.model.path import OVERHANG
 from iconstudio.workers import answer
 from iconstudio.workflows.events import Event, Progress, Result
 from iconstudio.workflows.workflow import Resources
@@ -34,8 +35,6 @@ SEEDS = 4
 _PATIENCE = 0.05
 """Seconds that pass at most before a run can be stopped."""
 SECONDS, MEMORY = 60.0, 2 << 30
-_ROUNDING = 0.5
-"""Canvas units by which an outline may reach out of the canvas."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -121,41 +120,36 @@ def restyled_path(
     seed: int,
     coarse: bool = False,
 ) -> tuple[Path, tuple[Line, ...]]:
-    """Return lines in their styles, and what they draw. Runs in a worker process."""
+    """Return what lines in their styles draw, and these lines. Runs in a worker process.
+
+    If the given lines do not reach as far out of the canvas, all shrinks towards its middle.
+    """
     from iconstudio.algorithms.curves.outline import path_of
     from iconstudio.algorithms.curves.restyle import prepare, restyled
 
     prepared = [prepare(style, strength, size) for style in styles]
     drawn = tuple(restyled(zip(lines, prepared, strict=True), seed, coarse))
-    return _within(path_of(drawn), drawn, path_of(lines))
+    path = path_of(drawn)
+    overhang = path.overhang
+    allowed = path_of(lines).overhang if overhang > OVERHANG else 0.0
+    if overhang <= allowed + OVERHANG:
+        return path, drawn
+    return _scaled(path, drawn, (CANVAS / 2 + allowed) / (CANVAS / 2 + overhang))
 
 
-def _within(path: Path, lines: tuple[Line, ...], plain: Path) -> tuple[Path, tuple[Line, ...]]:
-    """Return what was drawn, smaller if it reaches out of the canvas and the plain lines do not.
-
-    It shrinks towards the middle of the canvas.
-    """
-    middle = CANVAS / 2
-    reach = max(_reach(path), middle)
-    room = max(_reach(plain), middle)
-    if reach <= room + _ROUNDING:
-        return path, lines
-    scale = room / reach
-    smaller = Transform(scale, 0, 0, scale, middle * (1 - scale), middle * (1 - scale))
-    return path.transformed(smaller), tuple(
+def _scaled(path: Path, lines: tuple[Line, ...], scale: float) -> tuple[Path, tuple[Line, ...]]:
+    """Return a path and its lines, larger or smaller about the middle of the canvas."""
+    off = (1 - scale) * CANVAS / 2
+    transform = Transform(scale, 0, 0, scale, off, off)
+    return path.transformed(transform), tuple(
         replace(
             one,
-            points=tuple(map(smaller.transformPoint, one.points)),
+            points=tuple(map(transform.transformPoint, one.points)),
             width=scale * one.width,
             widths=tuple(scale * width for width in one.widths),
         )
         for one in lines
     )
-
-
-def _reach(path: Path) -> float:
-    """Return how far a path reaches from the middle of the canvas, to a side of it."""
-    return max((abs(side - CANVAS / 2) for side in path.bounds), default=0.0) if path else 0.0
 
 
 def warm_up() -> None:

@@ -19,7 +19,7 @@ from iconstudio.model.icon_set import Member
 from iconstudio.workers import Workers, loss
 from iconstudio.workflows.estimating import remaining
 from iconstudio.workflows.events import Progress
-from iconstudio.workflows.line_style.restyling import MEMORY, SECONDS, signed
+from iconstudio.workflows.line_style.restyling import MEMORY, SECONDS, restyled_path, signed
 
 Drawn = tuple[tuple[Path, float], ...]
 """What is drawn of an icon: paths, each with the width of its stroke; 0 is filled."""
@@ -172,18 +172,18 @@ def restyled_member(
     IconstudioError
         If it cannot be drawn, or has no lines.
     """
-    from iconstudio.algorithms.curves.outline import path_of, strokes_of
-    from iconstudio.algorithms.curves.restyle import prepare, restyled
+    from iconstudio.algorithms.curves.outline import strokes_of
     from iconstudio.svg.lines import lines_of
     from iconstudio.svg.rasterise import rasterise
     from iconstudio.svg.reading import own_svg
 
     icon = own_svg(source, identifier) if isinstance(source, bytes) else source
     frame, coverage = rasterise(icon.svg)
-    prepared = prepare(manner.style, manner.strength, manner.size)
-    lines = [(line, prepared) for line in lines_of(icon.svg, frame, coverage)]
-    made = restyled(lines, manner.seed_of(identifier))
-    drawn = strokes_of(made) if manner.strokes else ((path_of(made), 0.0),)
+    lines = lines_of(icon.svg, frame, coverage)
+    styles = [manner.style] * len(lines)
+    seed = manner.seed_of(identifier)
+    path, made = restyled_path(lines, styles, manner.strength, manner.size, seed)
+    drawn = strokes_of(made) if manner.strokes else ((path, 0.0),)
     if not any(path for path, _ in drawn):
         raise IconstudioError("Nothing of it is left in this style. Make the style smaller.")
     return replace(icon, svg=""), drawn
