@@ -84,4 +84,4 @@ class RecoveryBar(QFrame):
         others = len(self._offers) - 1
         more = f" ({others} more)" if others else ""
         work = " ".join(filter(None, ("Unsaved work", what, where)))
-        return f"{work} was left when Iconstudio ended {day} at {clock}.{more}"
+        return f"{work} was left when Iconstudio ended {day} at {clock}{more}."
