@@ -19,9 +19,9 @@ CLAMP = 8.0
 """Pixels of the finest resolution."""
 
 
-def signed_distances(masks: Field, tile: bool = False) -> Field:
+def signed_distances(masks: Field) -> Field:
     """Return the signed distances (L, h, w) of layers with these masks (L, h, w) from 0 to 1."""
-    return np.stack([signed_distance(mask - np.float32(0.5), tile) for mask in masks])
+    return np.stack([signed_distance(mask - np.float32(0.5)) for mask in masks])
 
 
 def signed_distance(

@@ -82,18 +82,22 @@ def elements_of(exemplar: Exemplar, layer: int) -> Elements:
     whole: list[Element] = []
     numbers: list[int] = []
     running = np.zeros(ink.shape, np.bool_)
+    wide_mask, wide_labels = np.pad(mask, MARGIN), np.pad(labels, MARGIN)
     for number, box in enumerate(ndimage.find_objects(labels), 1):
         if box is None:
             continue
-        own = labels == number
+        own = labels[box] == number
         sides = [(one.start == 0, one.stop == n, (one.stop - one.start) / n)
                  for one, n in zip(box, ink.shape, strict=True)]  # fmt: skip
         if any(first or last for first, last, _ in sides):
             if any(extent >= _RUNNING for *_, extent in sides):
-                running |= own
+                running[box] |= own
         elif own.sum() > max(_SPECK, mask[known == number].sum() / _THIN):
-            alone = mask * ndimage.binary_dilation(own, EIGHT, mask=own | (labels == 0))
-            whole.append(_cropped(alone, box, layer, len(whole)))
+            crop = tuple(slice(one.start, one.stop + 2 * MARGIN) for one in box)
+            alone = _alone(wide_mask[crop], wide_labels[crop], number)
+            distance = signed_distance(alone - np.float32(0.5))
+            top, left = (one.start - MARGIN for one in box)
+            whole.append(Element(layer, len(whole), top, left, distance < 0, distance))
             numbers.append(number)
     gap, spacing = _distances(labels, numbers)
     if running.sum() > _CONNECTED * ink.sum():
@@ -121,13 +125,13 @@ def _share(ink: Bitmap, margin: int) -> float:
     return float(ink.sum() / (height * width))
 
 
-def _cropped(
-    alone: NDArray[np.float32], box: tuple[slice, slice], layer: int, number: int
-) -> Element:
-    crop = tuple(slice(one.start, one.stop + 2 * MARGIN) for one in box)
-    distance = signed_distance(np.pad(alone, MARGIN)[crop] - np.float32(0.5))
-    top, left = (one.start - MARGIN for one in box)
-    return Element(layer, number, top, left, distance < 0, distance)
+def _alone(mask: NDArray[np.float32], labels: Labels, number: int) -> NDArray[np.float32]:
+    """Return a mask (n, m) of one element only, with its soft edge."""
+    own = labels == number
+    alone: NDArray[np.float32] = mask * ndimage.binary_dilation(
+        own, EIGHT, mask=own | (labels == 0)
+    )
+    return alone
 
 
 def _gaps(labels: Labels, count: int) -> tuple[Integers, Numbers]:

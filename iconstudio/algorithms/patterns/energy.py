@@ -7,6 +7,7 @@ are averaged over red, green and blue, and distances go from -1 to 1, at ``REACH
 contour.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TypeVar
 
@@ -69,12 +70,18 @@ class Weights:
         return float(UNIT * np.sqrt(1 - self.alpha) / REACH)
 
 
+def reduced_shape(shape: Sequence[int], factor: int) -> tuple[int, int]:
+    """Return the rows and columns of a picture once it is reduced."""
+    rows, columns = (-(-length // factor) for length in shape)
+    return rows, columns
+
+
 def reduced(picture: NDArray[Number], factor: int) -> NDArray[Number]:
     """Return the means over squares of a picture (h, w, C); the last ones may be smaller."""
     if factor == 1:
         return picture
     height, width, count = picture.shape
-    rows, columns = -(-height // factor), -(-width // factor)
+    rows, columns = reduced_shape((height, width), factor)
     missing = (0, rows * factor - height), (0, columns * factor - width), (0, 0)
     whole = np.pad(picture, missing, mode="edge")
     squares = whole.reshape(rows, factor, columns, factor, count)

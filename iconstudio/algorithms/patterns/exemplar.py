@@ -1,6 +1,6 @@
 """What is given and what is made: exemplars with their layers, and patterns (section 3)."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -86,4 +86,4 @@ class Pattern:
     torn: float
     """The share of its ink in torn elements, the mean of its layers; not measured of previews."""
     finished: bool = False
-    placed: tuple[Placed, ...] = field(default=())
+    placed: tuple[Placed, ...] = ()

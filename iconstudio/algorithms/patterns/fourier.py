@@ -4,8 +4,6 @@ SciPy's take 1.3 to 1.8 times as long as those of pyFFTW with a plan, at the siz
 need no plans to be kept, and start no threads.
 """
 
-from functools import cached_property
-
 import numpy as np
 from numpy.typing import NDArray
 from scipy import fft
@@ -18,16 +16,10 @@ class Searched:
     """Channels (C, h, w) that masked patches are looked for in."""
 
     def __init__(self, channels: Field) -> None:
-        self._channels = np.ascontiguousarray(channels, np.float32)
-        self._shape = self._channels.shape[1:]
-
-    @cached_property
-    def _spectra(self) -> Spectrum:
-        return forward(self._channels, self._shape)
-
-    @cached_property
-    def _squares(self) -> Spectrum:
-        return forward(np.einsum("cij,cij->ij", self._channels, self._channels), self._shape)
+        channels = np.ascontiguousarray(channels, np.float32)
+        self._shape = channels.shape[1:]
+        self._spectra = forward(channels, self._shape)
+        self._squares = forward(np.einsum("cij,cij->ij", channels, channels), self._shape)
 
     def squared_differences(self, patch: Field, mask: Field) -> Field:
         """Return the sums of squared differences of a patch at all places where it lies within.

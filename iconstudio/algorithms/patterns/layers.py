@@ -30,10 +30,11 @@ def paints(exemplar: Exemplar) -> Paints:
 
 def _completed(colours: Colours, seen: NDArray[np.float32]) -> Colours:
     """Return colours of which only those are right that are ``seen`` (h, w), from 0 to 1."""
-    known = seen >= min(_SURE, seen.max())
-    if not known.any() or seen.max() == 0:
+    most = seen.max()
+    if most == 0:
         return colours
-    nearest = distance_transform_edt(~known, return_distances=False, return_indices=True)
+    unknown = seen < min(_SURE, most)
+    nearest = distance_transform_edt(unknown, return_distances=False, return_indices=True)
     completed: Colours = colours[tuple(nearest)]
     return completed
 

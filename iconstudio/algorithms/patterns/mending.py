@@ -5,7 +5,7 @@ first, unless they would touch one that lies there already. What ink is then lef
 out; where a gap remains that has room for an element, the most likely one is laid there.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from statistics import median
 from typing import NamedTuple
 
@@ -80,7 +80,6 @@ def mended(
     if not elements.whole:
         return Mended(distance, source, ())
     sheet = _Sheet(distance, source, elements, tile, guidance)
-    areas = [int(element.ink.sum()) for element in elements.whole]
     unlikeness: list[Field] = []
     candidates: list[_Candidate] = []
     for element in elements.whole:
@@ -93,14 +92,14 @@ def mended(
         ask()
         if sheet.has_room(one) and sheet.share_with(one) <= _LIKELY_FULL * elements.share:
             sheet.lay(one)
+    usual = median(int(element.ink.sum()) for element in elements.whole)
     for blocked, most, least in (
-        (sheet.sparsely, _FULLEST, median(areas)),
+        (sheet.sparsely, _FULLEST, usual),
         (sheet.sparsely, _FULL, 0),
         (sheet.densely, _FULL, 0),
     ):
         while sheet.share < most * elements.share:
-            fitting = _fitting(sheet, blocked, elements.whole, unlikeness, random, ask, least)
-            found = next(fitting, None)
+            found = _fitting(sheet, blocked, elements.whole, unlikeness, random, ask, least)
             if found is None or sheet.share_with(found) > _FULLEST * elements.share:
                 break
             sheet.lay(found)
@@ -121,8 +120,8 @@ def _fitting(
     random: np.random.Generator,
     ask: Callable[[], None],
     least: float,
-) -> Iterator[_Candidate]:
-    """Give elements of an area that fit into gaps, where each is least unlikely, rarest first."""
+) -> _Candidate | None:
+    """Return the rarest element, large enough, that fits into a gap, where it is least unlike."""
     spectrum = forward(blocked.astype(np.float32), blocked.shape)
     order = random.permutation(len(whole))
     for k in sorted(order, key=lambda k: sheet.count(whole[k])):
@@ -133,7 +132,8 @@ def _fitting(
         room &= np.isfinite(unlikeness[k])
         if room.any():
             y, x = np.unravel_index(np.argmin(np.where(room, unlikeness[k], np.inf)), room.shape)
-            yield _Candidate(float(unlikeness[k][y, x]), whole[k], int(y), int(x))
+            return _Candidate(float(unlikeness[k][y, x]), whole[k], int(y), int(x))
+    return None
 
 
 class _Sheet:
@@ -166,7 +166,7 @@ class _Sheet:
         self._inked = float(self._kept.sum())
         low, high = _CLOSEST
         near_gap, wide_gap = min(max(elements.gap, low), high), max(elements.spacing, low)
-        self._near_gap, self._wide_gap = _disk(near_gap), _disk(wide_gap)
+        self._near_disk, self._wide_disk = _disk(near_gap), _disk(wide_gap)
         # Where no further ink may lie: at the least distance, and at a common one.
         away = ndimage.distance_transform_edt(~ink) if ink.any() else np.full(ink.shape, np.inf)
         self.densely = (away <= near_gap) | ~allowed
@@ -216,10 +216,10 @@ class _Sheet:
         at, ink = self._place(candidate), candidate.element.ink
         self._laid.append(candidate)
         self._inked += float((ink * self._area[at]).sum())
-        for blocked, gap in ((self.densely, self._near_gap), (self.sparsely, self._wide_gap)):
-            margin = len(gap) // 2
+        for blocked, disk in ((self.densely, self._near_disk), (self.sparsely, self._wide_disk)):
+            margin = len(disk) // 2
             place = self._place(candidate, margin)
-            blocked[place] |= ndimage.binary_dilation(np.pad(ink, margin), gap)
+            blocked[place] |= ndimage.binary_dilation(np.pad(ink, margin), disk)
 
     def count(self, element: Element) -> int:
         """Return how often an element was laid."""

@@ -11,12 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import minimum_filter
 
+from iconstudio.algorithms.patterns.energy import Channels
 from iconstudio.algorithms.patterns.exemplar import Places
 from iconstudio.algorithms.patterns.fourier import Searched
 from iconstudio.algorithms.patterns.seams import minimum_seam
-
-Channels = NDArray[np.int16]
-"""(h, w, C), of ``energy.channels``."""
 
 _TOLERANCE = 0.1
 """Seams that cost at most so much more than the cheapest are as good (Efros and Freeman)."""
@@ -37,7 +35,6 @@ def quilted(
     tile: bool,
     random: np.random.Generator,
     ask: Callable[[], None] = lambda: None,
-    tried: int = _TRIED,
 ) -> Places:
     """Return where in the exemplar (h, w, C) each pixel of a picture comes from.
 
@@ -54,7 +51,7 @@ def quilted(
     """
     side = min(patch, *exemplar.shape[:2], *shape)
     overlap = max(2, side // 3)
-    quilt = _Quilt(exemplar, solidity, shape, side, tile, random, tried)
+    quilt = _Quilt(exemplar, solidity, shape, side, tile, random)
     for top in _places(shape[0], side, overlap, tile):
         for left in _places(shape[1], side, overlap, tile):
             ask()
@@ -82,12 +79,11 @@ class _Quilt:
         side: int,
         tile: bool,
         random: np.random.Generator,
-        tried: int,
     ) -> None:
         self._exemplar = exemplar.astype(np.float32)
         self._resistance = 1 + _RESISTANCE * solidity
         self._searched = Searched(self._exemplar.transpose(2, 0, 1))
-        self._side, self._tile, self._random, self._tried = side, tile, random, tried
+        self._side, self._tile, self._random = side, tile, random
         self.source = np.zeros((*shape, 2), np.int32)
         self._there = np.zeros(shape, np.bool_)
 
@@ -140,7 +136,7 @@ class _Quilt:
         lowest = errors == minimum_filter(errors, 3, mode="nearest")
         fitting = np.argwhere(lowest)
         order = np.argsort(errors[lowest], kind="stable")
-        return fitting[order[: self._tried]]
+        return fitting[order[:_TRIED]]
 
     def _beyond(self, rows: NDArray[np.int64], columns: NDArray[np.int64]) -> NDArray[np.bool_]:
         """Return the pixels at a patch's border next to which, outside, anything is there."""

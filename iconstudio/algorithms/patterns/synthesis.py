@@ -15,11 +15,7 @@ from scipy.ndimage import zoom
 
 from iconstudio.algorithms.patterns import level_set
 from iconstudio.algorithms.patterns.distance import signed_distance
-from iconstudio.algorithms.patterns.energy import (
-    Channels,
-    per_pixel,
-    reduced,
-)
+from iconstudio.algorithms.patterns.energy import Channels, per_pixel, reduced, reduced_shape
 from iconstudio.algorithms.patterns.exemplar import Colours, Distances, Pattern, Places
 from iconstudio.algorithms.patterns.layers import collapse
 from iconstudio.algorithms.patterns.matching import (
@@ -98,7 +94,7 @@ class _Synthesis:
         source: Places | None = None
         factor = self._first()
         while True:
-            shape = -(-self._settings.size[0] // factor), -(-self._settings.size[1] // factor)
+            shape = reduced_shape(self._settings.size, factor)
             exemplar = reduced(self._prepared.channels, factor)
             if source is None:
                 source = self._quilted(exemplar, shape, factor)
@@ -201,8 +197,8 @@ class _Synthesis:
         """Return a coarse picture as large as the finished one."""
         while factor > 1:
             factor //= 2
-            shape = tuple(-(-n // factor) for n in self._settings.size)
-            most = tuple(-(-n // factor) for n in self._prepared.exemplar.colours.shape[:2])
+            shape = reduced_shape(self._settings.size, factor)
+            most = reduced_shape(self._prepared.exemplar.colours.shape[:2], factor)
             source = upsampled(source, shape, most)
         coarse = self._weights.distances(picture)
         distances = np.stack([enlarged(one, self._settings.size) for one in coarse])
@@ -214,15 +210,16 @@ class _Synthesis:
         tile = self._settings.tile
         for m, distance in enumerate(self._weights.distances(picture)):
             self._ask()
-            one = Mended(signed_distance(-distance, tile, self._ask), source, ())
+            exact = signed_distance(-distance, tile, self._ask)
             self._ask()
             if self._settings.mend:
                 elements = self._prepared.elements[m]
-                one = mended(
-                    one.distance, source, elements, tile, self._random, self._ask,
-                    self._settings.guidance,
-                )  # fmt: skip
-            layers.append(one)
+                layer = mended(
+                    exact, source, elements, tile, self._random, self._ask, self._settings.guidance
+                )
+            else:
+                layer = Mended(exact, source, ())
+            layers.append(layer)
         distances = np.stack([one.distance for one in layers])
         torn = np.mean([
             torn_ink(distance < 0, mask > 0.5, tile, self._ask)
