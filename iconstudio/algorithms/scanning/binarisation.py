@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from iconstudio.algorithms.scanning.behind import left_behind
 from iconstudio.algorithms.scanning.checkerboard import without_checkerboard
 from iconstudio.algorithms.scanning.doubts import (
+    LEAST,
     SPECK,
     has_fainter_lines,
     shading,
@@ -32,8 +33,6 @@ from iconstudio.model import IconstudioError
 
 SIDE = 512
 """Pixels of the longer side of a drawing; its curves are fitted to about a third of one."""
-LEAST = 0.12
-"""A drawing is darker than its paper by so much at least, of all the way to black."""
 
 _COARSE = 512
 """Pixels of the longer side at which paper and drawing are told apart."""
