@@ -76,9 +76,9 @@ Item = Pictogram | Reference | File | Drawing | Image | Elsewhere
 def named_in(text: str) -> tuple[Item, ...]:
     """Return what the lines of a text name, once each; nothing if one of them names nothing."""
     lines = [line.strip().strip("\"'") for line in text.splitlines() if line.strip()]
-    found = [_in_line(line) for line in lines[: _MOST_LINES + 1]]
-    if len(found) > _MOST_LINES:
+    if len(lines) > _MOST_LINES:
         return ()
+    found = [_in_line(line) for line in lines]
     named = tuple(dict.fromkeys(one for one in found if one is not None))
     return () if None in found else named
 

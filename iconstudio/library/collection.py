@@ -206,7 +206,8 @@ class Collection:
         answer = self._answer(keyword)
         numbers = {word for word in answer.left_out if word.isdigit()}
         style = Style(frozenset(numbers))
-        if numbers and any(style.distance(row[1]) == 0 for row in self._named(answer.scores)):
+        found = self._lookup.identifiers(answer.scores) if numbers else {}
+        if any(style.distance(identifier) == 0 for identifier in found.values()):
             answer = replace(answer, left_out=tuple(w for w in answer.left_out if w not in numbers))
         return messages.remark(answer, self._lookup.spelling(_name(keyword)))
 
@@ -312,17 +313,12 @@ class Collection:
         found = search.in_order(icons, values, self._blackness)
         if not style.words:
             return found
-        distances = {row[0]: style.distance(row[1]) for row in self._named(known)}
+        identifiers = self._lookup.identifiers(known)
         return search.nearest_style(
             found,
             np.array([known[icon] for icon in found.tolist()]),
-            np.array([distances[icon] for icon in found.tolist()]),
+            np.array([style.distance(identifiers[icon]) for icon in found.tolist()]),
         )
-
-    def _named(self, numbers: Iterable[int]) -> list[tuple[int, str]]:
-        """Return icons with their identifiers."""
-        listed = ",".join(map(str, numbers))
-        return self._rows(f"SELECT number, id FROM icon WHERE number IN ({listed})")
 
     def _nothing(self, keyword: str, excluded: bool) -> str:
         if excluded and self._answer(keyword).scores:

@@ -1,5 +1,6 @@
 """Which icons answer a keyword, and what is near: looked up in the unpacked collection."""
 
+from collections.abc import Iterable
 from dataclasses import replace
 
 from iconstudio.library.phrases import Answer, Phrases
@@ -77,6 +78,10 @@ class Lookup:
     def spelling(self, keyword: str) -> tuple[str, ...]:
         """Return the words that a keyword is a misspelling of, though few icons are called so."""
         return self._terms.spelling(query.plain(keyword))
+
+    def identifiers(self, icons: Iterable[int]) -> dict[int, str]:
+        """Return the identifiers of icons."""
+        return self._terms.identifiers(icons)
 
     def parts(self, keyword: str) -> tuple[str, ...]:
         """Return the words of a keyword that icons answer on their own."""

@@ -157,8 +157,9 @@ class Phrases:
     def _without_style(self, words: Words, core: Words) -> Answer:
         """Return the icons of words without a style; those with their numbers come first."""
         answer = self.answer(core)
-        numbered = {word: bare for word in words if (bare := without_number(word)) in core}
-        numbered = {word: bare for word, bare in numbered.items() if bare != word}
+        numbered = {
+            word: bare for word in words if (bare := without_number(word)) != word and bare in core
+        }
         left_out = set(words).difference(core, numbered)
         for word, bare in numbered.items():
             scores, found = self._terms.numbered(answer.scores, word, bare)
@@ -181,7 +182,7 @@ class Phrases:
         last = words[-1]
         only_says_how = last in ATTRIBUTES or (self._terms.named(last) and not self._leads(last))
         if only_says_how and not self._terms.is_known(" ".join(words)):
-            return _leaving({words[-1]}, words, self.answer(words[:-1]))
+            return _leaving({last}, words, self.answer(words[:-1]))
         return Answer()
 
     def _head(self, words: Words) -> Answer:
@@ -196,11 +197,10 @@ class Phrases:
             before = words[start - 1]
             if is_negated((before,)) or (before not in ATTRIBUTES and self._terms.is_thing(before)):
                 return Answer()
-            if start == len(words) - 1 and self._terms.is_no_noun(words[start]):
+            is_last = start == len(words) - 1
+            if is_last and (self._terms.is_no_noun(words[start]) or not self._leads(words[start])):
                 return Answer()
             found = self._terms.plainly(" ".join(words[start:]))
-            if start == len(words) - 1 and not self._leads(words[start]):
-                return Answer()
             if found and min(found.values()) < COMPOUND:
                 return _leaving({*words[:start]}, words, Answer(found))
         return Answer()

@@ -102,10 +102,9 @@ class Terms:
             return found
         forms = set(map(query.joined, query.forms(words)))
         things = [icon for icon, score in found.items() if score <= COMPOUND]
-        sql = f"SELECT number, id FROM icon WHERE number IN ({','.join('?' * len(things))})"
         names = {
             icon: take_apart(identifier.partition(":")[2]).words
-            for icon, identifier in self._rows(sql, things)
+            for icon, identifier in self.identifiers(things).items()
         }
         own = {icon for icon, name in names.items() if _holds(name, words.split(), forms)}
         more = {icon for icon in own if len(names[icon]) > len(words.split())}
@@ -121,10 +120,11 @@ class Terms:
         others are behind.
         """
         number = str(int(word.removeprefix(bare).lstrip("x")))
-        listed = ",".join(map(str, found))
-        rows = self._rows(f"SELECT number, id FROM icon WHERE number IN ({listed})", ())
         having = re.compile(rf"(?<![a-z]){bare}-?0*(\d+)(?!\d)")
-        numbers = {icon: having.findall(name.partition(":")[2]) for icon, name in rows}
+        numbers = {
+            icon: having.findall(identifier.partition(":")[2])
+            for icon, identifier in self.identifiers(found).items()
+        }
         has_it = any(number in own for own in numbers.values())
         behind = {
             icon: max(found[icon], MENTION + 1)
@@ -184,6 +184,11 @@ class Terms:
         """Return the words that may be proposed to somebody who has misspelt one."""
         return [row[0] for row in self._rows("SELECT word FROM proposal", ())]
 
+    def identifiers(self, icons: Iterable[int]) -> dict[int, str]:
+        """Return the identifiers of icons."""
+        listed = ",".join(map(str, icons))
+        return dict(self._rows(f"SELECT number, id FROM icon WHERE number IN ({listed})", ()))
+
     def is_name(self, name: str) -> bool:
         """Whether an icon is called so: *heart-line* is one, *head-line* is none."""
         return bool(self._rows("SELECT 1 FROM icon WHERE id GLOB ? LIMIT 1", (f"*:{name}",)))
@@ -196,7 +201,7 @@ class Terms:
         """Return those of some terms that icons are read by, or that lead to such."""
         read = "SELECT term FROM reading WHERE term IN ({0})"
         other = f"SELECT word FROM relation WHERE word IN ({{0}}) AND rank <> {SPELLING}"
-        wanted = list(dict.fromkeys(terms))
+        wanted = list(terms)
         return self._among(wanted, read) | self._among(wanted, other)
 
     def _among(self, terms: Iterable[str], sql: str) -> set[str]:

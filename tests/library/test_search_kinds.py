@@ -178,7 +178,7 @@ def test_a_word_that_is_rarely_drawn_alone_does_not_stand_for_a_common_thing(
 )
 def test_a_word_that_is_drawn_alone_as_well_still_does(bundled, keyword, name):
     numbers = bundled._lookup.plainly(keyword)
-    assert any(name in row[1] for row in bundled._named(numbers))
+    assert any(name in one for one in bundled._lookup.identifiers(numbers).values())
 
 
 @pytest.mark.parametrize("keyword", ["merry go home", "old merry go"])

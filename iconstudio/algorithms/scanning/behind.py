@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.scanning.ground import ASTRAY, ground_of
+from iconstudio.algorithms.scanning.margin import corners_of
 from iconstudio.algorithms.scanning.palette import evenly_painted
 from iconstudio.algorithms.scanning.resampling import premultiplied, shrunk
 from iconstudio.algorithms.tones.alternation import Omission
@@ -47,7 +48,7 @@ def left_behind(
     chroma = np.hypot(lab[..., 1], lab[..., 2])
     coloured = chroma[drawn if drawn.sum() > _FEWEST else ~white] > GREY
     paper = even & white & (1 - small.min(axis=2) / 255 < least)
-    corner = np.median(small[[0, 0, -1, -1], [0, -1, 0, -1]], axis=0)
+    corner = np.median(corners_of(small), axis=0)
     plate = paper & (abs(small - corner).max(axis=2) > _OTHER)
     told = coloured.sum() > _COLOURED * len(coloured) or plate.sum() > _PLATE * paper.sum()
     return frozenset({Omission.PAGE} if told else ())

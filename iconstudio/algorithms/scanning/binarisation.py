@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from iconstudio.algorithms.scanning.behind import left_behind
 from iconstudio.algorithms.scanning.checkerboard import without_checkerboard
 from iconstudio.algorithms.scanning.doubts import (
+    LEAST,
     SPECK,
     has_fainter_lines,
     shading,
@@ -21,7 +22,7 @@ from iconstudio.algorithms.scanning.doubts import (
 )
 from iconstudio.algorithms.scanning.flat import flat_drawing, on_nothing
 from iconstudio.algorithms.scanning.free import LARGE, free_drawing
-from iconstudio.algorithms.scanning.margin import rim_of, with_margin, without_half_lines
+from iconstudio.algorithms.scanning.margin import box_of, rim_of, with_margin, without_half_lines
 from iconstudio.algorithms.scanning.noise import without_noise
 from iconstudio.algorithms.scanning.paper import lighting, page, trend
 from iconstudio.algorithms.scanning.resampling import COARSE, reconstructed, resized, shrunk
@@ -32,8 +33,6 @@ from iconstudio.model import IconstudioError
 
 SIDE = 512
 """Pixels of the longer side of a drawing; its curves are fitted to about a third of one."""
-LEAST = 0.12
-"""A drawing is darker than its paper by so much at least, of all the way to black."""
 
 _COARSE = 512
 """Pixels of the longer side at which paper and drawing are told apart."""
@@ -188,8 +187,8 @@ def _is_on_paper(scan: Scan) -> bool:
 def _fills_its_box(drawing: NDArray[np.uint8]) -> bool:
     """Whether a drawing (n, n, 4) is a full rectangle, as one that reaches all edges is."""
     seen = drawing[..., 3] > 0
-    height, width = (np.ptp(np.flatnonzero(seen.any(axis=axis))) + 1 for axis in (1, 0))
-    return bool(seen.sum() == height * width)
+    box = box_of(seen)
+    return box is not None and bool(seen[box].all())
 
 
 def _coloured_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
@@ -319,18 +318,17 @@ def _bounds(dark: NDArray[np.float32]) -> tuple[int, int, int, int] | None:
         return None
     # Also what is a little fainter than the rest: the user may want it.
     ink = soft > 0.7 * threshold
-    ink = without_specks(ink, ink.size // 20000)
-    if not ink.any():
+    box = box_of(without_specks(ink, ink.size // 20000))
+    if box is None:
         return None
-    rows, columns = np.flatnonzero(ink.any(axis=1)), np.flatnonzero(ink.any(axis=0))
-    top, bottom, left, right = rows[0], rows[-1] + 1, columns[0], columns[-1] + 1
+    top, bottom, left, right = box[0].start, box[0].stop, box[1].start, box[1].stop
     air = round(_MARGIN * max(bottom - top, right - left)) + 1
     height, width = dark.shape
     return (
-        max(0, int(left) - air),
-        max(0, int(top) - air),
-        min(width, int(right) + air),
-        min(height, int(bottom) + air),
+        max(0, left - air),
+        max(0, top - air),
+        min(width, right + air),
+        min(height, bottom + air),
     )
 
 

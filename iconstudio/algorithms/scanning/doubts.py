@@ -17,8 +17,9 @@ _BESIDE = 3
 """Pixels beside ink that its blurred edges reach."""
 _SEEN, _FAINTER = 0.08, 0.02
 """How dark lines are that one can see, and how much of them beside the ink is told."""
-_LEAST = 0.12
-"""What is so much darker than paper is no noise."""
+LEAST = 0.12
+"""A drawing is darker than its paper by so much at least, of all the way to black: what is so much
+darker is no noise."""
 
 
 def has_fainter_lines(dark: NDArray[np.float32], threshold: float) -> bool:
@@ -48,9 +49,9 @@ def shading(dark: NDArray[np.float32], threshold: float, scale: float) -> float:
         for filtered in (scipy.ndimage.maximum_filter, scipy.ndimage.minimum_filter)
     )
     edge = high & ~low
-    visible = even > _LEAST
+    visible = even > LEAST
     around = 2 * round(_SLIM * enlarged) + 1
-    wide = scipy.ndimage.grey_opening(even, around) > _LEAST
+    wide = scipy.ndimage.grey_opening(even, around) > LEAST
     shaded = visible & ~edge & (slope > _GRADUAL) & scipy.ndimage.maximum_filter(wide, around)
     return float(shaded.sum() / max(1, visible.sum()))
 

@@ -22,7 +22,7 @@ from iconstudio.algorithms.scanning.free import (
     scaled,
 )
 from iconstudio.algorithms.scanning.ground import AROUND, ASTRAY, CLEAR, Ground, ground_of
-from iconstudio.algorithms.scanning.margin import PAPER, has_stripes, rim_of
+from iconstudio.algorithms.scanning.margin import PAPER, box_of, corners_of, has_stripes, rim_of
 from iconstudio.algorithms.scanning.palette import SMALL, Palette, is_in_one_colour, palette_of
 from iconstudio.algorithms.scanning.resampling import (
     premultiplied,
@@ -143,10 +143,8 @@ def on_nothing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
 def _is_sparse(blended: NDArray[np.float32]) -> bool:
     """Whether what is on white paper fills so little of its bounding box as lines do."""
     ink = blended.min(axis=2) <= PAPER
-    rows, columns = np.flatnonzero(ink.any(axis=1)), np.flatnonzero(ink.any(axis=0))
-    if not len(rows):
-        return False
-    return bool(ink[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1].mean() < _SPARSE)
+    box = box_of(ink)
+    return box is not None and bool(ink[box].mean() < _SPARSE)
 
 
 def _completed(
@@ -191,7 +189,7 @@ def _is_full_bleed(
     coloured = np.ptp(palette.colours[:, :3], axis=1) > _TINGE
     if ground is not None and palette.colours[ground].min() > PAPER:
         # Stripes of white, as on flags: more of a page was added around.
-        corners = blended[[0, 0, -1, -1], [0, -1, 0, -1]] - palette.colours[ground]
+        corners = corners_of(blended) - palette.colours[ground]
         at_corners = np.linalg.norm(corners, axis=1) < ASTRAY
         striped = has_stripes(palette.number == ground)
         full = around < AROUND and (striped or not at_corners.all())
@@ -252,8 +250,7 @@ def _is_painted(
 def _goes_on_in_shadow(palette: Palette, ground: Ground) -> bool:
     """Whether a ground may be that part of paper or of a desk that is lit, beside shades."""
     shaded = np.isin(rim_of(palette.number), list(palette.shades)).mean() > _IN_SHADOW
-    corners = ground.mask[[0, 0, -1, -1], [0, -1, 0, -1]]
-    return bool(shaded and ground.around < AROUND and not corners.all())
+    return bool(shaded and ground.around < AROUND and not corners_of(ground.mask).all())
 
 
 def _without_fading(palette: Palette, ground: int) -> Palette:
@@ -313,11 +310,9 @@ def _painted(
     The colour of the ground counts as one if it lies on a tile. ``cut`` drawings reach the edge of
     the bitmap.
     """
-    drawn = parts[ground] < _GROUND
-    rows, columns = np.flatnonzero(drawn.any(axis=1)), np.flatnonzero(drawn.any(axis=0))
-    if not len(rows):
+    crop = box_of(parts[ground] < _GROUND)
+    if crop is None:
         return None
-    crop = np.s_[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
     labels, colours = _enlarged(parts[(slice(None), *crop)], palette, ground, crop)
     pieces, _ = scipy.ndimage.label(np.pad(labels == ground, 1, constant_values=True))
     inside = (pieces != pieces[0, 0])[1:-1, 1:-1]

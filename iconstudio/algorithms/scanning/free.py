@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.scanning.cutting import cut_out
 from iconstudio.algorithms.scanning.ground import CLEAR, ground_of
-from iconstudio.algorithms.scanning.margin import rim_of
+from iconstudio.algorithms.scanning.margin import box_of, rim_of
 from iconstudio.algorithms.scanning.palette import evenly_painted
 from iconstudio.algorithms.scanning.resampling import (
     premultiplied,
@@ -39,11 +39,10 @@ def free_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
     """
     if pixels.shape[2] == 3 or not (pixels[..., 3] < CLEAR).any():
         return None
-    seen = pixels[..., 3] >= CLEAR
-    rows, columns = np.flatnonzero(seen.any(axis=1)), np.flatnonzero(seen.any(axis=0))
-    if not len(rows):
+    box = box_of(pixels[..., 3] >= CLEAR)
+    if box is None:
         return None
-    crop = pixels[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
+    crop = pixels[box]
     longest = max(crop.shape[:2])
     blended = premultiplied(shrunk(crop, max(1, longest // SIDE)) * np.float32(255))
     blended = np.pad(blended, [(1, 1), (1, 1), (0, 0)])

@@ -11,7 +11,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.scanning.margin import PAPER, rim_of
+from iconstudio.algorithms.scanning.margin import PAPER, corners_of, rim_of
 
 CLEAR = 12.0
 """Levels of alpha of what is not there."""
@@ -65,13 +65,16 @@ class Ground(NamedTuple):
         if max(blended.shape[:2]) < _TINY:
             return False
         away = abs(blended - self.colour).max(axis=2)
-        low, high = (
-            filtered(blended, (2, 2, 1))
-            for filtered in (scipy.ndimage.minimum_filter, scipy.ndimage.maximum_filter)
-        )
-        uneven = (high - low).max(axis=2) > 1
-        faint = ((away > 0) & (away <= _FAINT) & uneven).sum()
+        faint = ((away > 0) & (away <= _FAINT) & (unevenness(blended, 2) > 1)).sum()
         return bool(faint > _LOSSY * ((away > _FAINT) & (away <= _PLAIN)).sum())
+
+
+def unevenness(levels: NDArray[np.float32], size: int) -> NDArray[np.float32]:
+    """Return (h, w) by how much a channel differs within a square of ``size`` pixels, at most."""
+    high = scipy.ndimage.maximum_filter(levels, (size, size, 1))
+    low = scipy.ndimage.minimum_filter(levels, (size, size, 1))
+    most: NDArray[np.float32] = (high - low).max(axis=2)
+    return most
 
 
 def are_alike(pixels: NDArray[np.float32], colours: NDArray[np.float32]) -> bool:
@@ -124,7 +127,7 @@ def _differ(one: NDArray[np.float32], other: NDArray[np.float32]) -> bool:
 
 def _in_corners(blended: NDArray[np.float32]) -> NDArray[np.float32] | None:
     """Return the colour (4,) of all corners, or None."""
-    corners = blended[[0, 0, -1, -1], [0, -1, 0, -1]]
+    corners = corners_of(blended)
     colour: NDArray[np.float32] = np.median(corners, axis=0)
     alike = np.linalg.norm(corners - colour, axis=1) < ASTRAY
     return colour if alike.all() else None

@@ -100,12 +100,25 @@ def rim_of(pixels: NDArray[T]) -> NDArray[T]:
     return np.concatenate([pixels[0], pixels[-1], pixels[1:-1, 0], pixels[1:-1, -1]])
 
 
+def corners_of(pixels: NDArray[T]) -> NDArray[T]:
+    """Return the pixels (4, ...) in the corners of a picture (h, w, ...)."""
+    corners: NDArray[T] = pixels[[0, 0, -1, -1], [0, -1, 0, -1]]
+    return corners
+
+
+def box_of(mask: NDArray[np.bool_]) -> tuple[slice, slice] | None:
+    """Return the rows and columns (h, w) that a mask spans; None if it is empty."""
+    rows, columns = np.flatnonzero(mask.any(axis=1)), np.flatnonzero(mask.any(axis=0))
+    if not len(rows):
+        return None
+    return slice(int(rows[0]), int(rows[-1]) + 1), slice(int(columns[0]), int(columns[-1]) + 1)
+
+
 def _is_in_corners(light: NDArray[np.bool_]) -> bool:
     """Whether all corners are of the page, and the middles of all sides are not."""
     middle, centre = light.shape[0] // 2, light.shape[1] // 2
-    corners = light[[0, 0, -1, -1], [0, -1, 0, -1]]
     sides = light[[0, -1, middle, middle], [centre, centre, 0, -1]]
-    return bool(corners.all() and not sides.any())
+    return bool(corners_of(light).all() and not sides.any())
 
 
 def _is_flag(light: NDArray[np.bool_]) -> bool:

@@ -35,10 +35,11 @@ def without_noise(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
     if pixels.shape[2] == 4 or max(pixels.shape[:2]) > _FRINGED:
         return pixels
     levels = pixels.astype(np.float32)
-    ground = ground_of(premultiplied(levels))
-    if ground is None or ground.mask.all() or not ground.is_lossy(premultiplied(levels)):
+    blended = premultiplied(levels)
+    ground = ground_of(blended)
+    if ground is None or ground.mask.all() or not ground.is_lossy(blended):
         return pixels
-    if ground.is_clean(premultiplied(levels)):
+    if ground.is_clean(blended):
         levels = _without_fringes(levels, ground)
     if max(pixels.shape[:2]) <= LONGEST:
         levels = _smoothed(levels)

@@ -13,7 +13,7 @@ import scipy
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.scanning.blending import unblended
-from iconstudio.algorithms.scanning.ground import CLEAR, Ground, are_alike
+from iconstudio.algorithms.scanning.ground import CLEAR, Ground, are_alike, unevenness
 from iconstudio.algorithms.tones.regions import Mask, nearest
 
 _EVEN = 20.0
@@ -170,19 +170,11 @@ def evenly_painted(blended: NDArray[np.float32], size: int) -> NDArray[np.bool_]
 
     Of a square of three pixels, only the middle.
     """
-    even: NDArray[np.bool_] = _range(blended, size) < _EVEN
+    even: NDArray[np.bool_] = unevenness(blended, size) < _EVEN
     if size == 2:
         even[0] = even[:, 0] = False
         even = scipy.ndimage.binary_dilation(even, np.ones((2, 2)))
     return even | (blended[..., 3] < CLEAR)
-
-
-def _range(blended: NDArray[np.float32], size: int) -> NDArray[np.float32]:
-    """Return by how much a channel differs within a square of ``size`` pixels, at most."""
-    high = scipy.ndimage.maximum_filter(blended, (size, size, 1))
-    low = scipy.ndimage.minimum_filter(blended, (size, size, 1))
-    most: NDArray[np.float32] = (high - low).max(axis=2)
-    return most
 
 
 def is_in_one_colour(blended: NDArray[np.float32]) -> bool:
@@ -291,7 +283,7 @@ def _steeply_shaded(
 
     They are wider than an edge, or the band between two flat colours that differ little.
     """
-    change = _range(blended, 3)
+    change = unevenness(blended, 3)
     by_degrees = (change > _FLAT) & (change < _STEEP)
     for piece in shaded:
         by_degrees &= ~piece

@@ -7,7 +7,7 @@ import scipy
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.scanning.cutting import cut_out
-from iconstudio.algorithms.scanning.ground import AROUND, ASTRAY, Ground, ground_of
+from iconstudio.algorithms.scanning.ground import AROUND, ASTRAY, Ground, ground_of, unevenness
 from iconstudio.algorithms.scanning.resampling import premultiplied
 from iconstudio.algorithms.tones.regions import Mask, nearest
 
@@ -82,11 +82,12 @@ def _soft(
     ground: Ground,
 ) -> Mask | None:
     """Return where a soft shadow lies, of what is ``dark``, or None."""
-    even = (_range(levels, _ACROSS) < _FLAT) & (away > ASTRAY / 2)
+    even = (unevenness(levels, _ACROSS) < _FLAT) & (away > ASTRAY / 2)
     alike = _alike(levels, even)
     painted = scipy.ndimage.binary_propagation(even, mask=alike)
     painted |= scipy.ndimage.binary_dilation(even, np.ones((_ACROSS, _ACROSS)))
-    gentle = dark & (_range(levels, 3) < _GENTLE) & ~painted
+    change = unevenness(levels, 3)
+    gentle = dark & (change < _GENTLE) & ~painted
     outside = scipy.ndimage.binary_propagation(ground.mask, mask=ground.mask | gentle)
     shadow = outside & ~ground.mask
     drawn = ~outside & (away > ASTRAY)
@@ -100,7 +101,7 @@ def _soft(
         for one in (seen, ground.mask)
     )
     meets = scipy.ndimage.binary_dilation(shadow, np.ones((3, 3))) & wide & beside & ~ground.mask
-    steep = meets & (_range(levels, 3) > _STEP * np.percentile(away[seen], 90))
+    steep = meets & (change > _STEP * np.percentile(away[seen], 90))
     if steep.sum() >= _STEEP * meets.sum():
         return None
     contour = scipy.ndimage.binary_dilation(outside, np.ones((3, 3))) & ~outside
@@ -118,9 +119,9 @@ def _alike(levels: NDArray[np.float32], even: Mask) -> Mask:
     """Return what is as the even area beside it, but for the noise that files leave at edges."""
     if not even.any():
         return even
-    alike = abs(levels - levels[nearest(even)]).max(axis=2) < _NOISE
-    beside = scipy.ndimage.distance_transform_edt(~even) < _REACH
-    like: Mask = even | (alike & beside)
+    distance, (rows, columns) = scipy.ndimage.distance_transform_edt(~even, return_indices=True)
+    alike = abs(levels - levels[rows, columns]).max(axis=2) < _NOISE
+    like: Mask = even | (alike & (distance < _REACH))
     return like
 
 
@@ -160,11 +161,3 @@ def _hard(
 def _is_shadow(seen: Mask, drawn: Mask) -> bool:
     """Whether what is seen of a shadow is neither noise nor all that there is."""
     return bool(_SEEN * drawn.sum() < seen.sum() < drawn.sum() / _LEAST)
-
-
-def _range(levels: NDArray[np.float32], size: int) -> NDArray[np.float32]:
-    """Return by how many levels a channel differs within so many pixels, at most."""
-    high = scipy.ndimage.maximum_filter(levels, (size, size, 1))
-    low = scipy.ndimage.minimum_filter(levels, (size, size, 1))
-    most: NDArray[np.float32] = (high - low).max(axis=2)
-    return most

@@ -74,7 +74,7 @@ STAND_INS = _listed(
 
 INFORMAL = _listed(
     """
-    247: 24 hours, 24h: 24 hours, 24hr: 24 hours, 24hrs: 24 hours,
+    247: 24 hours, 24h: 24 hours, 24hr: 24 hours,
     abomb: atomic bomb, ac: air conditioner, acct: account, addon: plugin, addr: address,
     admin: administrator, advert: ad, aircon: air conditioner, appt: appointment, apt: apartment,
     avo: avocado, bathers: swimsuit, bauble: christmas ball, bball: basketball, bday: birthday,
