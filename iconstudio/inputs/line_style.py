@@ -158,18 +158,6 @@ def read_style(path: Path, tell: Callable[[str], None] = lambda sentence: None) 
     return _read(json.load(path), path, tell)
 
 
-def style_of(text: str, tell: Callable[[str], None] = lambda sentence: None) -> LineStyle:
-    """Return the style in a text, as of the clipboard.
-
-    Raises
-    ------
-    IconstudioError
-        If it holds none.
-    """
-    path = Path("the text")
-    return _read(json.parsed(text.encode(errors="replace"), path), path, tell)
-
-
 def check_style(style: LineStyle) -> None:
     """Refuse a style that nothing can be learned from, or that is too much to learn.
 

@@ -3,6 +3,8 @@
 import os
 from json import dumps
 from math import inf, nan
+from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import pytest
 from hypothesis import given
@@ -12,7 +14,6 @@ from iconstudio.inputs.line_style import (
     MOST_LEARNED,
     SHORTEST,
     read_style,
-    style_of,
     style_of_lines,
     write_style,
     written,
@@ -23,6 +24,14 @@ from iconstudio.model import CANVAS, IconstudioError, Line, LineStyle, StylePair
 STROKE = [[0, 0], [50, 5], [100, 0]]
 HUNDREDTHS = st.integers(-200 * CANVAS, 200 * CANVAS).map(lambda number: number / 100)
 WIDTHS = st.integers(0, 100 * CANVAS).map(lambda number: number / 100)
+
+
+def style_of(text, *tell):
+    """Return the style in a file of this text."""
+    with TemporaryDirectory() as folder:
+        path = Path(folder, "the text")
+        path.write_bytes(text.encode(errors="replace"))
+        return read_style(path, *tell)
 
 
 @st.composite
