@@ -22,9 +22,10 @@ from iconstudio.algorithms.iconification.style import has_pale_areas
 from iconstudio.algorithms.scanning.binarisation import Scan
 from iconstudio.caches.preparing import PreparingCache
 from iconstudio.caches.rasters import RasterCache
-from iconstudio.files import is_address, remove_abandoned
+from iconstudio.files import is_address, read_bytes, remove_abandoned
 from iconstudio.images import scans
-from iconstudio.images.reading import Image, is_image_file, read_image
+from iconstudio.images.photo import photo_of
+from iconstudio.images.reading import MAX_BYTES, Image, is_image_file, read_image
 from iconstudio.library.collection import Collection, cache_folder
 from iconstudio.model import (
     Axis,
@@ -33,6 +34,7 @@ from iconstudio.model import (
     Exemplar,
     IconstudioError,
     Line,
+    Photo,
     Pictogram,
     Placement,
     Source,
@@ -199,6 +201,11 @@ class Session(AbstractContextManager["Session"]):
             If it cannot be read, or is none.
         """
         return (yield from read_image(source, self._readers))
+
+    def photo(self, path: Path) -> Generator[None, None, Photo]:
+        """Return the image in a file as a photo; see ``image``."""
+        image = yield from self.image(path)
+        return photo_of(image, str(path), read_bytes(path, MAX_BYTES))
 
     def scan(self, image: Image, inverted: bool | None = None) -> Generator[None, None, Scan]:
         """Return the drawing on an image; see ``images.scans.scan``."""

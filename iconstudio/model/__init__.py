@@ -5,12 +5,13 @@ from iconstudio.model.composite import Composite, Drawing
 from iconstudio.model.edit import Edit
 from iconstudio.model.errors import IconstudioError, SpriteError
 from iconstudio.model.exemplar import Exemplar, Frame
-from iconstudio.model.icon import Icon, Remix, Restyled
+from iconstudio.model.icon import Fill, Icon, Patterned, Remix, Restyled
 from iconstudio.model.line import Line
 from iconstudio.model.line_style import LineStyle, StylePair
 from iconstudio.model.mix import Mix, Seeds
 from iconstudio.model.montage import Layer, Montage, Stroke
 from iconstudio.model.path import Contour, Path, PathPen, Transform
+from iconstudio.model.patterning import Correction, Motif, Patterning, Separation
 from iconstudio.model.photo import Photo
 from iconstudio.model.pictogram import Credit, Pictogram
 from iconstudio.model.placement import Placement, Source
@@ -25,10 +26,12 @@ __all__ = [
     "Axis",
     "Composite",
     "Contour",
+    "Correction",
     "Credit",
     "Drawing",
     "Edit",
     "Exemplar",
+    "Fill",
     "Frame",
     "Icon",
     "IconstudioError",
@@ -37,8 +40,11 @@ __all__ = [
     "LineStyle",
     "Mix",
     "Montage",
+    "Motif",
     "Path",
     "PathPen",
+    "Patterned",
+    "Patterning",
     "Photo",
     "Pictogram",
     "Placement",
@@ -49,6 +55,7 @@ __all__ = [
     "Restyling",
     "Score",
     "Seeds",
+    "Separation",
     "Sketch",
     "Source",
     "SpriteError",

@@ -2,12 +2,21 @@
 
 from dataclasses import dataclass
 
+from iconstudio.model.canvas import CANVAS
 from iconstudio.model.composite import Composite, Drawing
 from iconstudio.model.line import Line
 from iconstudio.model.mix import Seeds
 from iconstudio.model.path import Path
 from iconstudio.model.pictogram import Pictogram
 from iconstudio.model.score import Score
+
+
+@dataclass(frozen=True, slots=True)
+class Fill:
+    """A shape in a colour, ``#rrggbb``; without one, it has that of the text around it."""
+
+    path: Path
+    colour: str = ""
 
 
 @dataclass(frozen=True, eq=False)
@@ -21,9 +30,19 @@ class Icon:
     credits: tuple[Pictogram, ...] = ()
     """The pictograms to thank, each once, from the largest part down."""
 
+    @property
+    def fills(self) -> tuple[Fill, ...]:
+        """What it is drawn with, from back to front."""
+        return (Fill(self.path),)
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Width and height of what it is drawn on: the canvas, but for patterns."""
+        return CANVAS, CANVAS
+
     def looks_like(self, other: "Icon") -> bool:
-        """Whether two icons are drawn by the same path."""
-        return self is other or self.path == other.path
+        """Whether two icons are drawn by the same shapes in the same colours."""
+        return self is other or self.fills == other.fills
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -62,3 +81,27 @@ class Restyled(Icon):
 
     lines: tuple[Line, ...]
     """As they were drawn: what was a stroke still is one."""
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Patterned(Icon):
+    """A pattern (*Art Pattern Synthesis Using Level Sets*); ``path`` is its ink, on the canvas."""
+
+    layers: tuple[Fill, ...]
+    """From back to front, in units of its own size."""
+    width: int
+    height: int
+    tile: bool
+    """Whether it continues itself, side by side."""
+    torn: float
+    """The share of its ink in torn elements."""
+
+    @property
+    def fills(self) -> tuple[Fill, ...]:
+        """The layers."""
+        return self.layers
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Its own width and height."""
+        return self.width, self.height

@@ -98,7 +98,7 @@ class Folder:
     def write_icon(self, name: str, icon: Icon, colours: Palette | None = None) -> None:
         """Write an icon: ``NAME.svg``, ``NAME.png``; of a remix, by source ``NAME-sources.png``."""
         self.write(f"{name}.svg", svg_document(icon).encode())
-        self.write(f"{name}.png", png.encoded(png.icon_pixels(icon.path, png.SIZE)))
+        self.write(f"{name}.png", png.encoded(png.icon_pixels(icon, png.SIZE)))
         if isinstance(icon, Remix):
             code = colour_code(icon.composite, icon.drawing, png.SIZE // 2, colours)
             self.write(f"{name}-sources.png", png.encoded(code))

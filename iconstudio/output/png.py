@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from iconstudio.files import replaceable, write_atomically
-from iconstudio.model import CANVAS, Frame, IconstudioError
+from iconstudio.model import CANVAS, Frame, Icon, IconstudioError
 from iconstudio.model import Path as Outline
-from iconstudio.svg.resvg import render_coverage
+from iconstudio.svg.resvg import render_colours, render_coverage
 
 SIZE = 1024
 """Side in pixels of a result's picture."""
@@ -26,10 +26,20 @@ def coverage(path: Outline, size: int) -> NDArray[np.uint8]:
     return render_coverage(svg, Frame(0, 0, CANVAS), size)
 
 
-def icon_pixels(path: Outline, size: int, white: bool = False) -> NDArray[np.uint8]:
-    """Return black (or white) ink on transparent ground, (size, size, 4) uint8 RGBA."""
+def icon_pixels(icon: Icon, size: int, white: bool = False) -> NDArray[np.uint8]:
+    """Return an icon on transparent ground, (h, w, 4) uint8 RGBA, the longer side ``size``.
+
+    What has no colour of its own is black, or white.
+    """
+    from iconstudio.output.svg import svg_document
+
+    if any(fill.colour for fill in icon.fills):
+        width, height = icon.size
+        longer = max(width, height)
+        pixels = render_colours(svg_document(icon), Frame(0, 0, longer), size)
+        return pixels[: round(size * height / longer), : round(size * width / longer)]
     picture = np.full((size, size, 4), 255 if white else 0, np.uint8)
-    picture[..., 3] = coverage(path, size)
+    picture[..., 3] = coverage(icon.path, size)
     return picture
 
 

@@ -5,7 +5,7 @@ import re
 from collections.abc import Iterable, Sequence
 from xml.sax.saxutils import escape, quoteattr
 
-from iconstudio.model import CANVAS, Credit, Icon, Path, Pictogram
+from iconstudio.model import CANVAS, Credit, Fill, Icon, Path, Pictogram
 from iconstudio.model.path import OVERHANG
 from iconstudio.svg.mark import IN_MARKUP
 
@@ -20,11 +20,11 @@ _SLUG = 40
 
 
 def svg_document(icon: Icon) -> str:
-    """Return an icon as an SVG document: one path in ``currentColor``, with a title.
+    """Return an icon as an SVG document: its shapes, ``currentColor`` or coloured, with a title.
 
-    It is as large as the canvas, a unit a pixel, where nothing else is said; see ``document``.
+    It is as large as what it is drawn on, a unit a pixel; see ``document``.
     """
-    return document(icon.title, icon.credits, [(icon.path, 0.0)])
+    return _document(icon.title, icon.credits, map(_filled, icon.fills), icon.size)
 
 
 def document(
@@ -45,6 +45,15 @@ def document(
     size
         Width and height.
     """
+    return _document(title, credits, (_stroked(path, width) for path, width in drawn), size)
+
+
+def _document(
+    title: str,
+    credits: Sequence[Pictogram],
+    elements: Iterable[str],
+    size: tuple[float, float],
+) -> str:
     works = "".join(map(_work, credits))
     title = _text(title)
     width, height = (f"{side:g}" for side in size)
@@ -65,7 +74,7 @@ def document(
         "</cc:Work>\n"
         "</rdf:RDF>\n"
         "</metadata>\n"
-        f"{''.join(_path(path, stroke) for path, stroke in drawn)}"
+        f"{''.join(elements)}"
         "</svg>\n"
     )
 
@@ -99,9 +108,15 @@ def _in_words(credits: Sequence[Pictogram]) -> str:
     return "\n".join(["Made of parts of:", *lines]) if lines else ""
 
 
-def _path(path: Path, stroke: float) -> str:
-    painted = f' fill="none" stroke="currentColor" stroke-width="{stroke:.6g}"{_ROUND}'
-    return f"<path d={quoteattr(path.svg())}{painted if stroke else ''}/>\n"
+def _filled(fill: Fill) -> str:
+    painted = f" fill={quoteattr(fill.colour)}" if fill.colour else ""
+    return f"<path d={quoteattr(fill.path.svg())}{painted}/>\n"
+
+
+def _stroked(path: Path, width: float) -> str:
+    """Return the element of a stroke, whose ends and joins are round."""
+    painted = f' fill="none" stroke="currentColor" stroke-width="{width:.6g}"{_ROUND}'
+    return f"<path d={quoteattr(path.svg())}{painted if width else ''}/>\n"
 
 
 def _line(credit: Credit) -> str:

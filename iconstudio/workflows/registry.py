@@ -9,6 +9,7 @@ from iconstudio.workflows.hybrids.spec import HYBRIDS
 from iconstudio.workflows.line_style.spec import LINE_STYLE
 from iconstudio.workflows.modelling.spec import MODELLING
 from iconstudio.workflows.montage.spec import MONTAGE
+from iconstudio.workflows.pattern.spec import PATTERN
 from iconstudio.workflows.workflow import Workflow
 
 _workflows: tuple[Workflow[Any], ...] = (
@@ -17,6 +18,7 @@ _workflows: tuple[Workflow[Any], ...] = (
     HYBRIDS,
     MONTAGE,
     LINE_STYLE,
+    PATTERN,
 )
 
 

@@ -3,10 +3,11 @@
 from collections.abc import Callable, Generator
 from dataclasses import dataclass
 from importlib import import_module
+from pathlib import Path
 from typing import Any, Concatenate, Generic, Protocol, Self, TypeVar
 
 from iconstudio.inputs.formats import Reference, StrictRecord, Text
-from iconstudio.model import Drawing, Exemplar, Line, Pictogram
+from iconstudio.model import Drawing, Exemplar, Line, Photo, Pictogram
 from iconstudio.workers import Workers
 from iconstudio.workflows.events import Event
 
@@ -23,6 +24,10 @@ class Resources(Protocol):
 
     def icon(self, reference: str) -> Pictogram:
         """Return an icon of the collection, ``set:name``, or of a file."""
+        ...
+
+    def photo(self, path: Path) -> Generator[Any, None, Photo]:
+        """Return the image in a file."""
         ...
 
     def exemplar(self, pictogram: Pictogram) -> Exemplar:

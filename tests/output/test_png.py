@@ -12,7 +12,7 @@ from iconstudio.output import png
 
 @pytest.mark.parametrize(("white", "value"), [(False, 0), (True, 255)])
 def test_ink_in_one_colour_on_transparent_ground(result, white, value):
-    pixels = png.icon_pixels(result.path, 512, white)
+    pixels = png.icon_pixels(result, 512, white)
     assert (pixels[..., :3] == value).all()
     drawn, wanted = pixels[..., 3] > 127, result.drawing.coverage > 127
     assert (drawn & wanted).sum() / (drawn | wanted).sum() > 0.995
@@ -32,7 +32,7 @@ def test_large_pictures_are_drawn_anew(result):
 
 
 def test_a_file_can_be_read_again(result, tmp_path):
-    pixels = png.icon_pixels(result.path, 64)
+    pixels = png.icon_pixels(result, 64)
     png.write(tmp_path / "icon.png", png.encoded(pixels))
     with Image.open(tmp_path / "icon.png") as picture:
         assert np.array_equal(np.asarray(picture), pixels)

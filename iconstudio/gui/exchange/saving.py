@@ -186,7 +186,7 @@ def _strokes(picture: Picture) -> bytes:
 def _png(picture: Picture) -> bytes:
     from iconstudio.output import png
 
-    return png.encoded(png.icon_pixels(picture.icon.path, PNG_SIZE))
+    return png.encoded(png.icon_pixels(picture.icon, PNG_SIZE))
 
 
 def _code(picture: Picture) -> bytes:

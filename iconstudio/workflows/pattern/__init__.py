@@ -1,0 +1,1 @@
+"""Patterns by example: *Art Pattern Synthesis Using Level Sets*."""

@@ -1,0 +1,130 @@
+"""An image becomes an exemplar: its colours are layers, as far as nobody has corrected them."""
+
+import hashlib
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from iconstudio.algorithms.patterns.exemplar import LARGEST, Exemplar
+from iconstudio.algorithms.patterns.separation import Layers, completed, separated
+from iconstudio.model import CANVAS, Correction, IconstudioError, Photo, Separation
+from iconstudio.workflows.pattern.layout import Layout
+
+_SMALLEST = 16
+"""Pixels of a side of an image."""
+
+
+@dataclass(frozen=True, slots=True)
+class ImageExemplar:
+    """An image, no larger than need be."""
+
+    pixels: NDArray[np.uint8] = field(compare=False)
+    """(h, w, 3)"""
+    digest: str
+    """Of the pixels."""
+    colours: int | None
+    corrections: tuple[Correction, ...]
+    """In pixels of the original."""
+    reduction: float
+    """The original's pixels to one."""
+
+    @classmethod
+    def of(cls, image: Separation) -> "ImageExemplar":
+        """Return the image of some work, over white.
+
+        Raises
+        ------
+        IconstudioError
+            If it is too small.
+        """
+        if min(image.photo.width, image.photo.height) < _SMALLEST:
+            raise IconstudioError(
+                f"The image has {image.photo.width} x {image.photo.height} pixels. "
+                f"Give one of at least {_SMALLEST} x {_SMALLEST}."
+            )
+        pixels = over_white(image.photo)
+        digest = hashlib.sha256(pixels.tobytes() + repr(pixels.shape).encode()).hexdigest()
+        reduction = image.photo.width / pixels.shape[1]
+        return cls(pixels, digest, image.colours, image.corrections, reduction)
+
+    def layers(self) -> Layers:
+        """Return its layers, corrected: (h, w), from the ground, 0, up."""
+        layers = separated(self.pixels / np.float32(255), self.colours)
+        return corrected(layers, self.corrections, self.reduction)
+
+
+def reduction_of(photo: Photo) -> str:
+    """Return a sentence about an image that is larger than an exemplar can be; empty if not."""
+    if max(photo.width, photo.height) <= LARGEST:
+        return ""
+    return f"The image of {photo.width} x {photo.height} pixels is reduced to {LARGEST} a side."
+
+
+def over_white(photo: Photo) -> NDArray[np.uint8]:
+    """Return the pixels of an image over white, (h, w, 3), at most ``LARGEST`` a side."""
+    from PIL import Image
+
+    fitting = [one for one in photo.levels if max(one.shape) <= LARGEST]
+    words = fitting[0] if fitting else photo.levels[-1]
+    alpha = words >> 24
+    shown = np.stack([((words >> shift) & 255) + 255 - alpha for shift in (16, 8, 0)], axis=2)
+    pixels = np.minimum(shown, 255).astype(np.uint8)
+    if max(pixels.shape) > LARGEST:
+        image = Image.fromarray(pixels)
+        image.thumbnail((LARGEST, LARGEST), Image.Resampling.BOX)
+        pixels = np.asarray(image)
+    return pixels
+
+
+def corrected(layers: Layers, corrections: Sequence[Correction], reduction: float) -> Layers:
+    """Return layers where strokes of the brush say others."""
+    from PIL import Image, ImageDraw
+
+    image = Image.fromarray(layers)
+    draw = ImageDraw.Draw(image)
+    for one in corrections:
+        points = [(x / reduction, y / reduction) for x, y in one.stroke.points]
+        half = one.stroke.width / reduction / 2
+        draw.line(points, one.layer, max(1, round(2 * half)), "curve")
+        for x, y in (points[0], points[-1]):
+            draw.ellipse((x - half, y - half, x + half, y + half), one.layer)
+    return np.asarray(image)
+
+
+def laid_out(image: ImageExemplar, samples: float) -> Layout:
+    """Return an image as an exemplar, its longer side as long as a canvas.
+
+    Parameters
+    ----------
+    samples
+        Pixels of the exemplar to a unit of the canvas.
+
+    Raises
+    ------
+    IconstudioError
+        If it cannot be an exemplar.
+    """
+    layers = image.layers()
+    height, width = layers.shape
+    factor = round(CANVAS * samples) / max(height, width)
+    size = tuple(max(_SMALLEST, round(side * factor)) for side in (height, width))
+    masks = np.stack([_resized(mask, size) for mask in completed(layers)])
+    colours = np.stack(
+        [_resized(image.pixels[..., n] / np.float32(255), size) for n in range(3)], axis=2
+    )
+    ground = image.pixels[layers == 0]
+    mean = ground.mean(axis=0) if len(ground) else np.full(3, 255.0)
+    return Layout(Exemplar(colours, masks), (), "#" + bytes(np.rint(mean).astype(np.uint8)).hex())
+
+
+def _resized(channel: NDArray[np.float32], size: tuple[int, ...]) -> NDArray[np.float32]:
+    """Return a channel (h, w) at another size, each pixel the mean of those in its place."""
+    from PIL import Image
+
+    rows, columns = size
+    large = Image.fromarray(np.ascontiguousarray(channel, np.float32))
+    shrinks = channel.shape[0] > rows
+    way = Image.Resampling.BOX if shrinks else Image.Resampling.BICUBIC
+    return np.clip(np.asarray(large.resize((columns, rows), way)), 0, 1)

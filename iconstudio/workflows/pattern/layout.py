@@ -1,0 +1,195 @@
+"""Motifs on a canvas become an exemplar: its layers, and which elements they have (section 3).
+
+Motifs that lie on another one are details of it, and move with it. Others that overlap are in
+different layers, the upper ones first; those that do not touch share one, so that they keep clear
+of each other in the pattern, too.
+"""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from math import sqrt
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.ndimage import maximum_filter
+
+from iconstudio.algorithms.patterns.exemplar import MOST_LAYERS, Exemplar
+from iconstudio.algorithms.raster import solid
+from iconstudio.model import (
+    CANVAS,
+    Fill,
+    Frame,
+    IconstudioError,
+    Motif,
+    Path,
+    Patterning,
+    Transform,
+)
+from iconstudio.svg.resvg import render_coverage
+
+Mask = NDArray[np.float32]
+"""(n, n), how much of each pixel is covered, from 0 to 1."""
+
+_INK = 0.5
+"""What covers a pixel by more has it."""
+_DETAIL = 0.9
+"""What lies with so much of its ink on another element is a detail of it."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Shape:
+    """A motif as it lies on the canvas."""
+
+    fill: Fill
+    mask: Mask
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Layout:
+    """An exemplar, and the shapes of its elements."""
+
+    exemplar: Exemplar
+    elements: tuple[tuple[tuple[Fill, ...], ...], ...]
+    """Of each layer of the exemplar, the elements by their labels, from 1; each from back to front,
+    in pixels of the exemplar; none if they are not known."""
+    ground: str
+    """The colour behind all layers, ``#rrggbb``."""
+
+
+@dataclass(frozen=True, slots=True)
+class Arrangement:
+    """Motifs on a canvas."""
+
+    motifs: tuple[Motif, ...]
+    paths: tuple[Path, ...]
+    """Those of their icons, in units of their own canvases."""
+    side: float
+    """Of the canvas, in its units."""
+    ground: str
+
+    @classmethod
+    def of(cls, work: Patterning, paths: Sequence[Path]) -> "Arrangement":
+        """Return the motifs of some work as dense as it says, turned.
+
+        A higher density brings them nearer together; each keeps within the canvas if it was within.
+        """
+        side = CANVAS / sqrt(work.density)
+        motifs = tuple(_moved(one, side, work.turn) for one in work.motifs)
+        return cls(motifs, tuple(paths), side, work.ground)
+
+
+def _moved(motif: Motif, side: float, turn: float) -> Motif:
+    def along(value: float) -> float:
+        least = min(motif.size / 2, value, CANVAS - value)  # from the border it had
+        place = value * side / CANVAS
+        return min(max(place, least), side - least) if 0 <= least <= side / 2 else place
+
+    return replace(motif, x=along(motif.x), y=along(motif.y), turn=motif.turn + turn)
+
+
+def laid_out(arrangement: Arrangement, samples: float) -> Layout:
+    """Return motifs on a canvas as an exemplar.
+
+    Parameters
+    ----------
+    samples
+        Pixels of the exemplar to a unit of the canvas.
+
+    Raises
+    ------
+    IconstudioError
+        If they cannot be an exemplar.
+    """
+    pixels = round(arrangement.side * samples)
+    shapes = []
+    for motif, path in zip(arrangement.motifs, arrangement.paths, strict=True):
+        drawn = path.transformed(motif.transform).transformed(Transform().scale(samples))
+        mask = rasterised(drawn, pixels)
+        if mask.max() > _INK:
+            shapes.append(Shape(Fill(drawn, motif.colour), mask))
+    if not shapes:
+        raise IconstudioError("No icon lies on the canvas. Put one there.")
+    layers = _layers(_elements(shapes))
+    if len(layers) > MOST_LAYERS:
+        raise IconstudioError(
+            f"The icons overlap in {len(layers)} layers. "
+            f"Move some apart: there may be at most {MOST_LAYERS}."
+        )
+    masks = np.stack([_united(shape for one in layer for shape in one) for layer in layers])
+    labels = np.stack([_labels(layer, pixels) for layer in layers])
+    exemplar = Exemplar(_colours(shapes, pixels, arrangement.ground), masks, labels)
+    elements = tuple(tuple(map(_fills, layer)) for layer in layers)
+    return Layout(exemplar, elements, arrangement.ground)
+
+
+def rasterised(path: Path, width: int, height: int | None = None) -> Mask:
+    """Return how much of each pixel a path in pixels covers, (height, width)."""
+    height = height or width
+    side = max(width, height)
+    svg = (
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {side} {side}">'
+        f'<path d="{path.svg()}"/></svg>'
+    )
+    coverage = render_coverage(svg, Frame(0, 0, side), side, (0, 0, width, height))
+    return (coverage / np.float32(255)).astype(np.float32)
+
+
+def channels(colour: str) -> NDArray[np.float32]:
+    """Return the red, green and blue of ``#rrggbb``, from 0 to 1.
+
+    >>> channels("#ff0000").tolist()
+    [1.0, 0.0, 0.0]
+    """
+    return np.frombuffer(bytes.fromhex(colour[1:]), np.uint8) / np.float32(255)
+
+
+def _elements(shapes: Iterable[Shape]) -> list[list[Shape]]:
+    """Return shapes by element, from back to front: a detail goes with what it lies on."""
+    elements: list[list[Shape]] = []
+    for shape in shapes:
+        under = next((one for one in reversed(elements) if _is_detail(shape, one)), None)
+        if under is None:
+            elements.append([shape])
+        else:
+            under.append(shape)
+    return elements
+
+
+def _is_detail(shape: Shape, element: Sequence[Shape]) -> bool:
+    ground = solid(_united(element) > _INK)
+    return bool((shape.mask * ground).sum() > _DETAIL * shape.mask.sum())
+
+
+def _layers(elements: Sequence[list[Shape]]) -> list[list[list[Shape]]]:
+    """Return the fewest layers in which no elements overlap, the one above all others first."""
+    height: list[int] = []
+    masks = [maximum_filter(_united(one), 3) > _INK for one in elements]
+    for number, mask in enumerate(masks):
+        below = [height[k] for k in range(number) if (mask & masks[k]).any()]
+        height.append(max(below, default=-1) + 1)
+    return [
+        [one for one, its in zip(elements, height, strict=True) if its == level]
+        for level in reversed(range(max(height) + 1))
+    ]
+
+
+def _united(shapes: Iterable[Shape]) -> Mask:
+    return np.maximum.reduce([shape.mask for shape in shapes])
+
+
+def _labels(elements: Sequence[Sequence[Shape]], pixels: int) -> NDArray[np.int32]:
+    """Return which element each pixel belongs to, from 1; 0 where there is none."""
+    none = np.zeros((pixels, pixels), np.float32)
+    return np.argmax([none, *map(_united, elements)], axis=0).astype(np.int32)
+
+
+def _colours(shapes: Iterable[Shape], pixels: int, ground: str) -> NDArray[np.float32]:
+    picture = np.broadcast_to(channels(ground), (pixels, pixels, 3))
+    for shape in shapes:
+        over = shape.mask[..., None]
+        picture = over * channels(shape.fill.colour) + (1 - over) * picture
+    return picture.astype(np.float32)
+
+
+def _fills(element: Iterable[Shape]) -> tuple[Fill, ...]:
+    return tuple(shape.fill for shape in element)

@@ -1,0 +1,169 @@
+"""Patterns of an exemplar (*Example-Based Art Pattern Synthesis Using Level Sets*)."""
+
+from collections.abc import Generator
+from concurrent.futures import wait
+from dataclasses import dataclass, replace
+from functools import partial
+from itertools import chain
+from pathlib import Path
+
+from iconstudio.model import (
+    CANVAS,
+    Contour,
+    Fill,
+    IconstudioError,
+    Patterned,
+    Patterning,
+    Pictogram,
+    Transform,
+)
+from iconstudio.model import Path as Outline
+from iconstudio.workers import answer
+from iconstudio.workflows.events import Event, Progress, Result
+from iconstudio.workflows.pattern.bounds import LARGEST_SEED
+from iconstudio.workflows.pattern.drawing import SAMPLES, Drawn, Source, draw
+from iconstudio.workflows.pattern.imaging import ImageExemplar
+from iconstudio.workflows.pattern.layout import Arrangement
+from iconstudio.workflows.workflow import Resources
+
+SEEDS = 6
+"""How many seeds there are to choose from."""
+_NAMED = 3
+"""So many icons a title names."""
+MOST_SAMPLES = 2048 * 2048
+_SECONDS_A_SAMPLE, _BYTES_A_SAMPLE = 2.5e-5, 600
+_PATIENCE = 0.05
+"""Seconds that pass at most before a run can be stopped."""
+SECONDS, MEMORY = 600.0, 6 << 30
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PatternSettings:
+    """Which results to make."""
+
+    seeds: int = 1
+    """How many patterns: that of the wanted seed, and of those that follow it."""
+    previews: bool = False
+    """Whether coarse results come first."""
+
+
+def run(
+    resources: Resources, work: Patterning, settings: PatternSettings | None = None
+) -> Generator[Event]:
+    """Continue an exemplar: yield the pattern that is wanted, and those of other seeds.
+
+    Raises
+    ------
+    IconstudioError
+        If there is no exemplar, or the pattern would be too small or too large.
+    """
+    settings = settings or PatternSettings()
+    yield Progress("pattern", 0.0, "Reading the exemplar")
+    size = samples(work)
+    source = _source(resources, work)
+    fill = None if work.fill is None else _fitted(_outline(resources, work.fill), size)
+    ticket = resources.workers.ticket()
+    try:
+        submit = partial(
+            resources.workers.submit, draw, source, fill, size, work.tile,
+            timeout=SECONDS, memory=MEMORY, ticket=ticket,
+        )  # fmt: skip
+        wanted = [replace(work, seed=(work.seed + n) % (LARGEST_SEED + 1))
+                  for n in range(settings.seeds)]  # fmt: skip
+        coarse = submit(work.seed, True) if settings.previews else None
+        tasks = [submit(one.seed, False) for one in wanted]
+        for number, (one, task) in enumerate(zip(wanted, tasks, strict=True), start=1):
+            while not wait([task], _PATIENCE).done:  # where it can be stopped
+                if coarse is not None and coarse.done() and coarse.exception() is None:
+                    yield Result(icon_of(one, coarse.result(), size), preview=True)
+                    coarse = None
+                yield Progress("pattern", (number - 1) / len(wanted), "Continuing the exemplar")
+            drawn = answer(task, "Continuing the exemplar", "Ask for a smaller pattern.")
+            yield Result(icon_of(one, drawn, size))
+            yield Progress("pattern", number / len(wanted), "Continuing the exemplar")
+    finally:
+        ticket.stop()
+
+
+def samples(work: Patterning) -> tuple[int, int]:
+    """Return the rows and columns in which a pattern is synthesised.
+
+    Raises
+    ------
+    IconstudioError
+        If that is too few, or too many.
+    """
+    rows, columns = (
+        max(16, round(side * SAMPLES / work.scale)) for side in (work.height, work.width)
+    )
+    if rows * columns > MOST_SAMPLES:
+        minutes = rows * columns * _SECONDS_A_SAMPLE / 60
+        memory = rows * columns * _BYTES_A_SAMPLE / 2**30
+        raise IconstudioError(
+            f"A pattern of {work.width} x {work.height} would take about {minutes:.0f} minutes "
+            f"and {memory:.0f} GiB of memory. Make a smaller one that tiles, and repeat it, "
+            "or scale its elements up."
+        )
+    return rows, columns
+
+
+def icon_of(work: Patterning, drawn: Drawn, size: tuple[int, int]) -> Patterned:
+    """Return a pattern as a result."""
+    rows, columns = size
+    own = Transform().scale(work.width / columns, work.height / rows)
+    canvas = Transform().scale(CANVAS / max(work.width, work.height))
+    layers = tuple(Fill(one.path.transformed(own), one.colour) for one in drawn.layers)
+    ground = Fill(_rectangle(work.width, work.height), drawn.ground)
+    contours = (one.path.transformed(canvas).contours for one in layers)
+    icons = [*_icons(work), *([work.fill] if work.fill else [])]
+    return Patterned(
+        Outline(tuple(chain.from_iterable(contours))),
+        _title(work),
+        tuple(dict.fromkeys(chain.from_iterable(icon.origins for icon in icons))),
+        layers=layers if work.fill else (ground, *layers),
+        width=work.width,
+        height=work.height,
+        tile=work.tile,
+        torn=drawn.torn,
+    )
+
+
+def _source(resources: Resources, work: Patterning) -> Source:
+    if work.image is not None:
+        return ImageExemplar.of(work.image)
+    if not work.motifs:
+        raise IconstudioError(
+            "There is no exemplar yet. Put icons on its canvas, or open an image."
+        )
+    return Arrangement.of(work, [_outline(resources, one.icon) for one in work.motifs])
+
+
+def _title(work: Patterning) -> str:
+    if work.image is not None:
+        return f"pattern of {Path(work.image.photo.path).stem or 'an image'}"
+    subjects = list(dict.fromkeys(one.icon.credit.title for one in work.motifs))
+    more = [f"{len(subjects) - _NAMED} more"] if len(subjects) > _NAMED else []
+    return f"pattern of {', '.join([*subjects[:_NAMED], *more])}"
+
+
+def _icons(work: Patterning) -> tuple[Pictogram, ...]:
+    if work.image is not None:
+        return work.image.credits
+    return tuple(one.icon for one in work.motifs)
+
+
+def _outline(resources: Resources, icon: Pictogram) -> Outline:
+    return resources.drawing(resources.exemplar(icon)).path
+
+
+def _fitted(path: Outline, size: tuple[int, int]) -> Outline:
+    """Return a shape on the canvas as large as a pattern of so many rows and columns allows."""
+    rows, columns = size
+    scale = min(rows, columns) / CANVAS
+    off = (columns - CANVAS * scale) / 2, (rows - CANVAS * scale) / 2
+    return path.transformed(Transform(scale, 0, 0, scale, *off))
+
+
+def _rectangle(width: int, height: int) -> Outline:
+    corners = ((float(width), 0.0),), ((float(width), float(height)),), ((0.0, float(height)),)
+    return Outline((Contour((0.0, 0.0), corners),))
