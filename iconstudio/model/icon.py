@@ -10,6 +10,23 @@ from iconstudio.model.pictogram import Pictogram
 from iconstudio.model.score import Score
 
 
+@dataclass(frozen=True, slots=True)
+class Fill:
+    """A shape in a colour, ``#rrggbb``; without one, it has that of the text around it."""
+
+    path: Path
+    colour: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class ColouredLayer:
+    """A layer of a drawing."""
+
+    name: str
+    fills: tuple[Fill, ...]
+    """From back to front."""
+
+
 @dataclass(frozen=True, eq=False)
 class Icon:
     """What every workflow makes, and everything that shows, saves, sends or keeps icons takes."""
