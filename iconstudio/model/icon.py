@@ -6,7 +6,7 @@ from iconstudio.model.canvas import CANVAS
 from iconstudio.model.composite import Composite, Drawing
 from iconstudio.model.line import Line
 from iconstudio.model.mix import Seeds
-from iconstudio.model.path import Path
+from iconstudio.model.path import Contour, Path
 from iconstudio.model.pictogram import Pictogram
 from iconstudio.model.score import Score
 
@@ -17,6 +17,15 @@ class Fill:
 
     path: Path
     colour: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class ColouredLayer:
+    """A layer of a drawing."""
+
+    name: str
+    fills: tuple[Fill, ...]
+    """From back to front."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,8 +96,10 @@ class Restyled(Icon):
 class Patterned(Icon):
     """A pattern (*Art Pattern Synthesis Using Level Sets*); ``path`` is its ink, on the canvas."""
 
-    layers: tuple[Fill, ...]
+    layers: tuple[ColouredLayer, ...]
     """From back to front, in units of its own size."""
+    ground: str
+    """The colour behind them, ``#rrggbb``; empty if it is transparent."""
     width: int
     height: int
     tile: bool
@@ -98,8 +109,12 @@ class Patterned(Icon):
 
     @property
     def fills(self) -> tuple[Fill, ...]:
-        """The layers."""
-        return self.layers
+        """The ground, and what lies on it."""
+        right, bottom = float(self.width), float(self.height)
+        corners = ((right, 0.0),), ((right, bottom),), ((0.0, bottom),)
+        ground = Fill(Path((Contour((0.0, 0.0), corners),)), self.ground)
+        shapes = (fill for layer in self.layers for fill in layer.fills)
+        return (ground, *shapes) if self.ground else tuple(shapes)
 
     @property
     def size(self) -> tuple[int, int]:

@@ -1,11 +1,12 @@
 """A pattern is synthesised and traced, in a worker process."""
 
+from collections import deque
+from collections.abc import Iterator
 from concurrent.futures import CancelledError
 from dataclasses import dataclass
 
-import numpy as np
-
-from iconstudio.model import Fill, Path
+from iconstudio.algorithms.patterns.exemplar import Pattern
+from iconstudio.model import ColouredLayer, Path
 from iconstudio.tasks import remembered, stopped
 from iconstudio.workflows.pattern import imaging, layout
 from iconstudio.workflows.pattern.imaging import ImageExemplar
@@ -19,9 +20,9 @@ SAMPLES = 0.5
 
 @dataclass(frozen=True, slots=True)
 class Drawn:
-    """The shapes of a pattern, in pixels, from back to front, and what lies behind them."""
+    """The layers of a pattern, in pixels, from back to front, and the colour behind them."""
 
-    layers: tuple[Fill, ...]
+    layers: tuple[ColouredLayer, ...]
     ground: str
     torn: float
 
@@ -45,16 +46,21 @@ def draw(
     """
     from iconstudio.algorithms.patterns.prepared import Prepared
     from iconstudio.algorithms.patterns.synthesis import Settings, synthesised
+    from iconstudio.algorithms.patterns.vector import vectorise
 
     found = remembered(("layout", source), lambda: _laid_out(source))
     prepared = remembered(("prepared", source), lambda: Prepared.of(found.exemplar))
     rows, columns = size
     guidance = None if fill is None else rasterised(fill, columns, rows) > 0.5
     settings = Settings(size, tile, seed, guidance=guidance)
-    for pattern in synthesised(prepared, settings, _ask):
-        if coarse:
-            break
-    return traced(pattern, found)
+    pattern = _one(synthesised(prepared, settings, _ask), coarse)
+    layers = vectorise(pattern, found.elements or None, _ask)
+    return Drawn(layers, found.ground, pattern.torn)
+
+
+def _one(patterns: Iterator[Pattern], first: bool) -> Pattern:
+    """Return the first, or the last."""
+    return next(patterns) if first else deque(patterns, maxlen=1).pop()
 
 
 def _ask() -> None:
@@ -66,17 +72,3 @@ def _laid_out(source: Source) -> Layout:
     if isinstance(source, ImageExemplar):
         return imaging.laid_out(source, SAMPLES)
     return layout.laid_out(source, SAMPLES)
-
-
-def traced(pattern, found: Layout) -> Drawn:  # PROVISIONAL
-    """Trace."""
-    from iconstudio.algorithms.tracing.potrace import traced as potrace
-
-    layers = []
-    for m in reversed(range(len(pattern.distances))):
-        ink = pattern.distances[m] < -1
-        if not ink.any():
-            continue
-        colour = "#" + bytes((255 * np.median(pattern.colours[ink], axis=0)).astype(np.uint8)).hex()
-        layers.append(Fill(potrace(pattern.distances[m] < 0), colour))
-    return Drawn(tuple(layers), found.ground, pattern.torn)

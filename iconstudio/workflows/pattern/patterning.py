@@ -9,8 +9,6 @@ from pathlib import Path
 
 from iconstudio.model import (
     CANVAS,
-    Contour,
-    Fill,
     IconstudioError,
     Patterned,
     Patterning,
@@ -112,15 +110,21 @@ def icon_of(work: Patterning, drawn: Drawn, size: tuple[int, int]) -> Patterned:
     rows, columns = size
     own = Transform().scale(work.width / columns, work.height / rows)
     canvas = Transform().scale(CANVAS / max(work.width, work.height))
-    layers = tuple(Fill(one.path.transformed(own), one.colour) for one in drawn.layers)
-    ground = Fill(_rectangle(work.width, work.height), drawn.ground)
-    contours = (one.path.transformed(canvas).contours for one in layers)
+    layers = tuple(
+        replace(
+            layer, fills=tuple(replace(one, path=one.path.transformed(own)) for one in layer.fills)
+        )
+        for layer in drawn.layers
+    )
+    fills = chain.from_iterable(layer.fills for layer in layers)
+    ink = chain.from_iterable(one.path.transformed(canvas).contours for one in fills)
     icons = [*_icons(work), *([work.fill] if work.fill else [])]
     return Patterned(
-        Outline(tuple(chain.from_iterable(contours))),
+        Outline(tuple(ink)),
         _title(work),
         tuple(dict.fromkeys(chain.from_iterable(icon.origins for icon in icons))),
-        layers=layers if work.fill else (ground, *layers),
+        layers=layers,
+        ground="" if work.fill else drawn.ground,
         width=work.width,
         height=work.height,
         tile=work.tile,
@@ -162,8 +166,3 @@ def _fitted(path: Outline, size: tuple[int, int]) -> Outline:
     scale = min(rows, columns) / CANVAS
     off = (columns - CANVAS * scale) / 2, (rows - CANVAS * scale) / 2
     return path.transformed(Transform(scale, 0, 0, scale, *off))
-
-
-def _rectangle(width: int, height: int) -> Outline:
-    corners = ((float(width), 0.0),), ((float(width), float(height)),), ((0.0, float(height)),)
-    return Outline((Contour((0.0, 0.0), corners),))
