@@ -10,7 +10,7 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components, minimum_spanning_tree
 
 from iconstudio.algorithms.patterns.distance import CLAMP, signed_distance
-from iconstudio.algorithms.patterns.exemplar import Exemplar
+from iconstudio.algorithms.patterns.exemplar import Exemplar, Masks
 from iconstudio.algorithms.raster import solid
 
 Bitmap = NDArray[np.bool_]
@@ -62,8 +62,8 @@ class Elements:
     spacing: float
     """and, of a common one, to the next."""
     share: float
-    """Of the rectangle around all ink, and half the spacing, that is ink: a blank frame around
-    an exemplar is no part of its pattern."""
+    """Of the rectangle around the ink of all layers, and half the spacing, that is ink: a blank
+    frame around an exemplar is no part of its pattern."""
 
 
 def components(ink: Bitmap) -> tuple[Labels, int]:
@@ -104,7 +104,9 @@ def elements_of(exemplar: Exemplar, layer: int) -> Elements:
     gap, spacing = _distances(labels, numbers)
     if running.sum() > _CONNECTED * ink.sum():
         whole = []  # of a network of lines, a closed one is no element by itself
-    return Elements(tuple(whole), running, gap, spacing, _share(ink, round(spacing / 2)))
+    return Elements(
+        tuple(whole), running, gap, spacing, _share(ink, exemplar.masks, round(spacing / 2))
+    )
 
 
 def _distances(labels: Labels, numbers: Sequence[int]) -> tuple[float, float]:
@@ -116,8 +118,9 @@ def _distances(labels: Labels, numbers: Sequence[int]) -> tuple[float, float]:
     return float(own.min()), float(np.median(own))
 
 
-def _share(ink: Bitmap, margin: int) -> float:
-    rows, columns = (np.flatnonzero(ink.any(axis=axis)) for axis in (1, 0))
+def _share(ink: Bitmap, masks: Masks, margin: int) -> float:
+    inked = (masks > 0.5).any(axis=0)
+    rows, columns = (np.flatnonzero(inked.any(axis=axis)) for axis in (1, 0))
     if not len(rows):
         return 0.0
     height, width = (
@@ -125,6 +128,21 @@ def _share(ink: Bitmap, margin: int) -> float:
         for used, n in zip((rows, columns), ink.shape, strict=True)
     )
     return float(ink.sum() / (height * width))
+
+
+def overlaps(exemplar: Exemplar, elements: Sequence[Elements]) -> Numbers:
+    """Return (L, L): of an element of a layer, the most that lies over or below another one."""
+    inked = np.pad(exemplar.masks > 0.5, ((0, 0), (MARGIN, MARGIN), (MARGIN, MARGIN)))
+    found = np.zeros((len(inked), len(inked)))
+    for m, layer in enumerate(elements):
+        for one in layer.whole:
+            rows, columns = (
+                slice(begin + MARGIN, begin + MARGIN + length)
+                for begin, length in zip((one.top, one.left), one.ink.shape, strict=True)
+            )
+            both = (inked[:, rows, columns] & one.ink).sum(axis=(1, 2))
+            found[m] = np.maximum(found[m], both / one.ink.sum())
+    return found
 
 
 def _alone(mask: NDArray[np.float32], labels: Labels, number: int) -> NDArray[np.float32]:

@@ -53,6 +53,15 @@ class Mended(NamedTuple):
         return cls(distance, source, (), np.zeros(distance.shape, np.int32))
 
 
+class Other(NamedTuple):
+    """Another layer of the pattern."""
+
+    ink: Bitmap
+    """(H, W)"""
+    most: float
+    """The part of an element that may lie over or below it."""
+
+
 class _Candidate(NamedTuple):
     """An element, where it may lie, and how unlike it the layer is there: 0 to 1 or more."""
 
@@ -70,6 +79,7 @@ def mended(
     random: np.random.Generator,
     ask: Callable[[], None] = lambda: None,
     guidance: Bitmap | None = None,
+    others: Sequence[Other] = (),
 ) -> Mended:
     """Return a layer (H, W) in which no element is torn.
 
@@ -81,12 +91,14 @@ def mended(
         Of the exemplar's layer. If none is whole, the layer stays as it is.
     guidance
         (H, W), where ink may lie: elements lie there wholly, what else there is ends at its border.
+    others
+        Layers that are mended already.
     """
     if guidance is not None:
         distance = np.maximum(distance, signed_distance(guidance - np.float32(0.5), tile))
     if not elements.whole:
         return Mended.nothing(distance, source)
-    sheet = _Sheet(distance, source, elements, tile, guidance)
+    sheet = _Sheet(distance, source, elements, tile, guidance, others)
     unlikeness: list[Field] = []
     candidates: list[_Candidate] = []
     for element in elements.whole:
@@ -136,7 +148,7 @@ def _fitting(
         if whole[k].ink.sum() < least:
             continue
         room = sheet.correlated(spectrum, whole[k].ink.astype(np.float32)) < 0.5
-        room &= np.isfinite(unlikeness[k])
+        room &= np.isfinite(unlikeness[k]) & sheet.clear_of_others(whole[k])
         if room.any():
             y, x = np.unravel_index(np.argmin(np.where(room, unlikeness[k], np.inf)), room.shape)
             return _Candidate(float(unlikeness[k][y, x]), whole[k], int(y), int(x))
@@ -153,6 +165,7 @@ class _Sheet:
         elements: Elements,
         tile: bool,
         guidance: Bitmap | None,
+        others: Sequence[Other],
     ) -> None:
         self._elements, self._tile = elements, tile
         self._distance, self._source = distance, source
@@ -168,6 +181,10 @@ class _Sheet:
         self._squares = forward(near**2, self._shape)
         self._seen = None if tile else forward(visible, self._shape)
         self._laid: list[_Candidate] = []
+        self._others = [
+            Other(np.pad(one.ink, self._border, mode="edge"), one.most) for one in others
+        ]
+        self._spectra = [forward(one.ink.astype(np.float32), self._shape) for one in self._others]
         self._kept = self._running()
         ink = np.pad(self._kept, self._border)
         self._inked = float(self._kept.sum())
@@ -215,8 +232,19 @@ class _Sheet:
         return unlike
 
     def has_room(self, candidate: _Candidate) -> bool:
-        """Return whether nothing lies too near."""
-        return not (self.densely[self._place(candidate)] & candidate.element.ink).any()
+        """Return whether nothing lies too near, nor too much of other layers there."""
+        at, ink = self._place(candidate), candidate.element.ink
+        return not (self.densely[at] & ink).any() and all(
+            (one.ink[at] & ink).sum() <= one.most * ink.sum() for one in self._others
+        )
+
+    def clear_of_others(self, element: Element) -> Bitmap:
+        """Return where (H, W) not too much of other layers lies on an element."""
+        clear = np.ones(self._shape, np.bool_)
+        ink = element.ink.astype(np.float32)
+        for one, spectrum in zip(self._others, self._spectra, strict=True):
+            clear &= self.correlated(spectrum, ink) <= one.most * ink.sum() + 0.5
+        return clear
 
     def lay(self, candidate: _Candidate) -> None:
         """Lay an element."""

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.patterns.distance import signed_distances
-from iconstudio.algorithms.patterns.elements import Elements, elements_of
+from iconstudio.algorithms.patterns.elements import Elements, elements_of, overlaps
 from iconstudio.algorithms.patterns.energy import ALPHA, ALPHA_MONOCHROME, Channels, Weights
 from iconstudio.algorithms.patterns.exemplar import Distances, Exemplar
 from iconstudio.algorithms.patterns.layers import Paints, paints
@@ -25,6 +25,8 @@ class Prepared:
     paints: Paints
     elements: Sequence[Elements]
     """Of each layer."""
+    overlaps: NDArray[np.float64]
+    """(L, L): of an element of a layer, the most that lies over or below another layer."""
     weights: Weights
     channels: Channels
     """(h, w, C)"""
@@ -44,7 +46,7 @@ class Prepared:
             for distance, one in zip(distances, elements, strict=True)
         ]
         return cls(
-            exemplar, distances, paints(exemplar), elements, weights,
+            exemplar, distances, paints(exemplar), elements, overlaps(exemplar, elements), weights,
             weights.channels(exemplar.colours, distances),
             np.any(inside, axis=0).astype(np.float32),
         )  # fmt: skip

@@ -6,7 +6,7 @@ contradict each other. Here the first is the coarsest at which the exemplar stil
 pixels a side.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from scipy.ndimage import zoom
 
 from iconstudio.algorithms.patterns import level_set
-from iconstudio.algorithms.patterns.distance import signed_distance
+from iconstudio.algorithms.patterns.distance import Field, signed_distance
 from iconstudio.algorithms.patterns.energy import Channels, per_pixel, reduced, reduced_shape
 from iconstudio.algorithms.patterns.exemplar import Colours, Distances, Pattern, Places
 from iconstudio.algorithms.patterns.layers import collapse
@@ -24,7 +24,7 @@ from iconstudio.algorithms.patterns.matching import (
     differences,
     matched,
 )
-from iconstudio.algorithms.patterns.mending import Mended, mended
+from iconstudio.algorithms.patterns.mending import Mended, Other, mended
 from iconstudio.algorithms.patterns.prepared import Prepared
 from iconstudio.algorithms.patterns.quilting import quilted
 from iconstudio.algorithms.patterns.texture import means, robust_weights, sources
@@ -206,20 +206,17 @@ class _Synthesis:
         return Pattern(colours, distances, energy, 0.0, self._settings.tile)
 
     def _finished(self, picture: Channels, source: Places) -> Pattern:
-        layers = []
+        layers: list[Mended] = []
         tile = self._settings.tile
         for m, distance in enumerate(self._weights.distances(picture)):
             self._ask()
             exact = signed_distance(-distance, tile, self._ask)
             self._ask()
-            if self._settings.mend:
-                elements = self._prepared.elements[m]
-                layer = mended(
-                    exact, source, elements, tile, self._random, self._ask, self._settings.guidance
-                )
-            else:
-                layer = Mended.nothing(exact, source)
-            layers.append(layer)
+            layers.append(
+                self._mended(m, exact, source, layers)
+                if self._settings.mend
+                else Mended.nothing(exact, source)
+            )
         distances = np.stack([one.distance for one in layers])
         torn = np.mean([
             torn_ink(distance < 0, mask > 0.5, tile, self._ask)
@@ -238,6 +235,17 @@ class _Synthesis:
             for one, first in zip(layers, before, strict=False)
         ])  # fmt: skip
         return Pattern(colours, distances, energy, float(torn), tile, True, placed, owners)
+
+    def _mended(self, m: int, distance: Field, source: Places, above: Sequence[Mended]) -> Mended:
+        """Return a layer of whole elements, which go with those above as in the exemplar."""
+        others = [
+            Other(one.distance < 0, share)
+            for one, share in zip(above, self._prepared.overlaps[m], strict=False)
+        ]
+        return mended(
+            distance, source, self._prepared.elements[m], self._settings.tile, self._random,
+            self._ask, self._settings.guidance, others,
+        )  # fmt: skip
 
     def _energy(self, colours: Colours, distances: Distances, source: Places) -> float:
         """Return the energy of a finished picture, of its smallest neighbourhoods."""

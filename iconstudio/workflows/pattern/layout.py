@@ -11,7 +11,6 @@ from math import sqrt
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import maximum_filter
 
 from iconstudio.algorithms.patterns.exemplar import MOST_LAYERS, Exemplar
 from iconstudio.algorithms.raster import solid
@@ -163,7 +162,7 @@ def _is_detail(shape: Shape, element: Sequence[Shape]) -> bool:
 def _layers(elements: Sequence[list[Shape]]) -> list[list[list[Shape]]]:
     """Return the fewest layers in which no elements overlap, the one above all others first."""
     height: list[int] = []
-    masks = [maximum_filter(_united(one), 3) > _INK for one in elements]
+    masks = [_united(one) > _INK for one in elements]
     for number, mask in enumerate(masks):
         below = [height[k] for k in range(number) if (mask & masks[k]).any()]
         height.append(max(below, default=-1) + 1)
