@@ -4,9 +4,10 @@ The paper traces its bitmap by potrace, which sees black and white only. Our dra
 edges that tell where the outline runs to a hundredth of a canvas unit; so we follow the coverage
 of one half, find the corners and the straight sides, and fit cubics to the rest.
 Points are complex numbers, x + iy, in pixels of the drawing; outlines are rows of points one
-pixel apart that close.
+pixel apart.
 """
 
+from dataclasses import dataclass
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -57,6 +58,37 @@ _Piece = tuple[complex, ...]
 """First and last point of a line, or the four points of a cubic."""
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Outline:
+    """A row of points (n,) that closes, or else repeats itself, moved by ``step``, for ever."""
+
+    points: Points
+    step: complex = 0j
+
+    def __len__(self) -> int:
+        return len(self.points)
+
+    def at(self, indices: "NDArray[np.int64] | range") -> Points:
+        """Return the points with these indices, which may go round and round."""
+        turns, inside = np.divmod(indices, len(self.points))
+        found: Points = self.points[inside]
+        return found + turns * self.step if self.step else found
+
+    def even(self) -> "Outline":
+        """Return it with points a pixel apart."""
+        row = np.append(self.points, self.points[0] + self.step)
+        along = np.concatenate([[0], np.cumsum(abs(np.diff(row)))])
+        count = max(_FEWEST, round(along[-1]))
+        places = np.arange(count) * along[-1] / count
+        return Outline(np.interp(places, along, row), self.step)
+
+    def smooth(self) -> "Outline":
+        """Return it without what pixels add."""
+        reach = len(_SMOOTH) // 2
+        row = self.at(range(-reach, len(self) + reach))
+        return Outline(ndimage.convolve1d(row, _SMOOTH)[reach:-reach], self.step)
+
+
 class _Line(NamedTuple):
     """A straight side: the points ``first`` to ``last`` of a span are along it."""
 
@@ -83,41 +115,45 @@ def trace(coverage: NDArray[np.uint8], speck: float = SPECK) -> Path:
         outline = (rows[:, 1] - 0.5) + 1j * (rows[:, 0] - 0.5)
         area = abs((outline[:-1].conj() * outline[1:]).imag.sum()) / 2
         if area * unit**2 >= speck:
-            contours.append(_contour(_pieces(_even(outline), TOLERANCE / unit), unit))
+            contours.append(contour_along(Outline(outline[:-1]), unit))
     return Path(tuple(contours))
 
 
-def _even(outline: Points) -> Points:
-    """Space the points of an outline, whose last is its first, a pixel apart."""
-    along = np.concatenate([[0], np.cumsum(abs(np.diff(outline)))])
-    count = max(_FEWEST, round(along[-1]))
-    even: Points = np.interp(np.arange(count) * along[-1] / count, along, outline)
-    return even
+def contour_along(outline: Outline, unit: float, tolerance: float = TOLERANCE) -> Contour:
+    """Return the lines and cubics of an outline in pixels, each of ``unit`` canvas units.
+
+    They stray from it by no more than ``tolerance`` canvas units. What does not close is one turn
+    of it, and open.
+    """
+    pieces = _pieces(outline.even(), tolerance / unit)
+    return _contour(pieces, unit, closed=not outline.step)
 
 
-def _pieces(outline: Points, tolerance: float) -> list[_Piece]:
+def _pieces(outline: Outline, tolerance: float) -> list[_Piece]:
     """Return the lines and cubics of an outline, each beginning where the one before ends."""
     corners = _corners(outline)
-    smooth = ndimage.convolve1d(outline, _SMOOTH, mode="wrap")
+    smooth = outline.smooth()
     if not corners:
         return _round(smooth, tolerance)
     ends = [*corners, corners[0] + len(outline)]
-    spans = [smooth.take(range(a, b + 1), mode="wrap") for a, b in pairwise(ends)]
+    spans = [smooth.at(range(a, b + 1)) for a, b in pairwise(ends)]
     lines = [_lines(span, tolerance) for span in spans]
     for here, corner in enumerate(corners):
         into, out = lines[here - 1], lines[here]
+        turn = 0 if here else outline.step  # the last span ends where the first begins
         rooms = len(spans[here - 1]), len(spans[here])
         one = _side(outline, corner, -1, rooms[0])
         other = _side(outline, corner, 1, rooms[1])
         if into and into[-1].last == rooms[0] - 1:
-            one = into[-1].point, into[-1].way
+            one = into[-1].point - turn, into[-1].way
         if out and out[0].first == 0:
             other = out[0].point, out[0].way
         at = _meeting(*one, *other)
-        near = outline.take(range(corner - 2, corner + 3), mode="wrap")
+        near = outline.at(range(corner - 2, corner + 3))
         if at is None or abs(at - near).min() > _ROUNDED:
-            at = outline[corner]
-        spans[here - 1][-1] = spans[here][0] = at
+            at = outline.points[corner]
+        spans[here][0] = at
+        spans[here - 1][-1] = at + turn
     return [
         piece
         for span, straight in zip(spans, lines, strict=True)
@@ -125,28 +161,27 @@ def _pieces(outline: Points, tolerance: float) -> list[_Piece]:
     ]
 
 
-def _round(outline: Points, tolerance: float) -> list[_Piece]:
+def _round(outline: Outline, tolerance: float) -> list[_Piece]:
     """Return the pieces of an outline without corners."""
     count = len(outline)
     bend = int(_turns(outline, 8).argmax())  # which is in no straight side
-    span = outline.take(range(bend, bend + count + 1), mode="wrap")
+    span = outline.at(range(bend, bend + count + 1))
     lines = _lines(span, tolerance, closed=True)
     if lines:
         first = lines[0].first
-        span = span[:-1].take(range(first, first + count + 1), mode="wrap")
+        span = Outline(span[:-1], outline.step).at(range(first, first + count + 1))
         lines = [one._replace(first=one.first - first, last=one.last - first) for one in lines]
-        span[0] = span[-1] = lines[0].nearest(span[0])
+        span[0] = lines[0].nearest(span[0])
+        span[-1] = span[0] + outline.step
         return _along(span, lines, lines[0].way, -lines[0].way, tolerance)
-    ends = sorted(
-        {_extreme(axis) for axis in (-outline.real, -outline.imag, outline.real, outline.imag)}
-    )
+    across = (1j * outline.step,) if outline.step else (1, 1j)
+    heights = [(outline.points * axis.conjugate()).real / abs(axis) for axis in across]
+    ends = sorted({_extreme(sign * height) for height in heights for sign in (-1, 1)})
     reach = min(16, count // 12)
     pieces: list[_Piece] = []
     for a, b in pairwise([*ends, ends[0] + count]):
-        way, back = (
-            direction(outline.take(range(k - reach, k + reach + 1), mode="wrap")) for k in (a, b)
-        )
-        pieces += fit(outline.take(range(a, b + 1), mode="wrap"), way, -back, tolerance)
+        way, back = (direction(outline.at(range(k - reach, k + reach + 1))) for k in (a, b))
+        pieces += fit(outline.at(range(a, b + 1)), way, -back, tolerance)
     return pieces
 
 
@@ -185,7 +220,7 @@ def _along(
     return pieces
 
 
-def _corners(outline: Points) -> list[int]:
+def _corners(outline: Outline) -> list[int]:
     """Return the indices of the points where sides that run straight to each other's would meet.
 
     A narrow bend is no corner: its sides, drawn out, meet too far from it.
@@ -204,7 +239,7 @@ def _corners(outline: Points) -> list[int]:
         if at is None:
             continue
         whole = abs(np.angle(-back / way))
-        near = outline.take(range(corner - 2, corner + 3), mode="wrap")
+        near = outline.at(range(corner - 2, corner + 3))
         # Pixels blunt a corner the more, the more pointed it is.
         meets = abs(at - near).min() < 0.5 + 0.6 * np.tan(whole / 2)
         if whole > _CORNER and meets and turn[corner] > _AT_ONCE * min(whole, _REVERSED):
@@ -212,16 +247,18 @@ def _corners(outline: Points) -> list[int]:
     return corners
 
 
-def _turns(outline: Points, reach: int) -> NDArray[np.float64]:
+def _turns(outline: Outline, reach: int) -> NDArray[np.float64]:
     """Return by how many radians an outline turns, at each point, between its neighbours."""
-    before, after = outline - np.roll(outline, reach), np.roll(outline, -reach) - outline
+    here, count = outline.points, len(outline)
+    before = here - outline.at(range(-reach, count - reach))
+    after = outline.at(range(reach, count + reach)) - here
     return abs(np.angle(after * before.conj()))
 
 
-def _side(outline: Points, corner: int, step: int, room: int) -> tuple[complex, complex]:
+def _side(outline: Outline, corner: int, step: int, room: int) -> tuple[complex, complex]:
     """Return where a side would reach its corner, and its direction there, away from it."""
     s = np.arange(2, max(4, min(_SIDE, room // 2 + 1)))
-    points = outline.take(corner + step * s, mode="wrap")
+    points = outline.at(corner + step * s)
     for degree in (1, 2):
         powers = np.vander(s, degree + 1).astype(float)
         found = np.linalg.lstsq(powers, points, rcond=None)[0]
@@ -300,8 +337,8 @@ def _line(span: Points, first: int, last: int) -> tuple[_Line, float]:
     return _Line(first, last, middle, way), abs((spread * way.conjugate()).imag).max()
 
 
-def _contour(pieces: list[_Piece], unit: float) -> Contour:
-    """Return a closed outline, a piece a segment, but for lines that are nothing once rounded."""
+def _contour(pieces: list[_Piece], unit: float, closed: bool) -> Contour:
+    """Return an outline, a piece a segment, but for lines that are nothing once rounded."""
     start = at = _rounded(pieces[0][0] * unit)
     segments: list[Segment] = []
     for piece in pieces:
@@ -311,7 +348,7 @@ def _contour(pieces: list[_Piece], unit: float) -> Contour:
         elif points[0] != at:
             segments.append((points[0],))
         at = points[-1]
-    return Contour(start, tuple(segments))
+    return Contour(start, tuple(segments), closed)
 
 
 def _rounded(point: complex) -> Point:
