@@ -5,7 +5,7 @@ from iconstudio.model.composite import Composite, Drawing
 from iconstudio.model.edit import Edit
 from iconstudio.model.errors import IconstudioError, SpriteError
 from iconstudio.model.exemplar import Exemplar, Frame
-from iconstudio.model.icon import Fill, Icon, Patterned, Remix, Restyled
+from iconstudio.model.icon import ColouredLayer, Fill, Icon, Patterned, Remix, Restyled
 from iconstudio.model.line import Line
 from iconstudio.model.line_style import LineStyle, StylePair
 from iconstudio.model.mix import Mix, Seeds
@@ -24,6 +24,7 @@ __all__ = [
     "CANVAS",
     "MARGIN",
     "Axis",
+    "ColouredLayer",
     "Composite",
     "Contour",
     "Correction",

@@ -19,6 +19,15 @@ class Fill:
     colour: str = ""
 
 
+@dataclass(frozen=True, slots=True)
+class ColouredLayer:
+    """A layer of a drawing."""
+
+    name: str
+    fills: tuple[Fill, ...]
+    """From back to front."""
+
+
 @dataclass(frozen=True, eq=False)
 class Icon:
     """What every workflow makes, and everything that shows, saves, sends or keeps icons takes."""

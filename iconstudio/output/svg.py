@@ -2,10 +2,12 @@
 
 import hashlib
 import re
+from collections import Counter
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from xml.sax.saxutils import escape, quoteattr
 
-from iconstudio.model import CANVAS, Credit, Fill, Icon, Path, Pictogram
+from iconstudio.model import CANVAS, ColouredLayer, Credit, Fill, Icon, Path, Pictogram
 from iconstudio.model.path import OVERHANG
 from iconstudio.svg.mark import IN_MARKUP
 
@@ -46,6 +48,30 @@ def document(
         Width and height.
     """
     return _document(title, credits, (_stroked(path, width) for path, width in drawn), size)
+
+
+def layered_document(
+    title: str,
+    credits: Sequence[Pictogram],
+    layers: Sequence[ColouredLayer],
+    size: tuple[float, float],
+    ground: str = "",
+) -> str:
+    """Return layers as an SVG document, each a group that has its name as identifier.
+
+    Parameters
+    ----------
+    layers
+        From back to front, a unit a pixel.
+    size
+        Width and height. What reaches beyond them is not seen.
+    ground
+        The colour behind all layers, ``#rrggbb``; none if it is empty.
+    """
+    width, height = (f"{side:g}" for side in size)
+    behind = f'<path id="ground" fill="{ground}" d="M0 0H{width}V{height}H0Z"/>\n'
+    groups = map(_group, layers)
+    return _document(title, credits, [behind, *groups] if ground else groups, size)
 
 
 def _document(
@@ -106,6 +132,17 @@ def pictogram_of(icon: Icon) -> Pictogram:
 def _in_words(credits: Sequence[Pictogram]) -> str:
     lines = [_line(pictogram.credit) for pictogram in credits]
     return "\n".join(["Made of parts of:", *lines]) if lines else ""
+
+
+def _group(layer: ColouredLayer) -> str:
+    """Return the element of a layer; the colour that most of it has is said once."""
+    colours = Counter(fill.colour for fill in layer.fills)
+    usual = colours.most_common(1)[0][0] if colours else ""
+    inner = "".join(
+        _filled(replace(fill, colour="") if fill.colour == usual else fill) for fill in layer.fills
+    )
+    painted = f" fill={quoteattr(usual)}" if usual else ""
+    return f"<g id={quoteattr(layer.name)}{painted}>\n{inner}</g>\n"
 
 
 def _filled(fill: Fill) -> str:

@@ -39,6 +39,8 @@ class Element:
 
     layer: int
     number: int
+    label: int
+    """Its number among the labels of the layer, from 1."""
     top: int
     left: int
     """Of that rectangle, in the exemplar."""
@@ -97,7 +99,7 @@ def elements_of(exemplar: Exemplar, layer: int) -> Elements:
             alone = _alone(wide_mask[crop], wide_labels[crop], number)
             distance = signed_distance(alone - np.float32(0.5))
             top, left = (one.start - MARGIN for one in box)
-            whole.append(Element(layer, len(whole), top, left, distance < 0, distance))
+            whole.append(Element(layer, len(whole), number, top, left, distance < 0, distance))
             numbers.append(number)
     gap, spacing = _distances(labels, numbers)
     if running.sum() > _CONNECTED * ink.sum():

@@ -16,6 +16,9 @@ Distances = NDArray[np.float32]
 Places = NDArray[np.int32]
 """(h, w, 2), a row and a column of the exemplar for each pixel."""
 
+Owners = NDArray[np.int32]
+"""(L, H, W), a number among elements that are placed, from 1; 0 for none."""
+
 MOST_LAYERS = 8
 SMALLEST, LARGEST = 16, 1024
 """Pixels of an exemplar's sides."""
@@ -72,6 +75,8 @@ class Placed:
     """Its number among the elements of its layer, from 0."""
     down: int
     right: int
+    label: int
+    """Its number among the labels of its layer, from 1."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -85,5 +90,9 @@ class Pattern:
     """Equation 6, per pixel of all neighbourhoods of the smallest size."""
     torn: float
     """The share of its ink in torn elements, the mean of its layers; not measured of previews."""
+    tile: bool
+    """Whether opposite borders meet."""
     finished: bool = False
     placed: tuple[Placed, ...] = ()
+    owners: Owners | None = None
+    """Whose ink each pixel of a layer is, if anything is placed."""

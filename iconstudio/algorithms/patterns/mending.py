@@ -44,6 +44,13 @@ class Mended(NamedTuple):
     source: Places
     """(H, W, 2)"""
     placed: tuple[Placed, ...]
+    owner: NDArray[np.int32]
+    """(H, W), whose ink it is: a number in ``placed``, from 1; 0 for none."""
+
+    @classmethod
+    def nothing(cls, distance: Field, source: Places) -> "Mended":
+        """Return a layer as it was."""
+        return cls(distance, source, (), np.zeros(distance.shape, np.int32))
 
 
 class _Candidate(NamedTuple):
@@ -78,7 +85,7 @@ def mended(
     if guidance is not None:
         distance = np.maximum(distance, signed_distance(guidance - np.float32(0.5), tile))
     if not elements.whole:
-        return Mended(distance, source, ())
+        return Mended.nothing(distance, source)
     sheet = _Sheet(distance, source, elements, tile, guidance)
     unlikeness: list[Field] = []
     candidates: list[_Candidate] = []
@@ -260,8 +267,9 @@ class _Sheet:
             distance[inside] = signed_distance(kept, self._tile)
         source = np.pad(self._source, ((begin, begin), (begin, begin), (0, 0)), "edge")
         most = np.array(self._elements.running.shape) - 1
+        owner = np.zeros(self._shape, np.int32)
         placed = []
-        for one in self._laid:
+        for number, one in enumerate(self._laid, 1):
             ask()
             at = self._place(one)
             element = one.element
@@ -271,8 +279,9 @@ class _Sheet:
             source[at] = np.where(nearer[..., None], np.clip(own, 0, most), source[at])
             distance[at] = np.minimum(element.distance, distance[at])
             down, right = one.top - begin - element.top, one.left - begin - element.left
-            placed.append(Placed(element.layer, element.number, down, right))
-        return Mended(distance[inside], source[inside], tuple(placed))
+            placed.append(Placed(element.layer, element.number, down, right, element.label))
+            owner[at] = np.where(element.ink, number, owner[at])
+        return Mended(distance[inside], source[inside], tuple(placed), owner[inside])
 
 
 def _disk(radius: float) -> Bitmap:

@@ -203,7 +203,7 @@ class _Synthesis:
         coarse = self._weights.distances(picture)
         distances = np.stack([enlarged(one, self._settings.size) for one in coarse])
         colours = collapse(distances, [source] * (len(coarse) + 1), self._prepared.paints)
-        return Pattern(colours, distances, energy, 0.0)
+        return Pattern(colours, distances, energy, 0.0, self._settings.tile)
 
     def _finished(self, picture: Channels, source: Places) -> Pattern:
         layers = []
@@ -218,7 +218,7 @@ class _Synthesis:
                     exact, source, elements, tile, self._random, self._ask, self._settings.guidance
                 )
             else:
-                layer = Mended(exact, source, ())
+                layer = Mended.nothing(exact, source)
             layers.append(layer)
         distances = np.stack([one.distance for one in layers])
         torn = np.mean([
@@ -232,7 +232,12 @@ class _Synthesis:
         self._ask()
         energy = self._energy(colours, distances, layers[0].source)
         placed = tuple(one for layer in layers for one in layer.placed)
-        return Pattern(colours, distances, energy, float(torn), True, placed)
+        before = np.cumsum([0] + [len(one.placed) for one in layers])
+        owners = np.stack([
+            np.where(one.owner, one.owner + first, 0).astype(np.int32)
+            for one, first in zip(layers, before, strict=False)
+        ])  # fmt: skip
+        return Pattern(colours, distances, energy, float(torn), tile, True, placed, owners)
 
     def _energy(self, colours: Colours, distances: Distances, source: Places) -> float:
         """Return the energy of a finished picture, of its smallest neighbourhoods."""

@@ -1,0 +1,114 @@
+"""The zero level sets of layers as rows of points; on a tile they go on across its borders.
+
+Points are complex numbers, x + iy, in pixels from the pattern's top left corner, so that the middle
+of the first pixel is (1 + 1j) / 2.
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from skimage.measure import find_contours
+
+from iconstudio.algorithms.patterns.distance import Field
+from iconstudio.algorithms.tracing.vectorize import Outline
+
+Rows = NDArray[np.float64]
+"""(n, 2), rows and columns."""
+
+BLEED = 2
+"""Pixels by which what is cut by the border of a pattern that is no tile reaches beyond it."""
+_CLEAR = 1e-3
+"""A pixel's distance that is less counts as so much: contours then run between pixels' middles."""
+_DIGITS = 6
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class LevelSet:
+    """A contour of a layer, ink always on the same side of it."""
+
+    outline: Outline
+    """It begins within the unit square at the origin,"""
+    place: complex
+    """and is to be moved by so many whole pixels: what is repeated differs in this alone."""
+    pixel: tuple[int, int]
+    """Row and column of a pixel beside it whose middle is ink."""
+
+    @property
+    def area(self) -> float:
+        """What a contour that closes encloses, in square pixels; negative if that is a hole."""
+        points = self.outline.points
+        if self.outline.step:
+            return math.inf
+        return float((points.conj() * np.roll(points, -1)).imag.sum() / 2)
+
+
+def level_sets(
+    distance: Field, tile: bool, ask: Callable[[], None] = lambda: None
+) -> list[LevelSet]:
+    """Return the contours where a field (H, W) is 0; it is negative in ink.
+
+    Each is there once. On a tile they go on across its borders, until they close, or until they
+    repeat themselves, moved by ``step``. Else they close beyond the border.
+
+    Parameters
+    ----------
+    ask
+        Called for each contour; what it raises ends the work.
+    """
+    height = np.where(distance < 0, np.maximum(-distance, _CLEAR), np.minimum(-distance, -_CLEAR))
+    if tile:
+        rows = find_contours(np.pad(height, ((0, 1), (0, 1)), mode="wrap"), 0.0)
+        found = _joined(rows, distance.shape, ask)
+    else:
+        framed = np.pad(height, BLEED + 1, mode="edge")
+        inside = np.s_[1:-1, 1:-1]
+        edge = np.ones(framed.shape, np.bool_)
+        edge[inside] = False
+        framed[edge] = -abs(framed[edge])
+        found = [(one[:-1] - BLEED - 1, np.zeros(2)) for one in find_contours(framed, 0.0)]
+    sets = []
+    for points, step in found:
+        ask()
+        sets.append(_level_set(points, step, distance, tile))
+    return sets
+
+
+def _joined(
+    rows: list[Rows], shape: tuple[int, ...], ask: Callable[[], None]
+) -> list[tuple[Rows, Rows]]:
+    """Return contours that go on across the borders of a tile (H, W), and the step of each."""
+    size = np.array(shape)
+    found = [(one[:-1], np.zeros(2)) for one in rows if (one[0] == one[-1]).all()]
+    pieces = {tuple(one[0] % size): one for one in rows if (one[0] != one[-1]).any()}
+    while pieces:
+        ask()
+        piece = first = next(iter(pieces.values()))
+        parts, step = [], np.zeros(2)
+        while pieces.pop(tuple(piece[0] % size), None) is not None:
+            parts.append(piece[:-1] + step)
+            end = piece[-1]
+            piece = pieces.get(tuple(end % size), first)
+            step = step + np.rint((end - piece[0]) / size) * size
+        found.append((np.concatenate(parts), step))
+    return found
+
+
+def _level_set(points: Rows, step: Rows, distance: Field, tile: bool) -> LevelSet:
+    """Begin a contour where it is highest; one that does not close, where it is farthest aside."""
+    row = points[:, 1] + 1j * points[:, 0]
+    ahead = complex(step[1], step[0])
+    heights = np.round((row * np.conj(1j * ahead)).real if ahead else row.imag, _DIGITS)
+    first = np.lexsort((np.round(row.real, _DIGITS), heights))[0]
+    row = Outline(row, ahead).at(range(first, first + len(row)))
+    place = complex(np.floor(row[0].real), np.floor(row[0].imag))
+    own = np.round(row - place, _DIGITS) + (1 + 1j) / 2
+    rows, columns = distance.shape
+    if tile:
+        place = complex(place.real % columns, place.imag % rows)
+    ends = np.stack([np.floor(points[0]), np.ceil(points[0])]).astype(int)  # of the crossed side
+    ends = ends % distance.shape if tile else np.clip(ends, 0, (rows - 1, columns - 1))
+    y, x = next(((y, x) for y, x in ends if distance[y, x] < 0), ends[0])
+    return LevelSet(Outline(own, ahead), place, (int(y), int(x)))

@@ -1,0 +1,189 @@
+"""Patterns as curves: their zero level sets traced, layer by layer (beyond the paper).
+
+An element of the exemplar whose own shapes are known is drawn with those. Layers that abut are
+trapped, and what crosses the border of a tile is drawn at both of its sides.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import ndimage
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+
+from iconstudio.algorithms.patterns.distance import CLAMP, Field, coverage
+from iconstudio.algorithms.patterns.exemplar import Pattern, Placed
+from iconstudio.algorithms.patterns.outlines import LevelSet, level_sets
+from iconstudio.algorithms.patterns.tiling import bounded, moved, repeated
+from iconstudio.algorithms.patterns.trapping import run_on
+from iconstudio.algorithms.tracing.vectorize import Outline, contour_along
+from iconstudio.model import ColouredLayer, Contour, Fill, Path, Transform
+
+Shapes = Sequence[Sequence[Sequence[Fill]]]
+"""Of each layer of an exemplar, the elements by their labels, from 1; each from back to front, in
+pixels of the exemplar."""
+Labels = NDArray[np.int32]
+Mask = NDArray[np.bool_]
+
+SPACING = 0.25
+"""Pixels between the points that are traced."""
+TOLERANCE = 0.08
+"""Pixels by which curves may be off the zero level set."""
+_SPECK = 1.0
+"""Square pixels of ink that is too small to be a shape, and of holes."""
+_PURE = 0.99
+"""So much of a pixel is covered where it has a layer's own colour."""
+_ALIKE = 12
+"""Levels, of 255, by which components of one colour may differ."""
+
+
+def vectorise(
+    pattern: Pattern, shapes: Shapes | None = None, ask: Callable[[], None] = lambda: None
+) -> tuple[ColouredLayer, ...]:
+    """Return the layers of a pattern as shapes in flat colours, from back to front, in pixels.
+
+    Each fill is a component of its layer, with its copies across the borders of a tile; or one of
+    the shapes of an element.
+
+    Parameters
+    ----------
+    shapes
+        Those of the exemplar's elements. An element that has none is traced.
+    ask
+        Called for each contour and each element; what it raises ends the work.
+    """
+    tracer = _Tracer(pattern, shapes, ask)
+    count = len(pattern.distances)
+    return tuple(
+        ColouredLayer(f"layer-{count - m}", tuple(tracer.fills(m))) for m in reversed(range(count))
+    )
+
+
+def ground_colour(pattern: Pattern) -> str:
+    """Return the colour of what lies behind all layers."""
+    covered = np.max([coverage(distance) for distance in pattern.distances], axis=0)
+    bare = pattern.colours[covered <= covered.min()]
+    return _written(np.median(bare, axis=0))
+
+
+class _Tracer:
+    """What all layers of a pattern have in common."""
+
+    def __init__(self, pattern: Pattern, shapes: Shapes | None, ask: Callable[[], None]) -> None:
+        self._pattern, self._shapes, self._ask = pattern, shapes, ask
+        self._size = pattern.distances.shape[1], pattern.distances.shape[2]
+        self._traces: dict[tuple[bytes, complex], Contour] = {}
+        """What is alike is traced once."""
+
+    def fills(self, m: int) -> Iterator[Fill]:
+        """Give the shapes of a layer."""
+        pattern = self._pattern
+        known = {
+            number: own
+            for number, one in enumerate(pattern.placed, 1)
+            if one.layer == m and (own := self._own_shapes(one))
+        }
+        rest = pattern.distances[m]
+        if known and pattern.owners is not None:
+            rest = np.where(np.isin(pattern.owners[m], list(known)), np.float32(CLAMP), rest)
+        yield from self._traced(m, rest)
+        for number, own in known.items():
+            self._ask()
+            yield from self._laid(pattern.placed[number - 1], own)
+
+    def _own_shapes(self, one: Placed) -> Sequence[Fill]:
+        return self._shapes[one.layer][one.label - 1] if self._shapes else ()
+
+    def _laid(self, one: Placed, own: Sequence[Fill]) -> Iterator[Fill]:
+        there = Transform().translate(one.right, one.down)
+        for fill in own:
+            path = fill.path.transformed(there)
+            yield Fill(repeated(path, self._size) if self._pattern.tile else path, fill.colour)
+
+    def _traced(self, m: int, distance: Field) -> Iterator[Fill]:
+        """Give the components of what is negative in a layer, each in its own flat colour."""
+        pattern = self._pattern
+        above = pattern.distances[:m]
+        field = run_on(distance, above.min(axis=0), pattern.tile) if m else distance
+        labels = components(field < 0, pattern.tile)
+        contours: dict[int, list[LevelSet]] = {}
+        for one in level_sets(field, pattern.tile, self._ask):
+            contours.setdefault(int(labels[one.pixel]), []).append(one)
+        colours = self._colours(m, labels)
+        for label in range(1, labels.max() + 1):
+            if path := self._path(contours.get(label, [])):
+                yield Fill(path, colours[label])
+
+    def _path(self, level_sets: Sequence[LevelSet]) -> Path:
+        """Return what the contours of a component bound."""
+        closed: list[Contour] = []
+        endless: list[tuple[Contour, complex]] = []
+        if all(one.area < 0 for one in level_sets):  # nothing but holes: it goes on everywhere
+            closed.append(self._everywhere())
+        for one in level_sets:
+            self._ask()
+            contour = moved(self._trace(one.outline), one.place)
+            if one.outline.step:
+                endless.append((contour, one.outline.step))
+            elif abs(one.area) >= _SPECK:
+                closed.append(contour)
+        if not self._pattern.tile:
+            return Path(tuple(closed))
+        strips = bounded(endless, self._size).contours if endless else ()
+        return Path((*strips, *repeated(Path(tuple(closed)), self._size).contours))
+
+    def _everywhere(self) -> Contour:
+        rows, columns = self._size
+        return Contour((0, 0), (((columns, 0),), ((columns, rows),), ((0, rows),)))
+
+    def _trace(self, outline: Outline) -> Contour:
+        key = outline.points.tobytes(), outline.step
+        if key not in self._traces:
+            finer = Outline(outline.points / SPACING, outline.step / SPACING)
+            self._traces[key] = contour_along(finer, SPACING, TOLERANCE)
+        return self._traces[key]
+
+    def _colours(self, m: int, labels: Labels) -> list[str]:
+        """Return the colours of a layer's components, by their labels.
+
+        They are those of pixels that are wholly covered, and seen; of those that are alike, that of
+        the largest.
+        """
+        pattern = self._pattern
+        own = coverage(pattern.distances[m])
+        for distance in pattern.distances[:m]:
+            own = own * (distance >= 0.5)
+        own = own * (labels > 0)
+        pure = own >= min(_PURE, own.max())
+        seen, colours = labels[pure], pattern.colours[pure]
+        sizes = np.bincount(seen, minlength=labels.max() + 1)
+        sizes[0] = 0
+        usual = np.median(colours, axis=0)
+        flat = np.tile(usual, (len(sizes), 1))
+        palette = [usual]
+        for label in np.argsort(-sizes, kind="stable"):
+            if sizes[label]:
+                mean = np.median(colours[seen == label], axis=0)
+                alike = [one for one in palette if abs(one - mean).max() * 255 <= _ALIKE]
+                if not alike:
+                    palette.append(mean)
+                flat[label] = alike[0] if alike else mean
+        return [_written(colour) for colour in flat]
+
+
+def components(ink: Mask, tile: bool) -> Labels:
+    """Return the components of ink (H, W), from 1; on a tile they go on across its borders."""
+    labels, count = ndimage.label(ink)
+    if not tile:
+        return np.asarray(labels, np.int32)
+    ends = np.concatenate([labels[[0, -1]].T, labels[:, [0, -1]]])
+    ends = ends[ends.all(axis=1)]
+    meeting = coo_array((np.ones(len(ends)), ends.T), (count + 1, count + 1))
+    _, groups = connected_components(meeting, directed=False)
+    return np.asarray(groups[labels], np.int32)
+
+
+def _written(colour: NDArray[np.float32]) -> str:
+    levels = np.rint(np.clip(colour, 0, 1) * 255).astype(int)
+    return "#" + "".join(f"{level:02x}" for level in levels)
