@@ -69,7 +69,7 @@ def mended(
     tile: bool,
     random: np.random.Generator,
     ask: Callable[[], None] = lambda: None,
-    guidance: Bitmap | None = None,
+    guidance: Field | None = None,
 ) -> Mended:
     """Return a layer (H, W) in which no element is torn.
 
@@ -80,13 +80,16 @@ def mended(
     elements
         Of the exemplar's layer. If none is whole, the layer stays as it is.
     guidance
-        (H, W), where ink may lie: elements lie there wholly, what else there is ends at its border.
+        (H, W), how much of each pixel lies where ink may be, from 0 to 1: elements lie there
+        wholly, what else there is ends at its contour.
     """
+    allowed = None
     if guidance is not None:
+        allowed = guidance > 0.5
         distance = np.maximum(distance, signed_distance(guidance - np.float32(0.5), tile))
     if not elements.whole:
         return Mended.nothing(distance, source)
-    sheet = _Sheet(distance, source, elements, tile, guidance)
+    sheet = _Sheet(distance, source, elements, tile, allowed)
     unlikeness: list[Field] = []
     candidates: list[_Candidate] = []
     for element in elements.whole:
@@ -152,7 +155,7 @@ class _Sheet:
         source: Places,
         elements: Elements,
         tile: bool,
-        guidance: Bitmap | None,
+        allowed: Bitmap | None,
     ) -> None:
         self._elements, self._tile = elements, tile
         self._distance, self._source = distance, source
@@ -161,7 +164,7 @@ class _Sheet:
         near = np.pad(np.clip(distance, -_REACH, _REACH), self._border)
         self._shape = near.shape
         visible = np.pad(np.ones(distance.shape, np.float32), self._border)
-        allowed = np.ones(distance.shape, np.bool_) if guidance is None else guidance
+        allowed = np.ones(distance.shape, np.bool_) if allowed is None else allowed
         allowed = np.pad(allowed, self._border, mode="edge")
         self._area = visible * allowed
         self._near = forward(near, self._shape)
