@@ -8,8 +8,19 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from iconstudio.model import CANVAS, Contour, Credit, Drawing, Frame, Path, Pictogram, Remix
-from iconstudio.output.svg import credits_text, pictogram_of, svg_document
+from iconstudio.model import (
+    CANVAS,
+    ColouredLayer,
+    Contour,
+    Credit,
+    Drawing,
+    Fill,
+    Frame,
+    Path,
+    Pictogram,
+    Remix,
+)
+from iconstudio.output.svg import credits_text, layered_document, pictogram_of, svg_document
 from iconstudio.svg.check import check
 from iconstudio.svg.rasterise import rasterise
 from iconstudio.svg.resvg import render_coverage
@@ -193,3 +204,22 @@ def test_any_text_survives(result, title, author):
 @pytest.mark.parametrize("bad", ["\x00", "\x0b", "\x1f", "\ufffe", "\ud800"])
 def test_what_xml_cannot_hold_is_replaced(result, bad):
     assert parsed(result, f"a{bad}b").findtext(f"{SVG}title") == "a\ufffdb"
+
+
+def test_layers_are_groups_with_names_and_the_usual_colour_is_said_once():
+    shape = Path((Contour((0, 0), (((8, 0),), ((8, 8),))),))
+    fills = tuple(Fill(shape, colour) for colour in ("#ff0000", "#00ff00", "#ff0000"))
+    layers = [ColouredLayer("below", fills), ColouredLayer("<above>", (Fill(shape),))]
+    svg = layered_document("Two & more", (), layers, (30, 20.5), "#123456")
+    root = ET.fromstring(svg)
+    check(svg)
+    assert (root.get("width"), root.get("height"), root.get("viewBox")) == (
+        "30", "20.5", "0 0 30 20.5",
+    )  # fmt: skip
+    ground, below, above = list(root)[-3:]
+    assert ground.get("fill") == "#123456" and below.get("id") == "below"
+    assert below.get("fill") == "#ff0000"
+    assert [one.get("fill") for one in below] == [None, "#00ff00", None]
+    assert above.get("id") == "<above>" and above.get("fill") is None
+    plain = ET.fromstring(layered_document("", (), layers, (30, 20.5)))
+    assert [one.get("id") for one in list(plain)[-2:]] == ["below", "<above>"]

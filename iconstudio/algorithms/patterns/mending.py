@@ -78,7 +78,7 @@ def mended(
     tile: bool,
     random: np.random.Generator,
     ask: Callable[[], None] = lambda: None,
-    guidance: Bitmap | None = None,
+    guidance: Field | None = None,
     others: Sequence[Other] = (),
 ) -> Mended:
     """Return a layer (H, W) in which no element is torn.
@@ -90,15 +90,18 @@ def mended(
     elements
         Of the exemplar's layer. If none is whole, the layer stays as it is.
     guidance
-        (H, W), where ink may lie: elements lie there wholly, what else there is ends at its border.
+        (H, W), how much of each pixel lies where ink may be, from 0 to 1: elements lie there
+        wholly, what else there is ends at its contour.
     others
         Layers that are mended already.
     """
+    allowed = None
     if guidance is not None:
+        allowed = guidance > 0.5
         distance = np.maximum(distance, signed_distance(guidance - np.float32(0.5), tile))
     if not elements.whole:
         return Mended.nothing(distance, source)
-    sheet = _Sheet(distance, source, elements, tile, guidance, others)
+    sheet = _Sheet(distance, source, elements, tile, allowed, others)
     unlikeness: list[Field] = []
     candidates: list[_Candidate] = []
     for element in elements.whole:
@@ -164,7 +167,7 @@ class _Sheet:
         source: Places,
         elements: Elements,
         tile: bool,
-        guidance: Bitmap | None,
+        allowed: Bitmap | None,
         others: Sequence[Other],
     ) -> None:
         self._elements, self._tile = elements, tile
@@ -174,7 +177,7 @@ class _Sheet:
         near = np.pad(np.clip(distance, -_REACH, _REACH), self._border)
         self._shape = near.shape
         visible = np.pad(np.ones(distance.shape, np.float32), self._border)
-        allowed = np.ones(distance.shape, np.bool_) if guidance is None else guidance
+        allowed = np.ones(distance.shape, np.bool_) if allowed is None else allowed
         allowed = np.pad(allowed, self._border, mode="edge")
         self._area = visible * allowed
         self._near = forward(near, self._shape)

@@ -52,8 +52,9 @@ class Settings:
     """At most, for each size of neighbourhoods."""
     mend: bool = True
     """Whether torn elements are made whole."""
-    guidance: NDArray[np.bool_] | None = None
-    """Where ink may lie, of the size of the pattern; None for everywhere. It needs mending."""
+    guidance: NDArray[np.float32] | None = None
+    """How much of each pixel lies where ink may be, from 0 to 1, of the size of the pattern; None
+    for everywhere. It needs mending."""
 
 
 def synthesised(
@@ -74,7 +75,7 @@ def synthesised(
         If the exemplar or the size is too small.
     """
     guidance = settings.guidance
-    if guidance is not None and (guidance.shape != settings.size or not guidance.any()):
+    if guidance is not None and (guidance.shape != settings.size or not (guidance > 0.5).any()):
         raise IconstudioError("The shape to fill is empty, or not as large as the pattern.")
     if min(settings.size) < 2 * SMALLEST_WINDOW:
         raise IconstudioError("A pattern is at least 16 pixels wide and high.")

@@ -51,7 +51,7 @@ def draw(
     found = remembered(("layout", source), lambda: _laid_out(source))
     prepared = remembered(("prepared", source), lambda: Prepared.of(found.exemplar))
     rows, columns = size
-    guidance = None if fill is None else rasterised(fill, columns, rows) > 0.5
+    guidance = None if fill is None else rasterised(fill, columns, rows)
     settings = Settings(size, tile, seed, guidance=guidance)
     pattern = _one(synthesised(prepared, settings, _ask), coarse)
     layers = vectorise(pattern, found.elements or None, _ask)

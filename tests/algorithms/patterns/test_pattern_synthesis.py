@@ -69,14 +69,14 @@ def test_without_mending_ink_does_not_vanish_either():
 def test_a_shape_is_filled_and_nothing_lies_outside(exemplar, tile):
     y, x = np.indices(SIZE)
     guidance = np.hypot(y - 48, x - 60) < 42
-    ink = made(exemplar, tile=tile, guidance=guidance).distances[0] < 0
+    ink = made(exemplar, tile=tile, guidance=guidance.astype(np.float32)).distances[0] < 0
     assert not (ink & ~guidance).any()
     assert ink.sum() > 0.6 * exemplar.masks[0].mean() * guidance.sum()
 
 
 def test_an_empty_shape_is_refused():
     with pytest.raises(IconstudioError, match="shape to fill"):
-        made(shapes(), guidance=np.zeros(SIZE, bool))
+        made(shapes(), guidance=np.zeros(SIZE, np.float32))
 
 
 def test_opposite_borders_of_a_tile_match(tile):

@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from iconstudio.algorithms.flattening import flattened
 from iconstudio.algorithms.patterns.distance import coverage, signed_distance
 from iconstudio.algorithms.patterns.exemplar import Pattern
 from iconstudio.algorithms.patterns.outlines import level_sets
@@ -291,6 +292,20 @@ def test_layers_are_drawn_in_their_order_over_the_ground():
     assert np.abs(found[..., :3] - made.colours).mean() < 0.02
     ends = {fill.colour for one in layers for fill in one.fills}
     assert len(ends) == 2
+
+
+def test_stripes_that_fill_a_shape_end_at_its_outline():
+    y, x = np.indices((64, 64))
+    away = np.hypot(y - 31, x - 33) - 26.3
+    prepared = Prepared.of(ornaments.stripes())
+    guidance = ornaments.soft(away)
+    *_, made = synthesised(prepared, Settings((64, 64), True, iterations=1, guidance=guidance))
+    (layer,) = vectorise(made)
+    points = np.concatenate([row for fill in layer.fills for row, _ in flattened(fill.path)])
+    outside = np.hypot(*(points - (33.5, 31.5)).T) - 26.3
+    assert outside.max() < 0.15 and (abs(outside) < 0.1).mean() > 0.6
+    found = drawn([layer], size=(64, 64))[..., 3]
+    assert likeness(found > 0.5, made.distances[0] < 0) > 0.98
 
 
 def test_a_run_can_be_stopped(synthesised_tile):
