@@ -45,7 +45,7 @@ from iconstudio.svg.resvg import render_placed
 from iconstudio.workers import Workers, answer, loss
 from iconstudio.workflows.drawing import MEMORY, SECONDS, draw_whole
 from iconstudio.workflows.estimating import estimated
-from iconstudio.workflows.events import Event, Progress, Retrieved
+from iconstudio.workflows.events import Event, Progress, Retrieved, staged
 from iconstudio.workflows.hybrids.selection import select
 from iconstudio.workflows.solving import warm_up
 from iconstudio.workflows.workflow import Workflow
@@ -202,9 +202,9 @@ class Session(AbstractContextManager["Session"]):
         """
         return (yield from read_image(source, self._readers))
 
-    def photo(self, path: Path) -> Generator[None, None, Photo]:
-        """Return the image in a file as a photo; see ``image``."""
-        image = yield from self.image(path)
+    def photo(self, path: Path) -> Generator[Event, None, Photo]:
+        """Return the image in a file as a photo, see ``image``; yield progress."""
+        image = yield from staged("prepare", "Reading the image", _started(self.image(path)))
         return photo_of(image, str(path), read_bytes(path, MAX_BYTES))
 
     def scan(self, image: Image, inverted: bool | None = None) -> Generator[None, None, Scan]:
@@ -367,6 +367,17 @@ def _is_path(reference: str) -> bool:
     """Whether a reference names a file, which need not be there."""
     named = reference.startswith(("/", ".", "~")) or "\\" in reference or Path(reference).suffix
     return bool(named) or os.path.isfile(file_and_symbol(reference)[0])
+
+
+def _started(steps: Generator[None, None, T]) -> Generator[float, None, T]:
+    """Yield 0 for each step: how many there are is not known."""
+    try:
+        while True:
+            next(steps)
+            yield 0.0
+    except StopIteration as end:
+        value: T = end.value
+        return value
 
 
 def returned(steps: Generator[object, None, T]) -> T:

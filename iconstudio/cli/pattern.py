@@ -14,7 +14,7 @@ from iconstudio.cli.progress import ProgressBar
 from iconstudio.cli.timing import Stopwatch, profile_option, profiled
 from iconstudio.files import replaceable
 from iconstudio.images.reading import is_image_file
-from iconstudio.model import IconstudioError, Patterned, Patterning, Separation
+from iconstudio.model import IconstudioError, Patterning, Separation
 from iconstudio.output.pattern import check_name, write
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event, Progress, Result
@@ -113,7 +113,7 @@ def _work(session: Session, exemplar: str) -> Generator[Event, None, Patterning]
     return PATTERN.with_icons(Patterning(), (session.icon(exemplar),))
 
 
-def _only(events: Generator[Event], stopwatch: Stopwatch) -> Patterned:
+def _only(events: Generator[Event], stopwatch: Stopwatch) -> Any:
     """Return the pattern that is made."""
     found: Any = None
     with ProgressBar() as bar:

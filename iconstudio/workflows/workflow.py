@@ -26,8 +26,8 @@ class Resources(Protocol):
         """Return an icon of the collection, ``set:name``, or of a file."""
         ...
 
-    def photo(self, path: Path) -> Generator[Any, None, Photo]:
-        """Return the image in a file."""
+    def photo(self, path: Path) -> Generator[Event, None, Photo]:
+        """Return the image in a file; yield progress."""
         ...
 
     def exemplar(self, pictogram: Pictogram) -> Exemplar:

@@ -119,7 +119,7 @@ def _distances(labels: Labels, numbers: Sequence[int]) -> tuple[float, float]:
 
 
 def _share(ink: Bitmap, masks: Masks, margin: int) -> float:
-    inked = (masks > 0.5).any(axis=0)
+    inked = np.any(masks > 0.5, axis=0)
     rows, columns = (np.flatnonzero(inked.any(axis=axis)) for axis in (1, 0))
     if not len(rows):
         return 0.0

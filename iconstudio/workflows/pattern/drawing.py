@@ -1,11 +1,8 @@
 """A pattern is synthesised and traced, in a worker process."""
 
-from collections import deque
-from collections.abc import Iterator
 from concurrent.futures import CancelledError
 from dataclasses import dataclass
 
-from iconstudio.algorithms.patterns.exemplar import Pattern
 from iconstudio.model import ColouredLayer, Path
 from iconstudio.tasks import remembered, stopped
 from iconstudio.workflows.pattern import imaging, layout
@@ -16,6 +13,9 @@ Source = Arrangement | ImageExemplar
 
 SAMPLES = 0.5
 """Pixels in which a canvas is synthesised, to a unit: its contours are finer."""
+
+_TRIES = 3
+"""So many seeds are tried at most while something is torn."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,6 +45,7 @@ def draw(
         Whether the first preview is wanted.
     """
     from iconstudio.algorithms.patterns.prepared import Prepared
+    from iconstudio.algorithms.patterns.selection import best
     from iconstudio.algorithms.patterns.synthesis import Settings, synthesised
     from iconstudio.algorithms.patterns.vector import vectorise
 
@@ -53,14 +54,12 @@ def draw(
     rows, columns = size
     guidance = None if fill is None else rasterised(fill, columns, rows)
     settings = Settings(size, tile, seed, guidance=guidance)
-    pattern = _one(synthesised(prepared, settings, _ask), coarse)
+    if coarse:
+        pattern = next(synthesised(prepared, settings, _ask))
+    else:
+        *_, pattern = best(prepared, settings, _TRIES, _ask)
     layers = vectorise(pattern, found.elements or None, _ask)
     return Drawn(layers, found.ground, pattern.torn)
-
-
-def _one(patterns: Iterator[Pattern], first: bool) -> Pattern:
-    """Return the first, or the last."""
-    return next(patterns) if first else deque(patterns, maxlen=1).pop()
 
 
 def _ask() -> None:

@@ -139,7 +139,8 @@ def channels(colour: str) -> NDArray[np.float32]:
     >>> channels("#ff0000").tolist()
     [1.0, 0.0, 0.0]
     """
-    return np.frombuffer(bytes.fromhex(colour[1:]), np.uint8) / np.float32(255)
+    levels = np.frombuffer(bytes.fromhex(colour[1:]), np.uint8)
+    return levels.astype(np.float32) / np.float32(255)
 
 
 def _elements(shapes: Iterable[Shape]) -> list[list[Shape]]:
@@ -173,13 +174,15 @@ def _layers(elements: Sequence[list[Shape]]) -> list[list[list[Shape]]]:
 
 
 def _united(shapes: Iterable[Shape]) -> Mask:
-    return np.maximum.reduce([shape.mask for shape in shapes])
+    united: Mask = np.maximum.reduce([shape.mask for shape in shapes])
+    return united
 
 
 def _labels(elements: Sequence[Sequence[Shape]], pixels: int) -> NDArray[np.int32]:
     """Return which element each pixel belongs to, from 1; 0 where there is none."""
     none = np.zeros((pixels, pixels), np.float32)
-    return np.argmax([none, *map(_united, elements)], axis=0).astype(np.int32)
+    labels: NDArray[np.int32] = np.argmax([none, *map(_united, elements)], axis=0).astype(np.int32)
+    return labels
 
 
 def _colours(shapes: Iterable[Shape], pixels: int, ground: str) -> NDArray[np.float32]:

@@ -9,6 +9,8 @@ from pathlib import Path
 
 from iconstudio.model import (
     CANVAS,
+    ColouredLayer,
+    Fill,
     IconstudioError,
     Patterned,
     Patterning,
@@ -63,7 +65,7 @@ def run(
     ticket = resources.workers.ticket()
     try:
         submit = partial(
-            resources.workers.submit, draw, source, fill, size, work.tile,
+            resources.workers.submit, draw, source, fill, size, work.tile and fill is None,
             timeout=SECONDS, memory=MEMORY, ticket=ticket,
         )  # fmt: skip
         wanted = [replace(work, seed=(work.seed + n) % (LARGEST_SEED + 1))
@@ -73,11 +75,11 @@ def run(
         for number, (one, task) in enumerate(zip(wanted, tasks, strict=True), start=1):
             while not wait([task], _PATIENCE).done:  # where it can be stopped
                 if coarse is not None and coarse.done() and coarse.exception() is None:
-                    yield Result(icon_of(one, coarse.result(), size), preview=True)
+                    yield Result(icon_of(one, coarse.result(), size, fill), preview=True)
                     coarse = None
                 yield Progress("pattern", (number - 1) / len(wanted), "Continuing the exemplar")
             drawn = answer(task, "Continuing the exemplar", "Ask for a smaller pattern.")
-            yield Result(icon_of(one, drawn, size))
+            yield Result(icon_of(one, drawn, size, fill))
             yield Progress("pattern", number / len(wanted), "Continuing the exemplar")
     finally:
         ticket.stop()
@@ -105,31 +107,36 @@ def samples(work: Patterning) -> tuple[int, int]:
     return rows, columns
 
 
-def icon_of(work: Patterning, drawn: Drawn, size: tuple[int, int]) -> Patterned:
-    """Return a pattern as a result."""
+def icon_of(
+    work: Patterning, drawn: Drawn, size: tuple[int, int], fill: Outline | None
+) -> Patterned:
+    """Return a pattern as a result; ``size`` and ``fill`` are in its samples."""
     rows, columns = size
     own = Transform().scale(work.width / columns, work.height / rows)
+    layers = drawn.layers
+    if fill is not None:
+        layers = (ColouredLayer("ground", (Fill(fill, drawn.ground),)), *layers)
+    layers = tuple(_transformed(one, own) for one in layers)
+    inked = layers if fill is None else layers[1:]
     canvas = Transform().scale(CANVAS / max(work.width, work.height))
-    layers = tuple(
-        replace(
-            layer, fills=tuple(replace(one, path=one.path.transformed(own)) for one in layer.fills)
-        )
-        for layer in drawn.layers
-    )
-    fills = chain.from_iterable(layer.fills for layer in layers)
-    ink = chain.from_iterable(one.path.transformed(canvas).contours for one in fills)
+    ink = (_transformed(one, canvas).fills for one in inked)
     icons = [*_icons(work), *([work.fill] if work.fill else [])]
     return Patterned(
-        Outline(tuple(ink)),
+        Outline(tuple(chain.from_iterable(one.path.contours for one in chain(*ink)))),
         _title(work),
         tuple(dict.fromkeys(chain.from_iterable(icon.origins for icon in icons))),
         layers=layers,
-        ground="" if work.fill else drawn.ground,
+        ground=drawn.ground if fill is None else "",
         width=work.width,
         height=work.height,
-        tile=work.tile,
+        tile=work.tile and fill is None,
         torn=drawn.torn,
     )
+
+
+def _transformed(layer: ColouredLayer, transform: Transform) -> ColouredLayer:
+    fills = (replace(one, path=one.path.transformed(transform)) for one in layer.fills)
+    return replace(layer, fills=tuple(fills))
 
 
 def _source(resources: Resources, work: Patterning) -> Source:

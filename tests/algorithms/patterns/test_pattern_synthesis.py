@@ -5,9 +5,9 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from iconstudio.algorithms.patterns import synthesis
+from iconstudio.algorithms.patterns import selection, synthesis
 from iconstudio.algorithms.patterns.distance import coverage
-from iconstudio.algorithms.patterns.exemplar import Exemplar
+from iconstudio.algorithms.patterns.exemplar import Exemplar, Pattern
 from iconstudio.algorithms.patterns.prepared import Prepared
 from iconstudio.algorithms.patterns.selection import best
 from iconstudio.algorithms.patterns.synthesis import Settings, synthesised
@@ -137,11 +137,28 @@ def test_the_same_seed_makes_the_same_bytes():
     assert first.colours.tobytes() != other.colours.tobytes()
 
 
-def test_the_best_of_several_seeds_has_the_lowest_energy_if_nothing_is_torn():
-    prepared, settings = Prepared.of(shapes()), Settings((64, 64), iterations=2)
-    every = [made(shapes(), size=(64, 64), iterations=2, seed=seed) for seed in range(3)]
-    *_, chosen = best(prepared, settings, 3)
-    assert (chosen.torn, chosen.energy) == min((one.torn, one.energy) for one in every)
+@pytest.mark.parametrize(
+    ("torn", "energies", "tried", "chosen"),
+    [
+        ((0.4, 0.1, 0.3), (1, 2, 0), 3, 1),
+        ((0.1, 0.1, 0.1), (3, 1, 2), 3, 1),
+        ((0.4, 0.0, 0.0), (1, 5, 1), 2, 1),
+        ((0.01, 0.0, 0.0), (9, 1, 1), 1, 0),
+    ],
+)
+def test_the_best_of_several_seeds_is_torn_least_and_has_the_lowest_energy(
+    monkeypatch, torn, energies, tried, chosen
+):
+    seeds = []
+
+    def scripted(prepared, settings, ask):
+        seeds.append(settings.seed)
+        yield Pattern(None, None, energies[len(seeds) - 1], torn[len(seeds) - 1], False)
+
+    monkeypatch.setattr(selection, "synthesised", scripted)
+    *_, found = best(None, Settings((64, 64), seed=7), 3)
+    assert (found.torn, found.energy) == (torn[chosen], energies[chosen])
+    assert len(set(seeds)) == tried and seeds[0] == 7
 
 
 def test_previews_come_first_and_are_as_large():
