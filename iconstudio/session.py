@@ -106,6 +106,7 @@ class Session(AbstractContextManager["Session"]):
         self._prepared: OrderedDict[_Key, Matcher] = OrderedDict()
         self._drawn = lru_cache(_AT_HAND)(self._draw)
         self._lines = lru_cache(_AT_HAND)(self._read_lines)
+        self._traced = lru_cache(_AT_HAND)(self._trace)
         self.earlier: dict[str, Composite] = {}
 
     def open(self) -> Iterator[Progress]:
@@ -235,6 +236,9 @@ class Session(AbstractContextManager["Session"]):
 
     def drawing(self, exemplar: Exemplar) -> Drawing:
         """Return an icon drawn and traced as results are: crisp at any size."""
+        return self._traced(exemplar)
+
+    def _trace(self, exemplar: Exemplar) -> Drawing:
         whole = Source(exemplar, Placement())
         drawing = draw_whole(whole, exemplar.ink, self.workers, render_placed)
         return answer(drawing, f"Drawing “{exemplar.name}”")

@@ -30,6 +30,11 @@ class Motif:
     colour: str = INK
     """``#rrggbb``"""
 
+    def __post_init__(self) -> None:
+        """Take plain numbers only: those of NumPy would be written out as ``np.float64(0.9)``."""
+        for name in ("x", "y", "size", "turn"):
+            object.__setattr__(self, name, float(getattr(self, name)))
+
     @property
     def transform(self) -> Transform:
         """What takes a point of the icon's canvas to one of the exemplar's.

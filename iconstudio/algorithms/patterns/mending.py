@@ -309,7 +309,8 @@ class _Sheet:
             own = np.indices(element.ink.shape).transpose(1, 2, 0) + corner
             source[at] = np.where(nearer[..., None], np.clip(own, 0, most), source[at])
             distance[at] = np.minimum(element.distance, distance[at])
-            down, right = one.top - begin - element.top, one.left - begin - element.left
+            down = int(one.top - begin - element.top)
+            right = int(one.left - begin - element.left)
             placed.append(Placed(element.layer, element.number, down, right, element.label))
             owner[at] = np.where(element.ink, number, owner[at])
         return Mended(distance[inside], source[inside], tuple(placed), owner[inside])

@@ -23,19 +23,19 @@ Points = NDArray[np.complex128]
 
 
 def repeated(path: Path, size: Size) -> Path:
-    """Return closed contours with all their copies that are seen in a tile, each by itself."""
+    """Return a shape with all its copies that are seen in a tile."""
     return Path(
         tuple(
             moved(contour, complex(right, down))
+            for down, right in _moves(path.bounds, size)
             for contour in path.contours
-            for down, right in _moves(Path((contour,)).bounds, size)
         )
     )
 
 
 def moved(contour: Contour, move: complex) -> Contour:
     """Return a contour moved by x + iy."""
-    there = Transform().translate(move.real, move.imag)
+    there = Transform().translate(float(move.real), float(move.imag))
     return Path((contour,)).transformed(there).contours[0]
 
 

@@ -5,6 +5,7 @@ trapped, and what crosses the border of a tile is drawn at both of its sides.
 """
 
 from collections.abc import Callable, Iterator, Sequence
+from itertools import chain
 
 import numpy as np
 from numpy.typing import NDArray
@@ -131,7 +132,9 @@ class _Tracer:
         if not self._pattern.tile:
             return Path(tuple(closed))
         strips = bounded(endless, self._size).contours if endless else ()
-        return Path((*strips, *repeated(Path(tuple(closed)), self._size).contours))
+        # Each by itself: their places may be periods apart.
+        copies = (repeated(Path((one,)), self._size).contours for one in closed)
+        return Path((*strips, *chain.from_iterable(copies)))
 
     def _everywhere(self) -> Contour:
         rows, columns = self._size
