@@ -288,6 +288,7 @@ def main() -> int:
     window.resize(1280, 720)
     window.show()
     keep_going()
+    questions.ask_about_unsaved = lambda *_: questions.Answer.DISCARD  # to quit asks it
     probe = Probe("--where" in sys.argv)
 
     with tempfile.TemporaryDirectory() as folder:
@@ -301,7 +302,6 @@ def main() -> int:
         player = Player(probe, chain.from_iterable(chosen), app.quit)
         app.exec()
     probe.begin("")
-    questions.ask_about_unsaved = lambda *_: questions.Answer.DISCARD
     print(f"collecting garbage\t{1000 * probe.collecting:.0f}")
     window.close()
     if player.error is not None:

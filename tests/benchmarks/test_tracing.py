@@ -10,7 +10,7 @@ from scipy import ndimage
 
 from iconstudio.algorithms.iconification.redraw import SCALE, binarised, redraw
 from iconstudio.algorithms.tracing.vectorize import trace
-from iconstudio.model import CANVAS, Frame, Placement
+from iconstudio.model import CANVAS, Frame, Path, Placement
 from iconstudio.session import Session
 from iconstudio.svg.resvg import render_coverage, render_placed
 from iconstudio.workflows.drawing import PREVIEW
@@ -39,11 +39,12 @@ def edge(ink: np.ndarray) -> np.ndarray:
     return ink & ~ndimage.binary_erosion(ink, border_value=1)
 
 
-def document(path: str) -> str:
-    return f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 256 256"><path d="{path}"/></svg>'
+def document(path: Path) -> str:
+    drawn = f'<path d="{path.svg()}"/>'
+    return f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 256 256">{drawn}</svg>'
 
 
-def astray(path: str, truth: np.ndarray) -> np.ndarray:
+def astray(path: Path, truth: np.ndarray) -> np.ndarray:
     """Distances from the outline of the path to that of the icon."""
     ours = edge(render_coverage(document(path), Frame(0, 0, CANVAS), FINE) > 127)
     away = ndimage.distance_transform_edt(~edge(truth)) * CANVAS / FINE
