@@ -3,10 +3,9 @@
 from dataclasses import dataclass
 from math import radians
 
-from fontTools.misc.transform import Transform
-
 from iconstudio.model.canvas import CANVAS
 from iconstudio.model.montage import Stroke
+from iconstudio.model.path import Transform
 from iconstudio.model.photo import Photo
 from iconstudio.model.pictogram import Pictogram
 

@@ -24,8 +24,6 @@ from tests.benchmarks.scale import say
 
 SIZE = 256, 256
 SEEDS = range(6)
-_TRIED = 4
-"""Candidates of image quilting, as its authors have it."""
 
 Peer = Callable[[Exemplar, int], Colours]
 
@@ -47,9 +45,7 @@ def quilted(exemplar: Exemplar, seed: int) -> Colours:
     side = min(exemplar.colours.shape[:2]) * 3 // 8
     random = np.random.default_rng(seed)
     nowhere = np.zeros_like(prepared.solidity)
-    source = quilting.quilted(
-        prepared.channels, nowhere, SIZE, side, True, random, lambda: None, tried=_TRIED
-    )
+    source = quilting.quilted(prepared.channels, nowhere, SIZE, side, True, random)
     return exemplar.colours[source[..., 0], source[..., 1]]
 
 

@@ -28,6 +28,7 @@ PATTERN = Workflow(
     file=PatternFile,
     run=lazily("iconstudio.workflows.pattern.patterning:run"),
     command="iconstudio.cli.pattern:command",
+    examples="patterns",
     work=Patterning,
     icons=icons_of,
     with_icons=with_icons,
