@@ -80,7 +80,7 @@ def test_the_denser_the_nearer_and_none_is_cut():
 
 
 def test_what_cannot_be_an_exemplar_is_told():
-    with pytest.raises(IconstudioError, match="No icon lies on the canvas"):
+    with pytest.raises(IconstudioError, match="No ink of the icons"):
         layout(disc(-500, -500))
     with pytest.raises(IconstudioError, match="overlap in 9 layers"):
         layout(*(disc(60 + 12 * n, 128, 80) for n in range(9)))

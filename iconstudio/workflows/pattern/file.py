@@ -26,6 +26,7 @@ from iconstudio.workflows.pattern.bounds import (
     LARGEST,
     LARGEST_SEED,
     MOST_COLOURS,
+    MOST_MOTIFS,
     SMALLER,
     SMALLEST,
 )
@@ -88,7 +89,7 @@ class CorrectionFile(StrictRecord, frozen=True):
 class PatternFile(File[Patterning], frozen=True):
     """A PATTERN.json."""
 
-    motifs: Many[MotifFile] = ()
+    motifs: Annotated[tuple[MotifFile, ...], Meta(max_length=MOST_MOTIFS)] = ()
     image: Path | None = None
     colours: Annotated[int, Meta(ge=2, le=MOST_COLOURS)] | None = None
     corrections: Many[CorrectionFile] = ()

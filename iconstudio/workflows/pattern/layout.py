@@ -107,7 +107,7 @@ def laid_out(arrangement: Arrangement, samples: float) -> Layout:
         if mask.max() > _INK:
             shapes.append(Shape(Fill(drawn, motif.colour), mask))
     if not shapes:
-        raise IconstudioError("No icon lies on the canvas. Put one there.")
+        raise IconstudioError("No ink of the icons lies on the canvas. Move them onto it.")
     layers = _layers(_elements(shapes))
     if len(layers) > MOST_LAYERS:
         raise IconstudioError(

@@ -1,0 +1,111 @@
+"""Patterns from the command line."""
+
+import io
+import json
+import re
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from iconstudio.cli.app import run
+from iconstudio.session import Session
+
+MOTIFS = [
+    {"icon": "mdi:fish", "x": x, "y": y, "size": 70, "colour": "#aa3311"}
+    for x in (48, 128, 208)
+    for y in (48, 128, 208)
+]
+
+
+@pytest.fixture(scope="module")
+def file(tmp_path_factory):
+    path = tmp_path_factory.mktemp("pattern") / "fish.json"
+    path.write_text(json.dumps({"motifs": MOTIFS, "ground": "navy", "width": 128, "height": 192}))
+    return path
+
+
+@pytest.fixture(scope="module")
+def svg(file):
+    out = file.with_name("fish.svg")
+    assert run(["pattern", str(file), "--out", str(out)], None) == 0
+    return out.read_text("utf-8")
+
+
+def test_an_svg_of_the_size_and_the_colours(svg):
+    assert 'width="128" height="192"' in svg
+    assert set(re.findall(r"#[0-9a-f]{6}", svg)) == {"#aa3311", "#000080"}
+    assert re.findall(r'id="([^"]+)"', svg) == ["ground", "layer-1"]
+
+
+def test_its_credits_are_read_back(svg, tmp_path):
+    (tmp_path / "fish.svg").write_text(svg)
+    with Session() as session:
+        (credit,) = session.icon(str(tmp_path / "fish.svg")).made_of
+    assert credit.id == "mdi:fish"
+
+
+def test_a_png_and_a_style_sheet_show_the_same(file, svg, tmp_path):
+    words = ["pattern", str(file), "--out"]
+    assert run([*words, str(tmp_path / "a.png")], None) == 0
+    assert run([*words, str(tmp_path / "Some fish!.css")], None) == 0
+    picture = Image.open(tmp_path / "a.png")
+    assert picture.size == (128, 192)
+    sheet = (tmp_path / "Some fish!.css").read_text("utf-8")
+    assert sheet.count("mdi") and ".some-fish {" in sheet and "128px 192px" in sheet
+    from urllib.parse import unquote
+
+    from resvg_py import svg_to_bytes
+
+    inner = unquote(re.search(r'url\("data:image/svg\+xml,([^"]*)"\)', sheet)[1])
+    drawn = Image.open(io.BytesIO(bytes(svg_to_bytes(svg_string=inner, skip_system_fonts=True))))
+    differ = abs(np.asarray(drawn.convert("RGB"), int) - np.asarray(picture.convert("RGB"), int))
+    assert differ.max() < 24 and differ.mean() < 0.1
+
+
+def test_options_count_more_than_the_file(file, tmp_path):
+    out = tmp_path / "a.svg"
+    words = ["--size", "96x64", "--no-tile", "--seed", "4", "--scale", "0.5", "--turn", "90"]
+    assert run(["pattern", str(file), *words, "--out", str(out)], None) == 0
+    assert 'width="96" height="64"' in out.read_text("utf-8")
+
+
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        ({"motifs": [{"icon": "mdi:fish", "x": float("nan")}]}, '"x" must be a number'),
+        ({"motifs": [{"icon": "mdi:fish", "colour": "bluish"}]}, "“bluish” is no opaque colour"),
+        ({"motifs": [{"icon": "mdi:fish", "x": -900}]}, "No ink of the icons lies on the canvas"),
+        ({"motifs": [], "workflow": "pattern"}, "no exemplar yet"),
+        ({"motifs": MOTIFS, "image": "x.png"}, "give one of the two"),
+        ({"motifs": MOTIFS, "width": 10_000, "height": 10_000}, "GiB of memory"),
+        ({"motifs": MOTIFS * 30}, "has 270 entries; at most 200 are read"),
+        ({"motifs": MOTIFS, "widht": 9}, 'Write "width"'),
+        ({"image": "nothing.png"}, "There is no such file"),
+    ],
+)
+def test_bad_files_are_refused_in_a_sentence(content, said, tmp_path, capsys):
+    (tmp_path / "a.json").write_text(json.dumps(content))
+    words = ["pattern", str(tmp_path / "a.json"), "--out", str(tmp_path / "a.svg")]
+    assert run(words, None) == 2
+    error = capsys.readouterr().err
+    assert said in error and "Traceback" not in error
+    assert not (tmp_path / "a.svg").exists()
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["--size", "512", "--out", "a.svg"], "write one as 512x512"),
+        (["--size", "10x10", "--out", "a.svg"], "from 64 to 10000"),
+        (["--scale", "nan", "--out", "a.svg"], "give a number from 0.25 to 4"),
+        (["--out", "a.jpg"], "Call it “a.svg”"),
+        (["--out", ""], "is empty"),
+        (["--fill", "nothing.svg", "--out", "a.svg"], "nothing.svg"),
+    ],
+)
+def test_bad_options_are_refused_in_a_sentence(words, said, file, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert run(["pattern", str(file), *words], None) == 2
+    assert said in capsys.readouterr().err
+    assert not list(tmp_path.iterdir())
