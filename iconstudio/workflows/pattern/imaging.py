@@ -6,14 +6,22 @@ from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy import ndimage
 
-from iconstudio.algorithms.patterns.exemplar import LARGEST, Exemplar
-from iconstudio.algorithms.patterns.separation import Layers, completed, separated
+from iconstudio.algorithms.patterns.elements import components, grouped
+from iconstudio.algorithms.patterns.exemplar import LARGEST, MOST_LAYERS, Exemplar, Masks
+from iconstudio.algorithms.patterns.flat_colours import is_noisy
+from iconstudio.algorithms.patterns.separation import Layers, Separated, separated
+from iconstudio.algorithms.patterns.shapes import element_shapes
 from iconstudio.model import CANVAS, Correction, IconstudioError, Photo, Separation
 from iconstudio.workflows.pattern.layout import Layout
 
 _SMALLEST = 16
 """Pixels of a side of an image."""
+_NOISY_MOST = 400
+"""Pixels of the longer side of an image with noise: reduced to fewer, it has less of it."""
+_SOFT = 0.02
+"""What a layer covers of a pixel at its soft edge, at least."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,15 +52,21 @@ class ImageExemplar:
                 f"The image has {image.photo.width} x {image.photo.height} pixels. "
                 f"Give one of at least {_SMALLEST} x {_SMALLEST}."
             )
-        pixels = over_white(image.photo)
+        pixels = _calm(over_white(image.photo))
         digest = hashlib.sha256(pixels.tobytes() + repr(pixels.shape).encode()).hexdigest()
         reduction = image.photo.width / pixels.shape[1]
         return cls(pixels, digest, image.colours, image.corrections, reduction)
 
     def layers(self) -> Layers:
         """Return its layers, corrected: (h, w), from the ground, 0, up."""
-        layers = separated(self.pixels / np.float32(255), self.colours)
-        return corrected(layers, self.corrections, self.reduction)
+        return self.separated().seen
+
+    def separated(self) -> Separated:
+        """Return its layers, corrected."""
+        found = separated(self.pixels, self.colours)
+        if not self.corrections:
+            return found
+        return found.corrected(corrected(found.seen, self.corrections, self.reduction))
 
 
 def reduction_of(photo: Photo) -> str:
@@ -106,17 +120,51 @@ def laid_out(image: ImageExemplar, samples: float) -> Layout:
     IconstudioError
         If it cannot be an exemplar.
     """
-    layers = image.layers()
-    height, width = layers.shape
+    found = image.separated()
+    masks = found.masks()
+    height, width = found.seen.shape
     factor = round(CANVAS * samples) / max(height, width)
     size = tuple(max(_SMALLEST, round(side * factor)) for side in (height, width))
-    masks = np.stack([_resized(mask, size) for mask in completed(layers)])
+    reduced = np.stack([_resized(mask, size) for mask in masks])
+    labels = _labels(reduced)
     colours = np.stack(
         [_resized(image.pixels[..., n] / np.float32(255), size) for n in range(3)], axis=2
     )
-    ground = image.pixels[layers == 0]
-    mean = ground.mean(axis=0) if len(ground) else np.full(3, 255.0)
-    return Layout(Exemplar(colours, masks), (), "#" + bytes(np.rint(mean).astype(np.uint8)).hex())
+    shapes = element_shapes(found, masks, labels)
+    ground = "#" + bytes(found.flat.colours[int(np.argmin(found.layer))]).hex()
+    return Layout(Exemplar(colours, reduced, labels), shapes, ground, remark_of(found))
+
+
+def remark_of(found: Separated) -> str:
+    """Return a sentence about layers that were joined; empty if none were."""
+    if found.found <= MOST_LAYERS:
+        return ""
+    return (
+        f"The image has {found.found} layers, and a pattern at most {MOST_LAYERS}: the smallest "
+        "went to those of the nearest colours. Fewer colours give clearer layers."
+    )
+
+
+def _labels(masks: Masks) -> NDArray[np.int32]:
+    """Return which element each pixel of each layer belongs to, from 1; 0 where there is none."""
+    labels = []
+    for mask in masks:
+        own = grouped(*components(mask > 0.5))
+        around = ndimage.grey_dilation(own, size=(3, 3))
+        labels.append(np.where((own == 0) & (mask > _SOFT), around, own))
+    return np.stack(labels)
+
+
+def _calm(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """Return an image with noise, as lossy compression leaves, at a lower resolution."""
+    from PIL import Image
+
+    if max(pixels.shape) > _NOISY_MOST and is_noisy(pixels):
+        image = Image.fromarray(pixels)
+        while max(image.size) > _NOISY_MOST:
+            image = image.reduce(2)
+        pixels = np.asarray(image)
+    return pixels
 
 
 def _resized(channel: NDArray[np.float32], size: tuple[int, ...]) -> NDArray[np.float32]:
