@@ -61,7 +61,7 @@ class _Hidden:
     """From the first to the last of its points."""
 
 
-def completed(own: Mask, hiding: Bitmap) -> Mask:
+def completed(own: Mask, hiding: Bitmap, ends: bool = True) -> Mask:
     """Return all of a layer.
 
     Parameters
@@ -70,6 +70,8 @@ def completed(own: Mask, hiding: Bitmap) -> Mask:
         What is seen of it.
     hiding
         (h, w), where what may hide it is seen.
+    ends
+        Whether some of it may end beneath; else only what comes out again is recovered.
     """
     if not hiding.any():
         return own
@@ -81,19 +83,19 @@ def completed(own: Mask, hiding: Bitmap) -> Mask:
     for contour in find_contours(np.pad(own, 1), 0.5):
         outline = _even((contour[:, 1] - 1) + 1j * (contour[:, 0] - 1))
         beside = _sampled(covered, outline)
-        if beside.all() and _is_hole(outline, own):
+        if ends and beside.all() and _is_hole(outline, own):
             recovered |= _filled(outline, own.shape)
         for first, last in _runs(beside):
             middle = outline.take((first + last) // 2, mode="wrap")
             row, column = _pixel(middle, own.shape)
             region = int(regions[tuple(nearest[:, row, column])])
             parts.append(_part(outline, first, last, region, own.shape))
-    for patch in _patches(parts, covered):
+    for patch in _patches(parts, covered, ends):
         recovered |= _filled(patch, own.shape)
-    return _united(own, recovered & covered, hiding, covered)
+    return _united(own, recovered & covered, covered)
 
 
-def _united(own: Mask, recovered: Bitmap, hiding: Bitmap, covered: Bitmap) -> Mask:
+def _united(own: Mask, recovered: Bitmap, covered: Bitmap) -> Mask:
     """Return a layer with what is recovered, without gaps between them, nor any that are hidden."""
     edge = ndimage.binary_dilation(recovered, _EIGHT) & covered & (own > 0)
     whole = recovered | (own > 0.5) | (edge & ndimage.binary_dilation(own > 0.5, _EIGHT))
@@ -190,7 +192,7 @@ def _end(points: Points) -> _End:
 # -- how they go on --------------------------------------------------------------------------------
 
 
-def _patches(parts: Sequence[_Hidden], covered: Bitmap) -> Iterator[Points]:
+def _patches(parts: Sequence[_Hidden], covered: Bitmap, ends: bool) -> Iterator[Points]:
     """Give closed outlines around what is hidden between the ends of contours."""
     for region in sorted({one.region for one in parts}):
         own = [one for one in parts if one.region == region]
@@ -198,15 +200,15 @@ def _patches(parts: Sequence[_Hidden], covered: Bitmap) -> Iterator[Points]:
         _, joined = linear_sum_assignment(costs)
         left = set(range(len(own)))
         while left:
-            at = first = min(left)
+            at = min(left)
             outline: list[Points] = []
             while at in left:
                 left.remove(at)
                 to = int(joined[at])
                 outline += [_curve(own[at].arriving, own[to].leaving), own[to].along[::-1]]
                 at = to
-            assert at == first
-            yield np.concatenate(outline)
+            if ends or len(outline) > 2:  # it takes two of either where it comes out again
+                yield np.concatenate(outline)
 
 
 def _cost(one: _Hidden, other: _Hidden, covered: Bitmap) -> float:

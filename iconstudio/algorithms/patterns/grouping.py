@@ -7,6 +7,7 @@ vine joins several flowers, and one flower several parts of the vine.
 """
 
 from dataclasses import dataclass
+from itertools import combinations
 
 import numpy as np
 from numpy.typing import NDArray
@@ -105,17 +106,18 @@ def grouped_colours(areas: Areas, count: int) -> Integers:
     """
     group = np.arange(count)
     group[[0, areas.ground]] = areas.ground, 0
+    known: dict[tuple[int, int], float] = {}
     while True:
-        pairs = [
-            (_contact(areas, group, one, other), one, other)
-            for one in np.unique(group[group > 0])
-            for other in np.unique(group[group > one])
-            if _fit(areas, group, one, other)
-        ]
-        if not pairs:
+        left = np.unique(group[group > 0]).tolist()
+        pairs = list(combinations(left, 2))
+        for pair in pairs:
+            if pair not in known:
+                known[pair] = _contact(areas, group, *pair) if _fit(areas, group, *pair) else -1.0
+        best = max(pairs, key=known.__getitem__, default=None)
+        if best is None or known[best] < 0:
             return np.unique(group, return_inverse=True)[1]
-        _, one, other = max(pairs, key=lambda pair: pair[0])
-        group[group == other] = one
+        group[group == best[1]] = best[0]
+        known = {pair: one for pair, one in known.items() if not {*pair} & {*best}}
 
 
 def _contact(areas: Areas, group: Integers, one: int, other: int) -> float:

@@ -80,3 +80,10 @@ def hides(votes: Integers) -> Bitmap:
     """Return (count, count) which layers hide others."""
     hiding: Bitmap = (votes >= _FEWEST) & (votes >= _MAJORITY * votes.T)
     return hiding
+
+
+def contests(votes: Integers) -> Bitmap:
+    """Return (count, count) which layers hide each other, one here and the other there."""
+    many = votes >= _FEWEST
+    contested: Bitmap = many & many.T & ~hides(votes) & ~hides(votes).T
+    return contested

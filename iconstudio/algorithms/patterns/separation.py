@@ -9,13 +9,17 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy import ndimage
 
 from iconstudio.algorithms.patterns.completion import completed
 from iconstudio.algorithms.patterns.exemplar import MOST_LAYERS, Masks
 from iconstudio.algorithms.patterns.flat_colours import FlatColours, Pixels, flat_colours
 from iconstudio.algorithms.patterns.grouping import Areas, grouped_colours
-from iconstudio.algorithms.patterns.occlusion import hides, occlusions, order_of
+from iconstudio.algorithms.patterns.occlusion import contests, hides, occlusions, order_of
 from iconstudio.algorithms.tones.regions import cielab
+
+_CONTESTED = 0.3
+"""How much of a layer another one may hide, or regain of it, where they hide each other."""
 
 Layers = NDArray[np.uint8]
 """(h, w), the number of the layer that is seen in each pixel, from the ground, 0, up."""
@@ -30,6 +34,8 @@ class Separated:
     """(k,), that of each colour, from the ground, 0, up."""
     hides: NDArray[np.bool_]
     """(L + 1, L + 1), which layers hide others."""
+    contests: NDArray[np.bool_]
+    """(L + 1, L + 1), which of them hide each other, one here and the other there."""
     found: int
     """Layers above the ground that there would be, if there might be more."""
     seen: Layers
@@ -46,8 +52,29 @@ class Separated:
     def _mask(self, number: int) -> NDArray[np.float32]:
         own = self.flat.coverage(self.layer == number)
         own = np.where(self.layer[self.flat.first] == self.seen, own, self.seen == number)
-        hiding = np.flatnonzero(self.hides[:, number])
-        return completed(own.astype(np.float32), np.isin(self.seen, hiding))
+        whole = completed(own.astype(np.float32), self._seen_of(self.hides[:, number]))
+        for other in np.flatnonzero(self.contests[:, number]):
+            area = self.seen == other
+            more = completed(whole, area, ends=False)
+            if ((more > 0.5) & area).sum() <= _CONTESTED * area.sum():
+                whole = more
+        return whole
+
+    def _seen_of(self, which: NDArray[np.bool_]) -> NDArray[np.bool_]:
+        seen: NDArray[np.bool_] = which[self.seen]
+        return seen
+
+    def repainted(self, pixels: Pixels, masks: Masks) -> Pixels:
+        """Return the image with its layers in their order where they hide each other."""
+        painted = pixels.copy()
+        for number in np.flatnonzero(self.contests.any(axis=0)):
+            upper = (masks[self.count - number] > 0.5) & (self.seen < number)
+            own = self.seen == number
+            nearest = ndimage.distance_transform_edt(
+                ndimage.binary_erosion(own) == 0, return_distances=False, return_indices=True
+            )
+            painted[upper] = pixels[tuple(nearest)][upper]
+        return painted
 
     def corrected(self, seen: Layers) -> "Separated":
         """Return them with other layers seen, as far as there are such."""
@@ -78,7 +105,8 @@ def separated(pixels: Pixels, count: int | None = None) -> Separated:
     rank = np.argsort(order)
     layer = rank[group]
     over = hides(votes)[np.ix_(order, order)] & np.tri(len(order), k=-1, dtype=np.bool_)
-    return Separated(flat, layer, over, found, layer[first].astype(np.uint8))
+    both = contests(votes)[np.ix_(order, order)]
+    return Separated(flat, layer, over, both, found, layer[first].astype(np.uint8))
 
 
 def _fewer(group: NDArray[np.int64], flat: FlatColours) -> NDArray[np.int64]:

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import ndimage
 
+from iconstudio.algorithms.patterns.elements import components
 from iconstudio.algorithms.patterns.exemplar import Masks
 from iconstudio.algorithms.patterns.separation import Separated
 from iconstudio.algorithms.raster import solid
@@ -22,6 +23,8 @@ Labels = NDArray[np.int32]
 
 _SPECK = 0.5
 """Square canvas units of the smallest dot."""
+_SURE = 0.8
+"""How much of a connected piece one element has, if it is of it."""
 _EIGHT = np.ones((3, 3), np.bool_)
 
 
@@ -48,19 +51,17 @@ def element_shapes(
 def _of_layer(
     separated: Separated, number: int, mask: Mask, labels: Labels
 ) -> tuple[tuple[Fill, ...], ...]:
-    nearest = ndimage.distance_transform_edt(
-        labels == 0, return_distances=False, return_indices=True
-    )
-    owner = labels[tuple(nearest)]
+    owner = _owners(mask > 0.5, labels)
     scale = max(labels.shape) / CANVAS
     elements: list[list[Fill]] = [[] for _ in range(int(labels.max()))]
     for colour, coverage in _painted(separated, number, mask):
         path = _traced(coverage).transformed(Transform().scale(scale))
         contours: dict[int, list[Contour]] = {}
         for contour in path.contours:
-            contours.setdefault(_owner(contour, owner), []).append(contour)
+            contours.setdefault(_owner(contour, owner, scale), []).append(contour)
         for label, own in contours.items():
-            elements[label - 1].append(Fill(Path(tuple(own)), colour))
+            if label:
+                elements[label - 1].append(Fill(Path(tuple(own)), colour))
     return tuple(map(tuple, elements))
 
 
@@ -106,9 +107,26 @@ def _traced(coverage: Mask) -> Path:
     return trace(square, _SPECK)
 
 
-def _owner(contour: Contour, owner: Labels) -> int:
-    """Return the label of the element nearest to most of a contour."""
-    points = np.array([contour.start, *(segment[-1] for segment in contour.segments)])
+def _owners(ink: NDArray[np.bool_], labels: Labels) -> Labels:
+    """Return which element each pixel (h, w) is nearest to; 0 for what is part of several."""
+    pieces, count = components(ink)
+    scale = max(labels.shape) / max(ink.shape)
+    rows, columns = (np.minimum((np.arange(n) * scale).astype(int), m - 1)
+                     for n, m in zip(ink.shape, labels.shape, strict=True))  # fmt: skip
+    fine = labels[np.ix_(rows, columns)]
+    votes = np.zeros((count + 1, int(labels.max()) + 1), np.int64)
+    np.add.at(votes, (pieces[ink], fine[ink]), 1)
+    votes[:, 0] = 0
+    best = votes.argmax(axis=1)
+    best[votes.max(axis=1) < _SURE * votes.sum(axis=1)] = 0
+    nearest = ndimage.distance_transform_edt(~ink, return_distances=False, return_indices=True)
+    return best[pieces[tuple(nearest)]].astype(np.int32)
+
+
+def _owner(contour: Contour, owner: Labels, scale: float) -> int:
+    """Return the element of most of a contour."""
+    points = np.array([contour.start, *(segment[-1] for segment in contour.segments)]) / scale
+    points *= max(owner.shape) / CANVAS
     columns, rows = np.clip(points.T.astype(int), 0, np.array(owner.shape)[::-1, None] - 1)
     return int(np.bincount(owner[rows, columns]).argmax())
 

@@ -127,8 +127,9 @@ def laid_out(image: ImageExemplar, samples: float) -> Layout:
     size = tuple(max(_SMALLEST, round(side * factor)) for side in (height, width))
     reduced = np.stack([_resized(mask, size) for mask in masks])
     labels = _labels(reduced)
+    pixels = found.repainted(image.pixels, masks)
     colours = np.stack(
-        [_resized(image.pixels[..., n] / np.float32(255), size) for n in range(3)], axis=2
+        [_resized(pixels[..., n] / np.float32(255), size) for n in range(3)], axis=2
     )
     shapes = element_shapes(found, masks, labels)
     ground = "#" + bytes(found.flat.colours[int(np.argmin(found.layer))]).hex()
