@@ -161,9 +161,7 @@ def _runs(beside: Bitmap) -> Iterator[tuple[int, int]]:
             yield first + start, stop - 1 + start
 
 
-def _part(
-    outline: Points, first: int, last: int, region: int, shape: tuple[int, ...]
-) -> _Hidden:
+def _part(outline: Points, first: int, last: int, region: int, shape: tuple[int, ...]) -> _Hidden:
     seen = len(outline) - (last - first + 1)
     arriving = _end(outline.take(range(first, first - min(seen, _SIDE) - 1, -1), mode="wrap"))
     leaving = _end(outline.take(range(last, last + min(seen, _SIDE) + 1), mode="wrap"))

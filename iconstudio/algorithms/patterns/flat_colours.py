@@ -158,9 +158,10 @@ def _cores(lab: Lab, limits: _Limits, count: int | None) -> Numbers:
     areas = _flowing(areas, even)[areas]
     sizes = np.bincount(areas.ravel())
     sizes[0] = 0
-    means = np.stack(
-        [np.bincount(areas.ravel(), lab[..., n].ravel()) for n in range(3)], axis=1
-    ) / np.maximum(sizes, 1)[:, None]
+    means = (
+        np.stack([np.bincount(areas.ravel(), lab[..., n].ravel()) for n in range(3)], axis=1)
+        / np.maximum(sizes, 1)[:, None]
+    )
     colours = np.full(len(sizes), -1, np.int16)
     known = sizes > 0
     colours[known] = _clustered(means[known], sizes[known], least, limits.alike, count)
@@ -217,8 +218,10 @@ def _flowing(areas: NDArray[np.int64], even: NDArray[np.bool_]) -> NDArray[np.in
     many = sides > np.maximum(fewest, factor * np.sqrt(sizes[pairs].min(axis=0)))
     many &= pairs[0] > 0
     graph = coo_array((np.ones(int(many.sum())), pairs[:, many]), (count, count))
-    return connected_components(graph, directed=False)[1].astype(np.int64) if many.any() else (
-        np.arange(count)
+    return (
+        connected_components(graph, directed=False)[1].astype(np.int64)
+        if many.any()
+        else (np.arange(count))
     )
 
 
@@ -278,7 +281,8 @@ def _around(
 ) -> tuple[Numbers, NDArray[np.float32], NDArray[np.float32]]:
     """Return the three colours of even areas that are nearest to some pixels, within ``_EDGE``.
 
-    Their numbers (3, n), -1 for none; what they are in the nearest pixel, (3, n, 3); how far, (3, n).
+    Their numbers (3, n), -1 for none; what they are in the nearest pixel, (3, n, 3); and how far
+    that is, (3, n).
     """
     offsets = sorted(_disc(), key=lambda offset: offset[0] ** 2 + offset[1] ** 2)
     wide = np.pad(cores, _EDGE, constant_values=-1)
@@ -291,9 +295,10 @@ def _around(
         for slot in range(3):
             taken = new & (numbers[slot] < 0)
             numbers[slot, taken] = there[taken]
-            places[slot, 0, taken], places[slot, 1, taken] = (rows + down)[taken], (
-                columns + right
-            )[taken]
+            places[slot, 0, taken], places[slot, 1, taken] = (
+                (rows + down)[taken],
+                (columns + right)[taken],
+            )
             away[slot, taken] = np.hypot(down, right)
             new &= numbers[slot] != there
     colours = pixels[places[:, 0], places[:, 1]].astype(np.float32)
@@ -323,11 +328,15 @@ def _lines(
     had = int(cores.max()) + 1
     means = np.stack([lab[cores == one].mean(axis=0) for one in range(had)])
     away = np.linalg.norm(lab[ridge][:, None] - means, axis=2)
-    found = np.where(away.min(axis=1) < 1.5 * limits.alike, away.argmin(axis=1), -1).astype(np.int16)
+    found = np.where(away.min(axis=1) < 1.5 * limits.alike, away.argmin(axis=1), -1).astype(
+        np.int16
+    )
     other = found < 0
     if other.any() and count is None:
         least = max(_FEWEST, _LEAST * cores.size)
-        new = _clustered(lab[ridge][other], np.ones(int(other.sum())), least / 2, limits.alike, None)
+        new = _clustered(
+            lab[ridge][other], np.ones(int(other.sum())), least / 2, limits.alike, None
+        )
         found[other] = np.where((new >= 0) & (new + had < MOST), new + had, -1)
     if (found < 0).all():
         return None

@@ -65,8 +65,7 @@ class Areas:
 
     @property
     def ground(self) -> int:
-        """The colour of which there is most, in all of the image, at its border, and at contours.
-        """
+        """The colour of which there is most in the image, at its border, and along contours."""
         count = int(self.colour.max()) + 1
         height, width = self.shape
         ends = self.bounds == [0, 0, height - 1, width - 1]

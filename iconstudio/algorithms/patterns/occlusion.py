@@ -42,12 +42,13 @@ def occlusions(seen: Seen, count: int) -> Integers:
     radius = max(_RADIUS[1], max(seen.shape) // _RADIUS[0])
     y, x = np.mgrid[-radius : radius + 1, -radius : radius + 1]
     disc = np.hypot(y, x) <= radius
-    for row, column in np.rint(ndimage.center_of_mass(many, places, range(1, found + 1))).astype(int):
-        inside = disc & (0 <= row + y) & (row + y < rows) & (0 <= column + x) & (column + x < columns)
-        if inside.sum() < disc.sum():
+    wide = np.pad(seen, radius, constant_values=-1)
+    for middle in ndimage.center_of_mass(many, places, range(1, found + 1)):
+        row, column = np.rint(middle).astype(int)
+        around_it = wide[row : row + 2 * radius + 1, column : column + 2 * radius + 1][disc]
+        if (around_it < 0).any():
             continue
-        shares = np.bincount(seen[(row + y)[inside], (column + x)[inside]], minlength=count)
-        shares = shares / inside.sum()
+        shares = np.bincount(around_it, minlength=count) / len(around_it)
         upper = int(shares.argmax())
         others = np.flatnonzero(shares >= _LEAST)
         others = others[others != upper]

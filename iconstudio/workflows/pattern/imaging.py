@@ -128,9 +128,7 @@ def laid_out(image: ImageExemplar, samples: float) -> Layout:
     reduced = np.stack([_resized(mask, size) for mask in masks])
     labels = _labels(reduced)
     pixels = found.repainted(image.pixels, masks)
-    colours = np.stack(
-        [_resized(pixels[..., n] / np.float32(255), size) for n in range(3)], axis=2
-    )
+    colours = np.stack([_resized(pixels[..., n] / np.float32(255), size) for n in range(3)], axis=2)
     shapes = element_shapes(found, masks, labels)
     ground = "#" + bytes(found.flat.colours[int(np.argmin(found.layer))]).hex()
     return Layout(Exemplar(colours, reduced, labels), shapes, ground, remark_of(found))
