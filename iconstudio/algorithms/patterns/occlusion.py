@@ -17,8 +17,9 @@ _RADIUS = 80, 4
 """Of what is looked at around a junction: a part of the image's side, and pixels at least."""
 _HALF = 0.4, 0.62
 """How much of it the uppermost layer takes up."""
-_LEAST = 0.06
-"""How much of it both others do, at least."""
+_LEAST, _LESS = 0.08, 0.08
+"""How much of it both others do, at least, and by how much less than it: what meets at a narrow
+angle tells little."""
 _MAJORITY = 3
 """How many times as many junctions tell so as tell the opposite."""
 _FEWEST = 2
@@ -52,7 +53,8 @@ def occlusions(seen: Seen, count: int) -> Integers:
         upper = int(shares.argmax())
         others = np.flatnonzero(shares >= _LEAST)
         others = others[others != upper]
-        if len(others) == 2 and _HALF[0] <= shares[upper] <= _HALF[1]:
+        clear = shares[upper] - shares[others].max(initial=0) >= _LESS
+        if len(others) == 2 and clear and _HALF[0] <= shares[upper] <= _HALF[1]:
             votes[upper, others] += 1
     return votes
 
@@ -78,13 +80,15 @@ def order_of(votes: Integers, sizes: Integers) -> Integers:
 
 
 def hides(votes: Integers) -> Bitmap:
-    """Return (count, count) which layers hide others."""
+    """Return (count, count) which layers hide others; the ground, 0, is none."""
     hiding: Bitmap = (votes >= _FEWEST) & (votes >= _MAJORITY * votes.T)
+    hiding[0] = hiding[:, 0] = False
     return hiding
 
 
 def contests(votes: Integers) -> Bitmap:
-    """Return (count, count) which layers hide each other, one here and the other there."""
+    """Return (count, count) which hide each other, one here and the other there."""
     many = votes >= _FEWEST
+    many[0] = many[:, 0] = False
     contested: Bitmap = many & many.T & ~hides(votes) & ~hides(votes).T
     return contested
