@@ -96,7 +96,7 @@ def test_what_is_not_safe_is_refused():
         own_artwork(b"no drawing", "x.svg")
     sprites = '<symbol id="a" viewBox="0 0 9 9"><path d="M0 0h9v9z" fill="red"/></symbol>'
     both = sprites + sprites.replace('"a"', '"b"').replace("red", "blue")
-    with pytest.raises(SpriteError, match="vine.svg#a"):
+    with pytest.raises(SpriteError, match=r"vine\.svg#a"):
         read(both)
     pixels, _ = read(both, symbol="b")
     assert np.median(pixels[pixels[..., 3] > 250], axis=0)[:3].tolist() == [0, 0, 255]

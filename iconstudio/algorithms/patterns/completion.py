@@ -41,7 +41,7 @@ _STEPS = 32
 """Points of a curve."""
 
 
-class _End(NamedTuple):
+class End(NamedTuple):
     """Where a contour comes to an end."""
 
     point: complex
@@ -55,8 +55,8 @@ class _Hidden:
 
     region: int
     """The number of the connected region that hides it."""
-    arriving: _End
-    leaving: _End
+    arriving: End
+    leaving: End
     along: Points
     """From the first to the last of its points."""
 
@@ -80,8 +80,7 @@ def completed(own: Mask, hiding: Bitmap, ends: bool = True) -> Mask:
     covered = away < _BESIDE
     recovered = np.zeros(own.shape, np.bool_)
     parts: list[_Hidden] = []
-    for contour in find_contours(np.pad(own, 1), 0.5):
-        outline = _even((contour[:, 1] - 1) + 1j * (contour[:, 0] - 1))
+    for outline in outlines_of(own):
         beside = _sampled(covered, outline)
         if ends and beside.all() and _is_hole(outline, own):
             recovered |= _filled(outline, own.shape)
@@ -108,6 +107,14 @@ def _united(own: Mask, recovered: Bitmap, covered: Bitmap) -> Mask:
 
 
 # -- where contours come to an end -----------------------------------------------------------------
+
+
+def outlines_of(mask: Mask) -> list[Points]:
+    """Return the contours of a mask, closed, by points a pixel apart."""
+    return [
+        _even((contour[:, 1] - 1) + 1j * (contour[:, 0] - 1))
+        for contour in find_contours(np.pad(mask, 1), 0.5)
+    ]
 
 
 def _even(outline: Points) -> Points:
@@ -163,28 +170,25 @@ def _runs(beside: Bitmap) -> Iterator[tuple[int, int]]:
 
 def _part(outline: Points, first: int, last: int, region: int, shape: tuple[int, ...]) -> _Hidden:
     seen = len(outline) - (last - first + 1)
-    arriving = _end(outline.take(range(first, first - min(seen, _SIDE) - 1, -1), mode="wrap"))
-    leaving = _end(outline.take(range(last, last + min(seen, _SIDE) + 1), mode="wrap"))
+    arriving = end_of(outline.take(range(first, first - min(seen, _SIDE) - 1, -1), mode="wrap"))
+    leaving = end_of(outline.take(range(last, last + min(seen, _SIDE) + 1), mode="wrap"))
     along = outline.take(range(first, last + 1), mode="wrap")
-    return _Hidden(region, _End(arriving.point, -arriving.way), leaving, along)
+    return _Hidden(region, End(arriving.point, -arriving.way), leaving, along)
 
 
-def _end(points: Points) -> _End:
-    """Return where a contour comes to an end, which these points, from it on, tell.
-
-    Its direction is that in which it goes on from there.
-    """
+def end_of(points: Points) -> End:
+    """Return where a contour begins, which these points tell, from there on."""
     skipped = min(_BLUNTED, max(0, len(points) - 3))
     s, side = np.arange(skipped, len(points)), points[skipped:]
     if len(s) < 2:
-        return _End(points[0], 1)
+        return End(points[0], 1)
     for degree in (1, 2):
         powers = np.vander(s, degree + 1).astype(float)
         found = np.linalg.lstsq(powers, side, rcond=None)[0]
         if len(s) < 8 or abs(powers @ found - side).max() < _STRAIGHT:
             break
     way = complex(found[-2])
-    return _End(complex(found[-1]), way / abs(way) if way else 1)
+    return End(complex(found[-1]), way / abs(way) if way else 1)
 
 
 # -- how they go on --------------------------------------------------------------------------------
@@ -221,7 +225,7 @@ def _cost(one: _Hidden, other: _Hidden, covered: Bitmap) -> float:
     return float(turn**2 - turn * end + end**2 + _APART * chord + _IN_SIGHT * seen**2)
 
 
-def _turns(arriving: _End, leaving: _End) -> tuple[float, float]:
+def _turns(arriving: End, leaving: End) -> tuple[float, float]:
     """Return by how many radians a contour turns to the chord, and from it."""
     chord = leaving.point - arriving.point
     if abs(chord) < 1:
@@ -230,7 +234,7 @@ def _turns(arriving: _End, leaving: _End) -> tuple[float, float]:
     return float(np.angle(chord / arriving.way)), float(np.angle(leaving.way / chord))
 
 
-def _curve(arriving: _End, leaving: _End) -> Points:
+def _curve(arriving: End, leaving: End) -> Points:
     """Return the Hermite curve between two ends; nearly a circle where there is one through both.
 
     Its speeds there are those of the cubic that is nearest to a circle.

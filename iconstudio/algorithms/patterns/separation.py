@@ -100,7 +100,8 @@ def separated(pixels: Pixels, count: int | None = None) -> Separated:
     found = int(group.max())
     group = _fewer(group, flat)
     sizes = np.bincount(group[first].ravel(), minlength=group.max() + 1)
-    votes = occlusions(group[first].astype(np.int16), len(sizes))
+    coverage = np.stack([flat.coverage(group == one) for one in range(len(sizes))])
+    votes = occlusions(group[first].astype(np.int16), coverage)
     order = order_of(votes, sizes)
     rank = np.argsort(order)
     layer = rank[group]

@@ -58,7 +58,7 @@ def _unblended(
     pixels: Pixels, cores: Numbers, rows: NDArray[np.intp], columns: NDArray[np.intp]
 ) -> Blends:
     """Return what some pixels (n,) blend; -1 for those far from all areas of even colour."""
-    numbers, colours, away = _around(pixels, cores, rows, columns)
+    numbers, colours, away = three_nearest(pixels, cores, rows, columns)
     own = pixels[rows, columns].astype(np.float32)
     none = np.full(len(rows), -1, np.int16)
     first, second, share = none, none.copy(), np.ones(len(rows), np.float32)
@@ -82,7 +82,7 @@ def _unblended(
     return Blends(first, second, share.astype(np.float32), stray)
 
 
-def _around(
+def three_nearest(
     pixels: Pixels, cores: Numbers, rows: NDArray[np.intp], columns: NDArray[np.intp]
 ) -> tuple[Numbers, NDArray[np.float32], NDArray[np.float32]]:
     """Return the three colours of even areas that are nearest to some pixels, within ``_EDGE``.

@@ -1,7 +1,7 @@
 """Lines too thin for an area of even colour: what no two colours beside them blend to."""
 
 from collections.abc import Sequence
-from itertools import chain
+from itertools import chain, combinations, product
 from typing import NamedTuple
 
 import numpy as np
@@ -16,7 +16,7 @@ from iconstudio.algorithms.patterns.clusters import (
     Pixels,
     clustered,
 )
-from iconstudio.algorithms.patterns.soft_edges import nearest_colours
+from iconstudio.algorithms.patterns.soft_edges import nearest_colours, three_nearest
 from iconstudio.algorithms.scanning.blending import unblended
 from iconstudio.algorithms.tones.regions import cielab
 
@@ -24,7 +24,7 @@ Colour = NDArray[np.floating]
 """(3,), red, green and blue."""
 
 _BESIDE = 0.1
-"""Of how many of its pixels a colour is the nearest if a line lies beside it."""
+"""How many of its pixels a colour is near to if a line lies beside it."""
 _LINE = 0.4
 """How much of a pixel a line has, at least, where it is narrower than that."""
 _SAME = 4.0
@@ -69,6 +69,7 @@ def lines_of(
         return None
     own = pixels[ridge].astype(np.float32)
     beside = nearest_colours(cores)[ridge]
+    around, _, _ = three_nearest(pixels, cores, *np.nonzero(ridge))
     kinds = clustered(cielab(pixels[ridge]), np.ones(len(own)), FEWEST / 2, limits.alike, None)
     means = [stray[ridge][kinds == one].mean() for one in range(int(kinds.max()) + 1)]
     least = max(FEWEST, LEAST / 2 * cores.size)
@@ -77,8 +78,9 @@ def lines_of(
         some = kinds == one
         if some.sum() < least or len(colours) == most:
             continue
-        around = np.flatnonzero(np.bincount(beside[some]) > _BESIDE * some.sum())
-        if not _blends(own[some], around, [*palette, *colours], limits.stray):
+        near = around[:, some]
+        near = np.flatnonzero(np.bincount(near[near >= 0]) > _BESIDE * some.sum())
+        if not _blends(own[some], near, [*palette, *colours], limits.stray):
             colours.append(np.median(own[some], axis=0))
     number = np.full(cores.shape, -1, np.int16)
     share = np.ones(cores.shape, np.float32)
@@ -90,22 +92,26 @@ def lines_of(
 
 def _blends(
     own: NDArray[np.float32],
-    around: NDArray[np.intp],
+    near: NDArray[np.intp],
     palette: Sequence[Colour],
     stray: float,
 ) -> bool:
-    """Whether pixels (n, 3) of lines have one of some colours, or blend it with what is around.
+    """Whether pixels (n, 3) of lines have one of some colours, or blend it with what is near.
 
     Most of those of a line in a colour of its own are alike, as far as it is no blend by chance.
     """
     colour = np.median(own, axis=0)
     if (np.abs(own - colour).max(axis=1) < _SAME).mean() > 0.5:
         stray = _SAME
-    pairs = ((palette[one], other) for one in around for other in palette)
-    some = [(one,) for one in palette], pairs
+    besides = [palette[one] for one in near]
+    some = chain(
+        ((one,) for one in palette),
+        product(besides, palette),
+        ((*pair, one) for pair in combinations(besides, 2) for one in palette),
+    )
     return any(
         unblended(colour[None], [one[None].astype(np.float32) for one in of])[1] < stray**2
-        for of in chain(*some)
+        for of in some
     )
 
 
