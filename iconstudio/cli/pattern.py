@@ -16,7 +16,7 @@ from iconstudio.files import is_address, replaceable
 from iconstudio.model import IconstudioError, Patterning
 from iconstudio.output.pattern import check_name, write
 from iconstudio.session import Session, is_path
-from iconstudio.workflows.events import Event, Progress, Result
+from iconstudio.workflows.events import Event, Progress, Remark, Result
 from iconstudio.workflows.files import read_file
 from iconstudio.workflows.pattern.bounds import LARGER, LARGEST, LARGEST_SEED, SMALLER, SMALLEST
 from iconstudio.workflows.pattern.imaging import reduction_of
@@ -123,6 +123,8 @@ def _only(events: Generator[Event], stopwatch: Stopwatch) -> Any:
             match event:
                 case Progress():
                     bar.show(event.done, event.message, event.remaining)
+                case Remark():
+                    bar.say(event.sentence)
                 case Result(preview=False):
                     found = event.icon
     return found

@@ -19,10 +19,8 @@ from iconstudio.svg.plain import document, plain
 from iconstudio.svg.resvg import render_colours
 from iconstudio.svg.strokes import coarsened
 
-SIDE, HEAVY_SIDE = 4 * CANVAS, 2 * CANVAS
-"""Pixels of the longer side; if it has filters or patterns, which are slow to draw."""
-_SIDE_AROUND = 2 * CANVAS
-"""Pixels of the longer side of what is looked at beyond the canvas."""
+SIDE = 2 * CANVAS
+"""Pixels of the longer side of the canvas, and of what is looked at beyond it."""
 _FARTHEST = 8.0
 """So many times the side of the canvas is looked at, at most."""
 _FAINT = 2
@@ -63,7 +61,7 @@ def artwork(
     content, fine = coarsened(drawing.content, max(page[2:]), page)
     content, matrix = brought_near(content, page, drawing.bounds)
     page, bounds = mapped(matrix, page), mapped(matrix, drawing.bounds)
-    pixels = _drawn(content, page, HEAVY_SIDE if drawing.heavy else SIDE, fonts)
+    pixels = _drawn(content, page, SIDE, fonts)
     outside = _outside(content, page, bounds, fonts)
     if (pixels[..., 3] < _FAINT).all():
         raise IconstudioError(OUTSIDE if outside else EMPTY)
@@ -92,9 +90,9 @@ def _outside(content: ET.Element, page: Box, drawn: Box, fonts: list[str]) -> in
     assert around is not None
     if max(around[2] / width, around[3] / height) < 1.01:
         return 0
-    alpha = _drawn(content, around, _SIDE_AROUND, fonts)[..., 3]
+    alpha = _drawn(content, around, SIDE, fonts)[..., 3]
     objects, count = ndimage.label(alpha >= _FAINT, np.ones((3, 3)))
-    unit = max(around[2:]) / _SIDE_AROUND
+    unit = max(around[2:]) / SIDE
     first = [int((one - corner) / unit) for one, corner in zip((y, x), around[1::-1], strict=True)]
     last = [one + int(side / unit) + 1 for one, side in zip(first, (height, width), strict=True)]
     window = (slice(max(0, a - 1), b + 1) for a, b in zip(first, last, strict=True))

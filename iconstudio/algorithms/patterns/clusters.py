@@ -43,12 +43,15 @@ def clustered(
 
     One that is far from all that are common enough has -1, unless there may be only ``count``.
     """
-    bins = np.rint(lab / (alike / 4)).astype(np.int64) + 200
-    code, which = np.unique((bins * [1 << 20, 1 << 10, 1]).sum(axis=1), return_inverse=True)
+    bins = np.rint(lab / (alike / 4)).astype(np.int32)
+    bins -= bins.min(axis=0)
+    code = np.ravel_multi_index(tuple(bins.T), tuple(bins.max(axis=0) + 1))
+    there = np.bincount(code) > 0
+    which = (np.cumsum(there) - 1)[code]
     sizes = np.bincount(which, weights)
     means = np.stack([np.bincount(which, weights * one) for one in lab.T], axis=1)
     means /= np.maximum(sizes, 1e-9)[:, None]
-    found = np.full(len(code), -1, np.int16)
+    found = np.full(len(sizes), -1, np.int16)
     palette: list[NDArray[np.float64]] = []
     left = sizes.copy()
     while left.max() > 0 and len(palette) < (count or MOST):

@@ -80,7 +80,7 @@ def flat_colours(pixels: Pixels, count: int | None = None) -> FlatColours:
         If it is no image in flat colours, or has only one.
     """
     lab = cielab(pixels)
-    limits = LOSSY if is_noisy(pixels) else EXACT
+    limits = LOSSY if _noise(lab) > _NOISY else EXACT
     cores = _cores(lab, limits, count)
     blends = blends_of(pixels, cores)
     palette = [np.median(pixels[cores == one], axis=0) for one in range(int(cores.max()) + 1)]
@@ -120,8 +120,13 @@ def _no_flat_colours() -> IconstudioError:
 
 def is_noisy(pixels: Pixels) -> bool:
     """Whether an image has noise, or was compressed with losses."""
-    spread = _spread(cielab(pixels))
-    return bool(((spread > 0) & (spread < EXACT.even)).mean() > _NOISY)
+    return _noise(cielab(pixels)) > _NOISY
+
+
+def _noise(lab: Lab) -> float:
+    """Return how much of an image differs a little from what is beside it."""
+    spread = _spread(lab)
+    return float(((spread > 0) & (spread < EXACT.even)).mean())
 
 
 def _spread(lab: Lab) -> NDArray[np.float32]:

@@ -60,8 +60,8 @@ def _unblended(
     """Return what some pixels (n,) blend; -1 for those far from all areas of even colour."""
     numbers, colours, away = three_nearest(pixels, cores, rows, columns)
     own = pixels[rows, columns].astype(np.float32)
-    none = np.full(len(rows), -1, np.int16)
-    first, second, share = none, none.copy(), np.ones(len(rows), np.float32)
+    first, second = np.full((2, len(rows)), -1, np.int16)
+    share = np.ones(len(rows), np.float32)
     best = np.full(len(rows), np.inf, np.float32)
     stray = best.copy()
     for size in (1, 2, 3):
@@ -71,15 +71,16 @@ def _unblended(
             farther = np.float32(_FARTHER) * (away[some[-1]] - away[0])
             cost = np.where(there, off + farther**2 + (_THIRD**2 if size == 3 else 0), np.inf)
             better = cost < best
-            order = np.argsort(-shares, axis=0)
-            large, small = order[0], order[min(1, size - 1)]
-            at = np.arange(len(rows))
-            first = np.where(better, numbers[some][large, at], first)
-            second = np.where(better, numbers[some][small, at], second)
-            part = shares[large, at] / np.maximum(shares[large, at] + shares[small, at], 0.5)
-            share = np.where(better, part if size > 1 else 1, share)
+            at = np.flatnonzero(better)
+            parts, own_numbers = shares[:, at], numbers[some][:, at]
+            large, n = parts.argmax(axis=0), np.arange(len(at))
+            first[at], whole = own_numbers[large, n], parts[large, n]
+            parts[large, n] = -1 if size > 1 else 1
+            small = parts.argmax(axis=0)
+            second[at] = own_numbers[small, n]
+            share[at] = whole / (whole + parts[small, n]) if size > 1 else 1
             stray, best = np.where(better, np.sqrt(off), stray), np.where(better, cost, best)
-    return Blends(first, second, share.astype(np.float32), stray)
+    return Blends(first, second, share, stray)
 
 
 def three_nearest(
