@@ -209,7 +209,7 @@ class Session(AbstractContextManager["Session"]):
         image = yield from staged("prepare", "Reading the image", _started(self.image(path)))
         return photo_of(image, str(path), read_bytes(path, MAX_BYTES))
 
-    def artwork(self, path: Path) -> Generator[None, None, Separation]:
+    def artwork(self, path: Path) -> Generator[Event, None, Separation]:
         """Return the image in a file, or an SVG drawing in its colours, with its credits.
 
         Of a sprite sheet, ``FILE.svg#id`` is one symbol.
@@ -224,7 +224,8 @@ class Session(AbstractContextManager["Session"]):
         name, symbol = file_and_symbol(str(path))
         task = own_artwork, read_file(Path(name)), name, symbol
         reading = self._readers.submit(*task, timeout=_SECONDS, memory=_MEMORY)
-        pixels, pictogram = yield from awaited(reading, f"Reading “{name}”", _SIMPLER)
+        waiting = _started(awaited(reading, f"Reading “{name}”", _SIMPLER))
+        pixels, pictogram = yield from staged("prepare", "Reading the drawing", waiting)
         image = Image(pixels, pixels.shape[1], pixels.shape[0])
         return Separation(photo_of(image, str(path)), credits=(pictogram,))
 

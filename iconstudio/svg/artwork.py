@@ -96,4 +96,4 @@ def _outside(content: ET.Element, page: Box, drawn: Box, fonts: list[str]) -> in
     first = [int((one - corner) / unit) for one, corner in zip((y, x), around[1::-1], strict=True)]
     last = [one + int(side / unit) + 1 for one, side in zip(first, (height, width), strict=True)]
     window = (slice(max(0, a - 1), b + 1) for a, b in zip(first, last, strict=True))
-    return count - int((np.unique(objects[tuple(window)]) > 0).sum())
+    return int(count) - int((np.unique(objects[tuple(window)]) > 0).sum())

@@ -146,7 +146,7 @@ def test_an_svg_drawing_is_an_exemplar_in_its_colours(session, file):
     assert thanks.credit.author == "Ada" and thanks.remarks == (artwork.ONE_OUTSIDE,)
     assert image.photo.width == image.photo.height == artwork.SIDE
     assert image.photo.suffix == ".png" and image.photo.data.startswith(b"\x89PNG")
-    work = Patterning(image=image, width=64, height=64)
+    work = Patterning(image=image, width=128, height=128)
     (icon,) = (one.icon for one in run(session, work) if isinstance(one, Result))
     assert icon.title == "pattern of dots" and [one.credit.author for one in icon.credits] == [
         "Ada"

@@ -5,6 +5,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.tones.regions import sums
+
 Pixels = NDArray[np.uint8]
 """(h, w, 3), red, green and blue."""
 Numbers = NDArray[np.int16]
@@ -34,7 +36,7 @@ LOSSY = Limits(10.0, 14.0, 72.0)
 
 def clustered(
     lab: NDArray[np.floating],
-    weights: NDArray[np.floating],
+    weights: NDArray[np.floating] | NDArray[np.integer],
     least: float,
     alike: float,
     count: int | None,
@@ -49,8 +51,7 @@ def clustered(
     there = np.bincount(code) > 0
     which = (np.cumsum(there) - 1)[code]
     sizes = np.bincount(which, weights)
-    means = np.stack([np.bincount(which, weights * one) for one in lab.T], axis=1)
-    means /= np.maximum(sizes, 1e-9)[:, None]
+    means = sums_of(which, (lab.T * weights).T) / np.maximum(sizes, 1e-9)[:, None]
     found = np.full(len(sizes), -1, np.int16)
     palette: list[NDArray[np.float64]] = []
     left = sizes.copy()
@@ -69,4 +70,10 @@ def clustered(
         away = np.linalg.norm(means[:, None] - np.array(palette), axis=2)
         near = away.min(axis=1) < (2 * alike if count is None else np.inf)
         found[near] = away.argmin(axis=1)[near]
-    return found[which]
+    numbers: Numbers = found[which]
+    return numbers
+
+
+def sums_of(number: NDArray[np.integer], values: NDArray[np.floating]) -> NDArray[np.float64]:
+    """Return the sums (m, c) of the values (n, c) of each number (n,)."""
+    return np.stack([sums(number.astype(np.intp), one) for one in values.T], axis=1)

@@ -26,8 +26,9 @@ from iconstudio.algorithms.patterns.clusters import (
     Numbers,
     Pixels,
     clustered,
+    sums_of,
 )
-from iconstudio.algorithms.patterns.soft_edges import blends_of, nearest_colours
+from iconstudio.algorithms.patterns.soft_edges import Blends, blends_of, nearest_colours
 from iconstudio.algorithms.patterns.thin_lines import lines_of
 from iconstudio.algorithms.tones.regions import cielab
 from iconstudio.model import IconstudioError
@@ -91,8 +92,8 @@ def flat_colours(pixels: Pixels, count: int | None = None) -> FlatColours:
         number, ridge = lines.number, lines.number >= 0
         blends = blends_of(pixels, np.where(ridge, number, cores))
         beside = nearest_colours(cores)[ridge]
-        for values, own in zip(blends, (number[ridge], beside, lines.share[ridge]), strict=False):
-            values[ridge] = own
+        own = Blends(number[ridge], beside, lines.share[ridge], blends.stray[ridge])
+        blends.put(ridge, own)
     first, second, share, stray = blends
     if ((cores < 0) & (stray > 2 * limits.stray)).mean() > _UNKNOWN_MOST:
         raise _no_flat_colours()
@@ -151,12 +152,12 @@ def _cores(lab: Lab, limits: Limits, count: int | None) -> Numbers:
     areas = _flowing(areas, even)[areas]
     sizes = np.bincount(areas.ravel())
     sizes[0] = 0
-    sums = [np.bincount(areas.ravel(), lab[..., n].ravel()) for n in range(3)]
-    means = np.stack(sums, axis=1) / np.maximum(sizes, 1)[:, None]
+    means = sums_of(areas.ravel(), lab.reshape(-1, 3)) / np.maximum(sizes, 1)[:, None]
     colours = np.full(len(sizes), -1, np.int16)
     known = sizes > 0
     colours[known] = clustered(means[known], sizes[known], least, limits.alike, count)
-    return colours[areas]
+    cores: Numbers = colours[areas]
+    return cores
 
 
 def _flowing(areas: NDArray[np.int64], even: NDArray[np.bool_]) -> NDArray[np.int64]:

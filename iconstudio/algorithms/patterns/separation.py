@@ -11,9 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import ndimage
 
+from iconstudio.algorithms.patterns.clusters import Pixels, sums_of
 from iconstudio.algorithms.patterns.completion import completed
 from iconstudio.algorithms.patterns.exemplar import MOST_LAYERS, Masks
-from iconstudio.algorithms.patterns.flat_colours import FlatColours, Pixels, flat_colours
+from iconstudio.algorithms.patterns.flat_colours import FlatColours, flat_colours
 from iconstudio.algorithms.patterns.grouping import Areas, grouped_colours
 from iconstudio.algorithms.patterns.occlusion import contests, hides, occlusions, order_of
 from iconstudio.algorithms.tones.regions import cielab
@@ -118,8 +119,7 @@ def _fewer(group: NDArray[np.int64], flat: FlatColours) -> NDArray[np.int64]:
         inked = np.bincount(group, sizes)
         inked[0] = np.inf
         smallest = int(inked.argmin())
-        means = np.stack([np.bincount(group, sizes * one) for one in lab.T], axis=1)
-        means /= np.bincount(group, sizes)[:, None]
+        means = sums_of(group, (lab.T * sizes).T) / np.bincount(group, sizes)[:, None]
         away = np.linalg.norm(means - means[smallest], axis=1)
         away[[0, smallest]] = np.inf
         joined = np.where(group == smallest, away.argmin(), group)

@@ -120,7 +120,8 @@ def _owners(ink: NDArray[np.bool_], labels: Labels) -> Labels:
     best = votes.argmax(axis=1)
     best[votes.max(axis=1) < _SURE * votes.sum(axis=1)] = 0
     nearest = ndimage.distance_transform_edt(~ink, return_distances=False, return_indices=True)
-    return best[pieces[tuple(nearest)]].astype(np.int32)
+    owners: Labels = best[pieces[tuple(nearest)]].astype(np.int32)
+    return owners
 
 
 def _owner(contour: Contour, owner: Labels, scale: float) -> int:

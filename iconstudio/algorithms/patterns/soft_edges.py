@@ -29,6 +29,15 @@ class Blends(NamedTuple):
     stray: NDArray[np.float32]
     """By how many levels they stray from that."""
 
+    def of(self, which: NDArray[np.bool_]) -> "Blends":
+        """Return those of some pixels."""
+        return Blends(self.first[which], self.second[which], self.share[which], self.stray[which])
+
+    def put(self, at: tuple[NDArray[np.intp], ...] | NDArray[np.bool_], others: "Blends") -> None:
+        """Put those of some pixels in place of their own."""
+        self.first[at], self.second[at] = others.first, others.second
+        self.share[at], self.stray[at] = others.share, others.stray
+
 
 def nearest_colours(cores: Numbers) -> Numbers:
     """Return the colour of the even area that is nearest to each pixel."""
@@ -49,8 +58,7 @@ def blends_of(pixels: Pixels, cores: Numbers) -> Blends:
         found = _unblended(pixels, cores, *at)
         inside = found.first >= 0
         at = at[0][inside], at[1][inside]
-        for values, own in zip(blends, found, strict=True):
-            values[at] = own[inside]
+        blends.put(at, found.of(inside))
     return blends
 
 

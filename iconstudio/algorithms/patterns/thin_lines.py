@@ -78,8 +78,8 @@ def lines_of(
         some = kinds == one
         if some.sum() < least or len(colours) == most:
             continue
-        near = around[:, some]
-        near = np.flatnonzero(np.bincount(near[near >= 0]) > _BESIDE * some.sum())
+        numbers = around[:, some]
+        near = np.flatnonzero(np.bincount(numbers[numbers >= 0]) > _BESIDE * some.sum())
         if not _blends(own[some], near, [*palette, *colours], limits.stray):
             colours.append(np.median(own[some], axis=0))
     number = np.full(cores.shape, -1, np.int16)

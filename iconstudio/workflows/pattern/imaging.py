@@ -80,15 +80,14 @@ def over_white(photo: Photo) -> NDArray[np.uint8]:
     """Return the pixels of an image over white, (h, w, 3), at most ``LARGEST`` a side."""
     from PIL import Image
 
-    fitting = [one for one in photo.levels if max(one.shape) <= LARGEST]
-    words = fitting[0] if fitting else photo.levels[-1]
+    words = [photo.levels[0], *(one for one in photo.levels if max(one.shape) >= LARGEST)][-1]
     alpha = words >> 24
     shown = np.stack([((words >> shift) & 255) + 255 - alpha for shift in (16, 8, 0)], axis=2)
-    pixels = np.minimum(shown, 255).astype(np.uint8)
+    pixels: NDArray[np.uint8] = np.minimum(shown, 255).astype(np.uint8)
     if max(pixels.shape) > LARGEST:
         image = Image.fromarray(pixels)
         image.thumbnail((LARGEST, LARGEST), Image.Resampling.BOX)
-        pixels = np.asarray(image)
+        pixels = np.array(image)
     return pixels
 
 
@@ -104,7 +103,7 @@ def corrected(layers: Layers, corrections: Sequence[Correction], reduction: floa
         draw.line(points, one.layer, max(1, round(2 * half)), "curve")
         for x, y in (points[0], points[-1]):
             draw.ellipse((x - half, y - half, x + half, y + half), one.layer)
-    return np.asarray(image)
+    return np.array(image)
 
 
 def laid_out(image: ImageExemplar, samples: float) -> Layout:
@@ -128,10 +127,12 @@ def laid_out(image: ImageExemplar, samples: float) -> Layout:
     reduced = np.stack([_resized(mask, size) for mask in masks])
     labels = _labels(reduced)
     pixels = found.repainted(image.pixels, masks)
-    colours = np.stack([_resized(pixels[..., n] / np.float32(255), size) for n in range(3)], axis=2)
+    colours = np.stack([_resized(one, size) for one in np.moveaxis(pixels, 2, 0)], axis=2) / 255
     shapes = element_shapes(found, masks, labels)
     ground = "#" + bytes(found.flat.colours[int(np.argmin(found.layer))]).hex()
-    return Layout(Exemplar(colours, reduced, labels), shapes, ground, remark_of(found))
+    return Layout(
+        Exemplar(colours.astype(np.float32), reduced, labels), shapes, ground, remark_of(found)
+    )
 
 
 def remark_of(found: Separated) -> str:
@@ -166,7 +167,9 @@ def _calm(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
     return pixels
 
 
-def _resized(channel: NDArray[np.float32], size: tuple[int, ...]) -> NDArray[np.float32]:
+def _resized(
+    channel: NDArray[np.float32] | NDArray[np.uint8], size: tuple[int, ...]
+) -> NDArray[np.float32]:
     """Return a channel (h, w) at another size, each pixel the mean of those in its place."""
     from PIL import Image
 
@@ -174,4 +177,5 @@ def _resized(channel: NDArray[np.float32], size: tuple[int, ...]) -> NDArray[np.
     large = Image.fromarray(np.ascontiguousarray(channel, np.float32))
     shrinks = channel.shape[0] > rows
     way = Image.Resampling.BOX if shrinks else Image.Resampling.BICUBIC
-    return np.clip(np.asarray(large.resize((columns, rows), way)), 0, 1)
+    resized: NDArray[np.float32] = np.array(large.resize((columns, rows), way))
+    return resized.clip(channel.min(), channel.max())
