@@ -66,15 +66,16 @@ class Separated:
         return seen
 
     def repainted(self, pixels: Pixels, masks: Masks) -> Pixels:
-        """Return the image with its layers in their order where they hide each other."""
+        """Return the image with these masks, in their order, where they cover what is seen now."""
         painted = pixels.copy()
-        for number in np.flatnonzero(self.contests.any(axis=0)):
+        for number in range(1, self.count + 1):
             upper = (masks[self.count - number] > 0.5) & (self.seen < number)
-            own = self.seen == number
-            nearest = ndimage.distance_transform_edt(
-                ndimage.binary_erosion(own) == 0, return_distances=False, return_indices=True
-            )
-            painted[upper] = pixels[tuple(nearest)][upper]
+            own = (self.seen == number) & (self.layer[self.flat.first] == number)
+            if upper.any() and own.any():
+                nearest = ndimage.distance_transform_edt(
+                    ~own, return_distances=False, return_indices=True
+                )
+                painted[upper] = self.flat.colours[self.flat.first[tuple(nearest)][upper]]
         return painted
 
     def corrected(self, seen: Layers) -> "Separated":

@@ -13,13 +13,18 @@ from iconstudio.algorithms.patterns.exemplar import LARGEST, MOST_LAYERS, Exempl
 from iconstudio.algorithms.patterns.flat_colours import is_noisy
 from iconstudio.algorithms.patterns.separation import Layers, Separated, separated
 from iconstudio.algorithms.patterns.shapes import element_shapes
+from iconstudio.algorithms.patterns.thickening import thickened
 from iconstudio.model import CANVAS, Correction, IconstudioError, Photo, Separation
 from iconstudio.workflows.pattern.layout import Layout
 
+_THINNEST = 1.5
+"""Pixels of an exemplar that the lines of its layers are wide, at least."""
 _SMALLEST = 16
 """Pixels of a side of an image."""
 _NOISY_MOST = 400
 """Pixels of the longer side of an image with noise: reduced to fewer, it has less of it."""
+_TIGHT = 0.7
+"""How much of an image a mosaic covers, at least."""
 _SOFT = 0.02
 """What a layer covers of a pixel at its soft edge, at least."""
 
@@ -124,9 +129,10 @@ def laid_out(image: ImageExemplar, samples: float) -> Layout:
     height, width = found.seen.shape
     factor = round(CANVAS * samples) / max(height, width)
     size = tuple(max(_SMALLEST, round(side * factor)) for side in (height, width))
-    reduced = np.stack([_resized(mask, size) for mask in masks])
+    thick = np.stack([thickened(mask, _THINNEST / factor) for mask in masks])
+    reduced = np.stack([_resized(mask, size) for mask in thick])
     labels = _labels(reduced)
-    pixels = found.repainted(image.pixels, masks)
+    pixels = found.repainted(image.pixels, thick)
     colours = np.stack([_resized(one, size) for one in np.moveaxis(pixels, 2, 0)], axis=2) / 255
     shapes = element_shapes(found, masks, labels)
     ground = "#" + bytes(found.flat.colours[int(np.argmin(found.layer))]).hex()
@@ -146,10 +152,14 @@ def remark_of(found: Separated) -> str:
 
 
 def _labels(masks: Masks) -> NDArray[np.int32]:
-    """Return which element each pixel of each layer belongs to, from 1; 0 where there is none."""
+    """Return which element each pixel of each layer belongs to, from 1; 0 where there is none.
+
+    Those of a mosaic fit each other, and not other places: it is one that goes on.
+    """
     labels = []
     for mask in masks:
-        own = grouped(*components(mask > 0.5))
+        ink = mask > 0.5
+        own = grouped(*components(ink)) if ink.mean() < _TIGHT else ink.astype(np.int32)
         around = ndimage.grey_dilation(own, size=(3, 3))
         labels.append(np.where((own == 0) & (mask > _SOFT), around, own))
     return np.stack(labels)
