@@ -25,7 +25,7 @@ from iconstudio.caches.rasters import RasterCache
 from iconstudio.files import is_address, read_bytes, remove_abandoned
 from iconstudio.images import scans
 from iconstudio.images.photo import photo_of
-from iconstudio.images.reading import MAX_BYTES, Image, is_image_file, read_image
+from iconstudio.images.reading import MAX_BYTES, Image, awaited, is_image_file, read_image
 from iconstudio.library.collection import Collection, cache_folder
 from iconstudio.model import (
     Axis,
@@ -37,10 +37,11 @@ from iconstudio.model import (
     Photo,
     Pictogram,
     Placement,
+    Separation,
     Source,
 )
 from iconstudio.svg.lines import lines_of, lines_of_path
-from iconstudio.svg.reading import file_and_symbol, own_svg, read_file
+from iconstudio.svg.reading import file_and_symbol, own_artwork, own_svg, read_file
 from iconstudio.svg.resvg import render_placed
 from iconstudio.workers import Workers, answer, loss
 from iconstudio.workflows.drawing import MEMORY, SECONDS, draw_whole
@@ -171,7 +172,7 @@ class Session(AbstractContextManager["Session"]):
             )
         if is_image_file(Path(reference)):
             return returned(scans.read_scan(Path(reference), self._readers))
-        if _is_path(reference):
+        if is_path(reference):
             path, symbol = file_and_symbol(reference)
             return self.icon_from(read_file(Path(path)), path, symbol)
         try:
@@ -207,6 +208,26 @@ class Session(AbstractContextManager["Session"]):
         """Return the image in a file as a photo, see ``image``; yield progress."""
         image = yield from staged("prepare", "Reading the image", _started(self.image(path)))
         return photo_of(image, str(path), read_bytes(path, MAX_BYTES))
+
+    def artwork(self, path: Path) -> Generator[Event, None, Separation]:
+        """Return the image in a file, or an SVG drawing in its colours, with its credits.
+
+        Of a sprite sheet, ``FILE.svg#id`` is one symbol.
+
+        Raises
+        ------
+        IconstudioError
+            If it cannot be read, or shows nothing.
+        """
+        if is_image_file(path):
+            return Separation((yield from self.photo(path)))
+        name, symbol = file_and_symbol(str(path))
+        task = own_artwork, read_file(Path(name)), name, symbol
+        reading = self._readers.submit(*task, timeout=_SECONDS, memory=_MEMORY)
+        waiting = _started(awaited(reading, f"Reading “{name}”", _SIMPLER))
+        pixels, pictogram = yield from staged("prepare", "Reading the drawing", waiting)
+        image = Image(pixels, pixels.shape[1], pixels.shape[0])
+        return Separation(photo_of(image, str(path)), credits=(pictogram,))
 
     def scan(self, image: Image, inverted: bool | None = None) -> Generator[None, None, Scan]:
         """Return the drawing on an image; see ``images.scans.scan``."""
@@ -367,7 +388,7 @@ class Session(AbstractContextManager["Session"]):
         self.close()
 
 
-def _is_path(reference: str) -> bool:
+def is_path(reference: str) -> bool:
     """Whether a reference names a file, which need not be there."""
     named = reference.startswith(("/", ".", "~")) or "\\" in reference or Path(reference).suffix
     return bool(named) or os.path.isfile(file_and_symbol(reference)[0])

@@ -12,12 +12,11 @@ from iconstudio.cli import running
 from iconstudio.cli.line_styles import Between
 from iconstudio.cli.progress import ProgressBar
 from iconstudio.cli.timing import Stopwatch, profile_option, profiled
-from iconstudio.files import replaceable
-from iconstudio.images.reading import is_image_file
-from iconstudio.model import IconstudioError, Patterning, Separation
+from iconstudio.files import is_address, replaceable
+from iconstudio.model import IconstudioError, Patterning
 from iconstudio.output.pattern import check_name, write
-from iconstudio.session import Session
-from iconstudio.workflows.events import Event, Progress, Result
+from iconstudio.session import Session, is_path
+from iconstudio.workflows.events import Event, Progress, Remark, Result
 from iconstudio.workflows.files import read_file
 from iconstudio.workflows.pattern.bounds import LARGER, LARGEST, LARGEST_SEED, SMALLER, SMALLEST
 from iconstudio.workflows.pattern.imaging import reduction_of
@@ -98,8 +97,10 @@ def command(exemplar: str, out: str, profile: bool, **options: Any) -> None:
 
 def _reading_and_running(session: Session, exemplar: str, asked: _Asked) -> Generator[Event]:
     work = yield from _work(session, exemplar)
-    if work.image is not None and (reduced := reduction_of(work.image.photo)):
-        running.tell(reduced)
+    if work.image is not None:
+        if reduced := reduction_of(work.image.photo):
+            running.tell(reduced)
+        running.tell_remarks(work.image.credits)
     running.tell_remarks(one.icon for one in work.motifs)
     yield from session.run(PATTERN, asked.of(work, session))
 
@@ -107,8 +108,8 @@ def _reading_and_running(session: Session, exemplar: str, asked: _Asked) -> Gene
 def _work(session: Session, exemplar: str) -> Generator[Event, None, Patterning]:
     if Path(exemplar).suffix.lower() == ".json":
         return (yield from read_file(Path(exemplar), PATTERN, session, running.tell))
-    if is_image_file(Path(exemplar)):
-        return Patterning(image=Separation((yield from session.photo(Path(exemplar)))))
+    if is_path(exemplar) and not is_address(exemplar):
+        return Patterning(image=(yield from session.artwork(Path(exemplar))))
     assert PATTERN.with_icons is not None
     return PATTERN.with_icons(Patterning(), (session.icon(exemplar),))
 
@@ -122,6 +123,8 @@ def _only(events: Generator[Event], stopwatch: Stopwatch) -> Any:
             match event:
                 case Progress():
                     bar.show(event.done, event.message, event.remaining)
+                case Remark():
+                    bar.say(event.sentence)
                 case Result(preview=False):
                     found = event.icon
     return found

@@ -100,10 +100,15 @@ def decode_image(data: bytes) -> Image:
     return Image(pixels, width, height, remark)
 
 
-def awaited(future: "Future[T]") -> Generator[None, None, T]:
+def awaited(
+    future: "Future[T]",
+    doing: str = "Reading it",
+    cure: str = "Scale it down first, or save it in another format.",
+) -> Generator[None, None, T]:
     """Return what a worker process makes of an image; yield now and then until it is there.
 
-    Closing the generator ends the work.
+    Closing the generator ends the work. What it was ``doing``, and a ``cure``, are said if it
+    reaches its limits.
 
     Raises
     ------
@@ -113,7 +118,7 @@ def awaited(future: "Future[T]") -> Generator[None, None, T]:
     try:
         while not wait([future], _PATIENCE).done:
             yield
-        return answer(future, "Reading it", "Scale it down first, or save it in another format.")
+        return answer(future, doing, cure)
     finally:
         future.cancel()
 

@@ -91,15 +91,8 @@ def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ..
         If its lines are too thin.
     """
     remarks = list(drawing.remarks)
-    fonts: list[str] = []
-    if drawing.texts:
-        files = [resource(f"fonts/Inter-{one}.otf") for one in ("Regular", "SemiBold")]
-        fonts = list(map(str, files))
-        missing = missing_letters(drawing.texts, files[0])
-        if set("".join(drawing.texts)).difference(missing, whitespace):
-            remarks.append(FONTS)
-        if missing:
-            remarks.append(UNKNOWN.format(missing[:20]))
+    fonts, said_of_fonts = fonts_of(drawing.texts)
+    remarks += said_of_fonts
     if drawing.bounds is None or not max(drawing.bounds[2:]):
         raise _nothing(remarks)
     black = _as_it_is(drawing, rdf)
@@ -145,6 +138,17 @@ def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ..
     if own is None:
         own, box = _traced(picture.coverage), (0.0, 0.0, float(CANVAS), float(CANVAS))
     return document(own, box, rdf, marked=True), tuple(dict.fromkeys(remarks))
+
+
+def fonts_of(texts: Sequence[str]) -> tuple[list[str], list[str]]:
+    """Return the files of the fonts for texts, if there are any, and what to say of them."""
+    if not texts:
+        return [], []
+    files = [str(resource(f"fonts/Inter-{one}.otf")) for one in ("Regular", "SemiBold")]
+    missing = missing_letters(texts, resource("fonts/Inter-Regular.otf"))
+    others = set("".join(texts)).difference(missing, whitespace)
+    unknown = [UNKNOWN.format(missing[:20])] if missing else []
+    return files, [*([FONTS] if others else []), *unknown]
 
 
 def _as_it_is(drawing: Plain, rdf: ET.Element | None) -> str | None:

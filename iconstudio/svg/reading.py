@@ -5,7 +5,12 @@ import logging
 import os
 import re
 import xml.etree.ElementTree as ET
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
 
 from iconstudio.files import read_bytes
 from iconstudio.model import Credit, IconstudioError, Pictogram, SpriteError
@@ -75,8 +80,53 @@ def own_svg(data: bytes, name: str, symbol: str | None = None) -> Pictogram:
     IconstudioError
         If it is no SVG, shows nothing, or is not safe to draw.
     """
-    try:
+    with told(data, name, symbol):
         svg, credit, made_of, remarks = _read(data, Path(name).name, symbol)
+    return Pictogram(identifier(data, name, symbol)[0], svg, credit, made_of, remarks)
+
+
+def own_artwork(
+    data: bytes, name: str, symbol: str | None = None
+) -> tuple[NDArray[np.uint8], Pictogram]:
+    """Return an SVG document in its colours (h, w, 4), and whom to thank, without a drawing.
+
+    As with ``own_svg``, its remarks say what could not be read, and the document is hostile.
+
+    Raises
+    ------
+    SpriteError
+        If it is a sprite sheet, and ``symbol`` does not say what of it is wanted.
+    IconstudioError
+        If it is no SVG, shows nothing on its canvas, or is not safe to draw.
+    """
+    from iconstudio.svg.artwork import artwork
+
+    with told(data, name, symbol):
+        pixels, rdf, remarks = artwork(data, symbol)
+    called, title = identifier(data, name, symbol)
+    credit, made_of = credits.credit(rdf, title), credits.sources(rdf)
+    return pixels, Pictogram(called, "", credit, made_of, tuple(remarks))
+
+
+def identifier(data: bytes, name: str, symbol: str | None = None) -> tuple[str, str]:
+    """Return the identifier of a drawing of the user's own, and its title if it has none."""
+    digest = hashlib.sha256(data).hexdigest()[:8]
+    called = "-".join(filter(None, (Path(name).stem, symbol, digest)))
+    title = Path(name).name
+    return f"{OWN}{called}", title if symbol is None else f"{title}#{symbol}"
+
+
+@contextmanager
+def told(data: bytes, name: str, symbol: str | None = None) -> Iterator[None]:
+    """Say of which drawing it is that it cannot be used, and which part of it, within.
+
+    Raises
+    ------
+    SpriteError, IconstudioError
+        With whatever is raised there.
+    """
+    try:
+        yield
     except SpriteError as error:
         raise SpriteError(
             f"“{name}” cannot be used. {error} "
@@ -92,9 +142,6 @@ def own_svg(data: bytes, name: str, symbol: str | None = None) -> Pictogram:
             f"“{name}” cannot be used. {part} is not understood. Leave it out, or save the drawing "
             "as plain SVG."
         ) from None
-    digest = hashlib.sha256(data).hexdigest()[:8]
-    called = "-".join(filter(None, (Path(name).stem, symbol, digest)))
-    return Pictogram(f"{OWN}{called}", svg, credit, made_of, remarks)
 
 
 def _part_not_understood(data: bytes, symbol: str | None) -> str:

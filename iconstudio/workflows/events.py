@@ -22,6 +22,13 @@ class Retrieved(Event):
 
 
 @dataclass(frozen=True, slots=True)
+class Remark(Event):
+    """A sentence about how the work was read, for the user."""
+
+    sentence: str
+
+
+@dataclass(frozen=True, slots=True)
 class RegionsFound(Event):
     """Centres of the salient regions in canvas pixels, most salient first (section 3.2)."""
 

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any, Concatenate, Generic, Protocol, Self, TypeVar
 
 from iconstudio.inputs.formats import Reference, StrictRecord, Text
-from iconstudio.model import Drawing, Exemplar, Line, Photo, Pictogram
+from iconstudio.model import Drawing, Exemplar, Line, Photo, Pictogram, Separation
 from iconstudio.workers import Workers
 from iconstudio.workflows.events import Event
 
@@ -28,6 +28,10 @@ class Resources(Protocol):
 
     def photo(self, path: Path) -> Generator[Event, None, Photo]:
         """Return the image in a file; yield progress."""
+        ...
+
+    def artwork(self, path: Path) -> Generator[Any, None, Separation]:
+        """Return the image in a file, or an SVG drawing in its colours, with its credits."""
         ...
 
     def exemplar(self, pictogram: Pictogram) -> Exemplar:

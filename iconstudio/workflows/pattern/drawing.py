@@ -25,6 +25,8 @@ class Drawn:
     layers: tuple[ColouredLayer, ...]
     ground: str
     torn: float
+    remark: str = ""
+    """A sentence for the user about how the exemplar was read, if there is anything to say."""
 
 
 def draw(
@@ -59,7 +61,7 @@ def draw(
     else:
         *_, pattern = best(prepared, settings, _TRIES, _ask)
     layers = vectorise(pattern, found.elements or None, _ask)
-    return Drawn(layers, found.ground, pattern.torn)
+    return Drawn(layers, found.ground, pattern.torn, found.remark)
 
 
 def _ask() -> None:

@@ -15,6 +15,7 @@ from iconstudio.model import (
     Motif,
     Patterning,
     Photo,
+    Pictogram,
     Separation,
     Stroke,
 )
@@ -135,15 +136,19 @@ class PatternFile(File[Patterning], frozen=True):
 
     def resolving(self, resources: Resources) -> Generator[Event, None, Patterning]:
         """Return the work, its image read."""
-        photo = None if self.image is None else (yield from resources.photo(self.image))
-        return self.with_image(resources.icon, photo)
+        if self.image is None:
+            return self.resolved(resources.icon)
+        image = yield from resources.artwork(self.image)
+        return self.with_image(resources.icon, image.photo, image.credits)
 
-    def with_image(self, find: Find, photo: Photo | None) -> Patterning:
-        """Return the work with its image."""
+    def with_image(
+        self, find: Find, photo: Photo | None, credits: tuple[Pictogram, ...] = ()
+    ) -> Patterning:
+        """Return the work with its image, and those to thank for it."""
         corrections = tuple(one.correction for one in self.corrections)
         return Patterning(
             motifs=tuple(one.resolved(find) for one in self.motifs),
-            image=None if photo is None else Separation(photo, self.colours, corrections),
+            image=None if photo is None else Separation(photo, self.colours, corrections, credits),
             ground=_plain(self.ground),
             width=self.width,
             height=self.height,

@@ -6,14 +6,27 @@ from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy import ndimage
 
-from iconstudio.algorithms.patterns.exemplar import LARGEST, Exemplar
-from iconstudio.algorithms.patterns.separation import Layers, completed, separated
+from iconstudio.algorithms.patterns.elements import components, grouped
+from iconstudio.algorithms.patterns.exemplar import LARGEST, MOST_LAYERS, Exemplar, Masks
+from iconstudio.algorithms.patterns.flat_colours import is_noisy
+from iconstudio.algorithms.patterns.separation import Layers, Separated, separated
+from iconstudio.algorithms.patterns.shapes import element_shapes
+from iconstudio.algorithms.patterns.thickening import thickened
 from iconstudio.model import CANVAS, Correction, IconstudioError, Photo, Separation
 from iconstudio.workflows.pattern.layout import Layout
 
+_THINNEST = 1.5
+"""Pixels of an exemplar that the lines of its layers are wide, at least."""
 _SMALLEST = 16
 """Pixels of a side of an image."""
+_NOISY_MOST = 400
+"""Pixels of the longer side of an image with noise: reduced to fewer, it has less of it."""
+_TIGHT = 0.7
+"""How much of an image a mosaic covers, at least."""
+_SOFT = 0.02
+"""What a layer covers of a pixel at its soft edge, at least."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,15 +57,21 @@ class ImageExemplar:
                 f"The image has {image.photo.width} x {image.photo.height} pixels. "
                 f"Give one of at least {_SMALLEST} x {_SMALLEST}."
             )
-        pixels = over_white(image.photo)
+        pixels = _calm(over_white(image.photo))
         digest = hashlib.sha256(pixels.tobytes() + repr(pixels.shape).encode()).hexdigest()
         reduction = image.photo.width / pixels.shape[1]
         return cls(pixels, digest, image.colours, image.corrections, reduction)
 
     def layers(self) -> Layers:
         """Return its layers, corrected: (h, w), from the ground, 0, up."""
-        layers = separated(self.pixels / np.float32(255), self.colours)
-        return corrected(layers, self.corrections, self.reduction)
+        return self.separated().seen
+
+    def separated(self) -> Separated:
+        """Return its layers, corrected."""
+        found = separated(self.pixels, self.colours)
+        if not self.corrections:
+            return found
+        return found.corrected(corrected(found.seen, self.corrections, self.reduction))
 
 
 def reduction_of(photo: Photo) -> str:
@@ -66,15 +85,14 @@ def over_white(photo: Photo) -> NDArray[np.uint8]:
     """Return the pixels of an image over white, (h, w, 3), at most ``LARGEST`` a side."""
     from PIL import Image
 
-    fitting = [one for one in photo.levels if max(one.shape) <= LARGEST]
-    words = fitting[0] if fitting else photo.levels[-1]
+    words = [photo.levels[0], *(one for one in photo.levels if max(one.shape) >= LARGEST)][-1]
     alpha = words >> 24
     shown = np.stack([((words >> shift) & 255) + 255 - alpha for shift in (16, 8, 0)], axis=2)
-    pixels = np.minimum(shown, 255).astype(np.uint8)
+    pixels: NDArray[np.uint8] = np.minimum(shown, 255).astype(np.uint8)
     if max(pixels.shape) > LARGEST:
         image = Image.fromarray(pixels)
         image.thumbnail((LARGEST, LARGEST), Image.Resampling.BOX)
-        pixels = np.asarray(image)
+        pixels = np.array(image)
     return pixels
 
 
@@ -90,7 +108,7 @@ def corrected(layers: Layers, corrections: Sequence[Correction], reduction: floa
         draw.line(points, one.layer, max(1, round(2 * half)), "curve")
         for x, y in (points[0], points[-1]):
             draw.ellipse((x - half, y - half, x + half, y + half), one.layer)
-    return np.asarray(image)
+    return np.array(image)
 
 
 def laid_out(image: ImageExemplar, samples: float) -> Layout:
@@ -106,20 +124,62 @@ def laid_out(image: ImageExemplar, samples: float) -> Layout:
     IconstudioError
         If it cannot be an exemplar.
     """
-    layers = image.layers()
-    height, width = layers.shape
+    found = image.separated()
+    masks = found.masks()
+    height, width = found.seen.shape
     factor = round(CANVAS * samples) / max(height, width)
     size = tuple(max(_SMALLEST, round(side * factor)) for side in (height, width))
-    masks = np.stack([_resized(mask, size) for mask in completed(layers)])
-    colours = np.stack(
-        [_resized(image.pixels[..., n] / np.float32(255), size) for n in range(3)], axis=2
+    thick = np.stack([thickened(mask, _THINNEST / factor) for mask in masks])
+    reduced = np.stack([_resized(mask, size) for mask in thick])
+    labels = _labels(reduced)
+    pixels = found.repainted(image.pixels, thick)
+    colours = np.stack([_resized(one, size) for one in np.moveaxis(pixels, 2, 0)], axis=2) / 255
+    shapes = element_shapes(found, masks, labels)
+    ground = "#" + bytes(found.flat.colours[int(np.argmin(found.layer))]).hex()
+    return Layout(
+        Exemplar(colours.astype(np.float32), reduced, labels), shapes, ground, remark_of(found)
     )
-    ground = image.pixels[layers == 0]
-    mean = ground.mean(axis=0) if len(ground) else np.full(3, 255.0)
-    return Layout(Exemplar(colours, masks), (), "#" + bytes(np.rint(mean).astype(np.uint8)).hex())
 
 
-def _resized(channel: NDArray[np.float32], size: tuple[int, ...]) -> NDArray[np.float32]:
+def remark_of(found: Separated) -> str:
+    """Return a sentence about layers that were joined; empty if none were."""
+    if found.found <= MOST_LAYERS:
+        return ""
+    return (
+        f"The image has {found.found} layers, and a pattern at most {MOST_LAYERS}: the smallest "
+        "went to those of the nearest colours. Fewer colours give clearer layers."
+    )
+
+
+def _labels(masks: Masks) -> NDArray[np.int32]:
+    """Return which element each pixel of each layer belongs to, from 1; 0 where there is none.
+
+    Those of a mosaic fit each other, and not other places: it is one that goes on.
+    """
+    labels = []
+    for mask in masks:
+        ink = mask > 0.5
+        own = grouped(*components(ink)) if ink.mean() < _TIGHT else ink.astype(np.int32)
+        around = ndimage.grey_dilation(own, size=(3, 3))
+        labels.append(np.where((own == 0) & (mask > _SOFT), around, own))
+    return np.stack(labels)
+
+
+def _calm(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """Return an image with noise, as lossy compression leaves, at a lower resolution."""
+    from PIL import Image
+
+    if max(pixels.shape) > _NOISY_MOST and is_noisy(pixels):
+        image = Image.fromarray(pixels)
+        while max(image.size) > _NOISY_MOST:
+            image = image.reduce(2)
+        pixels = np.asarray(image)
+    return pixels
+
+
+def _resized(
+    channel: NDArray[np.float32] | NDArray[np.uint8], size: tuple[int, ...]
+) -> NDArray[np.float32]:
     """Return a channel (h, w) at another size, each pixel the mean of those in its place."""
     from PIL import Image
 
@@ -127,4 +187,5 @@ def _resized(channel: NDArray[np.float32], size: tuple[int, ...]) -> NDArray[np.
     large = Image.fromarray(np.ascontiguousarray(channel, np.float32))
     shrinks = channel.shape[0] > rows
     way = Image.Resampling.BOX if shrinks else Image.Resampling.BICUBIC
-    return np.clip(np.asarray(large.resize((columns, rows), way)), 0, 1)
+    resized: NDArray[np.float32] = np.array(large.resize((columns, rows), way))
+    return resized.clip(channel.min(), channel.max())

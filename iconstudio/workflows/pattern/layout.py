@@ -53,6 +53,8 @@ class Layout:
     in pixels of the exemplar; none if they are not known."""
     ground: str
     """The colour behind all layers, ``#rrggbb``."""
+    remark: str = ""
+    """A sentence for the user about how it was made, if there is anything to say."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,7 +19,7 @@ from iconstudio.model import (
 )
 from iconstudio.model import Path as Outline
 from iconstudio.workers import answer
-from iconstudio.workflows.events import Event, Progress, Result
+from iconstudio.workflows.events import Event, Progress, Remark, Result
 from iconstudio.workflows.pattern.bounds import LARGEST_SEED
 from iconstudio.workflows.pattern.drawing import SAMPLES, Drawn, Source, draw
 from iconstudio.workflows.pattern.imaging import ImageExemplar
@@ -79,6 +79,8 @@ def run(
                     coarse = None
                 yield Progress("pattern", (number - 1) / len(wanted), "Continuing the exemplar")
             drawn = answer(task, "Continuing the exemplar", "Ask for a smaller pattern.")
+            if drawn.remark and number == 1:
+                yield Remark(drawn.remark)
             yield Result(icon_of(one, drawn, size, fill))
             yield Progress("pattern", number / len(wanted), "Continuing the exemplar")
     finally:

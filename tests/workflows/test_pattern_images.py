@@ -1,0 +1,183 @@
+"""Images and coloured SVG drawings as exemplars of patterns."""
+
+import io
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PIL import Image as Pixels
+
+from iconstudio.algorithms.patterns.exemplar import MOST_LAYERS
+from iconstudio.images.photo import photo_of
+from iconstudio.images.reading import Image
+from iconstudio.model import Correction, IconstudioError, Patterning, Separation, Stroke
+from iconstudio.session import Session, returned
+from iconstudio.svg import artwork
+from iconstudio.workflows.events import Remark, Result
+from iconstudio.workflows.files import read_file
+from iconstudio.workflows.pattern import imaging
+from iconstudio.workflows.pattern.imaging import ImageExemplar, laid_out, reduction_of
+from iconstudio.workflows.pattern.patterning import run
+from iconstudio.workflows.pattern.spec import PATTERN
+
+SAMPLES = 0.5
+DOTS = "".join(
+    f'<circle cx="{x}" cy="{y}" r="13" fill="#c2185b"/><circle cx="{x}" cy="{y}" r="5" '
+    'fill="#f0a202"/>'
+    for y in (24, 72, 120)
+    for x in (24 + y % 16, 72 + y % 16, 120 + y % 16)
+)
+RDF = (
+    '<metadata><rdf:RDF xmlns:rdf="http://www.w3.org/1999/02/22-rdf-syntax-ns#" '
+    'xmlns:cc="http://creativecommons.org/ns#" xmlns:dc="http://purl.org/dc/elements/1.1/">'
+    '<cc:Work rdf:about=""><dc:title>Dots</dc:title><dc:creator>Ada</dc:creator>'
+    "<dc:rights>CC-BY-4.0</dc:rights></cc:Work></rdf:RDF></metadata>"
+)
+SVG = (
+    f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 144 144">{RDF}'
+    f'<rect width="144" height="144" fill="#fdf6e3"/>{DOTS}'
+    '<path d="M160 9h9v9h-9z"/></svg>'
+)
+
+
+def separation(pixels, **options):
+    pixels = np.ascontiguousarray(pixels, np.uint8)
+    return Separation(photo_of(Image(pixels, pixels.shape[1], pixels.shape[0])), **options)
+
+
+def exemplar(pixels, **options):
+    return laid_out(ImageExemplar.of(separation(pixels, **options)), SAMPLES)
+
+
+@pytest.fixture(scope="module")
+def drawn():
+    pixels, _, _ = artwork.artwork(SVG.encode())
+    return np.asarray(Pixels.fromarray(pixels).reduce(2))
+
+
+@pytest.fixture(scope="module")
+def session():
+    with Session() as session:
+        yield session
+
+
+@pytest.fixture(scope="module")
+def file(tmp_path_factory):
+    path = tmp_path_factory.mktemp("dots") / "dots.svg"
+    path.write_text(SVG)
+    return path
+
+
+def test_its_longer_side_is_that_of_a_canvas(drawn):
+    layout = exemplar(drawn[:160])
+    assert layout.exemplar.colours.shape == (80, 128, 3)
+    assert layout.exemplar.masks.shape == layout.exemplar.labels.shape == (1, 80, 128)
+    assert layout.ground == "#fdf6e3" and not layout.remark
+
+
+def test_its_elements_are_known_with_their_details(drawn):
+    layout = exemplar(drawn)
+    (elements,) = layout.elements
+    assert len(elements) == layout.exemplar.labels.max() == 9
+    assert all([one.colour for one in element] == ["#c2185b", "#f0a202"] for element in elements)
+    for number, element in enumerate(elements, start=1):
+        rows, columns = np.nonzero(layout.exemplar.labels[0] == number)
+        points = np.array([point for one in element for part in one.path.contours
+                           for point in part.points])  # fmt: skip
+        middle = (points.min(axis=0) + points.max(axis=0)) / 2
+        assert np.abs(middle - (columns.mean() + 0.5, rows.mean() + 0.5)).max() < 0.2
+        assert np.ptp(points, axis=0) == pytest.approx(26 * 128 / 144, abs=0.3)
+
+
+def test_what_is_transparent_is_white(drawn):
+    free = np.dstack([drawn[..., :3], np.where(drawn[..., 0] > 250, 0, 255)])
+    layout = exemplar(free)
+    assert layout.ground == "#ffffff" and len(layout.elements[0]) == 9
+
+
+def test_a_jpeg_has_the_same_layers(drawn):
+    file = io.BytesIO()
+    large = Pixels.fromarray(drawn[..., :3]).resize((512, 512))
+    large.save(file, "JPEG", quality=60)
+    pixels = np.asarray(Pixels.open(file))
+    layout = exemplar(pixels)
+    assert len(layout.elements) == 1 and len(layout.elements[0]) == 9
+    assert {len(element) for element in layout.elements[0]} == {2}
+
+
+def test_corrections_are_in_pixels_of_the_original(drawn, monkeypatch):
+    monkeypatch.setattr(imaging, "LARGEST", 256)
+    large = np.asarray(Pixels.fromarray(drawn[..., :3]).resize((384, 384), 0))
+    x = 24 * 384 / 144
+    stroke = Stroke(384 * 32 / 144, ((32 * 384 / 144, x), (32 * 384 / 144 + 1, x)))
+    layout = exemplar(large, corrections=(Correction(0, stroke),))
+    assert len(layout.elements[0]) == 8
+    assert reduction_of(separation(large).photo) == (
+        "The image of 384 x 384 pixels is reduced to 256 a side."
+    )
+
+
+def test_too_many_layers_are_told():
+    pixels = np.full((128, 128, 3), 255, np.uint8)
+    for n in range(11):
+        pixels[:, 6 + 11 * n : 14 + 11 * n] = (22 * n, 255 - 23 * n, 95 * n % 256)
+    layout = exemplar(pixels)
+    assert len(layout.elements) == MOST_LAYERS
+    assert "11 layers" in layout.remark and str(MOST_LAYERS) in layout.remark
+
+
+@pytest.mark.parametrize(
+    "pixels, said",
+    [
+        (np.full((64, 64, 3), 9), "only one colour"),
+        (np.full((15, 64, 3), 9), "at least 16 x 16"),
+        (np.random.default_rng(0).integers(0, 256, (64, 64, 3)), "a photograph, or noise"),
+        (np.dstack([np.full((64, 64, 3), 9), np.zeros((64, 64))]), "only one colour"),
+    ],
+)
+def test_what_is_no_exemplar_is_told(pixels, said):
+    with pytest.raises(IconstudioError, match=said):
+        exemplar(pixels)
+
+
+def test_an_svg_drawing_is_an_exemplar_in_its_colours(session, file):
+    image = returned(session.artwork(file))
+    (thanks,) = image.credits
+    assert thanks.credit.author == "Ada" and thanks.remarks == (artwork.ONE_OUTSIDE,)
+    assert image.photo.width == image.photo.height == artwork.SIDE
+    assert image.photo.suffix == ".png" and image.photo.data.startswith(b"\x89PNG")
+    work = Patterning(image=image, width=128, height=128)
+    (icon,) = (one.icon for one in run(session, work) if isinstance(one, Result))
+    assert icon.title == "pattern of dots" and [one.credit.author for one in icon.credits] == [
+        "Ada"
+    ]
+    colours = [fill.colour for fill in icon.fills]
+    assert icon.ground == "#fdf6e3" and {"#c2185b", "#f0a202"} <= set(colours)
+
+
+def test_an_svg_drawing_is_named_in_a_file(session, file):
+    path = file.with_suffix(".json")
+    path.write_text('{"image": "dots.svg", "colours": 3, "width": 96, "height": 96}')
+    told = []
+    work = returned(read_file(path, PATTERN, session, told.append))
+    assert work.image.credits[0].credit.title == "Dots" and work.image.colours == 3
+    assert PATTERN.file.of(work, str).image == file
+
+
+def test_a_bitmap_is_read_as_before(session, file, drawn):
+    path = file.with_suffix(".png")
+    Pixels.fromarray(drawn).save(path)
+    image = returned(session.artwork(path))
+    assert image.credits == () and image.photo.width == drawn.shape[1]
+    with pytest.raises(IconstudioError, match="cannot be used"):
+        returned(session.artwork(path.with_name("none.svg")))
+
+
+def test_a_remark_comes_before_the_result(session, drawn, monkeypatch):
+    pixels = np.full((128, 128, 3), 255, np.uint8)
+    for n in range(9):
+        pixels[:, 6 + 13 * n : 16 + 13 * n] = (27 * n, 255 - 28 * n, 95 * n % 256)
+    work = replace(Patterning(image=separation(pixels)), width=64, height=64)
+    told = [one for one in run(session, work) if isinstance(one, (Remark, Result))]
+    assert isinstance(told[0], Remark) and "9 layers" in told[0].sentence
+    assert isinstance(told[-1], Result)
