@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from iconstudio.algorithms.flattening import flattened
 from iconstudio.algorithms.patterns.distance import coverage, signed_distance
-from iconstudio.algorithms.patterns.exemplar import Pattern
+from iconstudio.algorithms.patterns.exemplar import Pattern, Placed
 from iconstudio.algorithms.patterns.outlines import level_sets
 from iconstudio.algorithms.patterns.prepared import Prepared
 from iconstudio.algorithms.patterns.synthesis import Settings, synthesised
@@ -152,7 +152,7 @@ def test_every_contour_of_a_tile_is_there_once(seed):
         (np.roll(waves < 0, 1, axis) != (waves < 0)).sum() for axis in (0, 1)
     )  # each side of a pixel that is crossed is a point
     assert sum(len(one.outline) for one in sets) == crossings
-    assert all(waves[one.pixel] < 0 for one in sets)
+    assert all(waves[one.inside] < 0 for one in sets)
     steps = [one.outline.step for one in sets if one.outline.step]
     assert sum(steps) == 0 and len({abs(step) for step in steps}) <= 1
 
@@ -272,6 +272,7 @@ def test_elements_whose_shapes_are_known_come_back_by_their_own_segments(synthes
     assert len(layer.fills) == len(made.placed) + len(squares)
     found = drawn([layer], size=(64, 64))[..., 3]
     assert likeness(found > 0.5, made.distances[0] < 0) > 0.98
+    assert not found[made.distances[0] > 1].any()
 
 
 def test_a_synthesised_tile_is_drawn_as_it_is(synthesised_tile):
@@ -294,6 +295,20 @@ def test_layers_are_drawn_in_their_order_over_the_ground():
     assert len(ends) == 2
 
 
+def test_what_is_near_a_known_element_is_traced_as_if_alone():
+    known, other = disc(30, 3, 6.3), np.minimum(disc(30, 62, 5.4), disc(30, 20, 5.4))
+    made = pattern(np.minimum(known, other))
+    owners = np.where(known < 0, 1, 0)[None].astype(np.int32)
+    made = replace(made, placed=(Placed(0, 0, 0, 0, 1),), owners=owners)
+    triangle = Path((Contour((1, 28), (((6, 28),), ((4, 33),))),))
+    fills = vectorise(made, [[(Fill(triangle, "#0000ff"),)]])[0].fills
+    alone = vectorise(pattern(other))[0].fills
+    for one, by_itself in zip(fills[:-1], alone, strict=True):
+        here, there = (list(fill.path.contours[0].points) for fill in (one, by_itself))
+        assert np.allclose(here, there, atol=0.03)
+    assert fills[-1] == Fill(triangle, "#0000ff")
+
+
 def test_stripes_that_fill_a_shape_end_at_its_outline():
     y, x = np.indices((64, 64))
     away = np.hypot(y - 31, x - 33) - 26.3
@@ -303,7 +318,7 @@ def test_stripes_that_fill_a_shape_end_at_its_outline():
     (layer,) = vectorise(made)
     points = np.concatenate([row for fill in layer.fills for row, _ in flattened(fill.path)])
     outside = np.hypot(*(points - (33.5, 31.5)).T) - 26.3
-    assert outside.max() < 0.15 and (abs(outside) < 0.1).mean() > 0.6
+    assert outside.max() < 0.25 and (abs(outside) < 0.1).mean() > 0.6
     found = drawn([layer], size=(64, 64))[..., 3]
     assert likeness(found > 0.5, made.distances[0] < 0) > 0.98
 
