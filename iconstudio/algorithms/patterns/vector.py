@@ -157,30 +157,30 @@ class _Tracer:
     def _colours(self, m: int, labels: Labels) -> list[str]:
         """Return the colours of a layer's components, by their labels (S H, S W).
 
-        They are those of pixels that are wholly covered, and seen; of those that are alike, that of
-        the largest.
+        They are those of pixels that are wholly covered, or most, and seen; of components that are
+        alike, that of the largest.
         """
         pattern = self._pattern
         own = coverage(pattern.distances[m])
         for distance in pattern.distances[:m]:
             own = own * (distance >= 0.5)
         centres = labels[_SCALE // 2 :: _SCALE, _SCALE // 2 :: _SCALE]
-        own = own * (centres > 0)
-        pure = own >= min(_PURE, own.max())
+        most = np.zeros(labels.max() + 1, np.float32)
+        np.maximum.at(most, centres, own)
+        pure = (centres > 0) & (own >= np.minimum(_PURE, most[centres]))
         seen, colours = centres[pure], pattern.colours[pure]
-        sizes = np.bincount(seen, minlength=labels.max() + 1)
-        sizes[0] = 0
-        usual = np.median(colours, axis=0)
-        flat = np.tile(usual, (len(sizes), 1))
-        palette = [usual]
-        for label in np.argsort(-sizes, kind="stable"):
+        palette: list[NDArray[np.float32]] = []
+        flat = np.zeros(len(most), np.intp)
+        sizes = np.bincount(seen, minlength=len(most))
+        for label in np.argsort(-sizes[1:], kind="stable") + 1:
             if sizes[label]:
-                mean = np.median(colours[seen == label], axis=0)
-                alike = [one for one in palette if abs(one - mean).max() * 255 <= _ALIKE]
-                if not alike:
-                    palette.append(mean)
-                flat[label] = alike[0] if alike else mean
-        return [_written(colour) for colour in flat]
+                colour = np.median(colours[seen == label], axis=0)
+                alike = [abs(one - colour).max() * 255 <= _ALIKE for one in palette] + [True]
+                flat[label] = alike.index(True)
+                if flat[label] == len(palette):
+                    palette.append(colour)
+        written = [_written(colour) for colour in palette] or ["#000000"]
+        return [written[number] for number in flat]
 
 
 def _without(distance: Field, known: Mask, tile: bool) -> Field:

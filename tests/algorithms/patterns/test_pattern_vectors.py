@@ -228,6 +228,17 @@ def test_components_have_their_own_flat_colours():
     assert np.abs(np.array([*bytes.fromhex(ground_colour(made)[1:])]) - 255).max() < 4
 
 
+def test_what_is_too_thin_for_a_pure_pixel_has_a_colour_of_its_own():
+    green = np.maximum(abs(Y - 50.3) - 0.6, abs(X - 40) - 12)
+    made = pattern(np.minimum.reduce([disc(15, 15, 9), disc(20, 50, 8), green]))
+    there = (abs(Y - 50.3) < 3)[..., None]
+    made = replace(made, colours=np.where(there, made.colours[..., [1, 0, 2]], made.colours))
+    (layer,) = vectorise(made)
+    assert [fill.colour for fill in layer.fills][:2] == ["#ff0000"] * 2
+    red, level, blue = bytes.fromhex(layer.fills[2].colour[1:])
+    assert level == 255 and max(red, blue) < 80
+
+
 def test_colours_that_hardly_differ_are_one():
     made = pattern(np.minimum(disc(15, 15, 9), disc(40, 50, 12)))
     (layer,) = vectorise(replace(made, colours=made.colours * (1 - X[..., None] / COLUMNS / 30)))
