@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 from skimage.measure import find_contours
 
-from iconstudio.algorithms.patterns.distance import Field
+from iconstudio.algorithms.patterns.distance import Field, bordered
 from iconstudio.algorithms.tracing.vectorize import Outline
 
 Rows = NDArray[np.float64]
@@ -21,7 +21,9 @@ Rows = NDArray[np.float64]
 BLEED = 2
 """Pixels by which what is cut by the border of a pattern that is no tile reaches beyond it."""
 _CLEAR = 1e-3
-"""A pixel's distance that is less counts as so much: contours then run between pixels' middles."""
+"""A distance that is less counts as so much: contours then run between samples."""
+_REACH = 2
+"""Pixels to each side that tell what lies between pixels."""
 _DIGITS = 6
 
 
@@ -33,8 +35,8 @@ class LevelSet:
     """It begins within the unit square at the origin,"""
     place: complex
     """and is to be moved by so many whole pixels: what is repeated differs in this alone."""
-    pixel: tuple[int, int]
-    """Row and column of a pixel beside it whose middle is ink."""
+    inside: tuple[int, int]
+    """Row and column of a sample beside it that is ink."""
 
     @property
     def area(self) -> float:
@@ -45,8 +47,22 @@ class LevelSet:
         return float((points.conj() * np.roll(points, -1)).imag.sum() / 2)
 
 
+def finer(field: Field, scale: int, tile: bool) -> Field:
+    """Return a field (H, W) with ``scale`` samples a side in place of each, by cubic convolution.
+
+    Straight between pixels, contours would have facets.
+    """
+    from PIL import Image
+
+    wide = bordered(field, _REACH, tile)
+    rows, columns = (scale * side for side in wide.shape)
+    fine = Image.fromarray(wide).resize((columns, rows), Image.Resampling.BICUBIC)
+    margin = scale * _REACH
+    return np.asarray(fine)[margin : rows - margin, margin : columns - margin]
+
+
 def level_sets(
-    distance: Field, tile: bool, ask: Callable[[], None] = lambda: None
+    distance: Field, tile: bool, scale: int = 1, ask: Callable[[], None] = lambda: None
 ) -> list[LevelSet]:
     """Return the contours where a field (H, W) is 0; it is negative in ink.
 
@@ -55,6 +71,8 @@ def level_sets(
 
     Parameters
     ----------
+    scale
+        Samples of the field to a pixel of the pattern, a side.
     ask
         Called for each contour; what it raises ends the work.
     """
@@ -63,16 +81,17 @@ def level_sets(
         rows = find_contours(np.pad(height, ((0, 1), (0, 1)), mode="wrap"), 0.0)
         found = _joined(rows, distance.shape, ask)
     else:
-        framed = np.pad(height, BLEED + 1, mode="edge")
+        margin = scale * BLEED + 1
+        framed = np.pad(height, margin, mode="edge")
         inside = np.s_[1:-1, 1:-1]
         edge = np.ones(framed.shape, np.bool_)
         edge[inside] = False
         framed[edge] = -abs(framed[edge])
-        found = [(one[:-1] - BLEED - 1, np.zeros(2)) for one in find_contours(framed, 0.0)]
+        found = [(one[:-1] - margin, np.zeros(2)) for one in find_contours(framed, 0.0)]
     sets = []
     for points, step in found:
         ask()
-        sets.append(_level_set(points, step, distance, tile))
+        sets.append(_level_set(points, step, distance, tile, scale))
     return sets
 
 
@@ -96,18 +115,18 @@ def _joined(
     return found
 
 
-def _level_set(points: Rows, step: Rows, distance: Field, tile: bool) -> LevelSet:
+def _level_set(points: Rows, step: Rows, distance: Field, tile: bool, scale: int) -> LevelSet:
     """Begin a contour where it is highest; one that does not close, where it is farthest aside."""
-    row = points[:, 1] + 1j * points[:, 0]
-    ahead = complex(step[1], step[0])
+    row = (points @ np.array([1j, 1]) + (1 + 1j) / 2) / scale
+    ahead = complex(step[1], step[0]) / scale
     heights = np.round((row * np.conj(1j * ahead)).real if ahead else row.imag, _DIGITS)
     first = np.lexsort((np.round(row.real, _DIGITS), heights))[0]
     row = Outline(row, ahead).at(range(first, first + len(row)))
     place = complex(np.floor(row[0].real), np.floor(row[0].imag))
-    own = np.round(row - place, _DIGITS) + (1 + 1j) / 2
+    own = np.round(row - place, _DIGITS)
     rows, columns = distance.shape
     if tile:
-        place = complex(place.real % columns, place.imag % rows)
+        place = complex(place.real % (columns // scale), place.imag % (rows // scale))
     ends = np.stack([np.floor(points[0]), np.ceil(points[0])]).astype(int)  # of the crossed side
     ends = ends % distance.shape if tile else np.clip(ends, 0, (rows - 1, columns - 1))
     y, x = next(((y, x) for y, x in ends if distance[y, x] < 0), ends[0])

@@ -15,7 +15,7 @@ from scipy.sparse.csgraph import connected_components
 
 from iconstudio.algorithms.patterns.distance import CLAMP, Field, coverage
 from iconstudio.algorithms.patterns.exemplar import Pattern, Placed
-from iconstudio.algorithms.patterns.outlines import LevelSet, level_sets
+from iconstudio.algorithms.patterns.outlines import LevelSet, finer, level_sets
 from iconstudio.algorithms.patterns.tiling import bounded, moved, repeated
 from iconstudio.algorithms.patterns.trapping import run_on
 from iconstudio.algorithms.tracing.vectorize import Outline, contour_along
@@ -27,11 +27,15 @@ pixels of the exemplar."""
 Labels = NDArray[np.int32]
 Mask = NDArray[np.bool_]
 
+_SCALE = 2
+"""Samples to a pixel, a side, in which contours are followed."""
 SPACING = 0.25
 """Pixels between the points that are traced."""
-TOLERANCE = 0.08
+_BLUR = 2
+"""How many times as much pixels blunt corners as in a drawing of many more."""
+TOLERANCE = 0.06
 """Pixels by which curves may be off the zero level set."""
-_SPECK = 1.0
+_SPECK = 0.25
 """Square pixels of ink that is too small to be a shape, and of holes."""
 _PURE = 0.99
 """So much of a pixel is covered where it has a layer's own colour."""
@@ -87,8 +91,9 @@ class _Tracer:
         }
         rest = pattern.distances[m]
         if known and pattern.owners is not None:
-            rest = np.where(np.isin(pattern.owners[m], list(known)), np.float32(CLAMP), rest)
-        yield from self._traced(m, rest)
+            rest = _without(rest, np.isin(pattern.owners[m], list(known)), pattern.tile)
+        if (rest < 0).any():
+            yield from self._traced(m, rest)
         for number, own in known.items():
             self._ask()
             yield from self._laid(pattern.placed[number - 1], own)
@@ -107,10 +112,12 @@ class _Tracer:
         pattern = self._pattern
         above = pattern.distances[:m]
         field = run_on(distance, above.min(axis=0), pattern.tile) if m else distance
-        labels = components(field < 0, pattern.tile)
+        self._ask()
+        fine = finer(field, _SCALE, pattern.tile)
+        labels = components(fine < 0, pattern.tile)
         contours: dict[int, list[LevelSet]] = {}
-        for one in level_sets(field, pattern.tile, self._ask):
-            contours.setdefault(int(labels[one.pixel]), []).append(one)
+        for one in level_sets(fine, pattern.tile, _SCALE, self._ask):
+            contours.setdefault(int(labels[one.inside]), []).append(one)
         colours = self._colours(m, labels)
         for label in range(1, labels.max() + 1):
             if path := self._path(contours.get(label, [])):
@@ -144,35 +151,50 @@ class _Tracer:
         key = outline.points.tobytes(), outline.step
         if key not in self._traces:
             finer = Outline(outline.points / SPACING, outline.step / SPACING)
-            self._traces[key] = contour_along(finer, SPACING, TOLERANCE)
+            self._traces[key] = contour_along(finer, SPACING, TOLERANCE, _BLUR)
         return self._traces[key]
 
     def _colours(self, m: int, labels: Labels) -> list[str]:
-        """Return the colours of a layer's components, by their labels.
+        """Return the colours of a layer's components, by their labels (S H, S W).
 
-        They are those of pixels that are wholly covered, and seen; of those that are alike, that of
-        the largest.
+        They are those of pixels that are wholly covered, or most, and seen; of components that are
+        alike, that of the largest.
         """
         pattern = self._pattern
         own = coverage(pattern.distances[m])
         for distance in pattern.distances[:m]:
             own = own * (distance >= 0.5)
-        own = own * (labels > 0)
-        pure = own >= min(_PURE, own.max())
-        seen, colours = labels[pure], pattern.colours[pure]
-        sizes = np.bincount(seen, minlength=labels.max() + 1)
-        sizes[0] = 0
-        usual = np.median(colours, axis=0)
-        flat = np.tile(usual, (len(sizes), 1))
-        palette = [usual]
-        for label in np.argsort(-sizes, kind="stable"):
+        centres = labels[_SCALE // 2 :: _SCALE, _SCALE // 2 :: _SCALE]
+        most = np.zeros(labels.max() + 1, np.float32)
+        np.maximum.at(most, centres, own)
+        pure = (centres > 0) & (own >= np.minimum(_PURE, most[centres]))
+        seen, colours = centres[pure], pattern.colours[pure]
+        palette: list[NDArray[np.float32]] = []
+        flat = np.zeros(len(most), np.intp)
+        sizes = np.bincount(seen, minlength=len(most))
+        for label in np.argsort(-sizes[1:], kind="stable") + 1:
             if sizes[label]:
-                mean = np.median(colours[seen == label], axis=0)
-                alike = [one for one in palette if abs(one - mean).max() * 255 <= _ALIKE]
-                if not alike:
-                    palette.append(mean)
-                flat[label] = alike[0] if alike else mean
-        return [_written(colour) for colour in flat]
+                colour = np.median(colours[seen == label], axis=0)
+                alike = [abs(one - colour).max() * 255 <= _ALIKE for one in palette] + [True]
+                flat[label] = alike.index(True)
+                if flat[label] == len(palette):
+                    palette.append(colour)
+        written = [_written(colour) for colour in palette] or ["#000000"]
+        return [written[number] for number in flat]
+
+
+def _without(distance: Field, known: Mask, tile: bool) -> Field:
+    """Return the field of the ink that is not that of known elements."""
+    margin = int(CLAMP) if tile else 0
+    rows, columns = distance.shape
+    inside = np.s_[margin : margin + rows, margin : margin + columns]
+    away, near = (
+        ndimage.distance_transform_edt(np.pad(~ink, margin, mode="wrap"))[inside]
+        for ink in ((distance < 0) & ~known, known)
+    )
+    outside = np.clip(away - 0.5, 0.5, CLAMP).astype(np.float32)
+    rest: Field = np.where(near < away, outside, distance)
+    return rest
 
 
 def components(ink: Mask, tile: bool) -> Labels:

@@ -26,8 +26,8 @@ TOLERANCE = 0.08
 """How far, in canvas units, a line or curve may stray from the outline."""
 _FEWEST = 12
 """Points of the smallest outline, which are closer together."""
-_TURN = 3
-"""Points to each side between which a corner's turn shows."""
+_TURN, _TURN_MORE = 3, 2
+"""Points to each side between which a corner's turn shows, and how many more if it is blunted."""
 _SHARP = np.radians(20)
 _CORNER = np.radians(15)
 """By how much the sides of a corner differ in direction at least."""
@@ -37,8 +37,10 @@ _REVERSED = np.radians(150)
 """More than that cannot show in so few points."""
 _ROUNDED = 3
 """Points to each side of a corner that pixels (and the smoothing) may have displaced."""
-_SIDE = 9
-"""Points to each side of a corner that tell where the side is going."""
+_SIDE, _SIDE_MORE = 9, 4
+"""Points to each side of a corner that tell where the side is going, and more if it is blunted."""
+_LONG = 16
+"""Points of each side of a corner that may be blunted more: between shorter ones is a bend."""
 _CURVED = 0.15
 """How far, in pixels, those points stray from a line if the side is bent."""
 _RUN = 48
@@ -119,19 +121,26 @@ def trace(coverage: NDArray[np.uint8], speck: float = SPECK) -> Path:
     return Path(tuple(contours))
 
 
-def contour_along(outline: Outline, unit: float, tolerance: float = TOLERANCE) -> Contour:
+def contour_along(
+    outline: Outline, unit: float, tolerance: float = TOLERANCE, blur: int = 1
+) -> Contour:
     """Return the lines and cubics of an outline in pixels, each of ``unit`` canvas units.
 
     They stray from it by no more than ``tolerance`` canvas units. What does not close is one turn
     of it, and open.
+
+    Parameters
+    ----------
+    blur
+        How many times as much corners are blunted as in a drawing.
     """
-    pieces = _pieces(outline.even(), tolerance / unit)
+    pieces = _pieces(outline.even(), tolerance / unit, blur)
     return _contour(pieces, unit, closed=not outline.step)
 
 
-def _pieces(outline: Outline, tolerance: float) -> list[_Piece]:
+def _pieces(outline: Outline, tolerance: float, blur: int) -> list[_Piece]:
     """Return the lines and cubics of an outline, each beginning where the one before ends."""
-    corners = _corners(outline)
+    corners = _corners(outline, blur)
     smooth = outline.smooth()
     if not corners:
         return _round(smooth, tolerance)
@@ -142,8 +151,8 @@ def _pieces(outline: Outline, tolerance: float) -> list[_Piece]:
         into, out = lines[here - 1], lines[here]
         turn = 0 if here else outline.step  # the last span ends where the first begins
         rooms = len(spans[here - 1]), len(spans[here])
-        one = _side(outline, corner, -1, rooms[0])
-        other = _side(outline, corner, 1, rooms[1])
+        one = _side(outline, corner, -1, rooms[0], blur)
+        other = _side(outline, corner, 1, rooms[1], blur)
         if into and into[-1].last == rooms[0] - 1:
             one = into[-1].point - turn, into[-1].way
         if out and out[0].first == 0:
@@ -220,28 +229,30 @@ def _along(
     return pieces
 
 
-def _corners(outline: Outline) -> list[int]:
+def _corners(outline: Outline, blur: int) -> list[int]:
     """Return the indices of the points where sides that run straight to each other's would meet.
 
     A narrow bend is no corner: its sides, drawn out, meet too far from it.
     """
-    turn = _turns(outline, _TURN)
-    peaks = (turn == ndimage.maximum_filter1d(turn, 2 * _TURN + 1, mode="wrap")) & (turn > _SHARP)
+    reach = _TURN + _TURN_MORE * (blur - 1)
+    turn = _turns(outline, reach)
+    peaks = (turn == ndimage.maximum_filter1d(turn, 2 * reach + 1, mode="wrap")) & (turn > _SHARP)
     found = np.flatnonzero(peaks)
     rooms = np.diff(found, append=found[:1] + len(outline))
     corners = []
     for corner, before, after in zip(
         map(int, found), map(int, np.roll(rooms, 1)), map(int, rooms), strict=True
     ):
-        p, way = _side(outline, corner, -1, before)
-        q, back = _side(outline, corner, 1, after)
+        p, way = _side(outline, corner, -1, before, blur)
+        q, back = _side(outline, corner, 1, after, blur)
         at = _meeting(p, way, q, back)
         if at is None:
             continue
         whole = abs(np.angle(-back / way))
         near = outline.at(range(corner - 2, corner + 3))
         # Pixels blunt a corner the more, the more pointed it is.
-        meets = abs(at - near).min() < 0.5 + 0.6 * np.tan(whole / 2)
+        blunted = blur if min(before, after) >= _LONG else 1
+        meets = abs(at - near).min() < blunted * (0.5 + 0.6 * np.tan(whole / 2))
         if whole > _CORNER and meets and turn[corner] > _AT_ONCE * min(whole, _REVERSED):
             corners.append(corner)
     return corners
@@ -255,9 +266,12 @@ def _turns(outline: Outline, reach: int) -> NDArray[np.float64]:
     return abs(np.angle(after * before.conj()))
 
 
-def _side(outline: Outline, corner: int, step: int, room: int) -> tuple[complex, complex]:
+def _side(
+    outline: Outline, corner: int, step: int, room: int, blur: int
+) -> tuple[complex, complex]:
     """Return where a side would reach its corner, and its direction there, away from it."""
-    s = np.arange(2, max(4, min(_SIDE, room // 2 + 1)))
+    most = _SIDE + _SIDE_MORE * (blur - 1)
+    s = np.arange(2, max(4, min(most, room // 2 + 1)))
     points = outline.at(corner + step * s)
     for degree in (1, 2):
         powers = np.vander(s, degree + 1).astype(float)
