@@ -4,7 +4,6 @@ The command line and the window both talk to a ``Session``; neither composes alg
 """
 
 import gc
-import os
 import threading
 from collections import OrderedDict
 from collections.abc import Generator, Iterator
@@ -19,13 +18,9 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.iconification.matching import SCALES, Matcher, PreparedExemplar
 from iconstudio.algorithms.iconification.style import has_pale_areas
-from iconstudio.algorithms.scanning.binarisation import Scan
 from iconstudio.caches.preparing import PreparingCache
 from iconstudio.caches.rasters import RasterCache
-from iconstudio.files import is_address, read_bytes, remove_abandoned
-from iconstudio.images import scans
-from iconstudio.images.photo import photo_of
-from iconstudio.images.reading import MAX_BYTES, Image, awaited, is_image_file, read_image
+from iconstudio.files import remove_abandoned
 from iconstudio.library.collection import Collection, cache_folder
 from iconstudio.model import (
     Axis,
@@ -34,36 +29,27 @@ from iconstudio.model import (
     Exemplar,
     IconstudioError,
     Line,
-    Photo,
     Pictogram,
     Placement,
-    Separation,
     Source,
 )
+from iconstudio.reading import MEMORY as READING_MEMORY
+from iconstudio.reading import SECONDS as READING_SECONDS
+from iconstudio.reading import SIMPLER, FileReader
 from iconstudio.svg.lines import lines_of, lines_of_path
-from iconstudio.svg.reading import file_and_symbol, own_artwork, own_svg, read_file
 from iconstudio.svg.resvg import render_placed
 from iconstudio.workers import Workers, answer, loss
 from iconstudio.workflows.drawing import MEMORY, SECONDS, draw_whole
 from iconstudio.workflows.estimating import estimated
-from iconstudio.workflows.events import Event, Progress, Retrieved, staged
+from iconstudio.workflows.events import Event, Progress, Retrieved
 from iconstudio.workflows.hybrids.selection import select
 from iconstudio.workflows.solving import warm_up
 from iconstudio.workflows.workflow import Workflow
 
 _PLENTY = 8
 """With so many others, icons of two tones are left out: only their dark part could be used."""
-_SECONDS, _MEMORY = 20.0, 1 << 30
-"""How long reading a file from outside may take, and how many bytes."""
 _LINES_SECONDS = 5.0
 """How long reading the lines of an icon's own shapes may take."""
-_SIMPLER = (
-    "Try again when the machine has less to do; else simplify the drawing, "
-    "or save it as a PNG and open that."
-)
-"""What to do about a drawing that reaches the limits."""
-_SHOWN = 200
-"""Most characters of a reference that a message repeats."""
 _KEPT = 3
 """How many keywords stay prepared: at most 70 MiB each."""
 
@@ -86,7 +72,7 @@ W = TypeVar("W")
 _Key = tuple[str, frozenset[str], tuple[float, ...]]
 
 
-class Session(AbstractContextManager["Session"]):
+class Session(FileReader, AbstractContextManager["Session"]):
     """The collection, its caches and the worker processes of one run.
 
     All methods may be called from any thread; the generators work while they are iterated, and
@@ -94,10 +80,10 @@ class Session(AbstractContextManager["Session"]):
     """
 
     def __init__(self, cache: Path | None = None) -> None:
+        super().__init__()
         self._cache = cache or cache_folder()
         self.workers = Workers()
         self.render = render_placed
-        self._readers = Workers(1)  # files need not wait for cuts, nor for their compiling
         self._rasters = RasterCache(self._cache / "rasters", self.workers)
         self._single = RasterCache(self._cache / "rasters", self._readers)
         self._preparing = PreparingCache(self._cache / "prepared", self.workers)
@@ -165,79 +151,14 @@ class Session(AbstractContextManager["Session"]):
         IconstudioError
             If there is no such icon, or the file is no good.
         """
-        if is_address(reference):
-            raise IconstudioError(
-                f"“{reference[:_SHOWN]}” is an address, and nothing is downloaded. "
-                "Save the drawing as a file, and give its path."
-            )
-        if is_image_file(Path(reference)):
-            return returned(scans.read_scan(Path(reference), self._readers))
-        if is_path(reference):
-            path, symbol = file_and_symbol(reference)
-            return self.icon_from(read_file(Path(path)), path, symbol)
+        if (own := self.icon_in(reference)) is not None:
+            return own
         try:
             return self.collection.get(reference)
         except IconstudioError as error:
             if "/" in reference:
                 raise IconstudioError(f"There is no such file “{reference}”. {error}") from None
             raise
-
-    def icon_from(self, data: bytes, name: str, symbol: str | None = None) -> Pictogram:
-        """Return an icon of SVG markup that is in no file, but pasted, say; ``name`` it.
-
-        Raises
-        ------
-        IconstudioError
-            If it is no good.
-        """
-        task = own_svg, data, name, symbol
-        reading = self._readers.submit(*task, timeout=_SECONDS, memory=_MEMORY)
-        return answer(reading, f"Reading “{name}”", _SIMPLER)
-
-    def image(self, source: Path | bytes) -> Generator[None, None, Image]:
-        """Return the image in a file, or in bytes; yield now and then, where it can be closed.
-
-        Raises
-        ------
-        IconstudioError
-            If it cannot be read, or is none.
-        """
-        return (yield from read_image(source, self._readers))
-
-    def photo(self, path: Path) -> Generator[Event, None, Photo]:
-        """Return the image in a file as a photo, see ``image``; yield progress."""
-        image = yield from staged("prepare", "Reading the image", _started(self.image(path)))
-        return photo_of(image, str(path), read_bytes(path, MAX_BYTES))
-
-    def artwork(self, path: Path) -> Generator[Event, None, Separation]:
-        """Return the image in a file, or an SVG drawing in its colours, with its credits.
-
-        Of a sprite sheet, ``FILE.svg#id`` is one symbol.
-
-        Raises
-        ------
-        IconstudioError
-            If it cannot be read, or shows nothing.
-        """
-        if is_image_file(path):
-            return Separation((yield from self.photo(path)))
-        name, symbol = file_and_symbol(str(path))
-        task = own_artwork, read_file(Path(name)), name, symbol
-        reading = self._readers.submit(*task, timeout=_SECONDS, memory=_MEMORY)
-        waiting = _started(awaited(reading, f"Reading “{name}”", _SIMPLER))
-        pixels, pictogram = yield from staged("prepare", "Reading the drawing", waiting)
-        image = Image(pixels, pixels.shape[1], pixels.shape[0])
-        return Separation(photo_of(image, str(path)), credits=(pictogram,))
-
-    def scan(self, image: Image, inverted: bool | None = None) -> Generator[None, None, Scan]:
-        """Return the drawing on an image; see ``images.scans.scan``."""
-        return (yield from scans.scan(image, inverted, self._readers))
-
-    def trace(
-        self, scan: Scan, threshold: int | None, name: str, remark: str = ""
-    ) -> Generator[None, None, scans.Tracing]:
-        """Return the drawing on a scan as an icon; see ``images.scans.trace``."""
-        return (yield from scans.trace(scan, threshold, name, self._readers, remark))
 
     def exemplar(self, pictogram: Pictogram) -> Exemplar:
         """Return a pictogram on the canvas.
@@ -277,13 +198,13 @@ class Session(AbstractContextManager["Session"]):
     def _read_lines(self, pictogram: Pictogram) -> tuple[Line, ...]:
         exemplar = self.exemplar(pictogram)
         task = lines_of, pictogram.svg, exemplar.frame, exemplar.coverage
-        reading = self._readers.submit(*task, timeout=_LINES_SECONDS, memory=_MEMORY)
+        reading = self._readers.submit(*task, timeout=_LINES_SECONDS, memory=READING_MEMORY)
         doing = f"Reading the lines of “{exemplar.name}”"
         if loss(reading.exception(), doing) is None:
             return answer(reading, doing)
         # Its own shapes are too much: the outline of its picture is not.
         path = self.drawing(exemplar).path
-        return answer(self._readers.submit(lines_of_path, path, timeout=_SECONDS), doing)
+        return answer(self._readers.submit(lines_of_path, path, timeout=READING_SECONDS), doing)
 
     def picture(self, exemplar: Exemplar, size: int) -> NDArray[np.uint8]:
         """Draw an icon on its canvas as it is: (size, size) uint8, 255 = ink.
@@ -297,7 +218,7 @@ class Session(AbstractContextManager["Session"]):
         drawing = self._readers.submit(
             render_placed, svg, frame, Placement(), size, timeout=SECONDS, memory=MEMORY
         )
-        return answer(drawing, f"Drawing “{exemplar.name}”", _SIMPLER)
+        return answer(drawing, f"Drawing “{exemplar.name}”", SIMPLER)
 
     def keyword(self, pictogram: Pictogram) -> str:
         """Return what icons like this one are looked for by; empty if its name does not say."""
@@ -386,30 +307,3 @@ class Session(AbstractContextManager["Session"]):
 
     def __exit__(self, *exc: object) -> None:
         self.close()
-
-
-def is_path(reference: str) -> bool:
-    """Whether a reference names a file, which need not be there."""
-    named = reference.startswith(("/", ".", "~")) or "\\" in reference or Path(reference).suffix
-    return bool(named) or os.path.isfile(file_and_symbol(reference)[0])
-
-
-def _started(steps: Generator[None, None, T]) -> Generator[float, None, T]:
-    """Yield 0 for each step: how many there are is not known."""
-    try:
-        while True:
-            next(steps)
-            yield 0.0
-    except StopIteration as end:
-        value: T = end.value
-        return value
-
-
-def returned(steps: Generator[object, None, T]) -> T:
-    """Return what a generator returns, whatever it yields."""
-    try:
-        while True:
-            next(steps)
-    except StopIteration as end:
-        value: T = end.value
-        return value

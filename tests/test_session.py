@@ -73,7 +73,7 @@ def test_icons_are_retrieved_without_warming_up_what_cuts(session, monkeypatch):
 
 
 def test_a_drawing_that_reaches_a_limit_ends_with_what_to_do(session, monkeypatch):
-    monkeypatch.setattr("iconstudio.session._SECONDS", 0.01)
+    monkeypatch.setattr("iconstudio.reading.SECONDS", 0.01)
     blur = '<filter id="f"><feGaussianBlur stdDeviation="900"/></filter>'
     groups = '<g filter="url(#f)">' * 40 + '<path d="M0 0h9v9z"/>' + "</g>" * 40
     svg = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9">{blur}{groups}</svg>'

@@ -15,7 +15,8 @@ from iconstudio.cli.timing import Stopwatch, profile_option, profiled
 from iconstudio.files import is_address, replaceable
 from iconstudio.model import IconstudioError, Patterning
 from iconstudio.output.pattern import check_name, write
-from iconstudio.session import Session, is_path
+from iconstudio.reading import is_path
+from iconstudio.session import Session
 from iconstudio.workflows.events import Event, Progress, Remark, Result
 from iconstudio.workflows.files import read_file
 from iconstudio.workflows.pattern.bounds import LARGER, LARGEST, LARGEST_SEED, SMALLER, SMALLEST

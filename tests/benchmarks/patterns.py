@@ -15,8 +15,9 @@ import numpy as np
 from iconstudio.algorithms.patterns.exemplar import Exemplar
 from iconstudio.algorithms.patterns.prepared import Prepared
 from iconstudio.algorithms.patterns.synthesis import Settings, synthesised
+from iconstudio.reading import returned
 from iconstudio.resources import resource
-from iconstudio.session import Session, returned
+from iconstudio.session import Session
 from iconstudio.workflows.files import read_file
 from iconstudio.workflows.pattern.drawing import SAMPLES
 from iconstudio.workflows.pattern.layout import Arrangement, laid_out

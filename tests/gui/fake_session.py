@@ -38,7 +38,7 @@ from iconstudio.model import (
     SpriteError,
 )
 from iconstudio.model import Path as Outline
-from iconstudio.session import returned
+from iconstudio.reading import returned
 from iconstudio.svg import credits
 from iconstudio.svg.decode import decode as svg_text
 from iconstudio.svg.parse import parse

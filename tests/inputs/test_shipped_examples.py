@@ -3,7 +3,8 @@
 import pytest
 
 from iconstudio.inputs.examples import examples
-from iconstudio.session import Session, returned
+from iconstudio.reading import returned
+from iconstudio.session import Session
 from iconstudio.workflows.editing.editing import place_edit
 from iconstudio.workflows.editing.file import read_edit
 from iconstudio.workflows.files import read_file, write_file

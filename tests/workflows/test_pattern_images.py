@@ -11,7 +11,8 @@ from iconstudio.algorithms.patterns.exemplar import MOST_LAYERS
 from iconstudio.images.photo import photo_of
 from iconstudio.images.reading import Image
 from iconstudio.model import Correction, IconstudioError, Patterning, Separation, Stroke
-from iconstudio.session import Session, returned
+from iconstudio.reading import returned
+from iconstudio.session import Session
 from iconstudio.svg import artwork
 from iconstudio.workflows.events import Remark, Result
 from iconstudio.workflows.files import read_file

@@ -11,7 +11,8 @@ from iconstudio.inputs.examples import examples
 from iconstudio.model import IconstudioError, Patterned, Patterning, Transform
 from iconstudio.output.png import icon_pixels
 from iconstudio.output.svg import svg_document
-from iconstudio.session import Session, returned
+from iconstudio.reading import returned
+from iconstudio.session import Session
 from iconstudio.workflows.events import Progress, Result
 from iconstudio.workflows.files import read_file
 from iconstudio.workflows.pattern.patterning import PatternSettings, run, samples
