@@ -43,6 +43,9 @@ _TOUCHING = 8, 0.25
 pixels, go over into each other."""
 _UNKNOWN_MOST = 0.35
 """How much of an image may be neither of even colour nor blends."""
+_PHOTOGRAPH = 30, 0.15, 40
+"""A photograph strays from flat colours by so many levels in so much of it; and so many pixels has
+less than half of its areas."""
 _SPECK = 6
 """Pixels of one colour that are none."""
 
@@ -81,7 +84,8 @@ def flat_colours(pixels: Pixels, count: int | None = None) -> FlatColours:
         If it is no image in flat colours, or has only one.
     """
     lab = cielab(pixels)
-    limits = LOSSY if _noise(lab) > _NOISY else EXACT
+    noisy = is_noisy(pixels)
+    limits = LOSSY if noisy else EXACT
     cores = _cores(lab, limits, count)
     blends = blends_of(pixels, cores)
     palette = [np.median(pixels[cores == one], axis=0) for one in range(int(cores.max()) + 1)]
@@ -106,6 +110,8 @@ def flat_colours(pixels: Pixels, count: int | None = None) -> FlatColours:
     first = renamed[first]
     second = np.where(renamed[second] < 0, first, renamed[second])
     colours = np.rint(np.array(palette)[kept]).astype(np.uint8)
+    if noisy and _is_photograph(pixels, colours[first], first):
+        raise _no_flat_colours()
     return FlatColours(colours, first, second, share)
 
 
@@ -121,13 +127,21 @@ def _no_flat_colours() -> IconstudioError:
 
 def is_noisy(pixels: Pixels) -> bool:
     """Whether an image has noise, or was compressed with losses."""
-    return _noise(cielab(pixels)) > _NOISY
+    spread = _spread(cielab(pixels))
+    slight = ((spread > 0) & (spread < EXACT.even)).mean()
+    return bool(slight > _NOISY or np.median(spread) > EXACT.even)
 
 
-def _noise(lab: Lab) -> float:
-    """Return how much of an image differs a little from what is beside it."""
-    spread = _spread(lab)
-    return float(((spread > 0) & (spread < EXACT.even)).mean())
+def is_grainy(pixels: Pixels) -> bool:
+    """Whether noise is in all of an image, so strong that no area is even."""
+    return bool(np.median(_spread(cielab(pixels))) > EXACT.even)
+
+
+def _is_photograph(pixels: Pixels, flat: Pixels, first: Numbers) -> bool:
+    """Whether an image strays much from its flat colours, and most areas of these are small."""
+    stray = np.abs(pixels.astype(np.int16) - flat).max(axis=2) > _PHOTOGRAPH[0]
+    sizes = np.bincount(label(first + 1, connectivity=2).ravel())
+    return bool(stray.mean() > _PHOTOGRAPH[1] and np.median(sizes) < _PHOTOGRAPH[2])
 
 
 def _spread(lab: Lab) -> NDArray[np.float32]:

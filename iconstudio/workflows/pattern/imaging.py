@@ -10,7 +10,7 @@ from scipy import ndimage
 
 from iconstudio.algorithms.patterns.elements import components, grouped
 from iconstudio.algorithms.patterns.exemplar import LARGEST, MOST_LAYERS, Exemplar, Masks
-from iconstudio.algorithms.patterns.flat_colours import is_noisy
+from iconstudio.algorithms.patterns.flat_colours import is_grainy, is_noisy
 from iconstudio.algorithms.patterns.separation import Layers, Separated, separated
 from iconstudio.algorithms.patterns.shapes import element_shapes
 from iconstudio.algorithms.patterns.thickening import thickened
@@ -167,14 +167,16 @@ def _labels(masks: Masks) -> NDArray[np.int32]:
 
 def _calm(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
     """Return an image with noise, as lossy compression leaves, at a lower resolution."""
-    from PIL import Image
+    from PIL import Image, ImageFilter
 
-    if max(pixels.shape) > _NOISY_MOST and is_noisy(pixels):
-        image = Image.fromarray(pixels)
-        while max(image.size) > _NOISY_MOST:
-            image = image.reduce(2)
-        pixels = np.asarray(image)
-    return pixels
+    if not is_noisy(pixels):
+        return pixels
+    image = Image.fromarray(pixels)
+    while max(image.size) > _NOISY_MOST:
+        image = image.reduce(2)
+    if is_grainy(np.asarray(image)):
+        image = image.filter(ImageFilter.MedianFilter(3))
+    return np.array(image)
 
 
 def _resized(
