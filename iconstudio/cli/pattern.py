@@ -12,9 +12,10 @@ from iconstudio.cli import running
 from iconstudio.cli.line_styles import Between
 from iconstudio.cli.progress import ProgressBar
 from iconstudio.cli.timing import Stopwatch, profile_option, profiled
-from iconstudio.files import is_address, replaceable
+from iconstudio.files import is_address
 from iconstudio.model import IconstudioError, Patterning
 from iconstudio.output.pattern import check_name, write
+from iconstudio.output.png import check_writable
 from iconstudio.reading import is_path
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event, Progress, Remark, Result
@@ -90,7 +91,7 @@ def command(exemplar: str, out: str, profile: bool, **options: Any) -> None:
     if not out:
         raise IconstudioError("The name behind --out is empty. Give one.")
     path = check_name(Path(out))
-    replaceable(path)
+    check_writable(path)
     with profiled(profile) as stopwatch, Session() as session:
         events = _reading_and_running(session, exemplar, _Asked(**options))
         write(_only(events, stopwatch), path)

@@ -64,8 +64,19 @@ def check_name(path: Path) -> Path:
             f"Pictures are written as PNG, and “{path.name}” does not say so. "
             f"Call it “{path.stem or 'picture'}.png”."
         )
-    _writing(path, lambda: replaceable(path))
+    check_writable(path)
     return path
+
+
+def check_writable(path: Path) -> None:
+    """Return if a file can be written.
+
+    Raises
+    ------
+    IconstudioError
+        If not.
+    """
+    _writing(path, lambda: replaceable(path))
 
 
 def write(path: Path, content: bytes) -> None:

@@ -109,3 +109,24 @@ def test_bad_options_are_refused_in_a_sentence(words, said, file, tmp_path, monk
     assert run(["pattern", str(file), *words], None) == 2
     assert said in capsys.readouterr().err
     assert not list(tmp_path.iterdir())
+
+
+def test_a_coloured_svg_drawing_is_an_exemplar_in_its_colours(tmp_path, capfd):
+    dots = "".join(
+        f'<circle cx="{x}" cy="{y}" r="14" fill="#c2185b"/><circle cx="{x}" cy="{y}" r="5" '
+        'fill="#f0a202"/>' for y in (24, 72, 120) for x in (24, 72, 120)
+    )  # fmt: skip
+    (tmp_path / "dots.svg").write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 144 144">'
+        f'{dots}<path d="M200 9h9v9z"/></svg>'
+    )
+    words = ["pattern", str(tmp_path / "dots.svg"), "--size", "128x128", "--out"]
+    assert run([*words, str(tmp_path / "out.svg")], None) == 0
+    assert "An object lies outside its canvas, and was left out." in capfd.readouterr().err
+    found = set(re.findall(r"#[0-9a-f]{6}", (tmp_path / "out.svg").read_text("utf-8")))
+    assert found == {"#c2185b", "#f0a202", "#ffffff"}
+
+
+def test_a_folder_that_is_not_there_is_told(file, tmp_path, capfd):
+    assert run(["pattern", str(file), "--out", str(tmp_path / "none" / "a.svg")], None) == 2
+    assert "there is no such folder" in capfd.readouterr().err

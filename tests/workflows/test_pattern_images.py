@@ -3,6 +3,7 @@
 import io
 from dataclasses import replace
 
+import msgspec
 import numpy as np
 import pytest
 from PIL import Image as Pixels
@@ -12,12 +13,16 @@ from iconstudio.images.photo import photo_of
 from iconstudio.images.reading import Image
 from iconstudio.model import Correction, IconstudioError, Patterning, Separation, Stroke
 from iconstudio.reading import returned
+from iconstudio.resources import resource
 from iconstudio.session import Session
 from iconstudio.svg import artwork
 from iconstudio.workflows.events import Remark, Result
 from iconstudio.workflows.files import read_file
+from iconstudio.workflows.pages import StoredPhoto
 from iconstudio.workflows.pattern import imaging
 from iconstudio.workflows.pattern.imaging import ImageExemplar, laid_out, reduction_of
+from iconstudio.workflows.pattern.page import PatternPage
+from iconstudio.workflows.pattern.page_format import PatternPages
 from iconstudio.workflows.pattern.patterning import run
 from iconstudio.workflows.pattern.spec import PATTERN
 
@@ -127,6 +132,26 @@ def test_too_many_layers_are_told():
     assert "11 layers" in layout.remark and str(MOST_LAYERS) in layout.remark
 
 
+@pytest.mark.parametrize("spoilt", ["grain", "dither"])
+def test_grain_and_dithering_are_no_colours(drawn, spoilt):
+    large = Pixels.fromarray(drawn[..., :3]).resize((512, 512))
+    if spoilt == "dither":
+        pixels = np.asarray(large.convert("P").convert("RGB"))
+    else:
+        noise = np.random.default_rng(0).normal(0, 6, (512, 512, 3))
+        pixels = np.clip(large + noise, 0, 255)
+    layout = exemplar(pixels)
+    assert len(layout.elements) == 1 and len(layout.elements[0]) == 9
+    assert {len(element) for element in layout.elements[0]} == {2}
+
+
+@pytest.mark.parametrize("name", ["flower", "shuttle"])
+def test_photographs_are_told(name):
+    path = resource(f"examples/{name}.jpg")
+    with Pixels.open(path) as photo, pytest.raises(IconstudioError, match="a photograph, or noise"):
+        exemplar(np.asarray(photo.convert("RGB")))
+
+
 @pytest.mark.parametrize(
     "pixels, said",
     [
@@ -182,3 +207,25 @@ def test_a_remark_comes_before_the_result(session, drawn, monkeypatch):
     told = [one for one in run(session, work) if isinstance(one, (Remark, Result))]
     assert isinstance(told[0], Remark) and "9 layers" in told[0].sentence
     assert isinstance(told[-1], Result)
+
+
+def test_a_page_keeps_whom_to_thank_for_its_image(session, file):
+    class Parts:
+        def photo(self, photo):
+            return StoredPhoto("photos/x.png", photo.width, photo.height)
+
+        icon = str
+
+    class Stored:
+        icon, complaints = session.icon, []
+
+        def photo(self, stored):
+            return image.photo
+            yield
+
+    image = returned(session.artwork(file))
+    pages = PatternPages(PATTERN)
+    page = PatternPage(Patterning(image=image))
+    stored = msgspec.json.decode(msgspec.json.encode(pages.write(page, Parts())), type=pages.stored)
+    (thanks,) = returned(pages.read(stored, Stored())).work.image.credits
+    assert thanks.credit == image.credits[0].credit and thanks.id == image.credits[0].id
