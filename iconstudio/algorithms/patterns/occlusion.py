@@ -24,7 +24,7 @@ pixels at least."""
 _SMOOTH, _CORNER = np.radians([20.0, 25.0])
 """By how much a contour turns that goes on smoothly, at most, and by how much more one at a corner
 does, at least."""
-_MAJORITY = 3
+_MAJORITY = 2
 """How many times as many junctions tell so as tell the opposite."""
 _MINORITY = 0.15
 """How many, of those that tell the opposite, tell that layers hide each other."""
@@ -124,7 +124,7 @@ def order_of(votes: Integers, sizes: Integers) -> Integers:
     sizes
         In pixels.
     """
-    above = hides(votes)
+    above = votes > votes.T
     left = list(range(1, len(sizes)))
     order = [0]
     while left:
