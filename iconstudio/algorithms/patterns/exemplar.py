@@ -1,11 +1,16 @@
 """What is given and what is made: exemplars with their layers, and patterns (section 3)."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.model import IconstudioError
+
+if TYPE_CHECKING:
+    from iconstudio.algorithms.patterns.elements import Elements
 
 Colours = NDArray[np.float32]
 """(h, w, 3), red, green and blue from 0 to 1."""
@@ -96,3 +101,5 @@ class Pattern:
     placed: tuple[Placed, ...] = ()
     owners: Owners | None = None
     """Whose ink each pixel of a layer is, if anything is placed."""
+    elements: "Sequence[Elements]" = ()
+    """Those of the exemplar's layers, if anything is placed."""

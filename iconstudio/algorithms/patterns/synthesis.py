@@ -235,7 +235,10 @@ class _Synthesis:
             np.where(one.owner, one.owner + first, 0).astype(np.int32)
             for one, first in zip(layers, before, strict=False)
         ])  # fmt: skip
-        return Pattern(colours, distances, energy, float(torn), tile, True, placed, owners)
+        return Pattern(
+            colours, distances, energy, float(torn), tile, True, placed, owners,
+            self._prepared.elements,
+        )  # fmt: skip
 
     def _mended(self, m: int, distance: Field, source: Places, above: Sequence[Mended]) -> Mended:
         """Return a layer of whole elements, which go with those above as in the exemplar."""

@@ -41,6 +41,8 @@ _PURE = 0.99
 """So much of a pixel is covered where it has a layer's own colour."""
 _ALIKE = 12
 """Levels, of 255, by which components of one colour may differ."""
+_UNSEEN = "#000000"
+"""The colour of what has no pixel of its own."""
 
 
 def vectorise(
@@ -79,27 +81,57 @@ class _Tracer:
         self._pattern, self._shapes, self._ask = pattern, shapes, ask
         self._size = pattern.distances.shape[1], pattern.distances.shape[2]
         self._traces: dict[tuple[bytes, complex], Contour] = {}
-        """What is alike is traced once."""
+        """What is alike is traced once,"""
+        self._elements: dict[tuple[int, int], Path] = {}
+        """and so are the elements of the exemplar, by layer and number."""
 
     def fills(self, m: int) -> Iterator[Fill]:
         """Give the shapes of a layer."""
         pattern = self._pattern
-        known = {
-            number: own
-            for number, one in enumerate(pattern.placed, 1)
-            if one.layer == m and (own := self._own_shapes(one))
-        }
-        rest = pattern.distances[m]
-        if known and pattern.owners is not None:
-            rest = _without(rest, np.isin(pattern.owners[m], list(known)), pattern.tile)
-        if (rest < 0).any():
-            yield from self._traced(m, rest)
-        for number, own in known.items():
+        distance = pattern.distances[m]
+        placed = {n: one for n, one in enumerate(pattern.placed, 1) if one.layer == m}
+        drawn: dict[int, Sequence[Fill]] = {}
+        if placed and pattern.owners is not None:
+            owner = pattern.owners[m]
+            colours = self._colours(m, owner)
+            grown = ndimage.binary_dilation((self._run_on(m, distance) < 0) & (distance >= 0))
+            trapped = set(np.unique(owner[grown]).tolist())
+            for number, one in placed.items():
+                self._ask()
+                if own := self._own_shapes(one):
+                    drawn[number] = own
+                elif pattern.elements and number not in trapped:
+                    drawn[number] = (Fill(self._element(one), colours.get(number, _UNSEEN)),)
+            distance = _without(distance, np.isin(owner, list(drawn)), pattern.tile)
+        if (distance < 0).any():
+            yield from self._traced(m, distance)
+        for number, own in drawn.items():
             self._ask()
-            yield from self._laid(pattern.placed[number - 1], own)
+            yield from self._laid(placed[number], own)
+
+    def _run_on(self, m: int, distance: Field) -> Field:
+        if not m:
+            return distance
+        return run_on(distance, self._pattern.distances[:m].min(axis=0), self._pattern.tile)
 
     def _own_shapes(self, one: Placed) -> Sequence[Fill]:
         return self._shapes[one.layer][one.label - 1] if self._shapes else ()
+
+    def _element(self, one: Placed) -> Path:
+        """Return the outline of an element, where it is in the exemplar; traced once."""
+        key = one.layer, one.element
+        if key not in self._elements:
+            element = self._pattern.elements[one.layer].whole[one.element]
+            corner = element.left + 1j * element.top
+            sets = level_sets(finer(element.distance, _SCALE, False), False, _SCALE, self._ask)
+            self._elements[key] = Path(
+                tuple(
+                    moved(self._trace(level_set.outline), level_set.place + corner)
+                    for level_set in sets
+                    if abs(level_set.area) >= _SPECK
+                )
+            )
+        return self._elements[key]
 
     def _laid(self, one: Placed, own: Sequence[Fill]) -> Iterator[Fill]:
         there = Transform().translate(one.right, one.down)
@@ -109,19 +141,19 @@ class _Tracer:
 
     def _traced(self, m: int, distance: Field) -> Iterator[Fill]:
         """Give the components of what is negative in a layer, each in its own flat colour."""
-        pattern = self._pattern
-        above = pattern.distances[:m]
-        field = run_on(distance, above.min(axis=0), pattern.tile) if m else distance
+        tile = self._pattern.tile
+        field = self._run_on(m, distance)
         self._ask()
-        fine = finer(field, _SCALE, pattern.tile)
-        labels = components(fine < 0, pattern.tile)
+        fine = finer(field, _SCALE, tile)
+        labels = components(fine < 0, tile)
+        self._ask()
         contours: dict[int, list[LevelSet]] = {}
-        for one in level_sets(fine, pattern.tile, _SCALE, self._ask):
+        for one in level_sets(fine, tile, _SCALE, self._ask):
             contours.setdefault(int(labels[one.inside]), []).append(one)
-        colours = self._colours(m, labels)
+        colours = self._colours(m, labels[_SCALE // 2 :: _SCALE, _SCALE // 2 :: _SCALE])
         for label in range(1, labels.max() + 1):
             if path := self._path(contours.get(label, [])):
-                yield Fill(path, colours[label])
+                yield Fill(path, colours.get(label, _UNSEEN))
 
     def _path(self, level_sets: Sequence[LevelSet]) -> Path:
         """Return what the contours of a component bound."""
@@ -154,33 +186,31 @@ class _Tracer:
             self._traces[key] = contour_along(finer, SPACING, TOLERANCE, _BLUR)
         return self._traces[key]
 
-    def _colours(self, m: int, labels: Labels) -> list[str]:
-        """Return the colours of a layer's components, by their labels (S H, S W).
+    def _colours(self, m: int, labels: Labels) -> dict[int, str]:
+        """Return the colours of parts of a layer, by their labels (H, W), from 1.
 
-        They are those of pixels that are wholly covered, or most, and seen; of components that are
+        They are those of pixels that are wholly covered, or most, and seen; of parts that are
         alike, that of the largest.
         """
         pattern = self._pattern
         own = coverage(pattern.distances[m])
         for distance in pattern.distances[:m]:
             own = own * (distance >= 0.5)
-        centres = labels[_SCALE // 2 :: _SCALE, _SCALE // 2 :: _SCALE]
         most = np.zeros(labels.max() + 1, np.float32)
-        np.maximum.at(most, centres, own)
-        pure = (centres > 0) & (own >= np.minimum(_PURE, most[centres]))
-        seen, colours = centres[pure], pattern.colours[pure]
+        np.maximum.at(most, labels, own)
+        pure = (labels > 0) & (own >= np.minimum(_PURE, most[labels]))
+        order = np.argsort(labels[pure], kind="stable")
+        numbers, begins = np.unique(labels[pure][order], return_index=True)
+        parts = np.split(pattern.colours[pure][order], begins[1:]) if len(numbers) else []
+        found: dict[int, str] = {}
         palette: list[NDArray[np.float32]] = []
-        flat = np.zeros(len(most), np.intp)
-        sizes = np.bincount(seen, minlength=len(most))
-        for label in np.argsort(-sizes[1:], kind="stable") + 1:
-            if sizes[label]:
-                colour = np.median(colours[seen == label], axis=0)
-                alike = [abs(one - colour).max() * 255 <= _ALIKE for one in palette] + [True]
-                flat[label] = alike.index(True)
-                if flat[label] == len(palette):
-                    palette.append(colour)
-        written = [_written(colour) for colour in palette] or ["#000000"]
-        return [written[number] for number in flat]
+        for k in sorted(range(len(numbers)), key=lambda k: -len(parts[k])):
+            colour = np.median(parts[k], axis=0)
+            alike = [one for one in palette if abs(one - colour).max() * 255 <= _ALIKE]
+            if not alike:
+                palette.append(colour)
+            found[int(numbers[k])] = _written(alike[0] if alike else colour)
+        return found
 
 
 def _without(distance: Field, known: Mask, tile: bool) -> Field:

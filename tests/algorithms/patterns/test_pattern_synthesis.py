@@ -58,6 +58,13 @@ def test_as_much_ink_as_in_the_exemplar(tile):
         assert 0.88 < ink.mean() / Prepared.of(exemplar).elements[0].share < 1.1
 
 
+def test_a_blank_frame_makes_a_pattern_hardly_denser():
+    framed = black_on_white(np.pad(shapes().masks[0][:56], ((16, 8), (16, 0))))
+    for seed in range(2):
+        ink = made(framed, tile=True, seed=seed).distances[0] < 0
+        assert 0.88 < ink.mean() / (framed.masks[0] > 0.5).mean() < 1.1
+
+
 def test_without_mending_ink_does_not_vanish_either():
     exemplar = shapes()
     ink = made(exemplar, tile=True, mend=False).distances[0] < 0

@@ -293,6 +293,12 @@ def test_a_synthesised_tile_is_drawn_as_it_is(synthesised_tile):
     assert likeness(found > 0.5, made.distances[0] < 0) > 0.98
     assert len(layers[0].fills) == len(made.placed)
     assert nodes(layers) < 16 * len(made.placed)
+    curves: dict[int, set[str]] = {}
+    for fill, one in zip(layers[0].fills, made.placed, strict=True):
+        first = fill.path.contours[0]
+        x, y = first.start
+        curves.setdefault(one.element, set()).add(placed(first, -x, -y))
+    assert len(curves) > 1 and all(len(alike) == 1 for alike in curves.values())
 
 
 def test_layers_are_drawn_in_their_order_over_the_ground():
