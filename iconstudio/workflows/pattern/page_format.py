@@ -43,7 +43,9 @@ class PatternPages(PageFormat[PatternPage, StoredPattern]):
                 photo = yield from parts.photo(stored.photo)
             except IconstudioError as error:
                 parts.complaints.append(f"The pattern was opened without its image: {error}")
-        return PatternPage(stored.work.with_image(parts.icon, photo), frozenset(stored.chosen))
+        work = stored.work.with_image(parts.icon, photo)
+        chosen = frozenset(number for number in stored.chosen if number < len(work.motifs))
+        return PatternPage(work, chosen)
 
     def alike(self, page: PatternPage, other: PatternPage) -> bool:
         """Whether the work is the same; to choose motifs is no edit."""
