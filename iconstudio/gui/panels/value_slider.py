@@ -12,18 +12,18 @@ from iconstudio.gui.theme.theme import UNIT
 
 
 class ValueSlider(QWidget):
-    """Degrees, say.
+    """A value from ``least`` to ``most``; of its own, the slider goes by ones.
 
     Parameters
     ----------
     title, tip
         What it is called, and what it does.
-    least, most
-        Of the value; the slider goes from one to the other by ones.
     words
         Returns a value in words.
     change
         Called with the value and the mark of the drag.
+    step
+        Of the arrow keys, in positions of the slider.
     """
 
     def __init__(

@@ -142,6 +142,7 @@ class PatternControls(QFrame):
         work = page.work
         self.size_fields.show_size(work.width, work.height)
         self.tile.setChecked(work.tile)
+        self.tile.setEnabled(work.fill is None)  # a shape is no tile
         self.density.show_value(work.density)
         self.factor.show_value(work.scale)
         self.turn.show_value(work.turn)

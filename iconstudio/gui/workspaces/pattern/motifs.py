@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QPointF, QRectF
+from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QPainterPath, QPolygonF, QTransform
 
 from iconstudio.gui.canvas.outlines import IconOutlines
@@ -51,7 +51,9 @@ class MotifShapes:
             back, _ = transform_of(motifs[number]).inverted()
             if path is not None and path.contains(back.map(spot)):
                 return number
-        return next((n for n in numbers if _holds(self.frame(motifs[n], reach), spot)), None)
+        fill = Qt.FillRule.WindingFill
+        frames = ((n, self.frame(motifs[n], reach)) for n in numbers)
+        return next((n for n, frame in frames if frame.containsPoint(spot, fill)), None)
 
     def within(self, motifs: Sequence[Motif], box: QRectF) -> frozenset[int]:
         """Return the numbers of the motifs whose middles lie in a box."""
@@ -60,9 +62,3 @@ class MotifShapes:
             for number, one in enumerate(motifs)
             if box.contains(self.frame(one).boundingRect().center())
         )
-
-
-def _holds(frame: QPolygonF, spot: QPointF) -> bool:
-    path = QPainterPath()
-    path.addPolygon(frame)
-    return path.contains(spot)

@@ -11,7 +11,7 @@ from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.workspaces.pattern.live import Made
 from iconstudio.model import Patterning
 
-_SIDE = 41 * UNIT // 4
+_SIDE = 19 * UNIT // 2
 
 
 class SeedsPanel(QFrame):

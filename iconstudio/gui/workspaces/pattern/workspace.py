@@ -13,7 +13,6 @@ from iconstudio.gui.gallery.detail import DetailPanel
 from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.panels.colour import ColourButton
 from iconstudio.gui.theme.layout import card, column, push_button, row, splitter
-from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.montage.tools.scribble import Brush
 from iconstudio.gui.workspaces.pattern.actions import ENTRIES
@@ -28,6 +27,7 @@ from iconstudio.gui.workspaces.pattern.scene import PatternScene
 from iconstudio.gui.workspaces.pattern.seeds import SeedsPanel
 from iconstudio.gui.workspaces.pattern.tools import ArrangeTool
 from iconstudio.model import IconstudioError, Patterning, Pictogram, Separation
+from iconstudio.model.patterning import GROUND, INK
 from iconstudio.workflows.pattern import page as edits
 from iconstudio.workflows.pattern.layering import ImageLayers
 from iconstudio.workflows.pattern.page import PatternPage
@@ -76,7 +76,7 @@ class PatternWorkspace(Workspace):
         for name, text in (("svg", "SVG…"), ("png", "PNG…")):
             self.detail.buttons[name].setText(text)  # there are more of them than elsewhere
         self.seeds = SeedsPanel()
-        self.colour = ColourButton(PALETTE, "Colour of the chosen icons", side=4 * UNIT)
+        self.colour = ColourButton((*PALETTE, INK, GROUND), "Colour of the chosen icons")
         self.make_actions()
         actions = self.actions_by_name
         self.controls = PatternControls(self.document, self.outlines, actions["shape"])
@@ -152,8 +152,9 @@ class PatternWorkspace(Workspace):
 
     def _take_seed(self, work: Patterning) -> None:
         edits.set_seed(self.document, work.seed)
-        if self.picture is not None and not self.picture.preview:
-            self.kept.emit(self.picture)
+        made = self.patterner.made
+        if made is not None and made.work == self.page.work and not made.picture.preview:
+            self.kept.emit(made.picture)
 
     def _leave(self) -> None:
         """Leave the results behind: their exemplar is gone."""
