@@ -381,6 +381,8 @@ def test_an_image_is_the_exemplar_and_its_layers_are_corrected(place, qtbot, orn
     assert place.actions_by_name["brush"].isChecked()
     assert place.reader.layers.colours == ("#ffffff", "#dc1e1e")
     settled(place, qtbot)
+    place.patterner.remarked.emit("The image has 12 layers.")
+    assert place.layers.caption.text().startswith("The image has 12 layers. Choose a layer")
     before = place.page
     drag(place, (5, 5), (5, 60))
     (correction,) = place.page.work.image.corrections

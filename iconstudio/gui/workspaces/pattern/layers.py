@@ -26,6 +26,7 @@ from iconstudio.workflows.pattern.page import PatternDocument
 _AUTOMATIC = 1
 """What the field shows for as many colours as there are."""
 _ACROSS = 6
+_WORDS = "Choose a layer, and paint over what belongs to it."
 
 
 class LayerReader(Runner):
@@ -148,7 +149,7 @@ class LayersPanel(QFrame):
 
     def show_layers(self, layers: ImageLayers) -> None:
         """Show the layers that were found."""
-        self.caption.setText("Choose a layer, and paint over what belongs to it.")
+        self.remark("")
         if layers.colours == self._colours:
             return
         self._colours = layers.colours
@@ -163,3 +164,7 @@ class LayersPanel(QFrame):
         chosen = min(1, len(layers.colours) - 1)
         self._group.buttons()[chosen].setChecked(True)
         self._choose(chosen)
+
+    def remark(self, sentence: str) -> None:
+        """Say what to do, after what the user should know of how the image was read."""
+        self.caption.setText(f"{sentence} {_WORDS}".lstrip())

@@ -9,6 +9,7 @@ from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.workspaces.pattern.live import Made, made, made_with_other_seeds, sheet_of
 from iconstudio.model import Patterning
 from iconstudio.session import Session
+from iconstudio.workflows.events import Remark
 from iconstudio.workflows.pattern.page import PatternPage
 
 REST = 300
@@ -28,6 +29,8 @@ class Patterner(QObject):
         Patterns of other seeds are made, in place of those before; this one comes first.
     sheet_grew(Made)
         One of them is there.
+    remarked(str)
+        What the user should know of how the exemplar was read.
     left()
         There is no exemplar any more.
     """
@@ -35,6 +38,7 @@ class Patterner(QObject):
     patterned = Signal(object)
     sheet_began = Signal(object)
     sheet_grew = Signal(object)
+    remarked = Signal(str)
     left = Signal()
 
     def __init__(self, session: Session, worker: Worker, parent: QObject) -> None:
@@ -80,6 +84,8 @@ class Patterner(QObject):
         if isinstance(event, Made):
             self._show(event)
             self.live.release()
+        elif isinstance(event, Remark):
+            self.remarked.emit(event.sentence)
 
     def _show(self, made: Made) -> None:
         self.made = made

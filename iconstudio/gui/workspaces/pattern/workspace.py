@@ -109,6 +109,7 @@ class PatternWorkspace(Workspace):
         patterner.patterned.connect(self._show_result)
         patterner.sheet_began.connect(self._begin_sheet)
         patterner.sheet_grew.connect(self._grow_sheet)
+        patterner.remarked.connect(self.layers.remark)
         patterner.left.connect(self._leave)
         self.seeds.chosen.connect(self._take_seed)
         self.seeds.sheet.asked.connect(self.offer_for)
