@@ -18,14 +18,17 @@ from hypothesis import strategies as st
 from iconstudio.files import read_bytes
 from iconstudio.model import (
     CANVAS,
+    ColouredLayer,
     Composite,
     Contour,
     Credit,
     Drawing,
     Exemplar,
+    Fill,
     Frame,
     Icon,
     IconstudioError,
+    Patterned,
     Pictogram,
     Placement,
     Remix,
@@ -240,6 +243,52 @@ def test_a_result_that_was_tampered_with_is_told(mend):
     name = parts.result(remix())
     entry = json.loads(parts.contents[name])
     mend(entry)
+    parts.contents[name] = json.dumps(entry).encode()
+    with pytest.raises(IconstudioError):
+        result(again(parts), name)
+
+
+def pattern(*colours, ground=""):
+    """A pattern of squares in colours, which reach out of it."""
+    fills = tuple(
+        Fill(outline([(x, -5), (x + 30.125, -5), (x + 30, 60), (x, 60)]), colour)
+        for x, colour in enumerate(colours)
+    )
+    layers = ColouredLayer("layer-1", fills[:1]), ColouredLayer("layer-2", fills[1:])
+    return Patterned(
+        SQUARE, "cats", (CAT,),
+        layers=layers, ground=ground, width=300, height=50, tile=True, torn=0.125,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("ground", ["", "#fdfdf8", "#101010"])
+def test_a_pattern_is_kept_whole(ground):
+    for colours in (["#f0f0f0", "#FF8000"], ["", "#e4572e", "#e4572e"]):
+        icon, parts = pattern(*colours, ground=ground), Parts()
+        name = parts.result(icon)
+        found = result(again(parts), name)
+        assert found.looks_like(icon)
+        for one in ("layers", "ground", "size", "tile", "torn", "path", "title"):
+            assert getattr(found, one) == getattr(icon, one), one
+        assert [one.credit for one in found.credits] == [CAT.credit]
+
+
+@pytest.mark.parametrize(
+    "mend",
+    [
+        lambda entry: entry.update(width=0),
+        lambda entry: entry.update(height=1e9),
+        lambda entry: entry.update(ground="red"),
+        lambda entry: entry["layers"][0]["fills"][0].update(colour='#ff0000"/><script'),
+        lambda entry: entry["layers"][0]["fills"][0].update(outline=[{"segments": []}]),
+        lambda entry: entry.update(torn=2),
+    ],
+)
+def test_a_pattern_that_was_tampered_with_is_told(mend):
+    parts = Parts()
+    name = parts.result(pattern("#ff0000", "#00ff00"))
+    entry = json.loads(parts.contents[name])
+    mend(entry["pattern"])
     parts.contents[name] = json.dumps(entry).encode()
     with pytest.raises(IconstudioError):
         result(again(parts), name)

@@ -6,14 +6,27 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from msgspec import structs
 
 from iconstudio.images.reading import Image
-from iconstudio.model import Axis, IconstudioError, Placement, Remix, Stroke
+from iconstudio.model import (
+    Axis,
+    Correction,
+    IconstudioError,
+    Motif,
+    Patterning,
+    Photo,
+    Placement,
+    Remix,
+    Separation,
+    Stroke,
+)
 from iconstudio.project import archive
 from iconstudio.project.archive import Index
 from iconstudio.project.contents import Contents, Formats, reading
 from iconstudio.workflows.editing.page import Area, Kind
 from iconstudio.workflows.hybrids.page import PickRequest
+from iconstudio.workflows.pattern.page import PatternPage
 from iconstudio.workflows.registry import registered, workflows
 from tests.test_projects import CAT, Library
 from tests.toy import MIRROR, Mirroring
@@ -100,6 +113,33 @@ class Written:
 
     def result(self, icon):
         return icon.title
+
+
+@pytest.mark.parametrize("with_image", [False, True])
+def test_a_pattern_is_read_back_with_its_motifs_or_its_image(formats, with_image):
+    photo = Photo("", 6, 4, (np.zeros((4, 6), np.uint32),), data=b"\x89PNG", suffix=".png")
+    corrections = (Correction(2, Stroke(3.5, POINTS)),)
+    motifs = (Motif(CAT, 10.5, 20.0, 64.0, -30.0, True, "#e4572e"), Motif(CAT))
+    work = Patterning(
+        () if with_image else motifs,
+        Separation(photo, 3, corrections) if with_image else None,
+        "#102030", 640, 300, False, 7, 0.5, 15.0, 2.0, CAT,
+    )  # fmt: skip
+    page = PatternPage(work, frozenset() if with_image else frozenset({1}))
+    project = Contents("pattern", {"pattern": page}).project(formats)
+    again = contents(*archive.unpacked(archive.packed(project)), formats)
+    assert not again.complaints
+    found = again.pages["pattern"]
+    if with_image:
+        image = found.work.image
+        assert (image.photo.data, image.photo.width) == (photo.data, 6)
+        assert (image.colours, image.corrections) == (3, corrections)
+        found = replace(found, work=replace(found.work, image=work.image))
+    assert found == page
+    stored = project.index.pages["pattern"]
+    project.index.pages["pattern"] = structs.replace(stored, chosen=(1, 99))
+    tampered = contents(*archive.unpacked(archive.packed(project)), formats)
+    assert tampered.pages["pattern"].chosen == page.chosen
 
 
 def test_a_page_of_a_workflow_without_a_format_of_its_own(formats):

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import asdict, dataclass
 from math import isqrt
 from pathlib import Path as FilePath
-from typing import Annotated, Protocol, Self
+from typing import Annotated, Protocol
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -16,21 +16,20 @@ from iconstudio.inputs.formats import Many, Points, Record, Text, plain_text
 from iconstudio.model import (
     CANVAS,
     Composite,
-    Contour,
     Drawing,
     Exemplar,
     Frame,
     Icon,
     IconstudioError,
     Path,
+    Patterned,
     Pictogram,
-    Point,
     Remix,
     Score,
     Source,
 )
-from iconstudio.model.path import Segment
 from iconstudio.project.archive import part_name
+from iconstudio.project.outlines import Contours, StoredContour, StoredPattern
 from iconstudio.workflows.pages import StoredPlacement
 
 LARGEST_SIDE = 4 * CANVAS
@@ -39,30 +38,6 @@ LARGEST_SIDE = 4 * CANVAS
 Unit = Annotated[float, Meta(ge=0, le=1)]
 _Far = Annotated[float, Meta(ge=-1e6, le=1e6)]
 _Huge = Annotated[float, Meta(ge=-1e15, le=1e15)]
-
-
-class StoredContour(Record, frozen=True):
-    """A start, a list of one point, and segments: lists of one point, or of three."""
-
-    segments: Many[Points]
-    closed: bool = False
-
-    @classmethod
-    def of(cls, contour: Contour) -> Self:
-        """Return a contour as it is stored."""
-        return cls(((contour.start,), *contour.segments), contour.closed)
-
-    @property
-    def contour(self) -> Contour:
-        """The value."""
-        (start,), *segments = self.segments
-        return Contour(start, tuple(map(_segment, segments)), self.closed)
-
-    def check(self) -> None:
-        """Refuse lists of another number of points."""
-        counts = list(map(len, self.segments))
-        if counts[:1] != [1] or not {1, 3}.issuperset(counts):
-            raise IconstudioError("A contour begins with one point; a segment has one, or three.")
 
 
 class StoredFrame(Record, frozen=True):
@@ -125,8 +100,9 @@ class StoredResult(Record, frozen=True):
     title: Text
     svg: Text
     """Its part."""
-    outline: Many[StoredContour] = ()
+    outline: Contours = ()
     remix: StoredRemix | None = None
+    pattern: StoredPattern | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -190,16 +166,11 @@ def read(part: str, store: Store) -> Icon:
     stored = json.converted(json.parsed(store.content(part), here), StoredResult, here)
     path = Path(tuple(one.contour for one in stored.outline))
     drawn = store.drawn(stored.svg)
+    if stored.pattern is not None:
+        return stored.pattern.icon(path, stored.title, drawn.made_of)
     if stored.remix is None:
         return Icon(path, stored.title, drawn.made_of)
     return _remix(stored.remix, path, stored.title, drawn.made_of, store)
-
-
-def _segment(points: tuple[Point, ...]) -> Segment:
-    if len(points) == 1:
-        return (points[0],)
-    first, second, end = points
-    return first, second, end
 
 
 def _kept(icon: Icon) -> dict[int, Source]:
@@ -229,6 +200,7 @@ def _described(icon: Icon, kept: list[int], references: tuple[str, ...]) -> Writ
         add(".svg", svg_document(icon).encode(errors="replace")),
         tuple(map(StoredContour.of, icon.path.contours)),
         _made(icon, kept, references, add) if isinstance(icon, Remix) else None,
+        StoredPattern.of(icon) if isinstance(icon, Patterned) else None,
     )
     name = add(".json", json.encoded(stored))
     return Written(references, name, parts)

@@ -3,6 +3,7 @@
 import hashlib
 import threading
 from collections.abc import Iterator
+from concurrent.futures import Future
 from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
@@ -16,17 +17,20 @@ from iconstudio.images.reading import LONGEST, Image, is_image_file
 from iconstudio.images.scans import Tracing
 from iconstudio.model import (
     CANVAS,
+    ColouredLayer,
     Composite,
     Credit,
     Drawing,
     Edit,
     Exemplar,
+    Fill,
     Frame,
     IconstudioError,
     Line,
     LineStyle,
     Mix,
     Montage,
+    Patterning,
     Pictogram,
     Placement,
     Polygon,
@@ -63,6 +67,9 @@ from iconstudio.workflows.line_style.restyling import (
     variations,
 )
 from iconstudio.workflows.montage.montage import check as check_montage
+from iconstudio.workflows.pattern.drawing import Drawn
+from iconstudio.workflows.pattern.patterning import PatternSettings, samples
+from iconstudio.workflows.pattern.patterning import icon_of as icon_of_pattern
 from iconstudio.workflows.workflow import Workflow
 from tests.shapes import outline
 
@@ -157,7 +164,11 @@ class FakeSession:
         """How well the results of a style fit, where not as all others do."""
         self.closed = threading.Event()
         self.calls: list[tuple] = []
-        self.workers = SimpleNamespace(everywhere=lambda function, *args: None)
+        self.workers = SimpleNamespace(
+            everywhere=lambda function, *args: None,
+            ticket=lambda: SimpleNamespace(stop=lambda: None),
+            submit=_answered,
+        )
         self.generators_closed = 0
         self.thread_ids: set[int] = set()
 
@@ -254,6 +265,8 @@ class FakeSession:
                 return self.montage(work)
             case "restyle":
                 return self.restyle(work, settings)
+            case "pattern":
+                return self.pattern(work, settings)
         return workflow.run(self, work)
 
     def edit(self, edit: Edit, settings: GridSettings) -> Iterator[Event]:
@@ -354,6 +367,24 @@ class FakeSession:
         finally:
             self.generators_closed += 1
 
+    def pattern(self, work: Patterning, settings: PatternSettings | None) -> Iterator[Event]:
+        """A square for each motif, in its colour, at its place; smaller for a larger seed."""
+        self.calls.append(("pattern", work, settings))
+        self.thread_ids.add(threading.get_ident())
+        size = samples(work)
+        settings = settings or PatternSettings()
+        make = icon_of_pattern
+        try:
+            for number in range(settings.seeds):
+                one = replace(work, seed=work.seed + number)
+                if settings.previews:
+                    yield Result(make(one, _squares(one, size, 3.0), size, None), preview=True)
+                while self.gate is not None and not self.gate.acquire(timeout=0.02):
+                    yield Progress("pattern", 0.5, "Continuing the exemplar")
+                yield Result(make(one, _squares(one, size, 0.0), size, None))
+        finally:
+            self.generators_closed += 1
+
     def close(self) -> None:
         self.closed.set()
 
@@ -410,6 +441,27 @@ class FakeSession:
                 yield Result(icon, preview=preview)
                 preview = False
             yield Recommended(style, settings.lambdas[RECOMMENDED])
+
+
+def _answered(function, *args, timeout, memory, ticket):
+    """Return what a worker process would answer."""
+    future = Future()
+    try:
+        future.set_result(function(*args))
+    except Exception as error:
+        future.set_exception(error)
+    return future
+
+
+def _squares(work: Patterning, size: tuple[int, int], less: float) -> Drawn:
+    rows, columns = size
+    fills = []
+    for one in work.motifs:
+        x, y = one.x / CANVAS * columns, one.y / CANVAS * rows
+        half = max(1.0, one.size / 8 - less - work.seed % 10 / 4)
+        corners = [(x - half, y - half), (x + half, y - half), (x + half, y + half)]
+        fills.append(Fill(outline([*corners, (x - half, y + half)]), one.colour))
+    return Drawn((ColouredLayer("layer-1", tuple(fills)),), work.ground, 0.01)
 
 
 def _boxes(lines: tuple[Line, ...], styles: list[LineStyle | None], work: Restyling) -> Outline:

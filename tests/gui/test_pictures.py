@@ -9,11 +9,32 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QIcon, QPainter
 
 from iconstudio.gui.canvas.tools.polygon import PolygonTool
+from iconstudio.gui.gallery.detail import LargePicture
+from iconstudio.gui.gallery.sheet import Sheet
+from iconstudio.gui.gallery.sheet_delegate import Look
 from iconstudio.gui.pictures.mipmap import Mipmap
-from iconstudio.gui.pictures.picture import Display, Picture, pictured, placed, stencil
+from iconstudio.gui.pictures.picture import (
+    Display,
+    Picture,
+    picture_of,
+    pictured,
+    placed,
+    stencil,
+)
 from iconstudio.gui.pictures.vector import painter_path
 from iconstudio.gui.theme import icons, theme
-from iconstudio.model import CANVAS, Contour, Icon, Path, Placement, Polygon, Sketch
+from iconstudio.model import (
+    CANVAS,
+    ColouredLayer,
+    Contour,
+    Fill,
+    Icon,
+    Path,
+    Patterned,
+    Placement,
+    Polygon,
+    Sketch,
+)
 from iconstudio.workflows.grid import GridSettings
 from tests.shapes import outline
 
@@ -215,3 +236,65 @@ def test_a_picture_drawn_small_is_drawn_from_a_small_copy():
         500,
         250,
     ]
+
+
+RED, BLUE = "#ff0000", "#0000ff"
+
+
+def patterned(*fills, size=(200, 100)):
+    """A pattern of rectangles, each with its colour."""
+    shapes = tuple(
+        Fill(outline([(x, y), (x + w, y), (x + w, y + h), (x, y + h)]), colour)
+        for (x, y, w, h), colour in fills
+    )
+    width, height = size
+    return Patterned(
+        shapes[0].path, "p", layers=(ColouredLayer("layer-1", shapes),), ground="",
+        width=width, height=height, tile=True, torn=0.0,
+    )  # fmt: skip
+
+
+def test_a_pattern_is_painted_in_its_colours_in_the_middle_of_a_square():
+    icon = patterned(((0, -40, 100, 300), RED), ((100, 0, 50, 100), ""), ((110, 0, 40, 50), BLUE))
+    image = blank(80, 80)
+    with QPainter(image) as painter:
+        picture_of(icon).paint(painter, QRectF(0, 0, 80, 80), QColor("lime"))
+    shown = {
+        name: image.pixelColor(x, y).name()
+        for name, x, y in (
+            ("above", 10, 18), ("below", 10, 61), ("left", 10, 22), ("bottom", 10, 58),
+            ("ink", 42, 30), ("over it", 50, 30), ("under it", 50, 50), ("nothing", 70, 40),
+        )
+    }  # fmt: skip
+    assert shown == {
+        "above": "#ffffff", "below": "#ffffff", "left": RED, "bottom": RED,
+        "ink": "#00ff00", "over it": BLUE, "under it": "#00ff00", "nothing": "#ffffff",
+    }  # fmt: skip
+
+
+def test_the_image_of_a_pattern_is_as_wide_for_its_height_as_the_pattern():
+    image = picture_of(patterned(((0, 0, 100, 100), RED))).image(80)
+    assert image.size().toTuple() == (80, 40)
+    assert pixels(image)[20, 10].tolist() == [1, 0, 0, 1]
+    assert pixels(image)[20, 60].tolist() == [0, 0, 0, 0]
+    assert picture_of(Icon(outline([(0, 0), (99, 0), (0, 99)]), "i")).image(64).size() == QSize(
+        64, 64
+    )
+
+
+def test_colours_stay_in_dark_sheets_and_details(qtbot, monkeypatch):
+    monkeypatch.setattr(theme, "current", lambda: theme.DARK)
+    picture = picture_of(patterned(((0, 0, 200, 100), RED), ((0, 0, 100, 100), "")))
+    sheet = Sheet(Look(80), lambda picture, marked: ("p", "p"), "Patterns")
+    large = LargePicture()
+    for widget in (sheet, large):
+        qtbot.addWidget(widget)
+        widget.resize(160, 160)
+    sheet.show_entries([picture])
+    large.show_picture(picture)
+    for widget in (sheet, large):
+        widget.show()
+        shown = widget.grab().toImage()
+        colours = {shown.pixelColor(x, y).name() for x in range(0, 160, 4) for y in (40, 80)}
+        assert RED in colours
+        assert theme.DARK.text in colours

@@ -1,13 +1,13 @@
 """Icons traced in the background, so that a canvas can draw them crisp at any size."""
 
-from collections.abc import Generator
+from collections.abc import Callable, Generator
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QPainterPath
 
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.pictures.vector import painter_path
-from iconstudio.model import Exemplar, IconstudioError
+from iconstudio.model import Exemplar, IconstudioError, Pictogram
 from iconstudio.session import Session
 
 
@@ -30,14 +30,23 @@ class IconOutlines(QObject):
 
     def outline(self, icon: Exemplar) -> QPainterPath | None:
         """Return the outline of an icon; None as long as it is not traced, which begins now."""
-        if icon.pictogram.svg not in self._paths:
-            self._paths[icon.pictogram.svg] = None
-            self._worker.submit(lambda: self._trace(icon)).event.connect(self._keep)
-        return self._paths[icon.pictogram.svg]
+        return self._outline(icon.pictogram.svg, lambda: icon)
 
-    def _trace(self, icon: Exemplar) -> Generator[tuple[str, QPainterPath]]:
+    def outline_of(self, icon: Pictogram) -> QPainterPath | None:
+        """Return the outline of an icon that need not be drawn yet; else as ``outline``."""
+        return self._outline(icon.svg, lambda: self._session.exemplar(icon))
+
+    def _outline(self, svg: str, exemplar: Callable[[], Exemplar]) -> QPainterPath | None:
+        if svg not in self._paths:
+            self._paths[svg] = None
+            self._worker.submit(lambda: self._trace(svg, exemplar)).event.connect(self._keep)
+        return self._paths[svg]
+
+    def _trace(
+        self, svg: str, exemplar: Callable[[], Exemplar]
+    ) -> Generator[tuple[str, QPainterPath]]:
         try:
-            yield icon.pictogram.svg, painter_path(self._session.drawing(icon).path)
+            yield svg, painter_path(self._session.drawing(exemplar()).path)
         except IconstudioError:
             return  # it stays drawn of pixels
 

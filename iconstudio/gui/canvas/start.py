@@ -9,14 +9,19 @@ from iconstudio.gui.theme.theme import UNIT
 
 
 class StartButtons(QWidget):
-    """A button for an action and “Try an example” below the welcome on an empty canvas."""
+    """A button for an action and “Try an example” below the welcome on an empty canvas.
 
-    def __init__(self, canvas: CanvasView, action: QAction, examples: QMenu) -> None:
+    The latter only if there are ``examples``.
+    """
+
+    def __init__(self, canvas: CanvasView, action: QAction, examples: QMenu | None) -> None:
         super().__init__(canvas)
         self._canvas = canvas
-        try_example = push_button("Try an example")
-        try_example.setMenu(examples)
-        row(push_button(action.text().replace("&", ""), do=action.trigger), try_example, of=self)
+        buttons = [push_button(action.text().replace("&", ""), do=action.trigger)]
+        if examples is not None:
+            buttons.append(push_button("Try an example"))
+            buttons[-1].setMenu(examples)
+        row(*buttons, of=self)
         OnResize(canvas, self._place)
         canvas.scene.document.page_changed.connect(self._show)
         self._show()

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.pictures.picture import Picture
 from iconstudio.inputs.together import counted
-from iconstudio.model import IconstudioError
+from iconstudio.model import IconstudioError, Patterned
 
 PNG_SIZE = 1024
 """Side of a saved PNG in pixels."""
@@ -51,6 +51,18 @@ class Saver(QObject):
     def save_png(self, picture: Picture) -> None:
         """Save a result as PNG."""
         self._save_icon(picture, "png", lambda: _png(picture))
+
+    def save_css(self, picture: Picture) -> None:
+        """Save a pattern as the background of a style sheet."""
+        from iconstudio.output.pattern import style_sheet
+
+        icon = picture.icon
+        self._save(
+            "pattern",
+            _named(picture),
+            "css",
+            lambda path: _write(path, style_sheet(icon, path.stem).encode()),
+        )
 
     def save_code(self, picture: Picture) -> None:
         """Save the colour code of a result as PNG."""
@@ -103,7 +115,8 @@ class Saver(QObject):
         self._start(lambda: _writing(path, write))
 
     def _save_icon(self, picture: Picture, kind: str, content: Callable[[], bytes]) -> None:
-        self._save("icon", _named(picture), kind, lambda path: _write(path, content()))
+        what = "pattern" if isinstance(picture.icon, Patterned) else "icon"
+        self._save(what, _named(picture), kind, lambda path: _write(path, content()))
 
     def _start(self, make: Callable[[], Generator[str]]) -> None:
         job = self._worker.submit(make)
@@ -186,7 +199,10 @@ def _strokes(picture: Picture) -> bytes:
 def _png(picture: Picture) -> bytes:
     from iconstudio.output import png
 
-    return png.encoded(png.icon_pixels(picture.icon, PNG_SIZE))
+    icon = picture.icon
+    # A pattern is saved a pixel a unit, so that it tiles to the pixel.
+    side = max(icon.size) if isinstance(icon, Patterned) else PNG_SIZE
+    return png.encoded(png.icon_pixels(icon, side))
 
 
 def _code(picture: Picture) -> bytes:

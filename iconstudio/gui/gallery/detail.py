@@ -10,6 +10,7 @@ from PySide6.QtWidgets import (
     QGridLayout,
     QHBoxLayout,
     QMenu,
+    QPushButton,
     QScrollArea,
     QSizePolicy,
     QStackedLayout,
@@ -25,7 +26,7 @@ from iconstudio.gui.theme.layout import column, label, push_button, row, scrolle
 from iconstudio.gui.theme.painting import fill_rounded, smooth_painter
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.inputs.together import counted
-from iconstudio.model import Credit, Icon, Remix
+from iconstudio.model import Credit, Icon, Patterned, Remix
 
 INVITATION = "Pick a result to see it large, with the icons that its parts come from."
 
@@ -112,16 +113,23 @@ class SourceRow(QWidget):
 class DetailPanel(QFrame):
     """The picked result, its sources and credits, and the ways to take it along."""
 
-    def __init__(self, upright: bool = False, invitation: str = INVITATION) -> None:
+    def __init__(
+        self,
+        upright: bool = False,
+        invitation: str = INVITATION,
+        large: LargePicture | None = None,
+        switch: QWidget | None = None,
+    ) -> None:
         """``upright``: the result stands above its sources, not beside them, with a switch.
 
-        ``invitation`` is shown as long as there is nothing to show.
+        ``invitation`` is shown as long as there is nothing to show; ``large`` shows the result,
+        and ``switch`` how, if not the usual ones.
         """
         super().__init__()
         self.setProperty("card", True)
         self.picture: Picture | None = None
         self._columns = 1 if upright else 2
-        self.large = LargePicture(wide=upright)
+        self.large = large or LargePicture(wide=upright)
         self._title, self._about = label(role="title"), label()
         self._about.setToolTip("How far the icon's filled shape and the drawn one cover each other")
         self._rows = QGridLayout()
@@ -137,7 +145,7 @@ class DetailPanel(QFrame):
         heading, buttons = self._make_heading(), self._make_buttons()
         self._sources = sources = self._make_sources()
         if upright:
-            self.switch = DisplaySwitch()
+            self.switch = switch or DisplaySwitch()
             heading.addWidget(self.switch)
             parts = heading, (self.large, 2), self._about, buttons, (sources, 1)
             column(*parts, of=full, margins=margins)
@@ -161,6 +169,12 @@ class DetailPanel(QFrame):
         match picture.icon:
             case Remix() as icon:
                 self._show_remix(icon, picture)
+            case Patterned() as icon:
+                self._title.setText(icon.title.capitalize())
+                tiles = "tiles without a seam" if icon.tile else "does not tile"
+                about = f"{icon.width} × {icon.height}, {tiles}", *_thanks_together(icon)
+                self._about.setText("; ".join(about))
+                self._show_sources(())
             case Icon() as icon:
                 self._title.setText(icon.title.capitalize())
                 self._about.setText("; ".join(_thanks(one.credit) for one in icon.credits))
@@ -191,6 +205,11 @@ class DetailPanel(QFrame):
             self._rows.addWidget(SourceRow(source), *divmod(number, self._columns))
         self._rows.setRowStretch(self._rows.rowCount(), 1)
 
+    def add_button(self, name: str, button: QPushButton) -> None:
+        """Offer one more way to take the result along, by the action of that name."""
+        self.buttons[name] = button
+        self._buttons.insertWidget(self._buttons.count() - 1, button)
+
     def explain(self, text: str) -> None:
         """Say in a tool tip what the words on the result mean."""
         self._about.setToolTip(text)
@@ -217,7 +236,8 @@ class DetailPanel(QFrame):
         }
         self._send = push_button("Send to", "Go on with the icon in another workspace")
         self._send.hide()
-        return row(self._send, *self.buttons.values())
+        self._buttons = row(self._send, *self.buttons.values())
+        return self._buttons
 
     def _make_sources(self) -> QScrollArea:
         inner = QWidget()
@@ -229,6 +249,14 @@ class DetailPanel(QFrame):
 
 def _thanks(credit: Credit) -> str:
     return f"{credit.title}, by {credit.author}, {credit.license}"
+
+
+def _thanks_together(icon: Icon) -> list[str]:
+    """Return whom to thank, those of one author and licence in one."""
+    titles: dict[tuple[str, str], list[str]] = {}
+    for one in icon.credits:
+        titles.setdefault((one.credit.author, one.credit.license), []).append(one.credit.title)
+    return [f"{', '.join(some)}, by {who}, {how}" for (who, how), some in titles.items()]
 
 
 def _merits(icon: Remix) -> list[str]:

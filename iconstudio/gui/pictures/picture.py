@@ -15,7 +15,17 @@ from PySide6.QtGui import QColor, QImage, QPainter, QPainterPath, QTransform
 
 from iconstudio.gui.pictures.mipmap import Mipmap
 from iconstudio.gui.pictures.vector import painter_path
-from iconstudio.model import CANVAS, Composite, Exemplar, Icon, Pictogram, Placement, Remix, Source
+from iconstudio.model import (
+    CANVAS,
+    Composite,
+    Exemplar,
+    Icon,
+    Patterned,
+    Pictogram,
+    Placement,
+    Remix,
+    Source,
+)
 from iconstudio.workflows.events import Event, Result
 
 if TYPE_CHECKING:
@@ -24,6 +34,8 @@ if TYPE_CHECKING:
 COLOUR_CODE_SIZE = 512
 """Side of a colour-coded picture in pixels: enough for the large view at two pixels a point."""
 
+
+_BLACK = QColor("black")
 
 _ICON, _TWIN = 0.76, 0.34
 """Sides of an icon and of its colour code beside it, as parts of the square that both share."""
@@ -68,6 +80,16 @@ class Picture:
                 return Mipmap.of(rgba_image(pixels), 64)
         return None
 
+    @cached_property
+    def shapes(self) -> tuple[tuple[QPainterPath, str], ...]:
+        """What it is drawn with, from back to front, in units of its size; each with its colour.
+
+        What has none is drawn in ink.
+        """
+        if isinstance(self.icon, Patterned):
+            return tuple((painter_path(fill.path), fill.colour) for fill in self.icon.fills)
+        return ((self.outline, ""),)
+
     @property
     def has_code(self) -> bool:
         """Whether there are sources to colour it by."""
@@ -98,11 +120,22 @@ class Picture:
         return self.preview and "coded" not in vars(self)
 
     def image(self, side: int) -> QImage:
-        """Return the icon in black on nothing, ``side`` pixels wide."""
-        image = QImage(side, side, QImage.Format.Format_ARGB32_Premultiplied)
+        """Return the icon on nothing, in black or its colours; the longer side is ``side`` pixels.
+
+        It is as large as what it is drawn on.
+        """
+        return self.rendered(within(QSizeF(*self.icon.size), QRectF(0, 0, side, side)).size())
+
+    def rendered(self, size: QSizeF, ink: QColor = _BLACK) -> QImage:
+        """Return what the icon is drawn on, as an image of so many pixels."""
+        image = QImage(
+            *(max(1, round(side)) for side in size.toTuple()),
+            QImage.Format.Format_ARGB32_Premultiplied,
+        )
         image.fill(Qt.GlobalColor.transparent)
         with QPainter(image) as painter:
-            self.paint(painter, QRectF(image.rect()), QColor("black"))
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            self._paint_shapes(painter, QRectF(image.rect()), ink)
         return image
 
     def paint(
@@ -128,10 +161,24 @@ class Picture:
             pixels = twin.width() * painter.device().devicePixelRatioF()
             painter.drawImage(twin, self.coded.at(pixels))
         if display is not Display.CODED:
-            painter.translate(icon.topLeft())
-            painter.scale(icon.width() / CANVAS, icon.height() / CANVAS)
-            painter.fillPath(self.outline, ink)
+            self._paint_shapes(painter, within(QSizeF(*self.icon.size), icon), ink)
         painter.restore()
+
+    def _paint_shapes(self, painter: QPainter, target: QRectF, ink: QColor) -> None:
+        """Draw what the icon is drawn on into ``target``, which is as wide for its height."""
+        width, height = self.icon.size
+        painter.setClipRect(target, Qt.ClipOperation.IntersectClip)
+        painter.translate(target.topLeft())
+        painter.scale(target.width() / width, target.height() / height)
+        for path, colour in self.shapes:
+            painter.fillPath(path, QColor(colour) if colour else ink)
+
+
+def within(size: QSizeF, box: QRectF) -> QRectF:
+    """Return the largest rectangle as wide for its height as ``size``, in the middle of a box."""
+    fitted = QRectF(box.topLeft(), size.scaled(box.size(), Qt.AspectRatioMode.KeepAspectRatio))
+    fitted.moveCenter(box.center())
+    return fitted
 
 
 def same(one: Picture, other: Picture) -> bool:
@@ -186,6 +233,7 @@ def _drawn(
     icon: Icon, side: int, colours: "Palette | None" = None, preview: bool = False
 ) -> Picture:
     picture = Picture(icon, painter_path(icon.path), colours, side, preview)
+    _ = picture.shapes
     _made[id(icon)] = picture
     return picture
 

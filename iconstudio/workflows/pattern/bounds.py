@@ -12,3 +12,5 @@ MOST_COLOURS = MOST_LAYERS + 1
 """Of an image, with its ground."""
 MOST_MOTIFS = 200
 """On the canvas of an exemplar."""
+SEEDS = 6
+"""How many seeds there are to choose from, side by side."""

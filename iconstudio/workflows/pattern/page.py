@@ -58,16 +58,22 @@ PatternDocument = Document[PatternPage]
 
 
 def add_icons(document: PatternDocument, icons: Sequence[Pictogram]) -> None:
-    """Put icons on the canvas: the first are scattered over it, others go where there is room.
+    """Put icons on the canvas.
+
+    As long as nobody has arranged them, all are scattered over it; then others go where there is
+    room.
 
     Raises
     ------
     IconstudioError
         If there are more than a canvas can have.
     """
-    work = document.page.work
-    if not work.motifs:
-        _change(document, "add icons", motifs=scattered(icons), image=None)
+    work, before = document.page.work, document.page.icons
+    if work.motifs == scattered(before) and set(icons) - set(before):
+        together = tuple(dict.fromkeys((*before, *icons)))
+        everywhere = scattered(together)
+        _check_count(everywhere)
+        _change(document, "add icons", motifs=everywhere, image=None)
         return
     motifs = list(work.motifs)
     for icon in icons:

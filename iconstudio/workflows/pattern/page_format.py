@@ -71,9 +71,9 @@ class PatternPages(PageFormat[PatternPage, StoredPattern]):
             except IconstudioError as error:
                 parts.complaints.append(f"The pattern was opened without its image: {error}")
         credits = tuple(one.pictogram for one in stored.credits)
-        return PatternPage(
-            stored.work.with_image(parts.icon, photo, credits), frozenset(stored.chosen)
-        )
+        work = stored.work.with_image(parts.icon, photo, credits)
+        chosen = frozenset(number for number in stored.chosen if number < len(work.motifs))
+        return PatternPage(work, chosen)
 
     def alike(self, page: PatternPage, other: PatternPage) -> bool:
         """Whether the work is the same; to choose motifs is no edit."""

@@ -26,8 +26,6 @@ from iconstudio.workflows.pattern.imaging import ImageExemplar
 from iconstudio.workflows.pattern.layout import Arrangement
 from iconstudio.workflows.workflow import Resources
 
-SEEDS = 6
-"""How many seeds there are to choose from."""
 _NAMED = 3
 """So many icons a title names."""
 MOST_SAMPLES = 2048 * 2048

@@ -29,7 +29,8 @@ PATTERN = Workflow(
     run=lazily("iconstudio.workflows.pattern.patterning:run"),
     command="iconstudio.cli.pattern:command",
     examples="patterns",
-    work=Patterning,
+    workspace="iconstudio.gui.workspaces.pattern.workspace:PatternWorkspace",
+    page_format="iconstudio.workflows.pattern.page_format:PatternPages",
     icons=icons_of,
     with_icons=with_icons,
 )

@@ -2,12 +2,11 @@
 
 from collections.abc import Callable
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QCheckBox, QFrame, QSlider, QWidget
+from PySide6.QtWidgets import QCheckBox, QFrame
 
-from iconstudio.gui.document.document import new_gesture
 from iconstudio.gui.panels.seed import SeedField
-from iconstudio.gui.theme.layout import card, column, label, row
+from iconstudio.gui.panels.value_slider import ValueSlider
+from iconstudio.gui.theme.layout import card, column, row
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.workflows.line_style import page as edits
 from iconstudio.workflows.line_style.page import RestyleDocument, RestylePage
@@ -20,11 +19,8 @@ from iconstudio.workflows.line_style.restyling import (
 )
 
 
-class PercentSlider(QWidget):
-    """A part of the usual value, in percent; one drag is one step.
-
-    ``change`` is called with the part and the mark of the drag.
-    """
+class PercentSlider(ValueSlider):
+    """A part of the usual value, in percent."""
 
     def __init__(
         self,
@@ -34,45 +30,15 @@ class PercentSlider(QWidget):
         most: float,
         change: Callable[[float, object], None],
     ) -> None:
-        super().__init__()
-        self._change = change
-        self._gesture: object = None
-        self.slider = QSlider(
-            Qt.Orientation.Horizontal,
-            minimum=round(100 * least),
-            maximum=round(100 * most),
-            singleStep=5,
-            pageStep=25,
-        )
-        self.slider.setMinimumHeight(3 * UNIT)  # else its round handle is cut off
-        self.slider.setAccessibleName(title)
-        self.setToolTip(tip)
-        words = label(title)
-        words.setFixedWidth(6 * UNIT)
-        self._value = label()
-        self._value.setFixedWidth(5 * UNIT)
-        row(words, (self.slider, 1), self._value, of=self, spacing=UNIT)
-        self.slider.sliderPressed.connect(self._begin)
-        self.slider.sliderReleased.connect(self._end)
-        self.slider.valueChanged.connect(self._changed)
+        super().__init__(title, tip, least, most, lambda part: f"{part:.0%}", change, step=5)
 
-    def show_part(self, part: float) -> None:
-        """Show the value that is in use."""
-        percent = round(100 * part)
-        if percent != self.slider.value():
-            blocked = self.slider.blockSignals(True)
-            self.slider.setValue(percent)
-            self.slider.blockSignals(blocked)
-        self._value.setText(f"{percent} %")
+    def position(self, value: float) -> int:
+        """Return where the slider stands for a part."""
+        return round(100 * value)
 
-    def _begin(self) -> None:
-        self._gesture = new_gesture()
-
-    def _end(self) -> None:
-        self._gesture = None
-
-    def _changed(self, percent: int) -> None:
-        self._change(percent / 100, self._gesture)
+    def value(self, position: int) -> float:
+        """Return the part for which the slider stands there."""
+        return position / 100
 
 
 class StyleControls(QFrame):
@@ -110,8 +76,8 @@ class StyleControls(QFrame):
     def show_page(self, page: RestylePage) -> None:
         """Show what the page says."""
         work = page.work
-        self.strength.show_part(work.strength)
-        self.size.show_part(work.size)
+        self.strength.show_value(work.strength)
+        self.size.show_value(work.size)
         self.seed.set_seed(work.seed)
         style = work.style_of(0)
         self.turning.setEnabled(style is not None)

@@ -1,0 +1,111 @@
+"""A slider with a word before it and its value behind: one drag is one step."""
+
+from collections.abc import Callable
+from math import log2
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QSlider, QWidget
+
+from iconstudio.gui.document.document import new_gesture
+from iconstudio.gui.theme.layout import label, row
+from iconstudio.gui.theme.theme import UNIT
+
+
+class ValueSlider(QWidget):
+    """A value from ``least`` to ``most``; of its own, the slider goes by ones.
+
+    Parameters
+    ----------
+    title, tip
+        What it is called, and what it does.
+    words
+        Returns a value in words.
+    change
+        Called with the value and the mark of the drag.
+    step
+        Of the arrow keys, in positions of the slider.
+    """
+
+    def __init__(
+        self,
+        title: str,
+        tip: str,
+        least: float,
+        most: float,
+        words: Callable[[float], str],
+        change: Callable[[float, object], None],
+        step: int = 1,
+    ) -> None:
+        super().__init__()
+        self._change, self._words = change, words
+        self._gesture: object = None
+        self.slider = QSlider(
+            Qt.Orientation.Horizontal,
+            minimum=self.position(least),
+            maximum=self.position(most),
+            singleStep=step,
+            pageStep=5 * step,
+        )
+        self.slider.setMinimumHeight(3 * UNIT)  # else its round handle is cut off
+        self.slider.setAccessibleName(title)
+        self.setToolTip(tip)
+        name, self._value = label(title), label()
+        name.setFixedWidth(6 * UNIT)
+        self._value.setFixedWidth(5 * UNIT)
+        self._value.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        row(name, (self.slider, 1), self._value, of=self, spacing=UNIT // 2)
+        self.slider.sliderPressed.connect(self._begin)
+        self.slider.sliderReleased.connect(self._end)
+        self.slider.valueChanged.connect(self._changed)
+
+    def position(self, value: float) -> int:
+        """Return where the slider stands for a value."""
+        return round(value)
+
+    def value(self, position: int) -> float:
+        """Return the value for which the slider stands there."""
+        return float(position)
+
+    def show_value(self, value: float) -> None:
+        """Show the value that is in use."""
+        position = self.position(value)
+        if position != self.slider.value():
+            blocked = self.slider.blockSignals(True)
+            self.slider.setValue(position)
+            self.slider.blockSignals(blocked)
+        self._value.setText(self._words(value))
+
+    def _begin(self) -> None:
+        self._gesture = new_gesture()
+
+    def _end(self) -> None:
+        self._gesture = None
+
+    def _changed(self, position: int) -> None:
+        self._change(self.value(position), self._gesture)
+
+
+_TO_DOUBLE = 20
+"""Steps of the slider that double a factor."""
+
+
+class FactorSlider(ValueSlider):
+    """A factor in percent: as far to the left for a half as to the right for twice as much."""
+
+    def __init__(
+        self,
+        title: str,
+        tip: str,
+        least: float,
+        most: float,
+        change: Callable[[float, object], None],
+    ) -> None:
+        super().__init__(title, tip, least, most, lambda factor: f"{factor:.0%}", change)
+
+    def position(self, value: float) -> int:
+        """Return where the slider stands for a value."""
+        return round(_TO_DOUBLE * log2(value))
+
+    def value(self, position: int) -> float:
+        """Return the value for which the slider stands there."""
+        return float(round(2 ** (position / _TO_DOUBLE), 3))

@@ -1,0 +1,1 @@
+"""Patterns by example in the window (*Art Pattern Synthesis Using Level Sets*)."""
