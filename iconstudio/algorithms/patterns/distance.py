@@ -5,7 +5,7 @@ Distances are exact to the contour that linear interpolation finds between the p
 they tell nothing about shapes.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +17,8 @@ Field = NDArray[np.float32]
 
 CLAMP = 8.0
 """Pixels of the finest resolution."""
+_BAND = 64
+"""Rows whose contours are found at once: all together take too long to be stopped in time."""
 
 
 def signed_distances(masks: Field) -> Field:
@@ -41,13 +43,29 @@ def signed_distance(
     margin = int(CLAMP) + 1 if tile else 0
     padded = bordered(height, margin, tile)
     nearest = np.full(padded.shape, CLAMP**2)
-    for contour in find_contours(padded, 0.0):
-        ask()
+    for contour in contours(padded, ask):
         lower_to_segments(nearest, contour, CLAMP)
     distance = np.where(padded > 0, -np.sqrt(nearest), np.sqrt(nearest)).astype(np.float32)
     rows, columns = height.shape
     inside: Field = distance[margin : margin + rows, margin : margin + columns]
     return inside
+
+
+def contours(height: Field, ask: Callable[[], None]) -> Iterator[NDArray[np.float64]]:
+    """Give the contours where a field (h, w) is 0, (n, 2) rows and columns, in bands of rows.
+
+    Those that reach into several bands come in pieces that begin where others end.
+
+    Parameters
+    ----------
+    ask
+        Called for each band and each contour; what it raises ends the work.
+    """
+    for top in range(0, len(height) - 1, _BAND):
+        ask()
+        for piece in find_contours(height[top : top + _BAND + 1], 0.0):
+            ask()
+            yield piece + np.array([top, 0])
 
 
 def bordered(field: Field, margin: int, tile: bool) -> Field:

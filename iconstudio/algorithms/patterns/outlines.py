@@ -10,9 +10,8 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from skimage.measure import find_contours
 
-from iconstudio.algorithms.patterns.distance import Field, bordered
+from iconstudio.algorithms.patterns.distance import Field, bordered, contours
 from iconstudio.algorithms.tracing.vectorize import Outline
 
 Rows = NDArray[np.float64]
@@ -25,6 +24,8 @@ _CLEAR = 1e-3
 _REACH = 2
 """Pixels to each side that tell what lies between pixels."""
 _DIGITS = 6
+_FAR = 1 << 30
+"""The side of a tile whose borders nothing reaches."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -78,8 +79,8 @@ def level_sets(
     """
     height = np.where(distance < 0, np.maximum(-distance, _CLEAR), np.minimum(-distance, -_CLEAR))
     if tile:
-        rows = find_contours(np.pad(height, ((0, 1), (0, 1)), mode="wrap"), 0.0)
-        found = _joined(rows, distance.shape, ask)
+        wide = np.pad(height, ((0, 1), (0, 1)), mode="wrap")
+        found = _joined(list(contours(wide, ask)), distance.shape, ask)
     else:
         margin = scale * BLEED + 1
         framed = np.pad(height, margin, mode="edge")
@@ -87,7 +88,8 @@ def level_sets(
         edge = np.ones(framed.shape, np.bool_)
         edge[inside] = False
         framed[edge] = -abs(framed[edge])
-        found = [(one[:-1] - margin, np.zeros(2)) for one in find_contours(framed, 0.0)]
+        pieces = _joined(list(contours(framed, ask)), (_FAR, _FAR), ask)
+        found = [(one - margin, step) for one, step in pieces]
     sets = []
     for points, step in found:
         ask()
@@ -98,7 +100,10 @@ def level_sets(
 def _joined(
     rows: list[Rows], shape: tuple[int, ...], ask: Callable[[], None]
 ) -> list[tuple[Rows, Rows]]:
-    """Return contours that go on across the borders of a tile (H, W), and the step of each."""
+    """Return pieces of contours joined, also across the borders of a tile (H, W), and their steps.
+
+    The last point of what closes is not its first.
+    """
     size = np.array(shape)
     found = [(one[:-1], np.zeros(2)) for one in rows if (one[0] == one[-1]).all()]
     pieces = {tuple(one[0] % size): one for one in rows if (one[0] != one[-1]).any()}

@@ -9,6 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from iconstudio.algorithms.flattening import flattened
+from iconstudio.algorithms.patterns import distance as distance_module
 from iconstudio.algorithms.patterns.distance import coverage, signed_distance
 from iconstudio.algorithms.patterns.exemplar import Pattern, Placed
 from iconstudio.algorithms.patterns.outlines import level_sets
@@ -353,3 +354,21 @@ def test_a_run_can_be_stopped(synthesised_tile):
     for left in (1, 8):  # noqa: B007
         with pytest.raises(StoppedError):
             vectorise(synthesised_tile[0], ask=ask)
+
+
+@pytest.mark.parametrize("tile", [True, False])
+def test_contours_found_in_bands_are_those_of_the_whole(tile, monkeypatch):
+    y, x = np.mgrid[:150, :40].astype(np.float32)
+    field = np.sin(y / 150 * 10 * np.pi + 0.3) + np.sin(x / 40 * 6 * np.pi) - 0.21
+
+    def found():
+        return {
+            (one.place, one.outline.points.tobytes(), one.outline.step)
+            for one in level_sets(field, tile)
+        }, signed_distance(-field, tile)
+
+    in_bands, distances = found()
+    monkeypatch.setattr(distance_module, "_BAND", 1000)
+    whole, at_once = found()
+    assert in_bands == whole and len(whole) > 5
+    assert np.allclose(distances, at_once, atol=1e-6)
