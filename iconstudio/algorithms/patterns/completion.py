@@ -14,7 +14,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 from scipy import ndimage
-from scipy.optimize import linear_sum_assignment
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import min_weight_full_bipartite_matching
+from scipy.spatial import cKDTree
 from skimage.draw import polygon
 from skimage.measure import find_contours
 
@@ -36,17 +38,18 @@ _APART = 1e-3
 """What a pixel between two ends costs, beside the squares of the angles in radians, ..."""
 _IN_SIGHT = 8.0
 """... and what it costs if all of the curve between them lies where it would be seen."""
-_IMPOSSIBLE = 1e6
-_STEPS = 32
+_NEAREST = 16
+"""So many ends are looked at, from another one."""
+_STEPS = 24
 """Points of a curve."""
 
 
 class End(NamedTuple):
-    """Where a contour comes to an end."""
+    """Where a contour comes to an end, or (n,) several do."""
 
-    point: complex
-    way: complex
-    """Its direction there, along the contour, of length 1."""
+    point: Points
+    way: Points
+    """The direction there, along the contour, of length 1."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -83,14 +86,14 @@ def completed(own: Mask, hiding: Bitmap, ends: bool = True) -> Mask:
     for outline in outlines_of(own):
         beside = _sampled(covered, outline)
         if ends and beside.all() and _is_hole(outline, own):
-            recovered |= _filled(outline, own.shape)
+            recovered[_inside(outline, own.shape)] = True
         for first, last in _runs(beside):
             middle = outline.take((first + last) // 2, mode="wrap")
             row, column = _pixel(middle, own.shape)
             region = int(regions[tuple(nearest[:, row, column])])
             parts.append(_part(outline, first, last, region, own.shape))
     for patch in _patches(parts, covered, ends):
-        recovered |= _filled(patch, own.shape)
+        recovered[_inside(patch, own.shape)] = True
     return _united(own, recovered & covered, covered)
 
 
@@ -142,8 +145,8 @@ def _sampled(bitmap: Bitmap, points: Points) -> Bitmap:
 
 def _is_hole(outline: Points, own: Mask) -> bool:
     """Whether a closed outline runs around what is not of a layer."""
-    inside = _filled(outline, own.shape)
-    return bool(inside.any() and own[inside].mean() < 0.5)
+    inside = own[_inside(outline, own.shape)]
+    return bool(inside.size and inside.mean() < 0.5)
 
 
 def _runs(beside: Bitmap) -> Iterator[tuple[int, int]]:
@@ -181,14 +184,14 @@ def end_of(points: Points) -> End:
     skipped = min(_BLUNTED, max(0, len(points) - 3))
     s, side = np.arange(skipped, len(points)), points[skipped:]
     if len(s) < 2:
-        return End(points[0], 1)
+        return End(points[0], np.ones((), complex))
     for degree in (1, 2):
         powers = np.vander(s, degree + 1).astype(float)
         found = np.linalg.lstsq(powers, side, rcond=None)[0]
         if len(s) < 8 or abs(powers @ found - side).max() < _STRAIGHT:
             break
-    way = complex(found[-2])
-    return End(complex(found[-1]), way / abs(way) if way else 1)
+    way = found[-2] or np.ones((), complex)
+    return End(found[-1], way / np.abs(way))
 
 
 # -- how they go on --------------------------------------------------------------------------------
@@ -196,16 +199,17 @@ def end_of(points: Points) -> End:
 
 def _patches(parts: Sequence[_Hidden], covered: Bitmap, ends: bool) -> Iterator[Points]:
     """Give closed outlines around what is hidden between the ends of contours."""
-    for region in sorted({one.region for one in parts}):
-        own = [one for one in parts if one.region == region]
-        costs = np.array([[_cost(a, b, covered) for b in own] for a in own])
-        _, joined = linear_sum_assignment(costs)
-        left = set(range(len(own)))
+    regions: dict[int, list[_Hidden]] = {}
+    for one in parts:
+        regions.setdefault(one.region, []).append(one)
+    for own in regions.values():
+        joined = _joined(own, covered)
+        left = dict.fromkeys(range(len(own)))
         while left:
-            at = min(left)
+            at = next(iter(left))
             outline: list[Points] = []
             while at in left:
-                left.remove(at)
+                del left[at]
                 to = int(joined[at])
                 outline += [_curve(own[at].arriving, own[to].leaving), own[to].along[::-1]]
                 at = to
@@ -213,37 +217,58 @@ def _patches(parts: Sequence[_Hidden], covered: Bitmap, ends: bool) -> Iterator[
                 yield np.concatenate(outline)
 
 
-def _cost(one: _Hidden, other: _Hidden, covered: Bitmap) -> float:
-    """Return how unlikely it is that the contour that arrives at one leaves at another.
+def _joined(own: Sequence[_Hidden], covered: Bitmap) -> NDArray[np.intp]:
+    """Return at which of n the contour leaves that arrives at each: one of those near by."""
+    leaving = End(*map(np.array, zip(*(one.leaving for one in own), strict=True)))
+    points = np.stack([leaving.point.real, leaving.point.imag], axis=1)
+    tree, count = cKDTree(points), len(own)
+    rows, columns, costs = [], [], []
+    for row, one in enumerate(own):
+        at = one.arriving.point.real, one.arriving.point.imag
+        near = np.union1d(tree.query(at, min(count, _NEAREST))[1], row)
+        rows.append(np.full(len(near), row))
+        columns.append(near)
+        costs.append(_costs(one.arriving, End(leaving.point[near], leaving.way[near]), covered))
+    graph = coo_array(
+        (np.concatenate(costs) + _APART, (np.concatenate(rows), np.concatenate(columns))),
+        (count, count),
+    )
+    return np.asarray(min_weight_full_bipartite_matching(graph.tocsr())[1])
+
+
+def _costs(arriving: End, leaving: End, covered: Bitmap) -> NDArray[np.float64]:
+    """Return how unlikely it is that the contour that arrives at an end leaves at others (n,).
 
     That is the energy that it takes to bend a rod of any length so, but for a factor.
     """
-    turn, end = _turns(one.arriving, other.leaving)
-    chord = abs(other.leaving.point - one.arriving.point)
-    curve = _curve(one.arriving, other.leaving)
-    seen = 1 - _sampled(covered, curve).mean()
-    return float(turn**2 - turn * end + end**2 + _APART * chord + _IN_SIGHT * seen**2)
+    turn, end = _turns(arriving, leaving)
+    chord = np.abs(leaving.point - arriving.point)
+    seen = 1 - _sampled(covered, _curve(arriving, leaving)).mean(axis=0)
+    costs: NDArray[np.float64] = (
+        turn**2 - turn * end + end**2 + _APART * chord + _IN_SIGHT * seen**2
+    )
+    return costs
 
 
-def _turns(arriving: End, leaving: End) -> tuple[float, float]:
-    """Return by how many radians a contour turns to the chord, and from it."""
+def _turns(arriving: End, leaving: End) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return by how many radians contours turn to the chord, and from it."""
     chord = leaving.point - arriving.point
-    if abs(chord) < 1:
-        turn = float(np.angle(leaving.way / arriving.way)) / 2
-        return turn, turn
-    return float(np.angle(chord / arriving.way)), float(np.angle(leaving.way / chord))
+    whole = np.angle(leaving.way * np.conj(arriving.way)) / 2
+    none = np.abs(chord) < 1
+    turn = np.where(none, whole, np.angle(chord * np.conj(arriving.way)))
+    return turn, np.where(none, whole, np.angle(leaving.way * np.conj(chord)))
 
 
 def _curve(arriving: End, leaving: End) -> Points:
-    """Return the Hermite curve between two ends; nearly a circle where there is one through both.
+    """Return the Hermite curves (t, ...) between ends; nearly circles where there are such.
 
-    Its speeds there are those of the cubic that is nearest to a circle.
+    Their speeds there are those of the cubic that is nearest to a circle.
     """
     chord = leaving.point - arriving.point
     turn, end = _turns(arriving, leaving)
-    bend = abs(turn + end) if turn * end > 0 else 0.0
-    speed = abs(chord) / np.cos(min(bend, np.pi) / 4) ** 2
-    t = np.linspace(0, 1, _STEPS)
+    bend = np.where(turn * end > 0, np.abs(turn + end), 0)
+    speed = np.abs(chord) / np.cos(np.minimum(bend, np.pi) / 4) ** 2
+    t = np.linspace(0, 1, _STEPS).reshape(-1, *(1,) * np.ndim(chord))
     curve: Points = (
         (2 * t**3 - 3 * t**2 + 1) * arriving.point
         + (t**3 - 2 * t**2 + t) * speed * arriving.way
@@ -253,8 +278,7 @@ def _curve(arriving: End, leaving: End) -> Points:
     return curve
 
 
-def _filled(outline: Points, shape: tuple[int, ...]) -> Bitmap:
-    """Return the pixels whose centres a closed outline encloses."""
-    filled = np.zeros(shape, np.bool_)
-    filled[polygon(outline.imag, outline.real, shape)] = True
-    return filled
+def _inside(outline: Points, shape: tuple[int, ...]) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """Return rows and columns of the pixels whose centres a closed outline encloses."""
+    rows, columns = polygon(outline.imag, outline.real, shape)
+    return rows, columns
