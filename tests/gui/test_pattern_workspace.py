@@ -344,6 +344,18 @@ def test_other_seeds_are_shown_and_one_is_taken_over(laid_out, qtbot, session, w
     assert laid_out.picture is sheet.pictures[0]
 
 
+def test_a_sheet_that_was_made_is_shown_again_at_once(laid_out, qtbot, session):
+    sheet = laid_out.seeds.sheet
+    qtbot.waitUntil(lambda: len(sheet.pictures) == SEEDS, timeout=10000)
+    first = sheet.pictures
+    laid_out.controls.tile.click()
+    qtbot.waitUntil(lambda: sheet.pictures[0] is not first[0], timeout=10000)
+    undone(laid_out)
+    ran = len(works(session))
+    qtbot.waitUntil(lambda: sheet.pictures == first, timeout=10000)
+    assert len(works(session)) == ran
+
+
 def test_the_next_icon_is_the_shape_that_is_filled(laid_out, qtbot):
     controls, before = laid_out.controls, laid_out.page
     assert not controls.whole.isEnabled()

@@ -107,7 +107,12 @@ class Patterner(QObject):
         if work is not None and (known := self._known.get(work)) is not None:
             self._sheet = sheet_of(work)
             self.sheet_began.emit(known)
-            self.others.request(work)
+            others = [self._known[one] for one in self._sheet[1:] if one in self._known]
+            if len(others) < len(self._sheet) - 1:
+                self.others.request(work)
+                return
+            for one in others:
+                self.sheet_grew.emit(one)
 
     def _tell_other(self, event: object) -> None:
         if isinstance(event, Made):
