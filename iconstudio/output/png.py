@@ -1,14 +1,13 @@
 """Pictures as PNG files."""
 
 import io
-from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from iconstudio.files import replaceable, write_atomically
+from iconstudio.files import check_writable
 from iconstudio.model import CANVAS, Frame, IconstudioError
 from iconstudio.model import Path as Outline
 from iconstudio.svg.resvg import render_coverage
@@ -54,25 +53,5 @@ def check_name(path: Path) -> Path:
             f"Pictures are written as PNG, and “{path.name}” does not say so. "
             f"Call it “{path.stem or 'picture'}.png”."
         )
-    _writing(path, lambda: replaceable(path))
+    check_writable(path)
     return path
-
-
-def write(path: Path, content: bytes) -> None:
-    """Write a file in one step.
-
-    Raises
-    ------
-    IconstudioError
-        If it cannot be written.
-    """
-    _writing(path, lambda: write_atomically(path, content))
-
-
-def _writing(path: Path, write: Callable[[], object]) -> None:
-    try:
-        write()
-    except OSError as error:
-        raise IconstudioError(
-            f"“{path}” cannot be written: {error.strerror or error}. Choose another place."
-        ) from None
