@@ -6,6 +6,7 @@ import re
 import secrets
 import stat
 import time
+from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 
@@ -16,6 +17,26 @@ _AT_ONCE = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOCTTY", 0)
 _NO_FILE = "a device, a pipe or a socket"
 _ABANDONED = 60.0
 """Seconds that no file takes to be written."""
+_QUOTED = re.compile(r"“(?:[A-Za-z]:)?[/\\][^“”]*[/\\]([^/\\“”]+\.[^/\\“”]+)”")
+"""The whole path of a file in a sentence; in brackets its name."""
+_REASONS = {
+    errno.EACCES: "you have no permission",
+    errno.EPERM: "you have no permission",
+    errno.EROFS: "nothing can be written on that disk",
+    errno.ENOENT: "there is no such folder",
+    errno.ENOTDIR: "a part of its path is a file, not a folder",
+    errno.EISDIR: "it is a folder",
+    errno.ENAMETOOLONG: "its name is too long",
+    errno.ELOOP: "the links on the way there lead in a circle",
+    errno.ENOSPC: "the disk is full",
+    errno.EDQUOT: "you have used all your room on the disk",
+    errno.EFBIG: "the disk takes no file so large",
+    errno.EIO: "the disk does not work as it should",
+    errno.EBUSY: "another program uses it",
+    errno.EMFILE: "too many files are open",
+    errno.ENFILE: "too many files are open",
+}
+"""Why a file cannot be read or written, by the usual numbers; else the system says it."""
 _ADDRESS = re.compile(r"[a-z][a-z0-9+.-]+://", re.IGNORECASE)
 """How what lies elsewhere is addressed: it is never fetched, and no path."""
 
@@ -23,6 +44,24 @@ _ADDRESS = re.compile(r"[a-z][a-z0-9+.-]+://", re.IGNORECASE)
 def is_address(reference: str) -> bool:
     """Whether a reference is an address of the web, say, and not the path of a file."""
     return _ADDRESS.match(reference) is not None
+
+
+def with_names(sentence: str) -> str:
+    """Return a sentence with the names of files in place of their whole paths.
+
+    >>> with_names("Saved “/home/ann/icons/cat.svg”.")
+    'Saved “cat.svg”.'
+    """
+    return _QUOTED.sub(r"“\1”", sentence)
+
+
+def reason_of(error: OSError) -> str:
+    """Return why a file cannot be read or written, in a few words.
+
+    >>> reason_of(NotADirectoryError(errno.ENOTDIR, "Not a directory"))
+    'a part of its path is a file, not a folder'
+    """
+    return _REASONS.get(error.errno or 0) or error.strerror or str(error)
 
 
 def read_bytes(path: Path, most: int) -> bytes:
@@ -65,10 +104,10 @@ def replaceable(path: Path) -> os.stat_result | None:
         found = path.stat()
     except FileNotFoundError:
         if not Path(os.path.realpath(path)).parent.is_dir():
-            raise FileNotFoundError(errno.ENOENT, "there is no such folder") from None
+            raise
         return None
     if stat.S_ISDIR(found.st_mode):
-        raise IsADirectoryError(errno.EISDIR, "it is a folder")
+        raise IsADirectoryError(errno.EISDIR, _REASONS[errno.EISDIR])
     if not stat.S_ISREG(found.st_mode):
         raise OSError(errno.EINVAL, f"it is {_NO_FILE}")
     if not os.access(path, os.W_OK):
@@ -108,10 +147,30 @@ def write_bytes(path: Path, data: bytes) -> None:
     IconstudioError
         If it cannot be written.
     """
+    _writing(path, lambda: write_atomically(path, data))
+
+
+def check_writable(path: Path) -> None:
+    """Make sure that a file can be written, before what takes long; nothing is changed.
+
+    Raises
+    ------
+    IconstudioError
+        If it cannot.
+    """
+    _writing(path, lambda: replaceable(path))
+
+
+def _writing(path: Path, write: Callable[[], object]) -> None:
     try:
-        write_atomically(path, data)
+        write()
     except OSError as error:
-        raise IconstudioError(f"“{path}” cannot be written: {error.strerror}.") from None
+        reason = reason_of(error)
+    except ValueError:  # a zero byte, or half of a surrogate pair
+        reason = "no file can have such a name"
+    else:
+        return
+    raise IconstudioError(f"“{path}” cannot be written: {reason}. Choose another place.")
 
 
 def _why(path: Path, error: OSError) -> str:
@@ -120,7 +179,8 @@ def _why(path: Path, error: OSError) -> str:
         return "It is a folder. Choose a file in it."
     if error.errno in (errno.ENXIO, errno.EOPNOTSUPP):  # what opening a socket gives
         return f"It is {_NO_FILE}. Choose a file on a disk."
-    return f"It cannot be read: {error.strerror or error}."
+    reason = reason_of(error)
+    return f"{reason[:1].upper()}{reason[1:]}."
 
 
 def remove_abandoned(folder: Path) -> None:

@@ -1,3 +1,4 @@
+import errno
 import os
 import socket
 import stat
@@ -8,7 +9,14 @@ from pathlib import Path
 
 import pytest
 
-from iconstudio.files import read_bytes, remove_abandoned, write_atomically
+from iconstudio.files import (
+    read_bytes,
+    reason_of,
+    remove_abandoned,
+    with_names,
+    write_atomically,
+    write_bytes,
+)
 from iconstudio.model import IconstudioError
 
 posix = pytest.mark.skipif(os.name != "posix", reason="needs POSIX files")
@@ -96,7 +104,7 @@ def test_links_in_a_circle(tmp_path):
     (tmp_path / "b").symlink_to("a")
     with pytest.raises(OSError, match="symbolic links"):
         write_atomically(tmp_path / "a", b"")
-    with pytest.raises(IconstudioError, match="cannot be read"):
+    with pytest.raises(IconstudioError, match="The links on the way there lead in a circle"):
         read_bytes(tmp_path / "a", 10)
 
 
@@ -153,3 +161,42 @@ def test_what_a_killed_program_left_is_removed_however_young(tmp_path):
         other.communicate(b"\n")
     assert not any(file.exists() for file in left)
     assert all(file.exists() for file in kept)
+
+
+@posix
+def test_why_a_file_cannot_be_written_is_told_in_our_own_words(tmp_path):
+    (tmp_path / "file").touch()
+    (tmp_path / "a").symlink_to("b")
+    (tmp_path / "b").symlink_to("a")
+    for name, said in {
+        "none/file": "there is no such folder",
+        "file/file": "a part of its path is a file, not a folder",
+        "": "it is a folder",
+        "a": "the links on the way there lead in a circle",
+        "x" * 300: "its name is too long",
+    }.items():
+        with pytest.raises(IconstudioError, match=f"cannot be written: {said}."):
+            write_bytes(tmp_path / name, b"")
+
+
+def test_what_is_rare_is_told_as_the_system_says_it():
+    assert reason_of(OSError(errno.EILSEQ, "Invalid byte sequence")) == "Invalid byte sequence"
+    assert reason_of(OSError("nothing known")) == "nothing known"
+
+
+@pytest.mark.parametrize(
+    ("said", "shown"),
+    [
+        ("Saved “/home/ann/my icons/cat 1.svg”.", "Saved “cat 1.svg”."),
+        (r"Saved “C:\Users\ann\cat.svg”.", "Saved “cat.svg”."),
+        (
+            "“/a/b.png” is there already, and “/c/d.e.png”.",
+            "“b.png” is there already, and “d.e.png”.",
+        ),
+        ("5 icons in “/home/ann/icons”.", "5 icons in “/home/ann/icons”."),
+        ("“icons/cat.svg” is missing in the file.", "“icons/cat.svg” is missing in the file."),
+        ("Nothing of a file.", "Nothing of a file."),
+    ],
+)
+def test_files_are_called_by_their_names_where_that_will_do(said, shown):
+    assert with_names(said) == shown

@@ -83,8 +83,8 @@ def stored(icons, contents, session=None):
 def again(parts, session=None):
     """What was written, packed and unpacked."""
     data = archive.packed(Project(Index(icons=parts.icons), parts.contents))
-    index, contents = archive.unpacked(data)
-    return StoredParts(index.icons, contents, session or Library())
+    project = archive.unpacked(data)
+    return StoredParts(project.index.icons, project.parts, session or Library())
 
 
 class Gateless(Library):
@@ -312,16 +312,16 @@ def test_what_was_saved_is_read_back(tmp_path):
     path = tmp_path / "dog.iconstudio"
     project = Project(Index(pages={"model": {"keyword": "Hündchen"}}), {"icons/a-1.svg": b"<svg/>"})
     archive.save(path, project)
-    index, parts = archive.read(path)
-    assert index.pages == {"model": {"keyword": "Hündchen"}}
-    assert dict(parts) == dict(project.parts)
+    found = archive.read(path)
+    assert found.index.pages == {"model": {"keyword": "Hündchen"}}
+    assert dict(found.parts) == dict(project.parts) and not found.unknown
     archive.save(tmp_path / "again.iconstudio", project)
     assert path.read_bytes() == (tmp_path / "again.iconstudio").read_bytes()
 
 
 def test_what_has_no_place_in_a_project_is_not_looked_at():
     data = zipped(**{"project_json": b'{"version": 1}', "../evil": b"x", "icons/../../x": b"y"})
-    _, parts = archive.unpacked(data)
+    parts = archive.unpacked(data).parts
     assert not parts
 
 
@@ -365,7 +365,7 @@ def test_damage_ends_in_a_sentence_or_does_no_harm(data):
 def test_bombs_are_bounded(monkeypatch):
     monkeypatch.setattr(archive, "MOST_BYTES", 1_000_000)
     zeros = bytes(900_000)
-    assert len(archive.unpacked(zipped(project_json=b'{"version": 1}', icons__a=zeros))[1])
+    assert len(archive.unpacked(zipped(project_json=b'{"version": 1}', icons__a=zeros)).parts)
     bomb = zipped(project_json=b'{"version": 1}', icons__a=zeros, icons__b=zeros)
     assert len(bomb) < 10_000
     with pytest.raises(IconstudioError, match=r"more than .* bytes"):
@@ -427,9 +427,9 @@ def test_the_work_of_a_window_that_was_killed_is_offered_once(tmp_path, writer):
     writer.kill()
     writer.wait()
     (left,) = left_behind(tmp_path)
-    index, parts = left.read()
-    assert index.current == "2"
-    assert parts == {"icons/b-2.svg": b"b"}
+    project = left.read()
+    assert project.index.current == "2"
+    assert project.parts == {"icons/b-2.svg": b"b"}
     assert abs(left.when - time.time()) < 60
     assert list(left_behind(tmp_path)) == []  # it is held
     left.release()

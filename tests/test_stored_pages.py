@@ -12,6 +12,7 @@ from iconstudio.images.reading import Image
 from iconstudio.model import (
     Axis,
     Correction,
+    Icon,
     IconstudioError,
     Motif,
     Patterning,
@@ -22,13 +23,13 @@ from iconstudio.model import (
     Stroke,
 )
 from iconstudio.project import archive
-from iconstudio.project.archive import Index
+from iconstudio.project.archive import Index, Project
 from iconstudio.project.contents import Contents, Formats, reading
 from iconstudio.workflows.editing.page import Area, Kind
 from iconstudio.workflows.hybrids.page import PickRequest
 from iconstudio.workflows.pattern.page import PatternPage
 from iconstudio.workflows.registry import registered, workflows
-from tests.test_projects import CAT, Library
+from tests.test_projects import CAT, DRAWING, SQUARE, Library
 from tests.toy import MIRROR, Mirroring
 
 FIRST = Path(__file__).parent / "projects" / "first.iconstudio"
@@ -48,15 +49,15 @@ def formats():
     return Formats({one.name: one for one in workflows()})
 
 
-def contents(index, parts, formats):
-    *_, found = reading(Studio(), index, parts, formats)
+def contents(project, formats):
+    *_, found = reading(Studio(), project, formats)
     return found
 
 
 @pytest.fixture(scope="module")
 def first(formats):
     """What the first project file of all says."""
-    return contents(*archive.read(FIRST), formats)
+    return contents(archive.read(FIRST), formats)
 
 
 def test_the_first_project_still_opens(first):
@@ -89,7 +90,7 @@ def test_the_first_project_still_opens(first):
 
 
 def test_what_is_written_is_read_back(first, formats):
-    again = contents(*archive.unpacked(archive.packed(first.project(formats))), formats)
+    again = contents(archive.unpacked(archive.packed(first.project(formats))), formats)
     assert not again.complaints
     assert again.current == first.current
     assert all(one.looks_like(other) for one, other in zip(again.recent, first.recent, strict=True))
@@ -151,7 +152,7 @@ def test_a_page_of_a_workflow_without_a_format_of_its_own(formats):
         work = end.value.value
         assert work.work == Mirroring((CAT,))
         project = Contents("mirror", {"mirror": work}).project(formats)
-        again = contents(*archive.unpacked(archive.packed(project)), formats)
+        again = contents(archive.unpacked(archive.packed(project)), formats)
         assert again.pages == {"mirror": work}
 
 
@@ -178,10 +179,10 @@ class _Parts:
     ],
 )
 def test_a_page_that_is_no_good_is_told_and_the_others_are_there(formats, name, page, said):
-    other = "edit" if name == "model" else "model"
-    pages = {name: page, other: {"polygon": [], "keyword": "hat"}}
+    other, good = ("edit", {}) if name == "model" else ("model", {"polygon": []})
+    pages = {name: page, other: good | {"keyword": "hat"}}
     data = json.dumps({"version": 1, "pages": pages}).encode()
-    found = contents(archive.index_of(data), {}, formats)
+    found = contents(archive.project_of(data, {}), formats)
     assert set(found.pages) == {other}
     (complaint,) = found.complaints
     assert said in complaint and complaint.endswith(".")
@@ -190,17 +191,39 @@ def test_a_page_that_is_no_good_is_told_and_the_others_are_there(formats, name, 
 def test_icons_that_are_no_good_take_only_their_page_along(formats):
     pages = {"edit": {"icon": "own:a"}, "model": {"polygon": []}}
     index = Index(pages=pages, icons={"own:a": {"part": 7}})
-    found = contents(index, {}, formats)
+    found = contents(Project(index, {}), formats)
     assert set(found.pages) == {"model"}
     assert '"part" must be a text' in found.complaints[0]
 
 
-def test_what_later_versions_add_is_passed_over(formats):
-    index = archive.index_of(b'{"version": 1, "new": 1, "pages": {"edit": {"new": {"a": [1]}}}}')
-    assert set(contents(index, {}, formats).pages) == {"edit"}
+def test_what_later_versions_add_is_passed_over_and_told(formats):
+    layer = {"icon": "own:a", "number": 1, "tilt": 2}
+    pages = {"edit": {"new": {"a": [1]}, "newer": 1}, "montage": {"layers": [layer]}}
+    icon = {"part": "icons/a.svg", "mood": "merry"}
+    index = {"version": 1, "new": 1, "pages": pages, "icons": {"own:a": icon}}
+    parts = {"icons/a.svg": DRAWING.encode()}
+    found = contents(archive.project_of(json.dumps(index).encode(), parts), formats)
+    assert set(found.pages) == {"edit", "montage"}
+    beginnings = [one.partition(" passed over, which this version")[0] for one in found.complaints]
+    assert beginnings == [
+        "In the project, “new” was",
+        "On the page of Edit, “new” and “newer” were",
+        "On the page of Montage, “tilt” was",
+        "Of the icons, “mood” was",
+    ]
+
+
+def test_what_later_versions_add_to_a_result_is_told(formats):
+    icon = Icon(SQUARE, "a", ())
+    project = Contents(recent=(icon,)).project(formats)
+    (name,) = project.index.recent
+    data = json.loads(project.parts[name]) | {"mood": "merry"}
+    parts = {**project.parts} | {name: json.dumps(data).encode()}
+    (told,) = contents(Project(project.index, parts), formats).complaints
+    assert told.startswith("Of the results, “mood” was passed over")
 
 
 def test_the_index_must_be_what_it_says(formats):
     for text in (b'{"version": 1, "pages": []}', b'{"version": 1, "recent": [1]}', b"[]"):
         with pytest.raises(IconstudioError, match=r"project\.json"):
-            archive.index_of(text)
+            archive.project_of(text, {})

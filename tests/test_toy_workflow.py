@@ -88,3 +88,13 @@ def test_its_files_are_told_from_others(mirroring, tmp_path, capsys):
     montage.write_text(json.dumps({"layers": []}))
     assert run(["mirror", str(montage), "--out", out], NoWindow()) == 2
     assert "this is no mirror image, but looks like a montage" in capsys.readouterr().err
+
+
+def test_where_there_is_nothing_to_run_nothing_is_written(tmp_path, capsys):
+    path = tmp_path / "nothing.json"
+    path.write_text(json.dumps({"mirrored": []}))
+    out = tmp_path / "out"
+    assert run(["mirror", str(path), "--out", str(out)], NoWindow()) == 2
+    said = "There is nothing to run: the mirror image in “nothing.json” is empty."
+    assert said in capsys.readouterr().err
+    assert not out.exists()

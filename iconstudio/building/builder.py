@@ -14,6 +14,7 @@ from pathlib import Path
 from iconstudio.building.drawings import fingerprints
 from iconstudio.building.licences import credits_text
 from iconstudio.building.selection import Brands, brands, normal_body, select, wanted_sets
+from iconstudio.files import reason_of
 from iconstudio.library import archive
 from iconstudio.library.fingerprint import Fingerprint, stack, unlikeness
 from iconstudio.library.iconify import IconSet, RawIcon
@@ -94,7 +95,7 @@ def build(inputs: Inputs, out: Path, workers: Workers, most: int = ICONS) -> Ite
         archive.write(contents, out)
         (out / "CREDITS").write_text(thanks, encoding="utf-8", newline="\n")
     except OSError as error:
-        raise IconstudioError(f"The collection cannot be written: {error}.") from None
+        raise IconstudioError(f"The collection cannot be written: {reason_of(error)}.") from None
     yield Progress("prepare", 1.0, f"{len(chosen)} icons of {len(contents.sets)} sets in {out}")
 
 

@@ -5,7 +5,7 @@ import logging
 import shutil
 from pathlib import Path
 
-from iconstudio.files import write_atomically
+from iconstudio.files import reason_of, write_atomically
 
 log = logging.getLogger(__name__)
 
@@ -47,7 +47,7 @@ class Store:
             write_atomically(path, data)
         except OSError as error:
             self.trouble = (
-                f"Drawings are not kept in {self._folder}: {error.strerror or error}. "
+                f"Drawings are not kept in {self._folder}: {reason_of(error)}. "
                 "The next start will be slower."
             )
 

@@ -2,8 +2,10 @@
 
 import errno
 import os
+import shlex
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from difflib import get_close_matches
 from pathlib import Path
 from typing import ClassVar, Protocol
 
@@ -61,15 +63,13 @@ class _Commands(click.Group):
 
         if cmd_name.lower().endswith(SUFFIX):
             return _opening(cmd_name)
-        if cmd_name.lower().endswith(".json"):
-            raise IconstudioError(_advice(cmd_name))
         own = {one.name: one for one in workflows()}.get(cmd_name)
         if own is not None and not own.command:
             from iconstudio.cli.plain import command_of
 
             return command_of(own)
         if own is None and cmd_name not in self.others:
-            return None
+            raise IconstudioError(_advice(cmd_name, self.helps))
         reference = own.command if own is not None else f"iconstudio.cli.{cmd_name}:command"
         command: click.Command = load_object(reference)
         return command
@@ -108,16 +108,38 @@ def _opening(path: str) -> click.Command:
     return command
 
 
-def _advice(path: str) -> str:
+def _advice(word: str, commands: Iterable[str]) -> str:
+    """Say what to type in place of a word that is no command."""
+    from iconstudio.images.reading import SUFFIXES
+
+    suffix, typed = Path(word).suffix.lower(), shlex.quote(word)
+    beginning, commands_listed = f"“{word}” is no command.", "iconstudio --help lists them"
+    if suffix == ".json":
+        return _advice_on_work(word)
+    if suffix.removeprefix(".") in ("svg", "svgz", *SUFFIXES):
+        return (
+            f"{beginning} To see it as an icon: iconstudio show {typed} --png icon.png. To work on "
+            "it, open the window by iconstudio, and drop it there."
+        )
+    if near := get_close_matches(word.lower(), [*commands], n=1):
+        return f"{beginning} Do you mean this? iconstudio {near[0]}"
+    if not word.strip() or os.path.lexists(word):
+        return f"{beginning} {commands_listed}."
+    return f"{beginning} {commands_listed}; iconstudio search {typed} lists icons of that name."
+
+
+def _advice_on_work(path: str) -> str:
     """Say which command runs the work in a JSON file."""
     from iconstudio.inputs import json
     from iconstudio.workflows.files import likely_workflow
     from iconstudio.workflows.registry import workflows
 
-    likely = likely_workflow(json.load(Path(path)), workflows())
+    likely, typed = likely_workflow(json.load(Path(path)), workflows()), shlex.quote(path)
     if likely is None:
-        return f"“{path}” is no command. Name one before it: iconstudio COMMAND {path} --out FOLDER"
-    how = f"iconstudio {likely.name} {path} --out FOLDER"
+        return (
+            f"“{path}” is no command. Name one before it: iconstudio COMMAND {typed} --out FOLDER"
+        )
+    how = f"iconstudio {likely.name} {typed} --out FOLDER"
     return f"“{path}” is no command, but {likely.noun} work. Run it by: {how}"
 
 

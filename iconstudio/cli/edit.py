@@ -14,7 +14,7 @@ def command(options: grid.GridOptions) -> None:
     """Change the icon in EDIT.json: take parts off, and put parts of other icons on."""
     read = read_edit(options.file)
     with profiled(options.profile) as stopwatch, Session() as session:
-        edit = options.of(read.resolved(session.icon))
+        edit = options.of(read.resolved(session.icon), session)
         running.tell_remarks([edit.icon])
         icon = session.exemplar(edit.icon)
         request = edit_request(edit, place_edit(edit, icon))

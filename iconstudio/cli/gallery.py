@@ -8,8 +8,9 @@ from msgspec import Meta, field
 
 from iconstudio.cli.progress import ProgressBar
 from iconstudio.cli.timing import profile_option, profiled
+from iconstudio.files import write_bytes
 from iconstudio.inputs import json
-from iconstudio.inputs.formats import Record, Text
+from iconstudio.inputs.formats import StrictRecord, Text
 from iconstudio.model import IconstudioError, Remix
 from iconstudio.output import png
 from iconstudio.output.sheet import Subject, gallery_sheet
@@ -21,7 +22,7 @@ from iconstudio.workflows.modelling.file import read_sketch
 from iconstudio.workflows.modelling.spec import MODELLING
 
 
-class Choice(Record, frozen=True):
+class Choice(StrictRecord, frozen=True):
     """Which of a sketch's results a person found best, and what they think of it.
 
     Stands in the sketch's file as ``"best"``; without it, the middle of the grid is shown.
@@ -71,7 +72,7 @@ def command(sketches: Path | None, out: Path, profile: bool) -> None:
             subjects.append(
                 Subject(file.title, sketch.polygon, remix, choice.remark, choice.failed)
             )
-        png.write(out, png.encoded(gallery_sheet(subjects)))
+        write_bytes(out, png.encoded(gallery_sheet(subjects)))
         stopwatch.wrote()
     click.echo(click.format_filename(out))
 

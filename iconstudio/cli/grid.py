@@ -38,12 +38,18 @@ class GridOptions:
     fine: bool
     profile: bool
 
-    def of(self, request: _Work) -> _Work:
-        """Return the request in the file, as the options change it."""
+    def of(self, request: _Work, session: Session) -> _Work:
+        """Return the request in the file, as the options change it.
+
+        Raises
+        ------
+        IconstudioError
+            If an icon is to be left out that the collection does not have.
+        """
         return replace(
             request,
             keyword=request.keyword if self.keyword is None else self.keyword,
-            exclude=request.exclude | frozenset(self.exclude),
+            exclude=request.exclude | running.left_out(session, self.exclude),
         )
 
     def settings(self, styles: tuple[str, ...]) -> GridSettings:

@@ -7,7 +7,7 @@ from typing import Any
 import click
 
 from iconstudio.cli.rows import row
-from iconstudio.files import replaceable
+from iconstudio.files import check_writable
 from iconstudio.inputs.line_style import read_style
 from iconstudio.inputs.styles import bundled, named
 from iconstudio.model import IconstudioError, LineStyle
@@ -130,13 +130,7 @@ def svg_name(name: str) -> Path:
             f"The icon is written as SVG, and “{path.name}” does not say so. "
             f"Call it “{path.stem or 'icon'}.svg”."
         )
-    try:
-        replaceable(path)
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or error
-        raise IconstudioError(
-            f"“{path}” cannot be written: {reason}. Choose another place."
-        ) from None
+    check_writable(path)
     return path
 
 

@@ -12,10 +12,9 @@ from iconstudio.cli import running
 from iconstudio.cli.line_styles import Between
 from iconstudio.cli.progress import ProgressBar
 from iconstudio.cli.timing import Stopwatch, profile_option, profiled
-from iconstudio.files import is_address
+from iconstudio.files import check_writable, is_address
 from iconstudio.model import IconstudioError, Patterning
 from iconstudio.output.pattern import check_name, write
-from iconstudio.output.png import check_writable
 from iconstudio.reading import is_path
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event, Progress, Remark, Result

@@ -8,6 +8,7 @@ import click
 
 from iconstudio.cli import running
 from iconstudio.cli.timing import Stopwatch, profile_option, profiled
+from iconstudio.model import IconstudioError
 from iconstudio.output.icons import IconsReport
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
@@ -40,5 +41,10 @@ def into_folder(
 
 def _reading_and_running(session: Session, workflow: Workflow[Any], file: Path) -> Generator[Event]:
     work = yield from read_file(file, workflow, session, running.tell)
+    if workflow.work is not None and work == workflow.work():
+        raise IconstudioError(
+            f"There is nothing to run: the {workflow.noun} in “{file.name}” is empty. "
+            "Fill it first."
+        )
     running.tell_remarks(workflow.icons(work))
     yield from session.run(workflow, work)

@@ -13,8 +13,8 @@ from iconstudio.cli.restyled_set import restyle_set
 from iconstudio.cli.timing import Stopwatch, profile_option, profiled
 from iconstudio.files import write_bytes
 from iconstudio.model import IconstudioError, LineStyle, Restyled, Restyling
+from iconstudio.output import export
 from iconstudio.output.folder import check_folder
-from iconstudio.output.svg import document, svg_document
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event, Result
 from iconstudio.workflows.files import read_file
@@ -136,10 +136,4 @@ def _only(events: Generator[Event], stopwatch: Stopwatch) -> Any:
 def _write(icon: Restyled, path: Path, strokes: bool) -> None:
     if not icon.path:
         raise IconstudioError("Nothing is left of it in this style. Try a smaller --size.")
-    if strokes:
-        from iconstudio.algorithms.curves.outline import strokes_of
-
-        svg = document(icon.title, icon.credits, strokes_of(icon.lines))
-    else:
-        svg = svg_document(icon)
-    write_bytes(path, svg.encode())
+    write_bytes(path, export.svg_of_strokes(icon) if strokes else export.svg(icon))

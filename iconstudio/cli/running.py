@@ -72,6 +72,20 @@ def tell_remarks(icons: Iterable[Pictogram]) -> None:
             click.echo(" ".join(line.split()), err=True)
 
 
+def left_out(session: Session, identifiers: Iterable[str]) -> frozenset[str]:
+    """Return the icons that are to be left out by ``--exclude``, as the collection calls them.
+
+    Raises
+    ------
+    IconstudioError
+        If it has no such icon; the message names what is near.
+    """
+    try:
+        return frozenset(session.collection.get(one).id for one in identifiers)
+    except IconstudioError as error:
+        raise IconstudioError(f"--exclude: {error}") from None
+
+
 def input_file(metavar: str) -> Callable[..., Any]:
     """Return the argument that names the input file."""
     return click.argument("file", metavar=metavar, type=click.Path(path_type=Path))

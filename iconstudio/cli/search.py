@@ -4,6 +4,7 @@ from pathlib import Path
 
 import click
 
+from iconstudio.cli import running
 from iconstudio.cli.progress import ProgressBar
 from iconstudio.cli.rows import row
 from iconstudio.cli.timing import Stopwatch, profile_option, profiled
@@ -13,7 +14,7 @@ from iconstudio.workflows.events import Progress
 
 
 @click.command("search")
-@click.argument("word")
+@click.argument("words", nargs=-1, required=True, metavar="WORD...")
 @click.option(
     "--exclude", multiple=True, metavar="ID", help="Leave out this icon; may be repeated."
 )
@@ -24,8 +25,11 @@ from iconstudio.workflows.events import Progress
     help="Draw the icons as well.",
 )
 @profile_option
-def command(word: str, exclude: tuple[str, ...], sheet: Path | None, profile: bool) -> None:
-    """List the icons that WORD retrieves, best first: identifier, author, licence."""
+def command(
+    words: tuple[str, ...], exclude: tuple[str, ...], sheet: Path | None, profile: bool
+) -> None:
+    """List the icons that a word, or words, retrieve, best first: identifier, author, licence."""
+    word = " ".join(words)
     if sheet is not None:
         from iconstudio.output import png
 
@@ -34,7 +38,7 @@ def command(word: str, exclude: tuple[str, ...], sheet: Path | None, profile: bo
         with ProgressBar() as bar:
             for step in session.open():
                 bar.show(step.done, step.message)
-        pictograms = session.search(word, frozenset(exclude))
+        pictograms = session.search(word, running.left_out(session, exclude))
         stopwatch.note(Progress("search", 1.0, word))
         if sheet is not None:
             _draw(session, pictograms, word, sheet, stopwatch)

@@ -7,6 +7,7 @@ from PIL import Image
 
 from iconstudio.cli import running
 from iconstudio.cli.rows import row
+from iconstudio.files import write_bytes
 from iconstudio.output import png
 from iconstudio.session import Session
 
@@ -30,6 +31,6 @@ def command(icon: str, picture: Path | None) -> None:
         exemplar = session.exemplar(pictogram)
         ink = None if picture is None else session.picture(exemplar, png.SIZE)
     if picture is not None and ink is not None:
-        png.write(picture, png.encoded(Image.fromarray(255 - ink)))
+        write_bytes(picture, png.encoded(Image.fromarray(255 - ink)))
     for one in dict.fromkeys((pictogram, *pictogram.origins)):
         click.echo(row(one.id, one.credit.author, one.credit.license))

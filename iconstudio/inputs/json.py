@@ -8,7 +8,7 @@ import json
 import os
 import re
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -96,6 +96,23 @@ def converted(data: object, kind: type[R], path: Path, place: str = "") -> R:
     if wrong:
         raise IconstudioError(f"In “{path.name}”{place}{wrong}")
     return record
+
+
+def unknown_fields(record: Record, data: Any) -> Iterator[str]:
+    """Yield the names of those fields in JSON that the ``record`` made of it does not declare."""
+    declared = zip(record.__struct_encode_fields__, record.__struct_fields__, strict=True)
+    names = dict(declared)
+    for key, value in data.items():
+        if key not in names:
+            yield key
+            continue
+        read = getattr(record, names[key])
+        for one, part in (
+            zip(read, value, strict=True) if isinstance(read, tuple) else ((read, value),)
+        ):
+            if not isinstance(one, Record):
+                break
+            yield from unknown_fields(one, part)
 
 
 def encoded(record: Record, path: Path | None = None) -> bytes:

@@ -96,7 +96,7 @@ def was(things: Sequence[object]) -> str:
 
 def _check(item: Item) -> None:
     if isinstance(item, File) and Path(item.path).is_dir():
-        raise IconstudioError(f"“{item.path}” is a folder. Open the files in it instead.")
+        raise IconstudioError(f"“{item.name}” is a folder. Open the files in it instead.")
     if isinstance(item, Elsewhere):
         raise IconstudioError(
             f"“{item.name}” was not opened: it is not on this computer. Save it as a file first."

@@ -23,6 +23,7 @@ from itertools import repeat
 from pathlib import Path
 from typing import Any
 
+from iconstudio.files import reason_of
 from iconstudio.library.archive import MANIFEST, Archive, damaged
 from iconstudio.model import IconstudioError
 from iconstudio.model.progress import Progress
@@ -128,7 +129,8 @@ def _remove_others(path: Path) -> None:
 
 def _no_room(folder: Path, error: Exception) -> str:
     full = getattr(error, "errno", None) == errno.ENOSPC or "full" in str(error)
-    reason = "The disk is full" if full else f"It cannot be written ({error})"
+    why = reason_of(error) if isinstance(error, OSError) else error
+    reason = "The disk is full" if full else f"It cannot be written ({why})"
     return (
         f"The icon collection cannot be unpacked into {folder}. {reason}. Make room for 150 MB "
         "there, or name another folder in the environment variable ICONSTUDIO_CACHE."

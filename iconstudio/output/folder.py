@@ -10,11 +10,10 @@ from typing import Any
 
 from PIL import Image
 
-from iconstudio.files import read_bytes, replaceable
+from iconstudio.files import read_bytes, reason_of, replaceable, write_bytes
 from iconstudio.model import Icon, IconstudioError, Remix
-from iconstudio.output import png
-from iconstudio.output.colours import Palette, colour_code
-from iconstudio.output.svg import svg_document
+from iconstudio.output import export, png
+from iconstudio.output.colours import Palette
 
 _REPORT = "results.json"
 _KINDS = (".svg", ".png", ".npz")
@@ -45,7 +44,7 @@ def check_folder(path: Path) -> None:
         replaceable(path / _REPORT)
     except OSError as error:
         raise IconstudioError(
-            f"“{path / _REPORT}” cannot be written: {error.strerror}. Choose another folder."
+            f"“{path / _REPORT}” cannot be written: {reason_of(error)}. Choose another folder."
         ) from None
 
 
@@ -76,7 +75,7 @@ class Folder:
             self._path.mkdir(parents=True, exist_ok=True)
         except OSError as error:
             raise _unwritable(self._path, error) from None
-        png.write(self._path / name, content)
+        write_bytes(self._path / name, content)
         self._written.add(name)
 
     def write_picture(self, name: str, picture: Image.Image) -> None:
@@ -97,16 +96,16 @@ class Folder:
 
     def write_icon(self, name: str, icon: Icon, colours: Palette | None = None) -> None:
         """Write an icon: ``NAME.svg``, ``NAME.png``; of a remix, by source ``NAME-sources.png``."""
-        self.write(f"{name}.svg", svg_document(icon).encode())
-        self.write(f"{name}.png", png.encoded(png.icon_pixels(icon, png.SIZE)))
+        self.write(f"{name}.svg", export.svg(icon))
+        self.write(f"{name}.png", export.png(icon, png.SIZE))
         if isinstance(icon, Remix):
-            code = colour_code(icon.composite, icon.drawing, png.SIZE // 2, colours)
-            self.write(f"{name}-sources.png", png.encoded(code))
+            code = export.colour_code_png(icon, png.SIZE // 2, colours)
+            self.write(f"{name}-sources.png", code)
 
 
 def _unwritable(path: Path, error: OSError) -> IconstudioError:
     return IconstudioError(
-        f"The folder “{path}” cannot be written: {error.strerror}. Choose another one."
+        f"The folder “{path}” cannot be written: {reason_of(error)}. Choose another one."
     )
 
 

@@ -1,14 +1,13 @@
 """Pictures as PNG files."""
 
 import io
-from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from iconstudio.files import replaceable, write_atomically
+from iconstudio.files import check_writable
 from iconstudio.model import CANVAS, Frame, Icon, IconstudioError
 from iconstudio.model import Path as Outline
 from iconstudio.svg.resvg import render_colours, render_coverage
@@ -66,34 +65,3 @@ def check_name(path: Path) -> Path:
         )
     check_writable(path)
     return path
-
-
-def check_writable(path: Path) -> None:
-    """Return if a file can be written.
-
-    Raises
-    ------
-    IconstudioError
-        If not.
-    """
-    _writing(path, lambda: replaceable(path))
-
-
-def write(path: Path, content: bytes) -> None:
-    """Write a file in one step.
-
-    Raises
-    ------
-    IconstudioError
-        If it cannot be written.
-    """
-    _writing(path, lambda: write_atomically(path, content))
-
-
-def _writing(path: Path, write: Callable[[], object]) -> None:
-    try:
-        write()
-    except OSError as error:
-        raise IconstudioError(
-            f"“{path}” cannot be written: {error.strerror or error}. Choose another place."
-        ) from None

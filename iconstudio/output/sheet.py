@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from iconstudio.algorithms.raster import placed_ink
+from iconstudio.files import write_bytes
 from iconstudio.model import CANVAS, Composite, Exemplar, Polygon, Remix, Source
 from iconstudio.output import png
 from iconstudio.output.colours import SIGNIFICANT, Palette, colour_code, key_of, palette
@@ -112,7 +113,7 @@ def search_sheet(exemplars: Sequence[Exemplar], word: str, path: Path) -> None:
             middle, y + side + 4, f"{collection}:", 13, colour=MUTED, width=width, anchor="ma"
         )
         figure.text(middle, y + side + 21, name, 13, width=width, anchor="ma")
-    png.write(path, png.encoded(figure.picture))
+    write_bytes(path, png.encoded(figure.picture))
 
 
 def gallery_sheet(subjects: Sequence[Subject], across: int = 4) -> Image.Image:

@@ -16,7 +16,7 @@ from typing import Annotated, Any
 
 from msgspec import Meta, field
 
-from iconstudio.files import read_bytes, write_atomically
+from iconstudio.files import read_bytes, write_bytes
 from iconstudio.inputs import json
 from iconstudio.inputs.formats import Many, Record, Text
 from iconstudio.model import IconstudioError
@@ -74,6 +74,8 @@ class Project:
     index: Index
     parts: Mapping[str, bytes]
     """By their names, ``icons/cat-1a2b3c4d.svg``."""
+    unknown: tuple[str, ...] = ()
+    """Fields of ``project.json`` that are not known here."""
 
 
 def part_name(folder: str, name: str, suffix: str, data: bytes) -> str:
@@ -90,12 +92,7 @@ def save(path: Path, project: Project) -> None:
     IconstudioError
         If it cannot be written; what was there is there still.
     """
-    try:
-        write_atomically(path, packed(project))
-    except OSError as error:
-        raise IconstudioError(
-            f"“{path}” cannot be written: {error.strerror or error}. Save it in another place."
-        ) from None
+    write_bytes(path, packed(project))
 
 
 def packed(project: Project) -> bytes:
@@ -109,8 +106,8 @@ def packed(project: Project) -> bytes:
     return file.getvalue()
 
 
-def read(path: Path) -> tuple[Index, Mapping[str, bytes]]:
-    """Return what a project file says, and its parts.
+def read(path: Path) -> Project:
+    """Return what a project file holds.
 
     Raises
     ------
@@ -123,8 +120,8 @@ def read(path: Path) -> tuple[Index, Mapping[str, bytes]]:
         raise IconstudioError(f"“{path.name}” cannot be opened. {error}") from None
 
 
-def unpacked(data: bytes) -> tuple[Index, Mapping[str, bytes]]:
-    """Return what the bytes of a project file say, and its parts.
+def unpacked(data: bytes) -> Project:
+    """Return what the bytes of a project file hold.
 
     Raises
     ------
@@ -144,16 +141,16 @@ def unpacked(data: bytes) -> tuple[Index, Mapping[str, bytes]]:
         raise IconstudioError(f"It is packed in a way that is not understood. {_ANOTHER}") from None
     if INDEX not in parts:
         raise IconstudioError(_NONE)
-    return index_of(parts.pop(INDEX)), parts
+    return project_of(parts.pop(INDEX), parts)
 
 
-def index_of(text: bytes) -> Index:
-    """Return a ``project.json`` of a version that can be read.
+def project_of(text: bytes, parts: Mapping[str, bytes]) -> Project:
+    """Return a project with a ``project.json`` of a version that can be read.
 
     Raises
     ------
     IconstudioError
-        If it is no good, or of a later version.
+        If that is no good, or of a later version.
     """
     here = Path(INDEX)
     try:
@@ -167,7 +164,8 @@ def index_of(text: bytes) -> Index:
         )
     if version < 1:
         raise IconstudioError(_NONE)
-    return json.converted(data, Index, here)
+    index = json.converted(data, Index, here)
+    return Project(index, parts, tuple(json.unknown_fields(index, data)))
 
 
 _NONE = "It is no Iconstudio project. Choose a file that was saved by Iconstudio."

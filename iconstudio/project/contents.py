@@ -1,6 +1,6 @@
 """What a project holds: the pages of workflows and the results that were picked."""
 
-from collections.abc import Generator, Mapping
+from collections.abc import Generator, Iterator, Mapping
 from contextlib import closing
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -54,6 +54,12 @@ class Contents:
             and _all_in(other.recent, self.recent)
         )
 
+    def results(self, formats: Formats) -> Iterator[Icon]:
+        """Yield all results: the recent ones, and those that are kept on pages."""
+        yield from self.recent
+        for name, page in self.pages.items():
+            yield from formats[name].kept(page)
+
     def project(self, formats: Formats, file: str = "") -> Project:
         """Return them as they are stored; a journal tells in which ``file`` they were saved."""
         unread = self.unread
@@ -70,17 +76,15 @@ class Contents:
         return Project(index, contents)
 
 
-def reading(
-    session: ProjectSession,
-    index: Index,
-    contents: Mapping[str, bytes],
-    formats: Formats,
-) -> Generator[Any]:
+def reading(session: ProjectSession, project: Project, formats: Formats) -> Generator[Any]:
     """Yield the contents of a project at last; before that progress, or None.
 
-    A page that cannot be read is told and kept, and the others are there.
+    A page that cannot be read is told and kept, and the others are there. Fields that are not
+    known here are told, too.
     """
-    parts = StoredParts(index.icons, contents, session)
+    index = project.index
+    parts = StoredParts(index.icons, project.parts, session)
+    parts.note_unknown("In the project", project.unknown)
     pages: dict[str, Page] = {}
     for name in sorted(index.pages):
         if name not in formats.workflows:
@@ -88,17 +92,20 @@ def reading(
                 f"There is no workflow “{name}” here: its page is not shown, but kept as it is."
             )
             continue
+        title = formats.workflows[name].title
         try:
-            stored = json.converted(index.pages[name], formats[name].stored, _HERE, f", {name}")
+            page = index.pages[name]
+            stored = json.converted(page, formats[name].stored, _HERE, f", {name}")
+            parts.note_unknown(f"On the page of {title}", json.unknown_fields(stored, page))
             with closing(formats[name].read(stored, parts)) as steps:
                 pages[name] = yield from steps
         except IconstudioError as error:
-            title = formats.workflows[name].title
             parts.complaints.append(f"The page of {title} could not be read. {error}")
     recent = yield from parts.results(index.recent)
     left = {name: page for name, page in index.pages.items() if name not in pages}
-    unread = Project(structs.replace(index, pages=left), contents) if left else None
-    yield Contents(index.current, pages, recent, tuple(parts.complaints), unread)
+    unread = Project(structs.replace(index, pages=left), project.parts) if left else None
+    complaints = (*parts.complaints, *parts.passed_over)
+    yield Contents(index.current, pages, recent, complaints, unread)
 
 
 def _all_in(some: tuple[Icon, ...], others: tuple[Icon, ...]) -> bool:

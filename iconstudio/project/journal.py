@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from iconstudio.files import read_bytes, write_atomically
+from iconstudio.files import read_bytes, reason_of, write_atomically
 from iconstudio.inputs import json
 from iconstudio.model import IconstudioError
 from iconstudio.project import archive
@@ -65,7 +65,7 @@ class Journal:
         except OSError as error:
             raise IconstudioError(
                 f"The unsaved work cannot be kept in “{self.folder.parent}”: "
-                f"{error.strerror or error}. Save it soon."
+                f"{reason_of(error)}. Save it soon."
             ) from None
 
     def clear(self) -> None:
@@ -104,18 +104,8 @@ class LeftBehind:
     current: str = ""
     """The name of the workflow that was in sight."""
 
-    def index(self) -> Index:
-        """Return what it says, without its parts.
-
-        Raises
-        ------
-        IconstudioError
-            If it cannot be read.
-        """
-        return archive.index_of(read_bytes(self.folder / INDEX, json.MOST_BYTES))
-
-    def read(self) -> tuple[Index, Mapping[str, bytes]]:
-        """Return what it says, and its parts.
+    def read(self) -> Project:
+        """Return what it holds.
 
         Raises
         ------
@@ -127,7 +117,11 @@ class LeftBehind:
             for kind in _PARTS
             for file in sorted((self.folder / kind).glob("[!.]*"))
         }
-        return self.index(), parts
+        return self._with(parts)
+
+    def index(self) -> Index:
+        """Return what it says, without its parts; see ``read``."""
+        return self._with({}).index
 
     def discard(self) -> None:
         """Remove it for good."""
@@ -136,6 +130,10 @@ class LeftBehind:
     def release(self) -> None:
         """Leave it for the next start."""
         self.lock.release()
+
+    def _with(self, parts: Mapping[str, bytes]) -> Project:
+        index = read_bytes(self.folder / INDEX, json.MOST_BYTES)
+        return archive.project_of(index, parts)
 
 
 def left_behind(folder: Path) -> Generator[LeftBehind]:

@@ -12,6 +12,7 @@ from iconstudio.images.photo import photo_of
 from iconstudio.images.reading import Image
 from iconstudio.inputs import json
 from iconstudio.inputs.formats import Many, Record, Reference, Text, plain_text
+from iconstudio.inputs.together import quoted_list, was
 from iconstudio.model import Credit, Exemplar, Icon, IconstudioError, Photo, Pictogram
 from iconstudio.model.pictogram import OWN, UNCOLLECTED
 from iconstudio.project import results
@@ -22,6 +23,8 @@ from iconstudio.workflows.workflow import Resources
 
 _REFERENCE = re.compile(r"[^:/\\]+:[^:/\\]+")
 
+_SHOWN = 60
+"""Most characters of a field's name that are shown."""
 
 _photo_name = lru_cache(1)(part_name)
 """Each edit names the same photo again, which may be large."""
@@ -142,6 +145,8 @@ class StoredParts:
         self.session = session
         self.complaints: list[str] = []
         """What could not be read, where the rest was; a sentence for the user each."""
+        self._unknown: dict[str, dict[str, None]] = {}
+        """The fields that are not known here, by where they are."""
         self._icons = icons
         self._contents = contents
         self._found: dict[str, Pictogram] = {}
@@ -151,6 +156,20 @@ class StoredParts:
     def resources(self) -> Resources:
         """The session, which knows the icons of the project, too."""
         return cast(Resources, _Resources(self))
+
+    @property
+    def passed_over(self) -> tuple[str, ...]:
+        """The fields that are not known here, as later versions may write them; in sentences."""
+        return tuple(
+            f"{where}, {quoted_list(names)} {was(names)} passed over, which this version of "
+            "Iconstudio does not know. Save under another name, and the file stays as it is."
+            for where, names in ((where, list(some)) for where, some in self._unknown.items())
+        )
+
+    def note_unknown(self, where: str, fields: Iterable[str]) -> None:
+        """Note fields that are not known here."""
+        for name in fields:
+            self._unknown.setdefault(where, {})[name[:_SHOWN]] = None
 
     def icon(self, reference: str) -> Pictogram:
         """Return an icon that a page names: of the collection, or as it was stored.
@@ -236,7 +255,9 @@ class StoredParts:
                     raise
         elif not stored:
             raise IconstudioError(f"The icon “{reference}” is missing in the file.")
-        entry = json.converted(self._icons[reference], StoredIcon, FilePath(INDEX), ", icons")
+        data = self._icons[reference]
+        entry = json.converted(data, StoredIcon, FilePath(INDEX), ", icons")
+        self.note_unknown("Of the icons", json.unknown_fields(entry, data))
         return replace(
             _as_stored(self.drawn(entry.part), self.content(entry.part)),
             id=entry.id or reference,

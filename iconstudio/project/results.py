@@ -135,6 +135,10 @@ class Store(Protocol):
         """Return an icon on the canvas."""
         ...
 
+    def note_unknown(self, where: str, fields: Iterable[str]) -> None:
+        """Note fields that are not known here."""
+        ...
+
 
 _written: "WeakKeyDictionary[Icon, Written]" = WeakKeyDictionary()
 
@@ -163,7 +167,9 @@ def read(part: str, store: Store) -> Icon:
         If it is no good.
     """
     here = FilePath(part)
-    stored = json.converted(json.parsed(store.content(part), here), StoredResult, here)
+    data = json.parsed(store.content(part), here)
+    stored = json.converted(data, StoredResult, here)
+    store.note_unknown("Of the results", json.unknown_fields(stored, data))
     path = Path(tuple(one.contour for one in stored.outline))
     drawn = store.drawn(stored.svg)
     if stored.pattern is not None:

@@ -1,6 +1,10 @@
-"""The edits of an outline, on any page that has one."""
+"""The edits of an outline, on any page that has one, and what of it lies at a point."""
 
-from typing import Protocol, Self
+from dataclasses import dataclass
+from typing import Literal, Protocol, Self
+
+import numpy as np
+from numpy.typing import NDArray
 
 from iconstudio.model import Point
 from iconstudio.workflows.pages import Document, Page
@@ -22,6 +26,15 @@ class OutlinedPage(Page, Protocol):
     def with_outline(self, vertices: tuple[Point, ...], closed: bool) -> Self:
         """Return the page with another outline."""
         ...
+
+
+@dataclass(frozen=True, slots=True)
+class Hit:
+    """What lies at a place: vertex ``index``, or the edge from there, and its nearest ``point``."""
+
+    kind: Literal["vertex", "edge"]
+    index: int
+    point: Point
 
 
 class Outline:
@@ -76,3 +89,33 @@ class Outline:
     def clear(self) -> None:
         """Remove all vertices; whatever else is on the page stays."""
         self.put("clear outline", (), False)
+
+    def hit(self, place: Point, vertex_grip: float, edge_grip: float) -> Hit | None:
+        """Return the vertex or edge within reach of a place, in page units; vertices come first."""
+        if not self.vertices:
+            return None
+        points, spot = np.array(self.vertices, np.float64), np.array(place)
+        gaps = np.hypot(*(points - spot).T)
+        nearest = int(gaps.argmin())
+        if gaps[nearest] <= vertex_grip:
+            return Hit("vertex", nearest, self.vertices[nearest])
+        feet = _feet(points, np.roll(points, -1, axis=0), spot)
+        gaps = np.hypot(*(feet - spot).T)
+        if not self.closed:
+            gaps[-1] = np.inf  # the edge that would close it is not there yet
+        nearest = int(gaps.argmin())
+        if gaps[nearest] > edge_grip:
+            return None
+        x, y = feet[nearest].tolist()
+        return Hit("edge", nearest, (x, y))
+
+
+def _feet(
+    starts: NDArray[np.float64], ends: NDArray[np.float64], spot: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Return the point of each segment that is nearest to ``spot``, (n, 2)."""
+    along = ends - starts
+    length = (along**2).sum(axis=1)
+    part = ((spot - starts) * along).sum(axis=1) / np.where(length > 0, length, 1)
+    feet: NDArray[np.float64] = starts + along * part.clip(0, 1)[:, None]
+    return feet

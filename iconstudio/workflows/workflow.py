@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any, Concatenate, Generic, Protocol, Self, TypeVar
 
 from iconstudio.inputs.formats import Reference, StrictRecord, Text
-from iconstudio.model import Drawing, Exemplar, Line, Photo, Pictogram, Separation
+from iconstudio.model import Axis, Drawing, Exemplar, Line, Photo, Pictogram, Separation
 from iconstudio.workers import Workers
 from iconstudio.workflows.events import Event
 
@@ -50,6 +50,12 @@ class Resources(Protocol):
         self, keyword: str, exclude: frozenset[str] = ...
     ) -> Generator[Event, None, tuple[Exemplar, ...]]:
         """Return a keyword's icons on the canvas, best first."""
+        ...
+
+    def choose(
+        self, keyword: str, count: int, symmetry: Axis | None = ..., seed: int = ...
+    ) -> Generator[Event, None, tuple[Pictogram, ...]]:
+        """Return icons of a keyword that mix well; each seed another group of them."""
         ...
 
 

@@ -115,6 +115,56 @@ def test_excluded_icons_are_not_listed(capsys):
     assert first not in capsys.readouterr().out
 
 
+def test_an_icon_is_left_out_however_it_is_spelt(capsys):
+    assert run(["search", "otter"], NoWindow()) == 0
+    first = capsys.readouterr().out.split("\t")[0]
+    assert run(["search", "otter", "--exclude", first.replace(":", "-", 1)], NoWindow()) == 0
+    assert first not in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("command", ["search", "model", "edit"])
+def test_an_icon_that_is_not_there_cannot_be_left_out(tmp_path, capsys, command):
+    files = {
+        "model": {"keyword": "otter", "polygon": SQUARE},
+        "edit": {"icon": "mdi:cat", "keyword": "otter", "add": [SQUARE]},
+    }
+    words = ["otter"]
+    if command in files:
+        words = [write(tmp_path, files[command]), "--out", str(tmp_path / "out")]
+    assert run([command, *words, "--exclude", "nope:nope"], NoWindow()) == 2
+    told = capsys.readouterr()
+    assert told.err.startswith("iconstudio: --exclude: The collection has no icon 'nope:nope'.")
+    assert not told.out and not (tmp_path / "out").exists()
+
+
+def test_several_words_need_no_quotation_marks(capsys):
+    assert run(["search", "ice cream"], NoWindow()) == 0
+    listed = capsys.readouterr().out
+    assert run(["search", "ice", "cream"], NoWindow()) == 0
+    assert capsys.readouterr().out == listed != ""
+    assert run(["search", "dog", "cat"], NoWindow()) == 2
+    assert "Alone, these words find icons: dog, cat." in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("word", "hint"),
+    [
+        ("photo.jpg", "iconstudio show photo.jpg --png icon.png"),
+        ("cat.SVG", "iconstudio show cat.SVG --png icon.png"),
+        ("serch", "Do you mean this? iconstudio search"),
+        ("Restyl", "Do you mean this? iconstudio restyle"),
+        ("my cat.png", "iconstudio show 'my cat.png' --png icon.png"),
+        ("otter", "iconstudio search otter"),
+        ("", "iconstudio --help lists them."),
+        (".", "iconstudio --help lists them."),
+    ],
+)
+def test_a_word_that_is_no_command_is_answered_with_what_to_type(capsys, word, hint):
+    assert run([word], NoWindow()) == 2
+    told = capsys.readouterr().err
+    assert told.startswith(f"iconstudio: “{word}” is no command.") and hint in told
+
+
 def test_the_sheet_shows_what_is_listed(tmp_path, capsys, monkeypatch):
     from iconstudio.output import sheet
 

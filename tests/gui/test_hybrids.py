@@ -18,11 +18,11 @@ from iconstudio.gui.gallery.display import DisplaySwitch
 from iconstudio.gui.gallery.sheet_model import Rule
 from iconstudio.gui.pictures.picture import Display, Picture
 from iconstudio.gui.window.main_window import MainWindow
-from iconstudio.gui.workspaces.hybrids.cards import on_shape
 from iconstudio.model import Axis, IconstudioError
 from iconstudio.session import Session
 from iconstudio.workflows.hybrids import page as edits
 from iconstudio.workflows.hybrids.hybrids import MOST
+from iconstudio.workflows.hybrids.page import on_shape
 from iconstudio.workflows.hybrids.spec import HYBRIDS
 
 LEFT = Qt.MouseButton.LeftButton

@@ -473,7 +473,7 @@ def test_a_skipped_style_says_why_and_comes_back(drawn, qtbot, session):
     move(drawn)
     rest(drawn, qtbot, session)
     assert results.skipped("light") and not results.skipped("dark")
-    assert results._reasons["light"].isVisible()
+    assert results.grid.reasons["light"].isVisible()
     assert not results.cell("light", LAMBDAS[2]).isVisible()
     assert results.cell("dark", LAMBDAS[2]).isVisible()
     assert len(results.pictures) == 24

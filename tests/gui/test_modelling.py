@@ -95,7 +95,7 @@ def test_a_run_fills_the_grid_cell_by_cell(ready, qtbot, session):
 def test_a_style_that_is_skipped_says_why_in_its_row(ready, qtbot):
     ready.run()
     finish(ready, qtbot)
-    reason = ready.browser.results._reasons["dark"]
+    reason = ready.browser.results.grid.reasons["dark"]
     assert reason.isVisible()
     assert reason.text() == "Only 4 icons are dark; at least 9 are needed."
     assert not ready.browser.results.cell("dark", LAMBDAS[0]).isVisible()
@@ -265,7 +265,7 @@ def test_cells_are_no_higher_than_wide_and_begin_at_the_top(ready, qtbot):
     for styles in (STYLES, STYLES[:2], STYLES[:1]):
         results.begin(styles, LAMBDAS)
         column = [results.cell(style, LAMBDAS[0]) for style in styles]
-        qtbot.waitUntil(lambda column=column: stacked(results.scale, *column))
+        qtbot.waitUntil(lambda column=column: stacked(results.grid.scale, *column))
     window.resize(1280, 720)
     results.begin(STYLES, LAMBDAS)
     cell = results.cell(STYLES[-1], LAMBDAS[-1])

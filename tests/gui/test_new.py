@@ -40,7 +40,7 @@ def test_what_was_undone_is_remixed_again(drawn, qtbot):
 
 def test_results_of_a_name_that_was_taken_away_are_pale_until_it_is_back(drawn, qtbot):
     drawn.actions_by_name["live"].trigger()
-    cell = next(iter(drawn.browser.results._cells.values()))
+    cell = next(iter(drawn.browser.results.grid.cells.values()))
     assert cell.state is CellState.READY
     drawn.document.change("take the name away", drawn.document.page.with_criteria(keyword=""))
     assert shown(drawn) == 24

@@ -21,13 +21,14 @@ from PySide6.QtCore import QMimeData, QUrl
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QMessageBox
 
-from iconstudio.gui.exchange.saving import suffixed
 from iconstudio.gui.pictures.photo import mipmap_of
 from iconstudio.gui.project import questions, recents
 from iconstudio.gui.project.questions import Answer
 from iconstudio.gui.window.main_window import MainWindow
+from iconstudio.gui.window.pane import WorkspacePane
 from iconstudio.gui.workspaces.plain.opening import WorkPage
 from iconstudio.model import Axis, Placement, Stroke
+from iconstudio.output.filenames import suffixed
 from iconstudio.project import archive
 from iconstudio.project.archive import SUFFIX
 from iconstudio.svg.reading import own_svg
@@ -350,6 +351,51 @@ def test_a_page_that_cannot_be_read_is_told_and_the_file_is_safe(
     assert stored["pages"]["unheard-of"] == index["pages"]["unheard-of"]
     assert stored["pages"]["montage"] == index["pages"]["montage"]
     assert stored["icons"] | index["icons"] == stored["icons"]
+
+
+def test_only_the_workspace_in_sight_is_made_and_the_other_pages_wait(
+    window, another, qtbot, tmp_path, monkeypatch
+):
+    fill(window, qtbot)
+    window.show_workspace(1)
+    path = tmp_path / "dog.iconstudio"
+    save(window, qtbot, path, monkeypatch)
+    first, other = archive.read(path), another()
+    other.project.open(path)
+    qtbot.waitUntil(lambda: other.workspace.workflow.title == "Edit")
+    made = [one.workspace.workflow.title for one in other.findChildren(WorkspacePane)]
+    assert sorted(made) == ["Edit", "Sketch"] and not other.project.modified
+    other.workspace.document.change("name it", replace(other.workspace.page, keyword="lamp"))
+    save(other, qtbot, path, monkeypatch)
+    again = archive.read(path)
+    changed = {**first.index.pages["edit"], "keyword": "lamp"}
+    assert again.index.pages == {**first.index.pages, "edit": changed}
+    assert again.parts == first.parts
+    assert {**pages(other), "edit": None} == {**pages(window), "edit": None}
+    assert not other.project.modified
+
+
+def test_a_page_that_waits_gives_way_to_that_of_another_project(
+    window, another, qtbot, tmp_path, monkeypatch
+):
+    fill(window, qtbot)
+    window.show_workspace(0)
+    save(window, qtbot, tmp_path / "dog.iconstudio", monkeypatch)
+    other = another()
+    other.project.open(tmp_path / "dog.iconstudio")
+    qtbot.waitUntil(lambda: other.project.name == "dog.iconstudio")
+    other.project.new()
+    assert not other.workspace_of("Montage").page.layers and not other.project.modified
+
+
+def test_what_later_versions_add_is_told_and_the_file_is_safe(window, qtbot, tmp_path):
+    path = tmp_path / "dog.iconstudio"
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr("project.json", '{"version": 1, "pages": {"edit": {"mood": "merry"}}}')
+    window.project.open(path)
+    qtbot.waitUntil(window.pane.notice.isVisible)
+    assert "On the page of Edit, “mood” was passed over" in window.pane.notice.label.text()
+    assert window.project.path is None
 
 
 def test_what_cannot_be_saved_is_told_and_stays(window, qtbot, tmp_path, monkeypatch):

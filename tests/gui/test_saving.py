@@ -59,7 +59,9 @@ def test_a_saved_sketch_is_read_back_the_same(sketching, qtbot, tmp_path, monkey
     saved = read_sketch(path)
     assert saved.sketch == shown.sketch
     assert saved.photo == shown.photo
-    qtbot.waitUntil(lambda: str(path) in sketching.window().pane.status.label.text())
+    label = sketching.window().pane.status.label
+    qtbot.waitUntil(lambda: label.text() == f"Saved “{path.name}”.")
+    assert label.toolTip() == f"Saved “{path}”."
 
 
 def test_nothing_is_written_if_the_user_thinks_better_of_it(done, tmp_path, monkeypatch):
@@ -180,14 +182,14 @@ def test_several_results_never_share_a_name(done, qtbot, tmp_path, monkeypatch):
 
 
 def test_a_disk_that_fills_up_is_told_with_what_is_saved(done, qtbot, tmp_path, monkeypatch):
-    write = saving._write
+    write = saving.write_bytes
 
     def full(path, content):
         if path.stem.endswith("2"):
             raise IconstudioError("The disk is full.")
         write(path, content)
 
-    monkeypatch.setattr(saving, "_write", full)
+    monkeypatch.setattr(saving, "write_bytes", full)
     monkeypatch.setattr(done.saver, "ask_folder", lambda: tmp_path)
     done.saver.save_svgs([done.browser.detail.picture] * 3)
     qtbot.waitUntil(done.window().pane.notice.isVisible)
@@ -213,8 +215,8 @@ def test_a_new_try_takes_the_place_of_what_failed_before(done, tmp_path, monkeyp
     for name in ("one", "two"):
         save_to(done, monkeypatch, tmp_path / name / "dog.svg")
         done.actions_by_name["svg"].trigger()
-        qtbot.waitUntil(lambda name=name: f"{name}/dog.svg" in notice.label.text())
-    assert "one/dog.svg" not in notice.label.text()
+        qtbot.waitUntil(lambda name=name: f"{name}/dog.svg" in notice.label.toolTip())
+    assert "one/dog.svg" not in notice.label.toolTip()
     save_to(done, monkeypatch, tmp_path / "dog.svg")
     done.actions_by_name["svg"].trigger()
     qtbot.waitUntil(lambda: not notice.isVisible())

@@ -74,6 +74,11 @@ def test_a_chosen_icon_is_mirrored_at_once(mirror, qtbot):
     qtbot.waitUntil(lambda: titles(mirror) == ["mirrored frame 1"])
 
 
+def test_of_an_empty_page_it_is_told_what_to_do_first(window, mirror):
+    mirror.actions_by_name["run"].trigger()
+    assert window.pane.notice.label.text() == "There is nothing to run yet. Choose icons first."
+
+
 def test_results_of_others_are_sent_to_it_and_its_own_to_others(window, qtbot):
     sketching = window.workspace
     trace(sketching)

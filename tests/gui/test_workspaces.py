@@ -11,7 +11,6 @@ from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QPushButton, QToolButton
 
-from iconstudio.gui.document.document import Document
 from iconstudio.gui.exchange.dragging import unpacked
 from iconstudio.gui.gallery import recent
 from iconstudio.gui.window.main_window import MainWindow
@@ -30,10 +29,10 @@ LEFT = Qt.MouseButton.LeftButton
 class Pad(Workspace):
     """A workspace that takes icons and does nothing with them."""
 
+    page_type = SketchPage
     entries = (Entry("dip", "Dip the pen", keys="D", do=lambda pad: pad.dip(), menu="&View"),)
 
-    def __init__(self, workflow, session, files, saver):
-        super().__init__(workflow, session, files, saver, Document(SketchPage()))
+    def build(self):
         self.taken = []
         self.make_actions()
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)

@@ -90,6 +90,14 @@ def test_what_is_written_is_read_back():
     assert b'"words":["a","b"]' in json.encoded(car), "the same work makes the same file"
 
 
+def test_fields_that_are_passed_over_are_known():
+    wheels = [{"size": 1}, {"tread": 2, "size": 1, "rim": {"colour": "red", "dents": [1]}}]
+    data = {"name": "a", "wheels": wheels, "outline": [[1, 2]], "more": {"x": 1}}
+    car = read(data)
+    assert [*json.unknown_fields(car, data)] == ["tread", "dents"]
+    assert [*json.unknown_fields(car, json.parsed(json.encoded(car), HERE))] == []
+
+
 @pytest.mark.parametrize(
     ("change", "said"),
     [

@@ -11,6 +11,7 @@ import pytest
 
 from iconstudio.caches import rasters, store
 from iconstudio.caches.rasters import RasterCache, draw_entries
+from iconstudio.files import reason_of
 from iconstudio.model import Credit, IconstudioError, Pictogram
 from iconstudio.svg.rasterise import rasterise
 from iconstudio.workers import Workers
@@ -172,7 +173,7 @@ def test_a_folder_that_lets_nothing_in(cache, tmp_path, monkeypatch, reason):
     monkeypatch.setattr(store, "write_atomically", full)
     for found, one in zip(drawn(cache, GOOD[:3]), GOOD[:3], strict=True):
         assert_drawn(found, one)
-    assert os.strerror(reason) in cache.trouble
+    assert reason_of(OSError(reason, "")) in cache.trouble
     assert not files(tmp_path)
 
 

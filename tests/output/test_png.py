@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from iconstudio.files import write_bytes
 from iconstudio.model import IconstudioError
 from iconstudio.output import png
 
@@ -33,7 +34,7 @@ def test_large_pictures_are_drawn_anew(result):
 
 def test_a_file_can_be_read_again(result, tmp_path):
     pixels = png.icon_pixels(result, 64)
-    png.write(tmp_path / "icon.png", png.encoded(pixels))
+    write_bytes(tmp_path / "icon.png", png.encoded(pixels))
     with Image.open(tmp_path / "icon.png") as picture:
         assert np.array_equal(np.asarray(picture), pixels)
     with Image.open(io.BytesIO(png.encoded(Image.fromarray(pixels)))) as picture:
@@ -43,4 +44,4 @@ def test_a_file_can_be_read_again(result, tmp_path):
 
 def test_a_file_that_cannot_be_written(tmp_path):
     with pytest.raises(IconstudioError, match="cannot be written"):
-        png.write(tmp_path / "missing" / "icon.png", b"")
+        write_bytes(tmp_path / "missing" / "icon.png", b"")

@@ -180,14 +180,14 @@ def full(*args, **kwargs):
 
 def test_a_folder_without_room(tmp_path, monkeypatch):
     monkeypatch.setattr("iconstudio.output.folder.tempfile.TemporaryFile", full)
-    with pytest.raises(IconstudioError, match="No space left"):
+    with pytest.raises(IconstudioError, match="the disk is full"):
         GridReport(tmp_path, REQUEST, (0.1,))
 
 
 def test_the_disk_fills_up_on_the_way(tmp_path, monkeypatch, result):
     report = GridReport(tmp_path, REQUEST, (0.1,))
-    monkeypatch.setattr("iconstudio.output.png.write_atomically", full)
-    with pytest.raises(IconstudioError, match="No space left"):
+    monkeypatch.setattr("iconstudio.files.write_atomically", full)
+    with pytest.raises(IconstudioError, match="the disk is full"):
         report.add(Result(result))
     assert list(tmp_path.iterdir()) == []
 

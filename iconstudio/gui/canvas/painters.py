@@ -131,18 +131,19 @@ def paint_regions(
 
 
 def paint_welcome(painter: QPainter, area: QRectF, heading: str, text: str, theme: Theme) -> None:
-    """Say what to do first."""
+    """Say what to do first, above the middle: more lines of text begin higher up."""
     centre = area.center()
-    painter.setPen(theme.color("text"))
-    painter.setFont(strong(_sized(20)))
-    box = QRectF(area.left(), centre.y() - 104, area.width(), 32)
-    painter.drawText(box, Qt.AlignmentFlag.AlignCenter, heading)
-    painter.setPen(theme.color("muted"))
-    painter.setFont(_sized(14))
+    wrapped = int(Qt.AlignmentFlag.AlignHCenter) | int(Qt.TextFlag.TextWordWrap)
     width = min(360.0, area.width() - 4 * UNIT)
     box = QRectF(centre.x() - width / 2, centre.y() - 64, width, 72)
-    wrapped = int(Qt.AlignmentFlag.AlignHCenter) | int(Qt.TextFlag.TextWordWrap)
+    painter.setFont(_sized(14))
+    box.setTop(min(box.top(), box.bottom() - painter.boundingRect(box, wrapped, text).height()))
+    painter.setPen(theme.color("muted"))
     painter.drawText(box, wrapped, text)
+    painter.setPen(theme.color("text"))
+    painter.setFont(strong(_sized(20)))
+    box = QRectF(area.left(), box.top() - 40, area.width(), 32)
+    painter.drawText(box, Qt.AlignmentFlag.AlignCenter, heading)
 
 
 def paint_hint(painter: QPainter, area: QRectF, text: str, theme: Theme) -> None:

@@ -1,24 +1,23 @@
 """Take icons and work out of the window: to files and to the clipboard."""
 
-import itertools
-import os
 from collections.abc import Callable, Generator, Sequence
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QMimeData, QObject, Signal
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
+from iconstudio.files import write_bytes
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.pictures.picture import Picture
 from iconstudio.inputs.together import counted
-from iconstudio.model import IconstudioError, Patterned
+from iconstudio.model import Icon, IconstudioError, Patterned
+from iconstudio.output import export
+from iconstudio.output.filenames import file_name, free_path, suffixed
 
 PNG_SIZE = 1024
 """Side of a saved PNG in pixels."""
-
-_NAME = 150
-"""Most bytes of a file's name that come from a title; what is added needs room, too."""
 
 
 class Saver(QObject):
@@ -42,36 +41,40 @@ class Saver(QObject):
 
     def save_svg(self, picture: Picture) -> None:
         """Save a result as SVG."""
-        self._save_icon(picture, "svg", lambda: _svg(picture))
+        icon = picture.icon
+        self._export(_kind(icon), _named(picture), "svg", partial(export.svg, icon))
 
     def save_strokes(self, picture: Picture) -> None:
         """Save a restyled icon as SVG in which strokes are strokes."""
-        self._save_icon(picture, "svg", lambda: _strokes(picture))
+        self._export("icon", _named(picture), "svg", partial(export.svg_of_strokes, picture.icon))
 
     def save_png(self, picture: Picture) -> None:
         """Save a result as PNG."""
-        self._save_icon(picture, "png", lambda: _png(picture))
+        icon = picture.icon
+        # A pattern is saved a pixel a unit, so that it tiles to the pixel.
+        side = max(icon.size) if isinstance(icon, Patterned) else PNG_SIZE
+        self._export(_kind(icon), _named(picture), "png", partial(export.png, icon, side))
 
     def save_css(self, picture: Picture) -> None:
         """Save a pattern as the background of a style sheet."""
         from iconstudio.output.pattern import style_sheet
 
         icon = picture.icon
-        self._save(
-            "pattern",
-            _named(picture),
-            "css",
-            lambda path: _write(path, style_sheet(icon, path.stem).encode()),
-        )
+
+        def write(path: Path) -> None:
+            write_bytes(path, style_sheet(icon, path.stem).encode())
+
+        self._save("pattern", _named(picture), "css", write)
 
     def save_code(self, picture: Picture) -> None:
         """Save the colour code of a result as PNG."""
-        name = f"{_named(picture)}-colour-code"
-        self._save("colour code", name, "png", lambda path: _write(path, _code(picture)))
+        icon, colours, name = picture.icon, picture.colours, f"{_named(picture)}-colour-code"
+        content = partial(export.colour_code_png, icon, PNG_SIZE, colours)
+        self._export("colour code", name, "png", content)
 
     def copy_svg(self, picture: Picture) -> None:
         """Put a result on the clipboard: as SVG, as its markup in words, and as a picture."""
-        svg, image = _svg(picture), picture.image(PNG_SIZE)
+        svg, image = export.svg(picture.icon), picture.image(PNG_SIZE)
         data = QMimeData()
         data.setData("image/svg+xml", svg)
         data.setText(svg.decode())
@@ -103,7 +106,7 @@ class Saver(QObject):
         return ask_path(self._window, title, kinds, f".{kind}", f"{name}.{kind}")
 
     def _save(self, what: str, name: str, kind: str, write: Callable[[Path], None]) -> None:
-        path = self.ask_path(what, _file_name(name), kind)
+        path = self.ask_path(what, file_name(name), kind)
         if path is None:
             return
         self.saved.emit("")
@@ -114,9 +117,8 @@ class Saver(QObject):
             return
         self._start(lambda: _writing(path, write))
 
-    def _save_icon(self, picture: Picture, kind: str, content: Callable[[], bytes]) -> None:
-        what = "pattern" if isinstance(picture.icon, Patterned) else "icon"
-        self._save(what, _named(picture), kind, lambda path: _write(path, content()))
+    def _export(self, what: str, name: str, kind: str, content: Callable[[], bytes]) -> None:
+        self._save(what, name, kind, lambda path: write_bytes(path, content()))
 
     def _start(self, make: Callable[[], Generator[str]]) -> None:
         job = self._worker.submit(make)
@@ -139,22 +141,6 @@ def ask_path(window: QWidget, title: str, kinds: str, suffix: str, name: str) ->
     return Path(chosen[0]) if chosen else None
 
 
-def suffixed(path: Path, suffix: str) -> Path:
-    """Return a chosen path with the right suffix: no SVG is called “dog.png”, or “dog 1.2”.
-
-    Raises
-    ------
-    IconstudioError
-        If that would replace a file that the dialog did not ask about.
-    """
-    if path.suffix.lower() == suffix:
-        return path
-    path = path.with_name(f"{path.name}{suffix}")
-    if os.path.lexists(path):
-        raise IconstudioError(f"“{path}” is there already. Save under another name.")
-    return path
-
-
 def _writing(path: Path, write: Callable[[Path], None]) -> Generator[str]:
     write(path)
     yield f"“{path}”"
@@ -163,55 +149,12 @@ def _writing(path: Path, write: Callable[[Path], None]) -> Generator[str]:
 def _writing_all(folder: Path, pictures: Sequence[Picture]) -> Generator[str]:
     for done, picture in enumerate(pictures):
         try:
-            _write(_free(folder, _file_name(_named(picture))), _svg(picture))
+            path = free_path(folder, file_name(_named(picture)), ".svg")
+            write_bytes(path, export.svg(picture.icon))
         except IconstudioError as error:
             saved = f"{counted(done, 'icon')} of {len(pictures)} saved."
             raise IconstudioError(f"{saved} {error}") from None
     yield f"{counted(len(pictures), 'icon')} in “{folder}”"
-
-
-def _free(folder: Path, name: str) -> Path:
-    """Return a path in ``folder`` at which there is nothing yet."""
-    names = itertools.chain([name], (f"{name}-{number}" for number in itertools.count(2)))
-    return next(path for one in names if not os.path.lexists(path := folder / f"{one}.svg"))
-
-
-def _write(path: Path, content: bytes) -> None:
-    from iconstudio.output import png
-
-    png.write(path, content)
-
-
-def _svg(picture: Picture) -> bytes:
-    from iconstudio.output.svg import svg_document
-
-    return svg_document(picture.icon).encode()
-
-
-def _strokes(picture: Picture) -> bytes:
-    from iconstudio.algorithms.curves.outline import strokes_of
-    from iconstudio.output.svg import document
-
-    icon = picture.icon
-    return document(icon.title, icon.credits, strokes_of(icon.lines)).encode()
-
-
-def _png(picture: Picture) -> bytes:
-    from iconstudio.output import png
-
-    icon = picture.icon
-    # A pattern is saved a pixel a unit, so that it tiles to the pixel.
-    side = max(icon.size) if isinstance(icon, Patterned) else PNG_SIZE
-    return png.encoded(png.icon_pixels(icon, side))
-
-
-def _code(picture: Picture) -> bytes:
-    from iconstudio.output import png
-    from iconstudio.output.colours import colour_code
-
-    remix = picture.icon
-    pixels = colour_code(remix.composite, remix.drawing, PNG_SIZE, picture.colours)
-    return png.encoded(pixels)
 
 
 def _as_png(image: QImage) -> QByteArray:
@@ -221,12 +164,9 @@ def _as_png(image: QImage) -> QByteArray:
     return buffer.data()
 
 
+def _kind(icon: Icon) -> str:
+    return "pattern" if isinstance(icon, Patterned) else "icon"
+
+
 def _named(picture: Picture) -> str:
     return picture.name.replace(", ", "-")
-
-
-def _file_name(title: str) -> str:
-    """Return a title as the beginning of a file name."""
-    words = "".join(c if c.isalnum() else "-" for c in title.strip().lower()).strip("-")
-    short = words.encode()[:_NAME].decode(errors="ignore").strip("-")
-    return short or "icon"

@@ -12,6 +12,7 @@ from iconstudio.algorithms.scanning.binarisation import Scan
 from iconstudio.gui.exchange.icon_dialog import GAP, IconDialog, ScanView
 from iconstudio.gui.jobs.live import LiveRunner
 from iconstudio.gui.jobs.worker import Worker
+from iconstudio.gui.pictures.mipmap import fitted
 from iconstudio.gui.pictures.photo import image_of, qt_image
 from iconstudio.gui.theme.layout import push_button, row
 from iconstudio.gui.theme.theme import UNIT
@@ -200,11 +201,7 @@ def _opened(session: Session, source: ImageInput) -> Generator[object]:
     image = yield from _read(session, source)
     shown = qt_image(image)
     if max(shown.width(), shown.height()) > _SHOWN:
-        smooth, keep = (
-            Qt.TransformationMode.SmoothTransformation,
-            Qt.AspectRatioMode.KeepAspectRatio,
-        )
-        shown = shown.scaled(_SHOWN, _SHOWN, keep, smooth)
+        shown = fitted(shown, _SHOWN)
     yield image, shown
 
 

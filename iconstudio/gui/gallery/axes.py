@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 
 from PySide6.QtCore import QRectF, Qt
-from PySide6.QtGui import QPainter, QPaintEvent, QPen, QResizeEvent
-from PySide6.QtWidgets import QGridLayout, QWidget
+from PySide6.QtGui import QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QWidget
 
 from iconstudio.gui.theme import theme
 from iconstudio.gui.theme.layout import column, label
@@ -18,24 +18,19 @@ HINTS = {
 }
 """What the styles of section 3.5 look like."""
 
-_HEAD = 13 * UNIT
+HEAD = 13 * UNIT
+"""Width of the heads of rows."""
 
 
 class Scale(QWidget):
     """The axis above the columns: “smoother” on the right, and on the left ``nearer``."""
 
-    def __init__(self, nearer: str) -> None:
+    def __init__(self, nearer: str, lambdas: Sequence[float]) -> None:
         super().__init__()
-        self._lambdas: Sequence[float] = ()
-        self._nearer = nearer
+        self._nearer, self._lambdas = nearer, lambdas
         self.setFixedHeight(4 * UNIT + 4)
         self.setToolTip("λ: how much smooth seams weigh against the sketch (λ_S in the paper)")
         self.setAccessibleName("Columns: from closer to the sketch to smoother")
-
-    def set_lambdas(self, lambdas: Sequence[float]) -> None:
-        """Write the numbers of the columns."""
-        self._lambdas = lambdas
-        self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """Draw names, arrow and numbers."""
@@ -73,7 +68,7 @@ class RowHead(QWidget):
 
     def __init__(self, style: str) -> None:
         super().__init__()
-        self.setFixedWidth(_HEAD)
+        self.setFixedWidth(HEAD)
         name, hint = label(style.capitalize(), "heading"), label(HINTS.get(style, ""))
         self._count = label()
         column(None, name, hint, self._count, None, of=self, spacing=1, margins=(0, 0, UNIT, 0))
@@ -81,32 +76,3 @@ class RowHead(QWidget):
     def set_count(self, count: int | None) -> None:
         """Say how many icons the style had to choose from."""
         self._count.setText("" if count is None else f"from {count} icons")
-
-
-class Grid(QWidget):
-    """A row of cells for each style, below the scale; no cell is higher than wide."""
-
-    def __init__(self, scale: Scale) -> None:
-        super().__init__()
-        self._scale = scale
-        self._shape = 1, 1
-        self.cells = QGridLayout(self)
-        self.cells.setContentsMargins(0, 0, 0, 0)
-        self.cells.setSpacing(0)
-
-    def set_shape(self, rows: int, columns: int) -> None:
-        """Say how many rows and columns there are."""
-        self._shape = rows, columns
-        for row in range(1, max(self.cells.rowCount(), rows + 1)):
-            self.cells.setRowStretch(row, int(row <= rows))
-        self._fit()
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        """Grow no higher than the cells are wide."""
-        super().resizeEvent(event)
-        self._fit()
-
-    def _fit(self) -> None:
-        rows, columns = self._shape
-        height = self._scale.height() + rows * (self.width() - _HEAD) // columns
-        self.setMaximumHeight(max(height, self.minimumSizeHint().height()))

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem,
 
 from iconstudio.gui.gallery.display import setting
 from iconstudio.gui.gallery.sheet_model import Index, Rule
+from iconstudio.gui.pictures.mipmap import fitted
 from iconstudio.gui.pictures.picture import Display, stencil
 from iconstudio.gui.theme import icons, theme
 from iconstudio.gui.theme.painting import RADIUS, paint_frame
@@ -122,12 +123,7 @@ class SheetDelegate(QStyledItemDelegate):
     def _image(self, icon: Exemplar, scheme: theme.Theme, side: int) -> QImage:
         key = (icon.id, scheme.text, side)
         if key not in self._images:
-            keep, smooth = (
-                Qt.AspectRatioMode.KeepAspectRatio,
-                Qt.TransformationMode.SmoothTransformation,
-            )
-            image = stencil(icon.coverage, scheme.color("text"))
-            self._images[key] = image.scaled(side, side, keep, smooth)
+            self._images[key] = fitted(stencil(icon.coverage, scheme.color("text")), side)
         return self._images[key]
 
 

@@ -181,7 +181,7 @@ class SearchField(WordField):
 
     def __init__(self) -> None:
         super().__init__()
-        self.setPlaceholderText("Find an icon: lamp, dog, …")
+        self.setPlaceholderText("Find an icon: lamp")
         self.setAccessibleName("Find an icon")
 
     def keyPressEvent(self, event: QKeyEvent) -> None:

@@ -35,3 +35,9 @@ class Mipmap:
     def at(self, width: float) -> QImage:
         """Return the smallest copy with at least ``width`` pixels, or the largest there is."""
         return next((one for one in reversed(self.levels) if one.width() >= width), self.levels[0])
+
+
+def fitted(image: QImage, side: int) -> QImage:
+    """Return an image scaled smoothly, its longer side ``side`` pixels."""
+    keep, smooth = Qt.AspectRatioMode.KeepAspectRatio, Qt.TransformationMode.SmoothTransformation
+    return image.scaled(side, side, keep, smooth)

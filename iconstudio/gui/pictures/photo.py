@@ -4,10 +4,9 @@ from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 
-from iconstudio.gui.pictures.mipmap import Mipmap
+from iconstudio.gui.pictures.mipmap import Mipmap, fitted
 from iconstudio.images.reading import LONGEST, Image
 from iconstudio.model import IconstudioError, Photo
 
@@ -44,11 +43,7 @@ def image_of(image: QImage) -> Image:
         raise IconstudioError("The clipboard holds no image. Copy a photo and paste it again.")
     width, height = image.width(), image.height()
     if max(width, height) > LONGEST:
-        smooth, keep = (
-            Qt.TransformationMode.SmoothTransformation,
-            Qt.AspectRatioMode.KeepAspectRatio,
-        )
-        image = image.scaled(LONGEST, LONGEST, keep, smooth)
+        image = fitted(image, LONGEST)
     clear = image.hasAlphaChannel()
     image = image.convertToFormat(
         QImage.Format.Format_RGBA8888 if clear else QImage.Format.Format_RGB888

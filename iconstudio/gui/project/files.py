@@ -3,6 +3,7 @@
 from collections.abc import Callable, Generator
 from contextlib import closing
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -19,27 +20,12 @@ from iconstudio.gui.project.work import Work
 from iconstudio.inputs import json
 from iconstudio.inputs.formats import plain_text
 from iconstudio.model import IconstudioError
-from iconstudio.project import archive
 from iconstudio.project.archive import SUFFIX, Project
-from iconstudio.project.contents import Contents, Formats, reading
+from iconstudio.project.contents import Contents, Formats
+from iconstudio.project.files import OpenedProject, Stamp, opening, restoring, save
 from iconstudio.project.journal import LeftBehind
 from iconstudio.session import Session
 from iconstudio.workflows.files import likely_workflow
-
-_Stamp = tuple[int, int, int]
-"""Time, size and number of a file: another one, and it was written since."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class _OpenedProject:
-    """What was read, and where."""
-
-    contents: Contents
-    path: Path | None
-    found: LeftBehind | None = None
-    stamp: _Stamp | None = None
-    pictures: tuple[Picture, ...] = ()
-    """Of the results, drawn where nobody waits for them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,11 +70,13 @@ class ProjectFiles(QObject):
         self._saved: Contents | None = work.contents()
         """As it is in the file, or at the beginning; None if it never was like that."""
         self._path: Path | None = None
-        self._stamp: _Stamp | None = None
+        self._stamp: Stamp | None = None
         """Of the file as it was read or saved here."""
         self._project = 0
         """Counts the projects that were here."""
         self._modified = self._loading = False
+        self._pictures: tuple[Picture, ...] = ()
+        """Of results on pages that wait for their workspaces, so that nobody draws them again."""
         self.journaling = Journaling(self._taken, self)
         self._runner = Runner(files, self)
         self._runner.event.connect(self._receive)
@@ -117,7 +105,7 @@ class ProjectFiles(QObject):
     def new(self) -> None:
         """Start another project."""
         self._runner.cancel()
-        self._replace(_OpenedProject(Contents(), None))
+        self._replace(OpenedProject(Contents()))
 
     def choose(self) -> None:
         """Ask for a file, and open it."""
@@ -137,7 +125,7 @@ class ProjectFiles(QObject):
     def restore(self, found: LeftBehind) -> None:
         """Open work that a window left behind, still unsaved."""
         session, formats = self._session, self._work.formats
-        self._runner.start(lambda: _restoring(session, found, formats))
+        self._runner.start(lambda: _with_pictures(restoring(session, found, formats), formats))
         self.restoring.emit(True)
 
     def save(self, then: Callable[[], object] | None = None) -> None:
@@ -177,9 +165,11 @@ class ProjectFiles(QObject):
 
     # -- how it is done ------------------------------------------------------------------------
 
-    def _replace(self, opened: _OpenedProject) -> None:
+    def _replace(self, opened: OpenedProject, pictures: tuple[Picture, ...] = ()) -> None:
         """Put another project in place, once it is certain that nothing is lost."""
-        if self.may_go(lambda: self._replace(opened)):  # more may have been done while it was saved
+        again = partial(self._replace, opened, pictures)
+        if self.may_go(again):  # more may have been done while it was saved
+            self._pictures = pictures
             self._load(opened)
 
     def _write(self, path: Path, then: Callable[[], object] | None, anyway: bool = False) -> None:
@@ -187,17 +177,10 @@ class ProjectFiles(QObject):
         contents, formats, project = self._work.contents(), self._work.formats, self._project
         known = self._stamp if path == self._path and not anyway else None
 
-        def saving() -> Generator[_Stamp | None]:
-            there = _stamp(path)
-            if known is not None and there not in (None, known):
-                raise IconstudioError(
-                    f"“{path}” has changed since it was opened here, and was left as it is. "
-                    "Save this project under another name."
-                )
-            archive.save(path, contents.project(formats))
-            yield _stamp(path)
+        def saving() -> Generator[Stamp | None]:
+            yield save(path, contents.project(formats), known)
 
-        def saved(stamp: _Stamp | None) -> None:
+        def saved(stamp: Stamp | None) -> None:
             recents.note(path)
             self.remarked.emit(f"Saved “{path}”.")
             if project != self._project:  # another one has taken its place
@@ -215,13 +198,13 @@ class ProjectFiles(QObject):
 
     def _receive(self, event: object) -> None:
         match event:
-            case _OpenedProject():
-                self._replace(event)
+            case (OpenedProject() as opened, pictures):
+                self._replace(opened, pictures)
             case WorkFile():
                 self.imported.emit(event)
 
-    def _load(self, opened: _OpenedProject) -> None:
-        contents, found = opened.contents, opened.found
+    def _load(self, opened: OpenedProject) -> None:
+        contents, found = opened.contents, opened.left
         self._project += 1
         self._loading = True  # half of it is nothing to keep
         self._work.load(contents)
@@ -263,45 +246,26 @@ class ProjectFiles(QObject):
         return lambda: contents.project(formats, file=plain_text(file))
 
 
-def _stamp(path: Path) -> _Stamp | None:
-    """Return what changes when a file is written; None if there is none."""
-    try:
-        there = path.stat()
-    except OSError:
-        return None
-    return there.st_mtime_ns, there.st_size, there.st_ino
-
-
 def _opening(session: Session, path: Path, formats: Formats) -> Generator[Any]:
-    stamp = _stamp(path)
     try:
-        index, parts = archive.read(path)
+        yield from _with_pictures(opening(session, path, formats), formats)
     except IconstudioError:
         if not path.exists():
             recents.discard(path)
         raise
-    with closing(reading(session, index, parts, formats)) as steps:
-        for step in steps:
-            if isinstance(step, Contents):
-                yield _OpenedProject(step, path, None, stamp, _drawn(step, formats))
+
+
+def _with_pictures(events: Generator[Any], formats: Formats) -> Generator[Any]:
+    """Pass events on, and an opened project with the pictures of all results in it.
+
+    They are drawn where nobody waits for them.
+    """
+    with closing(events):
+        for event in events:
+            if isinstance(event, OpenedProject):
+                yield event, tuple(map(picture_of, event.contents.results(formats)))
             else:
-                yield step
-
-
-def _restoring(session: Session, found: LeftBehind, formats: Formats) -> Generator[Any]:
-    index, parts = found.read()
-    path = Path(found.file) if found.file else None
-    with closing(reading(session, index, parts, formats)) as steps:
-        for step in steps:
-            if isinstance(step, Contents):
-                yield _OpenedProject(step, path, found, pictures=_drawn(step, formats))
-            else:
-                yield step
-
-
-def _drawn(contents: Contents, formats: Formats) -> tuple[Picture, ...]:
-    kept = (icon for name, page in contents.pages.items() for icon in formats[name].kept(page))
-    return tuple(map(picture_of, (*contents.recent, *kept)))
+                yield event
 
 
 def _workflow_of(path: Path, formats: Formats) -> Generator[WorkFile]:

@@ -5,7 +5,8 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
-from iconstudio.gui.exchange.saving import ask_path, suffixed
+from iconstudio.gui.exchange.saving import ask_path
+from iconstudio.output.filenames import suffixed
 from iconstudio.project.archive import SUFFIX
 
 

@@ -3,7 +3,7 @@
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel
 
-from iconstudio.gui.theme.layout import turn_role
+from iconstudio.gui.theme.layout import show_sentence, turn_role
 
 
 class Caption(QLabel):
@@ -16,6 +16,6 @@ class Caption(QLabel):
     def say(self, text: str, error: bool = False, links: bool = False) -> None:
         """Show ``text``; only with ``links``, it is HTML."""
         self.setTextFormat(Qt.TextFormat.RichText if links else Qt.TextFormat.PlainText)
-        self.setText(text)
+        show_sentence(self, text)
         turn_role(self, "muted", not error)
         turn_role(self, "error", error)

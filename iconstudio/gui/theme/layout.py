@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from iconstudio.files import with_names
 from iconstudio.gui.theme import icons
 from iconstudio.gui.theme.theme import UNIT
 
@@ -116,6 +117,19 @@ def tool_button(
     if do is not None:
         button.clicked.connect(do)
     return button
+
+
+def show_sentence(label: QLabel, sentence: str) -> bool:
+    """Show a sentence with the names of files, their whole paths in the tool tip.
+
+    Returns
+    -------
+    Whether that is another one.
+    """
+    before, short = label.text(), with_names(sentence)
+    label.setText(short)
+    label.setToolTip(sentence if short != sentence else "")
+    return short != before
 
 
 def hidden(widget: W) -> W:

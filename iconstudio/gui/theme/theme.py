@@ -148,7 +148,8 @@ def _palette(theme: Theme) -> QPalette:
 
 
 def _style_sheet(theme: Theme) -> str:
-    sheet = Path(__file__).with_name("style.qss").read_text("utf-8")
+    here = Path(__file__).parent
+    sheet = (here / "style.qss").read_text("utf-8").replace("@here", here.as_posix())
     sheet = sheet.replace(
         "@strong;", f'font-family: "{STRONG}";' if _has_strong() else "font-weight: 600;"
     )

@@ -62,7 +62,7 @@ class MainWindow(QMainWindow):
         self.recent = RecentResults(self._destinations, self.saver)
         self.panes = QStackedWidget()
         by_name = {one.name: one for one in self._workflows}
-        self.work = Work(by_name, self.recent, self._named, self._current, self._show_named, self)
+        self.work = Work(by_name, self.recent, self._current, self._show_named, self)
         self.project = ProjectFiles(session, self.work, self._files, self)
         self.recovery = RecoveryBar(by_name)
         self._make_actions()
@@ -136,9 +136,6 @@ class MainWindow(QMainWindow):
     def _numbered(self, name: str) -> int:
         return next(n for n, one in enumerate(self._workflows) if one.name == name)
 
-    def _named(self, name: str) -> Workspace:
-        return self._pane(self._numbered(name)).workspace
-
     def _show_named(self, name: str) -> None:
         self.show_workspace(self._numbered(name))
 
@@ -161,9 +158,9 @@ class MainWindow(QMainWindow):
             workspace.kept.connect(self.recent.keep)
             workspace.send.connect(self._send)
             workspace.project.connect(lambda path: self.project.open(Path(path)))
-            self.work.watch(workspace)
             pane = self._made[number] = WorkspacePane(workspace)
             self.panes.addWidget(pane)
+            self.work.watch(workspace)
         return self._made[number]
 
     def _send(self, pictogram: Pictogram, title: str) -> None:

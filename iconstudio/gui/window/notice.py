@@ -6,7 +6,15 @@ from PySide6.QtCore import QRect, Qt, Signal
 from PySide6.QtWidgets import QFrame, QLabel, QWidget
 
 from iconstudio.gui.theme import icons
-from iconstudio.gui.theme.layout import OnResize, row, scrolled, tool_button, turn_role, with_role
+from iconstudio.gui.theme.layout import (
+    OnResize,
+    row,
+    scrolled,
+    show_sentence,
+    tool_button,
+    turn_role,
+    with_role,
+)
 from iconstudio.gui.theme.theme import UNIT
 
 _WIDEST = 110 * UNIT
@@ -88,8 +96,7 @@ class Notice(QFrame):
         for sign, shown in zip(self._signs, (not hint, hint), strict=True):
             sign.setVisible(shown)
         self.setVisible(bool(text))
-        if text and text != self.label.text():
-            self.label.setText(text)
+        if text and show_sentence(self.label, text):
             self.setAccessibleName(text)
             self._scroll.verticalScrollBar().setValue(0)
         self.resized.emit()

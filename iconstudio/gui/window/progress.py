@@ -3,7 +3,7 @@
 from PySide6.QtCore import QTimer, Signal
 from PySide6.QtWidgets import QProgressBar, QWidget
 
-from iconstudio.gui.theme.layout import label, push_button, row
+from iconstudio.gui.theme.layout import label, push_button, row, show_sentence
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.workflows.estimating import spoken
 from iconstudio.workflows.events import Progress
@@ -76,4 +76,4 @@ class StatusStrip(QWidget):
     def _write(self) -> None:
         finished = f"{self._finished} finished" if self._finished else ""
         state = " · ".join(text for text in (self._message, finished) if text)
-        self.label.setText(self._remark or state)
+        show_sentence(self.label, self._remark or state)

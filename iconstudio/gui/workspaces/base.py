@@ -62,7 +62,7 @@ class Workspace(ResultsWidget):
     project = Signal(str)
 
     page_type: ClassVar[Callable[[], Any]]
-    """Makes the page to begin with, unless a document is given."""
+    """Makes the page to begin with: its type, or a method."""
     entries: ClassVar[tuple[Entry, ...]] = ()
     """All that can be done here, beside what can be done everywhere."""
     sends_to_itself: ClassVar[bool] = True
@@ -74,22 +74,15 @@ class Workspace(ResultsWidget):
     tools: Mapping[str, Tool]
     """The tools of the canvas, by the names of the actions that take them."""
 
-    def __init__(
-        self,
-        workflow: Workflow,
-        session: Session,
-        files: Worker,
-        saver: Saver,
-        document: Document | None = None,
-    ) -> None:
+    def __init__(self, workflow: Workflow, session: Session, files: Worker, saver: Saver) -> None:
         super().__init__()
         self.workflow = workflow
         self.session = session
         self.files = files
         self.saver = saver
-        self.document = Document(self.page_type()) if document is None else document
-        self.blank = self.page
+        self.blank = self.page_type()
         """The page to begin with."""
+        self.document = Document(self.blank)
         self.pages = load_object(workflow.page_format)(workflow)
         """Writes its pages into projects."""
         self.document.setParent(self)

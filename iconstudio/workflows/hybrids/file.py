@@ -59,13 +59,12 @@ class HybridsFile(File[Mix], frozen=True):
         return self.mix(tuple(map(find, self.icons or ())))
 
     def resolving(self, resources: Resources) -> Generator[Event, None, Mix]:
-        """Return the mix; pick its icons if they are not given."""
-        from iconstudio.workflows.hybrids.selection import select
-
+        """Return the mix; pick its icons if they are not given: the seed says which group."""
         if self.icons is not None:
             return self.resolved(resources.icon)
         count = self.count or COUNT
-        return self.mix((yield from select(resources, self.word, count, self.symmetry, self.seed)))
+        picked = yield from resources.choose(self.word, count, self.symmetry, self.seed)
+        return self.mix(picked)
 
     def mix(self, icons: tuple[Pictogram, ...]) -> Mix:
         """Return the mix of these icons."""

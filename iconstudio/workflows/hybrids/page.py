@@ -1,13 +1,18 @@
 """What is mixed, and what was kept of it; and the edits of both."""
 
-from collections.abc import Sequence
+from collections.abc import Generator, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
+import numpy as np
+
 from iconstudio.model import Axis, Exemplar, IconstudioError, Mix, Point, Remix, Score, Seeds
 from iconstudio.model.mix import DRAWS
-from iconstudio.workflows.hybrids.hybrids import FEWEST, MOST
+from iconstudio.workflows.events import Event
+from iconstudio.workflows.hybrids.file import COUNT, HybridsFile
+from iconstudio.workflows.hybrids.hybrids import FEWEST, MOST, check
 from iconstudio.workflows.pages import Document
+from iconstudio.workflows.workflow import Resources
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,6 +83,31 @@ class HybridsPage:
 
 
 HybridsDocument = Document[HybridsPage]
+
+
+def page_of(
+    file: HybridsFile, name: str, resources: Resources
+) -> Generator[Event, None, HybridsPage]:
+    """Return the page that a file describes, called ``name`` if it does not say; yield progress.
+
+    Raises
+    ------
+    IconstudioError
+        If an icon is not there, or the icons cannot be mixed.
+    """
+    mix = yield from file.resolving(resources)
+    check(mix)
+    ask = None
+    if file.icons is None:
+        ask = PickRequest(file.word, file.count or COUNT, file.symmetry, file.seed)
+    pins = mix.pins or ((),) * len(mix.icons)
+    ingredients = tuple(
+        Ingredient(resources.exemplar(icon), points, picked=ask is not None)
+        for icon, points in zip(mix.icons, pins, strict=True)
+    )
+    title = file.title or name
+    return HybridsPage(ingredients, ask, mix.seed, mix.draws, mix.symmetry, name=title)
+
 
 _FULL = f"At most {MOST} icons can be mixed. Remove one first."
 
@@ -152,6 +182,15 @@ def set_pins(document: HybridsDocument, identifier: str, pins: tuple[Point, ...]
     before = next(one.pins for one in page.ingredients if one.id == identifier)
     text = "pin a part" if len(pins) > len(before) else "remove pin"
     document.change(text, replace(page, ingredients=changed))
+
+
+def on_shape(exemplar: Exemplar, point: Point) -> Point:
+    """Return the centre of the pixel of an icon's solid shape that is nearest to ``point``."""
+    from iconstudio.algorithms.raster import solid
+
+    ys, xs = np.nonzero(solid(exemplar.ink))
+    nearest = int(np.hypot(xs + 0.5 - point[0], ys + 0.5 - point[1]).argmin())
+    return float(xs[nearest]) + 0.5, float(ys[nearest]) + 0.5
 
 
 def set_seed(document: HybridsDocument, seed: int, gesture: object = None) -> None:

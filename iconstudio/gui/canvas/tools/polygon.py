@@ -1,8 +1,6 @@
 """Trace a polygon: click to add, drag to move, click an edge to insert, close on the first."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,22 +13,13 @@ from iconstudio.gui.canvas.tools.base import Pointer, Tool, nudge
 from iconstudio.gui.document.document import new_gesture
 from iconstudio.gui.theme.theme import Theme
 from iconstudio.model import Point
-from iconstudio.workflows.outline import Outline
+from iconstudio.workflows.outline import Hit, Outline
 
 GRIP = 9.0
 """Pixels within which the pointer finds a vertex."""
 
 EDGE_GRIP = 6.0
 """Pixels within which the pointer finds an edge."""
-
-
-@dataclass(frozen=True, slots=True)
-class Hit:
-    """What lies under the pointer, at ``point``: vertex ``index``, or the edge from there."""
-
-    kind: Literal["vertex", "edge"]
-    index: int
-    point: Point
 
 
 class PolygonTool(Tool):
@@ -166,22 +155,8 @@ class PolygonTool(Tool):
 
     def hit(self, pointer: Pointer) -> Hit | None:
         """Return the vertex or edge under the pointer; vertices come first."""
-        outline, camera = self.outline, pointer.camera
-        points, spot = _in_view(outline.vertices, camera), np.array(pointer.view.toTuple())
-        if not len(points):
-            return None
-        gaps = np.hypot(*(points - spot).T)
-        nearest = int(gaps.argmin())
-        if gaps[nearest] <= GRIP:
-            return Hit("vertex", nearest, outline.vertices[nearest])
-        feet = _feet(points, np.roll(points, -1, axis=0), spot)
-        gaps = np.hypot(*(feet - spot).T)
-        if not outline.closed:
-            gaps[-1] = np.inf  # the edge that would close it is not there yet
-        nearest = int(gaps.argmin())
-        if gaps[nearest] > EDGE_GRIP:
-            return None
-        return Hit("edge", nearest, camera.to_page(QPointF(*feet[nearest].tolist())))
+        zoom = pointer.camera.zoom
+        return self.outline.hit(pointer.page, GRIP / zoom, EDGE_GRIP / zoom)
 
     # -- keys ----------------------------------------------------------------------------------
 
@@ -276,13 +251,3 @@ def _in_view(vertices: Sequence[Point], camera: Camera) -> NDArray[np.float64]:
     """Return where vertices are seen, (n, 2)."""
     points = np.array(vertices, dtype=np.float64).reshape(-1, 2)
     return camera.zoom * points + (camera.x, camera.y)
-
-
-def _feet(
-    starts: NDArray[np.float64], ends: NDArray[np.float64], spot: NDArray[np.float64]
-) -> NDArray[np.float64]:
-    """Return the point of each segment that is nearest to ``spot``, (n, 2)."""
-    along = ends - starts
-    length = (along**2).sum(axis=1)
-    part = ((spot - starts) * along).sum(axis=1) / np.where(length > 0, length, 1)
-    return starts + along * part.clip(0, 1)[:, None]

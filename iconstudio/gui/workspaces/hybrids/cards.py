@@ -17,7 +17,6 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QGridLayout, QScrollArea, QWidget
 
 from iconstudio.algorithms.iconification.guidance import mirror_image
-from iconstudio.algorithms.raster import solid
 from iconstudio.gui.canvas.tools.base import NUDGES
 from iconstudio.gui.exchange.dropping import DropTarget
 from iconstudio.gui.gallery.sheet_model import credited
@@ -26,7 +25,7 @@ from iconstudio.gui.theme import theme
 from iconstudio.gui.theme.layout import tool_button, with_role
 from iconstudio.gui.theme.painting import smooth_painter
 from iconstudio.gui.theme.theme import UNIT
-from iconstudio.model import CANVAS, Axis, Exemplar, Point
+from iconstudio.model import CANVAS, Axis, Point
 from iconstudio.workflows.hybrids import page as edits
 from iconstudio.workflows.hybrids.hybrids import pinned
 from iconstudio.workflows.hybrids.page import HybridsDocument, Ingredient
@@ -184,7 +183,7 @@ class IconCard(QWidget):
         else:
             box = self._box()
             place = (spot - box.topLeft()) * CANVAS / box.width()
-            pin = on_shape(self._ingredient.exemplar, (place.x(), place.y()))
+            pin = edits.on_shape(self._ingredient.exemplar, (place.x(), place.y()))
             if pin not in pins:
                 self.pinned.emit(self._ingredient.id, (*pins, pin))
 
@@ -248,13 +247,6 @@ class Cards(QScrollArea):
             parts = pinned(pins, np.stack([one.exemplar.ink for one in ingredients]), axis)
         for card, ingredient, held in zip(self.cards, ingredients, parts, strict=True):
             card.show_icon(ingredient, axis, held)
-
-
-def on_shape(exemplar: Exemplar, point: Point) -> Point:
-    """Return the centre of the pixel of an icon's solid shape that is nearest to ``point``."""
-    ys, xs = np.nonzero(solid(exemplar.ink))
-    nearest = int(np.hypot(xs + 0.5 - point[0], ys + 0.5 - point[1]).argmin())
-    return float(xs[nearest]) + 0.5, float(ys[nearest]) + 0.5
 
 
 def _paint_pin(

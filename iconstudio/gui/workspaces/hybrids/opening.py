@@ -10,17 +10,11 @@ from PySide6.QtCore import Signal
 from iconstudio.gui.exchange.opening import IconOpener, Opened
 from iconstudio.inputs.together import ReadTogether, quoted_list
 from iconstudio.model import Exemplar
-from iconstudio.session import Session
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.hybrids import page as edits
-from iconstudio.workflows.hybrids.file import COUNT, read_hybrids
-from iconstudio.workflows.hybrids.hybrids import MOST, check
-from iconstudio.workflows.hybrids.page import (
-    HybridsDocument,
-    HybridsPage,
-    Ingredient,
-    PickRequest,
-)
+from iconstudio.workflows.hybrids.file import read_hybrids
+from iconstudio.workflows.hybrids.hybrids import MOST
+from iconstudio.workflows.hybrids.page import HybridsDocument, PickRequest, page_of
 
 
 class HybridsOpener(IconOpener):
@@ -43,7 +37,7 @@ class HybridsOpener(IconOpener):
         self, path: Path, then: Callable[[], object] = lambda: None
     ) -> Generator[Event | Opened]:
         """Yield the mix that a file describes; ``then`` is called once it is on the page."""
-        page = yield from _page(self.session, path)
+        page = yield from page_of(read_hybrids(path), path.stem, self.session)
 
         def put(document: HybridsDocument) -> None:
             document.change("open mix", replace(page, favourites=document.page.favourites))
@@ -96,30 +90,3 @@ def _there(names: Sequence[str]) -> str:
     if not names:
         return ""
     return f"{quoted_list(names)} {'is' if len(names) == 1 else 'are'} among the icons already."
-
-
-def _page(session: Session, path: Path) -> Generator[Event, None, HybridsPage]:
-    """Return the page that a file describes; yield the progress of picking its icons.
-
-    Raises
-    ------
-    IconstudioError
-        If the file is no good, an icon is not there, or the icons cannot be mixed.
-    """
-    file = read_hybrids(path)
-    ask = None
-    if file.icons is None:
-        # As without the window: the seed picks the group, too.
-        ask = PickRequest(file.word, file.count or COUNT, file.symmetry, file.seed)
-        icons = yield from session.choose(ask.keyword, ask.count, ask.symmetry, ask.group)
-        mix = file.mix(icons)
-    else:
-        mix = file.resolved(session.icon)
-    check(mix)
-    pins = mix.pins or ((),) * len(mix.icons)
-    ingredients = tuple(
-        Ingredient(session.exemplar(icon), points, picked=ask is not None)
-        for icon, points in zip(mix.icons, pins, strict=True)
-    )
-    name = file.title or path.stem
-    return HybridsPage(ingredients, ask, mix.seed, mix.draws, mix.symmetry, name=name)

@@ -48,6 +48,7 @@ class IconsColumn(QWidget):
         self.count = QSpinBox(minimum=FEWEST, maximum=MOST, value=5)
         self.count.setAccessibleName("How many icons to pick")
         self.count.setFixedSize(7 * UNIT, 4 * UNIT)
+        self.count.lineEdit().setTextMargins(UNIT, 0, 0, 0)
         tip = "Let the program pick icons of this name that mix well"
         self.pick = push_button("Pick for me", tip)
         self.cards = Cards(document)

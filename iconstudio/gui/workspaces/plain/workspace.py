@@ -9,15 +9,12 @@ from typing import Any
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
-from iconstudio.gui.document.document import Document
-from iconstudio.gui.exchange.saving import Saver
 from iconstudio.gui.gallery.detail import DetailPanel
 from iconstudio.gui.gallery.display import DisplaySwitch
 from iconstudio.gui.gallery.sheet import Sheet
 from iconstudio.gui.gallery.sheet_delegate import framed
 from iconstudio.gui.gallery.sheet_model import results_with
 from iconstudio.gui.jobs.live import LiveRunner
-from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.pictures.picture import Picture, pictured
 from iconstudio.gui.theme.layout import card, hidden, label, push_button, row, splitter
 from iconstudio.gui.workspaces.actions import Entry, work_entries
@@ -26,8 +23,6 @@ from iconstudio.gui.workspaces.plain.icons import WorkIcons
 from iconstudio.gui.workspaces.plain.opening import WorkOpener, WorkPage
 from iconstudio.inputs.together import counted
 from iconstudio.model import Pictogram
-from iconstudio.session import Session
-from iconstudio.workflows.workflow import Workflow
 
 _SIDE = 112
 """Side of a result on the sheet, in device-independent pixels."""
@@ -38,8 +33,13 @@ class PlainWorkspace(Workspace):
 
     sends_to_itself = False
 
-    def __init__(self, workflow: Workflow, session: Session, files: Worker, saver: Saver) -> None:
-        super().__init__(workflow, session, files, saver, Document(WorkPage(workflow.work())))
+    def page_type(self) -> WorkPage:
+        """Return the work to begin with."""
+        return WorkPage(self.workflow.work())
+
+    def build(self) -> None:
+        """Make panels and runs."""
+        workflow, session = self.workflow, self.session
         self.opener = WorkOpener(workflow, session, self.document, self.finder, self)
         self.work_icons = WorkIcons(session, self.finder) if workflow.with_icons else None
         self.runner = LiveRunner(
@@ -86,7 +86,10 @@ class PlainWorkspace(Workspace):
         (self.results if self.work_icons is None else self.work_icons.chooser).setFocus()
 
     def run(self) -> None:
-        """Make the icons of what is there anew; nothing of an empty page."""
+        """Make the icons of what is there anew; of an empty page, say what to do first."""
+        if self.page == self.blank:
+            how = "Choose icons" if self.work_icons else f"Open a file with a {self.workflow.noun}"
+            self.hinted.emit(f"There is nothing to run yet. {how} first.")
         self._make(self.runner.run)
 
     @property
