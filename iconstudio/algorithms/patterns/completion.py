@@ -40,6 +40,8 @@ _IN_SIGHT = 8.0
 """... and what it costs if all of the curve between them lies where it would be seen."""
 _NEAREST = 16
 """So many ends are looked at, from another one."""
+_MOST = 500
+"""Ends beneath what is connected, of which nothing is recovered if there are more: it is a mesh."""
 _STEPS = 24
 """Points of a curve."""
 
@@ -203,6 +205,8 @@ def _patches(parts: Sequence[_Hidden], covered: Bitmap, ends: bool) -> Iterator[
     for one in parts:
         regions.setdefault(one.region, []).append(one)
     for own in regions.values():
+        if len(own) > _MOST:
+            continue
         joined = _joined(own, covered)
         left = dict.fromkeys(range(len(own)))
         while left:
