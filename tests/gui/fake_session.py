@@ -67,9 +67,6 @@ from iconstudio.workflows.line_style.restyling import (
     variations,
 )
 from iconstudio.workflows.montage.montage import check as check_montage
-from iconstudio.workflows.pattern.drawing import Drawn
-from iconstudio.workflows.pattern.patterning import PatternSettings, samples
-from iconstudio.workflows.pattern.patterning import icon_of as icon_of_pattern
 from iconstudio.workflows.workflow import Workflow
 from tests.shapes import outline
 
@@ -367,13 +364,14 @@ class FakeSession:
         finally:
             self.generators_closed += 1
 
-    def pattern(self, work: Patterning, settings: PatternSettings | None) -> Iterator[Event]:
+    def pattern(self, work: Patterning, settings: object) -> Iterator[Event]:
         """A square for each motif, in its colour, at its place; smaller for a larger seed."""
+        from iconstudio.workflows.pattern.patterning import icon_of as make
+        from iconstudio.workflows.pattern.patterning import samples
+
         self.calls.append(("pattern", work, settings))
         self.thread_ids.add(threading.get_ident())
         size = samples(work)
-        settings = settings or PatternSettings()
-        make = icon_of_pattern
         try:
             for number in range(settings.seeds):
                 one = replace(work, seed=work.seed + number)
@@ -453,7 +451,9 @@ def _answered(function, *args, timeout, memory, ticket):
     return future
 
 
-def _squares(work: Patterning, size: tuple[int, int], less: float) -> Drawn:
+def _squares(work: Patterning, size: tuple[int, int], less: float):
+    from iconstudio.workflows.pattern.drawing import Drawn
+
     rows, columns = size
     fills = []
     for one in work.motifs:
