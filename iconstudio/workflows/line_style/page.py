@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, field, replace
 
-from iconstudio.inputs.line_style import check_style
+from iconstudio.inputs.line_style import check_style, with_widths
 from iconstudio.model import Line, LineStyle, Pictogram, Point, Restyling, StylePair
 from iconstudio.workflows.line_style.restyling import LARGEST, SMALLEST, STRONGEST, WEAKEST
 from iconstudio.workflows.pages import Document
@@ -86,7 +86,8 @@ def set_style(document: RestyleDocument, style: LineStyle) -> None:
 def with_example(page: RestylePage, pair: StylePair) -> LineStyle:
     """Return the style that is being drawn with one more example.
 
-    One of the other kind, with a plain stroke or without, begins another style.
+    One of the other kind, with a plain stroke or without, begins another style. What a mouse draws
+    beside what a pen does has the same width all along.
 
     Raises
     ------
@@ -95,7 +96,7 @@ def with_example(page: RestylePage, pair: StylePair) -> LineStyle:
     """
     drawn = page.drawn
     kept = () if drawn is None or bool(drawn.pairs[0].plain) != bool(pair.plain) else drawn.pairs
-    style = LineStyle(OWN, (*kept, pair))
+    style = LineStyle(OWN, with_widths((*kept, pair)))
     check_style(style)
     return style
 
