@@ -145,6 +145,19 @@ def test_widths_are_those_of_the_example():
     assert not contour.widths
 
 
+@pytest.mark.parametrize("closed", [False, True])
+@pytest.mark.parametrize("way", [1, -1])
+def test_widths_are_those_of_the_line_where_the_example_has_none(closed, way):
+    """As where a pen was pressed; it is wider to the right, whichever way it runs."""
+    ring = [(40.0, 40.0), (220.0, 40.0), (220.0, 180.0), (40.0, 180.0)]
+    points = tuple(ring if closed else ring[:2])[::way]
+    pressed = replace(line(*points, closed=closed), widths=tuple(x / 10 for x, _ in points))
+    (made,) = styled([pressed], prepare(style_of("jitter")))
+    assert len(made.widths) == len(made.points)
+    for (x, _), width in zip(made.points, made.widths, strict=True):
+        assert width == pytest.approx(x / 10, abs=1.2)
+
+
 @pytest.mark.parametrize(
     "odd",
     [

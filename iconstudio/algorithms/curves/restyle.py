@@ -97,14 +97,29 @@ def _fitting(
 
 def _line(line: Line, curve: Curve, widths: Numbers, turned: bool) -> Line:
     """Return what a line has become; it runs as it did, if its curve was ``turned`` before."""
-    points = curve.points
+    points, found = curve.points, _own_widths(line, curve.parameters, turned) * widths
     if turned:
-        points, widths = points[::-1], widths[::-1]
-    varied = line.width > 0 and np.ptp(widths) > 1e-6
+        points, found = points[::-1], found[::-1]
+    varied = line.width > 0 and np.ptp(found) > 1e-6
     return replace(
         line,
         points=tuple((point.real, point.imag) for point in points.tolist()),
-        widths=tuple((line.width * widths).tolist()) if varied else (),
+        widths=tuple(found.tolist()) if varied else (),
+    )
+
+
+def _own_widths(line: Line, at: Numbers, turned: bool) -> Numbers:
+    """Return the width of a line at parameters, which run the other way if it is ``turned``."""
+    if not line.widths:
+        return np.full(len(at), line.width)
+    last = len(line.points) - 1
+    around = slice(0, int(line.closed))
+    points = np.array((*line.points, *line.points[around])) @ [1, 1j]
+    along = np.append(0.0, np.cumsum(abs(np.diff(points))))
+    along /= along[-1]
+    widths = (*line.widths, *line.widths[around])
+    return np.interp(
+        along[last] - at if turned else at, along, widths, period=1.0 if line.closed else None
     )
 
 
