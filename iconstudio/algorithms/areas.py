@@ -199,6 +199,16 @@ def meet(one: Area, other: Area) -> bool:
     return bool(shapely.intersects(one, other))
 
 
+def meeting_boxes(starts: Points, ends: Points) -> NDArray[np.intp]:
+    """Return the pairs (n, 2) of straight sides whose bounding boxes meet, the lower number first.
+
+    Sides go from ``starts`` to ``ends``, (m, 2) each.
+    """
+    sides = shapely.linestrings(np.stack([starts, ends], axis=1))
+    one, other = shapely.STRtree(sides).query(sides)
+    return np.column_stack([one, other])[one < other]
+
+
 def size_of(area: Area) -> float:
     """Return how large an area is."""
     return float(shapely.area(area))

@@ -120,3 +120,19 @@ def test_a_closed_stroke_wider_than_what_it_encloses_is_whole(seed):
     stroke = areas.stroked(points, True, 22.2)
     assert areas.size_of(areas.without(capsules, stroke)) < 0.5
     assert areas.size_of(areas.without(stroke, capsules)) < 0.5
+
+
+@settings(max_examples=30, deadline=None)
+@given(st.lists(st.tuples(COORDINATE, COORDINATE, COORDINATE, COORDINATE), max_size=12))
+def test_sides_whose_boxes_meet_are_found(sides):
+    ends = np.array(sides, dtype=float).reshape(-1, 2, 2)
+    low, high = ends.min(axis=1), ends.max(axis=1)
+    wanted = {
+        (i, j)
+        for j in range(len(ends))
+        for i in range(j)
+        if (low[i] <= high[j]).all() and (low[j] <= high[i]).all()
+    }
+    found = areas.meeting_boxes(ends[:, 0], ends[:, 1])
+    assert set(map(tuple, found.tolist())) == wanted
+    assert len(found) == len(wanted)

@@ -122,9 +122,11 @@ def pairs_of(style: LineStyle) -> tuple[Pair, ...]:
 def _sized(
     style: LineStyle, strength: float, size: float, number: int
 ) -> tuple[Parameters, Sequence[Level]]:
-    whole = [one.scaled(size, strength) for one in pairs_of(style)]
-    smaller = [one.scaled(_SMALLER**number) for one in whole]
-    spacing = max(_FINEST, _spacing(whole) * _SMALLER**number)
+    # What is shown larger than it was drawn has the same detail: it needs no more points.
+    larger = max(size, 1.0)
+    whole = [one.scaled(size / larger, strength) for one in pairs_of(style)]
+    spacing = max(_FINEST, _spacing(whole) * larger * _SMALLER**number)
+    smaller = [one.scaled(larger * _SMALLER**number) for one in whole]
     parameters = Parameters(spacing=spacing)
     more = max(0.0, np.log(_SPACINGS[0] / spacing) / np.log(parameters.coarser))
     parameters = replace(parameters, levels=parameters.levels + round(more))

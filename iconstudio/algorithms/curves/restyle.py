@@ -18,6 +18,8 @@ __all__ = ["Prepared", "prepare", "restyled"]
 
 _ROUND = 0.3
 """An open line that encloses so much of what a circle of its length does has an inside."""
+_CLOSE = 2.0
+"""Canvas units between points of a smooth curve, at most."""
 _MEETS = 0.05
 """Canvas units between the ends of a line that is closed."""
 _SLIM = 1e-6
@@ -79,8 +81,16 @@ def _one(
         made = analogy(levels, part, parameters, seed + number, style.rotation, style.shape, own)
         pieces.append((made.curve, first, last))
         widths.append(prepared.widths(levels, made.sources))
-    curve = joined(plain, pieces)
+    curve = joined(plain, [(_smooth(one), first, last) for one, first, last in pieces])
     return curve, _fitting(curve, pieces, widths)
+
+
+def _smooth(curve: Curve) -> Curve:
+    """Return a curve whose points lie close together, as those of a large texture do not."""
+    dense = curve.resampled(_CLOSE)
+    if len(dense.points) < 2 * len(curve.points):
+        return curve
+    return replace(dense, points=curve.smoothly(dense.parameters))
 
 
 def _fitting(
