@@ -158,6 +158,16 @@ def test_widths_are_those_of_the_line_where_the_example_has_none(closed, way):
         assert width == pytest.approx(x / 10, abs=1.2)
 
 
+def test_a_dot_is_drawn_by_the_same_hand(style):
+    """It was left as it is: a disc as by a machine, among lines drawn by hand."""
+    dots = [line((128, 128), (128, 128.1), width=40), line((40, 40), width=40)]
+    for dot, made in zip(dots, styled(dots, style), strict=True):
+        assert made.closed and not made.width
+        radii = abs(np.array(made.points) @ [1, 1j] - complex(*dot.points[0]))
+        assert 0.5 < np.ptp(radii) < 12
+        assert np.mean(radii) == pytest.approx(20, abs=3)
+
+
 @pytest.mark.parametrize(
     "odd",
     [

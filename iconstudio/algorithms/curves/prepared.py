@@ -19,7 +19,7 @@ _SPACINGS = (2.0, 1.6, 1.25, 1.0, 0.8)
 _FAITHFUL = 0.12
 """A sampled example may be off by so much of what its style is off the plain line."""
 _FINEST = 0.6
-_SIZES = 6
+_SIZES = 12
 _SMALLER = 0.7
 _ROOM = 5.0
 """A closed line has room for a style if its radius is so many times the style's offset ..."""

@@ -5,12 +5,14 @@ from dataclasses import replace
 
 import numpy as np
 
+from iconstudio.algorithms.areas import outlines, stroked
 from iconstudio.algorithms.curves.constraints import Constraint
 from iconstudio.algorithms.curves.corners import joined, parted
 from iconstudio.algorithms.curves.curve import Curve, Numbers
 from iconstudio.algorithms.curves.junctions import junctions
 from iconstudio.algorithms.curves.multiresolution import analogy
 from iconstudio.algorithms.curves.prepared import Prepared, prepare, smoothed
+from iconstudio.algorithms.curves.thickness import held_back
 from iconstudio.algorithms.curves.untangling import untangled
 from iconstudio.model import Line
 
@@ -25,7 +27,7 @@ _MEETS = 0.05
 _SLIM = 1e-6
 """What encloses so little of what a circle of its length does encloses nothing."""
 _DOT = 4.0
-"""Canvas units: what is no longer than this is a dot, and stays one."""
+"""Canvas units: a stroke that is no longer than this is a dot; such a contour is too small."""
 
 
 def restyled(
@@ -36,9 +38,10 @@ def restyled(
     If they may be ``coarse``, they are the blurred ones from which the others are made.
 
     Lines that met still meet, and none cross or touch that did not. Styles with two sides show the
-    same one on the outside of whatever is closed, and of its holes within.
+    same one on the outside of whatever is closed, and of its holes within. A dot, a stroke of next
+    to no length, becomes the contour of what it covers.
     """
-    lines = [(_ring(line), prepared) for line, prepared in lines]
+    lines = [(_ring(_whole(line)), prepared) for line, prepared in lines]
     long = [number for number, (line, _) in enumerate(lines) if _length(line) > _DOT]
     made = dict(zip(long, _styled([lines[number] for number in long], seed, coarse), strict=True))
     return [made.get(number, line) for number, (line, _) in enumerate(lines)]
@@ -62,7 +65,7 @@ def _styled(lines: Sequence[tuple[Line, Prepared]], seed: int, coarse: bool) -> 
     styled = [curve for curve, _ in made]
     if styled:
         loop = max(prepared.loop for _, prepared in lines)
-        styled = untangled(plain, styled, widths, loop)
+        styled = untangled(plain, held_back(plain, styled, widths), widths, loop)
     return [
         _line(line, curve, own, turned)
         for (line, _), curve, (_, own), turned in zip(lines, styled, made, backwards, strict=True)
@@ -131,6 +134,17 @@ def _own_widths(line: Line, at: Numbers, turned: bool) -> Numbers:
     return np.interp(
         along[last] - at if turned else at, along, widths, period=1.0 if line.closed else None
     )
+
+
+def _whole(line: Line) -> Line:
+    """Return a line that has a length to be styled: of a dot, its contour."""
+    if line.width == 0 or _length(line) > _DOT:
+        return line
+    drawn = stroked(np.array(line.points, dtype=float), line.closed, line.width)
+    contour, *holes = outlines(drawn)
+    if holes:
+        return line
+    return Line(tuple((x, y) for x, y in contour.tolist()), closed=True)
 
 
 def _ring(line: Line) -> Line:
