@@ -136,3 +136,16 @@ def test_sides_whose_boxes_meet_are_found(sides):
     found = areas.meeting_boxes(ends[:, 0], ends[:, 1])
     assert set(map(tuple, found.tolist())) == wanted
     assert len(found) == len(wanted)
+
+
+def test_what_a_contour_that_crosses_itself_encloses_is_one_piece():
+    plain = np.array([(0.0, 0.0), (40, 0), (40, 40), (0, 40)])
+    assert areas.one_piece(plain, 0.8) is plain
+    loop = np.array([(0.0, 0), (18, 0), (22, -8), (18, -8), (22, 0), (40, 0), (40, 40), (0, 40)])
+    for contour in (loop, loop[::-1]):
+        outline = areas.one_piece(contour, 0.8)
+        ring = shapely.LinearRing(outline)
+        assert ring.is_simple
+        assert ring.is_ccw == shapely.LinearRing(contour).is_ccw
+        assert shapely.Polygon(ring).area == pytest.approx(1600 + 16, abs=1)
+        assert outline[:, 1].min() < -7.9

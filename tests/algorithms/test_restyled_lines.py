@@ -8,6 +8,7 @@ import shapely
 
 from iconstudio.algorithms.curves.outline import path_of
 from iconstudio.algorithms.curves.restyle import prepare, restyled
+from iconstudio.inputs.styles import named
 from iconstudio.model import Line, LineStyle, StylePair
 from tests.line_styles import STYLES, circle
 
@@ -156,6 +157,17 @@ def test_widths_are_those_of_the_line_where_the_example_has_none(closed, way):
     assert len(made.widths) == len(made.points)
     for (x, _), width in zip(made.points, made.widths, strict=True):
         assert width == pytest.approx(x / 10, abs=1.2)
+
+
+@pytest.mark.parametrize("name", ["Retraced", "Curls", "Loops"])
+def test_loops_do_not_fray_what_is_filled(name):
+    """They came off as pieces of their own, and left holes."""
+    ring = [Line(tuple(map(tuple, circle(r).points.view(float).reshape(-1, 2))), True)
+            for r in (90.0, 70.0)]  # fmt: skip
+    ring[1] = replace(ring[1], points=ring[1].points[::-1])
+    style = prepare(named(name))
+    assert style.loop > 0
+    assert len(path_of(restyled([(one, style) for one in ring], 3)).contours) == 2
 
 
 def test_a_dot_is_drawn_by_the_same_hand(style):

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from iconstudio.algorithms.areas import outlines, stroked
+from iconstudio.algorithms.areas import one_piece, outlines, stroked
 from iconstudio.algorithms.curves.constraints import Constraint
 from iconstudio.algorithms.curves.corners import joined, parted
 from iconstudio.algorithms.curves.curve import Curve, Numbers
@@ -24,6 +24,8 @@ _CLOSE = 2.0
 """Canvas units between points of a smooth curve, at most."""
 _MEETS = 0.05
 """Canvas units between the ends of a line that is closed."""
+_NECK = 0.8
+"""Canvas units by which loops of a contour hang together with it, at least."""
 _SLIM = 1e-6
 """What encloses so little of what a circle of its length does encloses nothing."""
 _DOT = 4.0
@@ -113,10 +115,13 @@ def _line(line: Line, curve: Curve, widths: Numbers, turned: bool) -> Line:
     points, found = curve.points, _own_widths(line, curve.parameters, turned) * widths
     if turned:
         points, found = points[::-1], found[::-1]
+    row = np.stack([points.real, points.imag], axis=1)
+    if line.closed and not line.width and len(row) > 3:
+        row = one_piece(row, _NECK)
     varied = line.width > 0 and np.ptp(found) > 1e-6
     return replace(
         line,
-        points=tuple((point.real, point.imag) for point in points.tolist()),
+        points=tuple((x, y) for x, y in row.tolist()),
         widths=tuple(found.tolist()) if varied else (),
     )
 
