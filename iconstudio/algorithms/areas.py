@@ -225,7 +225,8 @@ def meeting_boxes(starts: Points, ends: Points) -> NDArray[np.intp]:
     """
     sides = shapely.linestrings(np.stack([starts, ends], axis=1))
     one, other = shapely.STRtree(sides).query(sides)
-    return np.column_stack([one, other])[one < other]
+    pairs: NDArray[np.intp] = np.column_stack([one, other])[one < other]
+    return pairs
 
 
 def size_of(area: Area) -> float:

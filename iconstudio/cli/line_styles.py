@@ -35,7 +35,8 @@ class Between(click.ParamType):  # type: ignore[type-arg]  # generic only since 
 
     def __init__(self, smallest: float, largest: float, whole: bool = False) -> None:
         self._bounds = smallest, largest
-        self._read, self._kind = (int, "whole number") if whole else (float, "number")
+        self._read: type[int] | type[float] = int if whole else float
+        self._kind = "whole number" if whole else "number"
 
     def convert(
         self, value: Any, param: click.Parameter | None, ctx: click.Context | None

@@ -46,8 +46,9 @@ def carried(
 def _along(points: Sequence[Point]) -> NDArray[np.float64]:
     """Return how far along a line its points are, from 0 to 1."""
     steps = np.hypot(*np.diff(np.array(points), axis=0).T)
-    along = np.append(0.0, np.cumsum(steps))
-    return along / along[-1]
+    along: NDArray[np.float64] = np.append(0.0, np.cumsum(steps))
+    along /= max(along[-1], 1e-12)
+    return along
 
 
 def check_widths(points: WidePoints, what: str) -> None:

@@ -159,6 +159,15 @@ def test_widths_are_those_of_the_line_where_the_example_has_none(closed, way):
         assert width == pytest.approx(x / 10, abs=1.2)
 
 
+def test_a_large_texture_takes_as_many_points_as_a_small_one():
+    """Thick loops, three times as strong and four times as large, took a minute."""
+    (_, small), (_, large) = (prepare(named("Loops"), 3.0, size).whole for size in (1.0, 4.0))
+    counts = [len(levels[-1].order.arc) for levels in (small, large)]
+    assert counts[1] == pytest.approx(counts[0], rel=0.05)
+    (made,) = styled([line((20, 60), (236, 60))], prepare(named("Waves"), 1.0, 4.0))
+    assert np.hypot(*np.diff(np.array(made.points), axis=0).T).max() < 3, "smooth all the same"
+
+
 @pytest.mark.parametrize("name", ["Retraced", "Curls", "Loops"])
 def test_loops_do_not_fray_what_is_filled(name):
     """They came off as pieces of their own, and left holes."""

@@ -93,7 +93,7 @@ def _one(
 def _smooth(curve: Curve) -> Curve:
     """Return a curve whose points lie close together, as those of a large texture do not."""
     dense = curve.resampled(_CLOSE)
-    if len(dense.points) < 2 * len(curve.points):
+    if 2 * len(dense.points) < 3 * len(curve.points):
         return curve
     return replace(dense, points=curve.smoothly(dense.parameters))
 
