@@ -35,7 +35,8 @@ def held_back(
 ) -> list[Curve]:
     """Return the styled curves, nearer to the plain ones where there is little room.
 
-    ``widths`` are those of strokes, 0 of contours; strokes that overlap when plain may do so.
+    ``widths`` are those of strokes, 0 of contours. Strokes give way to other lines alone, unless
+    they overlap when plain.
     """
     reach = 2 / _PART * max(_farthest(*both) for both in zip(plain, styled, strict=True))
     step = max(_STEP, reach / _STEPS)
@@ -71,7 +72,7 @@ def _rooms(
     counts = [len(one.points) for one in curves]
     points = np.concatenate([one.points for one in curves])
     ways = np.concatenate([_ways(one, one.arc_at(one.parameters), step) for one in curves])
-    radius = np.repeat(np.array(widths) / 2, counts)
+    radius, line = (np.repeat(one, counts) for one in (np.array(widths) / 2, range(len(curves))))
     found = np.full((2, len(points)), np.inf)
     tree = cKDTree(np.stack([points.real, points.imag], axis=1))
     pairs = tree.query_pairs(reach + 2 * radius.max(), output_type="ndarray")
@@ -82,7 +83,8 @@ def _rooms(
         facing = np.minimum(abs(here), abs(there))
         share = np.clip((facing - _ASIDE) / (_FACING - _ASIDE), 0, 1)
         free = apart - radius[i] - radius[j]
-        some = (share > 0) & (free > _SAME)
+        # A stroke may come near itself, as handwriting does.
+        some = (share > 0) & (free > _SAME) & ((line[i] != line[j]) | (radius[i] == 0))
         side = np.where(here > 0, _LEFT, _RIGHT)
         np.minimum.at(found, (side[some], i[some]), free[some] / (2 * share[some]))
     return np.split(found, np.cumsum(counts)[:-1], axis=1)
