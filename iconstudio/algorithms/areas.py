@@ -199,6 +199,36 @@ def meet(one: Area, other: Area) -> bool:
     return bool(shapely.intersects(one, other))
 
 
+def one_piece(contour: Points, neck: float) -> Points:
+    """Return the outline of what a closed contour encloses: one piece that has no holes.
+
+    One that does not cross itself is that already. Loops stay, joined to the rest by necks of about
+    this width where they only touch it.
+    """
+    if shapely.is_simple(shapely.linearrings(contour)):
+        return contour
+    joined = shapely.buffer(shapely.buffer(filled([contour]), neck / 2), -neck / 2)
+    parts = shapely.get_parts(joined)
+    if not len(parts):
+        return contour
+    largest = shapely.get_exterior_ring(parts[int(shapely.area(parts).argmax())])
+    outline: Points = shapely.get_coordinates(largest)[:-1]
+    same = _signed_area(np.append(contour, contour[:1], axis=0)) > 0
+    around = _signed_area(np.append(outline, outline[:1], axis=0)) > 0
+    return outline if same == around else outline[::-1]
+
+
+def meeting_boxes(starts: Points, ends: Points) -> NDArray[np.intp]:
+    """Return the pairs (n, 2) of straight sides whose bounding boxes meet, the lower number first.
+
+    Sides go from ``starts`` to ``ends``, (m, 2) each.
+    """
+    sides = shapely.linestrings(np.stack([starts, ends], axis=1))
+    one, other = shapely.STRtree(sides).query(sides)
+    pairs: NDArray[np.intp] = np.column_stack([one, other])[one < other]
+    return pairs
+
+
 def size_of(area: Area) -> float:
     """Return how large an area is."""
     return float(shapely.area(area))

@@ -1,34 +1,42 @@
 """What ``iconstudio restyle`` and ``iconstudio scribble`` share: the options of line styles."""
 
 from collections.abc import Callable
+from concurrent.futures import wait
 from pathlib import Path
 from typing import Any
 
 import click
 
+from iconstudio.cli import running
 from iconstudio.cli.rows import row
 from iconstudio.files import check_writable
 from iconstudio.inputs.line_style import read_style
 from iconstudio.inputs.styles import bundled, named
 from iconstudio.model import IconstudioError, LineStyle
+from iconstudio.workers import Workers
 from iconstudio.workflows.line_style.restyling import (
     LARGEST,
     LARGEST_SEED,
     SMALLEST,
     STRONGEST,
     WEAKEST,
+    warm_up,
 )
 
 _SUFFIXES = (".json",)
+_SOON = 4.0
+"""Seconds that nobody minds to wait without a word."""
 
 
 class Between(click.ParamType):  # type: ignore[type-arg]  # generic only since Click 8.5
-    """A number within bounds; click's own takes NaN for one."""
+    """A number within bounds, a whole one if ``whole``; click's own takes NaN for one."""
 
     name = "number"
 
-    def __init__(self, smallest: float, largest: float) -> None:
+    def __init__(self, smallest: float, largest: float, whole: bool = False) -> None:
         self._bounds = smallest, largest
+        self._read: type[int] | type[float] = int if whole else float
+        self._kind = "whole number" if whole else "number"
 
     def convert(
         self, value: Any, param: click.Parameter | None, ctx: click.Context | None
@@ -36,11 +44,11 @@ class Between(click.ParamType):  # type: ignore[type-arg]  # generic only since 
         """Read a number."""
         smallest, largest = self._bounds
         try:
-            number = float(value)
+            number = self._read(value)
         except ValueError:
-            self.fail(f"{value!r} is no number", param, ctx)
+            self.fail(f"{value!r} is no {self._kind}", param, ctx)
         if not smallest <= number <= largest:
-            self.fail(f"give a number from {smallest:g} to {largest:g}", param, ctx)
+            self.fail(f"give a {self._kind} from {smallest:.16g} to {largest:.16g}", param, ctx)
         return number
 
 
@@ -66,7 +74,7 @@ def seed_option(function: Callable[..., Any]) -> Callable[..., Any]:
     """Add the option ``--seed``, None if it is not given."""
     return click.option(
         "--seed",
-        type=click.IntRange(0, LARGEST_SEED),
+        type=Between(0, LARGEST_SEED, whole=True),
         metavar="N",
         help="The same seed gives the same lines. Default: 0.",
     )(function)
@@ -114,6 +122,17 @@ def need_style(style: LineStyle | None) -> LineStyle:
             "lists those that come with the program."
         )
     return style
+
+
+def get_ready(workers: Workers, count: int) -> None:
+    """Have the first so many worker processes ready to restyle.
+
+    The very first time they compile what restyles, for half a minute: so it is said.
+    """
+    tasks = [workers.submit(warm_up, lane=lane) for lane in range(count)]
+    if wait(tasks, _SOON).not_done:
+        running.tell("Preparing…")
+        wait(tasks)
 
 
 def svg_name(name: str) -> Path:

@@ -99,6 +99,7 @@ def command(
             path = line_styles.svg_name(out)
             icon = session.icon(reference)
             running.tell_remarks([icon])
+            line_styles.get_ready(session.workers, 1)
             events = session.run(LINE_STYLE, asked.of(Restyling(icon=icon)))
             _write(_only(events, stopwatch), path, strokes)
 
@@ -120,6 +121,7 @@ def _restyle_file(
 
 def _reading_and_running(session: Session, file: Path, asked: _Asked) -> Generator[Event]:
     work: Restyling = yield from read_file(file, LINE_STYLE, session, running.tell)
+    line_styles.get_ready(session.workers, 1)
     yield from session.run(LINE_STYLE, asked.of(work))
 
 

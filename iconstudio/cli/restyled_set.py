@@ -6,6 +6,7 @@ from pathlib import Path
 
 import click
 
+from iconstudio.cli.line_styles import get_ready
 from iconstudio.cli.progress import ProgressBar
 from iconstudio.cli.timing import Stopwatch
 from iconstudio.cluster import Cluster
@@ -46,9 +47,13 @@ def restyle_set(
             _check_apart(folder, Path(reference))
         name = Path(reference).resolve().name if Path(reference).is_dir() else reference
         written = RestyledSet(folder, name, icons, manner)
+        if written.remark:
+            bar.say(written.remark)
         processes: Processes = Here(session.workers)
         if scheduler is not None:
             processes = closed_at_last.enter_context(Cluster(scheduler))
+        else:
+            get_ready(session.workers, session.workers.count)
         events = sets.restyle_set(icons, manner, processes, written.is_done)
         try:
             with closing(events):
@@ -62,8 +67,9 @@ def restyle_set(
             written.save()
         for done in written.finish() if written else ():
             bar.show(done, "Drawing the contact sheet")
-    _tell("Skipped ", written.skipped)
-    _tell("", written.remarks)
+    named = f"; {MANIFEST} names all" if written else ""
+    _tell("Skipped ", written.skipped, named)
+    _tell("", written.remarks, named)
     if not written:
         raise IconstudioError("No icon of the set could be restyled.")
     count = "1 icon" if len(written) == 1 else f"{len(written):,} icons"
@@ -79,9 +85,9 @@ def _check_apart(folder: Path, source: Path) -> None:
         )
 
 
-def _tell(beginning: str, sentences: Mapping[str, str]) -> None:
-    """Say what is to be known of icons, a line each."""
+def _tell(beginning: str, sentences: Mapping[str, str], named: str) -> None:
+    """Say what is to be known of icons, a line each; of very many, where they are ``named``."""
     for identifier, sentence in sorted(sentences.items())[:_TOLD]:
         click.echo(" ".join(f"{beginning}{identifier}: {sentence}".split()), err=True)
     if (more := len(sentences) - _TOLD) > 0:
-        click.echo(f"So of {more} more icons; {MANIFEST} names all.", err=True)
+        click.echo(f"So of {more} more icons{named}.", err=True)

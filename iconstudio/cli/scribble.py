@@ -29,6 +29,7 @@ def command(style: LineStyle | None, length: float, out: str, seed: int | None) 
     style = line_styles.need_style(style)
     path = line_styles.svg_name(out)
     with Workers(1) as workers:
+        line_styles.get_ready(workers, workers.count)
         task = scribbled, style, length, seed or 0
         drawing = workers.submit(*task, timeout=SECONDS, memory=MEMORY)
         line, size = answer(drawing, "Drawing the line", "Ask for a shorter one.")

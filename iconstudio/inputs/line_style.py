@@ -6,6 +6,7 @@
 """
 
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 from math import dist
 from pathlib import Path
 from typing import Annotated, Self, TypeVar
@@ -16,6 +17,7 @@ from iconstudio.files import write_bytes
 from iconstudio.inputs import json
 from iconstudio.inputs.formats import MOST_POINTS, Many, StrictRecord, Text, plain_text
 from iconstudio.inputs.lines import rounded
+from iconstudio.inputs.wide_points import Length, WidePoints, check_widths, parted, wide_points
 from iconstudio.model import CANVAS, IconstudioError, Line, LineStyle, Point, StylePair
 
 VERSION = 1
@@ -26,41 +28,30 @@ LONGEST = 20_000.0
 """Length of all styled strokes together; learning takes time and memory in proportion."""
 SHORTEST = 10.0
 """Length of a styled stroke: about a neighbourhood of the finest texture."""
-FAR = 20.0 * CANVAS
-"""No coordinate is larger."""
+_EVEN = 1.0
+"""Width of a stroke that has the same all along: only how it changes is learned."""
 
 T = TypeVar("T")
-_Length = Annotated[float, Meta(ge=-FAR, le=FAR)]
-_Points = Annotated[tuple[tuple[_Length, _Length], ...], Meta(max_length=MOST_POINTS)]
-_WidePoint = Annotated[
-    tuple[_Length, ...],
-    Meta(min_length=2, max_length=3, title="point"),
-]
-_WidePoints = Annotated[tuple[_WidePoint, ...], Meta(max_length=MOST_POINTS)]
+_Points = Annotated[tuple[tuple[Length, Length], ...], Meta(max_length=MOST_POINTS)]
 
 
 class PairFile(StrictRecord, frozen=True):
     """An example: a stroke in the style, and the plain one it was made of, if any."""
 
-    styled: _WidePoints
+    styled: WidePoints
     plain: _Points = ()
     closed: bool = False
 
     @classmethod
     def of(cls, pair: StylePair) -> Self:
         """Return a pair as it is written: to a hundredth of a unit."""
-        styled: _WidePoints = rounded(pair.styled)
-        if pair.widths:
-            styled = tuple(
-                (x, y, round(width, 2)) for (x, y), width in zip(styled, pair.widths, strict=True)
-            )
+        styled = wide_points(pair.styled, pair.widths)
         return cls(styled, rounded(pair.plain), pair.closed)
 
     @property
     def pair(self) -> StylePair:
         """The value."""
-        points = tuple((point[0], point[1]) for point in self.styled)
-        widths = tuple(point[2] for point in self.styled if len(point) == 3)
+        points, widths = parted(self.styled)
         if len(points) == len(self.plain):  # they stay side by side
             kept = _thinned(range(len(points)))
             plain = tuple(self.plain[index] for index in kept)
@@ -71,7 +62,12 @@ class PairFile(StrictRecord, frozen=True):
     @property
     def length(self) -> float:
         """The length of the styled stroke."""
-        return _length(tuple((point[0], point[1]) for point in self.styled), self.closed)
+        return _length(parted(self.styled)[0], self.closed)
+
+    @property
+    def has_widths(self) -> bool:
+        """Whether the styled stroke has a width at each of its points."""
+        return bool(self.styled) and len(self.styled[0]) == 3
 
     def check(self) -> None:
         """Refuse what nothing can be learned from."""
@@ -79,13 +75,7 @@ class PairFile(StrictRecord, frozen=True):
             raise IconstudioError(
                 f"The styled stroke has {_count(len(self.styled))}; it needs at least 3."
             )
-        if len({len(point) for point in self.styled}) > 1:
-            raise IconstudioError(
-                "Some points of the styled stroke have a width, and some have none. "
-                "Give all of them one, or none."
-            )
-        if any(len(point) == 3 and not 0 <= point[2] <= CANVAS for point in self.styled):
-            raise IconstudioError(f"Widths of the styled stroke are from 0 to {CANVAS}.")
+        check_widths(self.styled, "styled stroke")
         if self.length < SHORTEST:
             raise IconstudioError(
                 f"The styled stroke is {self.length:.3g} units long; it needs at least "
@@ -130,6 +120,8 @@ class StyleFile(StrictRecord, frozen=True):
         """Refuse what nothing can be learned from, or too much to learn."""
         if not self.name.strip():
             raise IconstudioError('"name" is empty: give the style a name.')
+        if len(self.name.splitlines()) > 1:
+            raise IconstudioError('"name" has a line break. Write it on one line.')
         if not self.pairs:
             raise IconstudioError(
                 'There is no pair. Add at least one: {"styled": [[x, y], ...]} is enough.'
@@ -137,6 +129,16 @@ class StyleFile(StrictRecord, frozen=True):
         if len({bool(one.plain) for one in self.pairs}) > 1:
             raise IconstudioError(
                 "Some pairs have a plain stroke, and some have none. Give one to all, or to none."
+            )
+        if self.shape and not self.pairs[0].plain:
+            raise IconstudioError(
+                '"shape" is true, but the pairs have no plain strokes, whose shape would count. '
+                'Give each its "plain" stroke, or leave "shape" out.'
+            )
+        if len({one.has_widths for one in self.pairs}) > 1:
+            raise IconstudioError(
+                "The points of some pairs have widths, and those of others have none. "
+                "Give widths to all pairs, or to none."
             )
         length = sum(one.length for one in self.pairs)
         if length > LONGEST:
@@ -188,6 +190,16 @@ def write_style(path: Path, style: LineStyle) -> None:
     write_bytes(path, written(style).encode())
 
 
+def with_widths(pairs: Iterable[StylePair]) -> tuple[StylePair, ...]:
+    """Return examples that all have widths if one has: the same all along where there were none."""
+    pairs = tuple(pairs)
+    if not any(one.widths for one in pairs):
+        return pairs
+    return tuple(
+        one if one.widths else replace(one, widths=(_EVEN,) * len(one.styled)) for one in pairs
+    )
+
+
 def style_of_lines(lines: Iterable[Line], name: str) -> LineStyle:
     """Return the style of lines, as of an SVG file: each long enough is an example by itself.
 
@@ -196,7 +208,7 @@ def style_of_lines(lines: Iterable[Line], name: str) -> LineStyle:
     IconstudioError
         If none is long enough.
     """
-    strokes = tuple(
+    strokes = with_widths(
         StylePair(line.points, closed=line.closed, widths=line.widths)
         for line in lines
         if len(line.points) >= 3 and _length(line.points, line.closed) >= SHORTEST
@@ -206,7 +218,7 @@ def style_of_lines(lines: Iterable[Line], name: str) -> LineStyle:
             f"“{name}” has no line of at least 3 points and {SHORTEST:g} units of a canvas of "
             f"{CANVAS} to learn from. Draw a longer one."
         )
-    file = StyleFile(plain_text(name), tuple(map(PairFile.of, strokes)))
+    file = StyleFile(" ".join(plain_text(name).split()), tuple(map(PairFile.of, strokes)))
     file.check()
     return file.style
 

@@ -50,15 +50,15 @@ class _Entry(msgspec.Struct, frozen=True):
 
 
 class _Manifest(msgspec.Struct, frozen=True):
-    program: str
-    set: str
-    style: str
-    strength: float
-    size: float
-    seed: int
-    strokes: bool
-    files: dict[str, _Entry]
-    skipped: dict[str, str]
+    program: str = __version__
+    set: str = ""
+    style: str = ""
+    strength: float = 1.0
+    size: float = 1.0
+    seed: int = 0
+    strokes: bool = False
+    files: dict[str, _Entry] = {}
+    skipped: dict[str, str] = {}
     sheets: tuple[str, ...] = ()
 
 
@@ -68,7 +68,8 @@ class RestyledSet:
     Raises
     ------
     IconstudioError
-        On construction and from every method, if the folder cannot be written.
+        On construction and from every method, if the folder cannot be written; on construction also
+        if it holds the icons of another set, or of this one in another style.
     """
 
     def __init__(self, folder: Path, name: str, members: Sequence[Member], manner: Manner) -> None:
@@ -77,10 +78,14 @@ class RestyledSet:
         self._how = _digest(repr((_FORMAT, __version__, manner)).encode(errors="replace"))
         stems = file_stems({one.id: one.name for one in members})
         self._files = {identifier: f"{stem}.svg" for identifier, stem in stems.items()}
-        self._before, self._sheets = _read(folder / MANIFEST)
+        before = _read(folder / MANIFEST)
+        self._check(before)
+        self._before, self._sheets = before.files, before.sheets
         self._done: dict[str, _Entry] = {}
         self.skipped: dict[str, str] = {}
         """The icons that could not be restyled, and why."""
+        self.remark = self._remark(before)
+        """What a user should know of icons that are replaced; empty if there is nothing."""
         self._saved = monotonic()
         remove_abandoned(folder)
 
@@ -125,10 +130,11 @@ class RestyledSet:
             self.save()
 
     def save(self) -> None:
-        """Write the manifest, if there is anything to say."""
+        """Write the manifest, if there is an icon."""
         files = self._before | self._done
-        if files or self.skipped:
-            self._folder.write(MANIFEST, self._encoded(files))
+        if files:
+            manifest = msgspec.json.encode(self._manifest(files))
+            self._folder.write(MANIFEST, msgspec.json.format(manifest, indent=1))
         self._saved = monotonic()
 
     def finish(self) -> Iterator[float]:
@@ -166,9 +172,30 @@ class RestyledSet:
         said = self._how, member.id, _digest(own)
         return _digest(repr(said).encode(errors="replace"))
 
-    def _encoded(self, files: dict[str, _Entry]) -> bytes:
+    def _check(self, before: _Manifest) -> None:
+        """Refuse to replace what a run of something else has made."""
+        if before.files and (before.set, before.style) != (self._name, self._manner.style.name):
+            raise IconstudioError(
+                f"“{self._path}” holds icons of {before.set} in the style {before.style}. "
+                "Choose another folder, or remove that one."
+            )
+
+    def _remark(self, before: _Manifest) -> str:
+        now = self._manifest({})
+        others = [
+            f"{name} {getattr(before, name):.15g}"
+            for name in ("strength", "size", "seed")
+            if getattr(before, name) != getattr(now, name)
+        ]
+        if before.strokes != now.strokes:
+            others.append("--strokes" if before.strokes else "without --strokes")
+        if not (before.files and others):
+            return ""
+        return f"The icons in “{self._path}” are replaced; they were made with {', '.join(others)}."
+
+    def _manifest(self, files: dict[str, _Entry]) -> _Manifest:
         manner = self._manner
-        manifest = _Manifest(
+        return _Manifest(
             __version__,
             self._name,
             manner.style.name,
@@ -180,20 +207,20 @@ class RestyledSet:
             dict(sorted(self.skipped.items())),
             self._sheets,
         )
-        return msgspec.json.format(msgspec.json.encode(manifest), indent=1)
 
 
-def _read(path: Path) -> tuple[dict[str, _Entry], tuple[str, ...]]:
-    """Return what a manifest says of files beside it, and the sheets that it names.
+def _read(path: Path) -> _Manifest:
+    """Return a manifest, with those of its files and sheets that may lie beside it.
 
-    That is nothing if there is none, or it is broken.
+    It names none if there is none, or it is broken.
     """
     try:
         manifest = msgspec.json.decode(read_bytes(path, _MOST_BYTES), type=_Manifest)
     except (IconstudioError, msgspec.MsgspecError, RecursionError, UnicodeDecodeError):
-        return {}, ()
-    icons = {name: one for name, one in manifest.files.items() if _ICON.fullmatch(name)}
-    return icons, tuple(filter(_SHEET.fullmatch, manifest.sheets))
+        return _Manifest()
+    files = {name: one for name, one in manifest.files.items() if _ICON.fullmatch(name)}
+    sheets = tuple(filter(_SHEET.fullmatch, manifest.sheets))
+    return msgspec.structs.replace(manifest, files=files, sheets=sheets)
 
 
 def _digest(data: bytes) -> str:

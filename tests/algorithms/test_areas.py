@@ -120,3 +120,32 @@ def test_a_closed_stroke_wider_than_what_it_encloses_is_whole(seed):
     stroke = areas.stroked(points, True, 22.2)
     assert areas.size_of(areas.without(capsules, stroke)) < 0.5
     assert areas.size_of(areas.without(stroke, capsules)) < 0.5
+
+
+@settings(max_examples=30, deadline=None)
+@given(st.lists(st.tuples(COORDINATE, COORDINATE, COORDINATE, COORDINATE), max_size=12))
+def test_sides_whose_boxes_meet_are_found(sides):
+    ends = np.array(sides, dtype=float).reshape(-1, 2, 2)
+    low, high = ends.min(axis=1), ends.max(axis=1)
+    wanted = {
+        (i, j)
+        for j in range(len(ends))
+        for i in range(j)
+        if (low[i] <= high[j]).all() and (low[j] <= high[i]).all()
+    }
+    found = areas.meeting_boxes(ends[:, 0], ends[:, 1])
+    assert set(map(tuple, found.tolist())) == wanted
+    assert len(found) == len(wanted)
+
+
+def test_what_a_contour_that_crosses_itself_encloses_is_one_piece():
+    plain = np.array([(0.0, 0.0), (40, 0), (40, 40), (0, 40)])
+    assert areas.one_piece(plain, 0.8) is plain
+    loop = np.array([(0.0, 0), (18, 0), (22, -8), (18, -8), (22, 0), (40, 0), (40, 40), (0, 40)])
+    for contour in (loop, loop[::-1]):
+        outline = areas.one_piece(contour, 0.8)
+        ring = shapely.LinearRing(outline)
+        assert ring.is_simple
+        assert ring.is_ccw == shapely.LinearRing(contour).is_ccw
+        assert shapely.Polygon(ring).area == pytest.approx(1600 + 16, abs=1)
+        assert outline[:, 1].min() < -7.9

@@ -8,6 +8,7 @@ import shapely
 
 from iconstudio.algorithms.curves.outline import path_of
 from iconstudio.algorithms.curves.restyle import prepare, restyled
+from iconstudio.inputs.styles import named
 from iconstudio.model import Line, LineStyle, StylePair
 from tests.line_styles import STYLES, circle
 
@@ -143,6 +144,49 @@ def test_widths_are_those_of_the_example():
         [replace(line((20, 60), (236, 60), (128, 200)), width=0, closed=True)], style
     )
     assert not contour.widths
+
+
+@pytest.mark.parametrize("closed", [False, True])
+@pytest.mark.parametrize("way", [1, -1])
+def test_widths_are_those_of_the_line_where_the_example_has_none(closed, way):
+    """As where a pen was pressed; it is wider to the right, whichever way it runs."""
+    ring = [(40.0, 40.0), (220.0, 40.0), (220.0, 180.0), (40.0, 180.0)]
+    points = tuple(ring if closed else ring[:2])[::way]
+    pressed = replace(line(*points, closed=closed), widths=tuple(x / 10 for x, _ in points))
+    (made,) = styled([pressed], prepare(style_of("jitter")))
+    assert len(made.widths) == len(made.points)
+    for (x, _), width in zip(made.points, made.widths, strict=True):
+        assert width == pytest.approx(x / 10, abs=1.2)
+
+
+def test_a_large_texture_takes_as_many_points_as_a_small_one():
+    """Thick loops, three times as strong and four times as large, took a minute."""
+    (_, small), (_, large) = (prepare(named("Loops"), 3.0, size).whole for size in (1.0, 4.0))
+    counts = [len(levels[-1].order.arc) for levels in (small, large)]
+    assert counts[1] == pytest.approx(counts[0], rel=0.05)
+    (made,) = styled([line((20, 60), (236, 60))], prepare(named("Waves"), 1.0, 4.0))
+    assert np.hypot(*np.diff(np.array(made.points), axis=0).T).max() < 3, "smooth all the same"
+
+
+@pytest.mark.parametrize("name", ["Retraced", "Curls", "Loops"])
+def test_loops_do_not_fray_what_is_filled(name):
+    """They came off as pieces of their own, and left holes."""
+    ring = [Line(tuple(map(tuple, circle(r).points.view(float).reshape(-1, 2))), True)
+            for r in (90.0, 70.0)]  # fmt: skip
+    ring[1] = replace(ring[1], points=ring[1].points[::-1])
+    style = prepare(named(name))
+    assert style.loop > 0
+    assert len(path_of(restyled([(one, style) for one in ring], 3)).contours) == 2
+
+
+def test_a_dot_is_drawn_by_the_same_hand(style):
+    """It was left as it is: a disc as by a machine, among lines drawn by hand."""
+    dots = [line((128, 128), (128, 128.1), width=40), line((40, 40), width=40)]
+    for dot, made in zip(dots, styled(dots, style), strict=True):
+        assert made.closed and not made.width
+        radii = abs(np.array(made.points) @ [1, 1j] - complex(*dot.points[0]))
+        assert 0.5 < np.ptp(radii) < 12
+        assert np.mean(radii) == pytest.approx(20, abs=3)
 
 
 @pytest.mark.parametrize(

@@ -7,6 +7,7 @@ import sys
 import numpy as np
 import pytest
 
+from iconstudio.cli import line_styles
 from iconstudio.cli.app import run
 from iconstudio.inputs.line_style import write_style
 from iconstudio.inputs.styles import named
@@ -57,7 +58,7 @@ def test_an_icon_in_a_style_by_name_and_by_file(tmp_path, capsys):
     assert [one.author for one in credits] == ["Lucide Contributors", "Iconstudio"]
     restyled = ink(out.read_text("utf-8"))
     assert 0 < (restyled ^ plain).sum() < 0.7 * plain.sum()
-    assert "".join(capsys.readouterr()) == ""
+    assert "".join(capsys.readouterr()).replace("Preparing…\n", "") == ""
 
 
 def test_strokes_look_like_the_outline(tmp_path):
@@ -141,7 +142,11 @@ def test_a_line_of_very_many_points_is_told_to_be_simplified(tmp_path, capsys):
         (["restyle", "no.json", "--out", "x"], "cannot be read"),
         (["restyle", "a:b", "--style", "shaky", "--strength", "nan", "--out", "x.svg"], "from 0.1"),
         (["restyle", "a:b", "--style", "shaky", "--size", "9", "--out", "x.svg"], "to 4"),
-        (["restyle", "a:b", "--style", "shaky", "--seed", "-1", "--out", "x.svg"], "--seed"),
+        (["restyle", "a:b", "--style", "shaky", "--seed", "-1", "--out", "x.svg"], "whole number"),
+        (
+            ["restyle", "a:b", "--style", "shaky", "--seed", "1e300", "--out", "x.svg"],
+            "'1e300' is no whole number",
+        ),
         (
             ["restyle", "a:b", "--scheduler", "x", "--style", "shaky", "--out", "x.svg"],
             "whole sets",
@@ -188,7 +193,29 @@ def test_nothing_but_broken_icons(tmp_path, capsys):
     words = ["restyle", "--set", str(tmp_path / "in"), "--style", "Shaky"]
     assert run([*words, "--out", str(tmp_path / "out")], None) == 2
     assert "No icon of the set could be restyled." in capsys.readouterr().err
-    assert not list((tmp_path / "out").glob("*.svg"))
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_folder_of_another_style_is_left_alone_and_one_of_other_options_told(
+    tmp_path, icons, capsys
+):
+    out = tmp_path / "out"
+    words = ["restyle", "--set", str(icons), "--out", str(out), "--style"]
+    assert run([*words, "Shaky"], None) == 0
+    before = {one: one.read_bytes() for one in out.iterdir()}
+    capsys.readouterr()
+    assert run([*words, "Torn"], None) == 2
+    assert "holds icons of icons in the style Shaky. Choose another" in capsys.readouterr().err
+    assert {one: one.read_bytes() for one in out.iterdir()} == before
+    assert run([*words, "Shaky", "--seed", "5"], None) == 0
+    assert "are replaced; they were made with seed 0" in capsys.readouterr().err
+
+
+def test_what_takes_long_the_first_time_is_said(tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr(line_styles, "_SOON", 0.0)
+    words = ["scribble", "--style", "waves", "--length", "90", "--out", str(tmp_path / "a.svg")]
+    assert run(words, None) == 0
+    assert capsys.readouterr().err == "Preparing…\n"
 
 
 def test_originals_are_never_written_over(icons, capsys):

@@ -4,6 +4,7 @@ import json
 import math
 import threading
 
+import numpy as np
 import pytest
 from fake_session import exemplar
 from hands import action, at, go_to, press, save_to, threads_alive
@@ -215,34 +216,40 @@ def test_an_example_too_short_to_learn_from_is_told(restyled, qtbot):
     assert restyled.page == before
 
 
-def test_a_pen_draws_an_example_with_its_pressure(restyled):
-    pad = restyled.example.pad
-    pen = QPointingDevice(
+def write(widget, spots, pressures):
+    """Draw with a pen."""
+    device = QPointingDevice(
         "pen", 1, QInputDevice.DeviceType.Stylus, QPointingDevice.PointerType.Pen,
         QInputDevice.Capability.Pressure, 1, 1,
     )  # fmt: skip
-    types = [QEvent.Type.TabletPress, *[QEvent.Type.TabletMove] * 60, QEvent.Type.TabletRelease]
-    for number, kind in enumerate(types):
-        spot, pressed = QPointF(20 + 3 * number, 60 + number % 5), 0.2 + number / 100
-        event = QTabletEvent(
-            kind,
-            pen,
-            spot,
-            spot,
-            pressed,
-            0,
-            0,
-            0,
-            0,
-            0,
-            Qt.KeyboardModifier.NoModifier,
-            LEFT,
-            LEFT,
-        )
-        QApplication.sendEvent(pad, event)
+    kinds = [QEvent.Type.TabletPress, *[QEvent.Type.TabletMove] * (len(spots) - 2)]
+    for kind, spot, pressed in zip(
+        [*kinds, QEvent.Type.TabletRelease], map(QPointF, spots), pressures, strict=True
+    ):
+        event = QTabletEvent(kind, device, spot, spot, pressed, 0, 0, 0, 0, 0, NONE, LEFT, LEFT)
+        QApplication.sendEvent(widget, event)
+
+
+PRESSED = [n / 100 for n in range(100)]
+
+
+def test_a_pen_draws_an_example_with_its_pressure(restyled):
+    write(restyled.example.pad, WAVE, PRESSED)
     (pair,) = restyled.page.work.style.pairs
     assert len(pair.widths) == len(pair.styled)
     assert pair.widths[0] < pair.widths[-1]
+
+
+def test_a_pen_draws_lines_with_its_pressure(restyled, qtbot):
+    """They had one width."""
+    restyled.actions_by_name["pen"].trigger()
+    write(restyled.view, [at(restyled, (40 + 1.5 * n, 220.0)) for n in range(100)], PRESSED)
+    (line,) = restyled.page.work.strokes
+    assert len(line.widths) == len(line.points)
+    assert line.widths[0] < 5 < 12 < line.widths[-1] <= line.width
+    settled(restyled, qtbot)
+    made = restyled.picture.icon.lines[-1]
+    assert np.mean(made.widths[:20]) < 6 < 10 < np.mean(made.widths[-20:])
 
 
 def test_lines_can_be_drawn_and_removed(restyled, qtbot):

@@ -1,6 +1,7 @@
 """Files of line styles: what is written is read, and every mistake ends in one sentence."""
 
 import os
+from dataclasses import replace
 from json import dumps
 from math import inf, nan
 from pathlib import Path
@@ -22,6 +23,7 @@ from iconstudio.inputs.styles import bundled, named
 from iconstudio.model import CANVAS, IconstudioError, Line, LineStyle, StylePair
 
 STROKE = [[0, 0], [50, 5], [100, 0]]
+WIDE = [[*point, 3] for point in STROKE]
 HUNDREDTHS = st.integers(-200 * CANVAS, 200 * CANVAS).map(lambda number: number / 100)
 WIDTHS = st.integers(0, 100 * CANVAS).map(lambda number: number / 100)
 
@@ -35,7 +37,7 @@ def style_of(text, *tell):
 
 
 @st.composite
-def pairs(draw, plain):
+def pairs(draw, plain, wide):
     points = st.lists(st.tuples(HUNDREDTHS, HUNDREDTHS), min_size=3, max_size=4, unique=True)
     far = ((0.0, 0.0), (SHORTEST, 0.0))
     styled = (*far, *draw(points))
@@ -43,21 +45,22 @@ def pairs(draw, plain):
         styled,
         (*far, *draw(points)) if plain else (),
         draw(st.booleans()),
-        tuple(draw(WIDTHS) for _ in styled) if draw(st.booleans()) else (),
+        (1.0, *(draw(WIDTHS) for _ in styled[1:])) if wide else (),
     )
 
 
 @st.composite
 def styles(draw):
     texts = st.text(st.characters(exclude_characters="\0", codec="utf-8"), max_size=9)
-    one = pairs(draw(st.booleans()))
+    plain, wide = draw(st.booleans()), draw(st.booleans())
+    one = pairs(plain, wide)
     return LineStyle(
-        "a" + draw(texts),
+        " ".join(["a", *draw(texts).splitlines()]),
         tuple(draw(one) for _ in range(draw(st.integers(1, 2)))),
         draw(texts),
         draw(texts),
         draw(st.booleans()),
-        draw(st.booleans()),
+        plain and draw(st.booleans()),
     )
 
 
@@ -75,7 +78,7 @@ def test_a_file_is_as_short_as_can_be(tmp_path):
 
 
 def test_widths_are_learned():
-    (pair,) = style_of(dumps({"name": "a", "pairs": [{"styled": [[*p, 3] for p in STROKE]}]})).pairs
+    (pair,) = style_of(dumps({"name": "a", "pairs": [{"styled": WIDE}]})).pairs
     assert pair.widths == (3, 3, 3)
 
 
@@ -119,6 +122,17 @@ def pair(**more):
         (pair(styled=[[x, y, -1] for x, y in STROKE]), "Widths of the styled stroke are from 0"),
         (pair(styled=[[i % 2 * 5000, i] for i in range(9)]), "Scale them down, or leave some out"),
         ({"name": "a", "pairs": [{"styled": STROKE}, {"styled": STROKE, "plain": STROKE}]}, "none"),
+        (
+            {"name": "a", "pairs": [{"styled": STROKE}, {"styled": WIDE}]},
+            "Give widths to all pairs",
+        ),
+        (pair(styled=[[*p, 0] for p in STROKE]), "All widths of the styled stroke are 0"),
+        ({**pair(), "shape": True}, "no plain strokes, whose shape would count"),
+        ({**pair(), "name": "a\nb"}, '"name" has a line break. Write it on one line.'),
+        ({**pair(), "name": "a\u2028b"}, '"name" has a line break'),
+        (pair(styled=[[0, 0], [1e300, 1], [9, 9]]), "is out of all scale: [1e+300, 1]"),
+        (pair(styled=[[0, 0, 1], [5, 5, 1e300], [9, 9, 1]]), "is out of all scale"),
+        ({**pair(), "rotation": 1e300}, '"rotation" must be true or false'),
     ],
 )
 def test_every_mistake_ends_in_a_sentence(data, words):
@@ -140,6 +154,9 @@ def test_lines_long_enough_are_examples():
     assert style_of_lines((short, long, short), "a").pairs == (
         StylePair(long.points, widths=(1, 2, 3)),
     )
+    even = replace(long, widths=())
+    assert [one.widths for one in style_of_lines((long, even), "a").pairs] == [(1, 2, 3), (1, 1, 1)]
+    assert style_of_lines((long,), "a\nb").name == "a b", "files may be called so"
     with pytest.raises(IconstudioError, match=r"“a\.svg” has no line of at least"):
         style_of_lines((short,), "a.svg")
 

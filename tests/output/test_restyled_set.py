@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from PIL import Image
 
 from iconstudio.inputs.styles import named
-from iconstudio.model import Credit, Pictogram
+from iconstudio.model import Credit, IconstudioError, Pictogram
 from iconstudio.model.icon_set import Member
 from iconstudio.output import restyled_set
 from iconstudio.output.credits import credits_page
@@ -83,6 +83,30 @@ def test_what_is_there_is_taken_over_if_nothing_has_changed(tmp_path):
     assert done(tmp_path) == [name for name in NAMES if name != "dog"]
     changed = replace(MEMBERS[4].read(), svg="<svg>other</svg>")
     assert not RestyledSet(tmp_path, "set", MEMBERS, MANNER).is_done(MEMBERS[4], changed)
+
+
+def test_icons_of_another_set_or_in_another_style_are_not_replaced(tmp_path):
+    written(tmp_path)
+    before = {one: one.read_bytes() for one in tmp_path.iterdir()}
+    for name, manner in (("other", MANNER), ("set", replace(MANNER, style=named("Torn")))):
+        with pytest.raises(IconstudioError, match="holds icons of set in the style Shaky"):
+            RestyledSet(tmp_path, name, MEMBERS, manner)
+    assert {one: one.read_bytes() for one in tmp_path.iterdir()} == before
+
+
+def test_icons_made_with_other_options_are_replaced_and_this_is_told(tmp_path):
+    assert not written(tmp_path).remark
+    other = replace(MANNER, strength=1.5, seed=7, strokes=True)
+    remark = written(tmp_path, manner=other).remark
+    assert "are replaced; they were made with strength 1, seed 0, without --strokes." in remark
+    assert not RestyledSet(tmp_path, "set", MEMBERS, other).remark
+
+
+def test_where_nothing_is_restyled_no_folder_is_made(tmp_path):
+    result = RestyledSet(tmp_path / "new", "set", MEMBERS, MANNER)
+    result.add(MemberSkipped(MEMBERS[0], "It is empty."))
+    result.save()
+    assert not (tmp_path / "new").exists()
 
 
 def test_a_run_that_was_killed_loses_only_what_is_newer_than_the_manifest(tmp_path, monkeypatch):

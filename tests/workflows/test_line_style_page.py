@@ -7,6 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from shapely import LineString, Point, box
 
+from iconstudio.inputs.line_style import check_style
 from iconstudio.inputs.styles import named
 from iconstudio.model import IconstudioError, Line, Restyling, StylePair
 from iconstudio.workflows.line_style import page as edits
@@ -115,6 +116,15 @@ def test_an_example_of_the_other_kind_begins_another_style(paper):
     edits.add_example(paper, StylePair(WAVE, FLAT))
     edits.add_example(paper, StylePair(WAVE, FLAT))
     assert [bool(pair.plain) for pair in paper.page.work.style.pairs] == [True, True]
+
+
+def test_what_a_mouse_draws_beside_a_pen_has_one_width(paper):
+    edits.add_example(paper, StylePair(WAVE))
+    edits.add_example(paper, StylePair(FLAT, widths=(2.0,) * len(FLAT)))
+    first, second = paper.page.work.style.pairs
+    assert set(first.widths) == {1.0}
+    assert second.widths == (2.0,) * len(FLAT)
+    check_style(paper.page.work.style)
 
 
 @pytest.mark.parametrize(

@@ -19,7 +19,7 @@ _SPACINGS = (2.0, 1.6, 1.25, 1.0, 0.8)
 _FAITHFUL = 0.12
 """A sampled example may be off by so much of what its style is off the plain line."""
 _FINEST = 0.6
-_SIZES = 6
+_SIZES = 12
 _SMALLER = 0.7
 _ROOM = 5.0
 """A closed line has room for a style if its radius is so many times the style's offset ..."""
@@ -122,9 +122,11 @@ def pairs_of(style: LineStyle) -> tuple[Pair, ...]:
 def _sized(
     style: LineStyle, strength: float, size: float, number: int
 ) -> tuple[Parameters, Sequence[Level]]:
-    whole = [one.scaled(size, strength) for one in pairs_of(style)]
-    smaller = [one.scaled(_SMALLER**number) for one in whole]
-    spacing = max(_FINEST, _spacing(whole) * _SMALLER**number)
+    # What is shown larger than it was drawn has the same detail: it needs no more points.
+    larger = max(size, 1.0)
+    whole = [one.scaled(size / larger, strength) for one in pairs_of(style)]
+    spacing = max(_FINEST, _spacing(whole) * larger * _SMALLER**number)
+    smaller = [one.scaled(larger * _SMALLER**number) for one in whole]
     parameters = Parameters(spacing=spacing)
     more = max(0.0, np.log(_SPACINGS[0] / spacing) / np.log(parameters.coarser))
     parameters = replace(parameters, levels=parameters.levels + round(more))

@@ -5,12 +5,14 @@ from dataclasses import replace
 
 import numpy as np
 
+from iconstudio.algorithms.areas import one_piece, outlines, stroked
 from iconstudio.algorithms.curves.constraints import Constraint
 from iconstudio.algorithms.curves.corners import joined, parted
 from iconstudio.algorithms.curves.curve import Curve, Numbers
 from iconstudio.algorithms.curves.junctions import junctions
 from iconstudio.algorithms.curves.multiresolution import analogy
 from iconstudio.algorithms.curves.prepared import Prepared, prepare, smoothed
+from iconstudio.algorithms.curves.thickness import held_back
 from iconstudio.algorithms.curves.untangling import untangled
 from iconstudio.model import Line
 
@@ -18,12 +20,16 @@ __all__ = ["Prepared", "prepare", "restyled"]
 
 _ROUND = 0.3
 """An open line that encloses so much of what a circle of its length does has an inside."""
+_CLOSE = 2.0
+"""Canvas units between points of a smooth curve, at most."""
 _MEETS = 0.05
 """Canvas units between the ends of a line that is closed."""
+_NECK = 0.8
+"""Canvas units by which loops of a contour hang together with it, at least."""
 _SLIM = 1e-6
 """What encloses so little of what a circle of its length does encloses nothing."""
 _DOT = 4.0
-"""Canvas units: what is no longer than this is a dot, and stays one."""
+"""Canvas units: a stroke that is no longer than this is a dot; such a contour is too small."""
 
 
 def restyled(
@@ -34,9 +40,10 @@ def restyled(
     If they may be ``coarse``, they are the blurred ones from which the others are made.
 
     Lines that met still meet, and none cross or touch that did not. Styles with two sides show the
-    same one on the outside of whatever is closed, and of its holes within.
+    same one on the outside of whatever is closed, and of its holes within. A dot, a stroke of next
+    to no length, becomes the contour of what it covers.
     """
-    lines = [(_ring(line), prepared) for line, prepared in lines]
+    lines = [(_ring(_whole(line)), prepared) for line, prepared in lines]
     long = [number for number, (line, _) in enumerate(lines) if _length(line) > _DOT]
     made = dict(zip(long, _styled([lines[number] for number in long], seed, coarse), strict=True))
     return [made.get(number, line) for number, (line, _) in enumerate(lines)]
@@ -60,7 +67,7 @@ def _styled(lines: Sequence[tuple[Line, Prepared]], seed: int, coarse: bool) -> 
     styled = [curve for curve, _ in made]
     if styled:
         loop = max(prepared.loop for _, prepared in lines)
-        styled = untangled(plain, styled, widths, loop)
+        styled = untangled(plain, held_back(plain, styled, widths), widths, loop)
     return [
         _line(line, curve, own, turned)
         for (line, _), curve, (_, own), turned in zip(lines, styled, made, backwards, strict=True)
@@ -79,8 +86,16 @@ def _one(
         made = analogy(levels, part, parameters, seed + number, style.rotation, style.shape, own)
         pieces.append((made.curve, first, last))
         widths.append(prepared.widths(levels, made.sources))
-    curve = joined(plain, pieces)
+    curve = joined(plain, [(_smooth(one), first, last) for one, first, last in pieces])
     return curve, _fitting(curve, pieces, widths)
+
+
+def _smooth(curve: Curve) -> Curve:
+    """Return a curve whose points lie close together, as those of a large texture do not."""
+    dense = curve.resampled(_CLOSE)
+    if 2 * len(dense.points) < 3 * len(curve.points):
+        return curve
+    return replace(dense, points=curve.smoothly(dense.parameters))
 
 
 def _fitting(
@@ -97,15 +112,44 @@ def _fitting(
 
 def _line(line: Line, curve: Curve, widths: Numbers, turned: bool) -> Line:
     """Return what a line has become; it runs as it did, if its curve was ``turned`` before."""
-    points = curve.points
+    points, found = curve.points, _own_widths(line, curve.parameters, turned) * widths
     if turned:
-        points, widths = points[::-1], widths[::-1]
-    varied = line.width > 0 and np.ptp(widths) > 1e-6
+        points, found = points[::-1], found[::-1]
+    row = np.stack([points.real, points.imag], axis=1)
+    if line.closed and not line.width and len(row) > 3:
+        row = one_piece(row, _NECK)
+    varied = line.width > 0 and np.ptp(found) > 1e-6
     return replace(
         line,
-        points=tuple((point.real, point.imag) for point in points.tolist()),
-        widths=tuple((line.width * widths).tolist()) if varied else (),
+        points=tuple((x, y) for x, y in row.tolist()),
+        widths=tuple(found.tolist()) if varied else (),
     )
+
+
+def _own_widths(line: Line, at: Numbers, turned: bool) -> Numbers:
+    """Return the width of a line at parameters, which run the other way if it is ``turned``."""
+    if not line.widths:
+        return np.full(len(at), line.width)
+    last = len(line.points) - 1
+    around = slice(0, int(line.closed))
+    points = np.array((*line.points, *line.points[around])) @ [1, 1j]
+    along = np.append(0.0, np.cumsum(abs(np.diff(points))))
+    along /= along[-1]
+    widths = (*line.widths, *line.widths[around])
+    return np.interp(
+        along[last] - at if turned else at, along, widths, period=1.0 if line.closed else None
+    )
+
+
+def _whole(line: Line) -> Line:
+    """Return a line that has a length to be styled: of a dot, its contour."""
+    if line.width == 0 or _length(line) > _DOT:
+        return line
+    drawn = stroked(np.array(line.points, dtype=float), line.closed, line.width)
+    contour, *holes = outlines(drawn)
+    if holes:
+        return line
+    return Line(tuple((x, y) for x, y in contour.tolist()), closed=True)
 
 
 def _ring(line: Line) -> Line:

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
+from iconstudio.algorithms.areas import meeting_boxes
 from iconstudio.algorithms.curves.curve import Curve, Numbers, Points
 from iconstudio.algorithms.curves.example import Pair
 
@@ -27,6 +28,8 @@ _STRAIGHT = 0.85
 """What goes so much of the way as the crow flies goes straight."""
 _SAME = 1e-6
 """Canvas units that are rounding."""
+_SPACED = 0.25
+"""Between points of a stroke that tell what it touches, over half its width."""
 _STRETCH = 6.0
 """Canvas units: standard deviation of the stretch that gives way."""
 
@@ -125,11 +128,7 @@ def _crossing(
 ) -> NDArray[np.int64]:
     """Return the pairs of segments that cross, (n, 2)."""
     a, b = points[first], points[second]
-    longest = abs(b - a).max(initial=0)
-    middle = (a + b) / 2
-    tree = cKDTree(np.stack([middle.real, middle.imag], axis=1))
-    pairs = tree.query_pairs(longest * 1.001, output_type="ndarray")
-    i, j = pairs[:, 0], pairs[:, 1]
+    i, j = meeting_boxes(_plane(a), _plane(b)).T
     apart = (second[i] != first[j]) & (second[j] != first[i])
     i, j = i[apart], j[apart]
     cross = (_side(a[i], b[i], a[j]) * _side(a[i], b[i], b[j]) < 0) & (
@@ -170,9 +169,10 @@ def _known(
 def _contacts(lines: _Lines, plain: Points, loop: float) -> NDArray[np.int64]:
     """Return the points whose edges are too near to those of others, and were not."""
     points, radius = lines.points, lines.radius
-    tree = cKDTree(np.stack([points.real, points.imag], axis=1))
+    some = _spaced(lines)
+    tree = cKDTree(_plane(points[some]))
     pairs = tree.query_pairs(2 * radius.max() + _CLEARANCE, output_type="ndarray")
-    i, j = pairs[:, 0], pairs[:, 1]
+    i, j = some[pairs[:, 0]], some[pairs[:, 1]]
     touch = radius[i] + radius[j]
     apart, before = abs(points[i] - points[j]) - touch, abs(plain[i] - plain[j]) - touch
     tight = (before > _SAME) & (apart < np.minimum(_CLEARANCE, _KEPT * before))
@@ -183,6 +183,15 @@ def _contacts(lines: _Lines, plain: Points, loop: float) -> NDArray[np.int64]:
     near = same & (along < np.maximum(loop, 3 * (radius[i] + radius[j]) + 4 * _CLEARANCE))
     near |= _at_a_tip(lines, i, j)
     return np.concatenate([i[~near], j[~near]])
+
+
+def _spaced(lines: _Lines) -> NDArray[np.int64]:
+    """Return points that are enough to tell how near thick strokes come."""
+    steps = abs(lines.points[lines.following] - lines.points)
+    along = np.cumsum(steps)
+    number = np.floor(along / np.maximum(_SPACED * lines.radius, _SAME))
+    new = np.append(True, (np.diff(number) > 0) | (np.diff(lines.line) > 0))
+    return np.flatnonzero(new | (lines.radius == 0))
 
 
 def _at_a_tip(lines: _Lines, i: NDArray[np.int64], j: NDArray[np.int64]) -> NDArray[np.bool_]:
@@ -206,12 +215,26 @@ def _apart(lines: _Lines, i: NDArray[np.int64], j: NDArray[np.int64]) -> Numbers
     return apart
 
 
+def _nearest(lines: _Lines, here: NDArray[np.int64], there: NDArray[np.int64]) -> Numbers:
+    """Return how far points of one line are from the nearest of others of it, along it."""
+    places, length = np.sort(lines.arc[there]), lines.length[here[0]]
+    around = np.concatenate([places[-1:] - length, places, places[:1] + length])
+    after = np.clip(np.searchsorted(around, lines.arc[here]), 1, len(around) - 1)
+    apart: Numbers = np.minimum(
+        around[after] - lines.arc[here], lines.arc[here] - around[after - 1]
+    )
+    return apart
+
+
+def _plane(points: Points) -> NDArray[np.float64]:
+    return np.stack([points.real, points.imag], axis=1)
+
+
 def _giving_way(lines: _Lines, conflicts: NDArray[np.int64], back: float) -> Numbers:
     """Return how much of the style stays at each point, from ``back`` at a conflict up to 1."""
     most = np.zeros(len(lines.points))
     for number in np.unique(lines.line[conflicts]):
         here = np.flatnonzero(lines.line == number)
-        there = conflicts[lines.line[conflicts] == number]
-        apart = _apart(lines, here[:, None], there[None, :]).min(axis=1)
+        apart = _nearest(lines, here, conflicts[lines.line[conflicts] == number])
         most[here] = np.exp(-0.5 * (np.maximum(0, apart - _STRETCH / 2) / _STRETCH) ** 2)
     return 1 - (1 - back) * most

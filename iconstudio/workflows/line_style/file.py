@@ -4,10 +4,11 @@ from typing import Annotated, Self
 
 from msgspec import Meta
 
-from iconstudio.inputs.formats import MOST_POINTS, Many, Reference, StrictRecord, Text
+from iconstudio.inputs.formats import Many, Reference, StrictRecord, Text
 from iconstudio.inputs.line_style import StyleFile
-from iconstudio.inputs.lines import STRAY, line, rounded
+from iconstudio.inputs.lines import STRAY, line
 from iconstudio.inputs.styles import bundled, named
+from iconstudio.inputs.wide_points import WidePoints, carried, check_widths, parted, wide_points
 from iconstudio.model import CANVAS, IconstudioError, Line, LineStyle, Restyling
 from iconstudio.workflows.line_style.restyling import (
     LARGEST,
@@ -18,37 +19,40 @@ from iconstudio.workflows.line_style.restyling import (
 )
 from iconstudio.workflows.workflow import File, Find, Refer
 
-FAR = 20.0 * CANVAS
-"""No coordinate of a line is larger."""
-
-_Length = Annotated[float, Meta(ge=-FAR, le=FAR)]
-_Points = Annotated[tuple[tuple[_Length, _Length], ...], Meta(max_length=MOST_POINTS)]
 MANY_TOLD = 20_000
 """Of lines of more points it is said that they are simplified; nobody sees it."""
 Seed = Annotated[int, Meta(ge=0, le=LARGEST_SEED)]
 
 
 class LineFile(StrictRecord, frozen=True):
-    """A stroke, or a contour of a filled shape if it has no width."""
+    """A stroke, or a contour of a filled shape if it has no width.
 
-    points: _Points
+    Where a stroke is not equally wide all along, its points have a width each, ``[x, y, width]``.
+    """
+
+    points: WidePoints
     width: Annotated[float, Meta(ge=0, le=2 * CANVAS)] = 0.0
     closed: bool = False
 
     @classmethod
     def of(cls, drawn: Line) -> Self:
         """Return a line as it is written."""
-        return cls(rounded(drawn.points), drawn.width, drawn.closed)
+        return cls(wide_points(drawn.points, drawn.widths), drawn.width, drawn.closed)
 
     @property
     def line(self) -> Line:
         """The value."""
-        return Line(line(self.points), self.closed, self.width)
+        points, widths = parted(self.points)
+        kept = line(points)
+        if not widths:
+            return Line(kept, self.closed, self.width)
+        return Line(kept, self.closed, self.width or max(widths), carried(widths, points, kept))
 
     def check(self) -> None:
         """Refuse what is no line."""
-        if len(set(self.points)) < 2:
+        if len({point[:2] for point in self.points}) < 2:
             raise IconstudioError("A line needs at least 2 different points.")
+        check_widths(self.points, "line")
 
 
 class OtherStyle(StrictRecord, frozen=True):

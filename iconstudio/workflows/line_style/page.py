@@ -2,15 +2,15 @@
 
 from dataclasses import dataclass, field, replace
 
-from iconstudio.inputs.line_style import check_style
-from iconstudio.model import Line, LineStyle, Pictogram, Point, Restyling, StylePair
+from iconstudio.inputs.line_style import check_style, with_widths
+from iconstudio.model import Line, LineStyle, Pictogram, Restyling, StylePair
 from iconstudio.workflows.line_style.restyling import LARGEST, SMALLEST, STRONGEST, WEAKEST
 from iconstudio.workflows.pages import Document
 
 OWN = "My style"
 """The name of a style that is being drawn."""
 WIDTH = 14.0
-"""Of strokes that are drawn freehand, in canvas units."""
+"""Of strokes that are drawn freehand, in canvas units; at a pen's full pressure."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,7 +86,8 @@ def set_style(document: RestyleDocument, style: LineStyle) -> None:
 def with_example(page: RestylePage, pair: StylePair) -> LineStyle:
     """Return the style that is being drawn with one more example.
 
-    One of the other kind, with a plain stroke or without, begins another style.
+    One of the other kind, with a plain stroke or without, begins another style. What a mouse draws
+    beside what a pen does has the same width all along.
 
     Raises
     ------
@@ -95,7 +96,7 @@ def with_example(page: RestylePage, pair: StylePair) -> LineStyle:
     """
     drawn = page.drawn
     kept = () if drawn is None or bool(drawn.pairs[0].plain) != bool(pair.plain) else drawn.pairs
-    style = LineStyle(OWN, (*kept, pair))
+    style = LineStyle(OWN, with_widths((*kept, pair)))
     check_style(style)
     return style
 
@@ -116,10 +117,9 @@ def clear_example(document: RestyleDocument) -> None:
         _put(document, "clear example", replace(work, style=style, others=others))
 
 
-def add_stroke(document: RestyleDocument, points: tuple[Point, ...], width: float) -> None:
+def add_stroke(document: RestyleDocument, line: Line) -> None:
     """Draw a line freehand."""
-    strokes = (*document.page.work.strokes, Line(points, width=width))
-    _change(document, "draw line", strokes=strokes)
+    _change(document, "draw line", strokes=(*document.page.work.strokes, line))
 
 
 def remove_strokes(document: RestyleDocument, first: int) -> None:

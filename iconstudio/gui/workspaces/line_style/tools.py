@@ -11,9 +11,9 @@ from iconstudio.gui.canvas.camera import Camera
 from iconstudio.gui.canvas.tools.base import Pointer, Tool
 from iconstudio.gui.theme.theme import Theme
 from iconstudio.gui.workspaces.line_style.scene import RestyleScene, outline, pen
+from iconstudio.inputs.wide_points import FAR
 from iconstudio.model import Line, Point, Restyling
 from iconstudio.workflows.line_style import page as edits
-from iconstudio.workflows.line_style.file import FAR
 from iconstudio.workflows.line_style.page import WIDTH, RestyleDocument
 from iconstudio.workflows.line_style.selecting import line_at, lines_in
 
@@ -21,6 +21,8 @@ _REACH = 7.0
 """A click within so many device-independent pixels of a line means that line."""
 _APART = 0.8
 """Canvas units that the pen must move for another point."""
+_LIGHT = 0.25
+"""Width of what a pen draws that is hardly pressed, over what it draws at full pressure."""
 
 
 class SelectTool(Tool):
@@ -100,7 +102,7 @@ class SelectTool(Tool):
 
 
 class PenTool(Tool):
-    """Draws a line freehand; what is made of it follows.
+    """Draws a line freehand, as wide as a pen presses; what is made of it follows.
 
     ``preview`` is called with the work as it is about to become.
     """
@@ -110,6 +112,7 @@ class PenTool(Tool):
     ) -> None:
         self._document, self._scene, self._preview = document, scene, preview
         self._points: list[Point] = []
+        self._widths: list[float] = []
 
     @property
     def cursor(self) -> Qt.CursorShape:
@@ -126,21 +129,22 @@ class PenTool(Tool):
     def press(self, pointer: Pointer) -> None:
         """Put the pen down."""
         if pointer.button == Qt.MouseButton.LeftButton:
-            self._points = [_clamped(pointer.page)]
+            self._points, self._widths = [], []
+            self._add(pointer)
 
     def move(self, pointer: Pointer) -> None:
         """Draw on."""
         if self._points and math.dist(self._points[-1], pointer.page) >= _APART:
-            self._points.append(_clamped(pointer.page))
+            self._add(pointer)
             work = self._document.page.work
             self._preview(replace(work, strokes=(*work.strokes, self._line())))
 
     def release(self, pointer: Pointer) -> None:
         """Lift the pen: the line is on the page, if it is one."""
-        points = tuple(self._points)
+        line = self._line()
         self._points = []
-        if len(set(points)) > 1:
-            edits.add_stroke(self._document, points, WIDTH)
+        if len(set(line.points)) > 1:
+            edits.add_stroke(self._document, line)
 
     def cancel(self) -> bool:
         """Give up the line."""
@@ -159,8 +163,14 @@ class PenTool(Tool):
         painter.strokePath(outline(self._line()), pen(theme.color("accent", 0.5), WIDTH))
         painter.restore()
 
+    def _add(self, pointer: Pointer) -> None:
+        self._points.append(_clamped(pointer.page))
+        self._widths.append(round(WIDTH * (_LIGHT + (1 - _LIGHT) * pointer.pressure), 2))
+
     def _line(self) -> Line:
-        return Line(tuple(self._points), width=WIDTH)
+        varied = any(width != WIDTH for width in self._widths)
+        widths = tuple(self._widths) if varied else ()
+        return Line(tuple(self._points), width=WIDTH, widths=widths)
 
 
 def _clamped(point: Point) -> Point:
