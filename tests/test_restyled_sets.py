@@ -10,7 +10,6 @@ from iconstudio.algorithms.curves.outline import path_of
 from iconstudio.algorithms.curves.restyle import prepare, restyled
 from iconstudio.algorithms.flattening import flattened
 from iconstudio.inputs.styles import named
-from iconstudio.session import Session
 
 SETS = {
     "lucide": "Shaky", "tabler": "Ink", "ph": "Clouds", "mdi": "Torn", "fa-solid": "Shaky",
@@ -18,12 +17,6 @@ SETS = {
     "carbon": "Waves",
 }  # fmt: skip
 EACH = 20
-
-
-@pytest.fixture(scope="module")
-def session():
-    with Session() as session:
-        yield session
 
 
 @pytest.mark.parametrize("name", SETS)

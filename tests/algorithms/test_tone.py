@@ -2,6 +2,7 @@
 
 import io
 import re
+from functools import cache
 
 import numpy as np
 import pytest
@@ -30,6 +31,12 @@ def rgba(body: str, n: int = N, box: str = "0 0 24 24") -> np.ndarray:
 
 def pictogram(drawing: np.ndarray) -> np.ndarray:
     return tone.pictogram(drawing).coverage
+
+
+@cache
+def as_svg(body: str, box: str = "0 0 100 100") -> tone.Inked:
+    """What a drawing becomes that is read as SVG: made once, and compared with its bitmaps."""
+    return tone.pictogram(rgba(body, SIDE, box))
 
 
 def path(d: str, fill: str = "#000", more: str = "") -> str:

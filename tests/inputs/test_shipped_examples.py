@@ -3,7 +3,7 @@
 import pytest
 
 from iconstudio.inputs.examples import examples
-from iconstudio.session import Session, returned
+from iconstudio.session import returned
 from iconstudio.workflows.editing.editing import place_edit
 from iconstudio.workflows.editing.file import read_edit
 from iconstudio.workflows.files import read_file, write_file
@@ -13,12 +13,6 @@ from iconstudio.workflows.modelling.file import read_sketch
 from iconstudio.workflows.montage import montage
 from iconstudio.workflows.montage.file import read_montage
 from iconstudio.workflows.registry import workflows
-
-
-@pytest.fixture(scope="module")
-def session():
-    with Session() as session:
-        yield session
 
 
 def listed(folder):
