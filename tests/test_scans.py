@@ -14,7 +14,7 @@ from iconstudio.workflows.editing.file import read_edit
 from tests import scans
 
 WORDS = ("dog", "house", "lamp", "camera", "bicycle", "tree", "key", "cup", "phone", "cloud")
-EACH = 4
+EACH = 3
 
 
 @pytest.fixture(scope="module")
