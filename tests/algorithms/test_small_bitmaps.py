@@ -57,8 +57,11 @@ def found(pixels):
     return scans.fitted(ink_of(recognised(pixels)).astype(float))
 
 
-@pytest.mark.parametrize("white", [False, True], ids=["transparent", "white"])
-@pytest.mark.parametrize("side", [32, 48])
+@pytest.mark.parametrize(
+    ("side", "white"),
+    [(32, False), (32, True), (48, True)],
+    ids=["32, transparent", "32, white", "48, white"],
+)
 @pytest.mark.parametrize("name", DRAWINGS)
 def test_a_small_coloured_drawing_becomes_what_its_svg_becomes(name, side, white):
     right = as_svg(DRAWINGS[name])
