@@ -230,18 +230,18 @@ FACE = (
     + path("M2 12a10 10 0 0 1 20 0z", "#9b5d2e")
     + '<g fill="#212121"><circle cx="9" cy="15" r="1.5"/><circle cx="15" cy="15" r="1.5"/></g>'
 )
+SIGN = TILES["rounded"].format("#000") + path(HOUSE, "#fff", GLYPH)
 
 
-@pytest.mark.parametrize("n", [700, 2 * N])
-def test_the_size_of_the_raster_changes_little(n):
-    usual = pictogram(rgba(FACE)) / 255
-    other = resize(pictogram(rgba(FACE, n)) / 255, (N, N), anti_aliasing=True)
+@pytest.mark.parametrize(("drawing", "n"), [(FACE, 700), (FACE, 2 * N), (SIGN, 2 * N)])
+def test_the_size_of_the_raster_changes_little(drawing, n):
+    """Files are read on twice as many pixels as most tests look at."""
+    usual = pictogram(rgba(drawing)) / 255
+    other = resize(pictogram(rgba(drawing, n)) / 255, (N, N), anti_aliasing=True)
     assert amiss(255 * other, 255 * usual) < 0.02
 
 
-@pytest.mark.parametrize(
-    "drawing", [FACE, path(HOUSE), TILES["rounded"].format("#000") + path(HOUSE, "#fff", GLYPH)]
-)
+@pytest.mark.parametrize("drawing", [FACE, path(HOUSE), SIGN])
 def test_a_margin_changes_little(drawing):
     usual = pictogram(rgba(drawing)) / 255
     wide = pictogram(rgba(drawing, box="-2 -2 28 28")) / 255
