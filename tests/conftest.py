@@ -7,6 +7,7 @@ import tempfile
 import pytest
 
 from iconstudio.gui.window.availability import missing_library
+from iconstudio.session import Session
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 # A cache of our own, also for the programs that tests start: processes that share the tests out
@@ -43,3 +44,16 @@ def pytest_ignore_collect(collection_path, config: pytest.Config) -> bool | None
     if MISSING and collection_path.parent.name == "gui":
         return collection_path.name != "test_qt_is_there.py"
     return None
+
+
+@pytest.fixture(scope="session")
+def session():
+    """A session for all tests that only ask it: its processes need not start for each file."""
+    with Session() as one:
+        yield one
+
+
+@pytest.fixture(scope="session")
+def workers(session):
+    """Its worker processes."""
+    return session.workers

@@ -8,6 +8,7 @@ import subprocess
 import sys
 import time
 from hashlib import sha256
+from importlib.util import find_spec
 
 import pytest
 
@@ -16,7 +17,9 @@ from iconstudio.cluster import Cluster, DisconnectedError, _call
 from iconstudio.model import IconstudioError
 from iconstudio.workers import ProcessDied
 
-pytest.importorskip("distributed", reason="needs the extra “cluster”")
+pytestmark = pytest.mark.skipif(
+    find_spec("distributed") is None, reason="needs the extra “cluster”"
+)
 
 ICONS = 10
 SHAPE = (

@@ -7,16 +7,9 @@ from scipy import ndimage
 from iconstudio.algorithms.iconification.redraw import SCALE, binarised, redraw
 from iconstudio.algorithms.tracing.vectorize import trace
 from iconstudio.model import CANVAS, Frame, Placement
-from iconstudio.session import Session
 from iconstudio.svg.resvg import render_coverage, render_placed
 
 N = SCALE * CANVAS
-
-
-@pytest.fixture(scope="module")
-def session():
-    with Session() as session:
-        yield session
 
 
 def joined(exemplars) -> np.ndarray:

@@ -1,5 +1,7 @@
 """The figures of the documentation can be made again, and show what they should."""
 
+from functools import cache
+
 import numpy as np
 import pytest
 import shapely
@@ -9,9 +11,14 @@ from iconstudio.svg.resvg import render_coverage
 from tests.figures.curves import FIGURES, Panel, document
 
 
+@cache
+def panels(name):
+    return FIGURES[name]()
+
+
 @pytest.mark.parametrize("name", sorted(FIGURES.keys() - {"styles"}))  # which takes long
 def test_a_figure_shows_its_panels(name):
-    rows = FIGURES[name]()
+    rows = panels(name)
     assert document(rows).count("<path") >= sum(map(len, rows)) > 0
 
 
@@ -24,7 +31,7 @@ def test_strokes_of_one_width_and_of_several_are_seen(widths):
 
 def test_the_handwriting_flows():
     """Parted at its tips, a word was jagged: each of its strokes was made by itself."""
-    (_, (plain, styled)) = FIGURES["figure-12"]()
+    (_, (plain, styled)) = panels("figure-12")
     assert _turning(styled.lines[0]) < 1.5 * _turning(plain.lines[0])
 
 

@@ -9,19 +9,12 @@ from skimage.data import chelsea
 
 from iconstudio.algorithms.iconification.style import has_pale_areas
 from iconstudio.model import IconstudioError
-from iconstudio.session import Session
 from iconstudio.svg.resvg import render_coverage
 from iconstudio.workflows.editing.file import read_edit
 from tests import scans
 
 WORDS = ("dog", "house", "lamp", "camera", "bicycle", "tree", "key", "cup", "phone", "cloud")
-EACH = 4
-
-
-@pytest.fixture(scope="module")
-def session():
-    with Session() as one:
-        yield one
+EACH = 3
 
 
 @pytest.fixture(scope="module")

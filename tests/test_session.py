@@ -4,14 +4,7 @@ import numpy as np
 import pytest
 
 from iconstudio.model import CANVAS, IconstudioError
-from iconstudio.session import Session
 from iconstudio.workflows.events import Progress, Retrieved
-
-
-@pytest.fixture(scope="module")
-def session():
-    with Session() as one:
-        yield one
 
 
 def test_an_icon_is_drawn_as_on_the_canvas_but_finer(session):

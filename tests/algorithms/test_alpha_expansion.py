@@ -1,4 +1,5 @@
 import itertools
+from functools import cache
 
 import numpy as np
 import pytest
@@ -43,8 +44,10 @@ def is_symmetric(labels: Labels, axis: Axis) -> bool:
     return np.array_equal(lattice.full(lattice.reduced(labels)), labels)
 
 
-@pytest.mark.parametrize("symmetry", [None, *Axis])
-@pytest.mark.parametrize("block", [4, 8])
+@pytest.mark.parametrize(
+    ("symmetry", "block"),
+    [(None, 4), (None, 8), *zip(Axis, itertools.cycle([4, 8]))],  # endless
+)
 def test_expansions_are_those_of_the_plain_program(symmetry, block):
     one = busy_problem(3, symmetry=symmetry)
     level, lattice = BlockExpansion(one, block, plane_words(one)), Lattice(one, block)
@@ -128,6 +131,13 @@ def test_the_same_calls_give_the_same_labels():
 ROW = (0.03, 0.06, 0.12, 0.25, 0.5)
 
 
+@cache
+def found_anew(symmetry: Axis | None) -> list[Labels]:
+    """What is found for each lambda_S of the row by a search that has found nothing before."""
+    one = busy_problem(9, count=6, symmetry=symmetry)
+    return [AlphaExpansion(one).find(value, ROW) for value in ROW]
+
+
 @pytest.mark.parametrize("symmetry", [None, Axis.VERTICAL])
 @pytest.mark.parametrize("order", [(2, 1, 3, 0, 4), (4, 3, 2, 1, 0)])
 def test_what_is_found_depends_on_nothing_that_went_before(order, symmetry):
@@ -138,7 +148,7 @@ def test_what_is_found_depends_on_nothing_that_went_before(order, symmetry):
     used.preview(0.2)
     used.solve(0.05)
     for at in order:
-        fresh = AlphaExpansion(one).find(ROW[at], ROW)
+        fresh = found_anew(symmetry)[at]
         assert np.array_equal(used.find(ROW[at], ROW), fresh)
         assert np.array_equal(used.find(ROW[at], ROW[::-1]), fresh)
 
@@ -192,7 +202,7 @@ def random_problem(seed: int) -> RemixProblem:
     return RemixProblem(plain.data, plain.ink, plain.solid, axis)
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=200, deadline=None)
 @given(st.integers(0, 2**32 - 1), st.sampled_from([1, 2, 4]))
 def test_thousands_of_small_expansions_are_those_of_pymaxflow(seed, block):
     one = random_problem(seed)

@@ -10,7 +10,7 @@ from iconstudio.algorithms.scanning.binarisation import ink_of, recognised
 from iconstudio.algorithms.scanning.checkerboard import without_checkerboard
 from tests import scans
 from tests.algorithms.test_flat import FACE, SMILE
-from tests.algorithms.test_tone import pictogram, rgba
+from tests.algorithms.test_tone import as_svg, rgba
 
 RING = (
     '<circle cx="50" cy="50" r="32" fill="none" stroke="#06c" stroke-width="26"/>'
@@ -47,7 +47,7 @@ def test_a_drawing_on_a_checkerboard_is_free(drawing, side, square, greys, quali
     pixels = np.asarray(page)
     alpha = without_checkerboard(pixels)[..., 3] / 255
     assert abs(alpha - np.asarray(picture)[..., 3] / 255).mean() < 0.02
-    right = scans.fitted(pictogram(rgba(drawing, 512, "0 0 100 100")) / 255)
+    right = scans.fitted(as_svg(drawing).coverage / 255)
     assert scans.iou(scans.fitted(ink_of(recognised(pixels)).astype(float)), right) > 0.9
 
 

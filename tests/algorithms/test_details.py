@@ -10,6 +10,8 @@ from iconstudio.algorithms.tones.alternation import Omission
 from iconstudio.algorithms.tones.tone import SIDE
 from tests.algorithms.test_tone import amiss, ink, path, pictogram, rgba
 
+FINE = 2 * SIDE
+"""Pixels to a side of what is read from files."""
 PAGE = '<rect width="24" height="24" fill="{}"/>'
 LETTERS = "".join(
     f'<circle cx="{x}" cy="{y}" r="{r}" fill="none" stroke="#000" stroke-width="{r / 3}"/>'
@@ -78,8 +80,8 @@ def test_white_letters_stay_as_holes_of_what_is_ink():
 def test_a_thin_outline_of_another_colour_goes_around_pale_paper():
     box = '<rect x="2" y="7" width="20" height="10" fill="{}" stroke="#d6b656" stroke-width=".12"/>'
     letters = f'<g transform="translate(1 8) scale(.8 .5)">{LETTERS}</g>'
-    coverage = pictogram(rgba(box.format("#fff2cc") + letters))
-    assert amiss(coverage, ink(box.format("none") + letters)) < 0.1
+    coverage = pictogram(rgba(box.format("#fff2cc") + letters, FINE))
+    assert amiss(coverage, ink(box.format("none") + letters, FINE)) < 0.1
 
 
 @pytest.mark.parametrize("opacity", [0.1, 0.2, 0.4])
@@ -87,10 +89,11 @@ def test_a_thin_outline_of_another_colour_goes_around_pale_paper():
 def test_what_is_faint_is_left_out_and_told(opacity, colour):
     body = path("M4 4h12v12H4z", colour)
     shadow = f'<ellipse cx="12" cy="16" rx="10" ry="4" opacity="{opacity}"/>'
-    coverage, omissions = tone.pictogram(rgba(shadow + body))
+    coverage, omissions = tone.pictogram(rgba(shadow + body, FINE))
+    right = ink(body, FINE)
     assert omissions == {Omission.FAINT}
-    assert np.array_equal(coverage > 127, ink(body) > 127)
-    assert coverage[ink(body) == 0].max() == 0
+    assert np.array_equal(coverage > 127, right > 127)
+    assert coverage[right == 0].max() == 0
 
 
 def test_hairlines_are_not_faint():

@@ -11,9 +11,8 @@ from iconstudio.algorithms.scanning.binarisation import ink_of, recognised
 from iconstudio.algorithms.scanning.blending import unblended
 from iconstudio.algorithms.scanning.palette import evenly_painted
 from iconstudio.algorithms.scanning.resampling import reconstructed
-from iconstudio.algorithms.tones import tone
 from tests import scans
-from tests.algorithms.test_tone import rgba
+from tests.algorithms.test_tone import as_svg, rgba
 
 VIEW = "0 0 100 100"
 LINES = {"outlined house"}
@@ -58,11 +57,14 @@ def found(pixels):
     return scans.fitted(ink_of(recognised(pixels)).astype(float))
 
 
-@pytest.mark.parametrize("white", [False, True], ids=["transparent", "white"])
-@pytest.mark.parametrize("side", [32, 48])
+@pytest.mark.parametrize(
+    ("side", "white"),
+    [(32, False), (32, True), (48, True)],
+    ids=["32, transparent", "32, white", "48, white"],
+)
 @pytest.mark.parametrize("name", DRAWINGS)
 def test_a_small_coloured_drawing_becomes_what_its_svg_becomes(name, side, white):
-    right = tone.pictogram(rgba(DRAWINGS[name], 512, VIEW))
+    right = as_svg(DRAWINGS[name])
     scan = recognised(bitmap(DRAWINGS[name], side, white))
     assert (scan.coloured.omissions if scan.coloured else set()) == right.omissions
     ink = scans.fitted(ink_of(scan).astype(float))

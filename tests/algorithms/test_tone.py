@@ -2,6 +2,7 @@
 
 import io
 import re
+from functools import cache
 
 import numpy as np
 import pytest
@@ -16,7 +17,7 @@ from iconstudio.algorithms.tones.alternation import Omission
 from iconstudio.algorithms.tones.tone import LINE, SIDE, Paints, near_white, paints
 from iconstudio.algorithms.tracing.vectorize import trace
 
-N = 2 * SIDE
+N = SIDE
 HOUSE = "M3 21V10L12 2l9 8v11zM9 12h6v5H9zM17 2h4v3h-4z"
 ROOF_AND_CHIMNEY = "M3 21V10L12 2l9 8v11zM17 2h4v3h-4z"
 DOOR = "M9 12h6v5H9z"
@@ -30,6 +31,12 @@ def rgba(body: str, n: int = N, box: str = "0 0 24 24") -> np.ndarray:
 
 def pictogram(drawing: np.ndarray) -> np.ndarray:
     return tone.pictogram(drawing).coverage
+
+
+@cache
+def as_svg(body: str, box: str = "0 0 100 100") -> tone.Inked:
+    """What a drawing becomes that is read as SVG: made once, and compared with its bitmaps."""
+    return tone.pictogram(rgba(body, SIDE, box))
 
 
 def path(d: str, fill: str = "#000", more: str = "") -> str:
@@ -223,18 +230,18 @@ FACE = (
     + path("M2 12a10 10 0 0 1 20 0z", "#9b5d2e")
     + '<g fill="#212121"><circle cx="9" cy="15" r="1.5"/><circle cx="15" cy="15" r="1.5"/></g>'
 )
+SIGN = TILES["rounded"].format("#000") + path(HOUSE, "#fff", GLYPH)
 
 
-@pytest.mark.parametrize("n", [700, 2 * N])
-def test_the_size_of_the_raster_changes_little(n):
-    usual = pictogram(rgba(FACE)) / 255
-    other = resize(pictogram(rgba(FACE, n)) / 255, (N, N), anti_aliasing=True)
+@pytest.mark.parametrize(("drawing", "n"), [(FACE, 700), (FACE, 2 * N), (SIGN, 2 * N)])
+def test_the_size_of_the_raster_changes_little(drawing, n):
+    """Files are read on twice as many pixels as most tests look at."""
+    usual = pictogram(rgba(drawing)) / 255
+    other = resize(pictogram(rgba(drawing, n)) / 255, (N, N), anti_aliasing=True)
     assert amiss(255 * other, 255 * usual) < 0.02
 
 
-@pytest.mark.parametrize(
-    "drawing", [FACE, path(HOUSE), TILES["rounded"].format("#000") + path(HOUSE, "#fff", GLYPH)]
-)
+@pytest.mark.parametrize("drawing", [FACE, path(HOUSE), SIGN])
 def test_a_margin_changes_little(drawing):
     usual = pictogram(rgba(drawing)) / 255
     wide = pictogram(rgba(drawing, box="-2 -2 28 28")) / 255

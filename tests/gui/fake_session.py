@@ -5,6 +5,7 @@ import threading
 from collections.abc import Iterator
 from concurrent.futures import Future
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -74,6 +75,7 @@ RECOMMENDED = 2
 """The column that is recommended in every row."""
 
 
+@cache
 def exemplar(number: int) -> Exemplar:
     """A ring, square, cross or triangle of its own size."""
     y, x = np.mgrid[:CANVAS, :CANVAS] - CANVAS / 2 + 0.5

@@ -18,7 +18,7 @@ from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.project.journal import journals_folder
 
 ROOT = Path(__file__).parents[2]
-MOMENTS = 4
+MOMENTS = 3
 """Of all twenty, in tests/benchmarks, those that are tried each time."""
 
 

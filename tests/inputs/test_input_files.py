@@ -5,7 +5,7 @@ import math
 from pathlib import Path
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from msgspec.structs import replace
 
@@ -124,7 +124,8 @@ def test_icons_to_be_picked_come_back(path, hybrids):
 layers_of_icons = st.builds(Layer, icons, placements, st.lists(strokes, max_size=3).map(tuple))
 
 
-@given(st.builds(Montage, st.lists(layers_of_icons).map(tuple)), words)
+@settings(max_examples=40, deadline=None)
+@given(st.builds(Montage, st.lists(layers_of_icons, max_size=5).map(tuple)), words)
 def test_montages_come_back(path, montage, title):
     write(path, replace(MontageFile.of(montage, named), title=title))
     assert read_montage(path).resolved(found) == montage

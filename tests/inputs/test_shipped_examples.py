@@ -4,7 +4,6 @@ import pytest
 
 from iconstudio.inputs.examples import examples
 from iconstudio.reading import returned
-from iconstudio.session import Session
 from iconstudio.workflows.editing.editing import place_edit
 from iconstudio.workflows.editing.file import read_edit
 from iconstudio.workflows.files import read_file, write_file
@@ -14,12 +13,6 @@ from iconstudio.workflows.modelling.file import read_sketch
 from iconstudio.workflows.montage import montage
 from iconstudio.workflows.montage.file import read_montage
 from iconstudio.workflows.registry import workflows
-
-
-@pytest.fixture(scope="module")
-def session():
-    with Session() as session:
-        yield session
 
 
 def listed(folder):

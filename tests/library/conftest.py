@@ -1,6 +1,8 @@
-"""Collections of a small world, built and opened."""
+"""Collections of a small world, built and opened: each once, for all tests that want the same."""
 
 import json
+import shutil
+from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
@@ -29,36 +31,53 @@ def packages(tmp_path_factory):
     return folder
 
 
-@pytest.fixture
-def make(tmp_path, packages, workers):
-    """Return a function that builds a collection of sets into a new folder."""
-    made = []
+@pytest.fixture(scope="session")
+def built(tmp_path_factory, packages, workers):
+    """Return a function that builds a collection of sets; nobody writes into its folder."""
+    made = {}
 
     def build_of(*sets: dict[str, object]) -> Path:
-        folder = tmp_path / f"built{len(made)}"
-        made.append(folder)
-        iconify = write_sets(tmp_path / f"iconify{len(made)}", *sets)
-        inputs = Inputs(iconify, packages / "wordnet", packages / "spdx")
-        steps = list(build(inputs, folder, workers))
-        assert [step.done for step in steps] == sorted(step.done for step in steps)
-        assert steps[-1].done == 1
-        return folder
+        key = json.dumps(sets)
+        if key not in made:
+            place = tmp_path_factory.mktemp("collection")
+            inputs = Inputs(
+                write_sets(place / "iconify", *sets), packages / "wordnet", packages / "spdx"
+            )
+            steps = list(build(inputs, place / "built", workers))
+            assert [step.done for step in steps] == sorted(step.done for step in steps)
+            assert steps[-1].done == 1
+            made[key] = place / "built"
+        return made[key]
 
     return build_of
 
 
 @pytest.fixture
-def opened(make, tmp_path):
-    """Return a function that builds a collection of sets, and opens it."""
-    collections = []
+def make(built, tmp_path):
+    """Return a function that gives a test a folder of its own with the collection of sets."""
+    made = []
 
-    def open_of(*sets: dict[str, object]) -> Collection:
-        collections.append(Collection.open(make(*sets), tmp_path / "cache"))
-        return collections[-1]
+    def copy_of(*sets: dict[str, object]) -> Path:
+        made.append(shutil.copytree(built(*sets), tmp_path / f"built{len(made)}"))
+        return made[-1]
 
-    yield open_of
-    for collection in collections:
-        collection.close()
+    return copy_of
+
+
+@pytest.fixture(scope="session")
+def opened(built, tmp_path_factory):
+    """Return a function that opens the collection of sets."""
+    with ExitStack() as closed_at_last:
+        collections = {}
+
+        def open_of(*sets: dict[str, object]) -> Collection:
+            folder = built(*sets)
+            if folder not in collections:
+                cache = tmp_path_factory.mktemp("unpacked")
+                collections[folder] = closed_at_last.enter_context(Collection.open(folder, cache))
+            return collections[folder]
+
+        yield open_of
 
 
 @pytest.fixture(scope="session")

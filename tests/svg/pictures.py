@@ -1,5 +1,7 @@
 """Documents by the whole way in, as pictures."""
 
+from functools import cache
+
 import numpy as np
 
 from iconstudio.model import Pictogram
@@ -23,10 +25,13 @@ def read(document, name="drawing.svg") -> Pictogram:
     return own_svg(document if isinstance(document, bytes) else document.encode(), name)
 
 
+@cache
 def ink(document):
-    """(256, 256) bool: the ink of a document's drawing on the canvas."""
+    """(256, 256) bool: the ink of a document's drawing on the canvas; many are asked for often."""
     _, coverage = rasterise(read(document).svg)
-    return coverage > 127
+    drawn = coverage > 127
+    drawn.flags.writeable = False
+    return drawn
 
 
 def overlap(one, other):

@@ -11,12 +11,11 @@ from iconstudio.algorithms.iconification.style import has_pale_areas
 from iconstudio.library.collection import Collection
 from iconstudio.svg.rasterise import rasterise
 from iconstudio.svg.reading import own_svg
-from iconstudio.workers import Workers
 from tests.svg.pictures import overlap
 
 SETS = ("lucide", "mdi", "tabler", "ph", "carbon", "fluent", "material-symbols", "solar", "bi",
         "game-icons")  # fmt: skip
-EACH = 30
+EACH = 20
 
 
 def compared(pictogram, alone):
@@ -56,9 +55,8 @@ def some():
 
 
 @pytest.mark.timeout(600)
-def test_three_hundred_icons_of_ten_sets_look_as_the_renderer_draws_them(some):
-    with Workers() as workers:
-        found = [one.result() for one in [workers.submit(compared, *icon) for icon in some]]
+def test_icons_of_ten_sets_look_as_the_renderer_draws_them(some, workers):
+    found = [one.result() for one in [workers.submit(compared, *icon) for icon in some]]
     assert len(found) == EACH * len(SETS)
     assert not [one for one in found if one[3]]
     assert np.median([one[1] for one in found]) > 0.995

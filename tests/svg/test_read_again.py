@@ -6,7 +6,6 @@ from PIL import Image
 
 from iconstudio.model import IconstudioError
 from iconstudio.output.svg import svg_document
-from iconstudio.session import Session
 from iconstudio.svg.mark import IN_MARKUP
 from iconstudio.svg.rasterise import rasterise
 from tests.algorithms.test_whites import BITES, SHAPES
@@ -72,14 +71,13 @@ def test_a_result_that_was_saved_is_read_as_it_is():
     assert IN_MARKUP in document
 
 
-def test_a_scan_that_was_saved_is_read_as_it_is(tmp_path):
+def test_a_scan_that_was_saved_is_read_as_it_is(session, tmp_path):
     """Scans may be as large as they are, and need no air around."""
     path = tmp_path / "scan.png"
     pixels = np.full((60, 60, 3), 255, np.uint8)
     pixels[10:50, 10:50], pixels[20:40, 20:40], pixels[25:35, 25:35] = 0, 255, 0
     Image.fromarray(pixels).save(path)
-    with Session() as session:
-        once = session.icon(str(path))
+    once = session.icon(str(path))
     assert (picture(read(once.svg).svg) == picture(once.svg)).all()
 
 

@@ -7,7 +7,6 @@ import pytest
 
 from iconstudio.model import Credit, IconstudioError, Pictogram
 from iconstudio.output.svg import credits_text, svg_document
-from iconstudio.session import Session
 from iconstudio.svg.check import check
 from iconstudio.svg.credits import UNLICENSED, UNNAMED
 from tests.output.made import BLOCK, RING, SOURCES, credited, made, quarters, titled, with_shares
@@ -27,12 +26,6 @@ def file(tmp_path):
         return path
 
     return write
-
-
-@pytest.fixture
-def session(tmp_path):
-    with Session(tmp_path / "cache") as one:
-        yield one
 
 
 def refusal(session, reference):

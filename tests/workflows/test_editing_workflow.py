@@ -6,7 +6,6 @@ import pytest
 from iconstudio.algorithms.iconification.matching import Matcher, prepare
 from iconstudio.model import CANVAS, Edit, IconstudioError, Polygon
 from iconstudio.svg.resvg import render_placed
-from iconstudio.workers import Workers
 from iconstudio.workflows.editing.editing import edit_icon, own_styles, place_edit
 from iconstudio.workflows.events import Recommended, StyleMatched
 from iconstudio.workflows.grid import GridSettings
@@ -31,13 +30,12 @@ EDIT = Edit(ICON.pictogram, "body", add=(rectangle(60, 60, 110, 100),))
 
 
 @pytest.fixture(scope="module")
-def events():
+def events(workers):
     others = [exemplar(blob(seed), f"blob-{seed}") for seed in range(3)]
     prepared = Matcher([prepare(one) for one in (ICON, WITH_KNOB, *others)])
     settings = GridSettings(styles=("dark",), lambdas=(0.05, 0.3))
-    with Workers() as workers:
-        change = place_edit(EDIT, ICON)
-        return list(edit_icon(EDIT, change, prepared, settings, workers, render_placed))
+    change = place_edit(EDIT, ICON)
+    return list(edit_icon(EDIT, change, prepared, settings, workers, render_placed))
 
 
 def of(kind, events):

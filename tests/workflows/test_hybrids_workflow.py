@@ -6,7 +6,6 @@ import pytest
 from iconstudio.algorithms.iconification.symmetry import reflected
 from iconstudio.model import CANVAS, Axis, IconstudioError, Mix
 from iconstudio.svg.resvg import render_placed
-from iconstudio.workers import Workers
 from iconstudio.workflows.events import Progress
 from iconstudio.workflows.hybrids.hybrids import check, draw_seeds, mix_icons, pinned
 from iconstudio.workflows.hybrids.selection import select_icons, stroke_width
@@ -25,12 +24,6 @@ VASES = [exemplar(vase(*sizes), f"vase-{n}") for n, sizes in enumerate(
     [(20, 60, 40), (50, 30, 70), (35, 90, 80)]
 )]  # fmt: skip
 MIX = Mix(tuple(one.pictogram for one in VASES), draws=8, seed=3, symmetry=Axis.HORIZONTAL)
-
-
-@pytest.fixture(scope="module")
-def workers():
-    with Workers() as pool:
-        yield pool
 
 
 def results(mix, workers, exemplars=VASES):

@@ -5,7 +5,6 @@ from iconstudio.algorithms.iconification.energy import joined_ink, placed_source
 from iconstudio.algorithms.iconification.matching import Matcher, prepare
 from iconstudio.model import CANVAS, Frame, IconstudioError, Placement, Polygon, Sketch
 from iconstudio.svg.resvg import render_coverage, render_placed
-from iconstudio.workers import Workers
 from iconstudio.workflows.events import (
     Progress,
     RegionsFound,
@@ -18,12 +17,6 @@ from iconstudio.workflows.modelling.modelling import FEWEST, model
 from tests.shapes import blob, exemplar, icons
 
 HOUSE = Polygon.of([(16, 128), (128, 16), (240, 128), (210, 128), (210, 240), (46, 240), (46, 128)])
-
-
-@pytest.fixture(scope="module")
-def workers():
-    with Workers() as pool:
-        yield pool
 
 
 def house_ink():

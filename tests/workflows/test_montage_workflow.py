@@ -8,7 +8,6 @@ from iconstudio.algorithms.iconification.overhang import seen
 from iconstudio.algorithms.raster import placed_ink
 from iconstudio.model import CANVAS, IconstudioError, Layer, Montage, Placement, Stroke
 from iconstudio.svg.resvg import render_placed
-from iconstudio.workers import Workers
 from iconstudio.workflows.events import Progress
 from iconstudio.workflows.montage.montage import montage_icons
 from tests.shapes import exemplar, icons
@@ -20,12 +19,6 @@ RING = exemplar((np.hypot(XS - 128, YS - 128) < 80) & (np.hypot(XS - 128, YS - 1
 
 def stroke(*points, width=12.0):
     return Stroke(width, points)
-
-
-@pytest.fixture(scope="module")
-def workers():
-    with Workers() as pool:
-        yield pool
 
 
 def result(montage, exemplars, workers):

@@ -14,7 +14,6 @@ from iconstudio.images.reading import Image
 from iconstudio.model import Correction, IconstudioError, Patterning, Separation, Stroke
 from iconstudio.reading import returned
 from iconstudio.resources import resource
-from iconstudio.session import Session
 from iconstudio.svg import artwork
 from iconstudio.workflows.events import Remark, Result
 from iconstudio.workflows.files import read_file
@@ -59,12 +58,6 @@ def exemplar(pixels, **options):
 def drawn():
     pixels, _, _ = artwork.artwork(SVG.encode())
     return np.asarray(Pixels.fromarray(pixels).reduce(2))
-
-
-@pytest.fixture(scope="module")
-def session():
-    with Session() as session:
-        yield session
 
 
 @pytest.fixture(scope="module")

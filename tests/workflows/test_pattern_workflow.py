@@ -12,7 +12,6 @@ from iconstudio.model import IconstudioError, Patterned, Patterning, Transform
 from iconstudio.output.png import icon_pixels
 from iconstudio.output.svg import svg_document
 from iconstudio.reading import returned
-from iconstudio.session import Session
 from iconstudio.workflows.events import Progress, Result
 from iconstudio.workflows.files import read_file
 from iconstudio.workflows.pattern.patterning import PatternSettings, run, samples
@@ -20,12 +19,6 @@ from iconstudio.workflows.pattern.scattering import scattered
 from iconstudio.workflows.pattern.spec import PATTERN
 
 SIDE = 192
-
-
-@pytest.fixture(scope="module")
-def session():
-    with Session() as session:
-        yield session
 
 
 @pytest.fixture(scope="module")

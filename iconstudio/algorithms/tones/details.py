@@ -42,10 +42,12 @@ def with_details(
     soft = np.where(fine & ~np.isnan(on_paper), on_paper, soft)
     # Lines along a contour are a part of the silhouette.
     within = scipy.ndimage.minimum_filter(inside, 2 * reach + 1)
-    within &= ~scipy.ndimage.maximum_filter(paper, 2 * reach + 1)
+    within &= fine & ~scipy.ndimage.maximum_filter(paper, 2 * reach + 1)
+    if not within.any():  # as most often
+        return soft
     for levels, darkest in ((grey, _PALE), (255 - grey, 255 - _DARK)):
         on_ink = _drawn_on(solid & ink, levels, solid, reach, darkest)
-        soft = np.where(fine & within & ~np.isnan(on_ink), 1 - on_ink, soft)
+        soft = np.where(within & ~np.isnan(on_ink), 1 - on_ink, soft)
     return soft
 
 

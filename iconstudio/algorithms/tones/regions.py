@@ -156,10 +156,12 @@ def cielab(rgb: NDArray[np.uint8]) -> NDArray[np.float32]:
     """Return sRGB colours (..., 3) in CIELAB; a drawing has few, so each is converted once."""
     from skimage.color import rgb2lab
 
-    packed = rgb.astype(np.uint32) @ np.array([1 << 16, 1 << 8, 1], np.uint32)
-    found, number = np.unique(packed, return_inverse=True)
+    packed = (rgb.astype(np.uint32) @ np.array([1 << 16, 1 << 8, 1], np.uint32)).ravel()
+    begins = np.flatnonzero(np.diff(packed, prepend=~packed[:1]))  # a run of one colour
+    found, number = np.unique(packed[begins], return_inverse=True)
     colours = np.stack([found >> 16, found >> 8 & 255, found & 255], axis=1).astype(np.uint8)
     lab: NDArray[np.float32] = rgb2lab(colours).astype(np.float32)
+    number = np.repeat(number, np.diff(begins, append=packed.size))
     return lab[number].reshape(rgb.shape)
 
 
