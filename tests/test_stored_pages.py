@@ -128,7 +128,7 @@ def test_a_pattern_is_read_back_with_its_motifs_or_its_image(formats, with_image
     )  # fmt: skip
     page = PatternPage(work, frozenset() if with_image else frozenset({1}))
     project = Contents("pattern", {"pattern": page}).project(formats)
-    again = contents(*archive.unpacked(archive.packed(project)), formats)
+    again = contents(archive.unpacked(archive.packed(project)), formats)
     assert not again.complaints
     found = again.pages["pattern"]
     if with_image:
