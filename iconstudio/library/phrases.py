@@ -12,6 +12,7 @@ from iconstudio.library.words import query
 from iconstudio.library.words.decency import is_insult
 from iconstudio.library.words.naming import is_negated, take_apart, without_number
 from iconstudio.library.words.readings import COMPOUND
+from iconstudio.library.words.usage import CROSSED_OUT
 from iconstudio.library.words.vocabulary import ATTRIBUTES, PEOPLE, STYLES
 
 _LONGEST = 3
@@ -177,10 +178,12 @@ class Phrases:
     def _without_attribute(self, words: Words) -> Answer:
         """Return the things of the words before one for a view, say: a swing set is swings.
 
-        Or before one that names nothing by itself: *eco friendly* tells of what is eco.
+        Or before one that says that they are switched off, where none is; or that names nothing by
+        itself: *eco friendly* tells of what is eco.
         """
         last = words[-1]
-        only_says_how = last in ATTRIBUTES or (self._terms.named(last) and not self._leads(last))
+        only_says_how = last in ATTRIBUTES or last in CROSSED_OUT
+        only_says_how |= bool(self._terms.named(last)) and not self._leads(last)
         if only_says_how and not self._terms.is_known(" ".join(words)):
             return _leaving({last}, words, self.answer(words[:-1]))
         return Answer()

@@ -18,6 +18,10 @@ from tests.algorithms.test_tone import rgba
 
 FULL = '<path d="M0 0h100v100H0z" fill="{}"/>'
 ROUND = '<rect width="100" height="100" rx="22" fill="{}"/>'
+PALE = (
+    '<linearGradient id="p" x2="1" y2="1"><stop stop-color="#ffe0e8"/><stop offset="1" '
+    'stop-color="#dfe8ff"/></linearGradient>'
+)
 DISC = '<circle cx="50" cy="50" r="30" fill="{}"/>'
 SIGN = '<path d="M30 30h40v40H30zm14 14v12h12V44z" fill="#fff" fill-rule="evenodd"/>'
 DRAWINGS = {
@@ -34,6 +38,9 @@ DRAWINGS = {
     + CUP.format('fill="#333" fill-rule="evenodd"'),
     "a blue cup on a white tile": ROUND.format("#fff")
     + CUP.format('fill="#05c" fill-rule="evenodd"'),
+    "a dark cup on a pale gradient": PALE
+    + FULL.format("url(#p)")
+    + CUP.format('fill="#333" fill-rule="evenodd"'),
     "a white sign on blue": FULL.format("#17e") + SIGN,
 }
 

@@ -13,6 +13,7 @@ from iconstudio.algorithms.scanning.binarisation import ink_of, recognised, scan
 from iconstudio.algorithms.scanning.flat import flat_drawing
 from iconstudio.algorithms.scanning.free import SIDE
 from iconstudio.algorithms.tones import tone
+from iconstudio.algorithms.tones.alternation import Omission
 from iconstudio.algorithms.tones.layers import flattened
 from tests import scans
 from tests.algorithms.test_scanning import house
@@ -268,6 +269,21 @@ def test_a_ring_on_a_gradient_is_the_drawing_on_it(side, quality, corners):
     if not corners and not quality:
         pixels = rgba(drawing, side, "0 0 100 100")
     assert scans.iou(scans.fitted(ink_of(recognised(pixels)).astype(float)), right) > 0.88
+
+
+@pytest.mark.parametrize(
+    ("bright", "side", "quality"), [("#335", 64, 0), ("#335", 256, 0), ("#558", 200, 80)]
+)
+def test_the_glow_behind_a_sign_is_no_part_of_it(bright, side, quality):
+    glow = (
+        f'<radialGradient id="r"><stop stop-color="{bright}"/><stop offset="1" stop-color="#001"/>'
+        '</radialGradient><path d="M0 0h100v100H0z" fill="url(#r)"/>'
+    )
+    sign = '<path d="M50 24a26 26 0 0 0 0 52 26 26 0 0 0 0-52zm-5 14h10v24H45z" fill="#fff"/>'
+    right = scans.fitted(pictogram(rgba(glow + sign, 512, "0 0 100 100")) / 255)
+    scan = recognised(on_page(glow + sign, side, quality, "0 0 100 100"))
+    assert scan.omissions == {Omission.TILE}
+    assert scans.iou(scans.fitted(ink_of(scan).astype(float)), right) > 0.9
 
 
 def test_a_ball_with_a_highlight_of_the_colour_of_the_page_is_whole():

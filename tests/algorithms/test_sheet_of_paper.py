@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from iconstudio.algorithms.scanning.sheet import sheet_on_desk
+from tests.algorithms.test_tone import rgba
 
 YELLOW, RED, WHITE = (1.0, 0.9, 0.0), (1.0, 0.0, 0.0), (0.95, 0.95, 0.93)
 
@@ -34,3 +35,13 @@ def test_what_is_of_another_colour_is_a_desk(colour):
     sheet = sheet_on_desk(np.clip(picture, 0, 1))
     assert sheet is not None
     assert sheet[:, :200].mean() > 0.99 and not sheet[:, 220:].any()
+
+
+def test_a_dot_near_a_corner_is_no_desk():
+    """It does not reach the edge."""
+    badge = '<circle cx="19.5" cy="4.5" r="3.5"/>'
+    square = (
+        '<path d="M19.5 10A5.5 5.5 0 0 1 14.2 3H5a2 2 0 0 0-2 2v14a2 2 0 0 0 2 2h14l2-2V9.8z"/>'
+    )
+    light = 1 - rgba(square + badge, 128)[..., 3:] / np.float32(255)
+    assert sheet_on_desk(np.repeat(light, 3, axis=2)) is None

@@ -180,7 +180,8 @@ def test_what_is_switched_off_is_found_as_its_names_say_it(opened, typed):
         ("switch off", ("power",)),
         ("turn off", ("power",)),
         ("log off", ("out", "exit", "leave")),
-        ("camera off", ("camera-x",)),
+        ("camera off", ("camera-x", "camera-cancelled")),
+        ("mic off", ("microphone-cancelled",)),
         ("wifi off", ("wifi-x",)),
         ("on/off", ("power",)),
         ("on off", ("power",)),
@@ -195,4 +196,6 @@ def test_what_is_off_comes_first(bundled, typed, parts):
 def test_what_no_icon_is_switched_off_of_is_told(bundled):
     for keyword in ("spin off", "bell off mute slash", "dog off"):
         assert "“x”" not in bundled.remark(keyword)
-    assert bundled.remark("mic off") == "No icon has all of these words: “off” was left out."
+    for word in ("off", "slash", "muted"):
+        left_out = f"No icon has all of these words: “{word}” was left out."
+        assert bundled.remark(f"teapot {word}") == left_out

@@ -7,7 +7,7 @@ behind black and grey alone. Only what a computer painted is told, not the paper
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.scanning.ground import ASTRAY, ground_of
+from iconstudio.algorithms.scanning.ground import ASTRAY, ground_of, is_gradient
 from iconstudio.algorithms.scanning.margin import corners_of
 from iconstudio.algorithms.scanning.palette import evenly_painted
 from iconstudio.algorithms.scanning.resampling import premultiplied, shrunk
@@ -37,7 +37,7 @@ def left_behind(
     blended = premultiplied(small)
     ground = ground_of(blended)
     if ground is None or not ground.is_clean(blended):
-        return frozenset()
+        return frozenset({Omission.TILE} if is_gradient(pixels) else ())
     if not near_white(cielab(np.rint(ground.colour[None, :3]).astype(np.uint8)))[0]:
         shown = drawing is not None and _has_colour(drawing, ground.colour[:3])
         return frozenset() if shown else frozenset({Omission.TILE})

@@ -21,7 +21,14 @@ from iconstudio.algorithms.scanning.free import (
     on_square,
     scaled,
 )
-from iconstudio.algorithms.scanning.ground import AROUND, ASTRAY, CLEAR, Ground, ground_of
+from iconstudio.algorithms.scanning.ground import (
+    AROUND,
+    ASTRAY,
+    CLEAR,
+    Ground,
+    ground_of,
+    is_gradient,
+)
 from iconstudio.algorithms.scanning.margin import PAPER, box_of, corners_of, has_stripes, rim_of
 from iconstudio.algorithms.scanning.palette import SMALL, Palette, is_in_one_colour, palette_of
 from iconstudio.algorithms.scanning.resampling import (
@@ -62,8 +69,9 @@ _TINGE = 70.0
 """Levels by which the channels of paper differ, at most."""
 _IN_SHADOW = 0.1
 """How much of the rim has shades, where what has not is no ground."""
-_FADING = 0.9
-"""How much of where a soft shadow meets the ground is nearly of its colour."""
+_FADING, _NEARER = 0.9, 0.7
+"""How much of where a soft shadow meets the ground is nearly of its colour; and by what part of
+what it differs elsewhere that differs, if it has but few shades."""
 _CLEAN = 3.0
 """Levels by which the ground of a drawing with shades strays at most; that of a photo does."""
 _EVENLY = 0.4
@@ -108,14 +116,19 @@ def flat_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
     if found is not None and _goes_on_in_shadow(palette, found):
         found = None
     ground, around = (None, 0.0) if found is None else (0, found.around)
-    if _is_full_bleed(palette, blended, ground, around):
+    uneven = found is not None and not free and not found.is_clean(blended)
+    if _is_full_bleed(palette, blended, ground, around) or (uneven and is_gradient(pixels)):
         return _full_bleed(blended, palette)
     if ground is None:
         return None
-    if small.shape[2] == 3 and palette.shades:
-        if palette.noise(ground, blended) > _CLEAN:
+    if small.shape[2] == 3:
+        if palette.shades and palette.noise(ground, blended) > _CLEAN:
             return None
-        palette = _without_fading(palette, ground)
+        fading = _fading(palette, ground, blended)
+        if any(palette.colours[one].sum() > palette.colours[ground].sum() for one in fading):
+            return _full_bleed(blended, palette)  # a glow, which goes on behind the drawing
+        for one in fading:
+            palette = palette.without(one, ground)
     palette, parts = _completed(blended, palette)
     if parts is None:
         return cut_drawing(pixels)
@@ -253,18 +266,21 @@ def _goes_on_in_shadow(palette: Palette, ground: Ground) -> bool:
     return bool(shaded and ground.around < AROUND and not corners_of(ground.mask).all())
 
 
-def _without_fading(palette: Palette, ground: int) -> Palette:
-    """Return a palette without shades that fade into the ground all around, as soft shadows do.
+def _fading(palette: Palette, ground: int, blended: NDArray[np.float32]) -> list[int]:
+    """Return the colours that fade into the ground all around, as soft shadows and glows do.
 
+    They meet the ground nearly in its colour; what has but few shades, nearer to it than elsewhere.
     A cloud or a button may fade into it on one side.
     """
+    fading: list[int] = []
+    away = np.linalg.norm(palette.colours - palette.colours[ground], axis=1)
     beside = scipy.ndimage.binary_dilation(palette.number == ground, np.ones((_NEAR, _NEAR)))
-    for one, shade in palette.shades.items():
-        meets = beside & (palette.number == one)
-        away = np.linalg.norm(shade[meets] - palette.colours[ground], axis=1)
-        if away.size and (away < ASTRAY).mean() > _FADING:
-            palette = palette.without(one, ground)
-    return palette
+    for one in set(range(len(away))) - {ground}:
+        meets = blended[beside & (palette.number == one)] - palette.colours[ground]
+        most = ASTRAY if one in palette.shades else min(ASTRAY, _NEARER * away[one])
+        if len(meets) and (np.linalg.norm(meets, axis=1) < most).mean() > _FADING:
+            fading.append(one)
+    return fading
 
 
 def _parts(

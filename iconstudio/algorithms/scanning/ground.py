@@ -12,6 +12,7 @@ import scipy
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.scanning.margin import PAPER, corners_of, rim_of
+from iconstudio.algorithms.tones.regions import GREY, cielab
 
 CLEAR = 12.0
 """Levels of alpha of what is not there."""
@@ -40,6 +41,9 @@ _CLEAN = 5.0
 """Levels by which pixels of a ground that a computer painted stray in the median, at most."""
 _TINY = 40
 """Pixels of the longer side of a bitmap in which noise cannot be told from what is drawn."""
+_GENTLE, _ALONG, _TINTED = 5.0, 0.9, 0.25
+"""Levels by which a gradient changes within three pixels at most; how much of the rim does so, and
+how much of it is coloured, at least."""
 
 
 class Ground(NamedTuple):
@@ -75,6 +79,16 @@ def unevenness(levels: NDArray[np.float32], size: int) -> NDArray[np.float32]:
     low = scipy.ndimage.minimum_filter(levels, (size, size, 1))
     most: NDArray[np.float32] = (high - low).max(axis=2)
     return most
+
+
+def is_gradient(pixels: NDArray[np.uint8]) -> bool:
+    """Whether what is all around (h, w, 3) is coloured by degrees: no paper, nor a photo."""
+    turned = pixels.swapaxes(0, 1)
+    bands = (pixels[:3], pixels[-3:], turned[:3], turned[-3:])
+    rims = np.concatenate([unevenness(band.astype(np.float32), 3)[1] for band in bands])
+    lab = cielab(rim_of(pixels))
+    coloured = np.hypot(lab[:, 1], lab[:, 2]) > GREY
+    return bool((rims < _GENTLE).mean() > _ALONG and coloured.mean() > _TINTED)
 
 
 def are_alike(pixels: NDArray[np.float32], colours: NDArray[np.float32]) -> bool:

@@ -6,6 +6,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.scanning.margin import rim_of
 from iconstudio.algorithms.scanning.quadrangle import quadrangularity
 
 _LEAST, _MOST = 0.12, 0.995
@@ -17,6 +18,8 @@ _SHARP = 0.3
 """So much of the contrast between sheet and desk lies in the edge between them, not in light."""
 _ALL_BUT = 0.8
 """The drawing may touch the edge of the sheet somewhere."""
+_BEYOND = 0.5
+"""How much of the edge of the picture that is not of the sheet is of the desk, at least."""
 _BLUR = 1.5
 _GLINT = 3
 """Half the width in pixels of what is too slim to be part of a sheet."""
@@ -46,7 +49,9 @@ def sheet_on_desk(picture: NDArray[np.float32]) -> NDArray[np.bool_] | None:
             continue
         for level in _levels(light):
             sheet, straight = _sheet(light, level)
-            if straight <= best or _is_card(picture, light > level, sheet):
+            if straight <= best or not _goes_on(light <= level, ~sheet):
+                continue
+            if _is_card(picture, light > level, sheet):
                 continue
             if not _is_in_shadow(picture, ~sheet):
                 best, found = straight, sheet
@@ -90,6 +95,12 @@ def _is_sharp(light: NDArray[np.float32], sheet: NDArray[np.bool_], step: float)
     steps = scipy.ndimage.maximum_filter(slope, 5) * (_BLUR * np.sqrt(2 * np.pi))
     rim = sheet & ~scipy.ndimage.binary_erosion(sheet, border_value=1)
     return bool(np.mean(steps[rim] > step) > _ALL_BUT)
+
+
+def _goes_on(dark: NDArray[np.bool_], outside: NDArray[np.bool_]) -> bool:
+    """Whether a desk reaches the edge of the picture: what does not is drawn on the sheet."""
+    beyond = rim_of(dark)[rim_of(outside)]
+    return bool(beyond.size and beyond.mean() > _BEYOND)
 
 
 def _is_card(

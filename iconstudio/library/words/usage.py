@@ -126,7 +126,7 @@ INFORMAL = _listed(
 """What people type for short, or as they talk at home, in one word: two words are read as one."""
 
 CROSSED_OUT = {
-    word: ("x", "x mark", "cross", "hide", "invisible", "silence", "quiet")
+    word: ("x", "x mark", "cross", "cancelled", "hide", "invisible", "silence", "quiet")
     for word in ("off", "slash", "slashed", "mute", "muted", "disabled")
 }
 """What says of a thing that it is switched off or struck out, and what names of icons have for it.
