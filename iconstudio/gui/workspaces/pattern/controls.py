@@ -54,6 +54,7 @@ def _side(name: str) -> QSpinBox:
     field.setAccessibleName(name)
     field.setToolTip(f"{name} of the pattern; an exemplar's canvas is {CANVAS} wide and high")
     field.setFixedWidth(10 * UNIT)
+    field.setAlignment(Qt.AlignmentFlag.AlignHCenter)
     return field
 
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Generator
 
-from PySide6.QtCore import QObject, QRectF, Signal
+from PySide6.QtCore import QObject, QRectF, Qt, Signal
 from PySide6.QtGui import QPaintEvent
 from PySide6.QtWidgets import QButtonGroup, QCheckBox, QFrame, QGridLayout, QSpinBox, QWidget
 
@@ -103,6 +103,7 @@ class LayersPanel(QFrame):
         self.count.setAccessibleName("Number of colours")
         self.count.setToolTip("How many colours the image has, with its ground")
         self.count.setFixedWidth(15 * UNIT)
+        self.count.setAlignment(Qt.AlignmentFlag.AlignHCenter)
         self.count.valueChanged.connect(
             lambda count: edits.set_colours(document, None if count == _AUTOMATIC else count)
         )
