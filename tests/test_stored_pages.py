@@ -139,7 +139,7 @@ def test_a_pattern_is_read_back_with_its_motifs_or_its_image(formats, with_image
     assert found == page
     stored = project.index.pages["pattern"]
     project.index.pages["pattern"] = structs.replace(stored, chosen=(1, 99))
-    tampered = contents(*archive.unpacked(archive.packed(project)), formats)
+    tampered = contents(archive.unpacked(archive.packed(project)), formats)
     assert tampered.pages["pattern"].chosen == page.chosen
 
 

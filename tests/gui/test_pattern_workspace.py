@@ -354,6 +354,9 @@ def test_a_sheet_that_was_made_is_shown_again_at_once(laid_out, qtbot, session):
     ran = len(works(session))
     qtbot.waitUntil(lambda: sheet.pictures == first, timeout=10000)
     assert len(works(session)) == ran
+    laid_out.take(CROSS)
+    qtbot.waitUntil(lambda: sheet.pictures[:1] != first[:1], timeout=10000)
+    assert first[0] not in sheet.pictures, "they are of another exemplar"
 
 
 def test_the_next_icon_is_the_shape_that_is_filled(laid_out, qtbot):

@@ -60,7 +60,7 @@ def draw(
         pattern = next(synthesised(prepared, settings, _ask))
     else:
         *_, pattern = best(prepared, settings, _TRIES, _ask)
-    layers = vectorise(pattern, found.elements or None, _ask)
+    layers = vectorise(pattern, found.elements or None, _ask, curves=not coarse)
     return Drawn(layers, found.ground, pattern.torn, found.remark)
 
 

@@ -94,6 +94,15 @@ FIELDS = {
 
 @pytest.mark.parametrize("name", FIELDS)
 @pytest.mark.parametrize("tile", [True, False])
+def test_polygons_look_as_curves_do_but_for_blunt_corners(name, tile):
+    made = pattern(FIELDS[name], tile=tile)
+    found = drawn(vectorise(made, curves=False))
+    assert likeness(found[..., 3] > 0.5, coverage(made.distances[0]) > 0.5) > 0.95
+    assert (found[found[..., 3] > 0, :3].round(1) == RED).all()
+
+
+@pytest.mark.parametrize("name", FIELDS)
+@pytest.mark.parametrize("tile", [True, False])
 def test_what_is_drawn_is_what_was_traced(name, tile):
     made = pattern(FIELDS[name], tile=tile)
     layers = vectorise(made)

@@ -53,7 +53,7 @@ def _side(name: str) -> QSpinBox:
     field.setKeyboardTracking(False)
     field.setAccessibleName(name)
     field.setToolTip(f"{name} of the pattern; an exemplar's canvas is {CANVAS} wide and high")
-    field.setFixedWidth(9 * UNIT)
+    field.setFixedWidth(10 * UNIT)
     field.setAlignment(Qt.AlignmentFlag.AlignHCenter)
     return field
 

@@ -102,7 +102,7 @@ class LayersPanel(QFrame):
         self.count.setSpecialValueText("Automatic")
         self.count.setAccessibleName("Number of colours")
         self.count.setToolTip("How many colours the image has, with its ground")
-        self.count.setFixedWidth(13 * UNIT)
+        self.count.setFixedWidth(15 * UNIT)
         self.count.setAlignment(Qt.AlignmentFlag.AlignHCenter)
         self.count.valueChanged.connect(
             lambda count: edits.set_colours(document, None if count == _AUTOMATIC else count)

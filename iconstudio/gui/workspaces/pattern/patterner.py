@@ -14,6 +14,8 @@ from iconstudio.workflows.pattern.page import PatternPage
 
 REST = 300
 """Milliseconds for which a finished pattern stands before others are made."""
+_PATIENCE = 3000
+"""Milliseconds that a run may take until it shows something while the hand goes on."""
 _KEPT = 24
 """Patterns that are kept, so that undoing and going back to a seed shows them at once."""
 
@@ -43,7 +45,7 @@ class Patterner(QObject):
 
     def __init__(self, session: Session, worker: Worker, parent: QObject) -> None:
         super().__init__(parent)
-        self.live = LiveRunner(worker, partial(made, session), self)
+        self.live = LiveRunner(worker, partial(made, session), self, _PATIENCE)
         self.others = LiveRunner(Worker(parent), partial(made_with_other_seeds, session), self)
         self.made: Made | None = None
         """What was shown last."""

@@ -50,8 +50,10 @@ class SeedsPanel(QFrame):
         self.sheet.show_entries([])
 
     def show_used(self, work: Patterning) -> None:
-        """Tick the pattern of some work."""
+        """Tick the pattern of some work; those of another exemplar are no longer shown."""
         self._used = work
+        if any(_subject(one) != _subject(work) for one in self._works.values()):
+            self.clear()
         self._mark()
 
     def _show(self, pictures: list[Picture], made: Made) -> None:
@@ -66,3 +68,8 @@ class SeedsPanel(QFrame):
         name = f"Seed {self._works[id(picture)].seed}"
         torn = f"{picture.icon.torn:.0%} of its ink in torn elements"
         return (f"{name}, in use" if used else name), f"{name}, {torn}\nClick to take it over"
+
+
+def _subject(work: Patterning) -> tuple[object, ...]:
+    """Return what an exemplar shows, wherever it lies."""
+    return frozenset(one.icon for one in work.motifs), work.image and work.image.photo
