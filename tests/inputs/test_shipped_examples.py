@@ -1,5 +1,8 @@
 """The examples that come with the program are listed by title, open, and can be worked on."""
 
+from dataclasses import replace
+
+import numpy as np
 import pytest
 
 from iconstudio.inputs.examples import examples
@@ -70,4 +73,8 @@ def test_every_workflow_writes_what_it_reads(workflow, session, tmp_path):
         work = returned(read_file(example.path, workflow, session))
         path = tmp_path / f"{number}.json"
         write_file(path, workflow, work)
-        assert returned(read_file(path, workflow, session)) == work
+        again = returned(read_file(path, workflow, session))
+        if getattr(work, "image", None) is not None:  # photos are told from each other by identity
+            assert np.array_equal(again.image.photo.levels[0], work.image.photo.levels[0])
+            again = replace(again, image=replace(again.image, photo=work.image.photo))
+        assert again == work
