@@ -1,5 +1,6 @@
 """Patterns beside what people use: torn ink, seams of tiles, and seconds, on the same exemplars."""
 
+import os
 import statistics
 import subprocess
 import tempfile
@@ -7,7 +8,6 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from shutil import which
-from time import perf_counter
 from typing import Any
 
 import numpy as np
@@ -33,6 +33,7 @@ class Measured:
     """What a peer made of one exemplar and seed."""
 
     seconds: float
+    """Of a processor."""
     torn: float
     ink: float
     """Over the exemplar's."""
@@ -112,12 +113,18 @@ def peers() -> dict[str, Peer]:
 
 def measured(peer: Peer, exemplar: Exemplar, seed: int) -> Measured:
     """Run a peer, and look at its picture alone."""
-    began = perf_counter()
+    began = processor()
     colours = peer(exemplar, seed)
-    seconds = perf_counter() - began
+    seconds = processor() - began
     given, made = ink_of(exemplar.colours, exemplar), ink_of(colours, exemplar)
     torn = torn_ink(made, given, peer is not gmic)
     return Measured(seconds, torn, made.mean() / given.mean(), seam(colours))
+
+
+def processor() -> float:
+    """Return the seconds of a processor that this program, and those it ran, have taken."""
+    times = os.times()
+    return times.user + times.system + times.children_user + times.children_system
 
 
 def ink_of(colours: Colours, exemplar: Exemplar) -> NDArray[np.bool_]:
