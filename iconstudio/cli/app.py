@@ -121,7 +121,7 @@ def _advice(word: str, commands: Iterable[str]) -> str:
             f"{beginning} To see it as an icon: iconstudio show {typed} --png icon.png. To work on "
             "it, open the window by iconstudio, and drop it there."
         )
-    if near := get_close_matches(word.lower(), [*commands], n=1):
+    if near := get_close_matches(word.lower(), [*commands], n=1, cutoff=0.7):
         return f"{beginning} Do you mean this? iconstudio {near[0]}"
     if not word.strip() or os.path.lexists(word):
         return f"{beginning} {commands_listed}."

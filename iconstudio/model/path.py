@@ -109,6 +109,19 @@ class Path:
         return cast(tuple[float, float, float, float], pen.bounds)
 
     @property
+    def area(self) -> float:
+        """What its contours enclose; negative if they run the other way, as holes do.
+
+        >>> Path((Contour((0, 0), (((8, 0),), ((8, 8),), ((0, 8),))),)).area
+        64.0
+        """
+        from fontTools.pens.areaPen import AreaPen
+
+        pen = AreaPen(None)
+        self.draw(pen)
+        return float(pen.value)
+
+    @property
     def overhang(self) -> float:
         """By how much it reaches out of the canvas at most, in canvas units; 0 if it does not."""
         if not self:

@@ -5,6 +5,7 @@ was, and only what would come out the same is taken over.
 """
 
 import hashlib
+import os
 import re
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
@@ -69,7 +70,7 @@ class RestyledSet:
     ------
     IconstudioError
         On construction and from every method, if the folder cannot be written; on construction also
-        if it holds the icons of another set, or of this one in another style.
+        if it holds the icons of another set, or of this one in another style, or a user's own.
     """
 
     def __init__(self, folder: Path, name: str, members: Sequence[Member], manner: Manner) -> None:
@@ -117,6 +118,12 @@ class RestyledSet:
             return
         member, file = event.member, self._files[event.member.id]
         data = document(event.title, event.credits, event.drawn).encode()
+        if self._is_foreign(file, data):
+            self.skipped[member.id] = (
+                f"“{file}” is there already, and not as it was made. It was left as it is: "
+                "move it, or choose another folder."
+            )
+            return
         self._folder.write(file, data)
         self._done[file] = _Entry(
             member.id,
@@ -156,6 +163,13 @@ class RestyledSet:
         self._remove_others(sheets)
         self.save()
 
+    def _is_foreign(self, file: str, data: bytes) -> bool:
+        """Whether a file is there that a user made, or changed; ``data`` are to be in it."""
+        there = _digest_of(self._path / file)
+        entry = self._before.get(file)
+        known = (_digest(data), entry.digest if entry else "")
+        return os.path.lexists(self._path / file) and there not in known
+
     def _remove_others(self, sheets: Sequence[str]) -> None:
         """Remove what earlier runs have written, and this one has not."""
         for file in self._before.keys() - self._done.keys():
@@ -173,7 +187,13 @@ class RestyledSet:
         return _digest(repr(said).encode(errors="replace"))
 
     def _check(self, before: _Manifest) -> None:
-        """Refuse to replace what a run of something else has made."""
+        """Refuse to replace what a run of something else has made, or a user."""
+        foreign = [one for one in (CREDITS, "sheet.png") if os.path.lexists(self._path / one)]
+        if foreign and not os.path.lexists(self._path / MANIFEST):
+            raise IconstudioError(
+                f"“{self._path}” holds a {foreign[0]} of yours, which would be replaced. "
+                "Choose another folder, or move it."
+            )
         if before.files and (before.set, before.style) != (self._name, self._manner.style.name):
             raise IconstudioError(
                 f"“{self._path}” holds icons of {before.set} in the style {before.style}. "

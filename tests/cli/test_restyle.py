@@ -248,3 +248,23 @@ def test_a_set_that_is_stopped_goes_on_where_it_was(tmp_path, icons):
     assert {one.name: one.read_bytes() for one in out.iterdir()} == {
         one.name: one.read_bytes() for one in fresh.iterdir()
     }
+
+
+def test_a_set_replaces_no_file_of_the_users(icons, tmp_path, capsys):
+    out = tmp_path / "out"
+    out.mkdir()
+    words = ["restyle", "--set", str(icons), "--style", "Shaky", "--out", str(out)]
+    (out / "CREDITS.md").write_text("mine")
+    assert run(words, None) == 2
+    assert "CREDITS.md of yours" in capsys.readouterr().err
+    assert (out / "CREDITS.md").read_text() == "mine"
+    (out / "CREDITS.md").unlink()
+    (out / "cross-2.svg").write_text("mine")
+    assert run(words, None) == 0
+    assert "“cross-2.svg” is there already" in capsys.readouterr().err
+    assert (out / "cross-2.svg").read_text() == "mine"
+    with (out / "cross-3.svg").open("a") as file:
+        file.write("<!-- edited -->")
+    assert run(words, None) == 0
+    assert "“cross-3.svg” is there already" in capsys.readouterr().err
+    assert (out / "cross-3.svg").read_text().endswith("<!-- edited -->")

@@ -24,6 +24,8 @@ _REACH = 3.0
 """Pixels around its contour in which an element is compared with a layer."""
 _LIKELY = 0.75
 """Of what an element differs from emptiness, it may differ so much from what it replaces."""
+_AS_LIKELY = 0.02
+"""Elements are as likely in a place if their unlikeness differs by less."""
 _VISIBLE = 0.25
 """Of an element's ink, so much lies in the pattern at least."""
 _FULL = 0.97
@@ -112,6 +114,7 @@ def mended(
         unlikeness.append(values)
     for one in sorted(candidates, key=lambda candidate: candidate.unlikeness):
         ask()
+        one = _rarest(one, sheet, elements.whole, unlikeness)
         if sheet.has_room(one) and sheet.share_with(one) <= _LIKELY_FULL * elements.share:
             sheet.lay(one)
     usual = median(int(element.ink.sum()) for element in elements.whole)
@@ -126,6 +129,26 @@ def mended(
                 break
             sheet.lay(found)
     return sheet.result(ask)
+
+
+def _rarest(
+    one: _Candidate, sheet: "_Sheet", whole: Sequence[Element], unlikeness: list[Field]
+) -> _Candidate:
+    """Return that of the elements which is laid least often, of those as likely in one's place.
+
+    Elements of one shape may differ in their colours.
+    """
+    middle_y = one.top + one.element.ink.shape[0] / 2
+    middle_x = one.left + one.element.ink.shape[1] / 2
+    best, least = one, sheet.count(one.element)
+    for other, values in zip(whole, unlikeness, strict=True):
+        rows, columns = values.shape
+        top = round(middle_y - other.ink.shape[0] / 2) % rows
+        left = round(middle_x - other.ink.shape[1] / 2) % columns
+        likely = values[top, left]
+        if likely <= one.unlikeness + _AS_LIKELY and sheet.count(other) < least:
+            best, least = _Candidate(float(likely), other, top, left), sheet.count(other)
+    return best
 
 
 def _least(values: Field, tile: bool) -> Bitmap:

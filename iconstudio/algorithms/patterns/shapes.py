@@ -25,6 +25,8 @@ _SPECK = 0.5
 """Square canvas units of the smallest dot."""
 _SURE = 0.8
 """How much of a connected piece one element has, if it is of it."""
+_SOFT, _BLUR = 0.15, 0.9
+"""An edge is hard if fewer of its pixels are covered in part; it is then blurred by so many."""
 _EIGHT = np.ones((3, 3), np.bool_)
 
 
@@ -103,8 +105,18 @@ def _run_on(covered: Mask, later: NDArray[np.bool_]) -> Mask:
 def _traced(coverage: Mask) -> Path:
     side = max(coverage.shape)
     square = np.zeros((side, side), np.uint8)
-    square[: coverage.shape[0], : coverage.shape[1]] = np.rint(coverage * 255)
+    square[: coverage.shape[0], : coverage.shape[1]] = np.rint(_smoothed(coverage) * 255)
     return trace(square, _SPECK)
+
+
+def _smoothed(coverage: Mask) -> Mask:
+    """Return a mask whose edges are soft: of hard ones, every pixel would be a corner."""
+    soft = (coverage > 0.1) & (coverage < 0.9)
+    edge = ndimage.binary_dilation(coverage > 0.5, _EIGHT) & (coverage <= 0.5)
+    if soft.sum() > _SOFT * edge.sum():
+        return coverage
+    smoothed: Mask = ndimage.gaussian_filter(coverage, _BLUR, mode="nearest")
+    return smoothed
 
 
 def _owners(ink: NDArray[np.bool_], labels: Labels) -> Labels:

@@ -7,7 +7,6 @@ of each other in the pattern, too.
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
-from math import sqrt
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +14,6 @@ from numpy.typing import NDArray
 from iconstudio.algorithms.patterns.exemplar import MOST_LAYERS, Exemplar
 from iconstudio.algorithms.raster import solid
 from iconstudio.model import (
-    CANVAS,
     Fill,
     Frame,
     IconstudioError,
@@ -25,6 +23,7 @@ from iconstudio.model import (
     Transform,
 )
 from iconstudio.svg.resvg import render_coverage
+from iconstudio.workflows.pattern.density import denser
 
 Mask = NDArray[np.float32]
 """(n, n), how much of each pixel is covered, from 0 to 1."""
@@ -70,22 +69,10 @@ class Arrangement:
 
     @classmethod
     def of(cls, work: Patterning, paths: Sequence[Path]) -> "Arrangement":
-        """Return the motifs of some work as dense as it says, turned.
-
-        A higher density brings them nearer together; each keeps within the canvas if it was within.
-        """
-        side = CANVAS / sqrt(work.density)
-        motifs = tuple(_moved(one, side, work.turn) for one in work.motifs)
-        return cls(motifs, tuple(paths), side, work.ground)
-
-
-def _moved(motif: Motif, side: float, turn: float) -> Motif:
-    def along(value: float) -> float:
-        least = min(motif.size / 2, value, CANVAS - value)  # from the border it had
-        place = value * side / CANVAS
-        return min(max(place, least), side - least) if 0 <= least <= side / 2 else place
-
-    return replace(motif, x=along(motif.x), y=along(motif.y), turn=motif.turn + turn)
+        """Return the motifs of some work as dense as it says, turned."""
+        motifs, side = denser(work.motifs, work.density)
+        turned = tuple(replace(one, turn=one.turn + work.turn) for one in motifs)
+        return cls(turned, tuple(paths), side, work.ground)
 
 
 def laid_out(arrangement: Arrangement, samples: float) -> Layout:

@@ -22,6 +22,7 @@ from iconstudio.workers import answer
 from iconstudio.workflows.events import Event, Progress, Remark, Result
 from iconstudio.workflows.pattern.bounds import LARGEST_SEED
 from iconstudio.workflows.pattern.drawing import SAMPLES, Drawn, Source, draw
+from iconstudio.workflows.pattern.filling import fitted
 from iconstudio.workflows.pattern.imaging import ImageExemplar
 from iconstudio.workflows.pattern.layout import Arrangement
 from iconstudio.workflows.workflow import Resources
@@ -59,7 +60,7 @@ def run(
     yield Progress("pattern", 0.0, "Reading the exemplar")
     size = samples(work)
     source = _source(resources, work)
-    fill = None if work.fill is None else _fitted(_outline(resources, work.fill), size)
+    fill = None if work.fill is None else fitted(_outline(resources, work.fill), size)
     ticket = resources.workers.ticket()
     try:
         submit = partial(
@@ -79,6 +80,7 @@ def run(
             drawn = answer(task, "Continuing the exemplar", "Ask for a smaller pattern.")
             if drawn.remark and number == 1:
                 yield Remark(drawn.remark)
+            _check(one, drawn)
             yield Result(icon_of(one, drawn, size, fill))
             yield Progress("pattern", number / len(wanted), "Continuing the exemplar")
     finally:
@@ -134,6 +136,16 @@ def icon_of(
     )
 
 
+def _check(work: Patterning, drawn: Drawn) -> None:
+    if any(layer.fills for layer in drawn.layers):
+        return
+    where = "that shape" if work.fill else f"a pattern of {work.width} x {work.height}"
+    raise IconstudioError(
+        f"Nothing of the exemplar fits whole into {where}. Make it larger, or scale the "
+        "elements down; or move what its border cuts into the exemplar."
+    )
+
+
 def _transformed(layer: ColouredLayer, transform: Transform) -> ColouredLayer:
     fills = (replace(one, path=one.path.transformed(transform)) for one in layer.fills)
     return replace(layer, fills=tuple(fills))
@@ -165,11 +177,3 @@ def _icons(work: Patterning) -> tuple[Pictogram, ...]:
 
 def _outline(resources: Resources, icon: Pictogram) -> Outline:
     return resources.drawing(resources.exemplar(icon)).path
-
-
-def _fitted(path: Outline, size: tuple[int, int]) -> Outline:
-    """Return a shape on the canvas as large as a pattern of so many rows and columns allows."""
-    rows, columns = size
-    scale = min(rows, columns) / CANVAS
-    off = (columns - CANVAS * scale) / 2, (rows - CANVAS * scale) / 2
-    return path.transformed(Transform(scale, 0, 0, scale, *off))
