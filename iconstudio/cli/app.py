@@ -158,6 +158,11 @@ def _checked(window: Window) -> Window:
     return window
 
 
+def _printable(text: str) -> str:
+    """Return a text that can be written: a name in it may hold bytes that are no text."""
+    return text.encode(errors="backslashreplace").decode()
+
+
 def run(arguments: Sequence[str], window: Window) -> int:
     """Run the program and return its exit code; mistakes are told in a sentence."""
     try:
@@ -171,15 +176,14 @@ def run(arguments: Sequence[str], window: Window) -> int:
     except click.exceptions.Exit as end:
         return end.exit_code
     except click.ClickException as error:
+        error.message = _printable(error.message)
         error.show()
         return error.exit_code
     except (click.Abort, KeyboardInterrupt):
         click.echo("Stopped.", err=True)
         return INTERRUPTED
     except IconstudioError as error:
-        # A name may hold bytes that are no text.
-        sentence = str(error).encode(errors="backslashreplace").decode()
-        click.echo(f"iconstudio: {sentence}", err=True)
+        click.echo(f"iconstudio: {_printable(str(error))}", err=True)
         return MISTAKE
     except UnicodeEncodeError as error:  # half of a surrogate pair, where no file name is meant
         click.echo(

@@ -33,6 +33,11 @@ def open_file(path: Path, kind: type[F]) -> F:
             f"“{path.name}” is a file of “{name:.60}”, which this version does not know. "
             "Open it with the version that wrote it, or a newer one."
         )
+    if isinstance(data, dict) and "pairs" in data:
+        raise IconstudioError(
+            f"“{path.name}” is a line style. Open it by “Open line style” in Line style, "
+            f"or use it with iconstudio restyle ICON --style {path.name}."
+        )
     likely = likely_workflow(data, workflows())
     if likely is not None and likely.file is not kind:
         wanted = next(one for one in workflows() if one.file is kind)

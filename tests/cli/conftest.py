@@ -37,4 +37,5 @@ def sessions_share_workers(lasting_workers):
     """What a command leaves behind is tested where a program of its own is started."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("iconstudio.session.Workers", lasting_workers)
+        patch.setattr("iconstudio.reading.Workers", lasting_workers)
         yield

@@ -178,6 +178,8 @@ def test_an_output_folder_without_a_name(tmp_path, capsys, monkeypatch):
         ("edit", {"keyword": "dog", "polygon": [[0, 0], [9, 0], [9, 9]]}, "like a sketch"),
         ("montage", edit(), "with iconstudio edit"),
         ("hybrids", {"layers": []}, "like a montage"),
+        ("restyle", {"name": "Mine", "pairs": []}, "is a line style. Open it by"),
+        ("edit", {"name": "Mine", "pairs": []}, "restyle ICON --style"),
     ],
 )
 def test_files_of_another_command(tmp_path, capsys, command, data, words):

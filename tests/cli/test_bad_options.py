@@ -39,6 +39,12 @@ USUAL = settings(
 )
 
 
+@pytest.mark.parametrize("words", [["demo", "--", "--x"], ["demo", "--seed"]])
+def test_bytes_that_are_no_text_are_told_where_nothing_is_expected(capsys, words):
+    assert run([*words, "\udcff"], None) == 2
+    assert "Error" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize("words", [["search"], ["show"], ["search", "xqzvw", "--exclude"]])
 def test_bytes_that_are_no_text_are_told(capsys, words):
     assert run([*words, "\udcff"], None) == 2

@@ -15,9 +15,12 @@ from iconstudio.algorithms.patterns.torn import torn_ink
 from iconstudio.model import IconstudioError
 from tests.algorithms.patterns.ornaments import (
     SIDE,
+    X,
     black_on_white,
     checks,
+    disc,
     shapes,
+    soft,
     stripes,
     two_layers,
 )
@@ -218,3 +221,12 @@ def test_a_tiny_pattern_is_refused():
 def test_noise_is_an_exemplar_like_any_other():
     noise = np.random.default_rng(0).random((SIDE, SIDE)).astype(np.float32)
     assert np.isfinite(made(black_on_white(noise), iterations=2, size=(64, 64)).colours).all()
+
+
+def test_elements_of_one_shape_in_two_colours_come_equally_often():
+    mask = soft(np.minimum.reduce([disc(y, x, 6) for y in (12, 32, 52) for x in (12, 32, 52)]))
+    colours = np.where(mask[..., None] > 0, np.where(X < 22, 1, 0)[..., None] * [1, 0, 0], 1)
+    exemplar = Exemplar(colours.astype(np.float32), mask[None])
+    pattern = made(exemplar, size=(128, 128), tile=True)
+    kinds = [one.element % 3 == 0 for one in pattern.placed]  # those of the first column are red
+    assert len(kinds) >= 16 and 0.2 < np.mean(kinds) < 0.5
