@@ -1,6 +1,7 @@
 """The program's commands, and how they end."""
 
 import errno
+import io
 import os
 import shlex
 import sys
@@ -176,8 +177,9 @@ def run(arguments: Sequence[str], window: Window) -> int:
     except click.exceptions.Exit as end:
         return end.exit_code
     except click.ClickException as error:
-        error.message = _printable(error.message)
-        error.show()
+        shown = io.StringIO()
+        error.show(shown)
+        click.echo(_printable(shown.getvalue()), err=True, nl=False)
         return error.exit_code
     except (click.Abort, KeyboardInterrupt):
         click.echo("Stopped.", err=True)

@@ -6,7 +6,7 @@ from typing import Annotated, Any
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from msgspec import Meta, ValidationError, convert
 
@@ -149,6 +149,7 @@ values = st.recursive(
 )
 
 
+@settings(suppress_health_check=[HealthCheck.too_slow])  # its first example loads libraries
 @given(st.dictionaries(keys, values))
 def test_there_is_a_sentence_for_every_mistake(data):
     data = {"name": "a"} | data
