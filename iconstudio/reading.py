@@ -6,11 +6,11 @@ from pathlib import Path
 from typing import TypeVar
 
 from iconstudio.algorithms.scanning.binarisation import Scan
-from iconstudio.files import is_address, read_bytes
+from iconstudio.files import is_address
 from iconstudio.images import scans
-from iconstudio.images.photo import photo_of
-from iconstudio.images.reading import MAX_BYTES, Image, awaited, is_image_file, read_image
-from iconstudio.model import IconstudioError, Photo, Pictogram, Separation
+from iconstudio.images.photo import photo_from, photo_of
+from iconstudio.images.reading import Image, awaited, is_image_file, read_image
+from iconstudio.model import IconstudioError, Pictogram, Separation
 from iconstudio.svg.reading import file_and_symbol, own_artwork, own_svg, read_file
 from iconstudio.workers import Workers, answer
 from iconstudio.workflows.events import Event, staged
@@ -76,11 +76,6 @@ class FileReader:
         """
         return (yield from read_image(source, self._readers))
 
-    def photo(self, path: Path) -> Generator[Event, None, Photo]:
-        """Return the image in a file as a photo, see ``image``; yield progress."""
-        image = yield from staged("prepare", "Reading the image", _started(self.image(path)))
-        return photo_of(image, str(path), read_bytes(path, MAX_BYTES))
-
     def artwork(self, path: Path) -> Generator[Event, None, Separation]:
         """Return the image in a file, or an SVG drawing in its colours, with its credits.
 
@@ -92,7 +87,8 @@ class FileReader:
             If it cannot be read, or shows nothing.
         """
         if is_image_file(path):
-            return Separation((yield from self.photo(path)))
+            image = yield from staged("prepare", "Reading the image", _started(self.image(path)))
+            return Separation(photo_from(path, image))
         name, symbol = file_and_symbol(str(path))
         task = own_artwork, read_file(Path(name)), name, symbol
         reading = self._readers.submit(*task, timeout=SECONDS, memory=MEMORY)

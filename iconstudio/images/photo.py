@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.files import write_bytes
-from iconstudio.images.reading import SUFFIXES, Image
+from iconstudio.files import read_bytes, write_bytes
+from iconstudio.images.reading import MAX_BYTES, SUFFIXES, Image
 from iconstudio.model import Photo
 
 _LARGE = 64_000_000
@@ -33,6 +33,17 @@ def photo_of(image: Image, path: str = "", data: bytes = b"") -> Photo:
     kept, suffix = _file_of(image, path, data)
     words = tuple(map(_packed, levels))
     return Photo(path, image.width, image.height, words, image.remark, kept, suffix)
+
+
+def photo_from(path: Path, image: Image) -> Photo:
+    """Return the image that was read from a file as a photo.
+
+    Raises
+    ------
+    IconstudioError
+        If the file cannot be read any more.
+    """
+    return photo_of(image, str(path), read_bytes(path, MAX_BYTES))
 
 
 def file_beside(photo: Photo, path: Path) -> Path:

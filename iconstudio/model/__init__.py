@@ -1,6 +1,7 @@
 """Immutable values: what flows between the library, the algorithms and the window."""
 
 from iconstudio.model.canvas import CANVAS, MARGIN
+from iconstudio.model.colour import hex_colour, levels_of
 from iconstudio.model.composite import Composite, Drawing
 from iconstudio.model.edit import Edit
 from iconstudio.model.errors import IconstudioError, SpriteError
@@ -63,4 +64,6 @@ __all__ = [
     "Stroke",
     "StylePair",
     "Transform",
+    "hex_colour",
+    "levels_of",
 ]

@@ -3,22 +3,22 @@
 import itertools
 import re
 from collections.abc import Generator, Iterable, Mapping
-from dataclasses import asdict, replace
+from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path as FilePath
-from typing import Any, Protocol, Self, cast
+from typing import Any, Protocol, cast
 
 from iconstudio.images.photo import photo_of
 from iconstudio.images.reading import Image
 from iconstudio.inputs import json
-from iconstudio.inputs.formats import Many, Record, Reference, Text, plain_text
+from iconstudio.inputs.formats import Many, Reference, Text, plain_text
 from iconstudio.inputs.together import quoted_list, was
-from iconstudio.model import Credit, Exemplar, Icon, IconstudioError, Photo, Pictogram
+from iconstudio.model import Exemplar, Icon, IconstudioError, Photo, Pictogram
 from iconstudio.model.pictogram import OWN, UNCOLLECTED
 from iconstudio.project import results
 from iconstudio.project.archive import INDEX, part_name
 from iconstudio.svg.check import check
-from iconstudio.workflows.pages import StoredPhoto
+from iconstudio.workflows.pages import StoredOrigin, StoredPhoto
 from iconstudio.workflows.workflow import Resources
 
 _REFERENCE = re.compile(r"[^:/\\]+:[^:/\\]+")
@@ -28,28 +28,6 @@ _SHOWN = 60
 
 _photo_name = lru_cache(1)(part_name)
 """Each edit names the same photo again, which may be large."""
-
-
-class StoredOrigin(Record, frozen=True):
-    """An icon, and whom to thank for it."""
-
-    id: Text = ""
-    title: Text = ""
-    author: Text = ""
-    license: Text = ""
-    license_url: Text = ""
-    url: Text = ""
-
-    @classmethod
-    def of(cls, pictogram: Pictogram, **more: Any) -> Self:
-        """Describe an icon."""
-        texts = {"id": pictogram.id} | asdict(pictogram.credit)
-        return cls(**{key: plain_text(text) for key, text in texts.items()}, **more)
-
-    @property
-    def credit(self) -> Credit:
-        """Whom to thank."""
-        return Credit(self.title, self.author, self.license, self.license_url, self.url)
 
 
 class StoredIcon(StoredOrigin, frozen=True):

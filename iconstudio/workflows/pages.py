@@ -1,12 +1,13 @@
 """The page of a workflow: what its user works on; how it is edited, and kept in projects."""
 
 from collections.abc import Generator
+from dataclasses import asdict
 from typing import Annotated, Any, Generic, Protocol, Self, TypeVar
 
 from msgspec import Meta
 
-from iconstudio.inputs.formats import Record, Reference, Text
-from iconstudio.model import Exemplar, Icon, Photo, Pictogram, Placement
+from iconstudio.inputs.formats import Record, Reference, Text, plain_text
+from iconstudio.model import Credit, Exemplar, Icon, Photo, Pictogram, Placement
 from iconstudio.workflows.workflow import Resources, Workflow
 
 
@@ -67,6 +68,28 @@ class StoredPhoto(Record, frozen=True):
     part: Text = ""
     width: _Side | None = None
     height: _Side | None = None
+
+
+class StoredOrigin(Record, frozen=True):
+    """An icon, and whom to thank for it."""
+
+    id: Text = ""
+    title: Text = ""
+    author: Text = ""
+    license: Text = ""
+    license_url: Text = ""
+    url: Text = ""
+
+    @classmethod
+    def of(cls, pictogram: Pictogram, **more: Any) -> Self:
+        """Describe an icon."""
+        texts = {"id": pictogram.id} | asdict(pictogram.credit)
+        return cls(**{key: plain_text(text) for key, text in texts.items()}, **more)
+
+    @property
+    def credit(self) -> Credit:
+        """Whom to thank."""
+        return Credit(self.title, self.author, self.license, self.license_url, self.url)
 
 
 class Parts(Protocol):

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any, Concatenate, Generic, Protocol, Self, TypeVar
 
 from iconstudio.inputs.formats import Reference, StrictRecord, Text
-from iconstudio.model import Axis, Drawing, Exemplar, Line, Photo, Pictogram, Separation
+from iconstudio.model import Axis, Drawing, Exemplar, Line, Pictogram, Separation
 from iconstudio.workers import Workers
 from iconstudio.workflows.events import Event
 
@@ -24,10 +24,6 @@ class Resources(Protocol):
 
     def icon(self, reference: str) -> Pictogram:
         """Return an icon of the collection, ``set:name``, or of a file."""
-        ...
-
-    def photo(self, path: Path) -> Generator[Event, None, Photo]:
-        """Return the image in a file; yield progress."""
         ...
 
     def artwork(self, path: Path) -> Generator[Any, None, Separation]:

@@ -19,7 +19,7 @@ from iconstudio.resources import resource
 from iconstudio.session import Session
 from iconstudio.workflows.files import read_file
 from iconstudio.workflows.pattern.drawing import SAMPLES
-from iconstudio.workflows.pattern.layout import Arrangement, laid_out
+from iconstudio.workflows.pattern.layout import Arrangement
 from iconstudio.workflows.pattern.spec import PATTERN
 from tests.benchmarks.pattern_peers import peers_table, processor
 from tests.benchmarks.readme import put
@@ -51,7 +51,7 @@ def exemplar(session: Session, name: str) -> Exemplar:
     path = resource("examples") / "patterns" / f"{name}.json"
     work = returned(read_file(path, PATTERN, session))
     paths = [session.drawing(session.exemplar(one.icon)).path for one in work.motifs]
-    return laid_out(Arrangement.of(work, paths), SAMPLES).exemplar
+    return Arrangement.of(work, paths).layout(SAMPLES).exemplar
 
 
 def speed_table(given: Exemplar) -> str:

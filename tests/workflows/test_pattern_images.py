@@ -19,7 +19,7 @@ from iconstudio.workflows.events import Remark, Result
 from iconstudio.workflows.files import read_file
 from iconstudio.workflows.pages import StoredPhoto
 from iconstudio.workflows.pattern import imaging
-from iconstudio.workflows.pattern.imaging import ImageExemplar, laid_out, reduction_of
+from iconstudio.workflows.pattern.imaging import ImageExemplar, reduction_of
 from iconstudio.workflows.pattern.page import PatternPage
 from iconstudio.workflows.pattern.page_format import PatternPages
 from iconstudio.workflows.pattern.patterning import run
@@ -51,7 +51,7 @@ def separation(pixels, **options):
 
 
 def exemplar(pixels, **options):
-    return laid_out(ImageExemplar.of(separation(pixels, **options)), SAMPLES)
+    return ImageExemplar.of(separation(pixels, **options)).layout(SAMPLES)
 
 
 @pytest.fixture(scope="module")

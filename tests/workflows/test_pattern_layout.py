@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from iconstudio.model import CANVAS, Credit, IconstudioError, Motif, Patterning, Pictogram
-from iconstudio.workflows.pattern.layout import Arrangement, laid_out, rasterised
+from iconstudio.workflows.pattern.layout import Arrangement, rasterised
 from iconstudio.workflows.pattern.scattering import FEWEST, scattered
 from tests.shapes import outline
 
@@ -18,7 +18,7 @@ SQUARE = outline([(28, 28), (228, 28), (228, 228), (28, 228)])
 
 def layout(*motifs, path=DISC, samples=0.5, **work):
     arrangement = Arrangement.of(Patterning(motifs, **work), [path] * len(motifs))
-    return laid_out(arrangement, samples)
+    return arrangement.layout(samples)
 
 
 def disc(x, y, size=64.0, colour="#ff0000", **options):

@@ -16,7 +16,7 @@ from iconstudio.algorithms.patterns.exemplar import Masks
 from iconstudio.algorithms.patterns.separation import Separated
 from iconstudio.algorithms.raster import solid
 from iconstudio.algorithms.tracing.vectorize import trace
-from iconstudio.model import CANVAS, Contour, Fill, Path, Transform
+from iconstudio.model import CANVAS, Contour, Fill, Path, Transform, hex_colour
 
 Mask = NDArray[np.float32]
 Labels = NDArray[np.int32]
@@ -85,7 +85,7 @@ def _painted(separated: Separated, number: int, mask: Mask) -> Sequence[tuple[st
         which = np.arange(len(flat.colours)) == one
         covered = np.where(hidden, mask * (colour == one), np.minimum(flat.coverage(which), mask))
         later = np.isin(colour, order[place + 1 :]) & (mask > 0.5)
-        painted.append((_written(flat.colours[one]), _run_on(covered.astype(np.float32), later)))
+        painted.append((hex_colour(flat.colours[one]), _run_on(covered.astype(np.float32), later)))
     return painted
 
 
@@ -142,7 +142,3 @@ def _owner(contour: Contour, owner: Labels, scale: float) -> int:
     points *= max(owner.shape) / CANVAS
     columns, rows = np.clip(points.T.astype(int), 0, np.array(owner.shape)[::-1, None] - 1)
     return int(np.bincount(owner[rows, columns]).argmax())
-
-
-def _written(colour: NDArray[np.uint8]) -> str:
-    return "#" + bytes(colour).hex()

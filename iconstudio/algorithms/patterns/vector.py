@@ -19,7 +19,7 @@ from iconstudio.algorithms.patterns.outlines import LevelSet, finer, level_sets
 from iconstudio.algorithms.patterns.tiling import bounded, moved, repeated
 from iconstudio.algorithms.patterns.trapping import run_on
 from iconstudio.algorithms.tracing.vectorize import Outline, contour_along
-from iconstudio.model import ColouredLayer, Contour, Fill, Path, Transform
+from iconstudio.model import ColouredLayer, Contour, Fill, Path, Transform, hex_colour
 
 Shapes = Sequence[Sequence[Sequence[Fill]]]
 """Of each layer of an exemplar, the elements by their labels, from 1; each from back to front, in
@@ -70,13 +70,6 @@ def vectorise(
     return tuple(
         ColouredLayer(f"layer-{count - m}", tuple(tracer.fills(m))) for m in reversed(range(count))
     )
-
-
-def ground_colour(pattern: Pattern) -> str:
-    """Return the colour of what lies behind all layers."""
-    covered = np.max([coverage(distance) for distance in pattern.distances], axis=0)
-    bare = pattern.colours[covered <= covered.min()]
-    return _written(np.median(bare, axis=0))
 
 
 class _Tracer:
@@ -250,8 +243,7 @@ def components(ink: Mask, tile: bool) -> Labels:
 
 
 def _written(colour: NDArray[np.float32]) -> str:
-    levels = np.rint(np.clip(colour, 0, 1) * 255).astype(int)
-    return "#" + "".join(f"{level:02x}" for level in levels)
+    return hex_colour(np.rint(np.clip(colour, 0, 1) * 255))
 
 
 def _polygon(outline: Outline) -> Contour:

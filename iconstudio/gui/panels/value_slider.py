@@ -85,12 +85,11 @@ class ValueSlider(QWidget):
         self._change(self.value(position), self._gesture)
 
 
-_TO_DOUBLE = 20
-"""Steps of the slider that double a factor."""
+class PercentSlider(ValueSlider):
+    """A part of the usual value, in percent."""
 
-
-class FactorSlider(ValueSlider):
-    """A factor in percent: as far to the left for a half as to the right for twice as much."""
+    step = 5
+    """Of the arrow keys, in positions of the slider."""
 
     def __init__(
         self,
@@ -100,12 +99,30 @@ class FactorSlider(ValueSlider):
         most: float,
         change: Callable[[float, object], None],
     ) -> None:
-        super().__init__(title, tip, least, most, lambda factor: f"{factor:.0%}", change)
+        super().__init__(title, tip, least, most, lambda part: f"{part:.0%}", change, self.step)
 
     def position(self, value: float) -> int:
-        """Return where the slider stands for a value."""
+        """Return where the slider stands for a part."""
+        return round(100 * value)
+
+    def value(self, position: int) -> float:
+        """Return the part for which the slider stands there."""
+        return position / 100
+
+
+_TO_DOUBLE = 20
+"""Steps of the slider that double a factor."""
+
+
+class FactorSlider(PercentSlider):
+    """A factor in percent: as far to the left for a half as to the right for twice as much."""
+
+    step = 1
+
+    def position(self, value: float) -> int:
+        """Return where the slider stands for a factor."""
         return round(_TO_DOUBLE * log2(value))
 
     def value(self, position: int) -> float:
-        """Return the value for which the slider stands there."""
+        """Return the factor for which the slider stands there."""
         return float(round(2 ** (position / _TO_DOUBLE), 3))

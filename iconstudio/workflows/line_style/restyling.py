@@ -1,7 +1,6 @@
 """Restyling the lines of an icon (*Curve Analogies*, section 4)."""
 
 from collections.abc import Generator, Sequence
-from concurrent.futures import wait
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -20,8 +19,8 @@ from iconstudio.model import (
     Transform,
 )
 from iconstudio.model.path import OVERHANG
-from iconstudio.workers import answer
 from iconstudio.workflows.events import Event, Progress, Result
+from iconstudio.workflows.previewing import Answer, answers
 from iconstudio.workflows.workflow import Resources
 
 WEAKEST, STRONGEST = 0.1, 3.0
@@ -32,8 +31,6 @@ LARGEST_SEED = 2**53
 """More would not be the same number everywhere in JSON."""
 SEEDS = 4
 """Of variations: a column each."""
-_PATIENCE = 0.05
-"""Seconds that pass at most before a run can be stopped."""
 SECONDS, MEMORY = 60.0, 2 << 30
 
 
@@ -72,15 +69,12 @@ def run(
         )  # fmt: skip
         coarse = submit(work.strength, work.size, work.seed, True) if settings.previews else None
         tasks = [submit(one.strength, one.size, one.seed, settings.coarse) for one in wanted]
-        for number, (one, task) in enumerate(zip(wanted, tasks, strict=True), start=1):
-            while not wait([task], _PATIENCE).done:  # where it can be stopped
-                if coarse is not None and coarse.done() and coarse.exception() is None:
-                    yield Result(icon_of(one, *coarse.result(), styles), preview=True)
-                    coarse = None
-                yield Progress("remix", (number - 1) / len(wanted), "Restyling the lines")
-            path, drawn = answer(task, "Restyling the lines")
-            yield Result(icon_of(one, path, drawn, styles))
-            yield Progress("remix", number / len(wanted), "Restyling the lines")
+        for event in answers(tasks, coarse, "remix", "Restyling the lines"):
+            if isinstance(event, Answer):
+                icon = icon_of(wanted[event.number], *event.value, styles)
+                yield Result(icon, preview=event.preview)
+            else:
+                yield event
     finally:
         ticket.stop()
 

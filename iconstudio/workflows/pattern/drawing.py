@@ -5,7 +5,6 @@ from dataclasses import dataclass
 
 from iconstudio.model import ColouredLayer, Path
 from iconstudio.tasks import remembered, stopped
-from iconstudio.workflows.pattern import imaging, layout
 from iconstudio.workflows.pattern.imaging import ImageExemplar
 from iconstudio.workflows.pattern.layout import Arrangement, Layout, rasterised
 
@@ -51,8 +50,11 @@ def draw(
     from iconstudio.algorithms.patterns.synthesis import Settings, synthesised
     from iconstudio.algorithms.patterns.vector import vectorise
 
-    found = remembered(("layout", source), lambda: _laid_out(source))
-    prepared = remembered(("prepared", source), lambda: Prepared.of(found.exemplar))
+    def prepare() -> tuple[Layout, Prepared]:
+        layout = source.layout(SAMPLES)
+        return layout, Prepared.of(layout.exemplar)
+
+    found, prepared = remembered(("exemplar", source), prepare)
     rows, columns = size
     guidance = None if fill is None else rasterised(fill, columns, rows)
     settings = Settings(size, tile, seed, guidance=guidance)
@@ -67,9 +69,3 @@ def draw(
 def _ask() -> None:
     if stopped():
         raise CancelledError
-
-
-def _laid_out(source: Source) -> Layout:
-    if isinstance(source, ImageExemplar):
-        return imaging.laid_out(source, SAMPLES)
-    return layout.laid_out(source, SAMPLES)

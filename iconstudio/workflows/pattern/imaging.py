@@ -3,6 +3,7 @@
 import hashlib
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +15,7 @@ from iconstudio.algorithms.patterns.flat_colours import is_grainy, is_noisy
 from iconstudio.algorithms.patterns.separation import Layers, Separated, separated
 from iconstudio.algorithms.patterns.shapes import element_shapes
 from iconstudio.algorithms.patterns.thickening import thickened
-from iconstudio.model import CANVAS, Correction, IconstudioError, Photo, Separation
+from iconstudio.model import CANVAS, Correction, IconstudioError, Photo, Separation, hex_colour
 from iconstudio.workflows.pattern.layout import Layout
 
 _THINNEST = 1.5
@@ -57,8 +58,7 @@ class ImageExemplar:
                 f"The image has {image.photo.width} x {image.photo.height} pixels. "
                 f"Give one of at least {_SMALLEST} x {_SMALLEST}."
             )
-        pixels = _calm(over_white(image.photo))
-        digest = hashlib.sha256(pixels.tobytes() + repr(pixels.shape).encode()).hexdigest()
+        pixels, digest = _reduced(image.photo)
         reduction = image.photo.width / pixels.shape[1]
         return cls(pixels, digest, image.colours, image.corrections, reduction)
 
@@ -73,12 +73,49 @@ class ImageExemplar:
             return found
         return found.corrected(corrected(found.seen, self.corrections, self.reduction))
 
+    def layout(self, samples: float) -> Layout:
+        """Return it as an exemplar, its longer side as long as a canvas.
+
+        Parameters
+        ----------
+        samples
+            Pixels of the exemplar to a unit of the canvas.
+
+        Raises
+        ------
+        IconstudioError
+            If it cannot be an exemplar.
+        """
+        found = self.separated()
+        masks = found.masks()
+        height, width = found.seen.shape
+        factor = round(CANVAS * samples) / max(height, width)
+        size = tuple(max(_SMALLEST, round(side * factor)) for side in (height, width))
+        thick = np.stack([thickened(mask, _THINNEST / factor) for mask in masks])
+        reduced = np.stack([_resized(mask, size) for mask in thick])
+        labels = _labels(reduced)
+        pixels = found.repainted(self.pixels, thick)
+        colours = np.stack([_resized(one, size) for one in np.moveaxis(pixels, 2, 0)], axis=2) / 255
+        shapes = element_shapes(found, masks, labels)
+        ground = hex_colour(found.flat.colours[int(np.argmin(found.layer))])
+        return Layout(
+            Exemplar(colours.astype(np.float32), reduced, labels), shapes, ground, remark_of(found)
+        )
+
 
 def reduction_of(photo: Photo) -> str:
     """Return a sentence about an image that is larger than an exemplar can be; empty if not."""
     if max(photo.width, photo.height) <= LARGEST:
         return ""
     return f"The image of {photo.width} x {photo.height} pixels is reduced to {LARGEST} a side."
+
+
+@lru_cache(2)  # each edit runs on the same photo again
+def _reduced(photo: Photo) -> tuple[NDArray[np.uint8], str]:
+    """Return the pixels to look at, (h, w, 3), and their digest."""
+    pixels = _calm(over_white(photo))
+    digest = hashlib.sha256(pixels.tobytes() + repr(pixels.shape).encode()).hexdigest()
+    return pixels, digest
 
 
 def over_white(photo: Photo) -> NDArray[np.uint8]:
@@ -109,36 +146,6 @@ def corrected(layers: Layers, corrections: Sequence[Correction], reduction: floa
         for x, y in (points[0], points[-1]):
             draw.ellipse((x - half, y - half, x + half, y + half), one.layer)
     return np.array(image)
-
-
-def laid_out(image: ImageExemplar, samples: float) -> Layout:
-    """Return an image as an exemplar, its longer side as long as a canvas.
-
-    Parameters
-    ----------
-    samples
-        Pixels of the exemplar to a unit of the canvas.
-
-    Raises
-    ------
-    IconstudioError
-        If it cannot be an exemplar.
-    """
-    found = image.separated()
-    masks = found.masks()
-    height, width = found.seen.shape
-    factor = round(CANVAS * samples) / max(height, width)
-    size = tuple(max(_SMALLEST, round(side * factor)) for side in (height, width))
-    thick = np.stack([thickened(mask, _THINNEST / factor) for mask in masks])
-    reduced = np.stack([_resized(mask, size) for mask in thick])
-    labels = _labels(reduced)
-    pixels = found.repainted(image.pixels, thick)
-    colours = np.stack([_resized(one, size) for one in np.moveaxis(pixels, 2, 0)], axis=2) / 255
-    shapes = element_shapes(found, masks, labels)
-    ground = "#" + bytes(found.flat.colours[int(np.argmin(found.layer))]).hex()
-    return Layout(
-        Exemplar(colours.astype(np.float32), reduced, labels), shapes, ground, remark_of(found)
-    )
 
 
 def remark_of(found: Separated) -> str:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.model import Separation
+from iconstudio.model import Separation, hex_colour
 from iconstudio.workers import answer
 from iconstudio.workflows.workflow import Resources
 
@@ -71,4 +71,4 @@ def _means(pixels: NDArray[np.uint8], numbers: NDArray[np.uint8]) -> tuple[str, 
     """Return the mean colour of each layer."""
     count = int(numbers.max()) + 1
     means = [pixels[numbers == number].mean(axis=0) for number in range(count)]
-    return tuple("#" + bytes(np.rint(mean).astype(np.uint8)).hex() for mean in means)
+    return tuple(hex_colour(np.rint(mean)) for mean in means)

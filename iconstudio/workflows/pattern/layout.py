@@ -21,6 +21,7 @@ from iconstudio.model import (
     Path,
     Patterning,
     Transform,
+    levels_of,
 )
 from iconstudio.svg.resvg import render_coverage
 from iconstudio.workflows.pattern.density import denser
@@ -74,40 +75,39 @@ class Arrangement:
         turned = tuple(replace(one, turn=one.turn + work.turn) for one in motifs)
         return cls(turned, tuple(paths), side, work.ground)
 
+    def layout(self, samples: float) -> Layout:
+        """Return the motifs as an exemplar.
 
-def laid_out(arrangement: Arrangement, samples: float) -> Layout:
-    """Return motifs on a canvas as an exemplar.
+        Parameters
+        ----------
+        samples
+            Pixels of the exemplar to a unit of the canvas.
 
-    Parameters
-    ----------
-    samples
-        Pixels of the exemplar to a unit of the canvas.
-
-    Raises
-    ------
-    IconstudioError
-        If they cannot be an exemplar.
-    """
-    pixels = round(arrangement.side * samples)
-    shapes = []
-    for motif, path in zip(arrangement.motifs, arrangement.paths, strict=True):
-        drawn = path.transformed(motif.transform).transformed(Transform().scale(samples))
-        mask = rasterised(drawn, pixels)
-        if mask.max() > _INK:
-            shapes.append(Shape(Fill(drawn, motif.colour), mask))
-    if not shapes:
-        raise IconstudioError("No ink of the icons lies on the canvas. Move them onto it.")
-    layers = _layers(_elements(shapes))
-    if len(layers) > MOST_LAYERS:
-        raise IconstudioError(
-            f"The icons overlap in {len(layers)} layers. "
-            f"Move some apart: there may be at most {MOST_LAYERS}."
-        )
-    masks = np.stack([_united(shape for one in layer for shape in one) for layer in layers])
-    labels = np.stack([_labels(layer, pixels) for layer in layers])
-    exemplar = Exemplar(_colours(shapes, pixels, arrangement.ground), masks, labels)
-    elements = tuple(tuple(map(_fills, layer)) for layer in layers)
-    return Layout(exemplar, elements, arrangement.ground)
+        Raises
+        ------
+        IconstudioError
+            If they cannot be an exemplar.
+        """
+        pixels = round(self.side * samples)
+        shapes = []
+        for motif, path in zip(self.motifs, self.paths, strict=True):
+            drawn = path.transformed(motif.transform).transformed(Transform().scale(samples))
+            mask = rasterised(drawn, pixels)
+            if mask.max() > _INK:
+                shapes.append(Shape(Fill(drawn, motif.colour), mask))
+        if not shapes:
+            raise IconstudioError("No ink of the icons lies on the canvas. Move them onto it.")
+        layers = _layers(_elements(shapes))
+        if len(layers) > MOST_LAYERS:
+            raise IconstudioError(
+                f"The icons overlap in {len(layers)} layers. "
+                f"Move some apart: there may be at most {MOST_LAYERS}."
+            )
+        masks = np.stack([_united(shape for one in layer for shape in one) for layer in layers])
+        labels = np.stack([_labels(layer, pixels) for layer in layers])
+        exemplar = Exemplar(_colours(shapes, pixels, self.ground), masks, labels)
+        elements = tuple(tuple(map(_fills, layer)) for layer in layers)
+        return Layout(exemplar, elements, self.ground)
 
 
 def rasterised(path: Path, width: int, height: int | None = None) -> Mask:
@@ -128,8 +128,7 @@ def channels(colour: str) -> NDArray[np.float32]:
     >>> channels("#ff0000").tolist()
     [1.0, 0.0, 0.0]
     """
-    levels = np.frombuffer(bytes.fromhex(colour[1:]), np.uint8)
-    return levels.astype(np.float32) / np.float32(255)
+    return np.array(levels_of(colour), np.float32) / np.float32(255)
 
 
 def _elements(shapes: Iterable[Shape]) -> list[list[Shape]]:

@@ -1,7 +1,6 @@
 """Patterns of an exemplar (*Example-Based Art Pattern Synthesis Using Level Sets*)."""
 
 from collections.abc import Generator
-from concurrent.futures import wait
 from dataclasses import dataclass, replace
 from functools import partial
 from itertools import chain
@@ -18,21 +17,19 @@ from iconstudio.model import (
     Transform,
 )
 from iconstudio.model import Path as Outline
-from iconstudio.workers import answer
 from iconstudio.workflows.events import Event, Progress, Remark, Result
-from iconstudio.workflows.pattern.bounds import LARGEST_SEED
 from iconstudio.workflows.pattern.drawing import SAMPLES, Drawn, Source, draw
 from iconstudio.workflows.pattern.filling import fitted
 from iconstudio.workflows.pattern.imaging import ImageExemplar
 from iconstudio.workflows.pattern.layout import Arrangement
+from iconstudio.workflows.pattern.seeds import with_seeds
+from iconstudio.workflows.previewing import Answer, answers
 from iconstudio.workflows.workflow import Resources
 
 _NAMED = 3
 """So many icons a title names."""
 MOST_SAMPLES = 2048 * 2048
 _SECONDS_A_SAMPLE, _BYTES_A_SAMPLE = 2.5e-5, 600
-_PATIENCE = 0.05
-"""Seconds that pass at most before a run can be stopped."""
 SECONDS, MEMORY = 600.0, 6 << 30
 
 
@@ -67,22 +64,20 @@ def run(
             resources.workers.submit, draw, source, fill, size, work.tile and fill is None,
             timeout=SECONDS, memory=MEMORY, ticket=ticket,
         )  # fmt: skip
-        wanted = [replace(work, seed=(work.seed + n) % (LARGEST_SEED + 1))
-                  for n in range(settings.seeds)]  # fmt: skip
+        wanted = with_seeds(work, settings.seeds)
         coarse = submit(work.seed, True) if settings.previews else None
         tasks = [submit(one.seed, False) for one in wanted]
-        for number, (one, task) in enumerate(zip(wanted, tasks, strict=True), start=1):
-            while not wait([task], _PATIENCE).done:  # where it can be stopped
-                if coarse is not None and coarse.done() and coarse.exception() is None:
-                    yield Result(icon_of(one, coarse.result(), size, fill), preview=True)
-                    coarse = None
-                yield Progress("pattern", (number - 1) / len(wanted), "Continuing the exemplar")
-            drawn = answer(task, "Continuing the exemplar", "Ask for a smaller pattern.")
-            if drawn.remark and number == 1:
-                yield Remark(drawn.remark)
-            _check(one, drawn)
-            yield Result(icon_of(one, drawn, size, fill))
-            yield Progress("pattern", number / len(wanted), "Continuing the exemplar")
+        doing, advice = "Continuing the exemplar", "Ask for a smaller pattern."
+        for event in answers(tasks, coarse, "pattern", doing, advice):
+            if not isinstance(event, Answer):
+                yield event
+                continue
+            one, drawn = wanted[event.number], event.value
+            if not event.preview:
+                if drawn.remark and event.number == 0:
+                    yield Remark(drawn.remark)
+                _check(one, drawn)
+            yield Result(icon_of(one, drawn, size, fill), preview=event.preview)
     finally:
         ticket.stop()
 
@@ -158,7 +153,8 @@ def _source(resources: Resources, work: Patterning) -> Source:
         raise IconstudioError(
             "There is no exemplar yet. Put icons on its canvas, or open an image."
         )
-    return Arrangement.of(work, [_outline(resources, one.icon) for one in work.motifs])
+    paths = {icon: _outline(resources, icon) for icon in dict.fromkeys(_icons(work))}
+    return Arrangement.of(work, [paths[one.icon] for one in work.motifs])
 
 
 def _title(work: Patterning) -> str:

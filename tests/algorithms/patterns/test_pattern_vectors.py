@@ -15,8 +15,8 @@ from iconstudio.algorithms.patterns.exemplar import Pattern, Placed
 from iconstudio.algorithms.patterns.outlines import level_sets
 from iconstudio.algorithms.patterns.prepared import Prepared
 from iconstudio.algorithms.patterns.synthesis import Settings, synthesised
-from iconstudio.algorithms.patterns.vector import components, ground_colour, vectorise
-from iconstudio.model import Contour, Fill, Frame, Path, Transform
+from iconstudio.algorithms.patterns.vector import components, vectorise
+from iconstudio.model import Contour, Fill, Frame, Path, Transform, hex_colour
 from iconstudio.output.svg import layered_document
 from iconstudio.svg.resvg import render_colours
 from tests.algorithms.patterns import ornaments
@@ -63,6 +63,13 @@ def drawn(layers, scale=1.0, size=(ROWS, COLUMNS), ground=""):
     svg = layered_document("A pattern", (), layers, (columns, rows), ground)
     pixels = render_colours(svg, Frame(0, 0, side), round(side * scale))
     return pixels[: int(rows * scale), : int(columns * scale)] / 255
+
+
+def ground_colour(made):
+    """The colour of what lies behind all layers."""
+    covered = np.max([coverage(distance) for distance in made.distances], axis=0)
+    bare = made.colours[covered <= covered.min()]
+    return hex_colour(np.rint(np.median(bare, axis=0) * 255))
 
 
 def likeness(one, other):

@@ -1,11 +1,9 @@
 """How a style is used: its strength, its size, whether it turns with the line, and the seed."""
 
-from collections.abc import Callable
-
 from PySide6.QtWidgets import QCheckBox, QFrame
 
 from iconstudio.gui.panels.seed import SeedField
-from iconstudio.gui.panels.value_slider import ValueSlider
+from iconstudio.gui.panels.value_slider import PercentSlider
 from iconstudio.gui.theme.layout import card, column, row
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.workflows.line_style import page as edits
@@ -17,28 +15,6 @@ from iconstudio.workflows.line_style.restyling import (
     STRONGEST,
     WEAKEST,
 )
-
-
-class PercentSlider(ValueSlider):
-    """A part of the usual value, in percent."""
-
-    def __init__(
-        self,
-        title: str,
-        tip: str,
-        least: float,
-        most: float,
-        change: Callable[[float, object], None],
-    ) -> None:
-        super().__init__(title, tip, least, most, lambda part: f"{part:.0%}", change, step=5)
-
-    def position(self, value: float) -> int:
-        """Return where the slider stands for a part."""
-        return round(100 * value)
-
-    def value(self, position: int) -> float:
-        """Return the part for which the slider stands there."""
-        return position / 100
 
 
 class StyleControls(QFrame):

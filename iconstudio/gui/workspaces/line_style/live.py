@@ -1,41 +1,33 @@
 """The lines as they are drawn again and again, and the samples of styles."""
 
 from collections.abc import Generator, Iterable
-from contextlib import closing
 from dataclasses import dataclass
 from itertools import repeat
 
-from iconstudio.gui.pictures.picture import Picture, pictured
+from iconstudio.gui.pictures.picture import Picture
+from iconstudio.gui.workspaces.made import Made, made_of
 from iconstudio.model import IconstudioError, Line, LineStyle, Restyling
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.line_style.restyling import RestyleSettings, variations
 from iconstudio.workflows.line_style.spec import LINE_STYLE
 
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Made:
-    """A result, and the work that it is of."""
-
-    picture: Picture
-    work: Restyling
+Shown = Generator[Event | Made[Restyling]]
 
 
-def made(session: Session, work: Restyling) -> Generator[Event | Made]:
+def made(session: Session, work: Restyling) -> Shown:
     """Run some work: its result as a picture, after a coarse one if that is there before."""
     return _made(session, work, RestyleSettings(previews=True))
 
 
-def made_variations(session: Session, work: Restyling) -> Generator[Event | Made]:
+def made_variations(session: Session, work: Restyling) -> Shown:
     """Run the variations of some work, which comes first."""
     return _made(session, work, RestyleSettings(variations=True))
 
 
-def _made(session: Session, work: Restyling, settings: RestyleSettings) -> Generator[Event | Made]:
-    each = iter(variations(work)) if settings.variations else repeat(work)
-    with closing(pictured(session.run(LINE_STYLE, work, settings))) as events:
-        for event in events:
-            yield Made(event, next(each)) if isinstance(event, Picture) else event
+def _made(session: Session, work: Restyling, settings: RestyleSettings) -> Shown:
+    works = variations(work) if settings.variations else repeat(work)
+    return made_of(session.run(LINE_STYLE, work, settings), works)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -6,7 +6,8 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from iconstudio.gui.jobs.live import LiveRunner
 from iconstudio.gui.jobs.worker import Worker
-from iconstudio.gui.workspaces.line_style.live import Made, made, made_variations
+from iconstudio.gui.workspaces.line_style.live import made, made_variations
+from iconstudio.gui.workspaces.made import Made
 from iconstudio.model import Restyling
 from iconstudio.session import Session
 from iconstudio.workflows.line_style.page import RestylePage

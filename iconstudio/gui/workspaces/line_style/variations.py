@@ -8,8 +8,8 @@ from iconstudio.gui.gallery.sheet_delegate import Look
 from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.theme.layout import card, label, push_button, row
 from iconstudio.gui.theme.theme import UNIT
-from iconstudio.gui.workspaces.line_style.live import Made
 from iconstudio.gui.workspaces.line_style.styles import show_in_place
+from iconstudio.gui.workspaces.made import Made
 from iconstudio.model import Restyling
 
 _SIDE = 10 * UNIT

@@ -19,7 +19,6 @@ from iconstudio.gui.workspaces.line_style import own_styles
 from iconstudio.gui.workspaces.line_style.actions import ENTRIES
 from iconstudio.gui.workspaces.line_style.controls import StyleControls
 from iconstudio.gui.workspaces.line_style.finding import FindDialog
-from iconstudio.gui.workspaces.line_style.live import Made
 from iconstudio.gui.workspaces.line_style.opening import STYLES, RestyleOpener
 from iconstudio.gui.workspaces.line_style.pad import ExamplePanel
 from iconstudio.gui.workspaces.line_style.reading import LineReader
@@ -28,6 +27,7 @@ from iconstudio.gui.workspaces.line_style.scene import RestyleScene
 from iconstudio.gui.workspaces.line_style.styles import StylesPanel
 from iconstudio.gui.workspaces.line_style.tools import PenTool, SelectTool
 from iconstudio.gui.workspaces.line_style.variations import VariationsPanel
+from iconstudio.gui.workspaces.made import Made
 from iconstudio.inputs.line_style import write_style
 from iconstudio.inputs.styles import bundled
 from iconstudio.model import IconstudioError, Pictogram, StylePair

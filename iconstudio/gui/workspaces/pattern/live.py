@@ -1,55 +1,34 @@
 """The pattern as it is made again and again, and with other seeds."""
 
-from collections.abc import Generator, Iterable
-from contextlib import closing
-from dataclasses import dataclass, replace
+from collections.abc import Generator
 from itertools import repeat
-from typing import TYPE_CHECKING
 
-from iconstudio.gui.pictures.picture import Picture, pictured
+from iconstudio.gui.workspaces.made import Made, made_of
 from iconstudio.model import Patterning
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
-from iconstudio.workflows.pattern.bounds import LARGEST_SEED, SEEDS
+from iconstudio.workflows.pattern.bounds import SEEDS
+from iconstudio.workflows.pattern.seeds import with_seeds
 from iconstudio.workflows.pattern.spec import PATTERN
 
-if TYPE_CHECKING:
-    from iconstudio.workflows.pattern.patterning import PatternSettings
+Shown = Generator[Event | Made[Patterning]]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Made:
-    """A result, and the work that it is of."""
-
-    picture: Picture
-    work: Patterning
-
-
-def made(session: Session, work: Patterning) -> Generator[Event | Made]:
+def made(session: Session, work: Patterning) -> Shown:
     """Run some work: a coarse result, and the finished one."""
     from iconstudio.workflows.pattern.patterning import PatternSettings
 
-    return _made(session, work, repeat(work), PatternSettings(previews=True))
+    return made_of(session.run(PATTERN, work, PatternSettings(previews=True)), repeat(work))
 
 
-def made_with_other_seeds(session: Session, work: Patterning) -> Generator[Event | Made]:
+def made_with_other_seeds(session: Session, work: Patterning) -> Shown:
     """Run the work with the seeds that follow its own."""
     from iconstudio.workflows.pattern.patterning import PatternSettings
 
     others = sheet_of(work)[1:]
-    return _made(session, others[0], iter(others), PatternSettings(seeds=len(others)))
+    return made_of(session.run(PATTERN, others[0], PatternSettings(seeds=len(others))), others)
 
 
 def sheet_of(work: Patterning) -> tuple[Patterning, ...]:
-    """Return some work with its own seed, and with those that follow it."""
-    seeds = ((work.seed + number) % (LARGEST_SEED + 1) for number in range(SEEDS))
-    return tuple(replace(work, seed=seed) for seed in seeds)
-
-
-def _made(
-    session: Session, work: Patterning, each: Iterable[Patterning], settings: "PatternSettings"
-) -> Generator[Event | Made]:
-    works = iter(each)
-    with closing(pictured(session.run(PATTERN, work, settings))) as events:
-        for event in events:
-            yield Made(event, next(works)) if isinstance(event, Picture) else event
+    """Return what there is to choose from: some work with its own seed, and with others."""
+    return with_seeds(work, SEEDS)

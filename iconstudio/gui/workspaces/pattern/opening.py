@@ -4,15 +4,13 @@ from collections.abc import Callable, Generator
 from pathlib import Path
 from typing import Any
 
-from iconstudio.files import read_bytes
 from iconstudio.gui.exchange.opening import IconOpener, Opened
+from iconstudio.gui.exchange.photos import photo_in
 from iconstudio.gui.exchange.scanning import may_be_scan
-from iconstudio.gui.pictures.photo import image_of
-from iconstudio.images.photo import photo_of
-from iconstudio.images.reading import MAX_BYTES, SUFFIXES
+from iconstudio.images.reading import SUFFIXES
 from iconstudio.inputs.items import File, Image, Item
 from iconstudio.inputs.together import ReadTogether, quoted_list
-from iconstudio.model import Photo, Pictogram
+from iconstudio.model import Pictogram
 from iconstudio.workflows.files import open_file
 from iconstudio.workflows.pattern import page as edits
 from iconstudio.workflows.pattern.bounds import MOST_MOTIFS
@@ -75,21 +73,10 @@ class PatternOpener(IconOpener):
         edits.add_icons(self.document, gathered.found)
         return f"Added {quoted_list([one.credit.title for one in gathered.found])}."
 
-    def _image(self, item: Item) -> Generator[Opened | None]:
+    def _image(self, item: File | Image) -> Generator[Opened | None]:
         from iconstudio.workflows.pattern.imaging import reduction_of
 
-        photo = yield from self._photo(item)
+        photo = yield from photo_in(self.session, item)
         remarks = filter(None, (reduction_of(photo), photo.remark))
         words = " ".join([f"“{item.name}” is the exemplar.", *remarks])
         yield Opened(words, lambda there: edits.take_image(there, photo))
-
-    def _photo(self, item: Item) -> Generator[None, None, Photo]:
-        match item:
-            case File(path):
-                image = yield from self.session.image(Path(path))
-                return photo_of(image, path, read_bytes(Path(path), MAX_BYTES))
-            case Image(bytes() as data):
-                return photo_of((yield from self.session.image(data)), data=data)
-            case Image(image):
-                return photo_of(image_of(image))
-        raise AssertionError(item)

@@ -6,7 +6,8 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from iconstudio.gui.jobs.live import LiveRunner
 from iconstudio.gui.jobs.worker import Worker
-from iconstudio.gui.workspaces.pattern.live import Made, made, made_with_other_seeds, sheet_of
+from iconstudio.gui.workspaces.made import Made
+from iconstudio.gui.workspaces.pattern.live import made, made_with_other_seeds, sheet_of
 from iconstudio.model import Patterning
 from iconstudio.session import Session
 from iconstudio.workflows.events import Remark

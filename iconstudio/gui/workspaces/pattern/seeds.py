@@ -8,7 +8,7 @@ from iconstudio.gui.gallery.sheet_delegate import framed
 from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.theme.layout import card, label, row
 from iconstudio.gui.theme.theme import UNIT
-from iconstudio.gui.workspaces.pattern.live import Made
+from iconstudio.gui.workspaces.made import Made
 from iconstudio.model import Patterning
 
 _SIDE = 19 * UNIT // 2

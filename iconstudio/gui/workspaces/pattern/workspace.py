@@ -14,12 +14,12 @@ from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.panels.colour import ColourButton
 from iconstudio.gui.theme.layout import card, column, push_button, row, splitter
 from iconstudio.gui.workspaces.base import Workspace
+from iconstudio.gui.workspaces.made import Made
 from iconstudio.gui.workspaces.montage.tools.scribble import Brush
 from iconstudio.gui.workspaces.pattern.actions import ENTRIES
 from iconstudio.gui.workspaces.pattern.controls import PatternControls
 from iconstudio.gui.workspaces.pattern.correcting import CorrectTool
 from iconstudio.gui.workspaces.pattern.layers import LayerReader, LayersPanel
-from iconstudio.gui.workspaces.pattern.live import Made
 from iconstudio.gui.workspaces.pattern.opening import IMAGES, PatternOpener
 from iconstudio.gui.workspaces.pattern.patterner import Patterner
 from iconstudio.gui.workspaces.pattern.result import PatternView, TiledSwitch

@@ -4,11 +4,9 @@ from collections.abc import Generator
 from functools import partial
 from pathlib import Path
 
-from iconstudio.files import read_bytes
 from iconstudio.gui.exchange.opening import Opened, Opener
-from iconstudio.gui.pictures.photo import image_of
-from iconstudio.images.photo import photo_of
-from iconstudio.images.reading import MAX_BYTES, SUFFIXES
+from iconstudio.gui.exchange.photos import photo_in
+from iconstudio.images.reading import SUFFIXES
 from iconstudio.inputs.items import Drawing, File, Image, Item
 from iconstudio.inputs.together import ReadTogether
 from iconstudio.model import IconstudioError, Photo
@@ -42,13 +40,8 @@ class SketchOpener(Opener):
 
     def reading(self, item: Item) -> Generator[None, None, Photo]:
         """Return a photo: of a file, or from the clipboard or a drop."""
-        match item:
-            case File(path):
-                return (yield from self._photo(Path(path)))
-            case Image(bytes() as data):
-                return photo_of((yield from self.session.image(data)), data=data)
-            case Image(image):
-                return photo_of(image_of(image))
+        if isinstance(item, File | Image):
+            return (yield from photo_in(self.session, item))
         raise IconstudioError(
             "A sketch is traced over a photo, not over a drawing. "
             f"Open {_quoted(item)} in Edit, Hybrids or Montage."
@@ -60,16 +53,12 @@ class SketchOpener(Opener):
         page.set_photo(self.document, photo)
         return _about(photo)
 
-    def _photo(self, path: Path) -> Generator[None, None, Photo]:
-        image = yield from self.session.image(path)
-        return photo_of(image, str(path), read_bytes(path, MAX_BYTES))
-
     def _sketch_and_photo(self, file: SketchFile) -> Generator[Opened | None]:
         """Yield a sketch with its photo; if only the photo is missing, none, and then say so."""
         photo, trouble = None, None
         if file.photo is not None:
             try:
-                photo = yield from self._photo(file.photo)
+                photo = yield from photo_in(self.session, File(str(file.photo)))
             except IconstudioError as error:
                 trouble = error
         sketch, step = file.sketch, "open sketch"
