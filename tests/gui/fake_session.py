@@ -13,6 +13,7 @@ import numpy as np
 
 from iconstudio.algorithms.scanning.binarisation import Scan, ink_of, scanned
 from iconstudio.files import read_bytes
+from iconstudio.images.photo import photo_of
 from iconstudio.images.pillow import decode
 from iconstudio.images.reading import LONGEST, Image, is_image_file
 from iconstudio.images.scans import Tracing
@@ -38,6 +39,7 @@ from iconstudio.model import (
     Remix,
     Restyling,
     Score,
+    Separation,
     Sketch,
     Source,
     SpriteError,
@@ -48,7 +50,7 @@ from iconstudio.svg import credits
 from iconstudio.svg.decode import decode as svg_text
 from iconstudio.svg.parse import parse
 from iconstudio.svg.plain import document, plain
-from iconstudio.svg.reading import file_and_symbol, read_file
+from iconstudio.svg.reading import file_and_symbol, own_artwork, read_file
 from iconstudio.workflows.events import (
     Event,
     Progress,
@@ -208,6 +210,14 @@ class FakeSession:
             name = f"“{source.name}”" if isinstance(source, Path) else "The image"
             raise IconstudioError(f"{name} cannot be opened. {error}") from None
         return Image(pixels, width, height, remark)
+
+    def artwork(self, path: Path):
+        """As the real one, but in this process."""
+        self.thread_ids.add(threading.get_ident())
+        yield
+        pixels, pictogram = own_artwork(read_bytes(path, 1 << 24), str(path))
+        image = Image(pixels, pixels.shape[1], pixels.shape[0])
+        return Separation(photo_of(image, str(path)), credits=(pictogram,))
 
     def scan(self, image: Image, inverted: bool | None = None):
         self.calls.append(("scan", inverted))

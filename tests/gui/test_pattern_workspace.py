@@ -421,6 +421,19 @@ def test_an_image_is_the_exemplar_and_its_layers_are_corrected(place, qtbot, orn
     assert place.actions_by_name["arrange"].isChecked()
 
 
+def test_a_coloured_drawing_is_opened_as_an_image_with_its_credits(place, qtbot, tmp_path):
+    path = tmp_path / "ornament.svg"
+    path.write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 96 64"><title>Ornament</title>'
+        '<rect width="96" height="64" fill="#fff"/>'
+        '<rect x="24" y="16" width="48" height="32" fill="#dc1e1e"/></svg>'
+    )
+    place.opener.open_image(str(path))
+    qtbot.waitUntil(lambda: place.reader.layers is not None)
+    assert place.reader.layers.colours == ("#ffffff", "#dc1e1e")
+    assert [one.id.startswith("own:ornament") for one in place.page.work.image.credits] == [True]
+
+
 def test_the_work_is_saved_beside_its_image_and_opened(
     place, qtbot, monkeypatch, tmp_path, ornament
 ):

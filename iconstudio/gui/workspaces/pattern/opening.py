@@ -10,14 +10,15 @@ from iconstudio.gui.exchange.scanning import may_be_scan
 from iconstudio.images.reading import SUFFIXES
 from iconstudio.inputs.items import File, Image, Item
 from iconstudio.inputs.together import ReadTogether, quoted_list
-from iconstudio.model import Pictogram
+from iconstudio.model import Pictogram, Separation
 from iconstudio.workflows.files import open_file
 from iconstudio.workflows.pattern import page as edits
 from iconstudio.workflows.pattern.bounds import MOST_MOTIFS
 from iconstudio.workflows.pattern.file import PatternFile
 from iconstudio.workflows.pattern.page import PatternPage
 
-IMAGES = f"Images ({' '.join(f'*.{one}' for one in SUFFIXES)})"
+DRAWINGS = ".svg", ".svgz"
+IMAGES = f"Images ({' '.join(f'*.{one}' for one in (*SUFFIXES, 'svg', 'svgz'))})"
 
 
 class PatternOpener(IconOpener):
@@ -76,7 +77,11 @@ class PatternOpener(IconOpener):
     def _image(self, item: File | Image) -> Generator[Opened | None]:
         from iconstudio.workflows.pattern.imaging import reduction_of
 
-        photo = yield from photo_in(self.session, item)
-        remarks = filter(None, (reduction_of(photo), photo.remark))
-        words = " ".join([f"“{item.name}” is the exemplar.", *remarks])
-        yield Opened(words, lambda there: edits.take_image(there, photo))
+        if isinstance(item, File) and item.path.lower().endswith(DRAWINGS):
+            image = yield from self.session.artwork(Path(item.path))
+        else:
+            image = Separation((yield from photo_in(self.session, item)))
+        photo, credits = image.photo, image.credits
+        remarks = [reduction_of(photo), photo.remark, *(r for one in credits for r in one.remarks)]
+        words = " ".join([f"“{item.name}” is the exemplar.", *filter(None, remarks)])
+        yield Opened(words, lambda there: edits.take_image(there, photo, credits))

@@ -32,6 +32,7 @@ from iconstudio.workflows.pattern import page as edits
 from iconstudio.workflows.pattern.layering import ImageLayers
 from iconstudio.workflows.pattern.page import PatternPage
 from iconstudio.workflows.pattern.scattering import PALETTE
+from iconstudio.workflows.pattern.warming import warm_up
 
 DESCRIPTION = "Arrange the icons of the exemplar here"
 INVITATION = "The pattern appears here as soon as there are icons, or an image, on the canvas."
@@ -53,6 +54,7 @@ class PatternWorkspace(Workspace):
 
     def build(self) -> None:
         """Make canvas, panels and runs."""
+        self.session.workers.everywhere(warm_up)
         self.opener = PatternOpener(self.session, self.document, self.finder, self)
         self.patterner = Patterner(self.session, self.worker, self)
         self.scene = PatternScene(self.document, self.outlines)
