@@ -20,8 +20,22 @@ from iconstudio.session import Session
 from iconstudio.workflows.events import Event, Progress, Remark, Result
 from iconstudio.workflows.files import read_file
 from iconstudio.workflows.pattern.bounds import LARGER, LARGEST, LARGEST_SEED, SMALLER, SMALLEST
-from iconstudio.workflows.pattern.imaging import reduction_of
+from iconstudio.workflows.pattern.file import ground_of
+from iconstudio.workflows.pattern.imaging import reduction_of, unheeded
 from iconstudio.workflows.pattern.spec import PATTERN
+
+
+class _Ground(click.ParamType):  # type: ignore[type-arg]  # generic only since Click 8.5
+    """An opaque colour, or ``none``."""
+
+    name = "ground"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> str:
+        """Read it."""
+        try:
+            return ground_of(value)
+        except IconstudioError as error:
+            self.fail(f"{error} For a transparent ground, write none.", param, ctx)
 
 
 class _Size(click.ParamType):  # type: ignore[type-arg]  # generic only since Click 8.5
@@ -52,13 +66,14 @@ class _Asked:
     scale: float | None
     density: float | None
     turn: float | None
+    ground: str | None
     fill: str | None
 
     def of(self, work: Patterning, session: Session) -> Patterning:
         """Return some work as the options change it."""
         given = {
             name: value
-            for name in ("tile", "seed", "scale", "density", "turn")
+            for name in ("tile", "seed", "scale", "density", "turn", "ground")
             if (value := getattr(self, name)) is not None
         }
         if self.size is not None:
@@ -82,6 +97,9 @@ class _Asked:
 @click.option("--scale", type=Between(SMALLER, LARGER), metavar="S", help="Of its elements.")
 @click.option("--density", type=Between(SMALLER, LARGER), metavar="D", help="How dense icons lie.")
 @click.option("--turn", type=Between(-360, 360), metavar="DEGREES", help="Turn every icon.")
+@click.option(
+    "--ground", type=_Ground(), metavar="COLOUR", help="#rrggbb, or none: a transparent ground."
+)
 @click.option("--fill", metavar="SHAPE.svg", help="Fill this shape only: a file, or set:name.")
 @click.option("--out", required=True, metavar="FILE", help="A file .svg, .png or .css.")
 @profile_option
@@ -103,7 +121,10 @@ def _reading_and_running(session: Session, exemplar: str, asked: _Asked) -> Gene
             running.tell(reduced)
         running.tell_remarks(work.image.credits)
     running.tell_remarks(one.icon for one in work.motifs)
-    yield from session.run(PATTERN, asked.of(work, session))
+    wanted = asked.of(work, session)
+    if passed_over := unheeded(wanted):
+        running.tell(passed_over)
+    yield from session.run(PATTERN, wanted)
 
 
 def _work(session: Session, exemplar: str) -> Generator[Event, None, Patterning]:

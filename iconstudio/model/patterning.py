@@ -77,7 +77,7 @@ class Patterning:
     image: Separation | None = None
     """In place of motifs."""
     ground: str = GROUND
-    """The colour behind all motifs, ``#rrggbb``."""
+    """The colour behind all motifs, ``#rrggbb``; empty for none. An image has its own, or none."""
     width: int = 2 * CANVAS
     height: int = 2 * CANVAS
     """Of the pattern, in units of the exemplar's canvas."""

@@ -45,6 +45,38 @@ def test_its_credits_are_read_back(svg, tmp_path):
     assert credit.id == "mdi:fish"
 
 
+@pytest.mark.parametrize("kind", ["svg", "png", "css"])
+def test_the_ground_can_be_transparent_or_another(file, kind, tmp_path):
+    out = tmp_path / f"a.{kind}"
+    words = ["pattern", str(file), "--size", "128x128", "--out", str(out), "--ground"]
+    assert run([*words, "none"], None) == 0
+    if kind == "png":
+        assert np.asarray(Image.open(out).convert("RGBA"))[..., 3].min() == 0
+    else:
+        assert "id='ground'" not in out.read_text().replace('"', "'")
+        assert run([*words, "#0a0B0c"], None) == 0
+        assert "0a0b0c" in out.read_text()
+
+
+def test_what_an_image_does_not_heed_is_told(tmp_path, capfd):
+    colours = np.full((96, 96, 3), 255, np.uint8)
+    for x, y in ((12, 12), (60, 12), (12, 60), (60, 60)):
+        colours[y : y + 24, x : x + 24] = 220, 30, 30
+    Image.fromarray(colours).save(tmp_path / "a.png")
+    words = [
+        "--size",
+        "128x128",
+        "--turn",
+        "30",
+        "--density",
+        "2",
+        "--out",
+        str(tmp_path / "a.svg"),
+    ]
+    assert run(["pattern", str(tmp_path / "a.png"), *words], None) == 0
+    assert "An image keeps its own density and turn" in capfd.readouterr().err
+
+
 def test_a_png_and_a_style_sheet_show_the_same(file, svg, tmp_path):
     words = ["pattern", str(file), "--out"]
     assert run([*words, str(tmp_path / "a.png")], None) == 0
@@ -99,6 +131,7 @@ def test_bad_files_are_refused_in_a_sentence(content, said, tmp_path, capsys):
         (["--size", "512", "--out", "a.svg"], "write one as 512x512"),
         (["--size", "10x10", "--out", "a.svg"], "from 64 to 10000"),
         (["--scale", "nan", "--out", "a.svg"], "give a number from 0.25 to 4"),
+        (["--ground", "bluish", "--out", "a.svg"], "For a transparent ground, write none."),
         (["--out", "a.jpg"], "Call it “a.svg”"),
         (["--out", ""], "is empty"),
         (["--fill", "nothing.svg", "--out", "a.svg"], "nothing.svg"),

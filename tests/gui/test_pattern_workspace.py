@@ -259,13 +259,35 @@ def test_nudges_are_steps_of_the_arrow_keys(laid_out):
     assert undone(laid_out).work.motifs[4].y == before.y
 
 
-def test_scattering_anew_keeps_icons_and_colours(laid_out):
+def test_scattering_anew_keeps_icons_sizes_and_colours(laid_out):
+    click(laid_out, middle(laid_out))
+    laid_out.colour.chosen.emit(PALETTE[3])
+    laid_out.actions_by_name["smaller"].trigger()
     before = laid_out.page.work
     laid_out.actions_by_name["scatter"].trigger()
     after = laid_out.page.work
-    assert after.motifs != before.motifs
-    assert {(one.icon, one.colour) for one in after.motifs} == {(RING, PALETTE[0])}
+    assert [(one.x, one.y) for one in after.motifs] != [(one.x, one.y) for one in before.motifs]
+    assert [(one.icon, one.colour) for one in after.motifs] == [
+        (one.icon, one.colour) for one in before.motifs
+    ]
+    sizes = [a.size / b.size for a, b in zip(after.motifs, before.motifs, strict=True)]
+    assert sizes == pytest.approx([sizes[0]] * 9, rel=0.01)
     assert undone(laid_out).work == before
+
+
+def test_the_ground_may_be_transparent(laid_out, qtbot):
+    before, transparent = laid_out.page, laid_out.controls.transparent
+    transparent.click()
+    assert laid_out.page.work.ground == ""
+    assert not laid_out.controls.ground.isEnabled()
+    settled(laid_out, qtbot)
+    shown = pixels(laid_out.view.grab().toImage())
+    middle_row = shown[shown.shape[0] // 2, :, 0]
+    assert len(np.unique(middle_row)) > 2, "checks"
+    transparent.click()
+    assert laid_out.page == before
+    undone(laid_out)
+    assert undone(laid_out) == before
 
 
 def changed(place, what):

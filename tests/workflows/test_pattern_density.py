@@ -12,7 +12,7 @@ from iconstudio.model import CANVAS, Credit, Motif, Pictogram
 from iconstudio.workflows.pattern.density import denser
 from iconstudio.workflows.pattern.filling import enclosed, fitted
 from iconstudio.workflows.pattern.layout import rasterised
-from iconstudio.workflows.pattern.scattering import scattered
+from iconstudio.workflows.pattern.scattering import scattered, scattered_anew
 from tests.shapes import outline
 
 ICON = Pictogram("a:disc", "", Credit("disc", "", "", "", ""))
@@ -44,6 +44,34 @@ def test_what_lies_on_each_other_stays_together():
     (cup, label, _), _ = denser([cup, label, other], 4)
     assert (label.x - cup.x) / (label.y - cup.y) == pytest.approx(-6 / 8)
     assert label.size / cup.size == pytest.approx(0.25)
+
+
+@given(st.integers(1, 14), st.integers(0, 20))
+@settings(max_examples=20, deadline=None)
+def test_scattered_anew_all_keep_colour_and_relative_size_and_what_lies_on_them(count, seed):
+    cups = [Motif(ICON, 30 + 5 * n, 40, 20 + 4 * (n % 4), 10.0 * n, False, f"#0000{n:02x}")
+            for n in range(1, count)]  # fmt: skip
+    apart = [one for n, one in enumerate(cups) if not n % 5]
+    plate, berry = Motif(ICON, 128, 180, 60), Motif(ICON, 138, 172, 12, colour="#ff0000")
+    before = [plate, *apart, berry]
+    after = scattered_anew(before, seed)
+    shrunk = [b.size / a.size for a, b in zip(before, after, strict=True)]
+    assert shrunk == pytest.approx([shrunk[0]] * len(shrunk), rel=0.02) and max(shrunk) <= 1
+    assert [(one.icon, one.colour, one.turn) for one in after] == [
+        (one.icon, one.colour, one.turn) for one in before
+    ]
+    offset = after[-1].x - after[0].x, after[-1].y - after[0].y
+    assert offset == pytest.approx((10 * shrunk[0], -8 * shrunk[0]), abs=0.2)
+    assert all(0 <= one.x <= CANVAS and 0 <= one.y <= CANVAS for one in after)
+    assert after == scattered_anew(before, seed)
+
+
+def test_scattered_anew_motifs_that_fit_stay_as_large_and_lie_elsewhere():
+    before = scattered([Pictogram(f"a:{n}", "", ICON.credit) for n in range(9)])
+    after = scattered_anew(before, 3)
+    assert [one.size for one in after] == [one.size for one in before]
+    moved = [hypot(a.x - b.x, a.y - b.y) for a, b in zip(before, after, strict=True)]
+    assert sum(one > 40 for one in moved) > 4
 
 
 def test_an_icon_in_lines_is_filled_whole_and_another_keeps_its_holes():

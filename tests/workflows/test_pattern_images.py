@@ -19,7 +19,7 @@ from iconstudio.workflows.events import Remark, Result
 from iconstudio.workflows.files import read_file
 from iconstudio.workflows.pages import StoredPhoto
 from iconstudio.workflows.pattern import imaging
-from iconstudio.workflows.pattern.imaging import ImageExemplar, reduction_of
+from iconstudio.workflows.pattern.imaging import ImageExemplar, reduction_of, unheeded
 from iconstudio.workflows.pattern.page import PatternPage
 from iconstudio.workflows.pattern.page_format import PatternPages
 from iconstudio.workflows.pattern.patterning import run
@@ -114,6 +114,30 @@ def test_corrections_are_in_pixels_of_the_original(drawn, monkeypatch):
     assert reduction_of(separation(large).photo) == (
         "The image of 384 x 384 pixels is reduced to 256 a side."
     )
+
+
+def test_a_gradient_is_told(drawn):
+    ramp = np.linspace(60, 200, 24).astype(np.uint8)
+    graded = np.full((96, 96, 3), 255, np.uint8)
+    for x in (12, 60):
+        graded[12:36, x : x + 24] = graded[60:84, x : x + 24] = np.stack([ramp, ramp, 0 * ramp], 1)
+    assert exemplar(graded).remark == "A gradient of the image becomes one even colour."
+    rng = np.random.default_rng(0)
+    noisy = np.clip(drawn + rng.normal(0, 3, drawn.shape), 0, 255)
+    assert exemplar(noisy).remark == ""
+
+
+def test_its_ground_can_be_left_out(drawn):
+    image = separation(drawn)
+    assert ImageExemplar.of(image, transparent=True).layout(SAMPLES).ground == ""
+
+
+def test_what_an_image_does_not_heed_is_told(drawn):
+    work = Patterning(image=separation(drawn))
+    assert unheeded(work) == unheeded(replace(work, ground="")) == ""
+    assert unheeded(Patterning(density=2)) == ""
+    said = unheeded(replace(work, density=2.0, turn=30.0))
+    assert said == "An image keeps its own density and turn; what was asked for is passed over."
 
 
 def test_too_many_layers_are_told():

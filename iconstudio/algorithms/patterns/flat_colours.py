@@ -46,6 +46,9 @@ _UNKNOWN_MOST = 0.35
 _PHOTOGRAPH = 30, 0.15, 40
 """A photograph strays from flat colours by so many levels in so much of it; and so many pixels has
 less than half of its areas."""
+_GRADIENT = 64, 32
+"""A colour is that of a gradient if it has so many even pixels, and nine in ten of them differ by
+more than so many levels."""
 _SPECK = 6
 """Pixels of one colour that are none."""
 
@@ -135,6 +138,19 @@ def is_noisy(pixels: Pixels) -> bool:
 def is_grainy(pixels: Pixels) -> bool:
     """Whether noise is in all of an image, so strong that no area is even."""
     return bool(np.median(_spread(cielab(pixels))) > EXACT.even)
+
+
+def has_gradient(pixels: Pixels, flat: FlatColours) -> bool:
+    """Whether the image differs much within one of its flat colours."""
+    even = ndimage.minimum_filter(flat.share, 3) >= 1
+    fewest, levels = _GRADIENT
+    for number in range(len(flat.colours)):
+        own = pixels[even & (flat.first == number)]
+        if len(own) >= fewest:
+            low, high = np.percentile(own, (5, 95), axis=0)
+            if (high - low).max() > levels:
+                return True
+    return False
 
 
 def _is_photograph(pixels: Pixels, flat: Pixels, first: Numbers) -> bool:

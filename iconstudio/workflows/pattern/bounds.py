@@ -10,6 +10,8 @@ LARGEST_SEED = 2**53
 """More would not be the same number everywhere in JSON."""
 MOST_COLOURS = MOST_LAYERS + 1
 """Of an image, with its ground."""
+SMALLEST_MOTIF = 4.0
+"""Side of a motif, in units."""
 MOST_MOTIFS = 200
 """On the canvas of an exemplar."""
 SEEDS = 6

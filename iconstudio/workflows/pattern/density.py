@@ -16,10 +16,11 @@ _OVERLAP = 0.32
 
 
 @dataclass(frozen=True, slots=True)
-class _Group:
+class Stack:
     """Motifs that lie on each other, and move together."""
 
     members: tuple[int, ...]
+    """Their numbers, from back to front."""
     x: float
     y: float
     radius: float
@@ -33,7 +34,7 @@ def denser(motifs: Sequence[Motif], density: float) -> tuple[tuple[Motif, ...], 
     """
     factor = sqrt(density)
     side = CANVAS / factor
-    groups = _groups(motifs)
+    groups = stacks(motifs)
     room = min((_room(*pair) for pair in combinations(groups, 2)), default=factor)
     shrunk = min(1.0, max(room, 1.0) / factor)
     moved = list(motifs)
@@ -57,26 +58,27 @@ def _placed(value: float, radius: float, factor: float, shrunk: float) -> float:
     return min(max(place, least), side - least) if 0 <= least <= side / 2 else place
 
 
-def _room(one: _Group, other: _Group) -> float:
+def _room(one: Stack, other: Stack) -> float:
     """Return by how much two groups can be brought nearer."""
     return hypot(one.x - other.x, one.y - other.y) / (one.radius + other.radius)
 
 
-def _groups(motifs: Sequence[Motif]) -> list[_Group]:
+def stacks(motifs: Sequence[Motif]) -> list[Stack]:
+    """Return motifs by what lies on each other."""
     together = DisjointSet(range(len(motifs)))
     for a, b in combinations(range(len(motifs)), 2):
         one, other = motifs[a], motifs[b]
         reach = _OVERLAP * (one.size + other.size)
         if hypot(one.x - other.x, one.y - other.y) < reach:
             together.merge(a, b)
-    return [_group(motifs, members) for members in together.subsets()]
+    return [_stack(motifs, members) for members in together.subsets()]
 
 
-def _group(motifs: Sequence[Motif], members: Iterable[int]) -> _Group:
+def _stack(motifs: Sequence[Motif], members: Iterable[int]) -> Stack:
     numbers = tuple(sorted(members))
     some = [motifs[number] for number in numbers]
     weight = sum(one.size**2 for one in some)
     x = sum(one.x * one.size**2 for one in some) / weight
     y = sum(one.y * one.size**2 for one in some) / weight
     radius = max(hypot(one.x - x, one.y - y) + _RADIUS * one.size for one in some)
-    return _Group(numbers, x, y, radius)
+    return Stack(numbers, x, y, radius)

@@ -19,7 +19,7 @@ _TRIES = 3
 
 @dataclass(frozen=True, slots=True)
 class Drawn:
-    """The layers of a pattern, in pixels, from back to front, and the colour behind them."""
+    """The layers of a pattern, in pixels, from back to front, and a colour behind them, or none."""
 
     layers: tuple[ColouredLayer, ...]
     ground: str

@@ -30,8 +30,12 @@ from iconstudio.workflows.pattern.bounds import (
     MOST_MOTIFS,
     SMALLER,
     SMALLEST,
+    SMALLEST_MOTIF,
 )
 from iconstudio.workflows.workflow import File, Find, Refer, Resources
+
+NO_GROUND = "none"
+"""What is written for a transparent ground."""
 
 FAR = 4.0 * CANVAS
 """No coordinate of a motif is larger."""
@@ -48,7 +52,7 @@ class MotifFile(StrictRecord, frozen=True):
     icon: Reference
     x: _Place = CANVAS / 2
     y: _Place = CANVAS / 2
-    size: Annotated[float, Meta(ge=4, le=FAR)] = CANVAS / 4
+    size: Annotated[float, Meta(ge=SMALLEST_MOTIF, le=FAR)] = CANVAS / 4
     turn: _Turn = 0.0
     flip: bool = False
     colour: Text = INK
@@ -113,7 +117,7 @@ class PatternFile(File[Patterning], frozen=True):
             image=Path(image.photo.path) if image and image.photo.path else None,
             colours=image.colours if image else None,
             corrections=tuple(map(CorrectionFile.of, image.corrections)) if image else (),
-            ground=work.ground,
+            ground=work.ground or NO_GROUND,
             width=work.width,
             height=work.height,
             tile=work.tile,
@@ -128,7 +132,7 @@ class PatternFile(File[Patterning], frozen=True):
         """Refuse two exemplars, and what is no colour."""
         if self.motifs and self.image:
             raise IconstudioError("An exemplar is an image, or icons: give one of the two.")
-        _plain(self.ground)
+        ground_of(self.ground)
 
     def resolved(self, find: Find) -> Patterning:
         """Return the work without its image."""
@@ -149,7 +153,7 @@ class PatternFile(File[Patterning], frozen=True):
         return Patterning(
             motifs=tuple(one.resolved(find) for one in self.motifs),
             image=None if photo is None else Separation(photo, self.colours, corrections, credits),
-            ground=_plain(self.ground),
+            ground=ground_of(self.ground),
             width=self.width,
             height=self.height,
             tile=self.tile,
@@ -159,6 +163,17 @@ class PatternFile(File[Patterning], frozen=True):
             density=self.density,
             fill=None if self.fill is None else find(self.fill),
         )
+
+
+def ground_of(text: str) -> str:
+    """Return a ground as ``#rrggbb``, or empty for ``none``.
+
+    Raises
+    ------
+    IconstudioError
+        If it is neither.
+    """
+    return "" if text.strip().lower() == NO_GROUND else _plain(text)
 
 
 def _plain(text: str) -> str:

@@ -11,11 +11,20 @@ from scipy import ndimage
 
 from iconstudio.algorithms.patterns.elements import components, grouped
 from iconstudio.algorithms.patterns.exemplar import LARGEST, MOST_LAYERS, Exemplar, Masks
-from iconstudio.algorithms.patterns.flat_colours import is_grainy, is_noisy
+from iconstudio.algorithms.patterns.flat_colours import has_gradient, is_grainy, is_noisy
 from iconstudio.algorithms.patterns.separation import Layers, Separated, separated
 from iconstudio.algorithms.patterns.shapes import element_shapes
 from iconstudio.algorithms.patterns.thickening import thickened
-from iconstudio.model import CANVAS, Correction, IconstudioError, Photo, Separation, hex_colour
+from iconstudio.model import (
+    CANVAS,
+    Correction,
+    IconstudioError,
+    Patterning,
+    Photo,
+    Separation,
+    hex_colour,
+)
+from iconstudio.model.patterning import GROUND
 from iconstudio.workflows.pattern.layout import Layout
 
 _THINNEST = 1.5
@@ -43,10 +52,12 @@ class ImageExemplar:
     """In pixels of the original."""
     reduction: float
     """The original's pixels to one."""
+    transparent: bool = False
+    """Whether its ground is left out."""
 
     @classmethod
-    def of(cls, image: Separation) -> "ImageExemplar":
-        """Return the image of some work, over white.
+    def of(cls, image: Separation, transparent: bool = False) -> "ImageExemplar":
+        """Return the image of some work, over white; ``transparent``: without its ground.
 
         Raises
         ------
@@ -60,7 +71,7 @@ class ImageExemplar:
             )
         pixels, digest = _reduced(image.photo)
         reduction = image.photo.width / pixels.shape[1]
-        return cls(pixels, digest, image.colours, image.corrections, reduction)
+        return cls(pixels, digest, image.colours, image.corrections, reduction, transparent)
 
     def layers(self) -> Layers:
         """Return its layers, corrected: (h, w), from the ground, 0, up."""
@@ -97,9 +108,13 @@ class ImageExemplar:
         pixels = found.repainted(self.pixels, thick)
         colours = np.stack([_resized(one, size) for one in np.moveaxis(pixels, 2, 0)], axis=2) / 255
         shapes = element_shapes(found, masks, labels)
-        ground = hex_colour(found.flat.colours[int(np.argmin(found.layer))])
+        own = hex_colour(found.flat.colours[int(np.argmin(found.layer))])
+        ground = "" if self.transparent else own
         return Layout(
-            Exemplar(colours.astype(np.float32), reduced, labels), shapes, ground, remark_of(found)
+            Exemplar(colours.astype(np.float32), reduced, labels),
+            shapes,
+            ground,
+            remark_of(found, self.pixels),
         )
 
 
@@ -148,14 +163,33 @@ def corrected(layers: Layers, corrections: Sequence[Correction], reduction: floa
     return np.array(image)
 
 
-def remark_of(found: Separated) -> str:
-    """Return a sentence about layers that were joined; empty if none were."""
-    if found.found <= MOST_LAYERS:
+def remark_of(found: Separated, pixels: NDArray[np.uint8]) -> str:
+    """Return sentences about layers that were joined, and gradients; empty if there are none."""
+    remarks = []
+    if found.found > MOST_LAYERS:
+        remarks.append(
+            f"The image has {found.found} layers, and a pattern at most {MOST_LAYERS}: the "
+            "smallest went to those of the nearest colours. Fewer colours give clearer layers."
+        )
+    if has_gradient(pixels, found.flat):
+        remarks.append("A gradient of the image becomes one even colour.")
+    return " ".join(remarks)
+
+
+def unheeded(work: Patterning) -> str:
+    """Return a sentence about what an image does not heed of what is wanted; empty if nothing."""
+    if work.image is None:
         return ""
-    return (
-        f"The image has {found.found} layers, and a pattern at most {MOST_LAYERS}: the smallest "
-        "went to those of the nearest colours. Fewer colours give clearer layers."
-    )
+    asked = {
+        "density": work.density != 1,
+        "turn": work.turn % 360 != 0,
+        "ground": work.ground not in ("", GROUND),
+    }
+    names = [name for name, was in asked.items() if was]
+    if not names:
+        return ""
+    own = " and ".join(filter(None, [", ".join(names[:-1]), names[-1]]))
+    return f"An image keeps its own {own}; what was asked for is passed over."
 
 
 def _labels(masks: Masks) -> NDArray[np.int32]:

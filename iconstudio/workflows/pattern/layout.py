@@ -23,6 +23,7 @@ from iconstudio.model import (
     Transform,
     levels_of,
 )
+from iconstudio.model.patterning import GROUND
 from iconstudio.svg.resvg import render_coverage
 from iconstudio.workflows.pattern.density import denser
 
@@ -52,7 +53,7 @@ class Layout:
     """Of each layer of the exemplar, the elements by their labels, from 1; each from back to front,
     in pixels of the exemplar; none if they are not known."""
     ground: str
-    """The colour behind all layers, ``#rrggbb``."""
+    """The colour behind all layers, ``#rrggbb``; empty for none."""
     remark: str = ""
     """A sentence for the user about how it was made, if there is anything to say."""
 
@@ -67,6 +68,7 @@ class Arrangement:
     side: float
     """Of the canvas, in its units."""
     ground: str
+    """``#rrggbb``; empty for none."""
 
     @classmethod
     def of(cls, work: Patterning, paths: Sequence[Path]) -> "Arrangement":
@@ -105,7 +107,7 @@ class Arrangement:
             )
         masks = np.stack([_united(shape for one in layer for shape in one) for layer in layers])
         labels = np.stack([_labels(layer, pixels) for layer in layers])
-        exemplar = Exemplar(_colours(shapes, pixels, self.ground), masks, labels)
+        exemplar = Exemplar(_colours(shapes, pixels, self.ground or GROUND), masks, labels)
         elements = tuple(tuple(map(_fills, layer)) for layer in layers)
         return Layout(exemplar, elements, self.ground)
 

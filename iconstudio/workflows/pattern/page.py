@@ -18,12 +18,19 @@ from iconstudio.model import (
     Stroke,
 )
 from iconstudio.workflows.pages import Document
-from iconstudio.workflows.pattern.bounds import LARGER, LARGEST, MOST_MOTIFS, SMALLER, SMALLEST
-from iconstudio.workflows.pattern.scattering import PALETTE, scattered
+from iconstudio.workflows.pattern.bounds import (
+    LARGER,
+    LARGEST,
+    MOST_MOTIFS,
+    SMALLER,
+    SMALLEST,
+    SMALLEST_MOTIF,
+)
+from iconstudio.workflows.pattern.scattering import PALETTE, scattered, scattered_anew
 
 _STEPS = 12
 """A free place is looked for in so many columns and rows."""
-_SMALLEST_MOTIF, _LARGEST_MOTIF = 4.0, 4.0 * CANVAS
+_LARGEST_MOTIF = 4.0 * CANVAS
 _APART = 12.0
 """By how much a copy is moved."""
 
@@ -84,11 +91,8 @@ def add_icons(document: PatternDocument, icons: Sequence[Pictogram]) -> None:
 
 
 def scatter(document: PatternDocument, seed: int) -> None:
-    """Scatter the icons over the canvas anew."""
-    page = document.page
-    colours = {one.icon: one.colour for one in page.work.motifs}
-    motifs = tuple(replace(one, colour=colours[one.icon]) for one in scattered(page.icons, seed))
-    _change(document, "scatter icons", motifs=motifs)
+    """Scatter the icons over the canvas anew, with their colours, sizes and what lies on them."""
+    _change(document, "scatter icons", motifs=scattered_anew(document.page.work.motifs, seed))
 
 
 def remove_chosen(document: PatternDocument) -> None:
@@ -209,7 +213,7 @@ def clear_corrections(document: PatternDocument) -> None:
 
 
 def set_ground(document: PatternDocument, colour: str, gesture: object = None) -> None:
-    """Set the colour behind all motifs."""
+    """Set the colour behind all motifs; empty for none."""
     _change(document, "change ground", gesture, ground=colour)
 
 
@@ -306,7 +310,7 @@ def _reorder(
 
 
 def _size(side: float) -> float:
-    return _within(side, _SMALLEST_MOTIF, _LARGEST_MOTIF)
+    return _within(side, SMALLEST_MOTIF, _LARGEST_MOTIF)
 
 
 def _within(value: float, least: float, most: float) -> float:

@@ -110,11 +110,10 @@ def icon_of(
     """Return a pattern as a result; ``size`` and ``fill`` are in its samples."""
     rows, columns = size
     own = Transform().scale(work.width / columns, work.height / rows)
-    layers = drawn.layers
-    if fill is not None:
-        layers = (ColouredLayer("ground", (Fill(fill, drawn.ground),)), *layers)
-    layers = tuple(_transformed(one, own) for one in layers)
-    inked = layers if fill is None else layers[1:]
+    inked = layers = tuple(_transformed(one, own) for one in drawn.layers)
+    if fill is not None and drawn.ground:
+        behind = ColouredLayer("ground", (Fill(fill, drawn.ground),))
+        layers = (_transformed(behind, own), *inked)
     canvas = Transform().scale(CANVAS / max(work.width, work.height))
     ink = (_transformed(one, canvas).fills for one in inked)
     icons = [*_icons(work), *([work.fill] if work.fill else [])]
@@ -148,7 +147,7 @@ def _transformed(layer: ColouredLayer, transform: Transform) -> ColouredLayer:
 
 def _source(resources: Resources, work: Patterning) -> Source:
     if work.image is not None:
-        return ImageExemplar.of(work.image)
+        return ImageExemplar.of(work.image, transparent=not work.ground)
     if not work.motifs:
         raise IconstudioError(
             "There is no exemplar yet. Put icons on its canvas, or open an image."

@@ -23,6 +23,9 @@ GROUNDS = ("#ffffff", "#f7f1e3", "#fde2d4", "#d8e8f2", "#e2efda", "#20242c", "#1
 """Grounds to choose from, pale and dark."""
 
 
+OF_AN_IMAGE = "An image keeps its own ground, density and turn: this is for icons"
+
+
 class SizeFields(QWidget):
     """Width and height."""
 
@@ -115,11 +118,15 @@ class PatternControls(QFrame):
         self.seed.changed.connect(lambda seed: edits.set_seed(document, seed, self.seed.gesture))
         self.ground = ColourButton(GROUNDS, "Colour of the ground")
         self.ground.chosen.connect(lambda colour: edits.set_ground(document, colour))
+        self.transparent = QCheckBox("Transparent")
+        self.transparent.setToolTip("Nothing lies behind the pattern")
+        self.transparent.clicked.connect(self._set_transparent)
         self.shape = ShapePicture(outlines)
         self.fill = _button(filling)
         self.whole = tool_button(
             "close", "Fill the whole rectangle", lambda: edits.set_fill(document, None)
         )
+        self._tips = {one: one.toolTip() for one in (self.density, self.turn, self.ground)}
         self._lay_out()
 
     def _lay_out(self) -> None:
@@ -132,7 +139,7 @@ class PatternControls(QFrame):
             self.tile,
             column(self.density, self.factor, self.turn, spacing=2),
             row(self.seed, None),
-            row(self._ground_words, self.ground, None),
+            row(self._ground_words, self.ground, self.transparent, None),
             row(self._shape_words, self.shape, (self.fill, 1), self.whole),
         )
         row(card(*parts), of=self)
@@ -147,12 +154,22 @@ class PatternControls(QFrame):
         self.factor.show_value(work.scale)
         self.turn.show_value(work.turn)
         self.seed.set_seed(work.seed)
-        self.ground.show_colour(work.ground)
+        self.transparent.setChecked(not work.ground)
+        if work.ground:
+            self.ground.show_colour(work.ground)
         self.shape.show_shape(work.fill)
         self.whole.setEnabled(work.fill is not None)
-        # An image has its own ground, and nothing of it is moved about.
-        for one in (self.ground, self._ground_words, self.density, self.turn):
-            one.setEnabled(work.image is None)
+        self._heed(work.image is not None)
+        self.ground.setEnabled(work.image is None and bool(work.ground))
+
+    def _heed(self, image: bool) -> None:
+        """Offer what an image heeds; of the rest, say why not."""
+        for one, tip in self._tips.items():
+            one.setEnabled(not image)
+            one.setToolTip(OF_AN_IMAGE if image else tip)
+
+    def _set_transparent(self, on: bool) -> None:
+        edits.set_ground(self._document, "" if on else self.ground.colour)
 
 
 def _button(action: QAction) -> QPushButton:

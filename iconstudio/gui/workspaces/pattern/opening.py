@@ -38,9 +38,13 @@ class PatternOpener(IconOpener):
 
     def opening(self, path: Path) -> Generator[Any]:
         """Yield the work in a file."""
+        from iconstudio.workflows.pattern.imaging import unheeded
+
         file = open_file(path, PatternFile)
         work = yield from file.resolving(self.session)
-        words = " ".join([f"Opened “{file.title or path.stem}”.", *file.remarks])
+        words = " ".join(
+            [f"Opened “{file.title or path.stem}”.", *file.remarks, unheeded(work)]
+        ).strip()
         yield Opened(words, lambda there: there.change("open pattern", PatternPage(work)))
 
     def open_image(self, path: str) -> None:

@@ -1,7 +1,7 @@
 """The pattern, large: once, or side by side with itself."""
 
-from PySide6.QtCore import QPointF, QRectF, QSize, QSizeF, Signal
-from PySide6.QtGui import QBrush, QImage, QPainter, QPainterPath, QPaintEvent, QPixmap, QTransform
+from PySide6.QtCore import QPointF, QRectF, QSizeF, Signal
+from PySide6.QtGui import QBrush, QImage, QPainter, QPainterPath, QPaintEvent, QTransform
 from PySide6.QtWidgets import QButtonGroup, QFrame, QToolButton
 
 from iconstudio.gui.gallery.detail import LargePicture
@@ -11,14 +11,13 @@ from iconstudio.gui.theme import theme
 from iconstudio.gui.theme.layout import segments
 from iconstudio.gui.theme.painting import fill_rounded, smooth_painter
 from iconstudio.gui.theme.theme import UNIT
+from iconstudio.gui.workspaces.pattern.checks import checks
 from iconstudio.model import Patterned
 
 TIMES = 3
 """How often a tile is seen at least, across and down."""
 _TILED = "tiled"
 """Under which it is remembered whether patterns are shown side by side with themselves."""
-_CHECK, _PALE, _DARK = UNIT, "#ffffff", "#e9e9e6"
-"""Side in pixels and colours of the checks that mean that there is nothing."""
 
 
 class TiledSwitch(QFrame):
@@ -98,7 +97,7 @@ class PatternView(LargePicture):
         with smooth_painter(self) as painter:
             shape = QPainterPath()
             shape.addRoundedRect(sheet, UNIT, UNIT)
-            painter.fillPath(shape, _checks())
+            painter.fillPath(shape, checks())
             brush = QBrush(image)
             place = QTransform.fromTranslate(one.x(), one.y())
             brush.setTransform(place.scale(1 / ratio, 1 / ratio))
@@ -112,15 +111,6 @@ class PatternView(LargePicture):
         if self._of != of:
             self._image, self._of = picture.rendered(size, ink), of
         return self._image
-
-
-def _checks() -> QBrush:
-    pixmap = QPixmap(QSize(2 * _CHECK, 2 * _CHECK))
-    pixmap.fill(_PALE)
-    with QPainter(pixmap) as painter:
-        for place in (0, _CHECK):
-            painter.fillRect(place, place, _CHECK, _CHECK, _DARK)
-    return QBrush(pixmap)
 
 
 def _paint_dots(painter: QPainter, area: QRectF) -> None:

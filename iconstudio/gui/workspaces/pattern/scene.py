@@ -10,6 +10,7 @@ from iconstudio.gui.canvas.painters import paint_photo
 from iconstudio.gui.canvas.scene import Scene
 from iconstudio.gui.pictures.picture import rgba_image
 from iconstudio.gui.theme.theme import Theme
+from iconstudio.gui.workspaces.pattern.checks import checks
 from iconstudio.gui.workspaces.pattern.motifs import MotifShapes, transform_of
 from iconstudio.model import CANVAS, Motif
 from iconstudio.output.colours import numbered_colour
@@ -75,7 +76,8 @@ class PatternScene(Scene):
             if self._tinted and not self._tints.isNull():
                 painter.drawImage(sheet, self._tints)
         else:
-            painter.fillRect(sheet, QColor(self.page.work.ground))
+            ground = self.page.work.ground
+            painter.fillRect(sheet, QColor(ground) if ground else checks())
             self._paint_motifs(painter, camera)
         painter.setPen(QPen(theme.color("border"), 1))
         painter.setBrush(Qt.BrushStyle.NoBrush)
