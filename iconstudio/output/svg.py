@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from xml.sax.saxutils import escape, quoteattr
 
+from iconstudio.algorithms.two_tones import in_two_tones
 from iconstudio.model import CANVAS, ColouredLayer, Credit, Fill, Icon, Path, Patterned, Pictogram
 from iconstudio.model.path import OVERHANG
 from iconstudio.svg.mark import IN_MARKUP
@@ -118,18 +119,29 @@ def pictogram_of(icon: Icon) -> Pictogram:
 
     Its identifier is ``made:`` with the title's words and a digest of the outline; its licence
     names those of everything that it was made of. Like the results in sight it ends where the
-    canvas does; if something was beyond that, a remark says so.
+    canvas does; if something was beyond that, a remark says so. A pattern is in ink and paper, and
+    ends at its borders anyway.
     """
     words = _NO_WORD.sub("-", icon.title.casefold()[:_SLUG]).strip("-") or "icon"
     digest = hashlib.sha256(icon.path.svg().encode()).hexdigest()[:8]
     licences = dict.fromkeys(one.credit.license for one in icon.credits)
+    if isinstance(icon, Patterned):
+        drawn, cut = _in_ink(icon), False
+    else:
+        drawn, cut = svg_document(icon), icon.path.overhang > OVERHANG
     return Pictogram(
         id=f"made:{words}-{digest}",
-        svg=svg_document(icon),
+        svg=drawn,
         credit=Credit(icon.title, "you, with Iconstudio", ", ".join(licences), "", ""),
         made_of=icon.credits,
-        remarks=(_CUT,) if icon.path.overhang > OVERHANG else (),
+        remarks=(_CUT,) if cut else (),
     )
+
+
+def _in_ink(icon: Patterned) -> str:
+    """Return a pattern in ink and paper: pale shapes are ink, too."""
+    inked = in_two_tones(fill for layer in icon.layers for fill in layer.fills)
+    return layered_document(icon.title, icon.credits, [ColouredLayer("ink", inked)], icon.size)
 
 
 def _in_words(credits: Sequence[Pictogram]) -> str:

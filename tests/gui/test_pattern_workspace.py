@@ -518,6 +518,37 @@ def test_page_and_results_are_kept_in_a_project(window, laid_out, qtbot, tmp_pat
     settled(laid_out, qtbot)
 
 
+def test_an_old_result_turns_pale_and_is_not_offered_until_the_new_one_is_there(
+    laid_out, qtbot, monkeypatch
+):
+    buttons, view = laid_out.detail.buttons, laid_out.large
+    names = "svg", "png", "css", "copy"
+    assert all(laid_out.actions_by_name[name].isEnabled() for name in names)
+    view._paling.setInterval(1)
+    fresh = pixels(view.grab().toImage())
+    monkeypatch.setattr(laid_out.patterner.live, "request", lambda _: None)
+    laid_out.controls.ground.chosen.emit("#17375e")
+    assert not any(laid_out.actions_by_name[name].isEnabled() for name in names)
+    assert not any(buttons[name].isEnabled() for name in names)
+    qtbot.waitUntil(lambda: view._pale)
+    assert pixels(view.grab().toImage()).std() < 0.6 * fresh.std()
+    undone(laid_out)
+    assert all(buttons[name].isEnabled() for name in names)
+    assert np.array_equal(pixels(view.grab().toImage()), fresh)
+
+
+def test_a_long_title_is_elided_and_its_tip_has_all_of_it(laid_out):
+    words = "Pattern of " + "a very long name " * 12
+    title = laid_out.detail._title
+    title.set_words(words)
+    assert title.text().endswith("…") and title.toolTip() == title.accessibleName() == words
+
+
+def test_one_pattern_is_no_plural(laid_out):
+    laid_out.seeds.begin(laid_out.patterner.made)
+    assert laid_out.outcome() == "1 pattern"
+
+
 def test_a_result_goes_elsewhere(window, laid_out, qtbot):
     laid_out.send_picture(laid_out.picture, "Montage")
     montage = window.workspace

@@ -17,6 +17,7 @@ from iconstudio.model import (
     Fill,
     Frame,
     Path,
+    Patterned,
     Pictogram,
     Remix,
 )
@@ -25,6 +26,7 @@ from iconstudio.svg.check import check
 from iconstudio.svg.rasterise import rasterise
 from iconstudio.svg.resvg import render_coverage
 from tests.output.made import RING, SOURCES, credited, titled, with_shares
+from tests.shapes import outline
 
 SVG = "{http://www.w3.org/2000/svg}"
 DC = "{http://purl.org/dc/elements/1.1/}"
@@ -223,3 +225,16 @@ def test_layers_are_groups_with_names_and_the_usual_colour_is_said_once():
     assert above.get("id") == "<above>" and above.get("fill") is None
     plain = ET.fromstring(layered_document("", (), layers, (30, 20.5)))
     assert [one.get("id") for one in list(plain)[-2:]] == ["below", "<above>"]
+
+
+def test_a_pattern_goes_on_in_ink_and_paper_without_its_ground():
+    white, blue = (outline([(x, 20), (x + 80, 20), (x + 80, 90), (x, 90)]) for x in (-20, 150))
+    layer = ColouredLayer("layer-1", (Fill(white, "#ffffff"), Fill(blue, "#17375e")))
+    path = Path((*white.contours, *blue.contours))
+    icon = Patterned(
+        path, "pattern", layers=(layer,), ground="#d8e8f2", width=256, height=128, tile=True, torn=0
+    )
+    one = pictogram_of(icon)
+    assert one.remarks == (), "it ends at its borders anyway"
+    ink = render_coverage(one.svg, Frame(0, 0, CANVAS), CANVAS) > 127
+    assert ink.sum() == (60 + 80) * 70, "the pale one is there, the ground is not"

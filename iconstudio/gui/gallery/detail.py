@@ -22,7 +22,7 @@ from iconstudio.gui.gallery.sending import Destination, offer
 from iconstudio.gui.pictures.picture import Picture, SourcePicture, source_pictures
 from iconstudio.gui.theme import theme
 from iconstudio.gui.theme.elided import ElidedLabel
-from iconstudio.gui.theme.layout import column, label, push_button, row, scrolled
+from iconstudio.gui.theme.layout import column, label, push_button, row, scrolled, with_role
 from iconstudio.gui.theme.painting import fill_rounded, smooth_painter
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.inputs.together import counted
@@ -130,7 +130,7 @@ class DetailPanel(QFrame):
         self.picture: Picture | None = None
         self._columns = 1 if upright else 2
         self.large = large or LargePicture(wide=upright)
-        self._title, self._about = label(role="title"), label()
+        self._title, self._about = with_role(ElidedLabel(""), "title"), label()
         self._about.setToolTip("How far the icon's filled shape and the drawn one cover each other")
         self._rows = QGridLayout()
         self._rows.setContentsMargins(0, 0, UNIT, 0)
@@ -170,19 +170,19 @@ class DetailPanel(QFrame):
             case Remix() as icon:
                 self._show_remix(icon, picture)
             case Patterned() as icon:
-                self._title.setText(icon.title.capitalize())
+                self._title.set_words(icon.title.capitalize())
                 tiles = "tiles without a seam" if icon.tile else "does not tile"
                 about = f"{icon.width} × {icon.height}, {tiles}", *_thanks_together(icon)
                 self._about.setText("; ".join(about))
                 self._show_sources(())
             case Icon() as icon:
-                self._title.setText(icon.title.capitalize())
+                self._title.set_words(icon.title.capitalize())
                 self._about.setText("; ".join(_thanks(one.credit) for one in icon.credits))
                 self._show_sources(())
 
     def _show_remix(self, icon: Remix, picture: Picture) -> None:
         composite = icon.composite
-        self._title.setText(composite.style.capitalize())
+        self._title.set_words(composite.style.capitalize())
         sources = source_pictures(composite, picture.colours)
         self._show_sources(sources)
         icons = len({source.source.exemplar.id for source in sources})
@@ -210,6 +210,11 @@ class DetailPanel(QFrame):
         self.buttons[name] = button
         self._buttons.insertWidget(self._buttons.count() - 1, button)
 
+    def set_takeable(self, on: bool) -> None:
+        """Say whether the result may be taken along now."""
+        for button in (*self.buttons.values(), self._send):
+            button.setEnabled(on)
+
     def explain(self, text: str) -> None:
         """Say in a tool tip what the words on the result mean."""
         self._about.setToolTip(text)
@@ -224,8 +229,7 @@ class DetailPanel(QFrame):
         self._send.setVisible(bool(destinations))
 
     def _make_heading(self) -> QHBoxLayout:
-        for one in (self._title, self._about):
-            one.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self._about.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         return row((self._title, 1))
 
     def _make_buttons(self) -> QHBoxLayout:

@@ -25,6 +25,13 @@ class ElidedLabel(QLabel):
         self.setAccessibleName(text + tail)
         self._show(text + tail)
 
+    def set_words(self, text: str) -> None:
+        """Show another text; the tool tip has all of it."""
+        self._head = text
+        self.setAccessibleName(text + self._tail)
+        self.setToolTip(text + self._tail)
+        self._fit()
+
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Fit the text to the new width."""
         super().resizeEvent(event)

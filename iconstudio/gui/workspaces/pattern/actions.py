@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from iconstudio.gui.workspaces.actions import CANVAS, Entry, Key, tool, work_entries
+from iconstudio.gui.workspaces.actions import CANVAS, COMMON, Entry, Key, tool, work_entries
 from iconstudio.model import Patterned
 from iconstudio.workflows.pattern import page as edits
 
@@ -26,8 +26,12 @@ def _has_chosen(place) -> bool:
     return bool(place.page.chosen)
 
 
-def _has_pattern(place) -> bool:
-    return place.picture is not None and isinstance(place.picture.icon, Patterned)
+def has_pattern(place) -> bool:
+    """Whether the pattern in sight is finished, and that of the page."""
+    picture = place.picture
+    if picture is None or picture.preview or place.patterner.stale:
+        return False
+    return isinstance(picture.icon, Patterned)
 
 
 def _on_chosen(name, text, tip, keys, icon, edit, *values) -> Entry:
@@ -43,7 +47,7 @@ ENTRIES = (
           "Ctrl+I", "photo", do="choose_image", menu="&File"),
     Entry("css", "Save pa&ttern as CSS…", "Save the pattern as a style sheet with its background",
           "Ctrl+Alt+E", do=lambda place: place.take_out(place.saver.save_css), menu="&File",
-          enabled=_has_pattern),
+          enabled=has_pattern),
     Entry("paste", "P&aste", "Add the drawing on the clipboard, or continue the image",
           Key.Paste, do="opener.paste"),
     Entry("delete", "&Delete icons", "Take the chosen icons out", "Backspace",
@@ -81,5 +85,6 @@ ENTRIES = (
     replace(tool("brush", "&Layer brush", "Paint over what belongs to a layer of the image", "B",
                  "brush"), enabled=_has_image),
     *work_entries("pattern", _has_exemplar),
+    *(replace(one, enabled=has_pattern) for one in COMMON if one.name in ("svg", "png", "copy")),
     *CANVAS,
 )  # fmt: skip

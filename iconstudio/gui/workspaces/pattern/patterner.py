@@ -58,6 +58,11 @@ class Patterner(QObject):
         self.live.event.connect(self._tell)
         self.others.event.connect(self._tell_other)
 
+    @property
+    def stale(self) -> bool:
+        """Whether what is shown is of something else than the page."""
+        return self.made is not None and self.made.work != self._work
+
     def request(self, page: PatternPage) -> None:
         """Make the pattern of a page, unless that is done or under way."""
         work = None if page.empty else page.work

@@ -10,13 +10,14 @@ from PySide6.QtWidgets import QStackedWidget, QWidget
 from iconstudio.gui.canvas.start import StartButtons
 from iconstudio.gui.canvas.view import CanvasView
 from iconstudio.gui.gallery.detail import DetailPanel
+from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.panels.colour import ColourButton
 from iconstudio.gui.theme.layout import card, column, push_button, row, splitter
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.made import Made
 from iconstudio.gui.workspaces.montage.tools.scribble import Brush
-from iconstudio.gui.workspaces.pattern.actions import ENTRIES
+from iconstudio.gui.workspaces.pattern.actions import ENTRIES, has_pattern
 from iconstudio.gui.workspaces.pattern.controls import PatternControls
 from iconstudio.gui.workspaces.pattern.correcting import CorrectTool
 from iconstudio.gui.workspaces.pattern.layers import LayerReader, LayersPanel
@@ -26,6 +27,7 @@ from iconstudio.gui.workspaces.pattern.result import PatternView, TiledSwitch
 from iconstudio.gui.workspaces.pattern.scene import PatternScene
 from iconstudio.gui.workspaces.pattern.seeds import SeedsPanel
 from iconstudio.gui.workspaces.pattern.tools import ArrangeTool
+from iconstudio.inputs.together import counted
 from iconstudio.model import IconstudioError, Patterning, Pictogram, Separation
 from iconstudio.model.patterning import GROUND, INK
 from iconstudio.workflows.pattern import page as edits
@@ -65,7 +67,7 @@ class PatternWorkspace(Workspace):
         }
         self.view = CanvasView(self.scene, self.tools["arrange"], DESCRIPTION)
         self.chooser = IconChooser(self.session, self.finder)
-        self.reader = LayerReader(self.session, self.finder, self)
+        self.reader = LayerReader(self.session, Worker(self), self)
         self.layers = LayersPanel(self.document, self.brush, self._use_layer)
         self.below = QStackedWidget()
         self._has_image = False
@@ -139,12 +141,18 @@ class PatternWorkspace(Workspace):
     def outcome(self) -> str:
         """Return how many patterns there are to choose from."""
         count = len(self.seeds.sheet.pictures)
-        return f"{count} patterns" if count else ""
+        return counted(count, "pattern") if count else ""
 
     # -- results -------------------------------------------------------------------------------
 
     def _show_result(self, made: Made) -> None:
         self.look_at(made.picture)
+        self._show_age()
+
+    def _show_age(self) -> None:
+        """Say whether the result is of the page as it is now, and may be taken along."""
+        self.large.set_stale(self.patterner.stale)
+        self.detail.set_takeable(has_pattern(self))
 
     def _begin_sheet(self, made: Made) -> None:
         self.seeds.begin(made)
@@ -179,6 +187,7 @@ class PatternWorkspace(Workspace):
             self.colour.show_colour(chosen[-1].colour)
         self._show_image(page.work.image)
         self.patterner.request(page)
+        self._show_age()
 
     def _show_image(self, image: Separation | None) -> None:
         """Show the layers of the image, with the brush for them; or have icons chosen."""
