@@ -103,7 +103,7 @@ def _rows(count: int, random: np.random.Generator) -> NDArray[np.complex128]:
 
 def _gaps(places: NDArray[np.complex128]) -> NDArray[np.float64]:
     """Return how far (n, n) places are from each other."""
-    gaps: NDArray[np.float64] = abs(places[:, None] - places)
+    gaps: NDArray[np.float64] = np.abs(places[:, None] - places)
     np.fill_diagonal(gaps, np.inf)
     return gaps
 
