@@ -11,6 +11,7 @@ from iconstudio.algorithms.patterns.elements import Elements, elements_of, overl
 from iconstudio.algorithms.patterns.energy import ALPHA, ALPHA_MONOCHROME, Channels, Weights
 from iconstudio.algorithms.patterns.exemplar import Distances, Exemplar
 from iconstudio.algorithms.patterns.layers import Paints, paints
+from iconstudio.algorithms.patterns.loose_ends import loose_ends
 from iconstudio.algorithms.raster import solid
 
 _EVEN = 1e-3
@@ -27,6 +28,8 @@ class Prepared:
     """Of each layer."""
     overlaps: NDArray[np.float64]
     """(L, L): of an element of a layer, the most that lies over or below another layer."""
+    endless: Sequence[bool]
+    """Of each layer, whether it is of lines that go on beyond the exemplar, and end nowhere."""
     weights: Weights
     channels: Channels
     """(h, w, C)"""
@@ -46,7 +49,18 @@ class Prepared:
             for distance, one in zip(distances, elements, strict=True)
         ]
         return cls(
-            exemplar, distances, paints(exemplar), elements, overlaps(exemplar, elements), weights,
+            exemplar, distances, paints(exemplar), elements, overlaps(exemplar, elements),
+            tuple(_endless(exemplar, distances, elements, m) for m in range(len(elements))), weights,
             weights.channels(exemplar.colours, distances),
             np.any(inside, axis=0).astype(np.float32),
         )  # fmt: skip
+
+
+def _endless(
+    exemplar: Exemplar, distances: Distances, elements: Sequence[Elements], layer: int
+) -> bool:
+    """Return whether a layer is of lines that go on beyond the exemplar, and end nowhere."""
+    if elements[layer].whole or not elements[layer].running.any():
+        return False
+    over = np.any(exemplar.masks[:layer] > 0.5, axis=0)
+    return not loose_ends(distances[layer], over, False)

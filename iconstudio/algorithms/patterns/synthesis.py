@@ -18,6 +18,7 @@ from iconstudio.algorithms.patterns.distance import Field, signed_distance
 from iconstudio.algorithms.patterns.energy import Channels, per_pixel, reduced, reduced_shape
 from iconstudio.algorithms.patterns.exemplar import Colours, Distances, Pattern, Places
 from iconstudio.algorithms.patterns.layers import collapse
+from iconstudio.algorithms.patterns.loose_ends import joined
 from iconstudio.algorithms.patterns.matching import (
     Integers,
     Neighbourhoods,
@@ -246,9 +247,13 @@ class _Synthesis:
             Other(one.distance < 0, share)
             for one, share in zip(above, self._prepared.overlaps[m], strict=False)
         ]
+        elements, tile = self._prepared.elements[m], self._settings.tile
+        if self._prepared.endless[m]:
+            over = np.any([one.distance < 0 for one in above], axis=0) if above else None
+            distance = joined(distance, over, tile, self._ask)
         return mended(
-            distance, source, self._prepared.elements[m], self._settings.tile, self._random,
-            self._ask, self._settings.guidance, others,
+            distance, source, elements, tile, self._random, self._ask, self._settings.guidance,
+            others,
         )  # fmt: skip
 
     def _energy(self, colours: Colours, distances: Distances, source: Places) -> float:
