@@ -50,8 +50,8 @@ class Prepared:
         ]
         return cls(
             exemplar, distances, paints(exemplar), elements, overlaps(exemplar, elements),
-            tuple(_endless(exemplar, distances, elements, m) for m in range(len(elements))), weights,
-            weights.channels(exemplar.colours, distances),
+            tuple(_endless(exemplar, distances, elements, m) for m in range(len(elements))),
+            weights, weights.channels(exemplar.colours, distances),
             np.any(inside, axis=0).astype(np.float32),
         )  # fmt: skip
 
