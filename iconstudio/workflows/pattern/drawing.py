@@ -21,6 +21,8 @@ _TRIES = 3
 class Drawn:
     """The layers of a pattern, in pixels, from back to front, and a colour behind them, or none."""
 
+    size: tuple[int, int]
+    """Rows and columns."""
     layers: tuple[ColouredLayer, ...]
     ground: str
     torn: float
@@ -36,7 +38,9 @@ def draw(
     seed: int,
     coarse: bool,
 ) -> Drawn:
-    """Return a pattern of so many rows and columns.
+    """Return a pattern of so many rows and columns, or, of a tile, hardly more or fewer.
+
+    Rows of elements are then even: a tile fits their period.
 
     Parameters
     ----------
@@ -45,6 +49,7 @@ def draw(
     coarse
         Whether the first preview is wanted.
     """
+    from iconstudio.algorithms.patterns.periods import fitting_size
     from iconstudio.algorithms.patterns.prepared import Prepared
     from iconstudio.algorithms.patterns.selection import best
     from iconstudio.algorithms.patterns.synthesis import Settings, synthesised
@@ -55,6 +60,8 @@ def draw(
         return layout, Prepared.of(layout.exemplar)
 
     found, prepared = remembered(("exemplar", source), prepare)
+    if tile:
+        size = fitting_size(size, found.period)
     rows, columns = size
     guidance = None if fill is None else rasterised(fill, columns, rows)
     settings = Settings(size, tile, seed, guidance=guidance)
@@ -63,7 +70,7 @@ def draw(
     else:
         *_, pattern = best(prepared, settings, _TRIES, _ask)
     layers = vectorise(pattern, found.elements or None, _ask, curves=not coarse)
-    return Drawn(layers, found.ground, pattern.torn, found.remark)
+    return Drawn(size, layers, found.ground, pattern.torn, found.remark)
 
 
 def _ask() -> None:

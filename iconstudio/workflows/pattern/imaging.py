@@ -12,6 +12,7 @@ from scipy import ndimage
 from iconstudio.algorithms.patterns.elements import components, grouped
 from iconstudio.algorithms.patterns.exemplar import LARGEST, MOST_LAYERS, Exemplar, Masks
 from iconstudio.algorithms.patterns.flat_colours import has_gradient, is_grainy, is_noisy
+from iconstudio.algorithms.patterns.periods import period
 from iconstudio.algorithms.patterns.separation import Layers, Separated, separated
 from iconstudio.algorithms.patterns.shapes import element_shapes
 from iconstudio.algorithms.patterns.thickening import thickened
@@ -110,12 +111,9 @@ class ImageExemplar:
         shapes = element_shapes(found, masks, labels)
         own = hex_colour(found.flat.colours[int(np.argmin(found.layer))])
         ground = "" if self.transparent else own
-        return Layout(
-            Exemplar(colours.astype(np.float32), reduced, labels),
-            shapes,
-            ground,
-            remark_of(found, self.pixels),
-        )
+        exemplar = Exemplar(colours.astype(np.float32), reduced, labels)
+        remark = remark_of(found, self.pixels)
+        return Layout(exemplar, shapes, ground, period(reduced[0]), remark)
 
 
 def reduction_of(photo: Photo) -> str:

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.patterns.exemplar import MOST_LAYERS, Exemplar
+from iconstudio.algorithms.patterns.periods import Period, spacing
 from iconstudio.algorithms.raster import solid
 from iconstudio.model import (
     Fill,
@@ -54,6 +55,8 @@ class Layout:
     in pixels of the exemplar; none if they are not known."""
     ground: str
     """The colour behind all layers, ``#rrggbb``; empty for none."""
+    period: Period = (None, None)
+    """After how many pixels it repeats, or rows follow each other, down and to the right."""
     remark: str = ""
     """A sentence for the user about how it was made, if there is anything to say."""
 
@@ -109,7 +112,9 @@ class Arrangement:
         labels = np.stack([_labels(layer, pixels) for layer in layers])
         exemplar = Exemplar(_colours(shapes, pixels, self.ground or GROUND), masks, labels)
         elements = tuple(tuple(map(_fills, layer)) for layer in layers)
-        return Layout(exemplar, elements, self.ground)
+        places = np.array([(one.y, one.x) for one in self.motifs]).T * samples
+        down, across = (spacing(one, self.side * samples) for one in places)
+        return Layout(exemplar, elements, self.ground, (down, across))
 
 
 def rasterised(path: Path, width: int, height: int | None = None) -> Mask:

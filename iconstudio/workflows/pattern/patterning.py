@@ -77,7 +77,7 @@ def run(
                 if drawn.remark and event.number == 0:
                     yield Remark(drawn.remark)
                 _check(one, drawn)
-            yield Result(icon_of(one, drawn, size, fill), preview=event.preview)
+            yield Result(icon_of(one, drawn, fill), preview=event.preview)
     finally:
         ticket.stop()
 
@@ -104,11 +104,9 @@ def samples(work: Patterning) -> tuple[int, int]:
     return rows, columns
 
 
-def icon_of(
-    work: Patterning, drawn: Drawn, size: tuple[int, int], fill: Outline | None
-) -> Patterned:
-    """Return a pattern as a result; ``size`` and ``fill`` are in its samples."""
-    rows, columns = size
+def icon_of(work: Patterning, drawn: Drawn, fill: Outline | None) -> Patterned:
+    """Return a pattern as a result; ``fill`` is in its samples."""
+    rows, columns = drawn.size
     own = Transform().scale(work.width / columns, work.height / rows)
     inked = layers = tuple(_transformed(one, own) for one in drawn.layers)
     if fill is not None and drawn.ground:
