@@ -61,6 +61,17 @@ def inked(contours: Iterable[Points]) -> Area:
     return _joined(faces[depth > 0])
 
 
+def beneath(areas: Sequence[Area], part: float) -> list[int | None]:
+    """Return for each area the last one before it that covers more than a part of it, if any."""
+    tree = shapely.STRtree(areas)
+    found: list[int | None] = []
+    for number, area in enumerate(areas):
+        before = sorted((int(k) for k in tree.query(area) if k < number), reverse=True)
+        least = part * area.area
+        found.append(next((k for k in before if areas[k].intersection(area).area > least), None))
+    return found
+
+
 def _rings(contours: Iterable[Points]) -> list[Points]:
     return [np.concatenate([one, one[:1]]) for one in contours if len(one) > 2]
 

@@ -7,9 +7,7 @@ lies on: white sails on a blue sea are ink, and so are blue ones on a white grou
 from collections.abc import Iterable
 from dataclasses import replace
 
-import shapely
-
-from iconstudio.algorithms.areas import filled
+from iconstudio.algorithms.areas import beneath, filled
 from iconstudio.algorithms.flattening import flattened
 from iconstudio.model import Fill
 
@@ -27,12 +25,8 @@ def in_two_tones(fills: Iterable[Fill]) -> tuple[Fill, ...]:
     """
     given = list(fills)
     areas = [filled(row for row, _ in flattened(one.path, _STRAY)) for one in given]
-    tree = shapely.STRtree(areas)
     found: list[Fill] = []
-    for number, (fill, area) in enumerate(zip(given, areas, strict=True)):
-        near = sorted((int(k) for k in tree.query(area) if k < number), reverse=True)
-        least = _MOST * area.area
-        on = next((k for k in near if areas[k].intersection(area).area > least), None)
+    for fill, on in zip(given, beneath(areas, _MOST), strict=True):
         if on is None:
             tone = INK
         elif given[on].colour == fill.colour:
