@@ -18,13 +18,14 @@ from iconstudio.algorithms.patterns.distance import Field, signed_distance
 from iconstudio.algorithms.patterns.energy import Channels, per_pixel, reduced, reduced_shape
 from iconstudio.algorithms.patterns.exemplar import Colours, Distances, Pattern, Places
 from iconstudio.algorithms.patterns.layers import collapse
+from iconstudio.algorithms.patterns.laying import Mended, Other
 from iconstudio.algorithms.patterns.matching import (
     Integers,
     Neighbourhoods,
     differences,
     matched,
 )
-from iconstudio.algorithms.patterns.mending import Mended, Other, mended
+from iconstudio.algorithms.patterns.mending import mended
 from iconstudio.algorithms.patterns.prepared import Prepared
 from iconstudio.algorithms.patterns.quilting import quilted
 from iconstudio.algorithms.patterns.texture import means, robust_weights, sources
@@ -248,7 +249,7 @@ class _Synthesis:
         ]
         return mended(
             distance, source, self._prepared.elements[m], self._settings.tile, self._random,
-            self._ask, self._settings.guidance, others,
+            self._ask, self._settings.guidance, others, evenly=True,
         )  # fmt: skip
 
     def _energy(self, colours: Colours, distances: Distances, source: Places) -> float:
