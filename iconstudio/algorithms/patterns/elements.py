@@ -32,6 +32,11 @@ _CONNECTED = 0.25
 _DENSER = 1.018
 """How many times the exemplar's share of ink a pattern aims at, at most; what is then filled in
 brings it to 1.1."""
+_FAR, _EMPTIEST = 0.9, 0.95
+"""So many elements are nearer to the next one than those that are farthest, and so many places
+nearer to ink than the emptiest ones."""
+_TOUCHING = 0.02
+"""If no more of a layer's ink lies over or below others, it is apart from them."""
 _RUNNING = 0.5
 """What touches the border and is so long, of the exemplar's side, is no element that was cut."""
 
@@ -63,10 +68,17 @@ class Elements:
     gap: float
     """Pixels between the elements that are nearest to each other,"""
     spacing: float
-    """and, of a common one, to the next."""
+    """of a common one, to the next,"""
+    farthest: float
+    """and of those that are farthest from all others."""
+    emptiness: float
+    """How far from all ink the emptiest places are, in pixels."""
     share: float
     """Of the rectangle around the ink of all layers, and half the spacing, that is ink: a blank
     frame around an exemplar is no part of its pattern, unless that makes it much denser."""
+    independent: bool
+    """Whether nothing says where they lie but each other: no other layer lies over or below them,
+    and nothing runs between them."""
 
 
 def components(ink: Bitmap) -> tuple[Labels, int]:
@@ -104,33 +116,49 @@ def elements_of(exemplar: Exemplar, layer: int) -> Elements:
             top, left = (one.start - MARGIN for one in box)
             whole.append(Element(layer, len(whole), number, top, left, distance < 0, distance))
             numbers.append(number)
-    gap, spacing = _distances(labels, numbers)
+    gap, spacing, farthest = _distances(labels, numbers)
     if running.sum() > _CONNECTED * ink.sum():
         whole = []  # of a network of lines, a closed one is no element by itself
+    used = _used(exemplar.masks, round(spacing / 2))
     return Elements(
-        tuple(whole), running, gap, spacing, _share(ink, exemplar.masks, round(spacing / 2))
-    )
+        tuple(whole), running, gap, spacing, farthest, emptiness(ink[_used(exemplar.masks)]),
+        float(min(ink[used].mean(), _DENSER * ink.mean())) if ink.any() else 0.0,
+        not running.any() and _is_apart(exemplar.masks, layer),
+    )  # fmt: skip
 
 
-def _distances(labels: Labels, numbers: Sequence[int]) -> tuple[float, float]:
-    """Return the least and a common distance from an element to what is nearest to it."""
+def _distances(labels: Labels, numbers: Sequence[int]) -> tuple[float, float, float]:
+    """Return how far what is nearest to an element is: at least, commonly, and at most."""
     if len(np.unique(labels[labels > 0])) < 2 or not numbers:
-        return 2.0, 4.0
+        return 2.0, 4.0, 4.0
     count = int(labels.max())
     own = _nearest(*_gaps(labels, count), count)[np.array(numbers) - 1]
-    return float(own.min()), float(np.median(own))
+    return float(own.min()), float(np.median(own)), float(np.quantile(own, _FAR))
 
 
-def _share(ink: Bitmap, masks: Masks, margin: int) -> float:
+def _is_apart(masks: Masks, layer: int) -> bool:
+    inks = masks > 0.5
+    others = np.any(np.delete(inks, layer, axis=0), axis=0)
+    return bool((inks[layer] & others).sum() <= _TOUCHING * inks[layer].sum())
+
+
+def _used(masks: Masks, margin: int = 0) -> tuple[slice, ...]:
+    """Return the rectangle around the ink of all layers, and a margin."""
     inked = np.any(masks > 0.5, axis=0)
-    rows, columns = (np.flatnonzero(inked.any(axis=axis)) for axis in (1, 0))
-    if not len(rows):
-        return 0.0
-    height, width = (
-        min(used[-1] + 1 + margin, n) - max(used[0] - margin, 0)
-        for used, n in zip((rows, columns), ink.shape, strict=True)
+    if not inked.any():
+        return np.s_[:, :]
+    return tuple(
+        slice(max(int(used[0]) - margin, 0), int(used[-1]) + 1 + margin)
+        for used in (np.flatnonzero(inked.any(axis=axis)) for axis in (1, 0))
     )
-    return float(min(ink.sum() / (height * width), _DENSER * ink.mean()))
+
+
+def emptiness(ink: Bitmap, where: Bitmap | None = None) -> float:
+    """Return how far from all ink (h, w) the emptiest places are, in pixels."""
+    if not ink.any():
+        return float(max(ink.shape))
+    away = ndimage.distance_transform_edt(~ink)
+    return float(np.quantile(away if where is None else away[where], _EMPTIEST))
 
 
 def overlaps(exemplar: Exemplar, elements: Sequence[Elements]) -> Numbers:

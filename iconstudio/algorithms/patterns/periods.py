@@ -48,7 +48,7 @@ def _along(field: Field) -> float | None:
     return None
 
 
-def spacing(places: NDArray[np.floating], side: float) -> float | None:
+def rows_apart(places: NDArray[np.floating], side: float) -> float | None:
     """Return how far rows are apart if elements at these places (n,) lie in rows that fill a side.
 
     None if they do not.

@@ -18,6 +18,7 @@ from iconstudio.algorithms.patterns.distance import Field, signed_distance
 from iconstudio.algorithms.patterns.energy import Channels, per_pixel, reduced, reduced_shape
 from iconstudio.algorithms.patterns.exemplar import Colours, Distances, Pattern, Places
 from iconstudio.algorithms.patterns.layers import collapse
+from iconstudio.algorithms.patterns.laying import Mended, Other
 from iconstudio.algorithms.patterns.loose_ends import joined
 from iconstudio.algorithms.patterns.matching import (
     Integers,
@@ -25,7 +26,7 @@ from iconstudio.algorithms.patterns.matching import (
     differences,
     matched,
 )
-from iconstudio.algorithms.patterns.mending import Mended, Other, mended
+from iconstudio.algorithms.patterns.mending import mended
 from iconstudio.algorithms.patterns.prepared import Prepared
 from iconstudio.algorithms.patterns.quilting import quilted
 from iconstudio.algorithms.patterns.texture import means, robust_weights, sources
@@ -253,7 +254,7 @@ class _Synthesis:
             distance = joined(distance, over, tile, self._ask)
         return mended(
             distance, source, elements, tile, self._random, self._ask, self._settings.guidance,
-            others,
+            others, evenly=True,
         )  # fmt: skip
 
     def _energy(self, colours: Colours, distances: Distances, source: Places) -> float:

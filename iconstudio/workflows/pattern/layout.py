@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.patterns.exemplar import MOST_LAYERS, Exemplar
-from iconstudio.algorithms.patterns.periods import Period, spacing
+from iconstudio.algorithms.patterns.periods import Period, rows_apart
 from iconstudio.algorithms.raster import solid
 from iconstudio.model import (
     Fill,
@@ -113,7 +113,7 @@ class Arrangement:
         exemplar = Exemplar(_colours(shapes, pixels, self.ground or GROUND), masks, labels)
         elements = tuple(tuple(map(_fills, layer)) for layer in layers)
         places = np.array([(one.y, one.x) for one in self.motifs]).T * samples
-        down, across = (spacing(one, self.side * samples) for one in places)
+        down, across = (rows_apart(one, self.side * samples) for one in places)
         return Layout(exemplar, elements, self.ground, (down, across))
 
 

@@ -7,6 +7,7 @@ import pytest
 
 from iconstudio.algorithms.patterns import selection, synthesis
 from iconstudio.algorithms.patterns.distance import coverage
+from iconstudio.algorithms.patterns.elements import emptiness
 from iconstudio.algorithms.patterns.exemplar import Exemplar, Pattern
 from iconstudio.algorithms.patterns.prepared import Prepared
 from iconstudio.algorithms.patterns.selection import best
@@ -59,6 +60,15 @@ def test_as_much_ink_as_in_the_exemplar(tile):
     for seed in range(2):
         ink = made(exemplar, tile=tile, seed=seed).distances[0] < 0
         assert 0.88 < ink.mean() / Prepared.of(exemplar).elements[0].share < 1.1
+
+
+def test_there_are_hardly_emptier_places_than_in_the_exemplar():
+    exemplar = shapes()
+    most = Prepared.of(exemplar).elements[0].emptiness
+    empty = [
+        emptiness(made(exemplar, tile=True, seed=seed).distances[0] < 0) for seed in range(4)
+    ]  # 1.5 times as empty before elements moved apart
+    assert np.median(empty) < 1.25 * most
 
 
 def test_a_blank_frame_makes_a_pattern_hardly_denser():

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from iconstudio.algorithms.patterns.periods import fitting_size, period, spacing
+from iconstudio.algorithms.patterns.periods import fitting_size, period, rows_apart
 from tests.algorithms.patterns.ornaments import checks, shapes, stripes, two_layers
 
 
@@ -24,9 +24,9 @@ def test_periods_are_found(exemplar, expected):
 def test_elements_lie_in_rows_that_fill_a_side_or_not():
     random = np.random.default_rng(1)
     rows = np.repeat([10, 30, 50], 4) + random.uniform(-1, 1, 12)
-    assert spacing(rows, 60) == 20
-    assert spacing(rows[:5], 60) is None, "too few to tell"
-    assert spacing(random.uniform(0, 60, 20), 60) is None
+    assert rows_apart(rows, 60) == 20
+    assert rows_apart(rows[:5], 60) is None, "too few to tell"
+    assert rows_apart(random.uniform(0, 60, 20), 60) is None
 
 
 def test_sizes_fit_the_period_and_keep_their_ratio():
