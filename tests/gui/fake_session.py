@@ -388,10 +388,10 @@ class FakeSession:
             for number in range(settings.seeds):
                 one = replace(work, seed=work.seed + number)
                 if settings.previews:
-                    yield Result(make(one, _squares(one, size, 3.0), size, None), preview=True)
+                    yield Result(make(one, _squares(one, size, 3.0), None), preview=True)
                 while self.gate is not None and not self.gate.acquire(timeout=0.02):
                     yield Progress("pattern", 0.5, "Continuing the exemplar")
-                yield Result(make(one, _squares(one, size, 0.0), size, None))
+                yield Result(make(one, _squares(one, size, 0.0), None))
         finally:
             self.generators_closed += 1
 
@@ -473,7 +473,7 @@ def _squares(work: Patterning, size: tuple[int, int], less: float):
         half = max(1.0, one.size / 8 - less - work.seed % 10 / 4)
         corners = [(x - half, y - half), (x + half, y - half), (x + half, y + half)]
         fills.append(Fill(outline([*corners, (x - half, y + half)]), one.colour))
-    return Drawn((ColouredLayer("layer-1", tuple(fills)),), work.ground, 0.01)
+    return Drawn(size, (ColouredLayer("layer-1", tuple(fills)),), work.ground, 0.01)
 
 
 def _boxes(lines: tuple[Line, ...], styles: list[LineStyle | None], work: Restyling) -> Outline:
