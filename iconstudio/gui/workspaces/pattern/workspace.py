@@ -26,6 +26,7 @@ from iconstudio.gui.workspaces.pattern.result import PatternView, TiledSwitch
 from iconstudio.gui.workspaces.pattern.scene import PatternScene
 from iconstudio.gui.workspaces.pattern.seeds import SeedsPanel
 from iconstudio.gui.workspaces.pattern.tools import ArrangeTool
+from iconstudio.inputs.together import counted
 from iconstudio.model import IconstudioError, Patterning, Pictogram, Separation
 from iconstudio.model.patterning import GROUND, INK
 from iconstudio.workflows.pattern import page as edits
@@ -139,7 +140,7 @@ class PatternWorkspace(Workspace):
     def outcome(self) -> str:
         """Return how many patterns there are to choose from."""
         count = len(self.seeds.sheet.pictures)
-        return f"{count} patterns" if count else ""
+        return counted(count, "pattern") if count else ""
 
     # -- results -------------------------------------------------------------------------------
 
