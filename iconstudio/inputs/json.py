@@ -69,11 +69,22 @@ def parsed(text: bytes, path: Path) -> object:
         reason = "it is no text in UTF-8, UTF-16 or UTF-32"
     except (RecursionError, MemoryError):
         reason = "it is nested too deeply, or too large"
+    except json.JSONDecodeError as error:
+        reason = _breach(error)
     except ValueError as error:
         reason = str(error)
     raise IconstudioError(
         f"“{path.name}” is not valid JSON: {reason}. Save it again, or mend it in an editor."
     )
+
+
+def _breach(error: json.JSONDecodeError) -> str:
+    """Say where text stops being JSON, without the parser's own terms."""
+    if not error.doc.strip():
+        return "it is empty"
+    if error.pos >= len(error.doc.rstrip()):
+        return "it ends too early"
+    return f"it cannot be understood from line {error.lineno}, character {error.colno} on"
 
 
 def converted(data: object, kind: type[R], path: Path, place: str = "") -> R:

@@ -51,6 +51,7 @@ def own_journals(tmp_path_factory):
     with pytest.MonkeyPatch.context() as patch:  # of its own: a test may undo those of others
         patch.setenv("ICONSTUDIO_DATA", str(tmp_path_factory.mktemp("data")))
         patch.setattr(questions, "ask_about_unsaved", lambda *_: Answer.DISCARD)
+        patch.setattr(questions, "ask_about_opening", lambda *_: True)
         yield
 
 

@@ -95,7 +95,7 @@ def there(place, qtbot, count):
 
 def quiet(place, qtbot):
     opener = place.opener
-    qtbot.waitUntil(lambda: not (opener._adding or opener.runner.running), timeout=20000)
+    qtbot.waitUntil(lambda: not (opener.adding or opener.runner.running), timeout=20000)
 
 
 def told(place):

@@ -134,6 +134,22 @@ def test_one_drag_of_a_slider_is_one_step(restyled, qtbot, session):
     assert threading.get_ident() not in session.thread_ids
 
 
+def test_undo_shows_result_and_variations_that_were_there_at_once(restyled, qtbot, session):
+    sheet, first = restyled.variations.sheet, restyled.picture
+    qtbot.waitUntil(lambda: len(sheet.pictures) == 12 and not restyled.restyler.varying.running)
+    variations = list(sheet.pictures)
+    restyled.controls.strength.slider.setValue(180)
+    settled(restyled, qtbot)
+    assert restyled.picture is not first
+    count = len(works(session))
+    restyled.document.undo_stack.undo()
+    assert restyled.picture is first and restyled.scene.result is first
+    assert list(sheet.pictures) == variations
+    restyled.document.undo_stack.redo()
+    assert restyled.picture is not first
+    assert len(works(session)) == count
+
+
 def test_turning_says_nothing_as_long_as_it_is_the_styles_own(restyled):
     box = restyled.controls.turning
     own = named("Ink").rotation

@@ -60,18 +60,9 @@ def runs(session):
 def rest(place, qtbot, session):
     """Wait until the last run that was wanted is over."""
     qtbot.waitUntil(
-        lambda: (
-            not place.runner.running
-            and bool(runs(session))
-            and runs(session)[-1][0] == (place.runner.ran and wish(place))
-        ),
+        lambda: not (place.runner.running or place.runner.ran is None or place.runner.stale),
         timeout=20000,
     )
-
-
-def wish(place):
-    wanted = place.inputs()
-    return getattr(wanted, "edit", wanted)
 
 
 def begun(session, count):
@@ -151,6 +142,7 @@ def test_when_off_nothing_runs_but_what_is_asked_for(drawn, qtbot, session):
     rest(drawn, qtbot, session)
     assert runs(session)[-1] == (drawn.document.page.sketch, GridSettings())
     drawn.document.undo_stack.undo()
+    move(drawn, number=1)
     assert len(runs(session)) == 2
     drawn.actions_by_name["live"].trigger()
     qtbot.waitUntil(begun(session, 3))
@@ -158,13 +150,15 @@ def test_when_off_nothing_runs_but_what_is_asked_for(drawn, qtbot, session):
 
 
 def test_fine_quality_begins_anew_and_is_remembered(drawn, qtbot, session):
-    session.gate = None
+    session.gate, before = None, drawn.browser.results.pictures
     drawn.actions_by_name["fine"].trigger()
     qtbot.waitUntil(begun(session, 2))
     rest(drawn, qtbot, session)
     assert runs(session)[-1][1].side == FINE
     assert preferred("fine", False)
     drawn.actions_by_name["fine"].trigger()
+    assert drawn.browser.results.pictures == before, "they are still known"
+    move(drawn)
     qtbot.waitUntil(begun(session, 3))
     rest(drawn, qtbot, session)
     assert runs(session)[-1][1].side == CANVAS
@@ -185,7 +179,7 @@ def test_the_icons_of_a_sketch_that_is_opened_again_are_shown_while_it_runs(draw
     page, caption = drawn.document.page, drawn.keyword_panel.caption
     drawn.actions_by_name["new"].trigger()
     qtbot.waitUntil(lambda: "60 icons" not in caption.text())
-    drawn.document.change("open", page)
+    drawn.document.change("open", page.with_outline(page.vertices[:3], True))
     qtbot.waitUntil(begun(session, 2))
     qtbot.waitUntil(lambda: "60 icons" in caption.text())
     assert drawn.runner.running
@@ -250,12 +244,9 @@ def test_a_page_that_is_no_good_yet_says_nothing(live, qtbot, session, points, c
 
 def test_every_kind_of_change_starts_again(drawn, qtbot, session):
     session.gate = None
-    stack = drawn.document.undo_stack
     for change in (
         lambda: move(drawn),
         lambda: add_point(drawn),
-        stack.undo,
-        stack.redo,
         lambda: drawn.hold_to(Axis.HORIZONTAL),
         lambda: drawn.keyword_panel.sheet.chosen.emit(exemplar(2)),
         lambda: type_keyword(drawn, "s"),
@@ -265,6 +256,55 @@ def test_every_kind_of_change_starts_again(drawn, qtbot, session):
         rest(drawn, qtbot, session)
         assert len(runs(session)) > count
         assert len(drawn.browser.results.pictures) == 24
+
+
+def in_sight(place):
+    """The results, those that are stale apart, and what stands beside them."""
+    results = place.browser.results
+    cells = [results.cell(*key) for key in states(place)]
+    assert not any(cell._stale or cell._pale for cell in cells)
+    return results.pictures, states(place), [cell.recommended for cell in cells]
+
+
+@pytest.mark.parametrize("live_mode", [True, False])
+def test_undo_and_redo_show_the_results_that_were_there_at_once(drawn, qtbot, session, live_mode):
+    session.gate = None
+    first = in_sight(drawn)
+    move(drawn)
+    rest(drawn, qtbot, session)
+    second = in_sight(drawn)
+    assert first[0] != second[0]
+    if not live_mode:
+        drawn.actions_by_name["live"].trigger()
+    count, stack = len(runs(session)), drawn.document.undo_stack
+    session.gate = threading.Semaphore(0)
+    for step, expected in ((stack.undo, first), (stack.redo, second), (stack.undo, first)):
+        step()
+        assert in_sight(drawn) == expected, "before any event has been waited for"
+        assert not drawn.runner.running and not drawn.runner.stale
+        assert drawn.browser.detail.picture in expected[0]
+        assert "24 icons" in strip(drawn).label.text()
+    assert len(runs(session)) == count
+
+
+def test_undo_puts_an_end_to_a_run_if_its_results_are_known(drawn, qtbot, session):
+    before = drawn.browser.results.pictures
+    add_point(drawn)
+    qtbot.waitUntil(begun(session, 2))
+    drawn.document.undo_stack.undo()
+    assert not drawn.runner.running
+    assert drawn.browser.results.pictures == before
+    assert set(states(drawn).values()) == {CellState.READY}
+    qtbot.waitUntil(lambda: session.generators_closed == 2)
+    assert len(runs(session)) == 2
+
+
+def test_what_was_left_comes_back_with_undo(drawn, qtbot, session):
+    before = drawn.browser.results.pictures
+    drawn.document.change("new", drawn.blank)
+    assert not drawn.browser.results.pictures
+    drawn.document.undo_stack.undo()
+    assert drawn.browser.results.pictures == before
 
 
 def test_nothing_is_added_to_what_can_be_undone(drawn, qtbot, session):
@@ -306,7 +346,7 @@ def test_a_run_that_has_shown_its_preview_is_dropped_at_once(drawn, qtbot, sessi
     session.gate.release(3)
     qtbot.waitUntil(lambda: CellState.READY in states(drawn).values())
     assert not drawn.runner.live_runner.holding
-    drawn.document.undo_stack.undo()
+    move(drawn)
     qtbot.waitUntil(begun(session, 3))
     assert session.generators_closed == 2
     assert set(states(drawn).values()) == {CellState.OLD}
@@ -569,7 +609,7 @@ def test_cancel_stops_until_the_next_change(drawn, qtbot, session):
     assert drawn.browser.results.finished == 1
     drawn.runner.renew()
     assert not drawn.runner.running
-    drawn.document.undo_stack.undo()
+    move(drawn)
     qtbot.waitUntil(begun(session, 3))
 
 
@@ -585,7 +625,7 @@ def test_a_failure_is_told_and_the_next_change_tries_again(drawn, qtbot, session
         qtbot.waitUntil(drawn.window().pane.notice.isVisible)
     assert "no room" in drawn.window().pane.notice.label.text()
     assert len(drawn.browser.results.pictures) == 24
-    drawn.document.undo_stack.undo()
+    move(drawn)
     rest(drawn, qtbot, session)
     assert not drawn.window().pane.notice.isVisible()
     assert drawn.browser.results.finished == 24

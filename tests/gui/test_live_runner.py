@@ -137,3 +137,38 @@ def test_the_failure_of_what_is_out_of_date_is_not_told(hand, newest):
     hand.fail()
     assert hand.begun == [1, 2]
     assert told == []
+
+
+def test_what_a_whole_run_came_to_is_told_again_at_once_without_a_run(hand, newest):
+    told, ended = [], []
+    newest.event.connect(told.append)
+    newest.ended.connect(ended.append)
+    move(hand, newest, 1)
+    hand.jobs[-1].event.emit("one")
+    hand.end()
+    move(hand, newest, 2)
+    hand.jobs[-1].event.emit("two")
+    del told[:], ended[:]
+    move(hand, newest, 1)
+    assert hand.begun == [1, 2] and not newest.running and not newest.holding
+    assert (told, ended, newest.ran) == (["one"], [True], 1)
+    move(hand, newest, 2)
+    assert hand.begun == [1, 2, 2], "the second had come to no end"
+    hand.jobs[-1].event.emit("two")
+    hand.end()
+    newest.run(2)
+    assert hand.begun == [1, 2, 2, 2], "the user himself asks for it"
+
+
+def test_what_is_kept_is_bounded(hand):
+    newest = LiveRunner(hand, hand.begun.append, kept=3)
+    for number in range(5):
+        move(hand, newest, number)
+        hand.jobs[-1].event.emit(str(number))
+        hand.end()
+    assert [newest.known(number) for number in range(5)] == [None, None, ["2"], ["3"], ["4"]]
+    move(hand, newest, 2)
+    move(hand, newest, 5)
+    hand.jobs[-1].event.emit("5")
+    hand.end()
+    assert newest.known(2) and not newest.known(3), "what was wanted for the last time first goes"

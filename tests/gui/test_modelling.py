@@ -143,7 +143,7 @@ def test_messages_move_nothing_and_hints_do_not_look_like_errors(sketching):
     assert sketching.view.mapToGlobal(QPoint(0, 0)) == before
     assert sketching.view.size() == size
     assert pane.rect().contains(notice.geometry())
-    assert not notice.geometry().intersects(pane.status.geometry())
+    assert notice.geometry().right() < pane.status.bar.mapTo(pane, QPoint()).x()
     sketching.failed.emit("The disk is full. " * 40)
     assert not notice.property("hint")
     assert pane.rect().contains(notice.geometry())

@@ -246,6 +246,23 @@ def test_a_scribble_marks_the_chosen_icon_and_the_montage_appears(two, qtbot, se
     assert threading.get_ident() not in session.thread_ids
 
 
+def test_undo_and_redo_of_a_scribble_show_the_montages_that_were_there_at_once(two, qtbot, session):
+    made, stack = [], two.document.undo_stack
+    for y in (150, 180):
+        stroke(two, (100, y), (150, y))
+        settled(two, qtbot)
+        made.append(two.picture)
+    count = len(montages(session))
+    stack.undo()
+    assert two.picture is made[0]
+    stack.undo()
+    assert two.picture is None
+    for each in made:
+        stack.redo()
+        assert two.picture is each
+    assert len(montages(session)) == count
+
+
 def test_the_colour_of_the_strokes_is_that_of_the_part(two, qtbot):
     two.actions_by_name["delete"].trigger()  # the triangle, so that colours do not go by order
     bring(two, qtbot, CROSS)

@@ -2,9 +2,11 @@
 
 import json
 import threading
+import time
 import zipfile
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from fake_session import exemplar
 from hands import (
@@ -27,6 +29,7 @@ from iconstudio.gui.project.questions import Answer
 from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.gui.window.pane import WorkspacePane
 from iconstudio.gui.workspaces.plain.opening import WorkPage
+from iconstudio.images.reading import Image
 from iconstudio.model import Axis, Placement, Stroke
 from iconstudio.output.filenames import suffixed
 from iconstudio.project import archive
@@ -263,6 +266,31 @@ def test_a_project_that_is_opened_asks_about_the_one_before(window, qtbot, tmp_p
     monkeypatch.setattr(questions, "ask_about_unsaved", lambda *_: Answer.DISCARD)
     open_project(window, qtbot, path)
     assert window.workspace.document.page.closed
+
+
+def test_what_is_still_being_opened_is_not_left_out_without_a_question(window, qtbot, monkeypatch):
+    """Nothing is on a page yet, so nothing is modified."""
+    sketching, gate, asked = window.workspace_of("Sketch"), threading.Event(), []
+
+    def slowly(source):
+        while not gate.is_set():
+            yield
+            time.sleep(0.005)
+        return Image(np.zeros((9, 9, 4), np.uint8), 9, 9)
+
+    monkeypatch.setattr(sketching.session, "image", slowly)
+    monkeypatch.setattr(questions, "ask_about_opening", lambda *_: asked.append(1))
+    data = QMimeData()
+    data.setImageData(QImage(9, 9, QImage.Format.Format_RGB32))
+    sketching.opener.open_mime(data)
+    assert window.work.opening and not window.project.modified
+    window.close()
+    assert asked and window.isVisible()
+    gate.set()
+    qtbot.waitUntil(lambda: window.project.modified)
+    assert not window.work.opening
+    window.close()
+    assert len(asked) == 1, "it is work like any other now"
 
 
 def test_a_dropped_project_is_opened(window, qtbot, tmp_path, monkeypatch):

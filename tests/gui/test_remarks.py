@@ -47,7 +47,7 @@ def paste(place, qtbot, text, count):
     place.actions_by_name["paste"].trigger()
     qtbot.waitUntil(lambda: len(place.icons) == count, timeout=20000)
     opener = place.opener
-    qtbot.waitUntil(lambda: not (opener._adding or opener.runner.running), timeout=20000)
+    qtbot.waitUntil(lambda: not (opener.adding or opener.runner.running), timeout=20000)
 
 
 def told(place):

@@ -1,8 +1,9 @@
 """The window as a whole: words, keys, names, looks."""
 
 import pytest
-from hands import action, workspaces
-from PySide6.QtCore import Qt, QTimer
+from hands import action, go_to, trace, type_keyword, workspaces
+from PySide6.QtCore import QMimeData, QPoint, QRect, Qt, QTimer
+from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -19,6 +20,8 @@ from iconstudio.gui import app
 from iconstudio.gui.theme import theme
 from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.model import IconstudioError
+from iconstudio.workflows.events import Progress
+from iconstudio.workflows.registry import workflows
 
 
 def test_everything_that_can_be_used_has_a_name_and_is_reached_by_keys(window):
@@ -126,3 +129,41 @@ def test_run_shows_the_window_and_ends_with_it(qtbot, session):
     assert app.run("motorbike", session) == 0
     assert not timer.isActive()
     assert session.closed.is_set()
+
+
+def test_the_window_stays_as_wide_as_it_is_however_high_its_results_are_shown(
+    window, sketching, qtbot
+):
+    photo, data = QImage(300, 200, QImage.Format.Format_RGB32), QMimeData()
+    photo.fill(Qt.GlobalColor.gray)
+    data.setImageData(photo)
+    sketching.opener.open_mime(data)
+    qtbot.waitUntil(sketching.dim.isVisible)
+    trace(sketching)
+    type_keyword(sketching, "motorcycle")
+    sketching.run()
+    qtbot.waitUntil(lambda: sketching.browser.results.finished == 24)
+    sketching.browser.setSizes([200, 400])
+    large = sketching.detail.large
+    qtbot.waitUntil(lambda: large.height() > 250)
+    sketching.detail.show_picture(sketching.browser.results.pictures[-1])
+    for _ in range(9):  # from layout to layout
+        QApplication.processEvents()
+    assert (window.width(), window.height()) == (1280, 720)
+    assert window.minimumSizeHint().width() <= 1200
+    assert large.width() > 160, "it takes what room there is"
+
+
+@pytest.mark.parametrize("title", [one.title for one in workflows()])
+def test_a_message_covers_nothing_that_can_be_clicked(window, title, qtbot):
+    place = go_to(window, title)
+    place.failed.emit("“photo of a motorbike.png” cannot be opened. " * 3)
+    place.progressed.emit(Progress("remix", 0.5, "Remixing"))
+    notice = window.pane.notice
+    qtbot.waitUntil(notice.isVisible)
+    covered = QRect(notice.mapTo(window, QPoint()), notice.size())
+    for kind in (QAbstractButton, QAbstractSlider, QLineEdit):
+        for one in window.findChildren(kind):
+            if one.isVisible() and not notice.isAncestorOf(one) and one.visibleRegion():
+                spot = QRect(one.mapTo(window, QPoint()), one.size())
+                assert not covered.intersects(spot), one.accessibleName() or one.toolTip()

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from msgspec.structs import replace
 
 from iconstudio.inputs.formats import Reference
-from iconstudio.inputs.json import write
+from iconstudio.inputs.json import load, write
 from iconstudio.model import (
     Axis,
     Edit,
@@ -316,3 +316,24 @@ def test_files_that_cannot_be_read(tmp_path, read):
 def test_files_that_cannot_be_written(tmp_path):
     with pytest.raises(IconstudioError, match="cannot be written"):
         write(tmp_path / "no" / "edit.json", EditFile(icon="mdi:dog"))
+
+
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        ("", "it is empty."),
+        (" \n", "it is empty."),
+        ('{"keyword": "dog",\n', "it ends too early."),
+        ("keyword: dog", "it cannot be understood from line 1, character 1 on."),
+        ('{\n "keyword": dog}', "it cannot be understood from line 2, character 13 on."),
+        ("{} {}", "it cannot be understood from line 1, character 4 on."),
+    ],
+)
+def test_what_is_no_json_is_told_in_plain_words(tmp_path, text, reason):
+    path = tmp_path / "work.json"
+    path.write_text(text)
+    with pytest.raises(IconstudioError) as told:
+        load(path)
+    assert str(told.value) == (
+        f"“work.json” is not valid JSON: {reason} Save it again, or mend it in an editor."
+    )

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, replace
 
-from PySide6.QtCore import QPointF, QRectF, QSizeF
+from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QTransform
 
 from iconstudio.model import Point
@@ -20,15 +20,12 @@ class Camera:
     y: float = 0.0
 
     @classmethod
-    def fitting(cls, area: QRectF, view: QSizeF, margin: float) -> "Camera":
-        """Return the camera that shows the whole ``area``, centred, with a margin in pixels."""
-        width = max(1.0, view.width() - 2 * margin)
-        height = max(1.0, view.height() - 2 * margin)
+    def fitting(cls, area: QRectF, room: QRectF) -> "Camera":
+        """Return the camera that shows the whole ``area`` in the middle of ``room``, in pixels."""
+        width, height = max(1.0, room.width()), max(1.0, room.height())
         zoom = min(width / max(area.width(), 1e-9), height / max(area.height(), 1e-9))
-        centre = area.center()
-        return cls(
-            zoom, view.width() / 2 - zoom * centre.x(), view.height() / 2 - zoom * centre.y()
-        )
+        shift = room.center() - zoom * area.center()
+        return cls(zoom, shift.x(), shift.y())
 
     def to_page(self, point: QPointF) -> Point:
         """Return the page point seen at ``point``."""

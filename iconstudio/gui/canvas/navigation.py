@@ -1,5 +1,7 @@
 """A widget that looks at something through a camera: zoom, pan and fit."""
 
+from typing import ClassVar
+
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt
 from PySide6.QtGui import QInputDevice, QNativeGestureEvent, QResizeEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
@@ -12,6 +14,9 @@ ZOOM_STEP = 1.25
 
 class CameraView(QWidget):
     """Zooms with the wheel, pans with a touch pad, pinches; keeps the content fitted if it was."""
+
+    covered: ClassVar[float] = 0.0
+    """How high the lower end is that may be covered: the content is fitted above, in pixels."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -83,4 +88,6 @@ class CameraView(QWidget):
             self._camera = self._camera.panned(QPointF(change.width(), change.height()) / 2)
 
     def _fitting(self) -> Camera:
-        return Camera.fitting(self.content(), self.size().toSizeF(), 3 * UNIT)
+        margin = 3 * UNIT
+        room = QRectF(self.rect()).adjusted(margin, margin, -margin, -max(margin, self.covered))
+        return Camera.fitting(self.content(), room)

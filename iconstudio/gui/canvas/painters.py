@@ -16,6 +16,9 @@ from iconstudio.model import CANVAS, MARGIN, Axis, Photo, Point
 
 _SOLID = Qt.PenStyle.SolidLine
 
+HINT_ROOM = 48.0
+"""How high the lower end of the canvas is where hints are written, in pixels."""
+
 MANY = 500
 """An outline of more points is drawn with less care: nobody clicked them."""
 
@@ -153,7 +156,7 @@ def paint_hint(painter: QPainter, area: QRectF, text: str, theme: Theme) -> None
     room = int(area.width() - 6 * UNIT)
     text = metrics.elidedText(text, Qt.TextElideMode.ElideRight, room)
     width = metrics.horizontalAdvance(text) + 3 * UNIT
-    pill = QRectF(area.center().x() - width / 2, area.bottom() - 40, width, 28)
+    pill = QRectF(area.center().x() - width / 2, area.bottom() - HINT_ROOM + UNIT, width, 28)
     painter.setPen(Qt.PenStyle.NoPen)
     painter.setBrush(QColor(20, 20, 24, 215))
     painter.drawRoundedRect(pill, 14, 14)

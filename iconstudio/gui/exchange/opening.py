@@ -82,7 +82,8 @@ class Opener(QObject):
         self.document = document
         self._worker = worker
         self._owner = owner
-        self._adding: list[Job] = []
+        self.adding: list[Job] = []
+        """Read what is added; what takes the place of all is read by ``runner``."""
         self._complaints: list[str] = []
         self._patience = Patience(self.opened.emit, self)
         self.runner = Runner(worker, self)
@@ -220,7 +221,7 @@ class Opener(QObject):
         self._begin_anew()
         self._patience.begin()
         job = self._worker.submit(make)
-        self._adding.append(job)
+        self.adding.append(job)
         job.event.connect(self.receive)
         job.failed.connect(self.complain)
         job.finished.connect(self._added)
@@ -228,9 +229,9 @@ class Opener(QObject):
     def cancel(self) -> None:
         """Open nothing any more of what is being opened."""
         self.runner.cancel()
-        for job in self._adding:
+        for job in self.adding:
             job.cancel()
-        self._adding.clear()
+        self.adding.clear()
         self._rest()
 
     def receive(self, found: object) -> None:
@@ -265,15 +266,15 @@ class Opener(QObject):
 
     @property
     def _busy(self) -> bool:
-        return bool(self._adding) or self.runner.running
+        return bool(self.adding) or self.runner.running
 
     def _begin_anew(self) -> None:
         if not self._busy:
             self.began.emit()
 
     def _added(self) -> None:
-        if (job := self.sender()) in self._adding:  # else it was cancelled
-            self._adding.remove(job)
+        if (job := self.sender()) in self.adding:  # else it was cancelled
+            self.adding.remove(job)
         self._rest()
 
     def _rest(self) -> None:

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable, Sequence
 
-from PySide6.QtCore import QRectF, Qt
+from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import (
     QFrame,
@@ -50,10 +50,15 @@ class LargePicture(QWidget):
         self._picture = picture
         self.update()
 
+    def sizeHint(self) -> QSize:
+        """Return a square, if there is room for one."""
+        side = 20 * UNIT if self._wide else min(self.height(), 40 * UNIT)
+        return QSize(side, 20 * UNIT)
+
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Stay square."""
-        if not self._wide:
-            self.setFixedWidth(min(self.height(), 40 * UNIT))
+        if event.size().height() != event.oldSize().height():
+            self.updateGeometry()
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """Draw the sheet and the icon."""

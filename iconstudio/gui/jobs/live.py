@@ -16,6 +16,9 @@ CALM = 800
 """Milliseconds that a run may take before its progress is shown: those that the next movement of
 the hand puts an end to are shorter."""
 
+KEPT = 160
+"""Events that are kept of runs that came to their end: those of five grids of results."""
+
 
 class LiveRunner(Runner):
     """Runs what is wanted, which changes faster than it can be made.
@@ -25,10 +28,15 @@ class LiveRunner(Runner):
     has shown something (``release``) or is over, but no longer than ``patience`` milliseconds since
     its start.
 
+    What a request comes to depends on the request alone. So what whole runs have yielded is kept
+    for a while, and a request that returns, by undo for example, is met at once, by that.
+
     Parameters
     ----------
     make
         Returns the run for a request, which is any immutable value; in the worker's thread.
+    kept
+        How many events are kept at most of runs that came to their end.
 
     Signals
     -------
@@ -44,12 +52,16 @@ class LiveRunner(Runner):
         make: Callable[[Any], Generator[Any]],
         parent: QObject | None = None,
         patience: int = PATIENCE,
+        kept: int = KEPT,
     ) -> None:
         super().__init__(worker, parent)
         self._make = make
         self._pending: Any = None
         self.ran: Any = None
         """What runs, or was finished last; None if it came to no end."""
+        self._most = kept
+        self._kept: list[tuple[Any, list[Any]]] = []
+        self._events: list[Any] = []
         self.timer = QTimer(self, singleShot=True, interval=patience)
         self.timer.timeout.connect(self._go_on)
         self._calm = QTimer(self, singleShot=True, interval=CALM)
@@ -70,9 +82,40 @@ class LiveRunner(Runner):
         if request == self.ran:
             self.discard()
             return
+        if self.recall(request):
+            return
         self._pending = request
         if not self.holding:
             self._go_on()
+
+    def recall(self, request: Any) -> bool:
+        """Tell at once what a request came to if that is known, in place of what runs.
+
+        Returns
+        -------
+        Whether it is. ``ended`` comes once then, also for what ran.
+        """
+        events = self.known(request)
+        if events is None:
+            return False
+        self._drop()
+        self.discard()
+        self.ran, self._events = request, events
+        self.began.emit(request)
+        for event in events:
+            self.event.emit(event)
+        self.ended.emit(True)
+        return True
+
+    def known(self, request: Any) -> list[Any] | None:
+        """Return the events of a request, if they are kept."""
+        return next((events for one, events in self._kept if one == request), None)
+
+    def keep(self, request: Any, events: list[Any]) -> None:
+        """Keep what a request has come to; what was not wanted for longest is left out for it."""
+        self._kept = [one for one in self._kept if one[0] != request] + [(request, events)]
+        while len(self._kept) > 1 and sum(len(some) for _, some in self._kept) > self._most:
+            del self._kept[0]
 
     def run(self, request: Any) -> None:
         """Run this now, because the user asks for it; he sees its progress."""
@@ -104,11 +147,13 @@ class LiveRunner(Runner):
             self._begin(request)
 
     def _begin(self, request: Any) -> None:
-        make, self.ran = self._make, request
+        make, self.ran, self._events = self._make, request, []
         self.start(lambda: make(request))
         self.began.emit(request)
 
     def _tell(self, event: object) -> None:
+        if not isinstance(event, Progress):
+            self._events.append(event)
         if not (isinstance(event, Progress) and self._calm.isActive()):
             super()._tell(event)
 
@@ -122,4 +167,6 @@ class LiveRunner(Runner):
             self._calm.stop()
             if not whole:
                 self.ran = None
+            elif self._events:
+                self.keep(self.ran, self._events)
             self.release()

@@ -54,10 +54,15 @@ class Runner(QObject):
 
     def cancel(self) -> None:
         """Stop what runs; nothing more is heard of it but ``ended(False)``, at once."""
+        if self._drop():
+            self.ended.emit(False)
+
+    def _drop(self) -> bool:
+        """Hear nothing more of what runs; return whether anything did."""
         job, self._job = self._job, None
         if job is not None:
             job.cancel()
-            self.ended.emit(False)
+        return job is not None
 
     def _tell(self, event: object) -> None:
         (self.progress if isinstance(event, Progress) else self.event).emit(event)

@@ -151,6 +151,8 @@ class ProjectFiles(QObject):
 
         If it is to be saved first, ``again`` is called once that is done.
         """
+        if self._work.opening and not questions.ask_about_opening(self._window):
+            return False
         if not self._modified:
             return True
         answer = questions.ask_about_unsaved(self._window, self.name)

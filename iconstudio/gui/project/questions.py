@@ -49,6 +49,30 @@ def unsaved_box(window: QWidget, name: str) -> QMessageBox:
     return box
 
 
+def ask_about_opening(window: QWidget) -> bool:
+    """Ask whether to go on although something is still being opened, which is lost then."""
+    box = opening_box(window)
+    box.exec()
+    pressed = box.clickedButton()
+    going = pressed and box.buttonRole(pressed) == QMessageBox.ButtonRole.DestructiveRole
+    box.deleteLater()
+    return bool(going)
+
+
+def opening_box(window: QWidget) -> QMessageBox:
+    """Return the question."""
+    box = QMessageBox(window)
+    box.setIcon(QMessageBox.Icon.Question)
+    box.setWindowTitle("Still opening")
+    box.setText("Something that you opened is still being read.")
+    box.setInformativeText("It is in no file of yours yet. Wait until it is there to save it.")
+    wait = box.addButton("&Wait", QMessageBox.ButtonRole.RejectRole)
+    box.addButton("&Leave it out", QMessageBox.ButtonRole.DestructiveRole)
+    box.setDefaultButton(wait)
+    box.setEscapeButton(wait)
+    return box
+
+
 def ask_where(window: QWidget, suggested: str) -> Path | None:
     """Ask where to save a project; None if the user thinks better of it.
 

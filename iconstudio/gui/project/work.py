@@ -59,6 +59,12 @@ class Work(QObject):
         workspace.document.page_changed.connect(lambda: self._note(name))
         self._put(workspace)
 
+    @property
+    def opening(self) -> bool:
+        """Whether something is being opened that is not on its page yet."""
+        openers = [one.opener for one in self._made.values() if one.opener is not None]
+        return any(one.runner.running or one.adding for one in openers)
+
     def contents(self) -> Contents:
         """Return what is there now."""
         pages = self._waiting | {

@@ -65,12 +65,12 @@ class Notice(QFrame):
         self.say(message, hint=True)
 
     def place(self, room: QRect) -> None:
-        """Float at the lower end of ``room``."""
+        """Float at the lower end of ``room``, on its left."""
         width = min(_WIDEST, room.width())
         self.resize(width, self.height())
         self._fit()
         height = self.sizeHint().height()
-        self.setGeometry(room.center().x() - width // 2, room.bottom() + 1 - height, width, height)
+        self.setGeometry(room.left(), room.bottom() + 1 - height, width, height)
         self.raise_()
 
     def clear(self) -> None:

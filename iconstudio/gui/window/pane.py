@@ -31,7 +31,7 @@ class WorkspacePane(QWidget):
         workspace.failed.connect(self.notice.say)
         workspace.hinted.connect(self.notice.hint)
         self.notice.resized.connect(self._place_notice)
-        OnResize(workspace, self._place_notice)
+        OnResize(self.status, self._place_notice)
         workspace.progressed.connect(self.status.show_progress)
         workspace.counted.connect(self.status.set_finished)
         workspace.idle.connect(self.status.rest)
@@ -39,8 +39,10 @@ class WorkspacePane(QWidget):
         self.status.cancelled.connect(workspace.cancel)
 
     def _place_notice(self) -> None:
-        place = self.workspace.geometry()
-        self.notice.place(place.adjusted(2 * UNIT, 0, -2 * UNIT, -UNIT))
+        """Put the messages over the words of the status line, where there is nothing to click."""
+        room = self.workspace.geometry() | self.status.geometry()
+        room.setWidth(self.status.words_end)
+        self.notice.place(room)
 
     def say(self, remark: str) -> None:
         """Show a remark for a while; messages are dealt with."""

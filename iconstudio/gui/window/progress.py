@@ -11,6 +11,10 @@ from iconstudio.workflows.events import Progress
 REMARK = 6000
 """Milliseconds for which a remark stays."""
 
+_BAR = 25 * UNIT
+_RIGHT = _BAR + 14 * UNIT
+"""Room for the progress and the button, in pixels."""
+
 
 class StatusStrip(QWidget):
     """One line at the bottom of the window.
@@ -33,13 +37,18 @@ class StatusStrip(QWidget):
         self.setFixedHeight(4 * UNIT + 4)
         self.label = label()
         self.bar = QProgressBar(textVisible=False, maximum=1000)
-        self.bar.setFixedWidth(25 * UNIT)
+        self.bar.setFixedWidth(_BAR)
         self.bar.setAccessibleName("Progress")
         tip = "Stop; finished results stay (Ctrl+.)"
         self.button = push_button("Cancel", tip, self.cancelled.emit)
         parts = (self.label, 1), self.bar, self.button
         row(*parts, of=self, spacing=UNIT * 3 // 2, margins=(UNIT, 0, 0, 4))
         self.rest("")
+
+    @property
+    def words_end(self) -> int:
+        """How far the words may reach from the left, in pixels, whatever is under way."""
+        return self.width() - _RIGHT
 
     def show_progress(self, progress: Progress) -> None:
         """Show a stage, and how far it is."""

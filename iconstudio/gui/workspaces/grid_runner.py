@@ -125,12 +125,18 @@ class GridRunner(QObject):
         self._by_hand = True
 
     def renew(self) -> None:
-        """In live mode, remix what the page says now, unless that is done or cannot be done yet."""
-        if not self.live:
-            return
+        """Show what the page says now if its results are known; in live mode, else remix it.
+
+        Unless that is done or cannot be done yet.
+        """
+        problem = self._page.problem()
         if self.ran is not None and not self.stale:
             self.live_runner.discard()
-        elif self._preparation.ready and not self._page.problem():
+        elif not problem and self.live_runner.recall(self._request()):
+            pass  # they are in sight
+        elif not self.live:
+            return
+        elif self._preparation.ready and not problem:
             self.live_runner.request(self._request())
         elif self.running:  # out of date, though nothing can take its place
             self._ran = None

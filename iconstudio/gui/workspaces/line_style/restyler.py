@@ -56,8 +56,10 @@ class Restyler(QObject):
             self._leave()
         if self._work is not None and self._work != self.live.ran:
             self.varying.cancel()
-            self.live.request(self._work)
             self._resting.start()
+            self.live.request(self._work)
+            if self.made and self.made.work == self._work and self.varying.recall(self._work):
+                self._resting.stop()
 
     def preview(self, work: Restyling) -> None:
         """Draw work that is not on the page yet, if it is complete."""

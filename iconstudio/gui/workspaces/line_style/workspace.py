@@ -30,6 +30,7 @@ from iconstudio.gui.workspaces.line_style.variations import VariationsPanel
 from iconstudio.gui.workspaces.made import Made
 from iconstudio.inputs.line_style import write_style
 from iconstudio.inputs.styles import bundled
+from iconstudio.inputs.together import counted
 from iconstudio.model import IconstudioError, Pictogram, StylePair
 from iconstudio.workflows.line_style import page as edits
 from iconstudio.workflows.line_style.page import OWN, RestylePage
@@ -139,7 +140,7 @@ class LineStyleWorkspace(Workspace):
     def outcome(self) -> str:
         """Return how many variations there are."""
         count = len(self.variations.sheet.pictures)
-        return f"{count} variations" if count else ""
+        return counted(count, "variation") if count else ""
 
     def showEvent(self, event: QShowEvent) -> None:
         """Draw the samples of the styles when they are first in sight."""

@@ -1,7 +1,7 @@
 """The montage as it is made again and again: what is wanted, and the picture of it."""
 
 from collections.abc import Generator
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from iconstudio.gui.pictures.picture import Picture, pictured
 from iconstudio.model import Montage, Remix
@@ -17,10 +17,10 @@ TITLE = "montage"
 
 @dataclass(frozen=True, slots=True)
 class Request:
-    """A montage, and the colours of its layers, which change nothing about it."""
+    """A montage, and the colours of its layers."""
 
     montage: Montage
-    palette: Palette = field(compare=False)
+    palette: Palette
 
     @classmethod
     def of(cls, page: MontagePage) -> "Request":

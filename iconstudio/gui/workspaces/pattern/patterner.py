@@ -17,8 +17,8 @@ REST = 300
 """Milliseconds for which a finished pattern stands before others are made."""
 _PATIENCE = 3000
 """Milliseconds that a run may take until it shows something while the hand goes on."""
-_KEPT = 24
-"""Patterns that are kept, so that undoing and going back to a seed shows them at once."""
+_KEPT = 48
+"""Events that are kept, so that going back to a seed shows its pattern at once."""
 
 
 class Patterner(QObject):
@@ -46,11 +46,11 @@ class Patterner(QObject):
 
     def __init__(self, session: Session, worker: Worker, parent: QObject) -> None:
         super().__init__(parent)
-        self.live = LiveRunner(worker, partial(made, session), self, _PATIENCE)
-        self.others = LiveRunner(Worker(parent), partial(made_with_other_seeds, session), self)
+        self.live = LiveRunner(worker, partial(made, session), self, _PATIENCE, _KEPT)
+        make_others = partial(made_with_other_seeds, session)
+        self.others = LiveRunner(Worker(parent), make_others, self, kept=_KEPT)
         self.made: Made | None = None
         """What was shown last."""
-        self._known: dict[Patterning, Made] = {}
         self._work: Patterning | None = None
         self._sheet: tuple[Patterning, ...] = ()
         self._resting = QTimer(self, singleShot=True)
@@ -75,9 +75,6 @@ class Patterner(QObject):
             self.live.cancel()
             self.made = None
             self.left.emit()
-        elif (known := self._known.get(work)) is not None:
-            self.live.cancel()
-            self._show(known)
         else:
             self.live.request(work)
 
@@ -85,7 +82,6 @@ class Patterner(QObject):
         """Make all once more, because the user asks for it."""
         if self._work is not None:
             self._leave_sheet()
-            self._known.clear()
             self.live.run(self._work)
 
     def _tell(self, event: object) -> None:
@@ -98,33 +94,23 @@ class Patterner(QObject):
     def _show(self, made: Made) -> None:
         self.made = made
         self.patterned.emit(made)
-        if made.picture.preview:
+        if made.picture.preview or made.work != self._work or made.work in self._sheet:
             return
-        self._keep(made)
-        if made.work == self._work and made.work not in self._sheet:
+        if self.others.known(made.work):
+            self._begin_sheet()
+        else:
             self._resting.start(REST)
 
-    def _keep(self, made: Made) -> None:
-        self._known.pop(made.work, None)
-        self._known[made.work] = made
-        while len(self._known) > _KEPT:
-            del self._known[next(iter(self._known))]
-
     def _begin_sheet(self) -> None:
-        work = self._work
-        if work is not None and (known := self._known.get(work)) is not None:
-            self._sheet = sheet_of(work)
-            self.sheet_began.emit(known)
-            others = [self._known[one] for one in self._sheet[1:] if one in self._known]
-            if len(others) < len(self._sheet) - 1:
-                self.others.request(work)
-                return
-            for one in others:
-                self.sheet_grew.emit(one)
+        made = self.made
+        if made is not None and made.work == self._work:
+            self._sheet = sheet_of(made.work)
+            self.sheet_began.emit(made)
+            self.others.request(made.work)
 
     def _tell_other(self, event: object) -> None:
         if isinstance(event, Made):
-            self._keep(event)
+            self.live.keep(event.work, [event])
             self.sheet_grew.emit(event)
             self.others.release()
 
