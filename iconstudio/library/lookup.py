@@ -84,6 +84,12 @@ class Lookup:
         return self._terms.identifiers(icons)
 
     def parts(self, keyword: str) -> tuple[str, ...]:
-        """Return the words of a keyword that icons answer on their own."""
-        words = list(dict.fromkeys(query.plain(keyword).split()))[:_MOST]
-        return self._phrases.parts(words) if len(words) > 1 else ()
+        """Return the words of a keyword that icons answer on their own, spelt rightly."""
+        words = tuple(dict.fromkeys(query.plain(keyword).split()))[:_MOST]
+        right = dict(self.read_as(keyword))
+        spelt = " ".join(right.get(word, word) for word in words).split()
+        return self._phrases.parts(spelt) if len(words) > 1 else ()
+
+    def read_as(self, keyword: str) -> tuple[tuple[str, str], ...]:
+        """Return those of several words that are surely misspelt, each with the right one."""
+        return self._phrases.read_as(tuple(query.plain(keyword).split())[:_MOST])

@@ -4,6 +4,7 @@ import pytest
 from small_world import icon_set, shape
 
 from iconstudio.library.search import RELEVANT
+from iconstudio.library.words import symbols
 from iconstudio.model import IconstudioError
 
 
@@ -89,6 +90,14 @@ def test_of_several_words_the_known_ones_are_told(world):
 def test_another_language_is_told_the_english_word(world, typed):
     with pytest.raises(IconstudioError, match=r"Did you mean dog\? Icons have English names"):
         world.search(typed)
+
+
+@pytest.mark.parametrize(
+    ("typed", "words"),
+    [("\u72ac", ["dog"]), ("\u9ce5", ["bird"]), ("\u732b", ["cat"]), ("\u306e", []), ("nd", [])],
+)
+def test_a_word_that_names_end_in_is_what_they_are_kinds_of(typed, words):
+    assert symbols.english(typed) == words
 
 
 @pytest.mark.parametrize(

@@ -32,7 +32,8 @@ SYNONYMS = (
     "flashlight torch", "glasses eyeglasses spectacles", "bulb lightbulb", "rocket spaceship",
     "present gift", "bag handbag", "purse handbag", "photo photograph", "film movie",
     "cactus cacti", "helicopter chopper", "ax axe", "donut doughnut", "airplane airliner",
-    "sneaker trainer", "trashcan bin", "bin trash", "sailboat boat", "eggplant aubergine",
+    "sneaker trainer", "trashcan bin", "bin trash", "sailboat boat",
+    "eggplant aubergine",
     "subway metro", "shop store", "mailbox postbox", "suitcase luggage", "gear cog cogwheel",
     "pitcher jug", "tap faucet", "t_rex tyrannosaurus dinosaur",
 )  # fmt: skip
@@ -45,7 +46,8 @@ STAND_INS = _listed(
     big toe: foot, blouse: shirt, bobsled: sled sledge, bonfire: campfire fire, braid: hair,
     brow: eyebrow, calf: cow leg, casket: coffin, cheek: face, chickpea: bean,
     chimpanzee: monkey gorilla, chin: face, christmas tree: pine_tree, coat of arms: shield,
-    cod: fish, cooler: refrigerator, creche: nursery, crocodile: lizard reptile, cub: bear,
+    cod: fish, cooler: refrigerator, creche: nursery,
+    crocodile: lizard reptile, cub: bear,
     eardrum: ear, earlobe: ear, eyelid: eye, feast: meal dinner, ferret: otter badger, fig: fruit,
     forehead: head face, freckle: face, fringe: hair, galoshes: boot, gazelle: deer,
     great dane: dog, gymnast: gymnastics, hairpin: hair_clip, hermit crab: crab,
@@ -65,7 +67,8 @@ STAND_INS = _listed(
     sieve: strainer filter, snout: nose, snowball: snow, sole: foot, spacesuit: astronaut,
     stingray: fish, stirrup: saddle, tablecloth: table, tailor: sewing, tendon: muscle, thigh: leg,
     thimble: sewing, thistle: flower, thyme: herb leaf, toe: foot, toenail: foot, toupee: wig,
-    trapdoor: door, tricycle: bicycle, tuna: fish, verandah: house, warrior: knight, warthog: pig,
+    trapdoor: door, tricycle: bicycle, tuna: fish,
+    verandah: house, warrior: knight, warthog: pig,
     washbasin: sink, wasp: bee, weasel: otter badger, whirlpool: spiral, yak: ox cow,
     zither: harp guitar
     """
@@ -107,7 +110,8 @@ INFORMAL = _listed(
     piccy: picture, piggie: pig, pinkie: little finger, pinky: little finger, prev: previous,
     prof: teacher, pushchair: stroller, pussycat: cat, pw: password, pwd: password,
     qtip: cotton swab,
-    rew: rewind, rip: gravestone, roach: cockroach, roo: kangaroo, rugger: rugby, sammie: sandwich,
+    rew: rewind, rip: gravestone, roach: cockroach, roo: kangaroo, rubbish: trash, rugger: rugby,
+    sammie: sandwich,
     santa: father christmas, santaclaus: father christmas, sarnie: sandwich, shades: sunglasses,
     shroom: mushroom, sneaks: sneaker, spag: spaghetti, spagbol: spaghetti, spud: potato,
     sub: submarine, sunnies: sunglasses, synth: synthesizer, tater: potato, tbone: steak,
@@ -133,6 +137,9 @@ CROSSED_OUT = {
 
 Of the words on the left, the collection has nearly none: such drawings are of no use as parts."""
 
+FORBIDDEN = {word: CROSSED_OUT["off"] for word in ("no", "without")}
+"""What says of the things that follow that they are forbidden or missing, and the same."""
+
 _MUTE = ("volume x", "speaker x", "speaker x mark", "volume zero", "sound quiet")
 _NO_EYE = ("eye closed", "eye invisible", "eye hide", "eye x", "eye cross")
 ALONE = {
@@ -140,6 +147,8 @@ ALONE = {
     "eyeoff": _NO_EYE, "eyeslash": _NO_EYE,
     "onoff": ("power",), "offon": ("power",), "poweroff": ("power",), "turnoff": ("power",),
     "switchoff": ("power",), "logoff": ("log out",), "signoff": ("sign out",),
+    "nosmoking": ("smoke free",),
+    "signup": ("user plus", "user add", "account plus", "person add"),
 }  # fmt: skip
 """What words, joined, mean if no others stand beside them."""
 
