@@ -183,7 +183,7 @@ def test_what_is_forbidden_or_missing_is_found_as_its_names_say_it(opened, typed
     )
 
 
-@pytest.mark.parametrize("typed", ["no parking", "no entry"])
+@pytest.mark.parametrize("typed", ["no parking", "no entry", "⛔", "🚷"])
 def test_of_what_only_forbids_it_is_told_that_there_is_none(bundled, typed):
     with pytest.raises(IconstudioError, match="forbidden, or switched off, are left out"):
         bundled.search(typed)
