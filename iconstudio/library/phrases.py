@@ -126,7 +126,7 @@ class Phrases:
             (
                 self._together(words),
                 *(_at_least(0, self._together(one)) for one in others),
-                *(_at_least(0, self._together(one)) for one in self._spellings.same(words)),
+                *(_at_least(1, self._together(one)) for one in self._spellings.same(words)),
                 *(_at_least(1, self._together(one)) for one in meant),
             )
         )

@@ -20,6 +20,7 @@ USAGE = {
     "apple": "fruit",
     "boot": "footwear",
     "crane": "lifting device",
+    "crepe": "pancake",
     "tank": "vehicle",
 }
 """What collections of icons mean by a word, where WordNet puts another meaning first."""
@@ -32,7 +33,7 @@ SYNONYMS = (
     "flashlight torch", "glasses eyeglasses spectacles", "bulb lightbulb", "rocket spaceship",
     "present gift", "bag handbag", "purse handbag", "photo photograph", "film movie",
     "cactus cacti", "helicopter chopper", "ax axe", "donut doughnut", "airplane airliner",
-    "sneaker trainer", "trashcan bin", "bin trash", "sailboat boat",
+    "sneaker trainer", "trashcan bin", "bin trash", "trash garbage", "sailboat boat",
     "eggplant aubergine",
     "subway metro", "shop store", "mailbox postbox", "suitcase luggage", "gear cog cogwheel",
     "pitcher jug", "tap faucet", "t_rex tyrannosaurus dinosaur",
@@ -46,7 +47,7 @@ STAND_INS = _listed(
     big toe: foot, blouse: shirt, bobsled: sled sledge, bonfire: campfire fire, braid: hair,
     brow: eyebrow, calf: cow leg, casket: coffin, cheek: face, chickpea: bean,
     chimpanzee: monkey gorilla, chin: face, christmas tree: pine_tree, coat of arms: shield,
-    cod: fish, cooler: refrigerator, creche: nursery,
+    cod: fish, cooler: refrigerator, courgette: cucumber vegetable, creche: nursery,
     crocodile: lizard reptile, cub: bear,
     eardrum: ear, earlobe: ear, eyelid: eye, feast: meal dinner, ferret: otter badger, fig: fruit,
     forehead: head face, freckle: face, fringe: hair, galoshes: boot, gazelle: deer,
@@ -67,10 +68,10 @@ STAND_INS = _listed(
     sieve: strainer filter, snout: nose, snowball: snow, sole: foot, spacesuit: astronaut,
     stingray: fish, stirrup: saddle, tablecloth: table, tailor: sewing, tendon: muscle, thigh: leg,
     thimble: sewing, thistle: flower, thyme: herb leaf, toe: foot, toenail: foot, toupee: wig,
-    trapdoor: door, tricycle: bicycle, tuna: fish,
+    trapdoor: door, tricycle: bicycle, tuna: fish, underground: subway,
     verandah: house, warrior: knight, warthog: pig,
     washbasin: sink, wasp: bee, weasel: otter badger, whirlpool: spiral, yak: ox cow,
-    zither: harp guitar
+    zither: harp guitar, zucchini: cucumber vegetable
     """
 )
 """What is taken for a thing that has no drawings, or few."""
