@@ -36,7 +36,7 @@ from iconstudio.model import (
 from iconstudio.reading import MEMORY as READING_MEMORY
 from iconstudio.reading import SECONDS as READING_SECONDS
 from iconstudio.reading import SIMPLER, FileReader
-from iconstudio.svg.lines import lines_of, lines_of_path
+from iconstudio.svg.lines import lines_of_drawing, lines_on_page
 from iconstudio.svg.resvg import render_placed
 from iconstudio.workers import Workers, answer, loss
 from iconstudio.workflows.drawing import MEMORY, SECONDS, draw_whole
@@ -186,7 +186,9 @@ class Session(FileReader, AbstractContextManager["Session"]):
         return answer(drawing, f"Drawing “{exemplar.name}”")
 
     def lines(self, pictogram: Pictogram) -> tuple[Line, ...]:
-        """Return the lines of an icon on the canvas: contours, and centre lines of its strokes.
+        """Return the lines of an icon: contours, and centre lines of its strokes.
+
+        Its page fills the canvas: see ``rasterise_page``.
 
         Raises
         ------
@@ -196,15 +198,16 @@ class Session(FileReader, AbstractContextManager["Session"]):
         return self._lines(pictogram)
 
     def _read_lines(self, pictogram: Pictogram) -> tuple[Line, ...]:
-        exemplar = self.exemplar(pictogram)
-        task = lines_of, pictogram.svg, exemplar.frame, exemplar.coverage
-        reading = self._readers.submit(*task, timeout=_LINES_SECONDS, memory=READING_MEMORY)
-        doing = f"Reading the lines of “{exemplar.name}”"
+        reading = self._readers.submit(
+            lines_on_page, pictogram.svg, timeout=_LINES_SECONDS, memory=READING_MEMORY
+        )
+        doing = f"Reading the lines of “{pictogram.name}”"
         if loss(reading.exception(), doing) is None:
             return answer(reading, doing)
         # Its own shapes are too much: the outline of its picture is not.
-        path = self.drawing(exemplar).path
-        return answer(self._readers.submit(lines_of_path, path, timeout=READING_SECONDS), doing)
+        exemplar = self.exemplar(pictogram)
+        task = lines_of_drawing, self.drawing(exemplar).path, exemplar.frame, pictogram.svg
+        return answer(self._readers.submit(*task, timeout=READING_SECONDS), doing)
 
     def picture(self, exemplar: Exemplar, size: int) -> NDArray[np.uint8]:
         """Draw an icon on its canvas as it is: (size, size) uint8, 255 = ink.

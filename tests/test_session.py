@@ -1,8 +1,11 @@
 """What only the session knows: how an icon is drawn large, what it is called, what is ready."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from iconstudio.algorithms.curves.outline import path_of
 from iconstudio.model import CANVAS, IconstudioError
 from iconstudio.workflows.events import Progress, Retrieved
 
@@ -93,3 +96,7 @@ def test_where_reading_the_lines_takes_too_long_the_picture_is_traced(session, m
     lines = session.lines(session.icon("lucide:bird"))
     assert lines
     assert all(line.closed and not line.width for line in lines)
+    monkeypatch.undo()
+    whole = session.icon("lucide:bird")
+    bounds = path_of(session.lines(replace(whole, id="own:bird"))).bounds
+    assert path_of(lines).bounds == pytest.approx(bounds, abs=1), "on the same page"

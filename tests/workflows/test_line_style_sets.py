@@ -159,7 +159,7 @@ def test_progress_tells_the_time_that_remains():
         return float(next(ticks))
 
     events = list(
-        restyle_set(MEMBERS, MANNER, Direct(lambda *_: (MEMBERS[0].read(), ())), clock=clock)
+        restyle_set(MEMBERS, MANNER, Direct(lambda *_: (MEMBERS[0].read(), (), 1.0)), clock=clock)
     )
     progress = [one for one in events if isinstance(one, Progress)]
     assert progress[0].remaining is None
