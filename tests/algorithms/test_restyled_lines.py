@@ -146,6 +146,19 @@ def test_widths_are_those_of_the_example():
     assert not contour.widths
 
 
+def test_a_strong_brush_swells_and_makes_no_beads():
+    brush = prepare(named("Brush"), strength=2.0)
+    wheel = tuple((128 + 30 * np.cos(a), 128 + 30 * np.sin(a)) for a in np.arange(0, 6.28, 0.05))
+    for plain, swelling in ((line((10, 60), (246, 60)), 0.5), (line(*wheel, closed=True), 0.1)):
+        (made,) = restyled([(plain, brush)])
+        widths = np.array(made.widths)
+        assert 0.4 * plain.width < widths.min() < widths.max() < 2.3 * plain.width
+        assert np.ptp(widths) > swelling * plain.width
+        points = np.array(made.points)
+        steps = np.hypot(*np.diff(points, axis=0).T)
+        assert abs(np.diff(widths)).sum() < 0.5 * steps.sum(), "it changes gradually"
+
+
 @pytest.mark.parametrize("closed", [False, True])
 @pytest.mark.parametrize("way", [1, -1])
 def test_widths_are_those_of_the_line_where_the_example_has_none(closed, way):
@@ -181,10 +194,16 @@ def test_loops_do_not_fray_what_is_filled(name):
 
 def test_a_dot_is_drawn_by_the_same_hand(style):
     """It was left as it is: a disc as by a machine, among lines drawn by hand."""
-    dots = [line((128, 128), (128, 128.1), width=40), line((40, 40), width=40)]
-    for dot, made in zip(dots, styled(dots, style), strict=True):
+    ring = circle(10.0).points + 80j
+    dots = [
+        line((128, 128), (128, 128.1), width=40),
+        line((40, 40), width=40),
+        replace(line(*zip(ring.real, ring.imag, strict=True), closed=True), width=20.0),
+    ]
+    centres = 128 + 128j, 40 + 40j, 128 + 208j
+    for centre, made in zip(centres, styled(dots, style), strict=True):
         assert made.closed and not made.width
-        radii = abs(np.array(made.points) @ [1, 1j] - complex(*dot.points[0]))
+        radii = abs(np.array(made.points) @ [1, 1j] - centre)
         assert 0.5 < np.ptp(radii) < 12
         assert np.mean(radii) == pytest.approx(20, abs=3)
 

@@ -11,6 +11,7 @@ from iconstudio.algorithms.curves.corners import joined, parted
 from iconstudio.algorithms.curves.curve import Curve, Numbers
 from iconstudio.algorithms.curves.junctions import junctions
 from iconstudio.algorithms.curves.multiresolution import analogy
+from iconstudio.algorithms.curves.outline import filled_up
 from iconstudio.algorithms.curves.prepared import Prepared, prepare, smoothed
 from iconstudio.algorithms.curves.thickness import held_back
 from iconstudio.algorithms.curves.untangling import untangled
@@ -31,6 +32,9 @@ _SLIM = 1e-6
 _DOT = 4.0
 """Canvas units: a stroke that is no longer than this is a dot; such a contour is too small."""
 
+_RINGS = 1.5
+"""A ring whose centre line is larger than this, over its width, is no dot."""
+
 
 def restyled(
     lines: Iterable[tuple[Line, Prepared]], seed: int = 0, coarse: bool = False
@@ -43,7 +47,7 @@ def restyled(
     same one on the outside of whatever is closed, and of its holes within. A dot, a stroke of next
     to no length, becomes the contour of what it covers.
     """
-    lines = [(_ring(_whole(line)), prepared) for line, prepared in lines]
+    lines = [(_whole(_ring(line)), prepared) for line, prepared in lines]
     long = [number for number, (line, _) in enumerate(lines) if _length(line) > _DOT]
     made = dict(zip(long, _styled([lines[number] for number in long], seed, coarse), strict=True))
     return [made.get(number, line) for number, (line, _) in enumerate(lines)]
@@ -59,8 +63,8 @@ def _styled(lines: Sequence[tuple[Line, Prepared]], seed: int, coarse: bool) -> 
     widths = [line.width for line, _ in lines]
     met = junctions(plain, widths)
     made = [
-        _one(curve, prepared, seed * 1_000_003 + number, constraints, coarse)
-        for number, (curve, (_, prepared), constraints) in enumerate(
+        _one(curve, line.width, prepared, seed * 1_000_003 + number, constraints, coarse)
+        for number, (curve, (line, prepared), constraints) in enumerate(
             zip(plain, lines, met, strict=True)
         )
     ]
@@ -75,9 +79,14 @@ def _styled(lines: Sequence[tuple[Line, Prepared]], seed: int, coarse: bool) -> 
 
 
 def _one(
-    plain: Curve, prepared: Prepared, seed: int, constraints: Sequence[Constraint], coarse: bool
+    plain: Curve,
+    width: float,
+    prepared: Prepared,
+    seed: int,
+    constraints: Sequence[Constraint],
+    coarse: bool,
 ) -> tuple[Curve, Numbers]:
-    """Return a curve in a style, and its width at each point, over that of its line."""
+    """Return a curve in a style, and its width at each point, over ``width``, that of its line."""
     style = prepared.style
     pieces, widths = [], []
     whole = [(plain, constraints, 0.0, plain.end)] if style.shape else parted(plain, constraints)
@@ -87,7 +96,7 @@ def _one(
         pieces.append((made.curve, first, last))
         widths.append(prepared.widths(levels, made.sources))
     curve = joined(plain, [(_smooth(one), first, last) for one, first, last in pieces])
-    return curve, _fitting(curve, pieces, widths)
+    return curve, _fitting(curve, pieces, widths, width)
 
 
 def _smooth(curve: Curve) -> Curve:
@@ -99,15 +108,18 @@ def _smooth(curve: Curve) -> Curve:
 
 
 def _fitting(
-    curve: Curve, pieces: Sequence[tuple[Curve, float, float]], widths: Sequence[Numbers]
+    curve: Curve,
+    pieces: Sequence[tuple[Curve, float, float]],
+    widths: Sequence[Numbers],
+    width: float,
 ) -> Numbers:
-    """Return the widths of a curve's parts at its own points, smoothed."""
+    """Return the widths of a curve's parts at its own points, over ``width``, smoothed."""
     at = np.concatenate([first + one.parameters * (last - first) for one, first, last in pieces])
     found = np.concatenate(widths)
     order = np.argsort(np.mod(at, curve.end) if curve.closed else at, kind="stable")
     at = np.mod(at, curve.end)[order] if curve.closed else at[order]
     own = np.interp(curve.parameters, at, found[order])
-    return smoothed(own, curve.closed)
+    return smoothed(own, curve, width)
 
 
 def _line(line: Line, curve: Curve, widths: Numbers, turned: bool) -> Line:
@@ -142,14 +154,18 @@ def _own_widths(line: Line, at: Numbers, turned: bool) -> Numbers:
 
 
 def _whole(line: Line) -> Line:
-    """Return a line that has a length to be styled: of a dot, its contour."""
-    if line.width == 0 or _length(line) > _DOT:
+    """Return a line that has a length to be styled: of a dot, its contour.
+
+    A ring that its own stroke fills is a dot as well, and takes as much texture.
+    """
+    points = np.array(line.points, dtype=float)
+    extent = _RINGS * line.width if line.closed else 0.0
+    if line.width == 0 or (_length(line) > _DOT and np.ptp(points, axis=0).max() > extent):
         return line
-    drawn = stroked(np.array(line.points, dtype=float), line.closed, line.width)
-    contour, *holes = outlines(drawn)
-    if holes:
+    rings = outlines(filled_up(stroked(points, line.closed, line.width), line.width))
+    if len(rings) != 1:
         return line
-    return Line(tuple((x, y) for x, y in contour.tolist()), closed=True)
+    return Line(tuple((x, y) for x, y in rings[0].tolist()), closed=True)
 
 
 def _ring(line: Line) -> Line:
