@@ -38,13 +38,9 @@ def path_of(lines: Iterable[Line]) -> Path:
         else:
             contours.append(_without_repeats(points))
     whole = areas.united([areas.inked(contours), *strokes])
-    rings = areas.outlines(filled_up(whole, widest), _STRAY)
+    hole = max(_SPECK, (_PINHOLE * widest) ** 2)
+    rings = areas.outlines(areas.without_specks(whole, _SPECK, hole), _STRAY)
     return Path(tuple(_fitted(ring, True) for ring in rings))
-
-
-def filled_up(area: Area, width: float) -> Area:
-    """Return an area without specks, and without holes too small for strokes of such a width."""
-    return areas.without_specks(area, _SPECK, max(_SPECK, (_PINHOLE * width) ** 2))
 
 
 def strokes_of(lines: Iterable[Line]) -> tuple[tuple[Path, float], ...]:

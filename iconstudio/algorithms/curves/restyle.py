@@ -5,13 +5,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from iconstudio.algorithms.areas import one_piece, outlines, stroked
+from iconstudio.algorithms.areas import one_piece
 from iconstudio.algorithms.curves.constraints import Constraint
 from iconstudio.algorithms.curves.corners import joined, parted
 from iconstudio.algorithms.curves.curve import Curve, Numbers
+from iconstudio.algorithms.curves.dots import LONGEST, dots_as_rings, length
 from iconstudio.algorithms.curves.junctions import junctions
 from iconstudio.algorithms.curves.multiresolution import analogy
-from iconstudio.algorithms.curves.outline import filled_up
 from iconstudio.algorithms.curves.prepared import Prepared, prepare, smoothed
 from iconstudio.algorithms.curves.thickness import held_back
 from iconstudio.algorithms.curves.untangling import untangled
@@ -29,11 +29,6 @@ _NECK = 0.8
 """Canvas units by which loops of a contour hang together with it, at least."""
 _SLIM = 1e-6
 """What encloses so little of what a circle of its length does encloses nothing."""
-_DOT = 4.0
-"""Canvas units: a stroke that is no longer than this is a dot; such a contour is too small."""
-
-_RINGS = 1.5
-"""A ring whose centre line is larger than this, over its width, is no dot."""
 
 
 def restyled(
@@ -44,11 +39,11 @@ def restyled(
     If they may be ``coarse``, they are the blurred ones from which the others are made.
 
     Lines that met still meet, and none cross or touch that did not. Styles with two sides show the
-    same one on the outside of whatever is closed, and of its holes within. A dot, a stroke of next
-    to no length, becomes the contour of what it covers.
+    same one on the outside of whatever is closed, and of its holes within. Dots become rings.
     """
-    lines = [(_whole(_ring(line)), prepared) for line, prepared in lines]
-    long = [number for number, (line, _) in enumerate(lines) if _length(line) > _DOT]
+    given, styles = zip(*lines, strict=True) if (lines := tuple(lines)) else ((), ())
+    lines = list(zip(dots_as_rings([*map(_ring, given)]), styles, strict=True))
+    long = [number for number, (line, _) in enumerate(lines) if length(line) > LONGEST]
     made = dict(zip(long, _styled([lines[number] for number in long], seed, coarse), strict=True))
     return [made.get(number, line) for number, (line, _) in enumerate(lines)]
 
@@ -153,31 +148,11 @@ def _own_widths(line: Line, at: Numbers, turned: bool) -> Numbers:
     )
 
 
-def _whole(line: Line) -> Line:
-    """Return a line that has a length to be styled: of a dot, its contour.
-
-    A ring that its own stroke fills is a dot as well, and takes as much texture.
-    """
-    points = np.array(line.points, dtype=float)
-    extent = _RINGS * line.width if line.closed else 0.0
-    if line.width == 0 or (_length(line) > _DOT and np.ptp(points, axis=0).max() > extent):
-        return line
-    rings = outlines(filled_up(stroked(points, line.closed, line.width), line.width))
-    if len(rings) != 1:
-        return line
-    return Line(tuple((x, y) for x, y in rings[0].tolist()), closed=True)
-
-
 def _ring(line: Line) -> Line:
     """Return a line that ends where it begins as a closed one."""
     ends = complex(*line.points[0]) - complex(*line.points[-1])
-    meets = abs(ends) < _MEETS and _length(line) > _DOT
+    meets = abs(ends) < _MEETS and length(line) > LONGEST
     return replace(line, closed=True) if meets else line
-
-
-def _length(line: Line) -> float:
-    points = np.array(line.points) @ [1, 1j]
-    return float(abs(np.diff(points)).sum())
 
 
 def _is_anticlockwise(curve: Curve) -> bool:
