@@ -36,7 +36,7 @@ from iconstudio.model import (
 from iconstudio.reading import MEMORY as READING_MEMORY
 from iconstudio.reading import SECONDS as READING_SECONDS
 from iconstudio.reading import SIMPLER, FileReader
-from iconstudio.svg.lines import lines_of_drawing, lines_on_page
+from iconstudio.svg import lines
 from iconstudio.svg.resvg import render_placed
 from iconstudio.workers import Workers, answer, loss
 from iconstudio.workflows.drawing import MEMORY, SECONDS, draw_whole
@@ -185,6 +185,10 @@ class Session(FileReader, AbstractContextManager["Session"]):
         drawing = draw_whole(whole, exemplar.ink, self.workers, render_placed)
         return answer(drawing, f"Drawing “{exemplar.name}”")
 
+    def expect_lines(self) -> None:
+        """Have what reads lines loaded, so that no time limit counts it; nobody waits for that."""
+        self._readers.everywhere(lines.warm_up)
+
     def lines(self, pictogram: Pictogram) -> tuple[Line, ...]:
         """Return the lines of an icon: contours, and centre lines of its strokes.
 
@@ -199,14 +203,14 @@ class Session(FileReader, AbstractContextManager["Session"]):
 
     def _read_lines(self, pictogram: Pictogram) -> tuple[Line, ...]:
         reading = self._readers.submit(
-            lines_on_page, pictogram.svg, timeout=_LINES_SECONDS, memory=READING_MEMORY
+            lines.lines_on_page, pictogram.svg, timeout=_LINES_SECONDS, memory=READING_MEMORY
         )
         doing = f"Reading the lines of “{pictogram.name}”"
         if loss(reading.exception(), doing) is None:
             return answer(reading, doing)
         # Its own shapes are too much: the outline of its picture is not.
         exemplar = self.exemplar(pictogram)
-        task = lines_of_drawing, self.drawing(exemplar).path, exemplar.frame, pictogram.svg
+        task = lines.lines_of_drawing, self.drawing(exemplar).path, exemplar.frame, pictogram.svg
         return answer(self._readers.submit(*task, timeout=READING_SECONDS), doing)
 
     def picture(self, exemplar: Exemplar, size: int) -> NDArray[np.uint8]:

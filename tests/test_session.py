@@ -1,5 +1,6 @@
 """What only the session knows: how an icon is drawn large, what it is called, what is ready."""
 
+import sys
 from dataclasses import replace
 
 import numpy as np
@@ -7,6 +8,7 @@ import pytest
 
 from iconstudio.algorithms.curves.outline import path_of
 from iconstudio.model import CANVAS, IconstudioError
+from iconstudio.session import Session
 from iconstudio.workflows.events import Progress, Retrieved
 
 
@@ -89,6 +91,17 @@ def test_the_lines_of_an_icon_are_read_once(session):
     lines = session.lines(icon)
     assert all(line.width > 0 for line in lines)
     assert session.lines(icon) is lines
+
+
+def test_what_reads_lines_is_loaded_before_they_are_read(tmp_path):
+    with Session(tmp_path) as session:
+        session.expect_lines()
+        loaded = session._readers.submit(_loaded).result()
+    assert {"shapely", "iconstudio.algorithms.tracing.vectorize"} <= loaded
+
+
+def _loaded():
+    return set(sys.modules)
 
 
 def test_where_reading_the_lines_takes_too_long_the_picture_is_traced(session, monkeypatch):

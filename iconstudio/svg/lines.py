@@ -54,6 +54,15 @@ def lines_on_page(svg: str) -> tuple[Line, ...]:
     return lines_of(svg, *rasterise_page(svg))
 
 
+def warm_up() -> None:
+    """Load what reads lines, on a square whose gradient is read as its picture is."""
+    gradient = '<linearGradient id="g"><stop/></linearGradient>'
+    square = '<path d="M1 1H7V7H1Z" fill="url(#g)"/>'
+    lines_on_page(
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 8 8">{gradient}{square}</svg>'
+    )
+
+
 def lines_of_drawing(path: Path, frame: Frame, svg: str) -> tuple[Line, ...]:
     """Return the contours of what a path fills by the nonzero rule.
 

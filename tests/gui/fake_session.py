@@ -350,6 +350,9 @@ class FakeSession:
         finally:
             self.generators_closed += 1
 
+    def expect_lines(self) -> None:
+        """Nothing is to be loaded."""
+
     def lines(self, pictogram: Pictogram) -> tuple[Line, ...]:
         """A square around a short stroke."""
         self.thread_ids.add(threading.get_ident())
