@@ -89,7 +89,7 @@ class Session(FileReader, AbstractContextManager["Session"]):
         self._preparing = PreparingCache(self._cache / "prepared", self.workers)
         self._collection: Collection | None = None
         self._opening = threading.Lock()
-        self._cold = True
+        self._cold = self._lines_unexpected = True
         self._prepared: OrderedDict[_Key, Matcher] = OrderedDict()
         self._drawn = lru_cache(_AT_HAND)(self._draw)
         self._lines = lru_cache(_AT_HAND)(self._read_lines)
@@ -187,7 +187,9 @@ class Session(FileReader, AbstractContextManager["Session"]):
 
     def expect_lines(self) -> None:
         """Have what reads lines loaded, so that no time limit counts it; nobody waits for that."""
-        self._readers.everywhere(lines.warm_up)
+        unexpected, self._lines_unexpected = self._lines_unexpected, False
+        if unexpected:
+            self._readers.everywhere(lines.warm_up)
 
     def lines(self, pictogram: Pictogram) -> tuple[Line, ...]:
         """Return the lines of an icon: contours, and centre lines of its strokes.
@@ -202,6 +204,7 @@ class Session(FileReader, AbstractContextManager["Session"]):
         return self._lines(pictogram)
 
     def _read_lines(self, pictogram: Pictogram) -> tuple[Line, ...]:
+        self.expect_lines()
         reading = self._readers.submit(
             lines.lines_on_page, pictogram.svg, timeout=_LINES_SECONDS, memory=READING_MEMORY
         )

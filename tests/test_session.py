@@ -1,6 +1,7 @@
 """What only the session knows: how an icon is drawn large, what it is called, what is ready."""
 
 import sys
+import time
 from dataclasses import replace
 
 import numpy as np
@@ -98,6 +99,27 @@ def test_what_reads_lines_is_loaded_before_they_are_read(tmp_path):
         session.expect_lines()
         loaded = session._readers.submit(_loaded).result()
     assert {"shapely", "iconstudio.algorithms.tracing.vectorize"} <= loaded
+
+
+def test_what_reads_lines_takes_no_time_from_the_first_icon(tmp_path, monkeypatch):
+    """On a busy machine loading it took too long, and a line icon came out as its outline."""
+    monkeypatch.setattr("iconstudio.session._LINES_SECONDS", 0.5)
+    monkeypatch.setattr("iconstudio.session.lines.warm_up", _load_slowly)
+    monkeypatch.setattr("iconstudio.session.lines.lines_on_page", _read_if_loaded)
+    with Session(tmp_path) as session:
+        assert session.lines(session.icon("lucide:bird")) == "read"
+
+
+def _load_slowly():
+    time.sleep(0.6)
+    _LOADED.append(True)
+
+
+def _read_if_loaded(svg):
+    return "read" if _LOADED else time.sleep(60)
+
+
+_LOADED = []
 
 
 def _loaded():
