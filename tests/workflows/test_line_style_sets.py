@@ -82,7 +82,7 @@ def test_strokes_stay_strokes_if_that_is_wanted():
     _, ((path, width),), _ = restyled_member("test:0", MEMBERS[0].read(), manner)
     assert len(path.contours) == 2
     assert width > 0
-    _, ((_, filled),) = restyled_member("test:0", MEMBERS[0].read(), MANNER)
+    _, ((_, filled),), _ = restyled_member("test:0", MEMBERS[0].read(), MANNER)
     assert filled == 0
 
 
