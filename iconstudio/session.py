@@ -36,7 +36,7 @@ from iconstudio.model import (
 from iconstudio.reading import MEMORY as READING_MEMORY
 from iconstudio.reading import SECONDS as READING_SECONDS
 from iconstudio.reading import SIMPLER, FileReader
-from iconstudio.svg.lines import lines_of, lines_of_path
+from iconstudio.svg import lines
 from iconstudio.svg.resvg import render_placed
 from iconstudio.workers import Workers, answer, loss
 from iconstudio.workflows.drawing import MEMORY, SECONDS, draw_whole
@@ -89,7 +89,7 @@ class Session(FileReader, AbstractContextManager["Session"]):
         self._preparing = PreparingCache(self._cache / "prepared", self.workers)
         self._collection: Collection | None = None
         self._opening = threading.Lock()
-        self._cold = True
+        self._cold = self._lines_unexpected = True
         self._prepared: OrderedDict[_Key, Matcher] = OrderedDict()
         self._drawn = lru_cache(_AT_HAND)(self._draw)
         self._lines = lru_cache(_AT_HAND)(self._read_lines)
@@ -185,8 +185,16 @@ class Session(FileReader, AbstractContextManager["Session"]):
         drawing = draw_whole(whole, exemplar.ink, self.workers, render_placed)
         return answer(drawing, f"Drawing “{exemplar.name}”")
 
+    def expect_lines(self) -> None:
+        """Have what reads lines loaded, so that no time limit counts it; nobody waits for that."""
+        unexpected, self._lines_unexpected = self._lines_unexpected, False
+        if unexpected:
+            self._readers.everywhere(lines.warm_up)
+
     def lines(self, pictogram: Pictogram) -> tuple[Line, ...]:
-        """Return the lines of an icon on the canvas: contours, and centre lines of its strokes.
+        """Return the lines of an icon: contours, and centre lines of its strokes.
+
+        Its page fills the canvas: see ``rasterise_page``.
 
         Raises
         ------
@@ -196,15 +204,17 @@ class Session(FileReader, AbstractContextManager["Session"]):
         return self._lines(pictogram)
 
     def _read_lines(self, pictogram: Pictogram) -> tuple[Line, ...]:
-        exemplar = self.exemplar(pictogram)
-        task = lines_of, pictogram.svg, exemplar.frame, exemplar.coverage
-        reading = self._readers.submit(*task, timeout=_LINES_SECONDS, memory=READING_MEMORY)
-        doing = f"Reading the lines of “{exemplar.name}”"
+        self.expect_lines()
+        reading = self._readers.submit(
+            lines.lines_on_page, pictogram.svg, timeout=_LINES_SECONDS, memory=READING_MEMORY
+        )
+        doing = f"Reading the lines of “{pictogram.name}”"
         if loss(reading.exception(), doing) is None:
             return answer(reading, doing)
         # Its own shapes are too much: the outline of its picture is not.
-        path = self.drawing(exemplar).path
-        return answer(self._readers.submit(lines_of_path, path, timeout=READING_SECONDS), doing)
+        exemplar = self.exemplar(pictogram)
+        task = lines.lines_of_drawing, self.drawing(exemplar).path, exemplar.frame, pictogram.svg
+        return answer(self._readers.submit(*task, timeout=READING_SECONDS), doing)
 
     def picture(self, exemplar: Exemplar, size: int) -> NDArray[np.uint8]:
         """Draw an icon on its canvas as it is: (size, size) uint8, 255 = ink.

@@ -68,6 +68,16 @@ def test_a_scan_is_known_by_its_content_whatever_its_name(session, tmp_path):
     assert session.exemplar(session.icon(str(path))).ink.any()
 
 
+def test_a_small_drawing_on_a_scan_is_restyled_as_large_as_the_canvas(session, tmp_path):
+    pixels = np.full((300, 400, 3), 255, np.uint8)
+    pixels[30:80, 20:120] = 0
+    Image.fromarray(pixels).save(tmp_path / "scan.png")
+    (line,) = session.lines(session.icon(str(tmp_path / "scan.png")))
+    x, y = np.array(line.points).T
+    found = x.min(), y.min(), x.max(), y.max()
+    assert found == pytest.approx((16, 72, 240, 184), abs=2)
+
+
 def test_a_scan_can_be_named_in_a_work(session, tmp_path):
     pixels = np.full((60, 60, 3), 255, np.uint8)
     pixels[20:40, 10:50] = 0

@@ -1,9 +1,15 @@
 """What only the session knows: how an icon is drawn large, what it is called, what is ready."""
 
+import sys
+import time
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from iconstudio.algorithms.curves.outline import path_of
 from iconstudio.model import CANVAS, IconstudioError
+from iconstudio.session import Session
 from iconstudio.workflows.events import Progress, Retrieved
 
 
@@ -88,8 +94,44 @@ def test_the_lines_of_an_icon_are_read_once(session):
     assert session.lines(icon) is lines
 
 
+def test_what_reads_lines_is_loaded_before_they_are_read(tmp_path):
+    with Session(tmp_path) as session:
+        session.expect_lines()
+        loaded = session._readers.submit(_loaded).result()
+    assert {"shapely", "iconstudio.algorithms.tracing.vectorize"} <= loaded
+
+
+def test_what_reads_lines_takes_no_time_from_the_first_icon(tmp_path, monkeypatch):
+    """On a busy machine loading it took too long, and a line icon came out as its outline."""
+    monkeypatch.setattr("iconstudio.session._LINES_SECONDS", 0.5)
+    monkeypatch.setattr("iconstudio.session.lines.warm_up", _load_slowly)
+    monkeypatch.setattr("iconstudio.session.lines.lines_on_page", _read_if_loaded)
+    with Session(tmp_path) as session:
+        assert session.lines(session.icon("lucide:bird")) == "read"
+
+
+def _load_slowly():
+    time.sleep(0.6)
+    _LOADED.append(True)
+
+
+def _read_if_loaded(svg):
+    return "read" if _LOADED else time.sleep(60)
+
+
+_LOADED = []
+
+
+def _loaded():
+    return set(sys.modules)
+
+
 def test_where_reading_the_lines_takes_too_long_the_picture_is_traced(session, monkeypatch):
     monkeypatch.setattr("iconstudio.session._LINES_SECONDS", 1e-3)
     lines = session.lines(session.icon("lucide:bird"))
     assert lines
     assert all(line.closed and not line.width for line in lines)
+    monkeypatch.undo()
+    whole = session.icon("lucide:bird")
+    bounds = path_of(session.lines(replace(whole, id="own:bird"))).bounds
+    assert path_of(lines).bounds == pytest.approx(bounds, abs=1), "on the same page"

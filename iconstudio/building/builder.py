@@ -13,20 +13,20 @@ from pathlib import Path
 
 from iconstudio.building.drawings import fingerprints
 from iconstudio.building.licences import credits_text
-from iconstudio.building.selection import Brands, brands, normal_body, select, wanted_sets
+from iconstudio.building.selection import Brands, brands, namings, normal_body, select, wanted_sets
 from iconstudio.files import reason_of
 from iconstudio.library import archive
 from iconstudio.library.fingerprint import Fingerprint, stack, unlikeness
 from iconstudio.library.iconify import IconSet, RawIcon
 from iconstudio.library.words.indexing import index
-from iconstudio.library.words.naming import Name, take_apart
+from iconstudio.library.words.naming import Name
 from iconstudio.library.words.readings import BADGED, MENTION, is_thing, readings
 from iconstudio.library.words.wordnet import WordNet
 from iconstudio.model import IconstudioError
 from iconstudio.model.progress import Progress
 from iconstudio.workers import Workers
 
-ICONS = 102_500
+ICONS = 103_200
 """At most so many icons: what fits into the space that the collection may take."""
 
 ALIKE = 0.15
@@ -194,7 +194,6 @@ def _contents(
 ) -> archive.Contents:
     """Return the collection of the chosen candidates, with the words that find them."""
     used = sorted({candidate.icon.prefix for candidate in chosen})
-    namings = [[candidate.name, *map(take_apart, candidate.icon.aliases)] for candidate in chosen]
     return archive.Contents(
         sets=tuple(sets[prefix] for prefix in used),
         set_of=[used.index(candidate.icon.prefix) for candidate in chosen],
@@ -203,5 +202,5 @@ def _contents(
         bodies=[" ".join(candidate.icon.body.split()) for candidate in chosen],
         cells=b"".join(candidate.shape.cells for candidate in chosen),
         blackness=bytes(candidate.shape.blackness for candidate in chosen),
-        index=index(namings, wordnet),
+        index=index([namings(one.icon, one.name) for one in chosen], wordnet),
     )

@@ -5,6 +5,7 @@ animations or national flags; of several sizes of one drawing, one.
 """
 
 import re
+from collections import defaultdict
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -43,6 +44,10 @@ _COMPANIES = words(
     "twitter amazon slack discord dropbox android skype reddit google facebook github python"
 )
 """Companies whose names WordNet lists as common nouns, or that name many products after them."""
+_MAKERS, _TO_ONE = 4, 3
+"""A name is common, whatever logos have it, if at least so many authors draw it as a thing, and so
+many to one that draws it as a logo. So *wifi*, 47 to 4, and *bluetooth*, 49 to 10, are; *facebook*,
+28 to 35, and *copilot*, 4 to 2, are not. Sets of one author count once."""
 _FLAGS = re.compile(r"^(circle-)?flags?-(for|of)-|^flag-[a-z]{2}(-[a-z]+)?$")
 _PIXEL_ART = re.compile(r"^pixel-|\b8-?bit\b")
 """Pixel art among the drawings of a set that is none."""
@@ -80,7 +85,7 @@ def is_wanted(icon_set: IconSet) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class Brands:
-    """What sets of logos call their icons."""
+    """What sets of logos call their icons, but for what many sets draw as a thing."""
 
     names: frozenset[str]
     """Names that are no common nouns: an icon so called is a logo."""
@@ -92,19 +97,39 @@ def brands(folder: Path, wordnet: WordNet) -> Brands:
     """Return the names and the logos of an unpacked ``@iconify/json``."""
     names: set[str] = set()
     logos: list[tuple[RawIcon, str]] = []
+    as_logo: defaultdict[str, set[str]] = defaultdict(set)
+    as_thing: defaultdict[str, set[str]] = defaultdict(set)
     for path in sorted((folder / "json").glob("*.json")):
         icon_set, icons = read_set(path)
         only_logos = icon_set.category == "Logos" or bool(_LOGO_SET.search(icon_set.prefix))
+        usable = is_wanted(icon_set)
         for icon in icons:
             spoken = take_apart(icon.name).words
             name = " ".join(word for word in spoken if word not in _LOGO_WORDS)
-            if not only_logos and not _LOGO_WORDS & set(spoken):
+            is_called_logo = only_logos or not _LOGO_WORDS.isdisjoint(spoken)
+            if is_called_logo or _is_among_logos(icon):
+                as_logo[name].add(icon_set.author)
+            elif usable:
+                as_thing[name].add(icon_set.author)
+            if not is_called_logo:
                 continue
             if not wordnet.is_noun(wordnet.lemma(name)):
                 names.add(name)
             elif icon_set.monochrome and len(icon.body) <= MAX_BODY:
                 logos.append((icon, name))
-    return Brands(frozenset(names), tuple(logos))
+    common = {
+        name
+        for name, makers in as_logo.items()
+        if len(as_thing[name]) >= max(_MAKERS, _TO_ONE * len(makers))
+    }
+    return Brands(
+        frozenset(names - common), tuple((icon, name) for icon, name in logos if name not in common)
+    )
+
+
+def _is_among_logos(icon: RawIcon) -> bool:
+    """Whether the set of an icon sorts it under its logos, or its flags."""
+    return any(_LOGO_CATEGORY.search(category) for category in icon.categories)
 
 
 def select(icons: Iterable[RawIcon], logos: frozenset[str]) -> Iterator[tuple[RawIcon, Name]]:
@@ -137,8 +162,17 @@ def _is_pictogram(icon: RawIcon, name: Name, logos: frozenset[str]) -> bool:
         or name.phrase in logos
         or _FLAGS.match(icon.name)
         or _PIXEL_ART.search(icon.name)
-        or any(_LOGO_CATEGORY.search(category) for category in icon.categories)
+        or _is_among_logos(icon)
     )
+
+
+def namings(icon: RawIcon, name: Name) -> list[Name]:
+    """Return all names of an icon, its own first; of its aliases none that names a company.
+
+    Who asks for *twitter* does not mean the arrows that one set calls *twitter-retweet*, too.
+    """
+    aliases = map(take_apart, icon.aliases)
+    return [name, *(alias for alias in aliases if _COMPANIES.isdisjoint(alias.words))]
 
 
 def normal_body(body: str) -> str:

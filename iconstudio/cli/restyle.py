@@ -138,4 +138,6 @@ def _only(events: Generator[Event], stopwatch: Stopwatch) -> Any:
 def _write(icon: Restyled, path: Path, strokes: bool) -> None:
     if not icon.path:
         raise IconstudioError("Nothing is left of it in this style. Try a smaller --size.")
+    if icon.scale < 1:
+        running.tell(f"It had no room on the canvas, and came out {1 - icon.scale:.1%} smaller.")
     write_bytes(path, export.svg_of_strokes(icon) if strokes else export.svg(icon))

@@ -8,6 +8,7 @@ import click
 
 from iconstudio.cli.line_styles import get_ready
 from iconstudio.cli.progress import ProgressBar
+from iconstudio.cli.running import tell
 from iconstudio.cli.timing import Stopwatch
 from iconstudio.cluster import Cluster
 from iconstudio.library.sets import is_folder, members
@@ -70,11 +71,19 @@ def restyle_set(
     named = f"; {MANIFEST} names all" if written else ""
     _tell("Skipped ", written.skipped, named)
     _tell("", written.remarks, named)
+    if written.shrunk:
+        subject = f"{_icons(len(written.shrunk))} had no room on the canvas, and came out"
+        tell(f"{subject} smaller, by {1 - min(written.shrunk):.1%} at most{named}.")
     if not written:
         raise IconstudioError("No icon of the set could be restyled.")
-    count = "1 icon" if len(written) == 1 else f"{len(written):,} icons"
     without = f", {len(written.skipped):,} skipped" if written.skipped else ""
-    click.echo(f"{count}{without}; see {click.format_filename(folder / 'sheet.png')}")
+    click.echo(
+        f"{_icons(len(written))}{without}; see {click.format_filename(folder / 'sheet.png')}"
+    )
+
+
+def _icons(count: int) -> str:
+    return "1 icon" if count == 1 else f"{count:,} icons"
 
 
 def _check_apart(folder: Path, source: Path) -> None:

@@ -9,10 +9,11 @@ from iconstudio.algorithms.scanning.binarisation import Scan, ink_of, recognised
 from iconstudio.algorithms.scanning.thickening import thickened
 from iconstudio.algorithms.tracing.potrace import traced
 from iconstudio.images.reading import Image, awaited, read_image
-from iconstudio.model import CANVAS, Credit, IconstudioError, Pictogram
+from iconstudio.model import CANVAS, MARGIN, Credit, IconstudioError, Pictogram
 from iconstudio.model import Path as Outline
 from iconstudio.model.pictogram import OWN
 from iconstudio.svg.credits import UNLICENSED, UNNAMED
+from iconstudio.svg.lengths import written
 from iconstudio.svg.mark import IN_MARKUP
 from iconstudio.svg.omitted import OMITTED, THIN
 from iconstudio.workers import Workers
@@ -129,8 +130,13 @@ def _trace(scan: Scan, threshold: int | None) -> tuple[Outline, tuple[int, int],
 
 
 def _document(path: Outline, width: int, height: int) -> str:
+    """Return the drawing on a sheet; to be restyled it fills the canvas, wherever it is there."""
+    left, top, right, bottom = path.bounds
+    size = max(right - left, bottom - top) * CANVAS / (CANVAS - 2 * MARGIN)
+    page = written(((left + right - size) / 2, (top + bottom - size) / 2, size, size))
     return (
-        f'<svg xmlns="http://www.w3.org/2000/svg" {IN_MARKUP} width="{width}" height="{height}"'
+        f'<svg xmlns="http://www.w3.org/2000/svg" {IN_MARKUP} iconstudio:page="{page}"'
+        f' width="{width}" height="{height}"'
         f' viewBox="0 0 {width} {height}" fill="currentColor">\n'
         f'<path fill-rule="evenodd" d="{path.svg()}"/>\n</svg>\n'
     )

@@ -21,7 +21,7 @@ from iconstudio.library.lookup import Lookup
 from iconstudio.library.phrases import Answer
 from iconstudio.library.words import query, symbols
 from iconstudio.library.words.decency import is_insult
-from iconstudio.library.words.naming import take_apart
+from iconstudio.library.words.naming import is_negated, take_apart
 from iconstudio.library.words.nearness import nearest
 from iconstudio.library.words.query import Style
 from iconstudio.library.words.vocabulary import PREPOSITIONS
@@ -330,8 +330,13 @@ class Collection:
             return f"{none} {messages.THING}"
         if beside := self._lookup.beside(_name(keyword)):
             return f"{none} Of its kind there are: {', '.join(beside)}."
-        parts = () if symbols.has_symbols(keyword) else self._lookup.parts(_name(keyword))
+        negated = is_negated(tuple(words.split()))
+        if negated:
+            none = f"{none} {messages.FORBIDDING}"
+        named_by_symbol = symbols.has_symbols(keyword) and not negated
+        parts = () if named_by_symbol else self._lookup.parts(_name(keyword))
         if parts:
+            none = f"{none} {messages.corrected(self._lookup.read_as(_name(keyword)))}".rstrip()
             return f"{none} Alone, these words find icons: {', '.join(parts)}."
         english = tuple(filter(self._lookup.scores, symbols.english(keyword.strip())))
         near = self.suggest(_name(keyword)) if query.is_latin(keyword) else ()

@@ -6,6 +6,7 @@ from dataclasses import replace
 from iconstudio.library.phrases import Answer, Phrases
 from iconstudio.library.terms import FEW, Rows, Scores, Terms
 from iconstudio.library.words import query, symbols
+from iconstudio.library.words.naming import is_negated
 from iconstudio.library.words.query import Style
 from iconstudio.library.words.vocabulary import ATTRIBUTES, PREPOSITIONS
 
@@ -57,8 +58,13 @@ class Lookup:
         return found or self._phrases.answer(core).scores
 
     def _last(self, words: tuple[str, ...]) -> Scores:
-        """Return the things of the last of several words, unless they together mean another."""
-        if len(words) == 1 or words[-1] in ATTRIBUTES or self._terms.is_known(" ".join(words)):
+        """Return the things of the last of several words, unless they together mean another.
+
+        Or say that there are to be none: who forbids smoking means no pipe.
+        """
+        if is_negated(words) or words[-1] in ATTRIBUTES or self._terms.is_known(" ".join(words)):
+            return {}
+        if len(words) == 1:
             return {}
         found = self.plainly(words[-1])
         return found if self._terms.is_thing(words[-1]) else {}
@@ -84,6 +90,12 @@ class Lookup:
         return self._terms.identifiers(icons)
 
     def parts(self, keyword: str) -> tuple[str, ...]:
-        """Return the words of a keyword that icons answer on their own."""
-        words = list(dict.fromkeys(query.plain(keyword).split()))[:_MOST]
-        return self._phrases.parts(words) if len(words) > 1 else ()
+        """Return the words of a keyword that icons answer on their own, spelt rightly."""
+        words = tuple(dict.fromkeys(query.plain(keyword).split()))[:_MOST]
+        right = dict(self.read_as(keyword))
+        spelt = " ".join(right.get(word, word) for word in words).split()
+        return self._phrases.parts(spelt) if len(words) > 1 else ()
+
+    def read_as(self, keyword: str) -> tuple[tuple[str, str], ...]:
+        """Return those of several words that are surely misspelt, each with the right one."""
+        return self._phrases.read_as(tuple(query.plain(keyword).split())[:_MOST])

@@ -1,5 +1,7 @@
 """What is said of how a keyword was read, and of what is near it."""
 
+from collections.abc import Iterable
+
 from iconstudio.library.phrases import Answer
 from iconstudio.library.words import query, symbols
 
@@ -8,6 +10,7 @@ ENGLISH = (
     "Icons have English names, and logos of brands are left out: "
     "try another English word for the thing."
 )
+FORBIDDING = "Signs of what is forbidden, or switched off, are left out."
 _LONGEST = 60
 """Most characters of a keyword that a message repeats."""
 
@@ -32,7 +35,7 @@ def remark(answer: Answer, near: tuple[str, ...]) -> str:
     """Return how words were read if not as typed, and what else may have been meant."""
     if not answer:
         return ""
-    sentences = [f"“{typed}” was read as “{right}”." for typed, right in answer.read_as]
+    sentences = [corrected(answer.read_as)] if answer.read_as else []
     if answer.left_out:
         *before, last = (f"“{word}”" for word in answer.left_out)
         words = f"{', '.join(before)} and {last}" if before else last
@@ -41,6 +44,11 @@ def remark(answer: Answer, near: tuple[str, ...]) -> str:
     if answer.looked_up:
         sentences.append(only(answer))
     return (" ".join(sentences) + hint(near)).strip()
+
+
+def corrected(read_as: Iterable[tuple[str, str]]) -> str:
+    """Return which words were taken for others."""
+    return " ".join(f"“{typed}” was read as “{right}”." for typed, right in read_as)
 
 
 def only(answer: Answer) -> str:

@@ -55,9 +55,10 @@ class _Rightly:
 
     def near(self, answer: Answer) -> Answer:
         """Return an answer with those of the words that it was found with."""
-        left_out = set(answer.left_out)
-        used = tuple(pair for pair in self.read_as if not {*pair[1].split()} <= left_out)
-        return replace(answer, read_as=used)
+        used = [pair for pair in self.read_as if not {*pair[1].split()} <= {*answer.left_out}]
+        typed = {right: typed for typed, right in self.read_as}
+        left_out = tuple(typed.get(word, word) for word in answer.left_out)
+        return replace(answer, left_out=left_out, read_as=tuple(used))
 
 
 class Phrases:
@@ -73,13 +74,24 @@ class Phrases:
             return Answer(found)
         if is_insult(" ".join(words)):
             return Answer()
+        rightly = self._rightly(words)
+        if all_of_them := self._best(one.answer(self._whole(one.words)) for one in rightly):
+            return all_of_them
+        surely = list(filter(self._is_sure, rightly))
+        if not surely:
+            return self._fewer(words)
+        return self._best(one.near(self._fewer(one.words)) for one in surely)
+
+    def read_as(self, words: Words) -> tuple[tuple[str, str], ...]:
+        """Return those of several words that are surely misspelt, each with the right one."""
+        return next((one.read_as for one in self._rightly(words) if self._is_sure(one)), ())
+
+    def _rightly(self, words: Words) -> list[_Rightly]:
         choices = self._spellings.corrected(words) if len(words) > 1 else []
-        rightly = [_Rightly.of(words, choice) for choice in choices]
-        return (
-            self._best(one.answer(self._whole(one.words)) for one in rightly)
-            or self._fewer(words)
-            or self._best(one.near(self._fewer(one.words)) for one in rightly)
-        )
+        return [_Rightly.of(words, choice) for choice in choices]
+
+    def _is_sure(self, rightly: _Rightly) -> bool:
+        return all(self._spellings.is_sure(*pair) for pair in rightly.read_as)
 
     @staticmethod
     def _best(answers: Iterable[Answer]) -> Answer:
@@ -114,7 +126,7 @@ class Phrases:
             (
                 self._together(words),
                 *(_at_least(0, self._together(one)) for one in others),
-                *(_at_least(0, self._together(one)) for one in self._spellings.same(words)),
+                *(_at_least(1, self._together(one)) for one in self._spellings.same(words)),
                 *(_at_least(1, self._together(one)) for one in meant),
             )
         )
@@ -183,7 +195,8 @@ class Phrases:
         """
         last = words[-1]
         only_says_how = last in ATTRIBUTES or last in CROSSED_OUT
-        only_says_how |= bool(self._terms.named(last)) and not self._leads(last)
+        if not only_says_how and not is_negated(words[:-1]):
+            only_says_how = bool(self._terms.named(last)) and not self._leads(last)
         if only_says_how and not self._terms.is_known(" ".join(words)):
             return _leaving({last}, words, self.answer(words[:-1]))
         return Answer()

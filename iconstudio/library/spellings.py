@@ -5,9 +5,10 @@ from itertools import islice, pairwise, product
 
 from iconstudio.library.terms import Terms
 from iconstudio.library.words import query, symbols
-from iconstudio.library.words.nearness import nearest
+from iconstudio.library.words.inflections import verbs
+from iconstudio.library.words.nearness import is_surely, nearest
 from iconstudio.library.words.regional import other_spellings
-from iconstudio.library.words.usage import ALONE, CROSSED_OUT, INFORMAL
+from iconstudio.library.words.usage import ALONE, CROSSED_OUT, FORBIDDEN, INFORMAL
 from iconstudio.library.words.vocabulary import FAMILIAR
 
 _SHORT = 4
@@ -56,8 +57,11 @@ class Spellings:
         if meant := ALONE.get("".join(words), ()):
             yield from (tuple(one.split()) for one in meant)
         elif 1 < len(words) <= _SHORT:
+            if words[0] in FORBIDDEN:
+                yield ("".join((*words[1:], "free")),)
             for place, word in enumerate(words):
-                for sign in CROSSED_OUT.get(word, ()):
+                signs = CROSSED_OUT if place else CROSSED_OUT | FORBIDDEN
+                for sign in signs.get(word, ()):
                     yield (*words[:place], *sign.split(), *words[place + 1 :])
 
     def corrected(self, words: Words) -> list[dict[str, str]]:
@@ -69,13 +73,21 @@ class Spellings:
         choices = islice(product(*meant.values()), _MOST)
         return [dict(zip(meant, choice, strict=True)) for choice in choices]
 
+    def is_sure(self, word: str, right: str) -> bool:
+        """Whether a misspelt word is so like a right one that no phrase need tell that it is it."""
+        known = (*self._terms.spelling(word), *symbols.english(word))
+        return right in known or is_surely(word, right)
+
     def _is_misspelt(self, word: str) -> bool:
         """Whether no icon has a word in its name, nor leads it to any, or few do by mistake."""
         if len(word) < _MISSPELT or not word.isalpha() or word in FAMILIAR or word in INFORMAL:
             return False
         if self._terms.spelling(word):
             return True
-        return not (self._terms.named(word) or self._terms.is_known(word))
+        terms = self._terms
+        if terms.named(word) or terms.is_known(word) or terms.plainly(word):
+            return False
+        return not any(map(terms.named, verbs(word)))
 
     def _meant(self, word: str) -> tuple[str, ...]:
         right = (*self._terms.spelling(word), *symbols.english(word))

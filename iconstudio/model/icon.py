@@ -90,6 +90,8 @@ class Restyled(Icon):
 
     lines: tuple[Line, ...]
     """As they were drawn: what was a stroke still is one."""
+    scale: float = 1.0
+    """How large they are, over the plain ones: below 1 if they had no room on the canvas."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

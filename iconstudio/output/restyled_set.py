@@ -27,7 +27,7 @@ from iconstudio.workflows.line_style.sets import Manner, MemberRestyled, MemberS
 
 MANIFEST = "restyled.json"
 CREDITS = "CREDITS.md"
-_FORMAT = 1
+_FORMAT = 2
 """To be raised when icons come out differently: those of before are then made again."""
 _ICON = re.compile(r"[^./\\:][^/\\:]*\.svg")
 _SHEET = re.compile(r"sheet(-\d+)?\.png")
@@ -48,6 +48,8 @@ class _Entry(msgspec.Struct, frozen=True):
     credits: tuple[Credit, ...]
     remarks: tuple[str, ...] = ()
     """What could not be read of its drawing."""
+    scale: float = 1.0
+    """Below 1 if it had no room on the canvas."""
 
 
 class _Manifest(msgspec.Struct, frozen=True):
@@ -96,6 +98,11 @@ class RestyledSet:
         done = self._done.values()
         return {one.icon: " ".join(one.remarks) for one in done if one.remarks}
 
+    @property
+    def shrunk(self) -> list[float]:
+        """The scales of icons that had no room on the canvas."""
+        return [one.scale for one in self._done.values() if one.scale < 1]
+
     def __len__(self) -> int:
         """How many icons are finished."""
         return len(self._done)
@@ -132,6 +139,7 @@ class RestyledSet:
             _digest(data),
             tuple(one.credit for one in event.credits),
             event.remarks,
+            round(event.scale, 4),
         )
         if monotonic() - self._saved > _EVERY:
             self.save()

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.model import CANVAS, Frame, IconstudioError, Line
+from iconstudio.model import CANVAS, Frame, IconstudioError, Line, Transform
 from iconstudio.model.path import Path
 
 _TRACED = 4 * CANVAS
@@ -25,6 +25,7 @@ def lines_of(svg: str, frame: Frame, coverage: NDArray[np.uint8]) -> tuple[Line,
         If there are none.
     """
     # They load libraries, which the window's own process can do without.
+    from iconstudio.algorithms.contours import contours_of_path
     from iconstudio.algorithms.iconification.redraw import binarised
     from iconstudio.algorithms.tracing.vectorize import trace
     from iconstudio.svg.ink import own_lines
@@ -32,7 +33,7 @@ def lines_of(svg: str, frame: Frame, coverage: NDArray[np.uint8]) -> tuple[Line,
 
     lines = own_lines(svg, frame, coverage)
     if lines is None:
-        lines = lines_of_path(trace(binarised(render_coverage(svg, frame, _TRACED)), _SPECK))
+        lines = contours_of_path(trace(binarised(render_coverage(svg, frame, _TRACED)), _SPECK))
     if not lines:
         raise IconstudioError(
             "It has no lines: all of it is too small to be seen. Draw something larger."
@@ -40,8 +41,37 @@ def lines_of(svg: str, frame: Frame, coverage: NDArray[np.uint8]) -> tuple[Line,
     return lines
 
 
-def lines_of_path(path: Path) -> tuple[Line, ...]:
-    """Return the contours of what a path fills by the nonzero rule."""
-    from iconstudio.algorithms.contours import contours_of_path
+def lines_on_page(svg: str) -> tuple[Line, ...]:
+    """Return the lines of a document whose page fills the canvas: see ``lines_of``.
 
-    return contours_of_path(path)
+    Raises
+    ------
+    IconstudioError
+        If there are none, or the document cannot be drawn.
+    """
+    from iconstudio.svg.rasterise import rasterise_page
+
+    return lines_of(svg, *rasterise_page(svg))
+
+
+def warm_up() -> None:
+    """Load what reads lines, on a square whose gradient is read as its picture is."""
+    gradient = '<linearGradient id="g"><stop/></linearGradient>'
+    square = '<path d="M1 1H7V7H1Z" fill="url(#g)"/>'
+    lines_on_page(
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 8 8">{gradient}{square}</svg>'
+    )
+
+
+def lines_of_drawing(path: Path, frame: Frame, svg: str) -> tuple[Line, ...]:
+    """Return the contours of what a path fills by the nonzero rule.
+
+    ``frame`` of the document fills the path's canvas, and the page fills that of the lines.
+    """
+    from iconstudio.algorithms.contours import contours_of_path
+    from iconstudio.svg.rasterise import page_frame
+
+    page = page_frame(svg)
+    scale, unit = frame.size / page.size, CANVAS / page.size
+    off = unit * (frame.x - page.x), unit * (frame.y - page.y)
+    return contours_of_path(path.transformed(Transform(scale, 0, 0, scale, *off)))

@@ -12,6 +12,8 @@ NAMESPACE = "urn:iconstudio"
 ATTRIBUTE = f"{{{NAMESPACE}}}pictogram"
 IN_MARKUP = f'xmlns:iconstudio="{NAMESPACE}" iconstudio:pictogram="yes"'
 """The mark as the attributes of a root in a document."""
+PAGE = f"{{{NAMESPACE}}}page"
+"""An attribute of the root: its page, ``x y w h``, if the document shows a part of that."""
 ET.register_namespace("iconstudio", NAMESPACE)
 
 _PLAIN = re.compile(r"#000000|#ffffff|none|inherit|currentcolor", re.IGNORECASE)

@@ -50,6 +50,8 @@ _THIN = 1.2
 """Canvas units that the thickest lines must measure."""
 _EVEN = 1.8
 """Canvas units of the thinnest line beside thicker ones."""
+_SMALL = 1 / 12
+"""What is a smaller part of its page, as a sketch in the corner of a sheet, is no icon of a set."""
 _COLOUR = re.compile(r"#([0-9a-f]{6})|rgba\((\d+),(\d+),(\d+),([\d.e-]+)\)")
 _PAINTS = ("fill", "stroke", "color", "stop-color")
 _OPACITIES = ("opacity", "fill-opacity", "stroke-opacity", "stop-opacity")
@@ -110,7 +112,7 @@ def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ..
         if frame is not None:
             box = drawn
             remarks.append(OFF_PAGE)
-    around = frame or square(drawn)
+    shape = frame or square(drawn)
     picture = None
     if frame is not None:
         picture = _picture(content, box, frame, fonts, drawing.heavy)
@@ -120,8 +122,8 @@ def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ..
             picture = _picture(content, box, frame, fonts, drawing.heavy)
             remarks.append(SOME_THIN)
     if frame is None or picture is None or picture.thin:
-        content = thickened(content, around.size, box)
-        box = widened(box, around.size)
+        content = thickened(content, shape.size, box)
+        box = widened(box, shape.size)
         frame = fitted(document(content, box), _common(box, drawn), fonts)
         if frame is None:
             raise _nothing(remarks)
@@ -132,12 +134,17 @@ def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ..
             )
         remarks.append(THIN)
     remarks += [said for what, said in OMITTED.items() if what in picture.omissions]
-    box = _common(box, (frame.x, frame.y, frame.size, frame.size))
+    around = frame.x, frame.y, frame.size, frame.size
+    is_page = drawing.page is not None and OFF_PAGE not in remarks
+    page = box if is_page and frame.size > _SMALL * max(box[2:]) else around
+    box = _common(box, around)
     changed = bool(fonts) or drawing.heavy or Omission.FAINT in picture.omissions
     own = None if changed else _own_shapes(content, box, frame, picture)
     if own is None:
         own, box = _traced(picture.coverage), (0.0, 0.0, float(CANVAS), float(CANVAS))
-    return document(own, box, rdf, marked=True), tuple(dict.fromkeys(remarks))
+        scale = CANVAS / frame.size
+        page = mapped((scale, 0, 0, scale, -frame.x * scale, -frame.y * scale), page)
+    return document(own, box, rdf, marked=True, page=page), tuple(dict.fromkeys(remarks))
 
 
 def fonts_of(texts: Sequence[str]) -> tuple[list[str], list[str]]:

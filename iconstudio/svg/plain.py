@@ -19,7 +19,7 @@ from iconstudio.svg.filters import leave_out_distortions
 from iconstudio.svg.geometry import SHAPES
 from iconstudio.svg.lengths import IDENTITY, Box, Matrix, numbers, pixels, written
 from iconstudio.svg.lettering import TEXTS, set_type
-from iconstudio.svg.mark import ATTRIBUTE
+from iconstudio.svg.mark import ATTRIBUTE, PAGE
 from iconstudio.svg.pathdata import cut_off_mistakes
 from iconstudio.svg.placing import place
 from iconstudio.svg.styles import ONLY_IN_STYLE, apply_styles
@@ -246,15 +246,21 @@ def _content(root: ET.Element, stretch: Matrix) -> ET.Element:
 
 
 def document(
-    content: ET.Element, box: Box, rdf: ET.Element | None = None, marked: bool = False
+    content: ET.Element,
+    box: Box,
+    rdf: ET.Element | None = None,
+    marked: bool = False,
+    page: Box | None = None,
 ) -> str:
     """Return a complete document that shows ``box`` of a content; ``rdf`` are its metadata.
 
-    ``marked`` says that it is as black as it shall be.
+    ``marked`` says that it is as black as it shall be, and ``page`` what it is a part of.
     """
     root = ET.Element("svg", xmlns="http://www.w3.org/2000/svg", viewBox=written(box))
     if marked:
         root.set(ATTRIBUTE, "yes")
+    if page is not None:
+        root.set(PAGE, written(page))
     if rdf is not None:
         ET.SubElement(root, "metadata").append(rdf)
     root.append(content)

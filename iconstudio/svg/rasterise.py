@@ -5,7 +5,8 @@ from numpy.typing import NDArray
 
 from iconstudio.model import CANVAS, MARGIN, Frame, IconstudioError
 from iconstudio.svg.check import check
-from iconstudio.svg.resvg import render_coverage, view_box
+from iconstudio.svg.lengths import Box
+from iconstudio.svg.resvg import page_of, render_coverage, view_box
 
 _COARSE = 128
 _TOLERANCE = 1 / 5
@@ -30,9 +31,7 @@ def rasterise(svg: str) -> tuple[Frame, NDArray[np.uint8]]:
         If the document is refused, cannot be drawn, or has no ink.
     """
     check(svg)
-    x, y, width, height = view_box(svg)
-    size = max(width, height)
-    frame = Frame(x + (width - size) / 2, y + (height - size) / 2, size)
+    frame = _square(view_box(svg))
     bounds = ink_bounds(render_coverage(svg, frame, _COARSE))
     if bounds is not None:
         frame = _zoom(frame, bounds, _COARSE)
@@ -50,6 +49,23 @@ def rasterise(svg: str) -> tuple[Frame, NDArray[np.uint8]]:
         if _fits(bounds) or rounds == _ROUNDS:
             return frame, coverage
         frame = _zoom(frame, bounds, CANVAS)
+
+
+def rasterise_page(svg: str) -> tuple[Frame, NDArray[np.uint8]]:
+    """Draw a document so that its page fits the canvas: icons of a set keep their common scale.
+
+    What is too thin to show there, in the corner of a large page, is drawn as by ``rasterise``. So
+    are the returned values and the errors.
+    """
+    check(svg)
+    frame = page_frame(svg)
+    coverage = render_coverage(svg, frame, CANVAS)
+    return (frame, coverage) if (coverage > 127).any() else rasterise(svg)
+
+
+def page_frame(svg: str) -> Frame:
+    """Return the square around a document's page, which is in its middle."""
+    return _square(page_of(svg))
 
 
 def ink_bounds(coverage: NDArray[np.uint8]) -> tuple[float, float, float, float] | None:
@@ -91,6 +107,12 @@ def _fits(bounds: tuple[float, float, float, float]) -> bool:
         (top + bottom - CANVAS) / 2,
     )
     return max(map(abs, errors)) <= _TOLERANCE
+
+
+def _square(box: Box) -> Frame:
+    x, y, width, height = box
+    size = max(width, height)
+    return Frame(x + (width - size) / 2, y + (height - size) / 2, size)
 
 
 def _zoom(frame: Frame, bounds: tuple[float, float, float, float], resolution: int) -> Frame:

@@ -16,6 +16,7 @@ from resvg_py import __version__, svg_to_bytes
 
 from iconstudio.model import Frame, IconstudioError, Placement
 from iconstudio.svg.lengths import Box, numbers, pixels
+from iconstudio.svg.mark import PAGE
 
 if TYPE_CHECKING:
     from PIL.Image import Image
@@ -53,6 +54,23 @@ def view_box(svg: str) -> Box:
         If the document has no size, or none that can be drawn.
     """
     return _view_box(_root(svg))
+
+
+def page_of(svg: str) -> Box:
+    """Return the box in which the lines of a document keep their scale: its ``view_box``, mostly.
+
+    Raises
+    ------
+    IconstudioError
+        If the document is not well-formed, or its size is missing or out of all scale.
+    """
+    root = _root(svg)
+    said = numbers(root.get(PAGE, ""))
+    if len(said) == 4:
+        x, y, width, height = said
+        if _is_in_scale((x, y, width, height)):
+            return x, y, width, height
+    return _view_box(root)
 
 
 def render_coverage(
@@ -192,15 +210,20 @@ def _view_box(root: ET.Element) -> Box:
         x, y, width, height = 0.0, 0.0, across, down
     else:
         raise IconstudioError("The SVG has no size: give its root a viewBox.")
-    if not (
-        max(abs(x), abs(y)) <= _LARGEST
-        and min(width, height) >= 1 / _LARGEST
-        and max(width, height) <= _LARGEST
-    ):
+    if not _is_in_scale((x, y, width, height)):
         raise IconstudioError(
             f"The SVG's size of {width:g} by {height:g} at ({x:g}, {y:g}) is out of all scale."
         )
     return x, y, width, height
+
+
+def _is_in_scale(box: Box) -> bool:
+    x, y, width, height = box
+    return (
+        max(abs(x), abs(y)) <= _LARGEST
+        and min(width, height) >= 1 / _LARGEST
+        and max(width, height) <= _LARGEST
+    )
 
 
 def _numbers(values: Box) -> str:

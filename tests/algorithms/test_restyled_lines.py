@@ -8,6 +8,7 @@ import shapely
 
 from iconstudio.algorithms.curves.outline import path_of
 from iconstudio.algorithms.curves.restyle import prepare, restyled
+from iconstudio.algorithms.flattening import flattened
 from iconstudio.inputs.styles import named
 from iconstudio.model import Line, LineStyle, StylePair
 from tests.line_styles import STYLES, circle
@@ -146,6 +147,19 @@ def test_widths_are_those_of_the_example():
     assert not contour.widths
 
 
+def test_a_strong_brush_swells_and_makes_no_beads():
+    brush = prepare(named("Brush"), strength=2.0)
+    wheel = tuple((128 + 30 * np.cos(a), 128 + 30 * np.sin(a)) for a in np.arange(0, 6.28, 0.05))
+    for plain, swelling in ((line((10, 60), (246, 60)), 0.5), (line(*wheel, closed=True), 0.1)):
+        (made,) = restyled([(plain, brush)])
+        widths = np.array(made.widths)
+        assert 0.4 * plain.width < widths.min() < widths.max() < 2.3 * plain.width
+        assert np.ptp(widths) > swelling * plain.width
+        points = np.array(made.points)
+        steps = np.hypot(*np.diff(points, axis=0).T)
+        assert abs(np.diff(widths)).sum() < 0.5 * steps.sum(), "it changes gradually"
+
+
 @pytest.mark.parametrize("closed", [False, True])
 @pytest.mark.parametrize("way", [1, -1])
 def test_widths_are_those_of_the_line_where_the_example_has_none(closed, way):
@@ -179,14 +193,37 @@ def test_loops_do_not_fray_what_is_filled(name):
     assert len(path_of(restyled([(one, style) for one in ring], 3)).contours) == 2
 
 
-def test_a_dot_is_drawn_by_the_same_hand(style):
-    """It was left as it is: a disc as by a machine, among lines drawn by hand."""
-    dots = [line((128, 128), (128, 128.1), width=40), line((40, 40), width=40)]
-    for dot, made in zip(dots, styled(dots, style), strict=True):
-        assert made.closed and not made.width
-        radii = abs(np.array(made.points) @ [1, 1j] - complex(*dot.points[0]))
-        assert 0.5 < np.ptp(radii) < 12
+def test_dots_are_drawn_by_the_same_hand_whether_filled_or_stroked(style):
+    """They were discs as by a machine, or as ragged as filled shapes, among lines drawn by hand."""
+    ring, disc = circle(10.0).points + 80j, circle(20.0).points + 80
+    dots = [
+        line((128, 128), (128, 128.1), width=40),
+        line((40, 40), width=40),
+        replace(line(*zip(ring.real, ring.imag, strict=True), closed=True), width=20.0),
+        replace(line(*zip(disc.real, disc.imag, strict=True), closed=True), width=0.0),
+    ]
+    centres = 128 + 128j, 40 + 40j, 128 + 208j, 208 + 128j
+    for centre, made in zip(centres, styled(dots, style), strict=True):
+        ((points, closed),) = flattened(path_of([made]))
+        assert closed
+        radii = abs(points @ [1, 1j] - centre)
+        assert 0.5 < np.ptp(radii) < 8
         assert np.mean(radii) == pytest.approx(20, abs=3)
+        around = points @ [1, 1j]
+        length, area = abs(np.diff(around)).sum(), shapely.Polygon(points).area
+        assert 4 * np.pi * area / length**2 > 0.85, "as smooth as the edge of a stroke"
+
+
+def test_filled_shapes_that_are_no_dots_of_a_pen_stay_contours(style):
+    disc = circle(10.0).points
+    contour = replace(line(*zip(disc.real, disc.imag, strict=True), closed=True), width=0.0)
+    hole = circle(4.0).points[::-1]
+    inner = replace(contour, points=tuple(zip(hole.real, hole.imag, strict=True)))
+    square = line((60, 60), (80, 60), (80, 80), (60, 80), width=0.0, closed=True)
+    stroke = line((20, 220), (200, 220))
+    for lines in ([contour], [contour, inner, stroke], [square, stroke]):
+        made = styled(lines, style)
+        assert not any(one.width for one in made if one.closed)
 
 
 @pytest.mark.parametrize(

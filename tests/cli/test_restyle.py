@@ -187,6 +187,23 @@ def test_a_folder_is_restyled_and_what_is_broken_is_named(tmp_path, icons, capsy
     assert (tmp_path / "alone.svg").read_bytes() == (out / "cross-2.svg").read_bytes()
 
 
+def test_icons_of_a_set_keep_their_scale_and_it_is_told_if_they_have_no_room(tmp_path, capsys):
+    (tmp_path / "in").mkdir()
+    page = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24"><path d="{}"/></svg>'
+    (tmp_path / "in" / "dot.svg").write_text(page.format("M10 10h4v4h-4z"))
+    (tmp_path / "in" / "full.svg").write_text(page.format("M0 0h24v24H0z"))
+    words = ["restyle", "--set", str(tmp_path / "in"), "--style", "Torn"]
+    assert run([*words, "--out", str(tmp_path / "out")], None) == 0
+    told = r"^1 icon had no room on the canvas, and came out smaller, by [1-9]\.\d% at most; "
+    assert re.search(told, capsys.readouterr().err, re.M)
+    dot = ink((tmp_path / "out" / "dot.svg").read_text("utf-8"))
+    assert dot.any(axis=0).sum() == pytest.approx(4 / 24 * CANVAS, abs=12)
+    words = ["restyle", str(tmp_path / "in" / "full.svg"), "--style", "Torn"]
+    assert run([*words, "--out", str(tmp_path / "full.svg")], None) == 0
+    told = r"^It had no room on the canvas, and came out [1-9]\.\d% smaller\.$"
+    assert re.search(told, capsys.readouterr().err, re.M)
+
+
 def test_nothing_but_broken_icons(tmp_path, capsys):
     (tmp_path / "in").mkdir()
     (tmp_path / "in" / "broken.svg").write_text("<svg")

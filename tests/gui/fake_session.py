@@ -350,6 +350,9 @@ class FakeSession:
         finally:
             self.generators_closed += 1
 
+    def expect_lines(self) -> None:
+        """Nothing is to be loaded."""
+
     def lines(self, pictogram: Pictogram) -> tuple[Line, ...]:
         """A square around a short stroke."""
         self.thread_ids.add(threading.get_ident())
@@ -368,11 +371,12 @@ class FakeSession:
                 if settings.previews:
                     rough = replace(one, strength=0.9 * one.strength)
                     yield Result(
-                        icon_of(rough, _boxes(lines, styles, rough), lines, styles), preview=True
+                        icon_of(rough, _boxes(lines, styles, rough), lines, 1.0, styles),
+                        preview=True,
                     )
                 while self.gate is not None and not self.gate.acquire(timeout=0.02):
                     yield Progress("remix", 0.5, "Restyling the lines")
-                yield Result(icon_of(one, _boxes(lines, styles, one), lines, styles))
+                yield Result(icon_of(one, _boxes(lines, styles, one), lines, 1.0, styles))
         finally:
             self.generators_closed += 1
 

@@ -80,6 +80,38 @@ def test_a_logo_with_a_common_name_is_known_by_its_looks(make):
     assert names(make(logos, tech, fruit)) == ["fruit:apple"]
 
 
+@pytest.mark.parametrize(
+    ("drawn", "as_logo", "kept"), [(4, 1, True), (3, 1, False), (4, 2, False), (6, 2, True)]
+)
+def test_what_many_draw_is_no_logo_though_a_logo_is_called_so(make, drawn, as_logo, kept):
+    things = [
+        icon_set(f"a{n}", {"zorbly": shape(n), "bowl": shape(9)}, name="Things")
+        for n in range(drawn)
+    ]
+    things += [icon_set("again", {"zorbly": shape(8)}, author={"name": "Author of a0"})]
+    logos = [
+        icon_set(f"logos{n}", {"zorbly": shape(20 + n)}, category="Logos") for n in range(as_logo)
+    ]
+    found = [name for name in names(make(*things, *logos)) if "zorbly" in name]
+    wanted = [f"a{n}:zorbly" for n in range(drawn)] + ["again:zorbly"]
+    assert found == (wanted if kept else [])
+
+
+def test_a_common_thing_stays_though_it_looks_like_a_logo_of_its_name(make):
+    things = [icon_set(f"a{n}", {"apple": shape(n)}) for n in range(4)]
+    logos = icon_set("logos", {"apple": shape(1)}, category="Logos")
+    assert "a1:apple" in names(make(*things, logos))
+
+
+def test_no_alias_is_the_name_of_a_company(opened):
+    birds = icon_set("zoo", {"dog": shape(1), "horse": shape(2)})
+    birds["aliases"] = {"twitter-dog": {"parent": "dog"}, "barker": {"parent": "dog"}}
+    collection = opened(birds)
+    assert [found.id for found in collection.search("barker")] == ["zoo:dog"]
+    with pytest.raises(IconstudioError, match="logos of brands are left out"):
+        collection.search("twitter")
+
+
 def test_one_size_of_a_drawing_and_no_copies(make):
     one = icon_set(
         "one",

@@ -80,6 +80,31 @@ def test_words_that_find_nothing_together_are_told_by_those_that_do(world, keywo
 
 
 @pytest.mark.parametrize(
+    ("keyword", "told"),
+    [
+        ("calandar lamp", "“calandar” was read as “calendar”. Alone, .*: calendar, lamp"),
+        ("bubbel dog house", "“bubbel” was read as “bubble”. Alone, .*: bubble, dog house"),
+    ],
+)
+def test_a_misspelt_word_is_not_left_out_but_read_rightly(world, keyword, told):
+    with pytest.raises(IconstudioError, match=told):
+        world.search(keyword)
+
+
+def test_a_misspelt_word_that_is_left_out_is_told_as_typed(bundled):
+    told = "No icon has all of these words: “seperate” was left out."
+    assert bundled.remark("seperate lines") == told
+
+
+@pytest.mark.parametrize(
+    "keyword", ["feng shui", "lactose free", "do not disturb", "umbrela stand"]
+)
+def test_words_are_not_read_as_others_that_are_little_like_them(bundled, keyword):
+    with pytest.raises(IconstudioError):
+        bundled.search(keyword)
+
+
+@pytest.mark.parametrize(
     ("keyword", "right"),
     [
         ("shoping cart", "shopping cart"),

@@ -22,6 +22,7 @@ from iconstudio.library.words import query
         ("sm\u00f8rrebr\u00f8d", "smorrebrod"),
         ("bird\u2019s nest", "birds nest"),
         ("salt & pepper", "salt and pepper"),
+        ("Two-tone folder", "twotone folder"),
         ("\uff24\uff2f\uff27", "dog"),
         ("\U0001f415", "dog"),
         ("\u2764\ufe0f", "red heart"),

@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from small_world import write_wordnet
 
-from iconstudio.library.words.inflections import is_irregular, singulars, verb_forms
+from iconstudio.library.words.inflections import is_irregular, singulars, verb_forms, verbs
 from iconstudio.library.words.naming import is_negated, take_apart
 from iconstudio.library.words.readings import (
     BADGED,
@@ -148,6 +148,7 @@ def test_regular_plurals_and_words_of_other_ends_are_not_irregular(word):
 )
 def test_verb_forms(verb, forms):
     assert set(forms.split()) <= set(verb_forms(verb))
+    assert all(verb in verbs(form) for form in forms.split())
 
 
 @pytest.mark.parametrize(("verb", "wrong"), [("run", "runing"), ("swim", "swiming")])

@@ -173,6 +173,23 @@ def test_what_is_switched_off_is_found_as_its_names_say_it(opened, typed):
 
 
 @pytest.mark.parametrize(
+    ("typed", "found"),
+    [("no bell", ["bell-x"]), ("without gluten", ["gluten-free"]), ("no smoking", ["smoke-free"])],
+)
+def test_what_is_forbidden_or_missing_is_found_as_its_names_say_it(opened, typed, found):
+    names = ("bell", "bell-x", "free-bell", "gluten-free", "smoke-free", "smoking")
+    assert (
+        ids(opened(icon_set("a", {one: shape(n) for n, one in enumerate(names)})), typed) == found
+    )
+
+
+@pytest.mark.parametrize("typed", ["no parking", "no entry", "⛔", "🚷"])
+def test_of_what_only_forbids_it_is_told_that_there_is_none(bundled, typed):
+    with pytest.raises(IconstudioError, match="forbidden, or switched off, are left out"):
+        bundled.search(typed)
+
+
+@pytest.mark.parametrize(
     ("typed", "parts"),
     [
         ("eye slash", ("eye-",)),
@@ -187,6 +204,9 @@ def test_what_is_switched_off_is_found_as_its_names_say_it(opened, typed):
         ("on off", ("power",)),
         ("mute", ("volume-x", "speaker-x", "volume-zero", "quiet")),
         ("volume off", ("volume-x",)),
+        ("no phone", ("phone-x", "phone-cross")),
+        ("🚭", ("smoke-free",)),
+        ("sign up", ("user-plus", "user-add", "account-plus", "person-add")),
     ],
 )
 def test_what_is_off_comes_first(bundled, typed, parts):

@@ -10,7 +10,7 @@ from iconstudio.algorithms.raster import overlap
 from iconstudio.library.collection import Collection
 from iconstudio.model import CANVAS, Frame, IconstudioError, Line
 from iconstudio.svg.ink import own_lines
-from iconstudio.svg.lines import lines_of
+from iconstudio.svg.lines import lines_of, lines_on_page
 from iconstudio.svg.rasterise import rasterise
 from iconstudio.svg.reading import own_svg
 from iconstudio.svg.resvg import render_coverage
@@ -198,6 +198,47 @@ def test_what_has_no_lines_is_refused_in_a_sentence():
     nothing = np.zeros((CANVAS, CANVAS), np.uint8)
     with pytest.raises(IconstudioError, match=r"no lines: .*Draw something larger"):
         lines_of(svg, Frame(0, 0, 24), nothing)
+
+
+def extent(lines):
+    """Return left, top, right, bottom of points."""
+    points = np.concatenate([one.points for one in lines])
+    return np.concatenate([points.min(axis=0), points.max(axis=0)])
+
+
+@pytest.mark.parametrize("own", [False, True])
+@pytest.mark.parametrize(
+    "body",
+    [
+        '<circle cx="6" cy="10" r="2" stroke="#000" fill="none" stroke-width="2"/>',
+        '<linearGradient id="g"><stop stop-color="#000"/><stop offset="1" stop-color="#222"/>'
+        '</linearGradient><circle cx="6" cy="10" r="2" fill="url(#g)"/>',
+    ],
+)
+def test_a_small_icon_of_a_set_stays_small_and_where_it_is(body, own):
+    svg = document(body)
+    lines = lines_on_page(own_svg(svg.encode(), "dot.svg").svg if own else svg)
+    found, unit = extent(lines), CANVAS / 24
+    assert found == pytest.approx(np.array([4, 8, 8, 12]) * unit, abs=0.3)
+    assert lines[0].width == pytest.approx(2 * unit if "stroke-width" in body else 0)
+
+
+def test_a_page_that_is_not_square_lies_in_the_middle_of_the_canvas():
+    svg = document('<path d="M0 0H20V10H0z"/>', "0 0 20 10")
+    assert extent(lines_on_page(svg)) == pytest.approx([0, 64, CANVAS, 192], abs=0.1)
+
+
+@pytest.mark.parametrize("box", ['viewBox="0 0 900 900"', ""])
+def test_a_sketch_on_a_large_sheet_or_on_none_fills_the_canvas(box):
+    svg = f'<svg xmlns="http://www.w3.org/2000/svg" {box}><path d="M9 9h60v30H9z"/></svg>'
+    found = extent(lines_on_page(own_svg(svg.encode(), "corner.svg").svg))
+    assert found == pytest.approx([16, 72, 240, 184], abs=1)
+
+
+def test_what_is_too_thin_to_show_on_its_page_fills_the_canvas():
+    svg = document('<path d="M10 10H110" stroke="#000" stroke-width=".7"/>', "0 0 900 900")
+    thin = own_svg(svg.encode(), "thin.svg").svg
+    assert extent(lines_on_page(thin))[[0, 2]] == pytest.approx([16, 240], abs=6)
 
 
 SHAPE = st.sampled_from(

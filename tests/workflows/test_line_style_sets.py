@@ -79,10 +79,10 @@ def test_an_icon_depends_on_itself_alone():
 
 def test_strokes_stay_strokes_if_that_is_wanted():
     manner = Manner(MANNER.style, strokes=True)
-    _, ((path, width),) = restyled_member("test:0", MEMBERS[0].read(), manner)
+    _, ((path, width),), _ = restyled_member("test:0", MEMBERS[0].read(), manner)
     assert len(path.contours) == 2
     assert width > 0
-    _, ((_, filled),) = restyled_member("test:0", MEMBERS[0].read(), MANNER)
+    _, ((_, filled),), _ = restyled_member("test:0", MEMBERS[0].read(), MANNER)
     assert filled == 0
 
 
@@ -91,7 +91,8 @@ def test_icons_of_a_set_stay_on_the_canvas_too(strokes):
     """They were restyled by other code than single ones, which shrink."""
     frame = cross(6).replace("M6 4V20M4 6H20", "M1 1H23V23H1Z")
     manner = Manner(named("Speed"), strokes=strokes)
-    _, drawn = restyled_member("test:frame", Pictogram("test:frame", frame, CREDIT), manner)
+    _, drawn, scale = restyled_member("test:frame", Pictogram("test:frame", frame, CREDIT), manner)
+    assert 0.8 < scale < 1
     for path, width in drawn:
         left, top, right, bottom = path.bounds
         assert min(left, top) - width / 2 > -1
@@ -99,9 +100,10 @@ def test_icons_of_a_set_stay_on_the_canvas_too(strokes):
 
 
 def test_the_file_of_a_drawing_is_read_where_it_is_restyled():
-    icon, drawn = restyled_member("a/cross.svg", cross(8).encode(), MANNER)
+    icon, drawn, scale = restyled_member("a/cross.svg", cross(8).encode(), MANNER)
     assert (icon.credit.title, icon.svg) == ("cross.svg", "")
     assert drawn[0][0]
+    assert scale == 1
 
 
 def raises(error):
@@ -159,7 +161,7 @@ def test_progress_tells_the_time_that_remains():
         return float(next(ticks))
 
     events = list(
-        restyle_set(MEMBERS, MANNER, Direct(lambda *_: (MEMBERS[0].read(), ())), clock=clock)
+        restyle_set(MEMBERS, MANNER, Direct(lambda *_: (MEMBERS[0].read(), (), 1.0)), clock=clock)
     )
     progress = [one for one in events if isinstance(one, Progress)]
     assert progress[0].remaining is None

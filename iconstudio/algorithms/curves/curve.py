@@ -9,6 +9,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.curves.interpolation import interpolated
+
 Points = NDArray[np.complex128]
 Numbers = NDArray[np.float64]
 
@@ -57,7 +59,7 @@ class Curve:
         """The arc length up to each point; of a closed curve up to its first, too, (n + 1,)."""
         return _arc(self.points, self.closed)
 
-    @property
+    @cached_property
     def length(self) -> float:
         """The arc length of the whole curve."""
         return float(self.arc[-1])
@@ -75,18 +77,21 @@ class Curve:
         An open curve goes straight on past its ends.
         """
         points, knots = self._knots
-        return _interpolated(self._wrapped(parameters, self.end), knots, points)
+        inside = np.mod(parameters, self.end) if self.closed and self.end > 0 else parameters
+        return _interpolated(inside, knots, points)
 
     def at_arc(self, along: Numbers) -> Points:
         """Return the points after so much arc length, see ``at``."""
         points, _ = self._knots
-        return _interpolated(self._wrapped(along, self.length), self.arc, points)
+        inside = np.mod(along, self.length) if self.closed and self.length > 0 else along
+        return _interpolated(inside, self.arc, points)
 
     def arc_at(self, parameters: Numbers) -> Numbers:
         """Return the arc length up to these parameters."""
         _, knots = self._knots
-        turns = np.floor_divide(parameters, self.end) if self.closed else np.zeros(1)
-        inside = self._wrapped(parameters, self.end)
+        if not self.closed:
+            return np.interp(parameters, knots, self.arc)
+        turns, inside = np.divmod(parameters, self.end)
         return np.interp(inside, knots, self.arc) + turns * self.length
 
     def parameters_at(self, along: Numbers) -> Numbers:
@@ -112,14 +117,15 @@ class Curve:
         if len(points) < 4:
             return self.at(parameters)
         arc = self.arc
-        gaps = np.maximum(np.diff(arc), 1e-12)
-        slopes = np.diff(points) / gaps
-        before, after = np.roll(slopes, 1), np.roll(gaps, 1)
+        gaps = np.maximum(arc[1:] - arc[:-1], 1e-12)
+        slopes = (points[1:] - points[:-1]) / gaps
+        before, after = np.append(slopes[-1:], slopes[:-1]), np.append(gaps[-1:], gaps[:-1])
         inner = (slopes * after + before * gaps) / (gaps + after)
         if not self.closed:
             inner[0] = slopes[0]
         ways = np.append(inner, inner[0] if self.closed else slopes[-1])
-        index = np.clip(np.searchsorted(knots, parameters, "right") - 1, 0, len(gaps) - 1)
+        index = np.searchsorted(knots, parameters, "right") - 1
+        index = np.minimum(np.maximum(index, 0), len(gaps) - 1)
         width = knots[index + 1] - knots[index]
         u = (parameters - knots[index]) / np.where(width > 0, width, 1)
         p, q, gap = points[index], points[index + 1], gaps[index]
@@ -149,21 +155,19 @@ class Curve:
         blurred = np.convolve(around, kernel, "valid")
         return Curve(blurred, fine.parameters, self.end, self.closed)
 
-    def _wrapped(self, places: Numbers, end: float) -> Numbers:
-        return np.mod(places, end) if self.closed and end > 0 else places
-
 
 def _arc(points: Points, closed: bool) -> Numbers:
     if closed:
         points = np.append(points, points[:1])
-    return np.concatenate([[0.0], np.cumsum(abs(np.diff(points)))])
+    along = np.zeros(len(points))
+    np.cumsum(abs(points[1:] - points[:-1]), out=along[1:])
+    return along
 
 
 def _interpolated(places: Numbers, knots: Numbers, points: Points) -> Points:
     """Return the points at places between knots; beyond them, straight on."""
     if len(points) < 2:
         return np.full(np.shape(places), points[0])
-    index = np.clip(np.searchsorted(knots, places, "right") - 1, 0, len(knots) - 2)
-    gaps = knots[index + 1] - knots[index]
-    part = (places - knots[index]) / np.where(gaps > 0, gaps, 1)  # points may be repeated
-    return points[index] + part * (points[index + 1] - points[index])
+    flat = np.ascontiguousarray(places, float)
+    found: Points = interpolated(flat.ravel(), knots, points).reshape(flat.shape)
+    return found

@@ -73,7 +73,7 @@ def _unrolled(curve: Curve, along: Numbers, sweep: Curve) -> Numbers:
 
 def directions(samples: Samples) -> Samples:
     """Return the directions from each sample to the next, of length 1, or 0 where they are one."""
-    steps = np.diff(samples, axis=0)
+    steps = samples[1:] - samples[:-1]
     lengths = abs(steps)
     return np.divide(steps, lengths, out=np.zeros_like(steps), where=lengths > 0)
 

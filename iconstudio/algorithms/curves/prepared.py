@@ -29,6 +29,10 @@ _COARSE, _SKIPPED = 2.0, 2
 """The least spacing of a coarse curve, and how many levels it does without at least."""
 _SOFT = 2.0
 """Standard deviation, in points, of the blur of widths."""
+_SWELL, _GRAIN = 0.7, 0.12
+"""Logarithms of the factors by which a stroke swells at most, and by which it does abruptly."""
+_GRADUAL = 0.8
+"""Standard deviation of what is not abrupt, over the width of the stroke."""
 _KEPT = 64
 """Sizes of styles that stay prepared."""
 
@@ -69,7 +73,7 @@ class Prepared:
     def widths(self, levels: Sequence[Level], sources: NDArray[np.int64]) -> Numbers:
         """Return the width at the candidates of points (n,), over the mean of the example."""
         finest = levels[-1]
-        found = np.ones(len(sources))
+        found = np.zeros(len(sources))
         for number, pair in enumerate(self.style.pairs):
             here = finest.order.curve[sources] == number
             if pair.widths and here.any():
@@ -77,14 +81,27 @@ class Prepared:
                 at, even = _knots(self.style, number)
                 along = np.interp(finest.parameters[sources[here]], at, even)
                 own = np.interp(along, np.linspace(0, 1, len(width)), width)
-                found[here] = np.maximum(0.1, 1 + self.strength * (own - 1))
-        return found
+                found[here] = _bounded(self.strength * np.log(np.maximum(own, 1e-3)), _SWELL)
+        return np.exp(found)
 
 
-def smoothed(widths: Numbers, closed: bool) -> Numbers:
-    """Return widths along a curve that do not jump where it does not: candidates may."""
-    found: Numbers = gaussian_filter1d(widths, _SOFT, mode="wrap" if closed else "nearest")
-    return found
+def smoothed(widths: Numbers, curve: Curve, width: float) -> Numbers:
+    """Return widths at a curve's points, over ``width``, that do not jump where it does not.
+
+    Candidates may. Along less than the width of the stroke, they hardly change: else a line would
+    be a row of beads.
+    """
+    mode = "wrap" if curve.closed else "nearest"
+    found = gaussian_filter1d(np.log(widths), _SOFT, mode=mode)
+    points = width * _GRADUAL * len(widths) / max(curve.length, 1e-9)
+    gradual = gaussian_filter1d(found, max(points, _SOFT), mode=mode)
+    kept: Numbers = np.exp(gradual + _bounded(found - gradual, _GRAIN))
+    return kept
+
+
+def _bounded(values: Numbers, most: float) -> Numbers:
+    bounded: Numbers = most * np.tanh(values / most)
+    return bounded
 
 
 @lru_cache(_KEPT)

@@ -5,10 +5,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from iconstudio.algorithms.areas import one_piece, outlines, stroked
+from iconstudio.algorithms.areas import one_piece
 from iconstudio.algorithms.curves.constraints import Constraint
 from iconstudio.algorithms.curves.corners import joined, parted
 from iconstudio.algorithms.curves.curve import Curve, Numbers
+from iconstudio.algorithms.curves.dots import LONGEST, dots_as_rings, length
 from iconstudio.algorithms.curves.junctions import junctions
 from iconstudio.algorithms.curves.multiresolution import analogy
 from iconstudio.algorithms.curves.prepared import Prepared, prepare, smoothed
@@ -28,8 +29,6 @@ _NECK = 0.8
 """Canvas units by which loops of a contour hang together with it, at least."""
 _SLIM = 1e-6
 """What encloses so little of what a circle of its length does encloses nothing."""
-_DOT = 4.0
-"""Canvas units: a stroke that is no longer than this is a dot; such a contour is too small."""
 
 
 def restyled(
@@ -40,11 +39,11 @@ def restyled(
     If they may be ``coarse``, they are the blurred ones from which the others are made.
 
     Lines that met still meet, and none cross or touch that did not. Styles with two sides show the
-    same one on the outside of whatever is closed, and of its holes within. A dot, a stroke of next
-    to no length, becomes the contour of what it covers.
+    same one on the outside of whatever is closed, and of its holes within. Dots become rings.
     """
-    lines = [(_ring(_whole(line)), prepared) for line, prepared in lines]
-    long = [number for number, (line, _) in enumerate(lines) if _length(line) > _DOT]
+    given, styles = zip(*lines, strict=True) if (lines := tuple(lines)) else ((), ())
+    lines = list(zip(dots_as_rings([*map(_ring, given)]), styles, strict=True))
+    long = [number for number, (line, _) in enumerate(lines) if length(line) > LONGEST]
     made = dict(zip(long, _styled([lines[number] for number in long], seed, coarse), strict=True))
     return [made.get(number, line) for number, (line, _) in enumerate(lines)]
 
@@ -59,8 +58,8 @@ def _styled(lines: Sequence[tuple[Line, Prepared]], seed: int, coarse: bool) -> 
     widths = [line.width for line, _ in lines]
     met = junctions(plain, widths)
     made = [
-        _one(curve, prepared, seed * 1_000_003 + number, constraints, coarse)
-        for number, (curve, (_, prepared), constraints) in enumerate(
+        _one(curve, line.width, prepared, seed * 1_000_003 + number, constraints, coarse)
+        for number, (curve, (line, prepared), constraints) in enumerate(
             zip(plain, lines, met, strict=True)
         )
     ]
@@ -75,9 +74,14 @@ def _styled(lines: Sequence[tuple[Line, Prepared]], seed: int, coarse: bool) -> 
 
 
 def _one(
-    plain: Curve, prepared: Prepared, seed: int, constraints: Sequence[Constraint], coarse: bool
+    plain: Curve,
+    width: float,
+    prepared: Prepared,
+    seed: int,
+    constraints: Sequence[Constraint],
+    coarse: bool,
 ) -> tuple[Curve, Numbers]:
-    """Return a curve in a style, and its width at each point, over that of its line."""
+    """Return a curve in a style, and its width at each point, over ``width``, that of its line."""
     style = prepared.style
     pieces, widths = [], []
     whole = [(plain, constraints, 0.0, plain.end)] if style.shape else parted(plain, constraints)
@@ -87,7 +91,7 @@ def _one(
         pieces.append((made.curve, first, last))
         widths.append(prepared.widths(levels, made.sources))
     curve = joined(plain, [(_smooth(one), first, last) for one, first, last in pieces])
-    return curve, _fitting(curve, pieces, widths)
+    return curve, _fitting(curve, pieces, widths, width)
 
 
 def _smooth(curve: Curve) -> Curve:
@@ -99,15 +103,18 @@ def _smooth(curve: Curve) -> Curve:
 
 
 def _fitting(
-    curve: Curve, pieces: Sequence[tuple[Curve, float, float]], widths: Sequence[Numbers]
+    curve: Curve,
+    pieces: Sequence[tuple[Curve, float, float]],
+    widths: Sequence[Numbers],
+    width: float,
 ) -> Numbers:
-    """Return the widths of a curve's parts at its own points, smoothed."""
+    """Return the widths of a curve's parts at its own points, over ``width``, smoothed."""
     at = np.concatenate([first + one.parameters * (last - first) for one, first, last in pieces])
     found = np.concatenate(widths)
     order = np.argsort(np.mod(at, curve.end) if curve.closed else at, kind="stable")
     at = np.mod(at, curve.end)[order] if curve.closed else at[order]
     own = np.interp(curve.parameters, at, found[order])
-    return smoothed(own, curve.closed)
+    return smoothed(own, curve, width)
 
 
 def _line(line: Line, curve: Curve, widths: Numbers, turned: bool) -> Line:
@@ -141,27 +148,11 @@ def _own_widths(line: Line, at: Numbers, turned: bool) -> Numbers:
     )
 
 
-def _whole(line: Line) -> Line:
-    """Return a line that has a length to be styled: of a dot, its contour."""
-    if line.width == 0 or _length(line) > _DOT:
-        return line
-    drawn = stroked(np.array(line.points, dtype=float), line.closed, line.width)
-    contour, *holes = outlines(drawn)
-    if holes:
-        return line
-    return Line(tuple((x, y) for x, y in contour.tolist()), closed=True)
-
-
 def _ring(line: Line) -> Line:
     """Return a line that ends where it begins as a closed one."""
     ends = complex(*line.points[0]) - complex(*line.points[-1])
-    meets = abs(ends) < _MEETS and _length(line) > _DOT
+    meets = abs(ends) < _MEETS and length(line) > LONGEST
     return replace(line, closed=True) if meets else line
-
-
-def _length(line: Line) -> float:
-    points = np.array(line.points) @ [1, 1j]
-    return float(abs(np.diff(points)).sum())
 
 
 def _is_anticlockwise(curve: Curve) -> bool:

@@ -205,9 +205,13 @@ def _penalise(order, costs, source, previous, pr, pi, cost):  # type: ignore[no-
         step = order.arc[j] - order.arc[source]
         if order.period[j] > 0.0 and step < -0.5 * order.period[j]:
             step += order.period[j]
-        gap = (1.5 + EXACT) * np.sqrt((pr[j] - previous.real) ** 2 + (pi[j] - previous.imag) ** 2)
         same = order.curve[j] == order.curve[source]
-        if not (same and EXACT < step < gap):
+        if same and step > EXACT:
+            off = (pr[j] - previous.real) ** 2 + (pi[j] - previous.imag) ** 2
+            follows = step < (1.5 + EXACT) * np.sqrt(off)
+        else:
+            follows = False
+        if not follows:
             cost[j] *= costs.incoherent * (1.0 + costs.late * order.lateness[j])
             # A jump back by a little, or to the end, would come again and again.
             if order.ending[j] or (same and -costs.stride < step <= EXACT):

@@ -105,6 +105,16 @@ def _regular(last: str) -> Iterator[str]:
             yield last[: -len(ending)] + replacement
 
 
+def verbs(word: str) -> Iterator[str]:
+    """Yield what ``word`` may be a form of: *clapping* of *clap*, *baked* of *bake*."""
+    if word in _IRREGULAR_VERBS:
+        yield _IRREGULAR_VERBS[word]
+    for ending in ("ing", "ed"):
+        stem = word.removesuffix(ending)
+        bases = (stem, stem + "e", stem[:-1], stem[:-1] + "y")
+        yield from (verb for verb in bases if len(verb) > 2 and word in verb_forms(verb))
+
+
 def verb_forms(verb: str) -> Iterator[str]:
     """Yield the participles and the past of a verb: *run* as *running* and *ran*."""
     stem = verb

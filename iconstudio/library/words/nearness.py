@@ -11,6 +11,9 @@ _LIKER = 0.85
 _BEHIND = 0.1
 """Words that are less like it than the most like one, by more than this, are no hints either."""
 
+_SHORT = 4
+"""Letters of a short word."""
+
 _FEWEST = 3
 """Letters of a word that another may be like."""
 
@@ -52,6 +55,19 @@ def nearest(keyword: str, words: Sequence[str], count: int = 3) -> tuple[str, ..
         )
     )
     return tuple(close[:count])
+
+
+def is_surely(word: str, other: str) -> bool:
+    """Whether one word is so like another that it may be read as that, and not only hint at it.
+
+    Short words are too much alike, unless letters have changed places.
+    """
+    from difflib import SequenceMatcher
+
+    return sorted(word) == sorted(other) or (
+        len(word) > _SHORT
+        and (is_one_mistake(word, other) or SequenceMatcher(a=word, b=other).ratio() >= _LIKER)
+    )
 
 
 def is_one_mistake(word: str, other: str) -> bool:

@@ -24,6 +24,7 @@ _SIGNS = (
     (r"(?<=[a-z])\+\+", " plus plus"),
     (r"\b([acf])#", r"\1 sharp"),
     (r"(?<=\d)\s*%", " percent"),
+    (r"\btwo[\s_-]tone\b", "twotone"),
 )
 """Signs within words, and how they are read: *C++*, *C#*, *50%*."""
 _ALONE = {

@@ -5,6 +5,7 @@ Variants are one: with and without colour, of every skin; a flag has the name of
 
 import re
 import unicodedata
+from collections import Counter
 from functools import cache
 
 _SKINS = dict.fromkeys(range(0x1F3FB, 0x1F400))
@@ -46,8 +47,22 @@ def other_names(text: str) -> list[str]:
 
 
 def english(word: str) -> list[str]:
-    """Return in English what has an emoji that is called ``word`` in another language."""
-    return _translations().get(word.casefold(), [])
+    """Return in English what has an emoji that is called ``word`` in another language.
+
+    Or that several emoji are kinds of, in languages that write words without spaces: of a guide dog
+    and a service dog, whose names end in it, a dog.
+    """
+    called = _translations()
+    if (found := called.get(word.casefold(), [])) or not word or word.isascii():
+        return found
+    heads = Counter(
+        head
+        for name, meanings in called.items()
+        if name.endswith(word) and not name[-len(word) - 1].isspace()
+        for head in {meaning.split()[-1] for meaning in meanings}
+    )
+    ((head, count),) = heads.most_common(1) or [("", 0)]
+    return [head] if count > 1 and 2 * count > heads.total() else []
 
 
 @cache

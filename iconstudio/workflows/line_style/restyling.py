@@ -113,10 +113,11 @@ def restyled_path(
     size: float,
     seed: int,
     coarse: bool = False,
-) -> tuple[Path, tuple[Line, ...]]:
-    """Return what lines in their styles draw, and these lines. Runs in a worker process.
+) -> tuple[Path, tuple[Line, ...], float]:
+    """Return what lines in their styles draw, these lines, and their scale, 1 mostly.
 
-    If the given lines do not reach as far out of the canvas, all shrinks towards its middle.
+    If the given lines do not reach as far out of the canvas, all shrinks towards its middle. Runs
+    in a worker process.
     """
     from iconstudio.algorithms.curves.outline import path_of
     from iconstudio.algorithms.curves.restyle import prepare, restyled
@@ -127,8 +128,9 @@ def restyled_path(
     overhang = path.overhang
     allowed = path_of(lines).overhang if overhang > OVERHANG else 0.0
     if overhang <= allowed + OVERHANG:
-        return path, drawn
-    return _scaled(path, drawn, (CANVAS / 2 + allowed) / (CANVAS / 2 + overhang))
+        return path, drawn, 1.0
+    scale = (CANVAS / 2 + allowed) / (CANVAS / 2 + overhang)
+    return *_scaled(path, drawn, scale), scale
 
 
 def _scaled(path: Path, lines: tuple[Line, ...], scale: float) -> tuple[Path, tuple[Line, ...]]:
@@ -154,11 +156,15 @@ def warm_up() -> None:
 
 
 def icon_of(
-    work: Restyling, path: Path, lines: tuple[Line, ...], styles: Sequence[LineStyle]
+    work: Restyling,
+    path: Path,
+    lines: tuple[Line, ...],
+    scale: float,
+    styles: Sequence[LineStyle],
 ) -> Icon:
     """Return a restyled icon."""
     title, credits = signed(work.icon, styles)
-    return Restyled(path, title, credits, lines=lines)
+    return Restyled(path, title, credits, lines=lines, scale=scale)
 
 
 def signed(

@@ -21,7 +21,7 @@ def scribbled(style: LineStyle, length: float, seed: int) -> tuple[Line, Point]:
     prepared = prepare(style)
     parameters, levels = prepared.whole
     made = scribble(levels, length, parameters, seed, style.rotation)
-    widths = WIDTH * smoothed(prepared.widths(levels, made.sources), False)
+    widths = WIDTH * smoothed(prepared.widths(levels, made.sources), made.curve, WIDTH)
     points = np.stack([made.curve.points.real, made.curve.points.imag], axis=1)
     edge = max(WIDTH, widths.max())
     points += edge - points.min(axis=0)

@@ -60,6 +60,8 @@ class MemberRestyled:
     """Whom to thank: the icon's makers, and the style's author."""
     remarks: tuple[str, ...]
     """What could not be read of its drawing; a sentence for the user each."""
+    scale: float = 1.0
+    """Below 1 if it had no room on the canvas."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -162,8 +164,8 @@ def restyle_set(
 
 def restyled_member(
     identifier: str, source: Pictogram | bytes, manner: Manner
-) -> tuple[Pictogram, Drawn]:
-    """Return an icon without its drawing, and what is drawn of it in a style.
+) -> tuple[Pictogram, Drawn, float]:
+    """Return an icon without its drawing, what is drawn of it in a style, and at what scale.
 
     The drawing may be hostile: runs in a worker process, here or in a cluster.
 
@@ -173,20 +175,18 @@ def restyled_member(
         If it cannot be drawn, or has no lines.
     """
     from iconstudio.algorithms.curves.outline import strokes_of
-    from iconstudio.svg.lines import lines_of
-    from iconstudio.svg.rasterise import rasterise
+    from iconstudio.svg.lines import lines_on_page
     from iconstudio.svg.reading import own_svg
 
     icon = own_svg(source, identifier) if isinstance(source, bytes) else source
-    frame, coverage = rasterise(icon.svg)
-    lines = lines_of(icon.svg, frame, coverage)
+    lines = lines_on_page(icon.svg)
     styles = [manner.style] * len(lines)
     seed = manner.seed_of(identifier)
-    path, made = restyled_path(lines, styles, manner.strength, manner.size, seed)
+    path, made, scale = restyled_path(lines, styles, manner.strength, manner.size, seed)
     drawn = strokes_of(made) if manner.strokes else ((path, 0.0),)
     if not any(path for path, _ in drawn):
         raise IconstudioError("Nothing of it is left in this style. Make the style smaller.")
-    return replace(icon, svg=""), drawn
+    return replace(icon, svg=""), drawn, scale
 
 
 def _finished(waiting: Iterable["Future[Any]"]) -> Iterable["Future[Any]"]:
@@ -208,7 +208,7 @@ def _outcome(
 ) -> MemberRestyled | MemberSkipped:
     """Return what has come of an icon."""
     try:
-        icon, drawn = future.result()
+        icon, drawn, scale = future.result()
     except DisconnectedError:
         raise
     except IconstudioError as error:
@@ -226,4 +226,4 @@ def _outcome(
             reason = f"The program fails on it: {type(error).__name__}."
         return MemberSkipped(member, reason)
     title, credits = signed(icon, [manner.style])
-    return MemberRestyled(member, source, drawn, title, credits, icon.remarks)
+    return MemberRestyled(member, source, drawn, title, credits, icon.remarks, scale)

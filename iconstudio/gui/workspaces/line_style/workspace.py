@@ -56,6 +56,7 @@ class LineStyleWorkspace(Workspace):
     def build(self) -> None:
         """Make canvas, panels and runs."""
         self.session.workers.everywhere(warm_up)
+        self.session.expect_lines()
         self.opener = RestyleOpener(self.session, self.document, self.finder, self)
         self.restyler = Restyler(self.session, self.worker, self)
         self.reader = LineReader(self.session, self.finder, self)

@@ -1,0 +1,85 @@
+"""Dots, as a pen draws them: round a ring so small that its stroke fills it.
+
+Beyond the paper. A dot has no length that could be styled, and its edge is no line that a pen
+draws: with a texture there it is ragged, beside strokes whose edges are smooth.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from iconstudio.algorithms.areas import Area, Points, filled, outlines, stroked, without
+from iconstudio.model import Line
+
+LONGEST = 4.0
+"""Canvas units: a stroke that is no longer than this is a dot."""
+_LARGEST = 2.0
+"""How large a filled dot is at most, over the width of the widest stroke."""
+_ROUND = 0.8
+"""Part of what a circle of its length encloses that a filled dot does, at least."""
+
+
+def dots_as_rings(lines: Sequence[Line]) -> list[Line]:
+    """Return lines of which those that are dots are closed strokes, without a hole.
+
+    What is filled is one if there are strokes, none of which is much thinner than it is large.
+    """
+    widest = max((line.width for line in lines), default=0.0)
+    return [_ring(line, lines, _LARGEST * widest) for line in lines]
+
+
+def length(line: Line) -> float:
+    """Return the length of a line, without what closes it."""
+    points = np.array(line.points) @ [1, 1j]
+    return float(abs(np.diff(points)).sum())
+
+
+def _ring(line: Line, lines: Sequence[Line], largest: float) -> Line:
+    points = np.array(line.points, dtype=float)
+    if line.width:
+        if length(line) > LONGEST:
+            return line
+        width = line.width / 2
+        inner = stroked(points, line.closed, width)
+    else:
+        width = _extent(points).min() / 2
+        if not 0 < 2 * width < largest or not _is_round(points) or _is_in_company(line, lines):
+            return line
+        inner = _inset(points, width)
+    rings = outlines(inner)
+    if len(rings) != 1:
+        return line
+    return Line(tuple((x, y) for x, y in rings[0].tolist()), closed=True, width=width)
+
+
+def _inset(points: Points, width: float) -> Area:
+    """Return what is left of a contour's inside if a stroke along it is taken off."""
+    return without(filled([points]), stroked(points, True, width))
+
+
+def _extent(points: Points) -> Points:
+    extent: Points = np.ptp(points, axis=0)
+    return extent
+
+
+def _is_round(points: Points) -> bool:
+    """Whether a contour is convex and not much longer than wide, or nearly so."""
+    around = np.append(points, points[:1], axis=0) @ [1, 1j]
+    area = (around[:-1].conj() * around[1:]).imag.sum() / 2
+    whole = abs(np.diff(around)).sum() ** 2 / (4 * np.pi)
+    return bool(abs(area) > _ROUND * whole)
+
+
+def _is_in_company(line: Line, lines: Sequence[Line]) -> bool:
+    """Whether another contour comes near: it may be a hole in this one, or the other way round."""
+    boxes = np.array([_box(one) for one in lines if not one.width and one is not line])
+    if not len(boxes):
+        return False
+    left, top, right, bottom = _box(line)
+    apart = (boxes[:, 0] > right) | (boxes[:, 2] < left) | (boxes[:, 1] > bottom)
+    return bool((~(apart | (boxes[:, 3] < top))).any())
+
+
+def _box(line: Line) -> Points:
+    points = np.array(line.points, dtype=float)
+    return np.concatenate([points.min(axis=0), points.max(axis=0)])
