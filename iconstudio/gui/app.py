@@ -25,7 +25,7 @@ def application() -> QApplication:
     app.setApplicationDisplayName("Iconstudio")
     theme.prepare(app)
     theme.apply(app, theme.current())
-    app.styleHints().colorSchemeChanged.connect(lambda _: theme.apply(app, theme.current()))
+    app.styleHints().colorSchemeChanged.connect(lambda _: theme.change(app, theme.current()))
     app.aboutToQuit.connect(leave_clipboard)
     return app
 

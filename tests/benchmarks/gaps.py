@@ -257,7 +257,7 @@ def looking(window: MainWindow) -> Stages:
     yield "changing the theme"
     app = QApplication.instance()
     for look in (theme.DARK, theme.LIGHT):
-        theme.apply(app, look)
+        theme.change(app, look)
         yield 400
 
 

@@ -84,12 +84,14 @@ def test_a_message_is_dismissed(sketching):
     assert not sketching.window().pane.notice.isVisible()
 
 
-def test_the_window_follows_the_system_into_the_dark(window, monkeypatch, request):
+def test_the_window_follows_the_system_into_the_dark(window, monkeypatch, request, qtbot):
     application = QApplication.instance()
     request.addfinalizer(lambda: theme.apply(application, theme.LIGHT))
     light = window.grab().toImage().pixelColor(3, 400)
     monkeypatch.setattr(theme, "current", lambda: theme.DARK)
-    theme.apply(application, theme.current())
+    theme.change(application, theme.current())
+    assert not window.updatesEnabled()  # nobody sees it half in the old colours
+    qtbot.waitUntil(window.updatesEnabled)
     dark = window.grab().toImage().pixelColor(3, 400)
     assert light.lightness() > 220
     assert dark.lightness() < 40

@@ -3,9 +3,10 @@
 from dataclasses import dataclass
 from pathlib import Path
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QColor, QFont, QFontDatabase, QGuiApplication, QPalette
 from PySide6.QtWidgets import QApplication, QStyleFactory
+from shiboken6.Shiboken import isValid
 
 from iconstudio.resources import resource
 
@@ -89,10 +90,33 @@ def prepare(application: QApplication) -> None:
 
 def apply(application: QApplication, theme: Theme) -> None:
     """Give the whole application the look of ``theme``."""
+    _undress(application, theme)
+    application.setStyleSheet(_style_sheet(theme))
+
+
+def change(application: QApplication, theme: Theme) -> None:
+    """Give a running application another look, in two turns of its loop: it answers in between.
+
+    Until it has all of it, its windows show the old one.
+    """
+    windows = [one for one in application.topLevelWidgets() if one.updatesEnabled()]
+    for one in windows:
+        one.setUpdatesEnabled(False)
+    _undress(application, theme)
+
+    def dress() -> None:
+        application.setStyleSheet(_style_sheet(theme))
+        for one in windows:
+            if isValid(one):
+                one.setUpdatesEnabled(True)
+
+    QTimer.singleShot(0, application, dress)
+
+
+def _undress(application: QApplication, theme: Theme) -> None:
     # To replace a style sheet takes Qt four times as long as to remove it and set one.
     application.setStyleSheet("")
     application.setPalette(_palette(theme))
-    application.setStyleSheet(_style_sheet(theme))
 
 
 def _load_fonts(application: QApplication) -> None:
