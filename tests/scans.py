@@ -132,7 +132,7 @@ def laid_on(sheet, colour, degrees=0):
 def photographed(sheet, corners, desk, blur=2.5, noise=12.0, seed=0):
     """A photo of a sheet on a desk, aslant, unevenly lit, out of focus, noisy, as poor JPEG.
 
-    The desk is dark, wood, checked or striped. ``corners`` of the sheet are (4, 2), x and y from
+    The desk is dark, pale, wood, checked or striped. ``corners`` of the sheet are (4, 2), x and y from
     the upper left on clockwise; they may lie past the photo. Returns the photo,
     (h, w, 3) uint8, and where its ink is, (h, w) from 0 to 1.
     """
@@ -163,6 +163,8 @@ def _desk(kind: str, shape: tuple[int, int]) -> np.ndarray:
     if kind == "wood":
         veins = 0.12 * np.sin(y / 4 + 2 * np.sin(x / 60))
         return np.array([0.45, 0.3, 0.18]) * (1 + veins[..., None])
+    if kind == "pale":
+        return np.broadcast_to(np.array([0.82, 0.8, 0.78]), (*shape, 3))
     chosen = {"dark": 0 * x, "checked": (x // 45 + y // 45) % 2, "striped": (x + y) // 30 % 2}
     colours = np.array([[0.15, 0.14, 0.17], [0.4, 0.36, 0.33]])
     return colours[chosen[kind]]

@@ -9,6 +9,7 @@ OMITTED = {
     Omission.PAGE: "The white behind the drawing was left out.",
     Omission.SHADES: "Shades that differ too little to be told apart were drawn as one.",
     Omission.FAINT: "Parts that are hardly opaque, such as shadows, were left out.",
+    Omission.DESK: "What lies around the sheet of paper was left out.",
     Omission.DECORATION: "Colour that lies behind or beside its lines was left out.",
 }
 """Of what was left out."""

@@ -27,6 +27,7 @@ from iconstudio.algorithms.scanning.noise import without_noise
 from iconstudio.algorithms.scanning.paper import lighting, page, trend
 from iconstudio.algorithms.scanning.resampling import COARSE, reconstructed, resized, shrunk
 from iconstudio.algorithms.scanning.shadow import without_shadow
+from iconstudio.algorithms.scanning.sheet import is_photographed
 from iconstudio.algorithms.tones.alternation import Omission
 from iconstudio.algorithms.tones.tone import Inked, pictogram
 from iconstudio.model import IconstudioError
@@ -103,14 +104,16 @@ def scanned(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
     IconstudioError
         If there is nothing to be seen.
     """
-    step = -(-max(pixels.shape[:2]) // _COARSE)
+    step = _step(pixels)
     small = shrunk(pixels, step)
+    left_out: frozenset[Omission] = frozenset()
     if small.shape[2] == 4:
         see, inverted = _seen_through(small, inverted)
         coarse = see(small)
     else:
         ground, valid, inverted = _ground(small, inverted)
         coarse = np.where(valid, _darkness(small, ground, inverted), 0.0)
+        left_out = frozenset(() if valid.all() else {Omission.DESK})
     bounds = _bounds(coarse)
     if bounds is None and small.shape[2] == 3:
         # What is that faint was taken for paper.
@@ -145,6 +148,7 @@ def scanned(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
         threshold is not None,
         shading(dark, threshold or 0.5, scale) > _SHADED,
         fainter,
+        omissions=left_out,
     )
 
 
@@ -154,6 +158,8 @@ def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
     These tell only if nobody says whether it is lighter than its ground.
     """
     opaque = pixels.shape[2] == 3
+    if opaque and not inverted and is_photographed(shrunk(pixels, _step(pixels))):
+        return scanned(pixels, inverted)
     picture = without_checkerboard(without_half_lines(pixels))
     pixels = without_noise(picture)
     left_out: frozenset[Omission] = frozenset()
@@ -169,7 +175,9 @@ def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
     coloured = None if drawing is None else pictogram(drawing)
     if drawing is None or coloured is None or not (coloured.coverage > 127).any():
         found = scanned(pixels if inverted else with_margin(pixels, tiles=True), inverted)
-        if inverted is None and found.found and not found.shaded and _is_on_paper(found):
+        left_out |= found.omissions
+        told = left_out & {Omission.DESK} or inverted is not None or not _is_on_paper(found)
+        if found.found and not found.shaded and not told:
             left_out |= left_behind(picture, least=found.threshold / 255)
         return replace(found, omissions=left_out)
     # Of what is opaque all over, only a shadow is hardly so.
@@ -177,6 +185,10 @@ def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
     if not left_out & {Omission.TILE, Omission.PAGE} and not _fills_its_box(drawing):
         left_out |= left_behind(picture, drawing)
     return replace(scanned(pixels), found=True, shaded=False, coloured=coloured, omissions=left_out)
+
+
+def _step(pixels: NDArray[np.uint8]) -> int:
+    return -(-max(pixels.shape[:2]) // _COARSE)
 
 
 def _is_on_paper(scan: Scan) -> bool:

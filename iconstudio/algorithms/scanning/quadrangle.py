@@ -21,7 +21,7 @@ def quadrangularity(shape: NDArray[np.bool_]) -> float:
 
     if not shape.any():
         return 0.0
-    corners, own = _quadrangle(shape)
+    corners, own = quadrangle(shape)
     sides = np.roll(corners, -1, axis=0) - corners
     if len(sides) < _SIDES or own.sum() > _SIDES:
         return 0.0
@@ -36,11 +36,14 @@ def quadrangularity(shape: NDArray[np.bool_]) -> float:
     return float(shape.sum() / (shape | polygon2mask(shape.shape, corners)).sum())
 
 
-def _quadrangle(shape: NDArray[np.bool_]) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
+def quadrangle(
+    shape: NDArray[np.bool_], slack: float = 0.0
+) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
     """Return (n, 2) corners around a shape, and which of the n sides lie within the picture.
 
     Of these there are four at most: from its convex hull, the side that adds least is left out,
-    and those beside it are prolonged until they meet.
+    and those beside it are prolonged until they meet; so is what adds less than ``slack``, as part
+    of the shape.
     """
     from scipy.spatial import ConvexHull
 
@@ -48,11 +51,12 @@ def _quadrangle(shape: NDArray[np.bool_]) -> tuple[NDArray[np.float64], NDArray[
     corners = points[ConvexHull(points).vertices]
     while True:
         own = ~_along_the_edge(corners, shape.shape)
-        if own.sum() <= _SIDES:
+        if own.sum() <= _SIDES and not slack:
             return corners, own
         added, meeting = _without_each(corners)
         side = int(np.argmin(np.where(own, added, np.inf)))
-        if not np.isfinite(added[side]):
+        few = own.sum() <= _SIDES and not added[side] < slack * shape.sum()
+        if few or not np.isfinite(added[side]) or not own.any():
             return corners, own
         corners[side] = meeting[side]
         corners = np.delete(corners, (side + 1) % len(corners), axis=0)

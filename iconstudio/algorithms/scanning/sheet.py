@@ -1,25 +1,15 @@
 """A sheet of paper that lies on a desk is told from the desk."""
 
-from collections.abc import Iterator
-
 import numpy as np
 import scipy
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.scanning.margin import rim_of
 from iconstudio.algorithms.scanning.quadrangle import quadrangularity
+from iconstudio.algorithms.scanning.sides import sheet_by_its_sides
 
-_LEAST, _MOST = 0.12, 0.995
-"""How much of a picture a sheet that lies on something darker may cover."""
 _STRAIGHT = 0.9
 """How much of the smallest quadrangle around it a sheet fills."""
-_CONTRAST = 0.15
-_SHARP = 0.3
-"""So much of the contrast between sheet and desk lies in the edge between them, not in light."""
-_ALL_BUT = 0.8
-"""The drawing may touch the edge of the sheet somewhere."""
-_BEYOND = 0.5
-"""How much of the edge of the picture that is not of the sheet is of the desk, at least."""
 _BLUR = 1.5
 _GLINT = 3
 """Half the width in pixels of what is too slim to be part of a sheet."""
@@ -27,10 +17,14 @@ _TINGE = 0.12
 """Paper in the shadow differs in colour from paper in the light by no more, as part of it."""
 _DARK = 0.02
 """What is no brighter has no colour that could be compared."""
+_SHADE = 0.3
+"""What is darker than the sheet by so much, as part of it, may be ink."""
 _INK, _DRAWN = 0.6, 0.002
 """Ink is so dark beside its paper, and covers so much of it, at least."""
 _FLAT, _NOISY = 1.5 / 255, 16 / 255
 """What was photographed varies by more; and paper beside edges, by the noise of lossy files."""
+_EXACT, _ALIKE = 2.5 / 255, 0.85
+"""By how much what a computer painted strays at most, and how much of it does not."""
 _SAME = 0.06
 """Colours that differ by no more are one."""
 
@@ -43,70 +37,35 @@ def sheet_on_desk(picture: NDArray[np.float32]) -> NDArray[np.bool_] | None:
     computer looks like that, too; but what is cut out of a card shows the ground, and ink on a
     sheet does not.
     """
-    best, found = 0.0, None
-    for light in (picture @ np.array([0.2126, 0.7152, 0.0722], np.float32), picture.min(axis=2)):
-        if np.ptp(light) < _CONTRAST:
-            continue
-        for level in _levels(light):
-            sheet, straight = _sheet(light, level)
-            if straight <= best or not _goes_on(light <= level, ~sheet):
-                continue
-            if _is_card(picture, light > level, sheet):
-                continue
-            if not _is_in_shadow(picture, ~sheet):
-                best, found = straight, sheet
-    return found
+    sheet = sheet_by_its_sides(picture)
+    if sheet is None or _is_card(picture, sheet) or _is_in_shadow(picture, ~sheet):
+        return None
+    return sheet
 
 
-def _levels(light: NDArray[np.float32]) -> Iterator[float]:
-    """Yield brightnesses that may part a sheet from a desk, or from a desk and from ink."""
-    from skimage.filters import threshold_multiotsu, threshold_otsu
+def is_photographed(picture: NDArray[np.float32]) -> bool:
+    """Whether a picture (h, w, 3), from 0 to 1, shows a sheet on a desk, and both as cameras do.
 
-    yield float(threshold_otsu(light))
-    try:
-        yield from map(float, threshold_multiotsu(light, 3, nbins=64)[::-1])
-    except ValueError:
-        return  # fewer than three brightnesses
-
-
-def _sheet(light: NDArray[np.float32], level: float) -> tuple[NDArray[np.bool_], float]:
-    """Return what may be the sheet among what is brighter than a level, and how straight it is.
-
-    That is 0 if it is none.
+    Neither has one colour all over, as light and grain are uneven.
     """
-    # Without glints on the desk that touch the sheet.
-    bright = scipy.ndimage.binary_opening(light > level, iterations=_GLINT)
-    labels, count = scipy.ndimage.label(bright)
-    if not count:
-        return bright, 0.0
-    largest = labels == 1 + int(np.argmax(np.bincount(labels.ravel())[1:]))
-    sheet = scipy.ndimage.binary_fill_holes(largest)
-    if not _LEAST < sheet.mean() < _MOST:
-        return sheet, 0.0
-    straight = quadrangularity(sheet)
-    contrast = np.median(light[largest]) - np.median(light[~sheet])
-    usable = straight > _STRAIGHT and contrast > _CONTRAST
-    return sheet, straight if usable and _is_sharp(light, sheet, _SHARP * contrast) else 0.0
+    if _is_of_one_colour(rim_of(picture)):
+        return False
+    sheet = sheet_on_desk(picture)
+    if sheet is None:
+        return False
+    paper = sheet & (picture.mean(axis=2) > np.median(picture[sheet]) * (1 - _SHADE))
+    return not (_is_of_one_colour(picture[paper]) or _is_of_one_colour(picture[~sheet]))
 
 
-def _is_sharp(light: NDArray[np.float32], sheet: NDArray[np.bool_], step: float) -> bool:
-    """Whether brightness falls at once by a step nearly everywhere around a sheet."""
-    slope = scipy.ndimage.gaussian_gradient_magnitude(light, _BLUR, mode="nearest")
-    steps = scipy.ndimage.maximum_filter(slope, 5) * (_BLUR * np.sqrt(2 * np.pi))
-    rim = sheet & ~scipy.ndimage.binary_erosion(sheet, border_value=1)
-    return bool(np.mean(steps[rim] > step) > _ALL_BUT)
+def _is_of_one_colour(colours: NDArray[np.float32]) -> bool:
+    away = abs(colours - np.median(colours, axis=0)).max(axis=1)
+    return bool((away < _EXACT).mean() > _ALIKE)
 
 
-def _goes_on(dark: NDArray[np.bool_], outside: NDArray[np.bool_]) -> bool:
-    """Whether a desk reaches the edge of the picture: what does not is drawn on the sheet."""
-    beyond = rim_of(dark)[rim_of(outside)]
-    return bool(beyond.size and beyond.mean() > _BEYOND)
-
-
-def _is_card(
-    picture: NDArray[np.float32], bright: NDArray[np.bool_], sheet: NDArray[np.bool_]
-) -> bool:
+def _is_card(picture: NDArray[np.float32], sheet: NDArray[np.bool_]) -> bool:
     """Whether this was drawn by a computer, and what is cut out of the light shows its ground."""
+    light = picture.mean(axis=2)
+    bright = light >= (np.median(light[sheet]) + np.median(light[~sheet])) / 2
     outside, paper = ~sheet, sheet & bright
     if not (_is_flat(picture[outside], _FLAT) and _is_flat(picture[paper], _NOISY)):
         return False

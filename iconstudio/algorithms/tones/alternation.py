@@ -17,6 +17,7 @@ class Omission(Enum):
     SHADES = "shades of a colour that is all there is"
     FAINT = "what is less than half as opaque as the drawing"
     DECORATION = "colour behind or beside the lines of a drawing"
+    DESK = "what lies around the sheet that is drawn upon"
 
 
 class Tones(NamedTuple):
