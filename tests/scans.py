@@ -132,8 +132,8 @@ def laid_on(sheet, colour, degrees=0):
 def photographed(sheet, corners, desk, blur=2.5, noise=12.0, seed=0):
     """A photo of a sheet on a desk, aslant, unevenly lit, out of focus, noisy, as poor JPEG.
 
-    The desk is dark, pale, wood, checked or striped. ``corners`` of the sheet are (4, 2), x and y from
-    the upper left on clockwise; they may lie past the photo. Returns the photo,
+    The desk is dark, pale, wood, checked or striped. ``corners`` of the sheet are (4, 2), x and y,
+    from the upper left on clockwise; they may lie past the photo. Returns the photo,
     (h, w, 3) uint8, and where its ink is, (h, w) from 0 to 1.
     """
     random = np.random.default_rng(seed)

@@ -188,7 +188,8 @@ def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
 
 
 def _step(pixels: NDArray[np.uint8]) -> int:
-    return -(-max(pixels.shape[:2]) // _COARSE)
+    longest: int = max(pixels.shape[:2])
+    return -(-longest // _COARSE)
 
 
 def _is_on_paper(scan: Scan) -> bool:

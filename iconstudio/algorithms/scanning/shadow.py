@@ -9,10 +9,13 @@ from numpy.typing import NDArray
 from iconstudio.algorithms.scanning.cutting import cut_out
 from iconstudio.algorithms.scanning.ground import AROUND, ASTRAY, Ground, ground_of, unevenness
 from iconstudio.algorithms.scanning.resampling import premultiplied
+from iconstudio.algorithms.scanning.tile_shadow import shadow_of_tile
 from iconstudio.algorithms.tones.regions import Mask, nearest
 
 _LONGEST = 1024
 """Pixels of the longer side of the largest picture that is looked at."""
+_AROUND = 0.7
+"""How much of the rim has the colour of the ground, if the shadow of a tile reaches it."""
 _TINGE = 14.0
 """Levels by which a shadow misses the colour of its ground, made darker."""
 _DEEPEST, _FAINTEST = 0.35, 0.96
@@ -48,20 +51,27 @@ def without_shadow(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
     """Return a picture (h, w, 3) whose drawing casts no shadow; None if it casts none as it is.
 
     A shadow is the even ground, darker: soft, and fading into it all around; or hard, and of the
-    shape of the drawing, shifted.
+    shape of the drawing, shifted. What is on nothing, (h, w, 4), is told to cast one, on white, if
+    it is a tile.
     """
-    if pixels.shape[2] == 4 or not 16 <= min(pixels.shape[:2]) <= max(pixels.shape[:2]) <= _LONGEST:
+    free = pixels.shape[2] == 4
+    if free:
+        pixels = _on_white(pixels)
+    if not 16 <= min(pixels.shape[:2]) <= max(pixels.shape[:2]) <= _LONGEST:
         return None
     levels = pixels.astype(np.float32)
     ground = ground_of(premultiplied(levels))
-    if ground is None or ground.around < AROUND or ground.colour[:3].max() < 2 * ASTRAY:
+    if ground is None or ground.around < _AROUND or ground.colour[:3].max() < 2 * ASTRAY:
         return None
     bright = (levels @ ground.colour[:3]) / (ground.colour[:3] @ ground.colour[:3])
     tinge = abs(levels - bright[..., None] * ground.colour[:3]).max(axis=2)
     dark = (tinge < _TINGE) & (bright > _DEEPEST) & ~ground.mask
     away = abs(levels - ground.colour[:3]).max(axis=2)
-    shadow = _soft(levels, dark, bright, away, ground)
-    if shadow is None:
+    shadow = shadow_of_tile(levels, dark, away, ground)
+    told = not free and ground.around > AROUND
+    if shadow is None and told:
+        shadow = _soft(levels, dark, bright, away, ground)
+    if shadow is None and told:
         shadow = _hard(dark & (bright < _FAINTEST), bright, away, ground)
     if shadow is None:
         return None
@@ -72,6 +82,12 @@ def without_shadow(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
     free[behind] = ground.colour[:3]
     without: NDArray[np.uint8] = np.rint(free).astype(np.uint8)
     return without
+
+
+def _on_white(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    both = premultiplied(pixels.astype(np.float32))
+    page: NDArray[np.uint8] = np.rint(both[..., :3] + 255 - both[..., 3:]).astype(np.uint8)
+    return page
 
 
 def _soft(
