@@ -81,3 +81,19 @@ def test_stripes_on_white_are_no_page(quality):
         ink = shape(saved(flag, quality) if quality else flag)
         assert ndimage.label(ink)[1] == pieces
         assert ink.any(axis=0).sum() > 230
+
+
+@pytest.mark.parametrize("channels", [1, 3, 4])
+@pytest.mark.parametrize("side", [24, 128, 300])
+def test_noise_is_no_drawing(side, channels):
+    noise = np.random.default_rng(side).integers(0, 256, (side, side, channels), dtype=np.uint8)
+    noise = np.repeat(noise, 3, axis=2) if channels == 1 else noise
+    assert not recognised(noise).found
+    if channels < 4:
+        assert not recognised(saved(noise, 80)).found
+
+
+def test_what_is_drawn_upon_noise_is_found():
+    random = np.random.default_rng(0)
+    pixels = 200 - 60 * heart()[..., None] + random.normal(0, 35, (SIDE, SIDE, 3))
+    assert recognised(np.clip(pixels, 0, 255).astype(np.uint8)).found

@@ -17,6 +17,7 @@ from iconstudio.algorithms.scanning.doubts import (
     LEAST,
     SPECK,
     has_fainter_lines,
+    is_noise,
     shading,
     without_specks,
 )
@@ -157,6 +158,8 @@ def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
 
     These tell only if nobody says whether it is lighter than its ground.
     """
+    if is_noise(pixels):
+        return replace(scanned(pixels, inverted), found=False)
     opaque = pixels.shape[2] == 3
     if opaque and not inverted and is_photographed(shrunk(pixels, _step(pixels))):
         return scanned(pixels, inverted)

@@ -17,6 +17,9 @@ _BESIDE = 3
 """Pixels beside ink that its blurred edges reach."""
 _SEEN, _FAINTER = 0.08, 0.02
 """How dark lines are that one can see, and how much of them beside the ink is told."""
+_UNLIKE, _FEWEST = 0.82, 16
+"""How much neighbours differ in noise, as part of any two pixels, at least; pixels to a side of the
+coarsest picture that is asked."""
 LEAST = 0.12
 """A drawing is darker than its paper by so much at least, of all the way to black: what is so much
 darker is no noise."""
@@ -32,6 +35,26 @@ def has_fainter_lines(dark: NDArray[np.float32], threshold: float) -> bool:
     grain = 1.48 * np.median(abs(paper - np.median(paper)))
     seen = without_specks((dark > np.median(paper) + max(_SEEN, 4 * grain)) & away, SPECK)
     return bool(seen.sum() > _FAINTER * ink.sum())
+
+
+def is_noise(pixels: NDArray[np.uint8]) -> bool:
+    """Whether each pixel (h, w, c) is as unlike its neighbours as any other, however coarsely seen.
+
+    Of a drawing, however noisy, neighbours are alike at some resolution.
+    """
+    levels = pixels.astype(np.float32)
+    spread = levels.var(axis=(0, 1)).sum()
+    while spread > 1:
+        apart = [(np.diff(levels, axis=axis) ** 2).mean(axis=(0, 1)).sum() / 2 for axis in (0, 1)]
+        if min(apart) < _UNLIKE * spread:
+            return False
+        height, width = (side // 2 for side in levels.shape[:2])
+        if min(height, width) < _FEWEST:
+            return True
+        levels = levels[: 2 * height, : 2 * width]
+        levels = levels.reshape(height, 2, width, 2, -1).mean(axis=(1, 3))
+        spread = levels.var(axis=(0, 1)).sum()
+    return False
 
 
 def shading(dark: NDArray[np.float32], threshold: float, scale: float) -> float:
