@@ -25,6 +25,8 @@ _FLAT, _NOISY = 1.5 / 255, 16 / 255
 """What was photographed varies by more; and paper beside edges, by the noise of lossy files."""
 _EXACT, _ALIKE = 2.5 / 255, 0.85
 """By how much what a computer painted strays at most, and how much of it does not."""
+_FEWEST = 100
+"""Pixels of the shorter side of a photo, at least: of fewer, edges and noise leave nothing even."""
 _SAME = 0.06
 """Colours that differ by no more are one."""
 
@@ -48,7 +50,7 @@ def is_photographed(picture: NDArray[np.float32]) -> bool:
 
     Neither has one colour all over, as light and grain are uneven.
     """
-    if _is_of_one_colour(rim_of(picture)):
+    if min(picture.shape[:2]) < _FEWEST or _is_of_one_colour(rim_of(picture)):
         return False
     sheet = sheet_on_desk(picture)
     if sheet is None:

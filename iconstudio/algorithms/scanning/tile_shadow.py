@@ -10,8 +10,9 @@ from iconstudio.algorithms.tones.regions import Mask
 
 _GENTLE = 48.0
 """Levels by which a soft shadow differs within three pixels at most."""
-_SEEN, _LEAST = 6.0, 0.01
-"""Levels from which a shadow is seen, and how large what is seen of it is, as part of the tile."""
+_SEEN, _LEAST, _WIDE = 8.0, 0.02, 5
+"""Levels from which a shadow is seen, how large what is seen of it is, as part of the tile, and how
+many pixels wide: the noise of lossy files is slimmer."""
 _FADES, _NEARLY = 0.9, 16.0
 """How much of where a shadow meets its ground is nearly of its colour, and by how many levels."""
 _SHAPE = (0.86, 1.01)
@@ -40,7 +41,8 @@ def shadow_of_tile(
     if not count:
         return None
     tile = pieces == 1 + int(np.argmax(np.bincount(pieces.ravel())[1:]))
-    if not _is_tile(tile) or (shadow & (away > _SEEN)).sum() < _LEAST * tile.sum():
+    seen = scipy.ndimage.binary_opening(shadow & (away > _SEEN), np.ones((_WIDE, _WIDE)))
+    if not _is_tile(tile) or seen.sum() < _LEAST * tile.sum():
         return None
     meets = scipy.ndimage.binary_dilation(ground.mask, np.ones((3, 3))) & shadow
     if (away[meets] < _NEARLY).mean() < _FADES:
