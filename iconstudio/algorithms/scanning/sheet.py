@@ -4,6 +4,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.scanning.ground import unevenness
 from iconstudio.algorithms.scanning.margin import rim_of
 from iconstudio.algorithms.scanning.quadrangle import quadrangularity
 from iconstudio.algorithms.scanning.sides import sheet_by_its_sides
@@ -25,6 +26,8 @@ _FLAT, _NOISY = 1.5 / 255, 16 / 255
 """What was photographed varies by more; and paper beside edges, by the noise of lossy files."""
 _EXACT, _ALIKE = 2.5 / 255, 0.85
 """By how much what a computer painted strays at most, and how much of it does not."""
+_ACROSS, _LEVEL, _PAINTED = 5, 0.75 / 255, 0.4
+"""How much of what it painted does not vary at all within so many pixels, also in lossy files."""
 _FEWEST = 100
 """Pixels of the shorter side of a photo, at least: of fewer, edges and noise leave nothing even."""
 _SAME = 0.06
@@ -56,7 +59,10 @@ def is_photographed(picture: NDArray[np.float32]) -> bool:
     if sheet is None:
         return False
     paper = sheet & (picture.mean(axis=2) > np.median(picture[sheet]) * (1 - _SHADE))
-    return not (_is_of_one_colour(picture[paper]) or _is_of_one_colour(picture[~sheet]))
+    even = unevenness(picture, _ACROSS) < _LEVEL
+    return not any(
+        _is_of_one_colour(picture[part]) or even[part].mean() > _PAINTED for part in (paper, ~sheet)
+    )
 
 
 def _is_of_one_colour(colours: NDArray[np.float32]) -> bool:
