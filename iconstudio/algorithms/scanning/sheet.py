@@ -16,6 +16,8 @@ _GLINT = 3
 """Half the width in pixels of what is too slim to be part of a sheet."""
 _TINGE = 0.12
 """Paper in the shadow differs in colour from paper in the light by no more, as part of it."""
+_DIMMEST = 0.2
+"""How bright paper is, at least: a glow on something dark is none."""
 _DARK = 0.02
 """What is no brighter has no colour that could be compared."""
 _SHADE = 0.3
@@ -43,7 +45,9 @@ def sheet_on_desk(picture: NDArray[np.float32]) -> NDArray[np.bool_] | None:
     sheet does not.
     """
     sheet = sheet_by_its_sides(picture)
-    if sheet is None or _is_card(picture, sheet) or _is_in_shadow(picture, ~sheet):
+    if sheet is None or np.median(picture[sheet].max(axis=1)) < _DIMMEST:
+        return None
+    if _is_card(picture, sheet) or _is_in_shadow(picture, ~sheet):
         return None
     return sheet
 
