@@ -7,6 +7,11 @@ shows nothing, has no fingerprint.
 from collections.abc import Iterator, Sequence
 from concurrent.futures import Future
 
+import numpy as np
+from numpy.typing import NDArray
+from scipy import ndimage
+
+from iconstudio.algorithms.raster import solid
 from iconstudio.library.fingerprint import Fingerprint, fingerprint
 from iconstudio.library.iconify import RawIcon, document
 from iconstudio.model import Frame, IconstudioError
@@ -17,6 +22,12 @@ from iconstudio.workers import Workers, loss
 
 _SIZE = 96
 _BATCH = 512
+_PALE = 20
+"""What is darker can be seen."""
+_SOFT = 2
+"""Pixels around the dark parts that are theirs: soft edges."""
+_LOST = 0.03
+"""Of a drawing, so much may be lost with its pale parts."""
 _SECONDS = 60.0
 _MEMORY = 1 << 30
 
@@ -67,6 +78,21 @@ def _draw(icon: RawIcon) -> Fingerprint | None:
     svg = document(icon.body, icon.view_box)
     try:
         check(svg)
-        return fingerprint(render_coverage(svg, frame, _SIZE))
+        coverage = render_coverage(svg, frame, _SIZE)
     except IconstudioError:
         return None
+    return None if loses_its_shape(coverage) else fingerprint(coverage)
+
+
+def loses_its_shape(coverage: NDArray[np.uint8]) -> bool:
+    """Return whether a drawing, (n, n) uint8, 255 = ink, has another shape without its pale parts.
+
+    A duotone's pale layer is no ink (section 3.1: black and white). One that lies within the dark
+    lines may go; but not the body of a bin whose lid alone is dark.
+    """
+    dark, seen = coverage > 127, coverage > _PALE
+    if not (seen & ~ndimage.binary_dilation(dark, iterations=_SOFT)).any():
+        return False  # nearly all of them: nothing is pale but edges
+    whole = solid(seen)
+    beyond = whole & ~ndimage.binary_dilation(solid(dark), iterations=_SOFT)
+    return bool(beyond.sum() > _LOST * whole.sum())

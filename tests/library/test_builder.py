@@ -198,6 +198,18 @@ def test_a_drawing_that_kills_its_worker_costs_no_other():
     assert [drawn is not None for drawn in shapes] == [True, False, True]
 
 
+def test_a_duotone_whose_pale_parts_are_of_its_shape_is_left_out(make):
+    frame = '<path fill="none" stroke="currentColor" stroke-width="2" d="M3 3h18v18H3z"/>'
+    handle = '<path fill="none" stroke="currentColor" opacity=".5" d="M9 6V2h6v4"/>'
+    inside = '<path fill="currentColor" opacity=".3" d="M3 3h18v18H3z"/>'
+    icons = {
+        "dog": inside + frame,
+        "cat": '<path fill="currentColor" opacity=".4" d="M3 9h18v12H3z"/><path d="M1 4h22v4H1z"/>',
+        "horse": frame.replace("3h18v18", "6h18v15") + handle,
+    }
+    assert names(make(icon_set("a", icons))) == ["a:dog"]
+
+
 def test_hostile_bodies_are_left_out(make):
     icons = {
         "dog": shape(1),
