@@ -249,8 +249,8 @@ def test_a_keyword_that_is_very_long_is_not_repeated_whole(bundled, keyword):
 
 
 def test_of_an_unknown_icon_without_a_like_it_is_told_what_to_do(bundled):
-    with pytest.raises(IconstudioError, match=r"no icon 'nope:nope'\. Search for what it shows"):
-        bundled.get("nope:nope")
+    with pytest.raises(IconstudioError, match=r"no icon 'qqq:qqzzq'\. Search for what it shows"):
+        bundled.get("qqq:qqzzq")
 
 
 @pytest.mark.parametrize(
