@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QWidget
 from iconstudio.gui.exchange.dragging import unpacked
 from iconstudio.gui.exchange.dropping import DropTarget
 from iconstudio.gui.exchange.mime import holds_something
-from iconstudio.gui.theme.layout import OnResize, column
+from iconstudio.gui.theme.layout import OnGeometry, column
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.window.notice import Notice
 from iconstudio.gui.window.progress import StatusStrip
@@ -31,7 +31,7 @@ class WorkspacePane(QWidget):
         workspace.failed.connect(self.notice.say)
         workspace.hinted.connect(self.notice.hint)
         self.notice.resized.connect(self._place_notice)
-        OnResize(self.status, self._place_notice)
+        OnGeometry(self.status, self._place_notice)
         workspace.progressed.connect(self.status.show_progress)
         workspace.counted.connect(self.status.set_finished)
         workspace.idle.connect(self.status.rest)
