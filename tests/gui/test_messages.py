@@ -5,7 +5,9 @@ from hands import go_to
 from PySide6.QtCore import QPoint, QRect
 from PySide6.QtWidgets import QAbstractButton, QApplication, QLabel, QLineEdit
 
-LONG = "“a file.svg” cannot be used. A part that nobody has heard of is not understood. Leave it out."
+LONG = (
+    "“a file.svg” cannot be used. A part that nobody has heard of is not understood. Leave it out."
+)
 
 
 def bottom_of(pane):
