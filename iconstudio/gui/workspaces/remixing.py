@@ -87,7 +87,8 @@ class RemixWorkspace(Workspace):
             self.runner.run()
 
     def cancel(self) -> None:
-        """Stop the run and the search; results that are finished stay."""
+        """Stop the run and the search, and what is being opened; finished results stay."""
+        super().cancel()
         self.preparation.cancel()
         self.runner.cancel()
 
