@@ -1,5 +1,7 @@
 """Messages stand over the status line, whatever the window does, and cover nothing to click."""
 
+import json
+
 import pytest
 from hands import go_to
 from PySide6.QtCore import QPoint, QRect
@@ -53,3 +55,22 @@ def test_many_messages_cover_nothing_to_click_and_show_whole_lines(window, qtbot
     bar.setValue(bar.maximum())
     last = notice.label.visibleRegion().boundingRect().bottom()
     assert last == notice.label.rect().bottom(), "the last message can be read"
+
+
+@pytest.mark.parametrize(
+    ("title", "work", "said"),
+    [
+        ("Sketch", {"polygon": [[0, 0], [9, 0], [9, 9]]}, '"exclude" leaves out nothing by “a:b”'),
+        ("Edit", {"icon": "shapes:ring-0"}, '"exclude" leaves out nothing by “a:b”'),
+        ("Montage", {"layers": [{"icon": "shapes:ring-0", "dx": 5000}]}, "outside the canvas"),
+    ],
+)
+def test_what_a_file_says_in_vain_is_told(window, qtbot, tmp_path, title, work, said):
+    place = go_to(window, title)
+    path = tmp_path / "work.json"
+    exclude = {} if title == "Montage" else {"exclude": ["a:b", "shapes:cross-2"]}
+    path.write_text(json.dumps(work | exclude))
+    place.opener.open_work(str(path))
+    qtbot.waitUntil(lambda: place.page != place.blank)
+    assert said in window.pane.status.label.text()
+    assert "cross" not in window.pane.status.label.text()
