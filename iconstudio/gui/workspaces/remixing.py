@@ -88,9 +88,9 @@ class RemixWorkspace(Workspace):
 
     def cancel(self) -> None:
         """Stop the run and the search, and what is being opened; finished results stay."""
-        super().cancel()
         self.preparation.cancel()
         self.runner.cancel()
+        super().cancel()
 
     # -- what a subclass says ------------------------------------------------------------------
 
