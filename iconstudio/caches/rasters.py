@@ -138,7 +138,7 @@ def _decoded(entry: bytes, pictogram: Pictogram) -> Exemplar | IconstudioError:
 
 
 def _refusal(pictogram: Pictogram, reason: str) -> IconstudioError:
-    return IconstudioError(f"{pictogram.id} cannot be used. {reason}")
+    return IconstudioError(f"{pictogram.name} cannot be used. {reason}")
 
 
 def _key(svg: str) -> str:

@@ -16,6 +16,7 @@ from iconstudio.model import Edit, IconstudioError, Sketch
 from iconstudio.output.report import GridReport
 from iconstudio.output.request import Request
 from iconstudio.session import Session
+from iconstudio.workflows.criteria import left_out
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.grid import LAMBDAS, GridSettings
 
@@ -46,10 +47,13 @@ class GridOptions:
         IconstudioError
             If an icon is to be left out that the collection does not have.
         """
+        here, remarks = left_out(request.exclude, session.collection.get)
+        for remark in remarks:
+            running.tell(f"In “{self.file.name}”: {remark}")
         return replace(
             request,
             keyword=request.keyword if self.keyword is None else self.keyword,
-            exclude=request.exclude | running.left_out(session, self.exclude),
+            exclude=here | running.left_out(session, self.exclude),
         )
 
     def settings(self, styles: tuple[str, ...]) -> GridSettings:

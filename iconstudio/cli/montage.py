@@ -21,6 +21,8 @@ from iconstudio.workflows.remixing import CutSettings
 def command(file: Path, folder: Path, fine: bool, profile: bool) -> None:
     """Join the parts of icons that are scribbled over in MONTAGE.json."""
     read = read_montage(file)
+    for remark in read.remarks:
+        running.tell(f"In “{file.name}”: {remark}")
     with profiled(profile) as stopwatch, Session() as session:
         montage = read.resolved(session.icon)
         running.tell_remarks(layer.icon for layer in montage.layers)

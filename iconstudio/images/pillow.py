@@ -110,7 +110,7 @@ def _decoded(
         if file.width * file.height > MAX_PIXELS:
             raise IconstudioError(
                 f"It is too large ({width:,} × {height:,} pixels). "
-                f"Scale it down to {longest:,} pixels or fewer."
+                f"Scale it down to {longest:,} pixels a side or fewer."
             )
         remark = _remark(file)
         interlaced = damaged and _interlaced(file)

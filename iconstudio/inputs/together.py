@@ -62,7 +62,7 @@ def read_together(
             if len(items) == 1:
                 yield Sprite(item, error.names)
                 return
-            complaints.append(str(error))
+            complaints.append(f"{error.what} Open it by itself to choose a symbol.")
         except IconstudioError as error:
             complaints.append(str(error))
         except Exception as error:  # the others are opened all the same

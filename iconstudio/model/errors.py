@@ -10,11 +10,14 @@ class IconstudioError(Exception):
 
 
 class SpriteError(IconstudioError):
-    """A file holds several drawings and shows none by itself: one is to be chosen by its name."""
+    """A file holds several drawings and shows none by itself: one is to be chosen by its name.
 
-    def __init__(self, message: str, names: tuple[str, ...]) -> None:
-        super().__init__(message, names)
-        self.names = names
+    ``what`` says so; ``advice``, how to choose one where files are named in words.
+    """
+
+    def __init__(self, what: str, names: tuple[str, ...], advice: str = "") -> None:
+        super().__init__(what, names, advice)
+        self.what, self.names, self.advice = what, names, advice
 
     def __str__(self) -> str:
-        return str(self.args[0])
+        return f"{self.what} {self.advice}".strip()

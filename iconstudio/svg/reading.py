@@ -129,9 +129,9 @@ def told(data: bytes, name: str, symbol: str | None = None) -> Iterator[None]:
         yield
     except SpriteError as error:
         raise SpriteError(
-            f"“{name}” cannot be used. {error} "
-            f"To use one, write its name behind the file's: “{Path(name).name}#{error.names[0]}”.",
+            f"“{name}” cannot be used. {error.what}",
             error.names,
+            f"To use one, write its name behind the file's: “{Path(name).name}#{error.names[0]}”.",
         ) from None
     except IconstudioError as error:
         raise IconstudioError(f"“{name}” cannot be used. {error}") from None

@@ -2,8 +2,9 @@
 
 from typing import Any, Protocol, Self
 
-from iconstudio.model import Axis
+from iconstudio.model import Axis, IconstudioError
 from iconstudio.workflows.pages import Document, Page
+from iconstudio.workflows.workflow import Find
 
 
 class Criteria(Protocol):
@@ -39,6 +40,21 @@ class CriteriaPage(Page, Protocol):
 
 
 CriteriaDocument = Document[CriteriaPage]
+
+
+def left_out(exclude: frozenset[str], find: Find) -> tuple[frozenset[str], tuple[str, ...]]:
+    """Return what a file leaves out, as the collection calls it, and remarks on what is not there.
+
+    An icon that is not there stays among them: another version of the collection may have it.
+    """
+    found, remarks = set(), []
+    for one in sorted(exclude):
+        try:
+            found.add(find(one).id)
+        except IconstudioError as error:
+            found.add(one)
+            remarks.append(f'"exclude" leaves out nothing by “{one}”. {error}')
+    return frozenset(found), tuple(remarks)
 
 
 def set_keyword(document: CriteriaDocument, keyword: str, gesture: object = None) -> None:

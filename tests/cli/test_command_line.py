@@ -137,6 +137,21 @@ def test_an_icon_that_is_not_there_cannot_be_left_out(tmp_path, capsys, command)
     assert not told.out and not (tmp_path / "out").exists()
 
 
+def test_what_a_file_leaves_out_in_vain_is_told(tmp_path, capsys):
+    """The run itself ends at once: there is no keyword."""
+    files = {
+        "model": {"polygon": SQUARE},
+        "edit": {"icon": "mdi:cat", "add": [SQUARE]},
+    }
+    for command, data in files.items():
+        for exclude in (["nope:nope"], ["mdi:dog"]):
+            file = write(tmp_path, data | {"exclude": exclude})
+            assert run([command, file, "--out", str(tmp_path / "out")], NoWindow()) == 2
+            told = capsys.readouterr().err
+            remark = '"exclude" leaves out nothing by “nope:nope”. The collection has no icon'
+            assert (remark in told) == (exclude == ["nope:nope"])
+
+
 def test_several_words_need_no_quotation_marks(capsys):
     assert run(["search", "ice cream"], NoWindow()) == 0
     listed = capsys.readouterr().out

@@ -276,10 +276,11 @@ def test_all_of_several_files_are_taken_by_one_step(roomy, qtbot, own):
     assert drop(roomy, urls(*own(3))) is not None
     there(roomy, qtbot, 3)
     assert told(roomy) == ""
-    assert status(roomy).count("icon-") == 3
+    assert status(roomy) == "Added “icon-0.svg”, “icon-1.svg” and “icon-2.svg”."
     assert roomy.document.undo_stack.count() == 1
     roomy.actions_by_name["undo"].trigger()
     assert roomy.icons == ()
+    assert "Added" not in status(roomy)
     roomy.actions_by_name["redo"].trigger()
     assert len(roomy.icons) == 3
 
@@ -309,13 +310,32 @@ def test_what_takes_long_to_open_is_told_meanwhile(place, qtbot, own, monkeypatc
     place.remarked.connect(told.append)
     place.failed.connect(failures.append)
     place.open_mime(urls(path))
-    qtbot.waitUntil(lambda: told[-1] == "Opening…")
+    pane = place.window().pane
+    qtbot.waitUntil(lambda: status(place) == "Opening…")
+    pane.status._timer.timeout.emit()
+    assert status(place) == "Opening…", "as long as it lasts, longer than remarks stay"
+    assert pane.status.button.isVisible()
     go.set()
-    qtbot.waitUntil(lambda: told[-1] != "Opening…")
+    qtbot.waitUntil(lambda: status(place) != "Opening…")
     qtbot.waitUntil(lambda: good or bool(failures))
+    assert not pane.status.button.isVisible()
     assert bool(told[-1]) == good
     assert bool(failures) != good
     assert place.window().pane.notice.isVisible() != good
+
+
+@pytest.mark.parametrize("title", ["Sketch", "Edit", "Montage"])
+def test_opening_can_be_cancelled(window, qtbot, own, photo, monkeypatch, title):
+    window.show_workspace(OTHERS.get(title, 0))
+    place = window.workspace
+    before = place.page
+    slowly(place.opener, monkeypatch)
+    place.open_mime(urls(*(own(1) if title != "Sketch" else [photo])))
+    qtbot.waitUntil(lambda: status(place) == "Opening…")
+    place.window().pane.status.button.click()
+    assert status(place) != "Opening…"
+    assert not place.opener.adding and not place.opener.runner.running
+    assert place.page == before
 
 
 def test_a_dropped_project_that_cannot_be_opened_is_told_until_it_is_read(place, qtbot, tmp_path):
@@ -349,7 +369,7 @@ def test_what_there_is_no_room_for_is_named(roomy, qtbot, own):
     icons = there(roomy, qtbot, most)
     assert icons[-1].id.startswith(f"own:icon-{most}-")
     assert f"icon-{most + 1}" in told(roomy) and f"icon-{most + 2}" in told(roomy)
-    assert f"at most {most} icons" in told(roomy)
+    assert f"at most {most} icons" in told(roomy) and "own:" not in told(roomy)
     assert roomy.document.undo_stack.count() == 2
     drop(roomy, urls(*own(2, first=99)))
     qtbot.waitUntil(lambda: "first." in told(roomy))
@@ -373,11 +393,10 @@ def test_the_same_file_twice_is_one(roomy, qtbot, own):
 def test_an_icon_that_is_mixed_already_is_told(window, qtbot, own):
     window.show_workspace(OTHERS["Hybrids"])
     place, (path,) = window.workspace, own(1)
-    for _ in range(2):
+    for said in ("Added “icon-0.svg”.", "“icon-0.svg” is among the icons already."):
         drop(place, urls(path))
         there(place, qtbot, 1)
-    assert "is among the icons already" in status(place)
-    assert "Added" not in status(place)
+        assert status(place) == said
 
 
 def test_of_a_mixture_each_is_taken_or_told(place, qtbot, own, tmp_path, photo):

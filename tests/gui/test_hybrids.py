@@ -396,6 +396,7 @@ def test_the_same_seed_gives_the_same_sheet(mixed, qtbot):
     mixed.document.undo_stack.undo()
     assert mixed.document.page.seed in (0, other), "digits typed are undone together"
     mixed.document.change("seed", type(mixed.document.page)(mixed.document.page.ingredients))
+    mixed.draws.clear()
     run(mixed, qtbot)
     assert [one.icon.path for one in rows(mixed)[:-1]] == before
 
@@ -467,6 +468,30 @@ def test_colour_coding(mixed):
 
 
 # -- what is done with a hybrid --------------------------------------------------------------------
+
+
+def test_undo_brings_back_the_sheet_of_an_earlier_mix(mixed, qtbot):
+    stack, first = mixed.document.undo_stack, rows(mixed)
+    assert any(isinstance(one, Picture) for one in first)
+    mixed.column.seed.changed.emit(7)
+    assert "earlier mix" in mixed.panel.note.text()
+    run(mixed, qtbot)
+    second = rows(mixed)
+    assert second != first
+    for step, there in ((stack.undo, first), (stack.redo, second), (stack.undo, first)):
+        step()
+        assert rows(mixed) == there
+        assert mixed.panel.note.text() == ""
+    assert not mixed.draws.runner.running
+    mixed.clear()
+    assert rows(mixed) == []
+    stack.undo()
+    assert rows(mixed) == first
+    assert mixed.sheet.isVisible()
+    mixed.opener.shown.emit()
+    assert not mixed.draws.runner.running, "an example that is opened again is there already"
+    run(mixed, qtbot)
+    assert rows(mixed)[: len(first)] == first, "more of it is drawn below"
 
 
 def test_favourites_by_key_button_and_menu_and_undo(mixed):
@@ -663,8 +688,7 @@ def test_a_new_mix_has_no_hybrids(mixed, qtbot):
     assert not mixed.actions_by_name["svg"].isEnabled()
     assert mixed.window().pane.status.label.text() == ""
     pick(mixed, qtbot, 4)
-    run(mixed, qtbot)
-    assert len(mixed.sections.pictures) == 37
+    assert len(mixed.sections.pictures) == 37, "the same icons were mixed before"
 
 
 def test_the_hybrids_in_sight_are_counted(mixed, qtbot):

@@ -14,13 +14,16 @@ from PySide6.QtGui import QColor, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QColorDialog
 
+from iconstudio.gui.gallery.detail import MAKING
 from iconstudio.gui.project import questions
 from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.gui.workspaces.pattern import patterner
 from iconstudio.gui.workspaces.pattern.tools import stalk
+from iconstudio.gui.workspaces.pattern.workspace import INVITATION
 from iconstudio.model import Patterned
 from iconstudio.session import Session
 from iconstudio.svg.reading import own_svg
+from iconstudio.workflows.events import Progress
 from iconstudio.workflows.pattern.bounds import SEEDS
 from iconstudio.workflows.pattern.page import PatternPage
 from iconstudio.workflows.pattern.scattering import PALETTE
@@ -454,6 +457,42 @@ def test_a_coloured_drawing_is_opened_as_an_image_with_its_credits(place, qtbot,
     qtbot.waitUntil(lambda: place.reader.layers is not None)
     assert place.reader.layers.colours == ("#ffffff", "#dc1e1e")
     assert [one.id.startswith("own:ornament") for one in place.page.work.image.credits] == [True]
+
+
+def test_a_sprite_sheet_opened_as_an_image_is_told_in_words_of_the_window(place, qtbot, tmp_path):
+    path = tmp_path / "sheet.svg"
+    symbol = '<symbol id="{}" viewBox="0 0 9 9"><path d="M1 1h7v7z" fill="red"/></symbol>'
+    symbols = "".join(map(symbol.format, ("flag", "bar")))
+    path.write_text(f'<svg xmlns="http://www.w3.org/2000/svg">{symbols}</svg>')
+    place.opener.open_image(str(path))
+    notice = place.window().pane.notice
+    qtbot.waitUntil(notice.isVisible)
+    assert "sprite sheet of 2 symbols (flag, bar)" in notice.label.text()
+    assert notice.label.text().endswith("Drop it on the canvas to choose a symbol as an icon.")
+
+
+def test_while_the_first_pattern_is_made_its_place_says_so(place, qtbot, monkeypatch):
+    go, run = threading.Event(), place.session.run
+
+    def slowly(*asked):
+        while not go.wait(0.01):
+            yield Progress("pattern", 0.1, "Making the pattern")
+        yield from run(*asked)
+
+    monkeypatch.setattr(place.session, "run", slowly)
+    assert place.detail.empty.text() == INVITATION
+    place.take(RING)
+    qtbot.waitUntil(lambda: place.patterner.live.running)
+    assert place.detail.empty.isVisible()
+    assert place.detail.empty.text() == MAKING
+    place.cancel()
+    assert place.detail.empty.text() == INVITATION
+    place.actions_by_name["undo"].trigger()
+    assert place.detail.empty.text() == INVITATION
+    place.actions_by_name["redo"].trigger()
+    assert place.detail.empty.text() == MAKING
+    go.set()
+    qtbot.waitUntil(lambda: not place.detail.empty.isVisible())
 
 
 def test_the_work_is_saved_beside_its_image_and_opened(

@@ -101,6 +101,8 @@ def test_among_several_files_a_sheet_is_told(window, qtbot, sheet, tmp_path):
     opener(window.workspace).open_mime(dropped(sheet, other))
     qtbot.waitUntil(lambda: bool(told))
     assert "sprite sheet of 2 symbols (flag, bar)" in told[0]
+    assert told[0].endswith("Open it by itself to choose a symbol.")
+    assert "#flag" not in told[0], "that is advice for the command line"
 
 
 def test_the_chooser_offers_the_symbols(qtbot, session, sheet):

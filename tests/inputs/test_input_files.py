@@ -141,6 +141,21 @@ def test_a_dot_is_written_as_a_short_stroke_at_its_place(path):
     assert all(math.dist(point, (30, 40)) < 0.2 for point in stroke.points)
 
 
+@pytest.mark.parametrize("points", [[[30, 40]], [[30, 40]] * 600])
+def test_a_stroke_of_one_point_is_a_dot(path, points):
+    data = {"layers": [{"icon": "mdi:dog", "strokes": [{"width": 12, "points": points}]}]}
+    (layer,) = read_montage(saved(path, data)).resolved(found).layers
+    assert layer.strokes == (Stroke(12, ((30.0, 40.0),)),)
+
+
+def test_icons_beside_the_canvas_are_told(path):
+    places = [{}, {"dx": 5000}, {"dy": -300}, {"dy": -300, "scale": 2}, {"dx": 255}]
+    layers = [{"icon": f"mdi:{name}"} | place for name, place in zip("abcde", places, strict=True)]
+    remarks = read_montage(saved(path, {"layers": layers})).remarks
+    starts = [one.partition(" lies outside the canvas")[0] for one in remarks]
+    assert starts == ["Layer 2, “mdi:b”,", "Layer 3, “mdi:c”,"]
+
+
 def test_what_may_be_left_out(path):
     edit = read_edit(saved(path, {"icon": "mdi:dog", "add": [SQUARE]}))
     assert edit == EditFile(icon="mdi:dog", add=(tuple(map(tuple, SQUARE)),))
@@ -272,8 +287,6 @@ MISTAKES = [
     (read_montage, stroke(points=None), '"points" is missing: a list of [x, y] points'),
     (read_montage, stroke(points={}), '"points" must be a list of [x, y] points'),
     (read_montage, stroke(points=[]), "no point"),
-    (read_montage, stroke(points=[[9, 9]]), "one point"),
-    (read_montage, stroke(points=[[9, 9], [9, 9]]), "one point"),
     (read_montage, stroke(points=[[9, 9], [9, None]]), "not a pair"),
     (read_montage, stroke(points=[[9, 9], [9, 1e8]]), "out of all scale"),
     (read_montage, stroke(points=[[-50, 9], [-20, 200]]), "outside the canvas"),

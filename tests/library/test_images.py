@@ -374,3 +374,11 @@ def test_closing_the_reading_ends_the_work(workers):
     start = time.monotonic()
     assert read(saved(PICTURE, "PNG"), workers).width == 60
     assert time.monotonic() - start < 20
+
+
+def test_an_image_that_is_too_large_is_told_how_small_it_should_be(monkeypatch):
+    monkeypatch.setattr(pillow, "MAX_PIXELS", 100)
+    file = io.BytesIO()
+    PICTURE.save(file, "PNG")
+    with pytest.raises(IconstudioError, match="Scale it down to 4,096 pixels a side or fewer"):
+        decode(file.getvalue(), 4096)

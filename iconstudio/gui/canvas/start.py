@@ -4,7 +4,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QWidget
 
 from iconstudio.gui.canvas.view import CanvasView
-from iconstudio.gui.theme.layout import OnResize, push_button, row
+from iconstudio.gui.theme.layout import OnGeometry, push_button, row
 from iconstudio.gui.theme.theme import UNIT
 
 
@@ -22,7 +22,7 @@ class StartButtons(QWidget):
             buttons.append(push_button("Try an example"))
             buttons[-1].setMenu(examples)
         row(*buttons, of=self)
-        OnResize(canvas, self._place)
+        OnGeometry(canvas, self._place)
         canvas.scene.document.page_changed.connect(self._show)
         self._show()
 

@@ -50,6 +50,8 @@ class Opener(QObject):
         Something could not be opened, or not all of it; a sentence for the user.
     opened(str)
         What is there now, for the status line.
+    progressed(Progress), rested()
+        Something is being opened that takes long; that is over.
     project(str)
         A project is to be opened, in the file of that path.
     """
@@ -57,6 +59,8 @@ class Opener(QObject):
     began = Signal()
     failed = Signal(str)
     opened = Signal(str)
+    progressed = Signal(object)
+    rested = Signal()
     project = Signal(str)
 
     question: ClassVar[str] = ""
@@ -85,7 +89,8 @@ class Opener(QObject):
         self.adding: list[Job] = []
         """Read what is added; what takes the place of all is read by ``runner``."""
         self._complaints: list[str] = []
-        self._patience = Patience(self.opened.emit, self)
+        self.patience = Patience(self.progressed.emit, self.rested.emit, self)
+        """Asks for it while something is being opened."""
         self.runner = Runner(worker, self)
         """Does what ``replace`` starts; its ``progress`` and ``ended`` may be listened to."""
         self.runner.event.connect(self.receive)
@@ -213,13 +218,13 @@ class Opener(QObject):
     def replace(self, make: Callable[[], Generator[Any]]) -> None:
         """Put what ``make()`` yields on the page, unless something else replaces it before."""
         self._begin_anew()
-        self._patience.begin()
+        self.patience.begin()
         self.runner.start(make)
 
     def add(self, make: Callable[[], Generator[Any]]) -> None:
         """Put what ``make()`` yields on the page, whatever else is opened meanwhile."""
         self._begin_anew()
-        self._patience.begin()
+        self.patience.begin()
         job = self._worker.submit(make)
         self.adding.append(job)
         job.event.connect(self.receive)
@@ -252,14 +257,12 @@ class Opener(QObject):
         except IconstudioError as error:
             self.complain(str(error))
             return
-        self._patience.end(silently=True)
         self.opened.emit(done)
         for complaint in self._complaints:  # what was told before has gone from sight with that
             self.failed.emit(complaint)
 
     def complain(self, message: str) -> None:
         """Tell the user of something that was not opened, until all is opened that is to be."""
-        self._patience.end()  # which takes from sight what was told before
         if self._busy:
             self._complaints.append(message)
         self.failed.emit(message)
@@ -280,7 +283,7 @@ class Opener(QObject):
     def _rest(self) -> None:
         if not self._busy:
             self._complaints.clear()
-            self._patience.end()
+            self.patience.end()
 
 
 def _is_work(item: Item) -> bool:

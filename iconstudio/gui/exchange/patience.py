@@ -4,31 +4,37 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QObject, QTimer
 
+from iconstudio.workflows.events import Progress
+
 _DELAY = 300
 """Milliseconds after which it is told."""
 
 
 class Patience(QObject):
-    """Says that something is being opened, and takes that back when it is over."""
+    """Says that something is being opened, and when it is over."""
 
-    def __init__(self, say: Callable[[str], object], parent: QObject) -> None:
+    def __init__(
+        self, say: Callable[[Progress], object], over: Callable[[], object], parent: QObject
+    ) -> None:
         super().__init__(parent)
-        self._say = say
-        self._asked = False
+        self._say, self._over = say, over
+        self.asked = False
+        """Whether it is said now."""
         self._timer = QTimer(self, singleShot=True, interval=_DELAY)
-        self._timer.timeout.connect(self._ask)
+        self._timer.timeout.connect(self.ask)
 
     def begin(self) -> None:
         """Ask for it if this takes long."""
         self._timer.start()
 
-    def end(self, silently: bool = False) -> None:
-        """It is over; ``silently`` if something else is said now."""
+    def end(self) -> None:
+        """It is over."""
         self._timer.stop()
-        if self._asked and not silently:
-            self._say("")
-        self._asked = False
+        if self.asked:
+            self.asked = False
+            self._over()
 
-    def _ask(self) -> None:
-        self._asked = True
-        self._say("Opening…")
+    def ask(self) -> None:
+        """Ask for it, once more if need be."""
+        self.asked = True
+        self._say(Progress("open", 0.0, "Opening…"))

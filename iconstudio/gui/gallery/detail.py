@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 
 from iconstudio.gui.gallery.display import DisplaySwitch, setting
 from iconstudio.gui.gallery.sending import Destination, offer
+from iconstudio.gui.jobs.live import LiveRunner
 from iconstudio.gui.pictures.picture import Picture, SourcePicture, source_pictures
 from iconstudio.gui.theme import theme
 from iconstudio.gui.theme.elided import ElidedLabel
@@ -29,6 +30,7 @@ from iconstudio.inputs.together import counted
 from iconstudio.model import Credit, Icon, Patterned, Remix
 
 INVITATION = "Pick a result to see it large, with the icons that its parts come from."
+MAKING = "It is being made, and appears here."
 
 
 class LargePicture(QWidget):
@@ -133,6 +135,7 @@ class DetailPanel(QFrame):
         super().__init__()
         self.setProperty("card", True)
         self.picture: Picture | None = None
+        self._invitation = invitation
         self._columns = 1 if upright else 2
         self.large = large or LargePicture(wide=upright)
         self._title, self._about = with_role(ElidedLabel(""), "title"), label()
@@ -143,8 +146,9 @@ class DetailPanel(QFrame):
         self._rows.setVerticalSpacing(UNIT // 2)
         for number in range(self._columns):
             self._rows.setColumnStretch(number, 1)
-        empty = label(invitation, alignment=Qt.AlignmentFlag.AlignCenter, wordWrap=True)
-        empty.setMargin(3 * UNIT)
+        self.empty = label(invitation, alignment=Qt.AlignmentFlag.AlignCenter, wordWrap=True)
+        """What is shown as long as there is nothing to show."""
+        self.empty.setMargin(3 * UNIT)
         full = QWidget()
         margins = UNIT * 3 // 2, UNIT * 3 // 2, UNIT, UNIT * 3 // 2
         heading, buttons = self._make_heading(), self._make_buttons()
@@ -159,7 +163,7 @@ class DetailPanel(QFrame):
             side = column(heading, self._about, (sources, 1), spacing=UNIT // 2)
             row(self.large, (side, 1), of=full, spacing=2 * UNIT, margins=margins)
         self._stack = QStackedLayout(self)
-        self._stack.addWidget(empty)
+        self._stack.addWidget(self.empty)
         self._stack.addWidget(full)
         self.setMinimumHeight(23 * UNIT)
 
@@ -209,6 +213,15 @@ class DetailPanel(QFrame):
         for number, source in enumerate(sources):
             self._rows.addWidget(SourceRow(source), *divmod(number, self._columns))
         self._rows.setRowStretch(self._rows.rowCount(), 1)
+
+    def watch(self, runner: LiveRunner) -> None:
+        """Say while a runner makes the first result that this is under way."""
+
+        def tell() -> None:
+            self.empty.setText(MAKING if runner.running else self._invitation)
+
+        runner.began.connect(tell)
+        runner.ended.connect(tell)
 
     def add_button(self, name: str, button: QPushButton) -> None:
         """Offer one more way to take the result along, by the action of that name."""

@@ -5,6 +5,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
+from iconstudio.gui.jobs.kept import KEPT, Kept
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.workflows.events import Progress
@@ -15,9 +16,6 @@ PATIENCE = 700
 CALM = 800
 """Milliseconds that a run may take before its progress is shown: those that the next movement of
 the hand puts an end to are shorter."""
-
-KEPT = 160
-"""Events that are kept of runs that came to their end: those of five grids of results."""
 
 
 class LiveRunner(Runner):
@@ -59,8 +57,7 @@ class LiveRunner(Runner):
         self._pending: Any = None
         self.ran: Any = None
         """What runs, or was finished last; None if it came to no end."""
-        self._most = kept
-        self._kept: list[tuple[Any, list[Any]]] = []
+        self._kept: Kept[list[Any]] = Kept(kept)
         self._events: list[Any] = []
         self.timer = QTimer(self, singleShot=True, interval=patience)
         self.timer.timeout.connect(self._go_on)
@@ -109,13 +106,11 @@ class LiveRunner(Runner):
 
     def known(self, request: Any) -> list[Any] | None:
         """Return the events of a request, if they are kept."""
-        return next((events for one, events in self._kept if one == request), None)
+        return self._kept.find(request)
 
     def keep(self, request: Any, events: list[Any]) -> None:
         """Keep what a request has come to; what was not wanted for longest is left out for it."""
-        self._kept = [one for one in self._kept if one[0] != request] + [(request, events)]
-        while len(self._kept) > 1 and sum(len(some) for _, some in self._kept) > self._most:
-            del self._kept[0]
+        self._kept.put(request, events)
 
     def run(self, request: Any) -> None:
         """Run this now, because the user asks for it; he sees its progress."""

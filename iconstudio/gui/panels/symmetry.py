@@ -5,7 +5,7 @@ from PySide6.QtGui import QActionGroup
 from PySide6.QtWidgets import QMenu, QPushButton, QToolButton, QWidget
 
 from iconstudio.gui.theme import icons
-from iconstudio.gui.theme.layout import OnResize, with_role
+from iconstudio.gui.theme.layout import OnGeometry, with_role
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.model import Axis
 
@@ -75,7 +75,7 @@ class SymmetryHint(QPushButton):
         with_role(self, "pill")
         self.setCursor(Qt.CursorShape.PointingHandCursor)
         self.clicked.connect(lambda: self.accepted.emit(self._axis))
-        OnResize(canvas, self._place)
+        OnGeometry(canvas, self._place)
         self.hide()
 
     def offer(self, axis: Axis | None) -> None:

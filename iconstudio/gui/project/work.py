@@ -79,8 +79,6 @@ class Work(QObject):
         """Put a project in place of all that is there."""
         for workspace in self._made.values():
             workspace.cancel()
-            if workspace.opener is not None:
-                workspace.opener.cancel()
             workspace.document.load(workspace.blank)  # results of other work go from sight, too
         self._unread, self._waiting = contents.unread, dict(contents.pages)
         for workspace in self._made.values():

@@ -141,8 +141,8 @@ def hidden(widget: W) -> W:
     return widget
 
 
-class OnResize(QObject):
-    """Calls a function whenever a widget has another size."""
+class OnGeometry(QObject):
+    """Calls a function whenever a widget has another place or size."""
 
     def __init__(self, widget: QWidget, do: Callable[[], object]) -> None:
         super().__init__(widget)
@@ -150,8 +150,8 @@ class OnResize(QObject):
         widget.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Look out for another size."""
-        if event.type() == QEvent.Type.Resize:
+        """Look out for another place or size."""
+        if event.type() in (QEvent.Type.Move, QEvent.Type.Resize):
             self._do()
         return False
 

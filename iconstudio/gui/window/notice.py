@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QFrame, QLabel, QWidget
 
 from iconstudio.gui.theme import icons
 from iconstudio.gui.theme.layout import (
-    OnResize,
+    OnGeometry,
     row,
     scrolled,
     show_sentence,
@@ -18,8 +18,9 @@ from iconstudio.gui.theme.layout import (
 from iconstudio.gui.theme.theme import UNIT
 
 _WIDEST = 110 * UNIT
-_HIGHEST = 9 * UNIT
-"""Where there is more to say than fits into so many pixels, it scrolls."""
+_LINES = 2
+"""Of what there is to say: so much stands over the status line. The rest is scrolled to, or
+read in the tool tip."""
 
 
 class Notice(QFrame):
@@ -48,7 +49,7 @@ class Notice(QFrame):
         self.label.setTextFormat(Qt.TextFormat.PlainText)
         self.label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._scroll = scrolled(self.label, frameShape=QFrame.Shape.NoFrame)
-        OnResize(self._scroll.viewport(), self._fit)
+        OnGeometry(self._scroll.viewport(), self._fit)
         self._button = tool_button("close", "Dismiss this message", self._dismiss, token="muted")
         margins = UNIT * 3 // 2, UNIT // 2, UNIT // 2, UNIT // 2
         row(*self._signs, (self._scroll, 1), self._button, of=self, margins=margins)
@@ -102,6 +103,10 @@ class Notice(QFrame):
         self.resized.emit()
 
     def _fit(self) -> None:
-        """Be as high as the sentences at this width."""
+        """Be as high as the sentences at this width, but cover no more than the status line."""
+        line = self.label.fontMetrics().lineSpacing()
         height = self.label.heightForWidth(self._scroll.viewport().width())
-        self._scroll.setFixedHeight(min(max(height, 2 * UNIT), _HIGHEST))
+        highest = _LINES * line
+        self._scroll.setFixedHeight(min(max(height, 2 * UNIT), highest))
+        self._scroll.verticalScrollBar().setSingleStep(line)
+        self._scroll.setToolTip(self.label.text() if height > highest else "")

@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QWidget
 from iconstudio.gui.exchange.dragging import unpacked
 from iconstudio.gui.exchange.dropping import DropTarget
 from iconstudio.gui.exchange.mime import holds_something
-from iconstudio.gui.theme.layout import OnResize, column
+from iconstudio.gui.theme.layout import OnGeometry, column
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.window.notice import Notice
 from iconstudio.gui.window.progress import StatusStrip
@@ -31,12 +31,15 @@ class WorkspacePane(QWidget):
         workspace.failed.connect(self.notice.say)
         workspace.hinted.connect(self.notice.hint)
         self.notice.resized.connect(self._place_notice)
-        OnResize(self.status, self._place_notice)
+        OnGeometry(self.status, self._place_notice)
         workspace.progressed.connect(self.status.show_progress)
         workspace.counted.connect(self.status.set_finished)
         workspace.idle.connect(self.status.rest)
         workspace.document.page_changed.connect(self._show_remarks)
         self.status.cancelled.connect(workspace.cancel)
+        stack = workspace.document.undo_stack
+        self._steps = stack.index()
+        stack.indexChanged.connect(self._note_step)
 
     def _place_notice(self) -> None:
         """Put the messages over the words of the status line, where there is nothing to click."""
@@ -48,6 +51,12 @@ class WorkspacePane(QWidget):
         """Show a remark for a while; messages are dealt with."""
         self.notice.clear()
         self.status.say(remark)
+
+    def _note_step(self, steps: int) -> None:
+        """Say no longer what was done if it is undone."""
+        if steps < self._steps:
+            self.status.say("")
+        self._steps = steps
 
     def _show_remarks(self) -> None:
         """Show the remarks on the icons of the page as it is now; messages are dealt with."""

@@ -140,9 +140,11 @@ class Workspace(ResultsWidget):
         """Do the work for what lies on the canvas."""
 
     def cancel(self) -> None:
-        """Stop the work; results that are finished stay."""
+        """Stop the work, and open nothing more; results that are finished stay."""
         for runner in self._followed:
             runner.cancel()
+        if self.opener is not None:
+            self.opener.cancel()
 
     def close_work(self) -> None:
         """Stop all work and wait until all threads of the workspace have ended; for good."""
@@ -166,6 +168,8 @@ class Workspace(ResultsWidget):
             opener.failed.connect(self.failed)
             opener.opened.connect(self.remarked)
             opener.project.connect(self.project)
+            opener.progressed.connect(self.progressed)
+            opener.rested.connect(self.rest)
             if self.view is not None:
                 self.view.dropped.connect(opener.open_mime)
             if self.workflow.examples is not None:
@@ -210,8 +214,11 @@ class Workspace(ResultsWidget):
 
     def rest(self) -> None:
         """Tell what came out, unless something is still under way."""
-        if not any(runner.running for runner in self._followed):
-            self.idle.emit(self.outcome())
+        if any(runner.running for runner in self._followed):
+            return
+        self.idle.emit(self.outcome())
+        if self.opener is not None and self.opener.patience.asked:
+            self.opener.patience.ask()
 
     def outcome(self) -> str:
         """Return what came out, in a few words."""

@@ -87,9 +87,10 @@ class RemixWorkspace(Workspace):
             self.runner.run()
 
     def cancel(self) -> None:
-        """Stop the run and the search; results that are finished stay."""
+        """Stop the run and the search, and what is being opened; finished results stay."""
         self.preparation.cancel()
         self.runner.cancel()
+        super().cancel()
 
     # -- what a subclass says ------------------------------------------------------------------
 

@@ -27,7 +27,7 @@ class StrokeFile(StrictRecord, frozen=True):
 
     @classmethod
     def of(cls, stroke: Stroke) -> Self:
-        """Return a stroke as it is written: a dot becomes a very short line, which can be read."""
+        """Return a stroke as it is written: a dot as a very short line, as older versions read."""
         points = rounded(stroke.points)
         if len(set(points)) == 1:
             x, y = points[0]
@@ -37,7 +37,8 @@ class StrokeFile(StrictRecord, frozen=True):
     @property
     def stroke(self) -> Stroke:
         """The value."""
-        return Stroke(self.width, line(self.points))
+        is_dot = len(set(self.points)) == 1
+        return Stroke(self.width, self.points[:1] if is_dot else line(self.points))
 
     @property
     def meets_canvas(self) -> bool:
@@ -47,10 +48,9 @@ class StrokeFile(StrictRecord, frozen=True):
         return all(-reach < max(some) and min(some) < CANVAS + reach for some in (xs, ys))
 
     def check(self) -> None:
-        """Refuse what is no line."""
-        if all(point == self.points[0] for point in self.points):
-            count = "no point" if not self.points else "one point"
-            raise IconstudioError(f"The stroke has {count}; it needs at least 2 different ones.")
+        """Refuse what is neither a line nor a dot."""
+        if not self.points:
+            raise IconstudioError("The stroke has no point.")
 
 
 class LayerFile(StrictRecord, frozen=True):
@@ -68,6 +68,11 @@ class LayerFile(StrictRecord, frozen=True):
         """Return a layer as it is written."""
         at, strokes = layer.placement, tuple(map(StrokeFile.of, layer.strokes))
         return cls(refer(layer.icon), at.scale, at.flip, at.dx, at.dy, strokes)
+
+    @property
+    def meets_canvas(self) -> bool:
+        """Whether the square that its icon is drawn in has a part of the canvas."""
+        return max(abs(self.dx), abs(self.dy)) < CANVAS / 2 * (1 + self.scale)
 
     def resolved(self, find: Find) -> Layer:
         """Return the layer, its icon found by ``find``."""
@@ -90,6 +95,16 @@ class MontageFile(File[Montage], frozen=True):
     def of(cls, montage: Montage, refer: Refer) -> Self:
         """Return the file of a montage."""
         return cls(layers=tuple(LayerFile.of(one, refer) for one in montage.layers))
+
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """Which icons lie where they cannot be seen."""
+        beside = {n: one.icon for n, one in enumerate(self.layers, 1) if not one.meets_canvas}
+        return tuple(
+            f"Layer {number}, “{icon}”, lies outside the canvas, 0 to {CANVAS}: nothing of it can "
+            'be kept. Give a smaller "dx" or "dy".'
+            for number, icon in beside.items()
+        )
 
     def resolved(self, find: Find) -> Montage:
         """Return the montage, its icons found by ``find``."""

@@ -1,12 +1,14 @@
 """Bring icons and edits into the document."""
 
 from collections.abc import Generator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from iconstudio.gui.exchange.opening import IconOpener, Opened
 from iconstudio.inputs.together import ReadTogether
 from iconstudio.model import Exemplar, Pictogram
+from iconstudio.workflows.criteria import left_out
 from iconstudio.workflows.editing import page
 from iconstudio.workflows.editing.spec import EDITING
 from iconstudio.workflows.files import read_file
@@ -22,8 +24,11 @@ class EditOpener(IconOpener):
     def opening(self, path: Path) -> Generator[Any]:
         """Yield the edit in a file."""
         edit = yield from read_file(path, EDITING, self.session)
+        exclude, remarks = left_out(edit.exclude, self.session.icon)
+        edit = replace(edit, exclude=exclude)
         icon = self.session.exemplar(edit.icon)
-        yield Opened(_about(icon), lambda document: page.load(document, edit, icon))
+        words = " ".join([_about(icon), *remarks])
+        yield Opened(words, lambda document: page.load(document, edit, icon))
 
     def take_exemplar(self, icon: Exemplar) -> None:
         """Begin with an icon that is drawn already."""

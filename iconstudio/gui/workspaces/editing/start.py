@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QFrame, QMenu, QWidget
 
 from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.theme.layout import (
-    OnResize,
+    OnGeometry,
     column,
     label,
     push_button,
@@ -42,7 +42,7 @@ class StartPanel(QFrame):
         margins = 2 * UNIT, 2 * UNIT, 2 * UNIT, UNIT
         column(top, words, (self.chooser, 1), of=self, margins=margins)
         self.setFocusProxy(self.chooser)
-        OnResize(canvas, lambda: self.resize(canvas.size()))
+        OnGeometry(canvas, lambda: self.resize(canvas.size()))
 
         document.opened.connect(lambda: self.offer(document.page.empty))
 

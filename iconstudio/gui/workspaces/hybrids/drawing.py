@@ -1,10 +1,11 @@
 """Draws hybrids batch by batch onto a sheet."""
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from PySide6.QtCore import QObject, Signal
 
 from iconstudio.gui.gallery.sheet_model import Rule
+from iconstudio.gui.jobs.kept import Kept
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.pictures.picture import Picture, pictured
@@ -20,8 +21,21 @@ CODED = CANVAS
 """Side of a hybrid's colour-coded picture."""
 
 
+@dataclass(frozen=True, slots=True)
+class _Left:
+    """A sheet that another one has taken the place of."""
+
+    sections: tuple[Section, ...]
+    seen: Seen
+
+    def __len__(self) -> int:
+        return sum(len(one.pictures) for one in self.sections)
+
+
 class Draws(QObject):
     """Fills a sheet: a main section, and above it one for each hybrid that others should be like.
+
+    Sheets of earlier mixes are kept for a while, so that undo brings them back.
 
     Signals
     -------
@@ -44,6 +58,7 @@ class Draws(QObject):
         """What the hybrids on the sheet are of."""
         self._name = ""
         self._seen = Seen()
+        self._kept: Kept[_Left] = Kept()
         self._section: Section | None = None
         """The section whose batch is drawn now, or was last."""
         self._scrolled = 0
@@ -64,18 +79,41 @@ class Draws(QObject):
                 self._draw(self._main)
             self._sheet.scrollToBottom()
             return
-        self.runner.cancel()
-        self._sections.clear()
+        self._leave()
         self._seen, self.ran, self._name = Seen(), mix, name
         section = Section("", mix)
         self._sections.open(section)
         self._show_section()
         self._draw(section)
 
+    def recall(self, mix: Mix, name: str) -> bool:
+        """Show the hybrids of a mix in place of those that are there, if they are kept.
+
+        Returns
+        -------
+        Whether they are.
+        """
+        left = None if mix == self.ran else self._kept.find((mix, name))
+        if left is None:
+            return False
+        self._leave()
+        self._seen, self.ran, self._name, self._section = left.seen, mix, name, None
+        self._sections.restore(left.sections)
+        self._show_section()
+        return True
+
+    def _leave(self) -> None:
+        """Take all hybrids from the sheet, and keep them for a while."""
+        self.runner.cancel()
+        self._sections.settle()
+        if self._sections.pictures:
+            left = _Left(tuple(self._sections.all), self._seen)
+            self._kept.put((self.ran, self._name), left)
+        self._sections.clear()
+
     def clear(self) -> None:
         """Let go of all hybrids."""
-        self.runner.cancel()
-        self._sections.clear()
+        self._leave()
         self._seen, self.ran, self._section = Seen(), None, None
         self._show_section()
 

@@ -63,14 +63,13 @@ class HybridsOpener(IconOpener):
 
     def put(self, gathered: ReadTogether) -> str:
         """Add icons, as many as there is room for."""
-        icons = gathered.found
-        before, names = self.document.page.ids, [one.id for one in icons]
-        left = [one.id for one in edits.add_icons(self.document, icons)]
+        before, icons = self.document.page.ids, {one.id: one for one in gathered.found}
+        left = edits.add_icons(self.document, gathered.found)
         if left:
-            self.complain(self.no_room((), left))
-        there = [name for name in names if name in before]
-        added = [name for name in dict.fromkeys(names) if name not in (*left, *there)]
-        said = f"Added {quoted_list(added)}." if added else "", _there(there)
+            self.complain(self.no_room((), _names(left)))
+        there = [one for one in icons.values() if one.id in before]
+        added = [one for one in icons.values() if one.id in self.document.page.ids - before]
+        said = f"Added {quoted_list(_names(added))}." if added else "", _there(_names(there))
         return " ".join(filter(None, said))
 
     def _picking(self, ask: PickRequest) -> Generator[Event | Opened]:
@@ -81,9 +80,13 @@ class HybridsOpener(IconOpener):
 
         def put(document: HybridsDocument) -> None:
             if left := edits.set_picked(document, picked, ask):
-                self.complain(self.no_room((), [one.id for one in left]))
+                self.complain(self.no_room((), _names(left)))
 
         yield Opened(f"Picked {len(picked)} icons for “{ask.keyword}”.", put)
+
+
+def _names(icons: Sequence[Exemplar]) -> list[str]:
+    return [one.name for one in icons]
 
 
 def _there(names: Sequence[str]) -> str:

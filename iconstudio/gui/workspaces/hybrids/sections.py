@@ -1,6 +1,7 @@
 """The hybrids on the sheet, in sections, each drawn in batches."""
 
 from bisect import bisect
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from PySide6.QtCore import QObject, QPersistentModelIndex, QPoint
@@ -79,6 +80,11 @@ class Sections(QObject):
         """Forget all sections."""
         self.all, self.alone = [], None
         self._sheet.show_entries(())
+
+    def restore(self, sections: Sequence[Section]) -> None:
+        """Show sections that were there before, all of them."""
+        self.all = list(sections)
+        self.show_alone(None)
 
     def open(self, section: Section) -> None:
         """Put a new section on top, and show it alone if it has others below it."""

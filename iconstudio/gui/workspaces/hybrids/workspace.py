@@ -52,7 +52,7 @@ class HybridsWorkspace(Workspace):
         self.follow(self.opener.runner)
         self.draws.counted.connect(self.counted)
         self.draws.section_changed.connect(self.rest)
-        self.opener.shown.connect(self.run)
+        self.opener.shown.connect(self._mix_example)
         self.pick_from(self.sheet)
         self.pick_from(self.favourites_panel.icon_list)
         self.sheet.asked.connect(self.offer_for)
@@ -85,6 +85,11 @@ class HybridsWorkspace(Workspace):
         self.draws.start(page.mix, page.title)
         self.panel.show_welcome(False)
         self.show_page()
+
+    def _mix_example(self) -> None:
+        """Draw the hybrids of an example, unless they are there from before."""
+        if self.draws.ran != self.page.mix:
+            self.run()
 
     def draw_like(self, picture: Picture) -> None:
         """Draw hybrids that resemble one."""
@@ -140,6 +145,8 @@ class HybridsWorkspace(Workspace):
         page = self.page
         if not page.ids and self.draws.ran is not None:
             self._clear_sheet()
+        elif self.draws.recall(page.mix, page.title):
+            self.panel.show_welcome(False)
         self.column.show_page(page)
         favourites = tuple(picture_of(one, CODED) for one in page.favourites)
         if self.favourites_panel.pictures != favourites:

@@ -98,6 +98,7 @@ class LineStyleWorkspace(Workspace):
         for runner in (restyler.live, restyler.varying):
             self.follow(runner)
             runner.failed.connect(self.failed)
+        self.detail.watch(restyler.live)
         restyler.restyled.connect(self._show_result)
         restyler.began_varying.connect(self.variations.clear)
         restyler.varied.connect(self._show_variation)

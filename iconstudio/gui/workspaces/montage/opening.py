@@ -31,7 +31,7 @@ class MontageOpener(IconOpener):
         page = MontagePage.of(
             layers, [IconShape(self.session.exemplar(one.icon)) for one in layers]
         )
-        words = f"Opened “{file.title or path.stem}”."
+        words = " ".join([f"Opened “{file.title or path.stem}”.", *file.remarks])
         yield Opened(words, lambda document: document.change("open montage", page))
         if [one.strokes for one in page.layers] != [one.strokes for one in layers]:
             raise IconstudioError(_OVERLAP)

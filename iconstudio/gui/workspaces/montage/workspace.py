@@ -24,9 +24,7 @@ from iconstudio.model import Pictogram
 from iconstudio.workflows.montage.page import MontagePage
 
 DESCRIPTION = "Arrange icons, and scribble over their parts, here"
-INVITATION = (
-    "The montage appears here as soon as you scribble over a part of an icon with the brush."
-)
+INVITATION = "Scribble over a part of an icon with the brush: the montage appears here."
 
 
 class MontageWorkspace(Workspace):
@@ -58,6 +56,7 @@ class MontageWorkspace(Workspace):
         parts = (left, 292, 0), (panel, 552, 3), (self.detail, 416, 2)
         row(splitter(Qt.Orientation.Horizontal, *parts), of=self)
         self.chooser.chosen.connect(lambda one: self.opener.take(one.pictogram))
+        self.detail.watch(self.live)
         self.follow(self.live, self._show_result)
 
     # -- what the window asks for --------------------------------------------------------------

@@ -10,7 +10,7 @@ from iconstudio.gui.exchange.scanning import may_be_scan
 from iconstudio.images.reading import SUFFIXES
 from iconstudio.inputs.items import File, Image, Item
 from iconstudio.inputs.together import ReadTogether, quoted_list
-from iconstudio.model import Pictogram, Separation
+from iconstudio.model import IconstudioError, Pictogram, Separation, SpriteError
 from iconstudio.workflows.files import open_file
 from iconstudio.workflows.pattern import page as edits
 from iconstudio.workflows.pattern.bounds import MOST_MOTIFS
@@ -82,7 +82,11 @@ class PatternOpener(IconOpener):
         from iconstudio.workflows.pattern.imaging import reduction_of
 
         if isinstance(item, File) and item.path.lower().endswith(DRAWINGS):
-            image = yield from self.session.artwork(Path(item.path))
+            try:
+                image = yield from self.session.artwork(Path(item.path))
+            except SpriteError as error:
+                advice = "Drop it on the canvas to choose a symbol as an icon."
+                raise IconstudioError(f"{error.what} {advice}") from None
         else:
             image = Separation((yield from photo_in(self.session, item)))
         photo, credits = image.photo, image.credits

@@ -37,7 +37,7 @@ from iconstudio.workflows.pattern.scattering import PALETTE
 from iconstudio.workflows.pattern.warming import warm_up
 
 DESCRIPTION = "Arrange the icons of the exemplar here"
-INVITATION = "The pattern appears here as soon as there are icons, or an image, on the canvas."
+INVITATION = "Put icons, or an image, on the canvas: the pattern appears here."
 SHAPE_AWAITED = "Choose the shape to fill: the next icon that you click, drop, paste or open."
 
 
@@ -105,6 +105,7 @@ class PatternWorkspace(Workspace):
         for runner in (patterner.live, patterner.others):
             self.follow(runner)
             runner.failed.connect(self.failed)
+        self.detail.watch(patterner.live)
         self.follow(self.opener.runner)
         self.follow(self.reader)
         self.reader.event.connect(self._show_layers)

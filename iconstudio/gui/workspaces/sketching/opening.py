@@ -1,6 +1,7 @@
 """Bring photos and sketches into the document: from files, the clipboard, a drop, the examples."""
 
 from collections.abc import Generator
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
@@ -10,6 +11,7 @@ from iconstudio.images.reading import SUFFIXES
 from iconstudio.inputs.items import Drawing, File, Image, Item
 from iconstudio.inputs.together import ReadTogether
 from iconstudio.model import IconstudioError, Photo
+from iconstudio.workflows.criteria import left_out
 from iconstudio.workflows.modelling import page
 from iconstudio.workflows.modelling.file import SketchFile, read_sketch
 
@@ -62,8 +64,10 @@ class SketchOpener(Opener):
             except IconstudioError as error:
                 trouble = error
         sketch, step = file.sketch, "open sketch"
+        exclude, remarks = left_out(sketch.exclude, self.session.icon)
+        sketch = replace(sketch, exclude=exclude)
         put = partial(page.load_sketch, sketch=sketch, photo=photo, text=step)
-        yield Opened(f"Opened “{file.title}”.", put)
+        yield Opened(" ".join([f"Opened “{file.title}”.", *remarks]), put)
         if trouble is not None:
             raise IconstudioError(f"The sketch was opened without its photo: {trouble}")
 
