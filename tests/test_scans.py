@@ -1,6 +1,7 @@
 """Scans of real icons become icons again: by files, in works that name them, without a window."""
 
 import json
+from concurrent.futures import Future
 
 import numpy as np
 import pytest
@@ -8,6 +9,7 @@ from PIL import Image
 from skimage.data import chelsea
 
 from iconstudio.algorithms.iconification.style import has_pale_areas
+from iconstudio.images.reading import awaited
 from iconstudio.model import IconstudioError
 from iconstudio.svg.resvg import render_coverage
 from iconstudio.workflows.editing.file import read_edit
@@ -188,3 +190,10 @@ def test_of_a_line_of_one_pixel_it_is_told_that_nothing_is_made_out(session, tmp
     Image.fromarray(pixels).save(path)
     with pytest.raises(IconstudioError, match=r"row\.png.*No drawing can be made out"):
         session.icon(str(path))
+
+
+def test_of_a_slow_machine_the_same_is_said_of_images_as_of_drawings():
+    slow: Future = Future()
+    slow.set_exception(TimeoutError())
+    with pytest.raises(IconstudioError, match=r"takes too long.*when the machine has less to do"):
+        next(awaited(slow))

@@ -28,6 +28,10 @@ SUFFIXES = (
 )
 """How names of files of images usually end."""
 
+CURE = (
+    "Try again when the machine has less to do; else scale it down, or save it in another format."
+)
+"""What to do about an image that reaches the limits."""
 _SECONDS = 60.0
 _MEMORY = 1 << 31
 """Bytes that decoding may take: enough for the largest image."""
@@ -103,7 +107,7 @@ def decode_image(data: bytes) -> Image:
 def awaited(
     future: "Future[T]",
     doing: str = "Reading it",
-    cure: str = "Scale it down first, or save it in another format.",
+    cure: str = CURE,
 ) -> Generator[None, None, T]:
     """Return what a worker process makes of an image; yield now and then until it is there.
 

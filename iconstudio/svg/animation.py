@@ -30,11 +30,20 @@ _MOMENTS = (0.5, 0.25, 0.75, 0.1, 0.9, 0.0, 1.0)
 """Parts of the time that an animation takes, the best first."""
 MOVING = "The drawing moves; it is taken as it stands before it does."
 MIDWAY = "The drawing moves; it is taken as it stands in the middle."
+IN_PARTS = "The drawing moves; some of it is taken as it stands before it does, some in the middle."
 
 
 def moves(markup: str) -> bool:
     """Whether a drawing may be animated."""
     return "<animate" in markup or "<set" in markup or "@keyframes" in markup
+
+
+def as_one(remarks: Sequence[str]) -> list[str]:
+    """Return remarks, each once; what is said of parts that stand otherwise is one sentence."""
+    both = {MOVING, MIDWAY} <= set(remarks)
+    return list(
+        dict.fromkeys(IN_PARTS if both and one in (MOVING, MIDWAY) else one for one in remarks)
+    )
 
 
 def finish(root: ET.Element, midway: bool = False) -> list[str]:

@@ -5,8 +5,8 @@ from iconstudio.algorithms.tones.alternation import Omission
 THIN = "Its lines are too thin to be seen at the size of an icon; they were drawn thicker."
 
 OMITTED = {
-    Omission.TILE: "The tile behind the drawing was left out.",
-    Omission.PAGE: "The white behind the drawing was left out.",
+    Omission.TILE: "The ground behind the drawing, such as a tile, was left out.",
+    Omission.PAGE: "The white, or nearly white, behind the drawing was left out.",
     Omission.SHADES: "Shades that differ too little to be told apart were drawn as one.",
     Omission.FAINT: "Parts that are hardly opaque, such as shadows, were left out.",
     Omission.DESK: "What lies around the sheet of paper was left out.",

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from iconstudio.svg import references, shadows, sprites
-from iconstudio.svg.animation import finish
+from iconstudio.svg.animation import as_one, finish
 from iconstudio.svg.bounds import bounds
 from iconstudio.svg.check import check
 from iconstudio.svg.clipping import clip
@@ -144,7 +144,7 @@ def plain(
         texts,
         any(one.tag in ("filter", "pattern") or "blur" in one.get("filter", "") for one in kept)
         or sum(one.tag in ("mask", "clipPath") for one in kept) > _MANY,
-        tuple(dict.fromkeys(remarks)),
+        tuple(as_one(remarks)),
         marked,
     )
 

@@ -149,3 +149,14 @@ def test_pale_walls_are_no_shadow(quality):
     white = (house == 255).all(axis=2)
     assert lit is not None and (lit[white] > 230).all(axis=1).mean() > 0.99
     assert (abs(lit - house)[walls] < 12).all(axis=1).mean() > 0.9
+
+
+def test_paper_that_is_lit_from_one_side_is_no_tile():
+    """As a camera without grain sees it: a drawing on beige paper, brighter at the left."""
+    drawn = rgba(DISC.format("#000"), 300, "0 0 100 100")[..., 3:] / 255
+    paper = np.array([225, 218, 200]) * (1 - drawn) + np.array([40, 45, 90]) * drawn
+    lit = paper * np.linspace(1, 0.7, 300)[None, :, None]
+    scan = recognised(lit.astype(np.uint8))
+    assert scan.found and not scan.omissions
+    tinted = paper * np.linspace((1, 0.75, 0.9), (0.8, 1, 0.7), 300)[None]
+    assert recognised(np.clip(tinted, 0, 255).astype(np.uint8)).omissions

@@ -134,3 +134,14 @@ def test_the_shade_of_something_white_is_no_mark():
     shade = '<path d="M12 21a9 9 0 0 0 9-9h-3a6 6 0 0 1-6 6z" fill="#ddd"/>'
     plain, shaded = (tone.pictogram(drawn(one)).coverage > 127 for one in (ball, ball + shade))
     assert (plain != shaded).sum() < 0.01 * plain.sum()
+
+
+def test_figures_that_are_lost_beside_other_colours_are_told():
+    """A picture with paler hills and a pencil, as one says "edit the picture" with it."""
+    picture = (
+        '<path d="M5 15h70v60H5z" fill="#8cbcd6"/><path d="M60 90l30-30 8 8-30 30z" fill="{}"/>'
+    )
+    hills = '<path d="M15 60l15-28 15 28z" fill="{0}"/><circle cx="60" cy="28" r="6" fill="{0}"/>'
+    both = [picture.format("#ff9800"), picture.format("#ff9800") + hills.format("#b3ddf5")]
+    told = [tone.pictogram(rgba(one, 512, "0 0 100 100")).omissions for one in both]
+    assert told == [set(), {Omission.SHADES}]

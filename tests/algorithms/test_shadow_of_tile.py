@@ -21,12 +21,12 @@ TILE = GRADIENT + '<rect x="15" y="15" width="70" height="70" rx="15" fill="{}"/
 SIGN = '<path d="M28 54l6-6 11 11 22-24 6 6-28 30z" fill="#fff"/>'
 
 
-def app_icon(colour: str, side: int, blur: float) -> np.ndarray:
+def app_icon(colour: str, side: int, blur: float, opacity: int = 110) -> np.ndarray:
     """Return a tile with a sign, (side, side, 4), and its shadow, blurred over a part of that."""
     icon = rgba(TILE.format(colour) + SIGN, side, "0 0 100 100")
     shade = ndimage.gaussian_filter(icon[..., 3] / 255, blur * side)
     shadow = np.zeros_like(icon)
-    shadow[..., 3] = 110 * ndimage.shift(shade, (0.025 * side, 0), order=1)
+    shadow[..., 3] = opacity * ndimage.shift(shade, (0.025 * side, 0), order=1)
     page = Image.fromarray(shadow)
     page.alpha_composite(Image.fromarray(icon))
     return np.asarray(page)
@@ -52,6 +52,18 @@ def saved(icon: np.ndarray, kind: str) -> np.ndarray:
 )
 def test_an_app_icon_with_a_shadow_is_its_sign(colour, side, blur, kind):
     scan = recognised(saved(app_icon(colour, side, blur), kind))
+    assert scan.omissions == {Omission.TILE, Omission.FAINT}
+    right = scans.fitted(rgba(SIGN, 512, "0 0 100 100")[..., 3] / 255)
+    assert scans.iou(scans.fitted(ink_of(scan).astype(float)), right) > 0.85
+
+
+@pytest.mark.parametrize("kind", ["on white", "JPEG"])
+@pytest.mark.parametrize("side", [200, 400])
+def test_a_shadow_may_be_black_and_cut_off(side, kind):
+    """As the filters of SVG cast one, and cut it off a tenth of the tile beside it."""
+    icon = app_icon("#39f", side, 0.03, 255).copy()
+    icon[-side // 12 :, :, 3] = icon[:, -side // 12 :, 3] = 0
+    scan = recognised(saved(icon, kind))
     assert scan.omissions == {Omission.TILE, Omission.FAINT}
     right = scans.fitted(rgba(SIGN, 512, "0 0 100 100")[..., 3] / 255)
     assert scans.iou(scans.fitted(ink_of(scan).astype(float)), right) > 0.85

@@ -4,7 +4,7 @@ import pytest
 
 from iconstudio.model import IconstudioError, SpriteError
 from iconstudio.session import Session
-from iconstudio.svg.animation import MIDWAY
+from iconstudio.svg.animation import IN_PARTS, MIDWAY
 from iconstudio.svg.rasterise import rasterise
 from iconstudio.svg.reading import file_and_symbol, own_svg
 from tests.svg.pictures import HOUSE, PATH, assert_shows, ink, overlap, read, svg
@@ -153,3 +153,12 @@ def test_something_is_seen_of_what_moves(kind):
 def test_what_is_gone_at_the_end_is_gone():
     gone = '<path d="M0 0h24v24H0z"><set attributeName="display" to="none"/></path>'
     assert_shows(svg(f"{gone}{PATH}"), PATH)
+
+
+def test_what_moves_in_parts_is_told_in_one_sentence():
+    still = (
+        '<circle cx="5" cy="5" r="4"><animate attributeName="opacity" dur="1s" values="1;.2;1"'
+        ' repeatCount="indefinite"/></circle>'
+    )
+    both = SEEN["pulse"].replace("</svg>", f"{still}</svg>")
+    assert read(both).remarks == (IN_PARTS,)

@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.scanning.ground import ASTRAY, ground_of, is_gradient
-from iconstudio.algorithms.scanning.margin import corners_of
+from iconstudio.algorithms.scanning.margin import corners_of, rim_of
 from iconstudio.algorithms.scanning.palette import evenly_painted
 from iconstudio.algorithms.scanning.resampling import premultiplied, shrunk
 from iconstudio.algorithms.tones.alternation import Omission
-from iconstudio.algorithms.tones.regions import GREY, cielab, near_white
+from iconstudio.algorithms.tones.regions import GREY, TINT, cielab, near_white
 
 _LONGEST = 384
 """Pixels of the longer side of the bitmap that is looked at."""
@@ -21,6 +21,10 @@ _FEWEST, _COLOURED = 9, 0.03
 _OTHER, _PLATE = 8.0, 0.1
 """Levels by which a white tile differs from the white around it, and how much of all that is white
 it has, at least."""
+
+_LIT, _AS_LIT = 60.0, 0.98
+"""Lightness of paper where it is lit best, at least; how much of it has the same colour, but for
+the light."""
 
 
 def left_behind(
@@ -37,7 +41,8 @@ def left_behind(
     blended = premultiplied(small)
     ground = ground_of(blended)
     if ground is None or not ground.is_clean(blended):
-        return frozenset({Omission.TILE} if is_gradient(pixels) else ())
+        told = is_gradient(pixels) and not _is_lit_paper(small)
+        return frozenset({Omission.TILE} if told else ())
     if not near_white(cielab(np.rint(ground.colour[None, :3]).astype(np.uint8)))[0]:
         shown = drawing is not None and _has_colour(drawing, ground.colour[:3])
         return frozenset() if shown else frozenset({Omission.TILE})
@@ -52,6 +57,20 @@ def left_behind(
     plate = paper & (abs(small - corner).max(axis=2) > _OTHER)
     told = coloured.sum() > _COLOURED * len(coloured) or plate.sum() > _PLATE * paper.sum()
     return frozenset({Omission.PAGE} if told else ())
+
+
+def _is_lit_paper(picture: NDArray[np.float32]) -> bool:
+    """Whether what is all around (h, w, 3) may be paper: of a mere tint, and only more or less lit.
+
+    A camera that sees no grain, or a file that keeps none, leaves nothing else to tell it by.
+    """
+    rim = rim_of(picture)
+    brightest = rim[rim.sum(axis=1).argmax()]
+    lightness, *tint = cielab(np.rint(brightest[None]).astype(np.uint8))[0]
+    # Of what is darker, by how much is told by each channel alike.
+    lit = rim.mean(axis=1, keepdims=True) / brightest.mean() * brightest
+    alike = (abs(rim - lit).max(axis=1) < _OTHER).mean()
+    return bool(lightness > _LIT and np.hypot(*tint) < TINT and alike > _AS_LIT)
 
 
 def _has_colour(drawing: NDArray[np.uint8], colour: NDArray[np.float32]) -> bool:

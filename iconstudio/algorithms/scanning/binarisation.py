@@ -16,9 +16,11 @@ from iconstudio.algorithms.scanning.checkerboard import without_checkerboard
 from iconstudio.algorithms.scanning.doubts import (
     LEAST,
     SPECK,
+    drawing_in_faint_lines,
     has_fainter_lines,
     is_noise,
     shading,
+    without_dirt,
     without_specks,
 )
 from iconstudio.algorithms.scanning.flat import flat_drawing, on_nothing
@@ -137,6 +139,10 @@ def scanned(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
     dark = np.clip(scipy.ndimage.gaussian_filter(dark, 1.0), 0, 1)
     threshold = _threshold(dark) if bounds else None
     fainter = False
+    lines = None if threshold is None else drawing_in_faint_lines(dark, threshold)
+    if threshold is not None and lines is not None:
+        # Of lines as of ink, half the darkness.
+        threshold = float(np.median(dark[lines & (dark < threshold)])) / 2
     if threshold is not None and scale < _ENLARGED:
         fainter = has_fainter_lines(dark, threshold)
     if threshold is None:
@@ -230,8 +236,11 @@ def ink_of(scan: Scan, threshold: int | None = None) -> NDArray[np.bool_]:
     """
     if threshold is None and not scan.found:
         raise IconstudioError("No drawing can be made out on it.")
-    ink = scan.at(scan.threshold if threshold is None else threshold)
-    ink = ~without_specks(~without_specks(ink, SPECK), SPECK)
+    level = scan.threshold if threshold is None else threshold
+    ink = scan.at(level)
+    by_colours = scan.coloured is not None and level == scan.threshold
+    ink = without_specks(ink, SPECK) if by_colours else without_dirt(ink, scan.darkness)
+    ink = ~without_specks(~ink, SPECK)
     if ink.any():
         return ink
     if threshold is None:
@@ -333,8 +342,9 @@ def _bounds(dark: NDArray[np.float32]) -> tuple[int, int, int, int] | None:
     if threshold is None:
         return None
     # Also what is a little fainter than the rest: the user may want it.
-    ink = soft > 0.7 * threshold
-    box = box_of(without_specks(ink, ink.size // 20000))
+    ink = without_specks(soft > 0.7 * threshold, soft.size // 20000)
+    lines = drawing_in_faint_lines(soft, threshold)
+    box = box_of(ink if lines is None else ink | lines)
     if box is None:
         return None
     top, bottom, left, right = box[0].start, box[0].stop, box[1].start, box[1].stop

@@ -6,8 +6,15 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.scanning.margin import box_of, rim_of
+
 SPECK = 72
 """Most pixels of what is taken for dirt, on the paper or in the ink."""
+SPOT = 8
+"""Most pixels of what is dirt, however thin the lines are."""
+_AS_WIDE, _AS_DARK = 0.8, 0.85
+"""What is no dirt has so much of the width of a drawing's lines, and of their darkness, at least:
+the pen touched the paper there."""
 _GRADUAL, _SOFT, _SOFTEST = 0.01, 6, 12
 """Shading changes by so much from pixel to pixel, at so many pixels from the edge of ink; at more
 if that is out of focus, but no more than the last."""
@@ -17,6 +24,13 @@ _BESIDE = 3
 """Pixels beside ink that its blurred edges reach."""
 _SEEN, _FAINTER = 0.08, 0.02
 """How dark lines are that one can see, and how much of them beside the ink is told."""
+_VISIBLE, _GRAINS, _SHORT = 0.02, 8.0, 0.1
+"""How much darker than paper the faintest lines of a drawing are, also in grains of it; how long
+they are, as part of the picture."""
+_THICK = 7
+"""Pixels across of what is no line but a shadow or a stain."""
+_DOTS = 0.25
+"""How much of a drawing in faint lines its dots span, which alone are ink, at most."""
 _UNLIKE, _FEWEST = 0.82, 16
 """How much neighbours differ in noise, as part of any two pixels, at least; pixels to a side of the
 coarsest picture that is asked."""
@@ -27,7 +41,7 @@ darker is no noise."""
 
 def has_fainter_lines(dark: NDArray[np.float32], threshold: float) -> bool:
     """Whether lines can be seen beside the ink that are too faint to be ink."""
-    ink = without_specks(dark > threshold, SPECK)
+    ink = dark > threshold
     away = ~scipy.ndimage.binary_dilation(ink, iterations=_BESIDE)
     paper = dark[away]
     if not paper.size:
@@ -35,6 +49,31 @@ def has_fainter_lines(dark: NDArray[np.float32], threshold: float) -> bool:
     grain = 1.48 * np.median(abs(paper - np.median(paper)))
     seen = without_specks((dark > np.median(paper) + max(_SEEN, 4 * grain)) & away, SPECK)
     return bool(seen.sum() > _FAINTER * ink.sum())
+
+
+def drawing_in_faint_lines(dark: NDArray[np.float32], threshold: float) -> NDArray[np.bool_] | None:
+    """Return the lines (h, w) of a drawing of which no more than a few dots are ink; None if not.
+
+    A line that is thinner than a pixel is fainter than a dot by the same pencil. What reaches the
+    rim, as the rules of a notebook do, is none.
+    """
+    ink = box_of(without_specks(dark > threshold, SPOT))
+    paper = dark[dark < threshold]
+    middle = np.median(paper)
+    grain = 1.48 * np.median(abs(paper - middle))
+    seen = dark > middle + max(_VISIBLE, _GRAINS * grain)
+    labels, _ = scipy.ndimage.label(seen, np.ones((3, 3)))
+    shaded = scipy.ndimage.binary_opening(seen & (dark < threshold), np.ones((_THICK, _THICK)))
+    no_lines = {0, *np.unique(rim_of(labels)), *np.unique(labels[shaded])}
+    lines = np.zeros(seen.shape, bool)
+    for number, box in enumerate(scipy.ndimage.find_objects(labels), 1):
+        long = max(side.stop - side.start for side in box) > _SHORT * max(seen.shape)
+        if long and number not in no_lines:
+            lines[box] |= labels[box] == number
+    around = box_of(lines & (dark < threshold))
+    if ink is None or around is None or dark[ink].size > _DOTS * dark[around].size:
+        return None
+    return lines
 
 
 def is_noise(pixels: NDArray[np.uint8]) -> bool:
@@ -89,6 +128,28 @@ def _spread(ink: NDArray[np.bool_], dark: NDArray[np.float32], slope: NDArray[np
         return 0.0
     steepest = max(float(np.percentile(slope[rim], 90)), 1e-6)
     return 3 * float(np.median(dark[ink])) / (math.sqrt(2 * math.pi) * steepest)
+
+
+def without_dirt(ink: NDArray[np.bool_], dark: NDArray[np.number]) -> NDArray[np.bool_]:
+    """Return ink (h, w) without small parts that no pen of its lines made, by their darkness.
+
+    However small a dot is beside a large drawing, it is as wide as the line, and as dark.
+    """
+    clean = without_specks(ink, SPECK)
+    spots = without_specks(ink & ~clean, SPOT)
+    if not spots.any() or not clean.any():
+        return clean
+    width = scipy.ndimage.distance_transform_edt(np.pad(ink, 1))[1:-1, 1:-1]
+    middle = clean & (width >= scipy.ndimage.maximum_filter(width, 3))
+    labels, count = scipy.ndimage.label(spots)
+    widest, darkest = (
+        scipy.ndimage.maximum(values, labels, np.arange(count + 1)) for values in (width, dark)
+    )
+    drawn = widest >= _AS_WIDE * np.median(width[middle])
+    drawn &= darkest >= _AS_DARK * np.median(dark[middle])
+    drawn[0] = False
+    cleaned: NDArray[np.bool_] = clean | drawn[labels]
+    return cleaned
 
 
 def without_specks(shape: NDArray[np.bool_], speck: int) -> NDArray[np.bool_]:

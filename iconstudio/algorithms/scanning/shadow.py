@@ -65,9 +65,13 @@ def without_shadow(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
         return None
     bright = (levels @ ground.colour[:3]) / (ground.colour[:3] @ ground.colour[:3])
     tinge = abs(levels - bright[..., None] * ground.colour[:3]).max(axis=2)
-    dark = (tinge < _TINGE) & (bright > _DEEPEST) & ~ground.mask
+    grey = (tinge < _TINGE) & ~ground.mask
+    dark = grey & (bright > _DEEPEST)
     away = abs(levels - ground.colour[:3]).max(axis=2)
-    shadow = shadow_of_tile(levels, dark, away, ground)
+    # A shadow may be black; so may a tile, which is none then.
+    shadow = shadow_of_tile(levels, grey, away, ground)
+    if shadow is None:
+        shadow = shadow_of_tile(levels, dark, away, ground)
     told = not free and ground.around > AROUND
     if shadow is None and told:
         shadow = _soft(levels, dark, bright, away, ground)

@@ -15,6 +15,8 @@ _SEEN, _LEAST, _WIDE = 8.0, 0.02, 5
 many pixels wide: the noise of lossy files is slimmer."""
 _FADES, _NEARLY = 0.9, 16.0
 """How much of where a shadow meets its ground is nearly of its colour, and by how many levels."""
+_CUT, _CUT_SIDES = 3, 2
+"""Pixels within a bounding box that are its sides; on how many of these a shadow is cut off."""
 _SHAPE = (0.86, 1.01)
 """How much of its bounding box a rounded square fills; a disc fills less."""
 _OBLONG = 1.25
@@ -45,11 +47,34 @@ def shadow_of_tile(
     if not _is_tile(tile) or seen.sum() < _LEAST * tile.sum():
         return None
     meets = scipy.ndimage.binary_dilation(ground.mask, np.ones((3, 3))) & shadow
-    if (away[meets] < _NEARLY).mean() < _FADES:
+    if not _fades(meets, away < _NEARLY, ~ground.mask):
         return None
     contour = tile & ~scipy.ndimage.binary_erosion(tile, np.ones((3, 3)), iterations=2)
     sharp = scipy.ndimage.maximum_filter(change, 5)[contour] > ASTRAY
     return ~tile & ~ground.mask if sharp.mean() > _EDGED else None
+
+
+def _fades(edge: Mask, near: Mask, drawn: Mask) -> bool:
+    """Whether the edge of a shadow is ``near`` its ground, but for where filters cut it off.
+
+    They do so on a side or two of the bounding box of all that is ``drawn``.
+    """
+    box = box_of(drawn)
+    if box is None:
+        return False
+    rows, columns = box
+    cut = 0
+    rest = edge.copy()
+    for side in (
+        np.s_[rows.start : rows.start + _CUT, :],
+        np.s_[rows.stop - _CUT : rows.stop, :],
+        np.s_[:, columns.start : columns.start + _CUT],
+        np.s_[:, columns.stop - _CUT : columns.stop],
+    ):
+        if edge[side].any() and near[side][edge[side]].mean() < _FADES:
+            rest[side] = False
+            cut += 1
+    return bool(cut <= _CUT_SIDES and rest.any() and near[rest].mean() >= _FADES)
 
 
 def _is_tile(shape: Mask) -> bool:

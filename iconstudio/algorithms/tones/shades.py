@@ -36,6 +36,8 @@ _BESIDE, _ALONG = 10, 0.25
 """Pixels beside the contour, and how much of the contour of shadows is there."""
 _SIDES = 8.0
 """How much the lit side of a thing differs from the dark one; shadows and gloss differ by less."""
+_SIZE, _LOST = 0.01, 0.6
+"""How much of the drawing figures have that are told of, and how much of their contour is lost."""
 _ASIDE = 0.12
 """How far from the middle, as part of the size, a highlight is."""
 
@@ -47,7 +49,7 @@ def shades(
     alone = not (found.lengths[1:, 1:] > 0).any()
     flat = _is_flat(rgb, inside)
     if not (flat if alone else _has_pale_rim(found) or (flat and found.white.any())):
-        return found, False
+        return found, flat and _hides_figures(found, rgb, inside, smallest)
     closer = regions(cielab(rgb), inside, _SLIGHT, smallest, leap=_LEAP)
     more = len(closer.areas) - len(found.areas)
     if not more:
@@ -129,6 +131,25 @@ def _figures(found: Regions) -> bool:
     size = np.sqrt(inside.sum())
     aside = abs(np.subtract(*middles)) / size
     return bool(aside.min() < _ASIDE)
+
+
+def _hides_figures(found: Regions, rgb: NDArray[np.uint8], inside: Mask, smallest: float) -> bool:
+    """Whether regions are one that differ as much as sides do, and are figures of some size."""
+    closer = regions(cielab(rgb), inside, _SIDES, smallest, leap=_LEAP)
+    count = len(closer.areas)
+    if count == len(found.areas):
+        return False
+    home = np.zeros(count, np.intp)
+    pure = closer.pure & (closer.labels > 0)
+    home[closer.labels[pure]] = found.labels[pure]
+    whole = np.zeros(len(found.areas))
+    np.add.at(whole, home, closer.areas)
+    figure = (closer.lengths[0] == 0) & (closer.areas < whole[home] / 2)
+    figure &= closer.areas > _SIZE * closer.areas[1:].sum()
+    within = (home == home[:, None]) & (closer.lengths > 0)
+    lost = within & (closer.contrasts > _SIDES)
+    lost_around = np.where(lost, closer.lengths, 0).sum(axis=1)
+    return bool((figure & (lost_around > _LOST * closer.around)).any())
 
 
 def _middle(mask: Mask) -> NDArray[np.float64]:
