@@ -65,7 +65,7 @@ class _Asked:
 @profile_option
 def command(
     reference: str | None,
-    style: LineStyle | None,
+    style: str | None,
     out: str,
     seed: int | None,
     strength: float | None,
@@ -85,17 +85,19 @@ def command(
         raise IconstudioError("--scheduler is for whole sets: name one with --set.")
     if not out:
         raise IconstudioError("The name behind --out is empty. Give one.")
-    asked = _Asked(style, seed, strength, size)
+    written = reference is not None and Path(reference).suffix.lower() == ".json"
+    if not written:
+        line_styles.need_style(style)
     with profiled(profile) as stopwatch, Session() as session:
-        if icons is not None:
+        learned = None if style is None else line_styles.style_of(style, session)
+        asked = _Asked(learned, seed, strength, size)
+        if icons is not None and learned is not None:
             work = asked.of(Restyling())
-            style = line_styles.need_style(style)
-            manner = Manner(style, work.strength, work.size, work.seed, strokes)
+            manner = Manner(learned, work.strength, work.size, work.seed, strokes)
             restyle_set(session, icons, manner, Path(out), scheduler, stopwatch)
-        elif reference is not None and Path(reference).suffix.lower() == ".json":
+        elif reference is not None and written:
             _restyle_file(session, Path(reference), asked, out, strokes, stopwatch)
         elif reference is not None:
-            line_styles.need_style(style)
             path = line_styles.svg_name(out)
             icon = session.icon(reference)
             running.tell_remarks([icon])

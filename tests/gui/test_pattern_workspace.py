@@ -393,11 +393,35 @@ def test_the_next_icon_is_the_shape_that_is_filled(laid_out, qtbot):
     qtbot.waitUntil(lambda: laid_out.page.work.fill == CROSS)
     assert laid_out.page.work.motifs == before.work.motifs
     assert not controls.fill.isChecked()
+    assert "shape to fill" not in laid_out.chooser.caption.text()
     settled(laid_out, qtbot)
     assert CROSS in laid_out.picture.icon.credits
     controls.whole.click()
     assert laid_out.page.work == before.work
     assert undone(laid_out).work.fill == CROSS
+
+
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        ({"motifs": []}, "no exemplar yet"),
+        ({"image": "tiny.png"}, "1 x 1 pixels"),
+        (None, "1 x 1 pixels"),
+    ],
+)
+def test_what_is_no_exemplar_is_refused_and_the_page_stays(
+    laid_out, qtbot, tmp_path, content, said
+):
+    before, path = laid_out.page, tmp_path / "p1.json"
+    Pixels.new("RGB", (1, 1), "red").save(tmp_path / "tiny.png")
+    path.write_text(json.dumps(content))
+    with qtbot.waitSignal(laid_out.failed) as failed:
+        if content is None:
+            laid_out.opener.open_image(str(tmp_path / "tiny.png"))
+        else:
+            laid_out.opener.open_file(str(path))
+    assert said in failed.args[0]
+    assert laid_out.page == before
 
 
 @pytest.fixture

@@ -1,6 +1,6 @@
 """Gathers the icons to mix: sent, dropped, picked by the program, or named in a file."""
 
-from collections.abc import Callable, Generator, Sequence
+from collections.abc import Callable, Generator, Iterable, Sequence
 from contextlib import closing
 from dataclasses import replace
 from pathlib import Path
@@ -64,14 +64,15 @@ class HybridsOpener(IconOpener):
     def put(self, gathered: ReadTogether) -> str:
         """Add icons, as many as there is room for."""
         icons = gathered.found
-        before, names = self.document.page.ids, [one.id for one in icons]
-        left = [one.id for one in edits.add_icons(self.document, icons)]
+        before = self.document.page.ids
+        left = edits.add_icons(self.document, icons)
         if left:
-            self.complain(self.no_room((), left))
-        there = [name for name in names if name in before]
-        added = [name for name in dict.fromkeys(names) if name not in (*left, *there)]
-        said = f"Added {quoted_list(added)}." if added else "", _there(there)
-        return " ".join(filter(None, said))
+            self.complain(self.no_room((), _titles(left)))
+        there = [one for one in icons if one.id in before]
+        passed_over = {one.id for one in (*left, *there)}
+        added = {one.id: one for one in icons if one.id not in passed_over}
+        said = f"Added {quoted_list(_titles(added.values()))}." if added else ""
+        return " ".join(filter(None, (said, _there(_titles(there)))))
 
     def _picking(self, ask: PickRequest) -> Generator[Event | Opened]:
         session = self.session
@@ -81,9 +82,13 @@ class HybridsOpener(IconOpener):
 
         def put(document: HybridsDocument) -> None:
             if left := edits.set_picked(document, picked, ask):
-                self.complain(self.no_room((), [one.id for one in left]))
+                self.complain(self.no_room((), _titles(left)))
 
         yield Opened(f"Picked {len(picked)} icons for “{ask.keyword}”.", put)
+
+
+def _titles(icons: Iterable[Exemplar]) -> list[str]:
+    return [one.pictogram.credit.title for one in icons]
 
 
 def _there(names: Sequence[str]) -> str:

@@ -6,12 +6,12 @@ from typing import Any
 
 from iconstudio.gui.exchange.opening import IconOpener, Opened
 from iconstudio.gui.workspaces.line_style import own_styles
-from iconstudio.inputs.line_style import read_style, style_of_lines
 from iconstudio.inputs.together import ReadTogether
 from iconstudio.model import Pictogram
 from iconstudio.workflows.files import open_file
 from iconstudio.workflows.line_style import page as edits
 from iconstudio.workflows.line_style.file import RestyleFile
+from iconstudio.workflows.line_style.learning import is_written, style_in
 from iconstudio.workflows.line_style.page import RestylePage
 
 STYLES = "Line styles (*.json *.svg)"
@@ -50,12 +50,8 @@ class RestyleOpener(IconOpener):
 
     def _opening_style(self, path: Path) -> Generator[Opened]:
         remarks: list[str] = []
-        written = path.suffix.lower() == ".json"
-        if written:
-            style = read_style(path, remarks.append)
-        else:
-            style = style_of_lines(self.session.lines(self.session.icon(str(path))), path.stem)
+        style = style_in(self.session, str(path), remarks.append)
         words = " ".join([f"Opened the style “{style.name}”.", *remarks])
         yield Opened(words, lambda there: edits.set_style(there, style))
-        if written:
+        if is_written(str(path)):
             own_styles.note(path)

@@ -231,6 +231,8 @@ class PatternWorkspace(Workspace):
         if on:
             self.chooser.caption.say(SHAPE_AWAITED)
             self.chooser.setFocus()
+        else:
+            self.chooser.tell()
 
     # -- files ---------------------------------------------------------------------------------
 
