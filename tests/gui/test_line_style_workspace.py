@@ -3,11 +3,13 @@
 import json
 import math
 import threading
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from fake_session import exemplar
 from hands import action, at, go_to, press, save_to, threads_alive
+from images import pixels
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QInputDevice, QPointingDevice, QTabletEvent
 from PySide6.QtTest import QTest
@@ -21,6 +23,7 @@ from iconstudio.inputs.styles import bundled, named
 from iconstudio.model import LineStyle, StylePair
 from iconstudio.session import Session
 from iconstudio.svg.reading import own_svg
+from iconstudio.workflows.line_style import page as edits
 from iconstudio.workflows.line_style.page import OWN
 from iconstudio.workflows.line_style.spec import LINE_STYLE
 
@@ -148,6 +151,41 @@ def test_undo_shows_result_and_variations_that_were_there_at_once(restyled, qtbo
     restyled.document.undo_stack.redo()
     assert restyled.picture is not first
     assert len(works(session)) == count
+
+
+def test_an_old_result_turns_pale_and_is_not_offered_until_the_new_one_is_there(
+    restyled, qtbot, monkeypatch
+):
+    names, canvas, detail = ("svg", "png", "copy", "strokes"), restyled.view, restyled.detail.large
+    for paling in (restyled.scene.paling, detail.paling):
+        paling.timer.setInterval(1)
+    fresh = pixels(canvas.grab().toImage()), pixels(detail.grab().toImage())
+    with monkeypatch.context() as patch:
+        patch.setattr(restyled.restyler.live, "request", lambda _: None)
+        choose(restyled, qtbot, "Loops")
+        assert not any(restyled.actions_by_name[name].isEnabled() for name in names)
+        assert not any(button.isEnabled() for button in restyled.detail.buttons.values())
+        qtbot.waitUntil(lambda: detail.paling.opacity < 1 and restyled.scene.paling.opacity < 1)
+        assert pixels(detail.grab().toImage()).std() < 0.6 * fresh[1].std()
+        assert pixels(canvas.grab().toImage()).std() < 0.8 * fresh[0].std()
+        restyled.document.undo_stack.undo()
+    assert all(restyled.actions_by_name[name].isEnabled() for name in names)
+    assert np.array_equal(pixels(detail.grab().toImage()), fresh[1])
+    assert np.array_equal(pixels(canvas.grab().toImage()), fresh[0])
+
+
+def test_a_variation_is_as_old_as_what_it_varies(restyled, qtbot, monkeypatch):
+    sheet = restyled.variations.sheet
+    qtbot.waitUntil(lambda: len(sheet.pictures) == 12 and not restyled.restyler.varying.running)
+    sheet.chosen.emit(sheet.pictures[5])
+    assert restyled.takeable
+    monkeypatch.setattr(restyled.restyler.live, "request", lambda _: None)
+    restyled.document.change(
+        "choose style", edits.RestylePage(replace(restyled.page.work, style=named("Loops")))
+    )
+    assert restyled.stale and not restyled.takeable
+    sheet.chosen.emit(sheet.pictures[6])
+    assert restyled.stale
 
 
 def test_turning_says_nothing_as_long_as_it_is_the_styles_own(restyled):

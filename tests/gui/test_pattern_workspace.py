@@ -548,13 +548,13 @@ def test_an_old_result_turns_pale_and_is_not_offered_until_the_new_one_is_there(
     buttons, view = laid_out.detail.buttons, laid_out.large
     names = "svg", "png", "css", "copy"
     assert all(laid_out.actions_by_name[name].isEnabled() for name in names)
-    view._paling.setInterval(1)
+    view.paling.timer.setInterval(1)
     fresh = pixels(view.grab().toImage())
     monkeypatch.setattr(laid_out.patterner.live, "request", lambda _: None)
     laid_out.controls.ground.chosen.emit("#17375e")
     assert not any(laid_out.actions_by_name[name].isEnabled() for name in names)
     assert not any(buttons[name].isEnabled() for name in names)
-    qtbot.waitUntil(lambda: view._pale)
+    qtbot.waitUntil(lambda: view.paling.opacity < 1)
     assert pixels(view.grab().toImage()).std() < 0.6 * fresh.std()
     undone(laid_out)
     assert all(buttons[name].isEnabled() for name in names)

@@ -14,7 +14,7 @@ def is_written(reference: str) -> bool:
 
 
 def style_in(
-    resources: Resources, reference: str, tell: Callable[[str], object] = lambda sentence: None
+    resources: Resources, reference: str, tell: Callable[[str], None] = lambda sentence: None
 ) -> LineStyle:
     """Return the style in a file: JSON, or an SVG (``FILE.svg#id``) whose lines are its example.
 
