@@ -26,6 +26,7 @@ from iconstudio.svg.reading import own_svg
 from iconstudio.workflows.line_style import page as edits
 from iconstudio.workflows.line_style.page import OWN
 from iconstudio.workflows.line_style.spec import LINE_STYLE
+from tests.shapes import outline
 
 LEFT = Qt.MouseButton.LeftButton
 NONE, SHIFT = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ShiftModifier
@@ -94,7 +95,8 @@ def test_an_empty_page_says_what_to_do_and_offers_it(place, qtbot):
 
 
 def test_every_style_is_shown_by_a_sample_drawn_once(window, place, qtbot, session):
-    qtbot.waitUntil(lambda: len(place.styles.sheet.pictures) == len(bundled()), timeout=10000)
+    qtbot.waitUntil(lambda: not place.styles.runner.running, timeout=10000)
+    assert all(one.icon.path for one in place.styles.sheet.pictures)
     drawn = [work.style for work in works(session)]
     assert sorted(drawn, key=lambda style: style.name) == sorted(
         bundled(), key=lambda style: style.name
@@ -102,6 +104,24 @@ def test_every_style_is_shown_by_a_sample_drawn_once(window, place, qtbot, sessi
     go_to(window, "Sketch")
     go_to(window, "Line style")
     assert len(works(session)) == len(drawn)
+
+
+def test_styles_can_be_chosen_by_name_before_any_sample_is_drawn(window, qtbot, session):
+    session.gate = threading.Semaphore(0)
+    first = bundled()[0]
+    session.kept_samples[first.name] = outline([(0, 0), (9, 0), (9, 9)])
+    place = go_to(window, "Line style")
+    sheet = place.styles.sheet
+    qtbot.waitUntil(lambda: bool(sheet.pictures[0].icon.path))
+    assert [one.title for one in sheet.pictures] == [one.name for one in bundled()]
+    assert works(session)[0].style != first, "it is kept from an earlier start"
+    assert not any(one.icon.path for one in sheet.pictures[1:])
+    assert all(one.outline.boundingRect().width() > 60 for one in sheet.pictures[1:])
+    choose(place, qtbot, "Ink")
+    assert place.page.style == named("Ink")
+    session.gate.release(100)
+    qtbot.waitUntil(lambda: not place.styles.runner.running, timeout=10000)
+    assert all(one.icon.path for one in sheet.pictures)
 
 
 def test_a_style_is_asked_for_and_the_result_follows(place, qtbot):
