@@ -226,6 +226,15 @@ def test_icons_of_a_set_keep_their_scale_and_it_is_told_if_they_have_no_room(tmp
     assert re.search(told, capsys.readouterr().err, re.M)
 
 
+def test_what_becomes_of_pale_parts_is_told_and_recorded(tmp_path, capsys):
+    words = ["restyle", "reicon:house-duotone", "--style", "ink", "--out", str(tmp_path / "a.svg")]
+    assert run(words, None) == 0
+    assert "Its pale parts were left out" in capsys.readouterr().err
+    (tmp_path / "a.json").write_text(json.dumps({"icon": "reicon:house-duotone", "style": "Ink"}))
+    assert run(["restyle", str(tmp_path / "a.json"), "--out", str(tmp_path / "b.svg")], None) == 0
+    assert "Its pale parts were left out" in capsys.readouterr().err
+
+
 def test_nothing_but_broken_icons(tmp_path, capsys):
     (tmp_path / "in").mkdir()
     (tmp_path / "in" / "broken.svg").write_text("<svg")

@@ -208,6 +208,17 @@ def test_a_variation_is_as_old_as_what_it_varies(restyled, qtbot, monkeypatch):
     assert restyled.stale
 
 
+def test_what_becomes_of_pale_parts_is_told(place, qtbot, session, monkeypatch):
+    ring = exemplar(0)
+    pale = replace(ring, coverage=np.where(ring.ink, 90, 0).astype(np.uint8))
+    monkeypatch.setattr(session, "exemplar", lambda _: pale)
+    said = []
+    place.remarked.connect(said.append)
+    place.take(RING)
+    qtbot.waitUntil(lambda: place.page.has_lines)
+    assert said[-1].startswith("“ring 0” is on the canvas. Its pale parts were left out")
+
+
 def test_turning_says_nothing_as_long_as_it_is_the_styles_own(restyled):
     box = restyled.controls.turning
     own = named("Ink").rotation

@@ -13,6 +13,7 @@ from iconstudio.workflows.line_style import page as edits
 from iconstudio.workflows.line_style.file import RestyleFile
 from iconstudio.workflows.line_style.learning import is_written, style_in
 from iconstudio.workflows.line_style.page import RestylePage
+from iconstudio.workflows.line_style.restyling import said_of
 
 STYLES = "Line styles (*.json *.svg)"
 
@@ -30,19 +31,24 @@ class RestyleOpener(IconOpener):
         work = yield from file.resolving(self.session)
         if work.icon is not None:
             self.session.lines(work.icon)  # what has none is told before it is on the page
-        words = " ".join([f"Opened “{file.title or path.stem}”.", *file.remarks])
+        pale = said_of(self.session, work.icon) if work.icon is not None else ""
+        words = " ".join(
+            filter(None, [f"Opened “{file.title or path.stem}”.", *file.remarks, pale])
+        )
         yield Opened(words, lambda there: there.change("open restyling", RestylePage(work)))
 
     def drawn(self, pictogram: Pictogram) -> Pictogram:
         """Return an icon that has lines."""
         self.session.lines(pictogram)
+        self.session.exemplar(pictogram)
         return pictogram
 
     def put(self, gathered: ReadTogether) -> str:
         """Restyle an icon's lines."""
         (icon,) = gathered.found
         edits.take_icon(self.document, icon)
-        return f"“{icon.credit.title}” is on the canvas."
+        pale = said_of(self.session, icon)  # it is drawn already
+        return f"“{icon.credit.title}” is on the canvas. {pale}".rstrip()
 
     def open_style(self, path: str) -> None:
         """Learn a style from a file: JSON, or the lines of a drawing."""
