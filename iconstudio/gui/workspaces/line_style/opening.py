@@ -37,18 +37,16 @@ class RestyleOpener(IconOpener):
         )
         yield Opened(words, lambda there: there.change("open restyling", RestylePage(work)))
 
-    def drawn(self, pictogram: Pictogram) -> Pictogram:
-        """Return an icon that has lines."""
+    def drawn(self, pictogram: Pictogram) -> tuple[Pictogram, str]:
+        """Return an icon that has lines, and what they do not show of it."""
         self.session.lines(pictogram)
-        self.session.exemplar(pictogram)
-        return pictogram
+        return pictogram, said_of(self.session, pictogram)
 
     def put(self, gathered: ReadTogether) -> str:
         """Restyle an icon's lines."""
-        (icon,) = gathered.found
+        ((icon, remark),) = gathered.found
         edits.take_icon(self.document, icon)
-        pale = said_of(self.session, icon)  # it is drawn already
-        return f"“{icon.credit.title}” is on the canvas. {pale}".rstrip()
+        return f"“{icon.credit.title}” is on the canvas. {remark}".rstrip()
 
     def open_style(self, path: str) -> None:
         """Learn a style from a file: JSON, or the lines of a drawing."""
