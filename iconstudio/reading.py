@@ -14,6 +14,7 @@ from iconstudio.model import IconstudioError, Pictogram, Separation
 from iconstudio.svg.reading import file_and_symbol, own_artwork, own_svg, read_file
 from iconstudio.workers import Workers, answer
 from iconstudio.workflows.events import Event, staged
+from iconstudio.workflows.registry import taking_icons
 
 SECONDS, MEMORY = 20.0, 1 << 30
 """How long reading a file may take, and how many bytes."""
@@ -74,7 +75,8 @@ class FileReader:
         IconstudioError
             If it cannot be read, or is none.
         """
-        return (yield from read_image(source, self._readers))
+        elsewhere = f"To use it as an icon, open it in {taking_icons()}."
+        return (yield from read_image(source, self._readers, elsewhere))
 
     def artwork(self, path: Path) -> Generator[Event, None, Separation]:
         """Return the image in a file, or an SVG drawing in its colours, with its credits.

@@ -10,7 +10,7 @@ from collections.abc import Generator, Iterator
 from contextlib import AbstractContextManager
 from functools import lru_cache
 from importlib import import_module
-from pathlib import Path
+from pathlib import Path as File
 from typing import TypeVar
 
 import numpy as np
@@ -20,6 +20,7 @@ from iconstudio.algorithms.iconification.matching import SCALES, Matcher, Prepar
 from iconstudio.algorithms.iconification.style import has_pale_areas
 from iconstudio.caches.preparing import PreparingCache
 from iconstudio.caches.rasters import RasterCache
+from iconstudio.caches.samples import SampleCache
 from iconstudio.files import remove_abandoned
 from iconstudio.library.collection import Collection, cache_folder
 from iconstudio.model import (
@@ -29,6 +30,8 @@ from iconstudio.model import (
     Exemplar,
     IconstudioError,
     Line,
+    LineStyle,
+    Path,
     Pictogram,
     Placement,
     Source,
@@ -43,6 +46,7 @@ from iconstudio.workflows.drawing import MEMORY, SECONDS, draw_whole
 from iconstudio.workflows.estimating import estimated
 from iconstudio.workflows.events import Event, Progress, Retrieved
 from iconstudio.workflows.hybrids.selection import select
+from iconstudio.workflows.line_style.sampling import sampled
 from iconstudio.workflows.solving import warm_up
 from iconstudio.workflows.workflow import Workflow
 
@@ -79,7 +83,7 @@ class Session(FileReader, AbstractContextManager["Session"]):
     closing them cancels the work.
     """
 
-    def __init__(self, cache: Path | None = None) -> None:
+    def __init__(self, cache: File | None = None) -> None:
         super().__init__()
         self._cache = cache or cache_folder()
         self.workers = Workers()
@@ -87,6 +91,7 @@ class Session(FileReader, AbstractContextManager["Session"]):
         self._rasters = RasterCache(self._cache / "rasters", self.workers)
         self._single = RasterCache(self._cache / "rasters", self._readers)
         self._preparing = PreparingCache(self._cache / "prepared", self.workers)
+        self._samples = SampleCache(self._cache / "samples")
         self._collection: Collection | None = None
         self._opening = threading.Lock()
         self._cold = self._lines_unexpected = True
@@ -112,7 +117,7 @@ class Session(FileReader, AbstractContextManager["Session"]):
         cold, self._cold = self._cold, False
         if cold:
             self.workers.everywhere(warm_up, render_placed)
-            for cache in ("rasters", "prepared"):
+            for cache in ("rasters", "prepared", "samples"):
                 self.workers.submit(remove_abandoned, self._cache / cache)
             for name in _SLOW_TO_LOAD:
                 import_module(name)
@@ -229,6 +234,16 @@ class Session(FileReader, AbstractContextManager["Session"]):
             render_placed, svg, frame, Placement(), size, timeout=SECONDS, memory=MEMORY
         )
         return answer(drawing, f"Drawing “{exemplar.name}”", SIMPLER)
+
+    def kept_sample(self, style: LineStyle) -> Path | None:
+        """Return the sample of a line style, if it was drawn before."""
+        return self._samples.read(style)
+
+    def sample(self, style: LineStyle) -> Generator[Event, None, Path]:
+        """Draw the sample of a line style, and keep it for the next start: see ``sampled``."""
+        path = yield from sampled(self, style)
+        self._samples.write(style, path)
+        return path
 
     def keyword(self, pictogram: Pictogram) -> str:
         """Return what icons like this one are looked for by; empty if its name does not say."""

@@ -10,10 +10,11 @@ import click
 from iconstudio.cli import running
 from iconstudio.cli.rows import row
 from iconstudio.files import check_writable
-from iconstudio.inputs.line_style import read_style
 from iconstudio.inputs.styles import bundled, named
 from iconstudio.model import IconstudioError, LineStyle
+from iconstudio.reading import is_path
 from iconstudio.workers import Workers
+from iconstudio.workflows.line_style.learning import style_in
 from iconstudio.workflows.line_style.restyling import (
     LARGEST,
     LARGEST_SEED,
@@ -22,8 +23,8 @@ from iconstudio.workflows.line_style.restyling import (
     WEAKEST,
     warm_up,
 )
+from iconstudio.workflows.workflow import Resources
 
-_SUFFIXES = (".json",)
 _SOON = 4.0
 """Seconds that nobody minds to wait without a word."""
 
@@ -53,7 +54,7 @@ class Between(click.ParamType):  # type: ignore[type-arg]  # generic only since 
 
 
 def style_option(function: Callable[..., Any]) -> Callable[..., Any]:
-    """Add the option ``--style``, which gives a ``LineStyle`` or None, and ``--list-styles``."""
+    """Add the option ``--style``, which gives a reference or None, and ``--list-styles``."""
     function = click.option(
         "--list-styles",
         is_flag=True,
@@ -65,8 +66,8 @@ def style_option(function: Callable[..., Any]) -> Callable[..., Any]:
     return click.option(
         "--style",
         metavar="NAME|FILE",
-        callback=lambda ctx, param, value: None if value is None else style_of(value),
-        help="A style that comes with the program, or the file of one (JSON).",
+        help="A style that comes with the program, or a file: a style (JSON), or an SVG whose lines"
+        " are the example.",
     )(function)
 
 
@@ -94,34 +95,33 @@ size_option = click.option(
 )
 
 
-def style_of(reference: str) -> LineStyle:
-    """Return a style by its name, or from its file.
+def style_of(reference: str, resources: Resources) -> LineStyle:
+    """Return a style by its name, or from a file: JSON, or a drawing.
 
     Raises
     ------
     IconstudioError
         If there is none.
     """
-    path = Path(reference)
-    if path.suffix.lower() in _SUFFIXES or "/" in reference or "\\" in reference:
-        return read_style(path, lambda sentence: click.echo(sentence, err=True))
+    if is_path(reference):
+        return style_in(resources, reference, running.tell)
     return named(reference)
 
 
-def need_style(style: LineStyle | None) -> LineStyle:
-    """Return a style that was given.
+def need_style(reference: str | None) -> str:
+    """Return the reference of a style that was given.
 
     Raises
     ------
     IconstudioError
         If none was.
     """
-    if style is None:
+    if reference is None:
         raise IconstudioError(
-            "Which style? Say --style NAME, or --style FILE.json; iconstudio restyle --list-styles "
-            "lists those that come with the program."
+            "Which style? Say --style NAME, or --style FILE (JSON or SVG); iconstudio restyle "
+            "--list-styles lists those that come with the program."
         )
-    return style
+    return reference
 
 
 def get_ready(workers: Workers, count: int) -> None:
@@ -131,7 +131,7 @@ def get_ready(workers: Workers, count: int) -> None:
     """
     tasks = [workers.submit(warm_up, lane=lane) for lane in range(count)]
     if wait(tasks, _SOON).not_done:
-        running.tell("Preparing…")
+        running.tell("Preparing, which takes longer the first time…")
         wait(tasks)
 
 

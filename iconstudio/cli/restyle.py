@@ -12,12 +12,13 @@ from iconstudio.cli.plain import into_folder
 from iconstudio.cli.restyled_set import restyle_set
 from iconstudio.cli.timing import Stopwatch, profile_option, profiled
 from iconstudio.files import write_bytes
-from iconstudio.model import IconstudioError, LineStyle, Restyled, Restyling
+from iconstudio.model import IconstudioError, LineStyle, Pictogram, Restyled, Restyling
 from iconstudio.output import export
 from iconstudio.output.folder import check_folder
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event, Result
 from iconstudio.workflows.files import read_file
+from iconstudio.workflows.line_style.restyling import said_of
 from iconstudio.workflows.line_style.sets import Manner
 from iconstudio.workflows.line_style.spec import LINE_STYLE
 
@@ -65,7 +66,7 @@ class _Asked:
 @profile_option
 def command(
     reference: str | None,
-    style: LineStyle | None,
+    style: str | None,
     out: str,
     seed: int | None,
     strength: float | None,
@@ -85,20 +86,23 @@ def command(
         raise IconstudioError("--scheduler is for whole sets: name one with --set.")
     if not out:
         raise IconstudioError("The name behind --out is empty. Give one.")
-    asked = _Asked(style, seed, strength, size)
+    written = reference is not None and Path(reference).suffix.lower() == ".json"
+    if not written:
+        line_styles.need_style(style)
     with profiled(profile) as stopwatch, Session() as session:
-        if icons is not None:
+        learned = None if style is None else line_styles.style_of(style, session)
+        asked = _Asked(learned, seed, strength, size)
+        if icons is not None and learned is not None:
             work = asked.of(Restyling())
-            style = line_styles.need_style(style)
-            manner = Manner(style, work.strength, work.size, work.seed, strokes)
+            manner = Manner(learned, work.strength, work.size, work.seed, strokes)
             restyle_set(session, icons, manner, Path(out), scheduler, stopwatch)
-        elif reference is not None and Path(reference).suffix.lower() == ".json":
+        elif reference is not None and written:
             _restyle_file(session, Path(reference), asked, out, strokes, stopwatch)
         elif reference is not None:
-            line_styles.need_style(style)
             path = line_styles.svg_name(out)
             icon = session.icon(reference)
             running.tell_remarks([icon])
+            _tell_of_lines(session, icon)
             line_styles.get_ready(session.workers, 1)
             events = session.run(LINE_STYLE, asked.of(Restyling(icon=icon)))
             _write(_only(events, stopwatch), path, strokes)
@@ -121,8 +125,15 @@ def _restyle_file(
 
 def _reading_and_running(session: Session, file: Path, asked: _Asked) -> Generator[Event]:
     work: Restyling = yield from read_file(file, LINE_STYLE, session, running.tell)
+    if work.icon is not None:
+        _tell_of_lines(session, work.icon)
     line_styles.get_ready(session.workers, 1)
     yield from session.run(LINE_STYLE, asked.of(work))
+
+
+def _tell_of_lines(session: Session, icon: Pictogram) -> None:
+    if remark := said_of(session, icon):
+        running.tell(f"“{icon.credit.title or icon.id}”: {remark}")
 
 
 def _only(events: Generator[Event], stopwatch: Stopwatch) -> Any:

@@ -74,8 +74,12 @@ def is_image_file(path: Path) -> bool:
     return is_image(start, path.name) or (called and not _MARKUP.match(start))
 
 
-def read_image(source: Path | bytes, workers: Workers) -> Generator[None, None, Image]:
+def read_image(
+    source: Path | bytes, workers: Workers, elsewhere: str = "Save it as PNG."
+) -> Generator[None, None, Image]:
     """Return the image in a file, or in bytes; yield now and then while it is decoded.
+
+    ``elsewhere`` says what can be done with a drawing that is none.
 
     Raises
     ------
@@ -88,10 +92,7 @@ def read_image(source: Path | bytes, workers: Workers) -> Generator[None, None, 
         if not data.strip():
             raise IconstudioError("It is empty. Save or copy it again.")
         if _is_svg(data):
-            raise IconstudioError(
-                "It is an SVG drawing, not a photo. To use it as an icon, "
-                "open it in Edit, Hybrids or Montage."
-            )
+            raise IconstudioError(f"It is an SVG drawing, not a photo. {elsewhere}")
         future = workers.submit(decode_image, data, timeout=_SECONDS, memory=_MEMORY)
         return (yield from awaited(future))
     except IconstudioError as error:

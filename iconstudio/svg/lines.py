@@ -8,6 +8,8 @@ from iconstudio.model.path import Path
 
 _TRACED = 4 * CANVAS
 """Side of the picture that is traced, in pixels."""
+_HALF = 127
+"""Level of the coverage above which a drawing is dark."""
 _SPECK = 0.5
 """Square canvas units of the smallest piece that is traced."""
 
@@ -52,6 +54,22 @@ def lines_on_page(svg: str) -> tuple[Line, ...]:
     from iconstudio.svg.rasterise import rasterise_page
 
     return lines_of(svg, *rasterise_page(svg))
+
+
+def said_of_pale_parts(coverage: NDArray[np.uint8]) -> str:
+    """Return a sentence about what becomes of the pale parts of a drawing; empty if it has none."""
+    from iconstudio.algorithms.iconification.style import has_pale_areas
+
+    left_out = has_pale_areas(coverage, high=_HALF + 1)
+    inked = has_pale_areas(coverage, low=_HALF)
+    match left_out, inked:
+        case True, False:
+            return "Its pale parts were left out: only what is dark has lines."
+        case False, True:
+            return "Its pale parts were drawn as dark as all others."
+        case True, True:
+            return "Its palest parts were left out, and the others drawn as dark as all else."
+    return ""
 
 
 def warm_up() -> None:

@@ -27,6 +27,12 @@ def workflows() -> tuple[Workflow[Any], ...]:
     return _workflows
 
 
+def taking_icons() -> str:
+    """Return the titles of the workflows that icons can be sent to, as words in a sentence."""
+    *others, last = (one.title for one in _workflows if one.invitation)
+    return f"{', '.join(others)} or {last}"
+
+
 @contextmanager
 def registered(workflow: Workflow[Any]) -> Iterator[None]:
     """Have one more workflow for a while: for tests, and for trying one out."""

@@ -58,7 +58,28 @@ def test_an_icon_in_a_style_by_name_and_by_file(tmp_path, capsys):
     assert [one.author for one in credits] == ["Lucide Contributors", "Iconstudio"]
     restyled = ink(out.read_text("utf-8"))
     assert 0 < (restyled ^ plain).sum() < 0.7 * plain.sum()
-    assert "".join(capsys.readouterr()).replace("Preparing…\n", "") == ""
+    assert all(one.startswith("Preparing") for one in "".join(capsys.readouterr()).splitlines())
+
+
+def test_a_style_may_be_a_drawing_as_in_the_window(tmp_path, capsys):
+    zigzag = " ".join(f"L{2 + x} {12 + 3 * (-1) ** x}" for x in range(1, 20))
+    drawing = f'<path d="M2 12{zigzag}"/><text x="2" y="9" fill="url(#none)">a</text>'
+    style = tmp_path / "zigzag.svg"
+    style.write_text(CROSS.format(x=7).replace('<path d="M7 4V20M4 7H20"/>', drawing))
+    out, line = tmp_path / "o.svg", tmp_path / "line.svg"
+    house = tmp_path / "house.svg"
+    house.write_text(CROSS.format(x=12))
+    assert run(["restyle", str(house), "--style", str(style), "--out", str(out)], None) == 0
+    with Session() as session:
+        plain = session.exemplar(session.icon(str(house))).ink
+    assert (ink(out.read_text("utf-8")) ^ plain).mean() > 0.01
+    words = ["--style", str(style), "--length", "200", "--out", str(line)]
+    assert run(["scribble", *words], None) == 0
+    assert "<title>scribble, zigzag" in line.read_text("utf-8")
+    capsys.readouterr()
+    for command in ("restyle", "scribble"):
+        assert run([command, "--help"], None) == 0
+        assert "SVG whose lines" in " ".join(capsys.readouterr().out.split())
 
 
 def test_strokes_look_like_the_outline(tmp_path):
@@ -134,6 +155,7 @@ def test_a_line_of_very_many_points_is_told_to_be_simplified(tmp_path, capsys):
         (["restyle", "lucide:house", "--set", "lucide", "--out", "x.svg"], "Name one icon"),
         (["restyle", "lucide:house", "--out", "x.svg"], "Which style?"),
         (["restyle", "lucide:house", "--style", "shakey", "--out", "x.svg"], "“Shaky”?"),
+        (["restyle", "lucide:house", "--style", "no.svg", "--out", "x.svg"], "no such file"),
         (["restyle", "lucide:house", "--style", "no.json", "--out", "x.svg"], "cannot be read"),
         (["restyle", "lucide:house", "--style", "shaky", "--out", "x.png"], "“x.svg”"),
         (["restyle", "lucide:house", "--style", "shaky", "--out", "no/x.svg"], "no such folder"),
@@ -204,6 +226,15 @@ def test_icons_of_a_set_keep_their_scale_and_it_is_told_if_they_have_no_room(tmp
     assert re.search(told, capsys.readouterr().err, re.M)
 
 
+def test_what_becomes_of_pale_parts_is_told_and_recorded(tmp_path, capsys):
+    words = ["restyle", "reicon:house-duotone", "--style", "ink", "--out", str(tmp_path / "a.svg")]
+    assert run(words, None) == 0
+    assert "Its pale parts were left out" in capsys.readouterr().err
+    (tmp_path / "a.json").write_text(json.dumps({"icon": "reicon:house-duotone", "style": "Ink"}))
+    assert run(["restyle", str(tmp_path / "a.json"), "--out", str(tmp_path / "b.svg")], None) == 0
+    assert "Its pale parts were left out" in capsys.readouterr().err
+
+
 def test_nothing_but_broken_icons(tmp_path, capsys):
     (tmp_path / "in").mkdir()
     (tmp_path / "in" / "broken.svg").write_text("<svg")
@@ -232,7 +263,7 @@ def test_what_takes_long_the_first_time_is_said(tmp_path, capsys, monkeypatch):
     monkeypatch.setattr(line_styles, "_SOON", 0.0)
     words = ["scribble", "--style", "waves", "--length", "90", "--out", str(tmp_path / "a.svg")]
     assert run(words, None) == 0
-    assert capsys.readouterr().err == "Preparing…\n"
+    assert capsys.readouterr().err == "Preparing, which takes longer the first time…\n"
 
 
 def test_originals_are_never_written_over(icons, capsys):

@@ -69,6 +69,7 @@ from iconstudio.workflows.line_style.restyling import (
     lines_of,
     variations,
 )
+from iconstudio.workflows.line_style.sampling import SAMPLE
 from iconstudio.workflows.montage.montage import check as check_montage
 from iconstudio.workflows.workflow import Workflow
 from tests.shapes import outline
@@ -165,6 +166,7 @@ class FakeSession:
         """How well the results of a style fit, where not as all others do."""
         self.closed = threading.Event()
         self.calls: list[tuple] = []
+        self.kept_samples: dict[str, Outline] = {}
         self.workers = SimpleNamespace(
             everywhere=lambda function, *args: None,
             ticket=lambda: SimpleNamespace(stop=lambda: None),
@@ -215,6 +217,8 @@ class FakeSession:
         """As the real one, but in this process."""
         self.thread_ids.add(threading.get_ident())
         yield
+        if is_image_file(path):
+            return Separation(photo_of((yield from self.image(path)), str(path)))
         pixels, pictogram = own_artwork(read_bytes(path, 1 << 24), str(path))
         image = Image(pixels, pixels.shape[1], pixels.shape[0])
         return Separation(photo_of(image, str(path)), credits=(pictogram,))
@@ -277,6 +281,18 @@ class FakeSession:
             case "pattern":
                 return self.pattern(work, settings)
         return workflow.run(self, work)
+
+    def kept_sample(self, style: LineStyle) -> Outline | None:
+        return self.kept_samples.get(style.name)
+
+    def sample(self, style: LineStyle):
+        work = Restyling(style, strokes=SAMPLE)
+        for event in self.restyle(work, RestyleSettings(coarse=True)):
+            if isinstance(event, Result):
+                path = event.icon.path
+            else:
+                yield event
+        return path
 
     def edit(self, edit: Edit, settings: GridSettings) -> Iterator[Event]:
         """The results of ``model`` for the icon's frame, nine tenths of them unchanged."""

@@ -549,7 +549,7 @@ def has_photo(place):
 
 def test_markup_is_no_photo(sketching, qtbot):
     paste(sketching, words(SVG.format(1)))
-    qtbot.waitUntil(lambda: "Edit, Hybrids or Montage" in told(sketching))
+    qtbot.waitUntil(lambda: "Edit, Hybrids, Montage, Line style or Pattern" in told(sketching))
     assert sketching.document.page.photo is None
 
 

@@ -266,11 +266,14 @@ def test_the_button_on_a_card_shows_only_where_the_user_is(chosen, qtbot):
     assert "shapes:cross-2" not in names(chosen)
 
 
-def test_an_icon_that_is_sent_joins_once(chosen, qtbot):
+def test_an_icon_that_is_sent_joins_once_and_is_called_by_its_title(chosen, qtbot):
+    said = []
+    chosen.remarked.connect(said.append)
     for number in (9, 9):
         chosen.take(exemplar(number).pictogram)
     qtbot.waitUntil(lambda: len(names(chosen)) == 5)
-    qtbot.wait(50)
+    qtbot.waitUntil(lambda: "“frame 9” is among the icons already." in said)
+    assert "Added “frame 9”." in said
     assert names(chosen)[-1] == "shapes:frame-9"
 
 

@@ -3,11 +3,13 @@
 import json
 import math
 import threading
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from fake_session import exemplar
 from hands import action, at, go_to, press, save_to, threads_alive
+from images import pixels
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QInputDevice, QPointingDevice, QTabletEvent
 from PySide6.QtTest import QTest
@@ -21,8 +23,10 @@ from iconstudio.inputs.styles import bundled, named
 from iconstudio.model import LineStyle, StylePair
 from iconstudio.session import Session
 from iconstudio.svg.reading import own_svg
+from iconstudio.workflows.line_style import page as edits
 from iconstudio.workflows.line_style.page import OWN
 from iconstudio.workflows.line_style.spec import LINE_STYLE
+from tests.shapes import outline
 
 LEFT = Qt.MouseButton.LeftButton
 NONE, SHIFT = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ShiftModifier
@@ -91,7 +95,8 @@ def test_an_empty_page_says_what_to_do_and_offers_it(place, qtbot):
 
 
 def test_every_style_is_shown_by_a_sample_drawn_once(window, place, qtbot, session):
-    qtbot.waitUntil(lambda: len(place.styles.sheet.pictures) == len(bundled()), timeout=10000)
+    qtbot.waitUntil(lambda: not place.styles.runner.running, timeout=10000)
+    assert all(one.icon.path for one in place.styles.sheet.pictures)
     drawn = [work.style for work in works(session)]
     assert sorted(drawn, key=lambda style: style.name) == sorted(
         bundled(), key=lambda style: style.name
@@ -99,6 +104,24 @@ def test_every_style_is_shown_by_a_sample_drawn_once(window, place, qtbot, sessi
     go_to(window, "Sketch")
     go_to(window, "Line style")
     assert len(works(session)) == len(drawn)
+
+
+def test_styles_can_be_chosen_by_name_before_any_sample_is_drawn(window, qtbot, session):
+    session.gate = threading.Semaphore(0)
+    first = bundled()[0]
+    session.kept_samples[first.name] = outline([(0, 0), (9, 0), (9, 9)])
+    place = go_to(window, "Line style")
+    sheet = place.styles.sheet
+    qtbot.waitUntil(lambda: bool(sheet.pictures[0].icon.path))
+    assert [one.title for one in sheet.pictures] == [one.name for one in bundled()]
+    assert works(session)[0].style != first, "it is kept from an earlier start"
+    assert not any(one.icon.path for one in sheet.pictures[1:])
+    assert all(one.outline.boundingRect().width() > 60 for one in sheet.pictures[1:])
+    choose(place, qtbot, "Ink")
+    assert place.page.style == named("Ink")
+    session.gate.release(100)
+    qtbot.waitUntil(lambda: not place.styles.runner.running, timeout=10000)
+    assert all(one.icon.path for one in sheet.pictures)
 
 
 def test_a_style_is_asked_for_and_the_result_follows(place, qtbot):
@@ -148,6 +171,52 @@ def test_undo_shows_result_and_variations_that_were_there_at_once(restyled, qtbo
     restyled.document.undo_stack.redo()
     assert restyled.picture is not first
     assert len(works(session)) == count
+
+
+def test_an_old_result_turns_pale_and_is_not_offered_until_the_new_one_is_there(
+    restyled, qtbot, monkeypatch
+):
+    names, canvas, detail = ("svg", "png", "copy", "strokes"), restyled.view, restyled.detail.large
+    for paling in (restyled.scene.paling, detail.paling):
+        paling.timer.setInterval(1)
+    fresh = pixels(canvas.grab().toImage()), pixels(detail.grab().toImage())
+    with monkeypatch.context() as patch:
+        patch.setattr(restyled.restyler.live, "request", lambda _: None)
+        choose(restyled, qtbot, "Loops")
+        assert not any(restyled.actions_by_name[name].isEnabled() for name in names)
+        assert not any(button.isEnabled() for button in restyled.detail.buttons.values())
+        qtbot.waitUntil(lambda: detail.paling.opacity < 1 and restyled.scene.paling.opacity < 1)
+        assert pixels(detail.grab().toImage()).std() < 0.6 * fresh[1].std()
+        assert pixels(canvas.grab().toImage()).std() < 0.8 * fresh[0].std()
+        restyled.document.undo_stack.undo()
+    assert all(restyled.actions_by_name[name].isEnabled() for name in names)
+    assert np.array_equal(pixels(detail.grab().toImage()), fresh[1])
+    assert np.array_equal(pixels(canvas.grab().toImage()), fresh[0])
+
+
+def test_a_variation_is_as_old_as_what_it_varies(restyled, qtbot, monkeypatch):
+    sheet = restyled.variations.sheet
+    qtbot.waitUntil(lambda: len(sheet.pictures) == 12 and not restyled.restyler.varying.running)
+    sheet.chosen.emit(sheet.pictures[5])
+    assert restyled.takeable
+    monkeypatch.setattr(restyled.restyler.live, "request", lambda _: None)
+    restyled.document.change(
+        "choose style", edits.RestylePage(replace(restyled.page.work, style=named("Loops")))
+    )
+    assert restyled.stale and not restyled.takeable
+    sheet.chosen.emit(sheet.pictures[6])
+    assert restyled.stale
+
+
+def test_what_becomes_of_pale_parts_is_told(place, qtbot, session, monkeypatch):
+    ring = exemplar(0)
+    pale = replace(ring, coverage=np.where(ring.ink, 90, 0).astype(np.uint8))
+    monkeypatch.setattr(session, "exemplar", lambda _: pale)
+    said = []
+    place.remarked.connect(said.append)
+    place.take(RING)
+    qtbot.waitUntil(lambda: place.page.has_lines)
+    assert said[-1].startswith("“ring 0” is on the canvas. Its pale parts were left out")
 
 
 def test_turning_says_nothing_as_long_as_it_is_the_styles_own(restyled):

@@ -396,11 +396,35 @@ def test_the_next_icon_is_the_shape_that_is_filled(laid_out, qtbot):
     qtbot.waitUntil(lambda: laid_out.page.work.fill == CROSS)
     assert laid_out.page.work.motifs == before.work.motifs
     assert not controls.fill.isChecked()
+    assert "shape to fill" not in laid_out.chooser.caption.text()
     settled(laid_out, qtbot)
     assert CROSS in laid_out.picture.icon.credits
     controls.whole.click()
     assert laid_out.page.work == before.work
     assert undone(laid_out).work.fill == CROSS
+
+
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        ({"motifs": []}, "no exemplar yet"),
+        ({"image": "tiny.png"}, "1 x 1 pixels"),
+        (None, "1 x 1 pixels"),
+    ],
+)
+def test_what_is_no_exemplar_is_refused_and_the_page_stays(
+    laid_out, qtbot, tmp_path, content, said
+):
+    before, path = laid_out.page, tmp_path / "p1.json"
+    Pixels.new("RGB", (1, 1), "red").save(tmp_path / "tiny.png")
+    path.write_text(json.dumps(content))
+    with qtbot.waitSignal(laid_out.failed) as failed:
+        if content is None:
+            laid_out.opener.open_image(str(tmp_path / "tiny.png"))
+        else:
+            laid_out.opener.open_file(str(path))
+    assert said in failed.args[0]
+    assert laid_out.page == before
 
 
 @pytest.fixture
@@ -563,13 +587,13 @@ def test_an_old_result_turns_pale_and_is_not_offered_until_the_new_one_is_there(
     buttons, view = laid_out.detail.buttons, laid_out.large
     names = "svg", "png", "css", "copy"
     assert all(laid_out.actions_by_name[name].isEnabled() for name in names)
-    view._paling.setInterval(1)
+    view.paling.timer.setInterval(1)
     fresh = pixels(view.grab().toImage())
     monkeypatch.setattr(laid_out.patterner.live, "request", lambda _: None)
     laid_out.controls.ground.chosen.emit("#17375e")
     assert not any(laid_out.actions_by_name[name].isEnabled() for name in names)
     assert not any(buttons[name].isEnabled() for name in names)
-    qtbot.waitUntil(lambda: view._pale)
+    qtbot.waitUntil(lambda: view.paling.opacity < 1)
     assert pixels(view.grab().toImage()).std() < 0.6 * fresh.std()
     undone(laid_out)
     assert all(buttons[name].isEnabled() for name in names)

@@ -18,7 +18,9 @@ from iconstudio.images import pillow
 from iconstudio.images.pillow import decode, is_image
 from iconstudio.images.reading import LONGEST, read_image
 from iconstudio.model import IconstudioError
+from iconstudio.reading import FileReader, returned
 from iconstudio.workers import Workers
+from iconstudio.workflows.registry import workflows
 
 COLOURS = np.zeros((40, 60, 3), np.uint8)
 COLOURS[:20, :30], COLOURS[:20, 30:] = [255, 0, 0], [255, 255, 255]
@@ -304,12 +306,15 @@ def test_further_pictures_are_mentioned():
     ],
 )
 @pytest.mark.parametrize("coded", ["utf-8", "utf-8-sig", "utf-16", "gzip"])
-def test_an_svg_goes_to_no_reader_and_is_told(workers, text, coded):
+def test_an_svg_goes_to_no_reader_and_is_told(text, coded):
     import gzip
 
     data = gzip.compress(text.encode()) if coded == "gzip" else text.encode(coded)
-    with pytest.raises(IconstudioError, match=r"SVG drawing, not a photo.*Montage"):
-        read(data, workers)
+    reader = FileReader()
+    with pytest.raises(IconstudioError) as told:
+        returned(reader.image(data))
+    assert "SVG drawing, not a photo" in str(told.value)
+    assert all(one.title in str(told.value) for one in workflows() if one.invitation)
 
 
 @pytest.mark.parametrize(

@@ -201,3 +201,12 @@ def test_closing_cancels_what_waits():
     assert isinstance(next(events), MemberRestyled)
     events.close()
     assert [one.cancelled() for one in processes.futures] == [False, True, True, True, True]
+
+
+@pytest.mark.parametrize(("opacity", "said"), [(0.3, "left out"), (0.7, "as dark as"), (1.0, "")])
+def test_it_is_recorded_what_became_of_pale_parts(opacity, said):
+    body = f'<path d="M4 4h16v6H4z"/><path opacity="{opacity}" d="M4 12h16v8H4z"/>'
+    svg = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24">{body}</svg>'
+    icon, _, _ = restyled_member("test:two", Pictogram("test:two", svg, CREDIT), MANNER)
+    assert len(icon.remarks) == bool(said)
+    assert said in "".join(icon.remarks)

@@ -33,13 +33,13 @@ STYLES = (
 """The table of section 3.5."""
 
 
-def has_pale_areas(coverage: NDArray[np.uint8]) -> bool:
-    """Whether a drawing (h, w) uint8 has pale areas, not only soft edges.
+def has_pale_areas(coverage: NDArray[np.uint8], low: int = 30, high: int = 225) -> bool:
+    """Whether a drawing (h, w) uint8 has pale areas, between two levels, not only soft edges.
 
     A pale layer is no ink (section 3.1: black and white), so what is left of such an icon may be a
     part of it only.
     """
-    pale = (coverage > 30) & (coverage < 225)
+    pale = (coverage > low) & (coverage < high)
     columns = pale[:-2] & pale[1:-1] & pale[2:]
     return bool((columns[:, :-2] & columns[:, 1:-1] & columns[:, 2:]).any())  # 3 x 3 pixels
 

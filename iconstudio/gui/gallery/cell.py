@@ -8,16 +8,10 @@ from PySide6.QtGui import QPainter, QPainterPath, QPaintEvent, QPen
 from PySide6.QtWidgets import QAbstractButton, QSizePolicy
 
 from iconstudio.gui.gallery.display import setting
+from iconstudio.gui.gallery.paling import PALE, PALING
 from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.theme import theme
 from iconstudio.gui.theme.painting import RADIUS, fill_rounded, paint_frame, smooth_painter
-
-PALING = 700
-"""Milliseconds after which a result that is out of date turns pale: not at once, so that one that
-is soon replaced does not flicker."""
-
-PALE = 0.35
-"""How opaque it is then."""
 
 
 class CellState(Enum):

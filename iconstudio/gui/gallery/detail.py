@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from iconstudio.gui.gallery.display import DisplaySwitch, setting
+from iconstudio.gui.gallery.paling import Paling
 from iconstudio.gui.gallery.sending import Destination, offer
 from iconstudio.gui.jobs.live import LiveRunner
 from iconstudio.gui.pictures.picture import Picture, SourcePicture, source_pictures
@@ -41,6 +42,8 @@ class LargePicture(QWidget):
         super().__init__()
         self._picture: Picture | None = None
         self._wide = wide
+        self.paling = Paling(self)
+        self.paling.changed.connect(self.update)
         self.setMinimumSize(20 * UNIT, 20 * UNIT)
         across = QSizePolicy.Policy.Expanding if wide else QSizePolicy.Policy.Preferred
         self.setSizePolicy(across, QSizePolicy.Policy.Expanding)
@@ -50,6 +53,7 @@ class LargePicture(QWidget):
     def show_picture(self, picture: Picture | None) -> None:
         """Show another result."""
         self._picture = picture
+        self.paling.renew()
         self.update()
 
     def sizeHint(self) -> QSize:
@@ -71,6 +75,7 @@ class LargePicture(QWidget):
             sheet.moveCenter(QRectF(self.rect()).center())
             fill_rounded(painter, sheet, scheme.color("window"), 8)
             if self._picture is not None:
+                painter.setOpacity(self.paling.opacity)
                 target = sheet.adjusted(UNIT, UNIT, -UNIT, -UNIT)
                 self._picture.paint(painter, target, scheme.color("text"), setting.value)
 

@@ -112,6 +112,13 @@ class SheetModel(QAbstractListModel):
         self.entries.insert(row, entry)
         self.endInsertRows()
 
+    def put(self, entry: Entry, other: Entry) -> None:
+        """Show an entry in the place of another one."""
+        index = self.index_of(entry)
+        if index.isValid():
+            self.entries[index.row()] = other
+            self.dataChanged.emit(index, index)
+
     def reorder(self, entries: Sequence[Entry]) -> None:
         """Show the same entries in another order; what is pointed at and picked stays so."""
         self.layoutAboutToBeChanged.emit()

@@ -59,7 +59,7 @@ class IconChooser(IconSearch):
         super().__init__(SearchField(), button, sheet, _WELCOME)
         self._session = session
         self._multiple = multiple
-        self._keyword = ""
+        self._keyword = self._remark = ""
         self._found: tuple[Exemplar, ...] = ()
         self._opened: dict[str, Exemplar] = {}
         DropTarget(
@@ -114,10 +114,17 @@ class IconChooser(IconSearch):
 
     def _show_found(self, event: Event) -> None:
         if isinstance(event, Retrieved):
-            self._found = event.exemplars
+            self._found, self._remark = event.exemplars, event.remark
             self._fill()
-            what = "click to add or take away" if self._multiple else "click one to use it"
-            self.tell_found(len(self._found), what, remark=event.remark)
+            self.tell()
+
+    def tell(self) -> None:
+        """Say what there is to choose from, or what to do."""
+        if not self._found:
+            self.tell_searching(self._keyword)
+            return
+        what = "click to add or take away" if self._multiple else "click one to use it"
+        self.tell_found(len(self._found), what, remark=self._remark)
 
     def take(self, exemplar: Exemplar) -> None:
         """Choose an icon that was opened; it stays in front of what is found."""

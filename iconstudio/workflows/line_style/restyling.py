@@ -19,6 +19,7 @@ from iconstudio.model import (
     Transform,
 )
 from iconstudio.model.path import OVERHANG
+from iconstudio.svg.lines import said_of_pale_parts
 from iconstudio.workflows.events import Event, Progress, Result
 from iconstudio.workflows.previewing import Answer, answers
 from iconstudio.workflows.workflow import Resources
@@ -91,6 +92,11 @@ def lines_of(resources: Resources, work: Restyling) -> tuple[Line, ...]:
     if not (own or work.strokes):
         raise IconstudioError("There are no lines yet. Choose an icon, or draw some.")
     return (*own, *work.strokes)
+
+
+def said_of(resources: Resources, icon: Pictogram) -> str:
+    """Return a sentence about what its lines do not show of an icon; empty if there is nothing."""
+    return said_of_pale_parts(resources.exemplar(icon).coverage)
 
 
 def variations(work: Restyling) -> list[Restyling]:

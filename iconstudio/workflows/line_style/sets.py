@@ -167,6 +167,8 @@ def restyled_member(
 ) -> tuple[Pictogram, Drawn, float]:
     """Return an icon without its drawing, what is drawn of it in a style, and at what scale.
 
+    Its remarks say what the lines do not show of it.
+
     The drawing may be hostile: runs in a worker process, here or in a cluster.
 
     Raises
@@ -175,7 +177,8 @@ def restyled_member(
         If it cannot be drawn, or has no lines.
     """
     from iconstudio.algorithms.curves.outline import strokes_of
-    from iconstudio.svg.lines import lines_on_page
+    from iconstudio.svg.lines import lines_on_page, said_of_pale_parts
+    from iconstudio.svg.rasterise import rasterise_page
     from iconstudio.svg.reading import own_svg
 
     icon = own_svg(source, identifier) if isinstance(source, bytes) else source
@@ -186,7 +189,9 @@ def restyled_member(
     drawn = strokes_of(made) if manner.strokes else ((path, 0.0),)
     if not any(path for path, _ in drawn):
         raise IconstudioError("Nothing of it is left in this style. Make the style smaller.")
-    return replace(icon, svg=""), drawn, scale
+    _, coverage = rasterise_page(icon.svg)
+    remarks = (*icon.remarks, *filter(None, [said_of_pale_parts(coverage)]))
+    return replace(icon, svg="", remarks=remarks), drawn, scale
 
 
 def _finished(waiting: Iterable["Future[Any]"]) -> Iterable["Future[Any]"]:

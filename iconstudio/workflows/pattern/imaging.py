@@ -65,11 +65,7 @@ class ImageExemplar:
         IconstudioError
             If it is too small.
         """
-        if min(image.photo.width, image.photo.height) < _SMALLEST:
-            raise IconstudioError(
-                f"The image has {image.photo.width} x {image.photo.height} pixels. "
-                f"Give one of at least {_SMALLEST} x {_SMALLEST}."
-            )
+        check_size(image.photo)
         pixels, digest = _reduced(image.photo)
         reduction = image.photo.width / pixels.shape[1]
         return cls(pixels, digest, image.colours, image.corrections, reduction, transparent)
@@ -114,6 +110,21 @@ class ImageExemplar:
         exemplar = Exemplar(colours.astype(np.float32), reduced, labels)
         remark = remark_of(found, self.pixels)
         return Layout(exemplar, shapes, ground, period(reduced[0]), remark)
+
+
+def check_size(photo: Photo) -> None:
+    """Refuse an image that is too small to be an exemplar.
+
+    Raises
+    ------
+    IconstudioError
+        If it is.
+    """
+    if min(photo.width, photo.height) < _SMALLEST:
+        raise IconstudioError(
+            f"The image has {photo.width} x {photo.height} pixels. "
+            f"Give one of at least {_SMALLEST} x {_SMALLEST}."
+        )
 
 
 def reduction_of(photo: Photo) -> str:

@@ -20,7 +20,7 @@ from iconstudio.model import Path as Outline
 from iconstudio.workflows.events import Event, Progress, Remark, Result
 from iconstudio.workflows.pattern.drawing import SAMPLES, Drawn, Source, draw
 from iconstudio.workflows.pattern.filling import fitted
-from iconstudio.workflows.pattern.imaging import ImageExemplar
+from iconstudio.workflows.pattern.imaging import ImageExemplar, check_size
 from iconstudio.workflows.pattern.layout import Arrangement
 from iconstudio.workflows.pattern.seeds import with_seeds
 from iconstudio.workflows.previewing import Answer, answers
@@ -104,6 +104,22 @@ def samples(work: Patterning) -> tuple[int, int]:
     return rows, columns
 
 
+def check(work: Patterning) -> None:
+    """Refuse work without an exemplar, or with one that is too small.
+
+    Raises
+    ------
+    IconstudioError
+        If it is so.
+    """
+    if work.image is not None:
+        check_size(work.image.photo)
+    elif not work.motifs:
+        raise IconstudioError(
+            "There is no exemplar yet. Put icons on its canvas, or open an image."
+        )
+
+
 def icon_of(work: Patterning, drawn: Drawn, fill: Outline | None) -> Patterned:
     """Return a pattern as a result; ``fill`` is in its samples."""
     rows, columns = drawn.size
@@ -144,12 +160,9 @@ def _transformed(layer: ColouredLayer, transform: Transform) -> ColouredLayer:
 
 
 def _source(resources: Resources, work: Patterning) -> Source:
+    check(work)
     if work.image is not None:
         return ImageExemplar.of(work.image, transparent=not work.ground)
-    if not work.motifs:
-        raise IconstudioError(
-            "There is no exemplar yet. Put icons on its canvas, or open an image."
-        )
     paths = {icon: _outline(resources, icon) for icon in dict.fromkeys(_icons(work))}
     return Arrangement.of(work, [paths[one.icon] for one in work.motifs])
 

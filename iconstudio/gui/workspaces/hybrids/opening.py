@@ -66,10 +66,10 @@ class HybridsOpener(IconOpener):
         before, icons = self.document.page.ids, {one.id: one for one in gathered.found}
         left = edits.add_icons(self.document, gathered.found)
         if left:
-            self.complain(self.no_room((), _names(left)))
+            self.complain(self.no_room((), _titles(left)))
         there = [one for one in icons.values() if one.id in before]
         added = [one for one in icons.values() if one.id in self.document.page.ids - before]
-        said = f"Added {quoted_list(_names(added))}." if added else "", _there(_names(there))
+        said = f"Added {quoted_list(_titles(added))}." if added else "", _there(_titles(there))
         return " ".join(filter(None, said))
 
     def _picking(self, ask: PickRequest) -> Generator[Event | Opened]:
@@ -80,13 +80,13 @@ class HybridsOpener(IconOpener):
 
         def put(document: HybridsDocument) -> None:
             if left := edits.set_picked(document, picked, ask):
-                self.complain(self.no_room((), _names(left)))
+                self.complain(self.no_room((), _titles(left)))
 
         yield Opened(f"Picked {len(picked)} icons for “{ask.keyword}”.", put)
 
 
-def _names(icons: Sequence[Exemplar]) -> list[str]:
-    return [one.name for one in icons]
+def _titles(icons: Sequence[Exemplar]) -> list[str]:
+    return [one.pictogram.credit.title or one.id for one in icons]
 
 
 def _there(names: Sequence[str]) -> str:

@@ -1,6 +1,7 @@
 """What can be done with lines and their style."""
 
 from iconstudio.gui.workspaces.actions import CANVAS, Entry, Key, tool, work_entries
+from iconstudio.gui.workspaces.following import TAKING_OUT
 from iconstudio.model import Restyled
 from iconstudio.workflows.line_style import page as edits
 
@@ -18,7 +19,7 @@ def _has_style(place) -> bool:
 
 
 def _has_strokes(place) -> bool:
-    return place.picture is not None and isinstance(place.picture.icon, Restyled)
+    return place.takeable and isinstance(place.picture.icon, Restyled)
 
 
 ENTRIES = (
@@ -44,6 +45,7 @@ ENTRIES = (
     Entry("run", "Restyle a&new", "Draw the lines, and the variations, once more", "Ctrl+Return"),
     tool("select", "&Select lines", "Select lines for a style of their own", "V", "arrow"),
     tool("pen", "&Draw lines", "Draw lines freehand", "P", "pen"),
+    *TAKING_OUT,
     *work_entries("restyling", lambda place: not place.page.empty),
     *CANVAS,
 )  # fmt: skip

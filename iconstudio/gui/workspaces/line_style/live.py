@@ -4,9 +4,9 @@ from collections.abc import Generator, Iterable
 from dataclasses import dataclass
 from itertools import repeat
 
-from iconstudio.gui.pictures.picture import Picture
+from iconstudio.gui.pictures.picture import Picture, picture_of
 from iconstudio.gui.workspaces.made import Made, made_of
-from iconstudio.model import IconstudioError, Line, LineStyle, Restyling
+from iconstudio.model import Icon, IconstudioError, LineStyle, Path, Restyling
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.line_style.restyling import RestyleSettings, variations
@@ -39,29 +39,21 @@ class Sample:
 
 
 def samples(session: Session, styles: Iterable[LineStyle]) -> Generator[Event | Sample]:
-    """Draw a sample of each style."""
+    """Yield a sample of each style, those that are kept from earlier first."""
+    missing = []
     for style in styles:
-        picture = None
+        kept = session.kept_sample(style)
+        if kept is None:
+            missing.append(style)
+        else:
+            yield _sample(style, kept)
+    for style in missing:
         try:
-            settings = RestyleSettings(coarse=True)
-            for one in _made(session, Restyling(style, strokes=SAMPLE), settings):
-                if isinstance(one, Made):
-                    picture = one.picture
-                else:
-                    yield one
+            path = yield from session.sample(style)
         except IconstudioError:
-            pass  # whoever chooses it is told
-        yield Sample(style, picture)
+            path = Path()  # whoever chooses it is told
+        yield _sample(style, path)
 
 
-SAMPLE = (
-    Line(
-        ((28.0, 150.0), (128.0, 40.0), (228.0, 150.0)),
-        width=8.0,
-    ),
-    Line(
-        ((56.0, 122.0), (56.0, 226.0), (200.0, 226.0), (200.0, 122.0)),
-        width=8.0,
-    ),
-)
-"""What samples are drawn of: a house."""
+def _sample(style: LineStyle, path: Path) -> Sample:
+    return Sample(style, picture_of(Icon(path, style.name)) if path else None)

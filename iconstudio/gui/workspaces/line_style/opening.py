@@ -6,13 +6,14 @@ from typing import Any
 
 from iconstudio.gui.exchange.opening import IconOpener, Opened
 from iconstudio.gui.workspaces.line_style import own_styles
-from iconstudio.inputs.line_style import read_style, style_of_lines
 from iconstudio.inputs.together import ReadTogether
 from iconstudio.model import Pictogram
 from iconstudio.workflows.files import open_file
 from iconstudio.workflows.line_style import page as edits
 from iconstudio.workflows.line_style.file import RestyleFile
+from iconstudio.workflows.line_style.learning import is_written, style_in
 from iconstudio.workflows.line_style.page import RestylePage
+from iconstudio.workflows.line_style.restyling import said_of
 
 STYLES = "Line styles (*.json *.svg)"
 
@@ -30,19 +31,22 @@ class RestyleOpener(IconOpener):
         work = yield from file.resolving(self.session)
         if work.icon is not None:
             self.session.lines(work.icon)  # what has none is told before it is on the page
-        words = " ".join([f"Opened “{file.title or path.stem}”.", *file.remarks])
+        pale = said_of(self.session, work.icon) if work.icon is not None else ""
+        words = " ".join(
+            filter(None, [f"Opened “{file.title or path.stem}”.", *file.remarks, pale])
+        )
         yield Opened(words, lambda there: there.change("open restyling", RestylePage(work)))
 
-    def drawn(self, pictogram: Pictogram) -> Pictogram:
-        """Return an icon that has lines."""
+    def drawn(self, pictogram: Pictogram) -> tuple[Pictogram, str]:
+        """Return an icon that has lines, and what they do not show of it."""
         self.session.lines(pictogram)
-        return pictogram
+        return pictogram, said_of(self.session, pictogram)
 
     def put(self, gathered: ReadTogether) -> str:
         """Restyle an icon's lines."""
-        (icon,) = gathered.found
+        ((icon, remark),) = gathered.found
         edits.take_icon(self.document, icon)
-        return f"“{icon.credit.title}” is on the canvas."
+        return f"“{icon.credit.title}” is on the canvas. {remark}".rstrip()
 
     def open_style(self, path: str) -> None:
         """Learn a style from a file: JSON, or the lines of a drawing."""
@@ -50,12 +54,8 @@ class RestyleOpener(IconOpener):
 
     def _opening_style(self, path: Path) -> Generator[Opened]:
         remarks: list[str] = []
-        written = path.suffix.lower() == ".json"
-        if written:
-            style = read_style(path, remarks.append)
-        else:
-            style = style_of_lines(self.session.lines(self.session.icon(str(path))), path.stem)
+        style = style_in(self.session, str(path), remarks.append)
         words = " ".join([f"Opened the style “{style.name}”.", *remarks])
         yield Opened(words, lambda there: edits.set_style(there, style))
-        if written:
+        if is_written(str(path)):
             own_styles.note(path)

@@ -11,6 +11,7 @@ from iconstudio.gui.workspaces.made import Made
 from iconstudio.model import Restyling
 from iconstudio.session import Session
 from iconstudio.workflows.line_style.page import RestylePage
+from iconstudio.workflows.line_style.restyling import variations
 
 REST = 400
 """Milliseconds without a change after which variations are made."""
@@ -27,6 +28,8 @@ class Restyler(QObject):
         Variations are made, in place of those before.
     varied(Made)
         One is drawn.
+    previewed()
+        Something else is to be in sight than the page's own.
     left()
         What was drawn is of something else.
     """
@@ -34,6 +37,7 @@ class Restyler(QObject):
     restyled = Signal(object)
     began_varying = Signal()
     varied = Signal(object)
+    previewed = Signal()
     left = Signal()
 
     def __init__(self, session: Session, worker: Worker, parent: QObject) -> None:
@@ -43,15 +47,23 @@ class Restyler(QObject):
         self.made: Made | None = None
         """What was drawn last."""
         self._work: Restyling | None = None
+        self._coming: Restyling | None = None
+        """What is to be in sight: the work of the page, or as it is about to become."""
         self._resting = QTimer(self, singleShot=True, interval=REST)
         self._resting.timeout.connect(self._vary)
         self.live.event.connect(self._tell)
         self.varying.event.connect(self._tell_varied)
         self.varying.began.connect(self.began_varying)
 
+    def wants(self, made: Made) -> bool:
+        """Whether a result is what is to be in sight, or one of its variations."""
+        if made is self.made or self._coming is None:
+            return made.work == self._coming
+        return made.work in variations(self._coming)
+
     def request(self, page: RestylePage) -> None:
         """Draw what is on a page, unless that is done or under way."""
-        self._work = page.work if page.complete else None
+        self._work = self._coming = page.work if page.complete else None
         if self._work is None or (self.made and self.made.work.icon != page.work.icon):
             self._leave()
         if self._work is not None and self._work != self.live.ran:
@@ -64,6 +76,8 @@ class Restyler(QObject):
     def preview(self, work: Restyling) -> None:
         """Draw work that is not on the page yet, if it is complete."""
         if RestylePage(work).complete:
+            self._coming = work
+            self.previewed.emit()
             self.live.request(work)
 
     def run(self) -> None:

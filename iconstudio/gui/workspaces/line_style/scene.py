@@ -7,6 +7,7 @@ from PySide6.QtGui import QPainter, QPainterPath, QPen, QPolygonF
 
 from iconstudio.gui.canvas.camera import Camera
 from iconstudio.gui.canvas.scene import Scene
+from iconstudio.gui.gallery.paling import Paling
 from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.theme.theme import Theme
 from iconstudio.gui.workspaces.line_style.reading import IconLines
@@ -31,6 +32,8 @@ class RestyleScene(Scene):
         self._icon_lines: IconLines | None = None
         self.result: Picture | None = None
         """What is made of the lines."""
+        self.paling = Paling(self)
+        self.paling.changed.connect(self.changed)
 
     @property
     def page(self) -> RestylePage:
@@ -65,6 +68,7 @@ class RestyleScene(Scene):
     def show_result(self, result: Picture | None) -> None:
         """Show another result, or none."""
         self.result = result
+        self.paling.renew()
         self.changed.emit()
 
     def paint(self, painter: QPainter, camera: Camera, ratio: float, theme: Theme) -> None:
@@ -79,7 +83,7 @@ class RestyleScene(Scene):
         if self.result is None:
             self._paint_plain(painter, theme)
         else:
-            painter.fillPath(self.result.outline, theme.color("text"))
+            painter.fillPath(self.result.outline, theme.color("text", self.paling.opacity))
         self._paint_thin(painter, theme)
         painter.restore()
 

@@ -1,9 +1,9 @@
-"""The styles to choose from, each shown by a sample."""
+"""The styles to choose from: each is shown by its name, then by a sample."""
 
 from collections.abc import Iterable, Sequence
 
 from PySide6.QtCore import Signal
-from PySide6.QtGui import QAction, QPainterPath
+from PySide6.QtGui import QAction, QFont, QFontMetricsF, QPainterPath, QTransform
 from PySide6.QtWidgets import QFrame, QToolButton
 
 from iconstudio.gui.gallery.sheet import Sheet
@@ -17,10 +17,12 @@ from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.workspaces.line_style.live import Sample, samples
 from iconstudio.gui.workspaces.line_style.own_styles import known_styles
 from iconstudio.inputs.styles import bundled
-from iconstudio.model import Icon, LineStyle, Path
+from iconstudio.model import CANVAS, Icon, LineStyle, Path
 from iconstudio.session import Session
 
 _SIDE = 10 * UNIT
+_LETTERS, _ROOM = 52, 236.0
+"""Height of a name's letters, and how wide it is at most, in canvas units."""
 
 
 class StylesPanel(QFrame):
@@ -40,7 +42,8 @@ class StylesPanel(QFrame):
         self._begun = False
         self._used: tuple[LineStyle, ...] = ()
         self._own: tuple[LineStyle, ...] = ()
-        self._drawn: dict[LineStyle, Picture] = {}
+        self._drawn: set[LineStyle] = set()
+        self._shown: dict[LineStyle, Picture] = {}
         self._styles: dict[int, LineStyle] = {}
         """By the identities of their pictures."""
         self.runner = Runner(worker, self)
@@ -61,7 +64,7 @@ class StylesPanel(QFrame):
         return (*self._own, *bundled())
 
     def begin(self) -> None:
-        """Draw the samples, which takes a while, now that they are in sight."""
+        """Show the styles, and draw their samples, which takes a while the first time."""
         if not self._begun:
             self._begun = True
             self._reading.start(known_styles)
@@ -82,12 +85,12 @@ class StylesPanel(QFrame):
             self._reveal()
 
     def _mark(self) -> None:
-        ticked = [self._drawn[one] for one in self._used if one in self._drawn]
+        ticked = [self._shown[one] for one in self._used if one in self._shown]
         self.sheet.model().mark(lambda picture: any(picture is one for one in ticked))
 
     def _reveal(self) -> None:
         """Scroll to the style of most lines."""
-        if self._used and (picture := self._drawn.get(self._used[0])) is not None:
+        if self._used and (picture := self._shown.get(self._used[0])) is not None:
             self.sheet.reveal(picture)
 
     def _draw(self) -> None:
@@ -101,16 +104,21 @@ class StylesPanel(QFrame):
 
     def _show_sample(self, event: object) -> None:
         if isinstance(event, Sample):
-            self._drawn[event.style] = event.picture or _nothing(event.style)
-            self._show()
-            if self._used[:1] == (event.style,):
-                self._reveal()
+            style, picture = event.style, event.picture
+            self._drawn.add(style)
+            if picture is not None and style in self._shown:
+                self.sheet.model().put(self._shown[style], picture)
+                self._shown[style] = picture
+                self._name_pictures()
 
     def _show(self) -> None:
-        self._drawn = {one: self._drawn[one] for one in self.styles if one in self._drawn}
-        self._styles = {id(picture): style for style, picture in self._drawn.items()}
+        self._shown = {one: self._shown.get(one) or _named(one) for one in self.styles}
+        self._name_pictures()
+        show_in_place(self.sheet, tuple(self._shown.values()))
+
+    def _name_pictures(self) -> None:
+        self._styles = {id(picture): style for style, picture in self._shown.items()}
         self._mark()
-        show_in_place(self.sheet, tuple(self._drawn.values()))
 
 
 def show_in_place(sheet: Sheet, pictures: Sequence[Picture]) -> None:
@@ -129,9 +137,19 @@ def _button(action: QAction) -> QToolButton:
     return button
 
 
-def _nothing(style: LineStyle) -> Picture:
-    """Return a picture of a style that makes nothing of the sample."""
-    return Picture(Icon(Path(()), style.name), QPainterPath())
+def _named(style: LineStyle) -> Picture:
+    """Return the name of a style, a line for each word, as its picture."""
+    font, words = QFont(), style.name.split()
+    font.setPixelSize(_LETTERS)
+    outline = QPainterPath()
+    for number, word in enumerate(words):
+        width = QFontMetricsF(font).horizontalAdvance(word)
+        outline.addText(-width / 2, _LETTERS * (number + 0.8), font, word)
+    box = outline.boundingRect()
+    scale = min(1.0, _ROOM / max(box.width(), box.height(), 1.0))
+    middle = QTransform.fromTranslate(CANVAS / 2, CANVAS / 2).scale(scale, scale)
+    middle.translate(-box.center().x(), -box.center().y())
+    return Picture(Icon(Path(()), style.name), middle.map(outline))
 
 
 def _described(picture: Picture, used: bool) -> tuple[str, str]:

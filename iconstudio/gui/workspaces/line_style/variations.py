@@ -20,7 +20,7 @@ class VariationsPanel(QFrame):
 
     Signals
     -------
-    chosen(Picture)
+    chosen(Made)
         The user looks at a variation.
     wanted(Restyling)
         Its strength and seed are to be taken over.
@@ -67,7 +67,7 @@ class VariationsPanel(QFrame):
 
     def _choose(self, picture: Picture) -> None:
         self._pick(picture)
-        self.chosen.emit(picture)
+        self.chosen.emit(Made(picture, self._works[id(picture)]))
 
     def _pick(self, chosen: Picture | None) -> None:
         self._chosen = chosen

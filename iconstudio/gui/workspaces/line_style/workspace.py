@@ -11,10 +11,9 @@ from iconstudio.gui.canvas.start import StartButtons
 from iconstudio.gui.canvas.view import CanvasView
 from iconstudio.gui.gallery.detail import DetailPanel
 from iconstudio.gui.jobs.worker import Worker
-from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.theme.layout import column, row, splitter
 from iconstudio.gui.theme.theme import UNIT
-from iconstudio.gui.workspaces.base import Workspace
+from iconstudio.gui.workspaces.following import FollowingWorkspace
 from iconstudio.gui.workspaces.line_style import own_styles
 from iconstudio.gui.workspaces.line_style.actions import ENTRIES
 from iconstudio.gui.workspaces.line_style.controls import StyleControls
@@ -40,13 +39,11 @@ DESCRIPTION = "Select lines, or draw some, here"
 INVITATION = "The restyled icon appears here, with its credits."
 
 
-class LineStyleWorkspace(Workspace):
+class LineStyleWorkspace(FollowingWorkspace):
     """Styles on the left, the lines on a canvas, variations and the picked result on the right."""
 
     page_type = RestylePage
-    keeps_last = True
     entries = ENTRIES
-    sends_to_itself = False
 
     @staticmethod
     def get_ready() -> None:
@@ -55,6 +52,8 @@ class LineStyleWorkspace(Workspace):
 
     def build(self) -> None:
         """Make canvas, panels and runs."""
+        self._shown: Made | None = None
+        """The result in sight."""
         self.session.workers.everywhere(warm_up)
         self.session.expect_lines()
         self.opener = RestyleOpener(self.session, self.document, self.finder, self)
@@ -102,6 +101,7 @@ class LineStyleWorkspace(Workspace):
         restyler.restyled.connect(self._show_result)
         restyler.began_varying.connect(self.variations.clear)
         restyler.varied.connect(self._show_variation)
+        restyler.previewed.connect(self.show_age)
         restyler.left.connect(self._leave)
         self.follow(self.reader, self.scene.show_lines)
         self.follow(self.opener.runner)
@@ -165,9 +165,25 @@ class LineStyleWorkspace(Workspace):
             self.hinted.emit(str(error))
             self.show_page()
 
+    @property
+    def stale(self) -> bool:
+        """Whether the result in sight is neither of the page nor a variation of that."""
+        return self._shown is not None and not self.restyler.wants(self._shown)
+
+    def show_age(self) -> None:
+        """Say whether the result is of the page as it is now, on the canvas, too."""
+        super().show_age()
+        self.scene.paling.set_stale(self.stale)
+
+    def _show(self, made: Made | None) -> None:
+        self._shown = made
+        picture = None if made is None else made.picture
+        self.scene.show_result(picture)
+        self.look_at(picture)
+        self.show_age()
+
     def _show_result(self, made: Made) -> None:
-        self.scene.show_result(made.picture)
-        self.look_at(made.picture)
+        self._show(made)
         if not made.picture.icon.path:
             self.hinted.emit("Nothing is left of it in this style. Make the size smaller.")
 
@@ -175,10 +191,9 @@ class LineStyleWorkspace(Workspace):
         self.variations.add(made)
         self.counted.emit(len(self.variations.sheet.pictures))
 
-    def _look_at_variation(self, picture: Picture) -> None:
-        self.scene.show_result(picture)
-        self.look_at(picture)
-        self.kept.emit(picture)
+    def _look_at_variation(self, made: Made) -> None:
+        self._show(made)
+        self.kept.emit(made.picture)
 
     # -- page ----------------------------------------------------------------------------------
 
@@ -192,13 +207,12 @@ class LineStyleWorkspace(Workspace):
         self.styles.show_used(page.styles)
         self.reader.request(page.work.icon)
         self.restyler.request(page)
+        self.show_age()
 
     def _leave(self) -> None:
         """Leave the results behind: they are of something else."""
-        self.scene.show_result(None)
         self.variations.clear()
-        if self.picture is not None:
-            self.look_at(None)
+        self._show(None)
         self.rest()
 
     # -- files ---------------------------------------------------------------------------------

@@ -2,8 +2,8 @@
 
 from dataclasses import replace
 
-from iconstudio.gui.workspaces.actions import CANVAS, COMMON, Entry, Key, tool, work_entries
-from iconstudio.model import Patterned
+from iconstudio.gui.workspaces.actions import CANVAS, Entry, Key, tool, work_entries
+from iconstudio.gui.workspaces.following import TAKING_OUT
 from iconstudio.workflows.pattern import page as edits
 
 _LARGER, _QUARTER = 1.1, 15.0
@@ -26,14 +26,6 @@ def _has_chosen(place) -> bool:
     return bool(place.page.chosen)
 
 
-def has_pattern(place) -> bool:
-    """Whether the pattern in sight is finished, and that of the page."""
-    picture = place.picture
-    if picture is None or picture.preview or place.patterner.stale:
-        return False
-    return isinstance(picture.icon, Patterned)
-
-
 def _on_chosen(name, text, tip, keys, icon, edit, *values) -> Entry:
     """Return the action that does an edit to the chosen icons."""
     do = {"do": lambda place: edit(place.document, *values), "enabled": _has_chosen}
@@ -47,7 +39,7 @@ ENTRIES = (
           "Ctrl+I", "photo", do="choose_image", menu="&File"),
     Entry("css", "Save pa&ttern as CSS…", "Save the pattern as a style sheet with its background",
           "Ctrl+Alt+E", do=lambda place: place.take_out(place.saver.save_css), menu="&File",
-          enabled=has_pattern),
+          enabled=lambda place: place.takeable),
     Entry("paste", "P&aste", "Add the drawing on the clipboard, or continue the image",
           Key.Paste, do="opener.paste"),
     Entry("delete", "&Delete icons", "Take the chosen icons out", "Backspace",
@@ -85,6 +77,6 @@ ENTRIES = (
     replace(tool("brush", "&Layer brush", "Paint over what belongs to a layer of the image", "B",
                  "brush"), enabled=_has_image),
     *work_entries("pattern", _has_exemplar),
-    *(replace(one, enabled=has_pattern) for one in COMMON if one.name in ("svg", "png", "copy")),
+    *TAKING_OUT,
     *CANVAS,
 )  # fmt: skip

@@ -39,9 +39,11 @@ class PatternOpener(IconOpener):
     def opening(self, path: Path) -> Generator[Any]:
         """Yield the work in a file."""
         from iconstudio.workflows.pattern.imaging import unheeded
+        from iconstudio.workflows.pattern.patterning import check
 
         file = open_file(path, PatternFile)
         work = yield from file.resolving(self.session)
+        check(work)
         words = " ".join(
             [f"Opened “{file.title or path.stem}”.", *file.remarks, unheeded(work)]
         ).strip()
@@ -79,7 +81,7 @@ class PatternOpener(IconOpener):
         return f"Added {quoted_list([one.credit.title for one in gathered.found])}."
 
     def _image(self, item: File | Image) -> Generator[Opened | None]:
-        from iconstudio.workflows.pattern.imaging import reduction_of
+        from iconstudio.workflows.pattern.imaging import check_size, reduction_of
 
         if isinstance(item, File) and item.path.lower().endswith(DRAWINGS):
             try:
@@ -90,6 +92,7 @@ class PatternOpener(IconOpener):
         else:
             image = Separation((yield from photo_in(self.session, item)))
         photo, credits = image.photo, image.credits
+        check_size(photo)
         remarks = [reduction_of(photo), photo.remark, *(r for one in credits for r in one.remarks)]
         words = " ".join([f"“{item.name}” is the exemplar.", *filter(None, remarks)])
         yield Opened(words, lambda there: edits.take_image(there, photo, credits))

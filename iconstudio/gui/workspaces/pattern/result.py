@@ -1,10 +1,9 @@
 """The pattern, large: once, or side by side with itself."""
 
-from PySide6.QtCore import QPointF, QRectF, QSizeF, QTimer, Signal
+from PySide6.QtCore import QPointF, QRectF, QSizeF, Signal
 from PySide6.QtGui import QBrush, QImage, QPainter, QPainterPath, QPaintEvent, QTransform
 from PySide6.QtWidgets import QButtonGroup, QFrame, QToolButton
 
-from iconstudio.gui.gallery.cell import PALE, PALING
 from iconstudio.gui.gallery.detail import LargePicture
 from iconstudio.gui.pictures.picture import Picture, within
 from iconstudio.gui.preferences import prefer, preferred
@@ -66,9 +65,6 @@ class PatternView(LargePicture):
         self._tiled = switch.on
         self._image = QImage()
         self._of: object = None
-        self._stale = self._pale = False
-        self._paling = QTimer(self, singleShot=True, interval=PALING)
-        self._paling.timeout.connect(self._turn_pale)
         self.setAccessibleName("The pattern")
         switch.changed.connect(self.set_tiled)
 
@@ -81,22 +77,6 @@ class PatternView(LargePicture):
     def set_tiled(self, tiled: bool) -> None:
         """Show tiles side by side, or one."""
         self._tiled = tiled
-        self.update()
-
-    def set_stale(self, stale: bool) -> None:
-        """Say whether the pattern is of something else than what is there now: it turns pale."""
-        if stale == self._stale:
-            return
-        self._stale = stale
-        if stale:
-            self._paling.start()
-        else:
-            self._paling.stop()
-            self._pale = False
-            self.update()
-
-    def _turn_pale(self) -> None:
-        self._pale = True
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
@@ -117,7 +97,7 @@ class PatternView(LargePicture):
         with smooth_painter(self) as painter:
             shape = QPainterPath()
             shape.addRoundedRect(sheet, UNIT, UNIT)
-            painter.setOpacity(PALE if self._pale else 1.0)
+            painter.setOpacity(self.paling.opacity)
             painter.fillPath(shape, checks())
             brush = QBrush(image)
             place = QTransform.fromTranslate(one.x(), one.y())

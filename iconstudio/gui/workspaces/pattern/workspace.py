@@ -14,10 +14,10 @@ from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.panels.colour import ColourButton
 from iconstudio.gui.theme.layout import card, column, push_button, row, splitter
-from iconstudio.gui.workspaces.base import Workspace
+from iconstudio.gui.workspaces.following import FollowingWorkspace
 from iconstudio.gui.workspaces.made import Made
 from iconstudio.gui.workspaces.montage.tools.scribble import Brush
-from iconstudio.gui.workspaces.pattern.actions import ENTRIES, has_pattern
+from iconstudio.gui.workspaces.pattern.actions import ENTRIES
 from iconstudio.gui.workspaces.pattern.controls import PatternControls
 from iconstudio.gui.workspaces.pattern.correcting import CorrectTool
 from iconstudio.gui.workspaces.pattern.layers import LayerReader, LayersPanel
@@ -41,13 +41,11 @@ INVITATION = "Put icons, or an image, on the canvas: the pattern appears here."
 SHAPE_AWAITED = "Choose the shape to fill: the next icon that you click, drop, paste or open."
 
 
-class PatternWorkspace(Workspace):
+class PatternWorkspace(FollowingWorkspace):
     """Every edit of the exemplar, or of what is wanted, makes the pattern anew."""
 
     page_type = PatternPage
-    keeps_last = True
     entries = ENTRIES
-    sends_to_itself = False
 
     @staticmethod
     def get_ready() -> None:
@@ -148,12 +146,12 @@ class PatternWorkspace(Workspace):
 
     def _show_result(self, made: Made) -> None:
         self.look_at(made.picture)
-        self._show_age()
+        self.show_age()
 
-    def _show_age(self) -> None:
-        """Say whether the result is of the page as it is now, and may be taken along."""
-        self.large.set_stale(self.patterner.stale)
-        self.detail.set_takeable(has_pattern(self))
+    @property
+    def stale(self) -> bool:
+        """Whether the pattern in sight is of something else than the page."""
+        return self.patterner.stale
 
     def _begin_sheet(self, made: Made) -> None:
         self.seeds.begin(made)
@@ -188,7 +186,7 @@ class PatternWorkspace(Workspace):
             self.colour.show_colour(chosen[-1].colour)
         self._show_image(page.work.image)
         self.patterner.request(page)
-        self._show_age()
+        self.show_age()
 
     def _show_image(self, image: Separation | None) -> None:
         """Show the layers of the image, with the brush for them; or have icons chosen."""
@@ -232,6 +230,8 @@ class PatternWorkspace(Workspace):
         if on:
             self.chooser.caption.say(SHAPE_AWAITED)
             self.chooser.setFocus()
+        else:
+            self.chooser.tell()
 
     # -- files ---------------------------------------------------------------------------------
 

@@ -14,6 +14,7 @@ from iconstudio.model import IconstudioError, Photo
 from iconstudio.workflows.criteria import left_out
 from iconstudio.workflows.modelling import page
 from iconstudio.workflows.modelling.file import SketchFile, read_sketch
+from iconstudio.workflows.registry import taking_icons
 
 _PHOTOS = f"Photos ({' '.join(f'*.{one}' for one in SUFFIXES)})"
 
@@ -46,7 +47,7 @@ class SketchOpener(Opener):
             return (yield from photo_in(self.session, item))
         raise IconstudioError(
             "A sketch is traced over a photo, not over a drawing. "
-            f"Open {_quoted(item)} in Edit, Hybrids or Montage."
+            f"Open {_quoted(item)} in {taking_icons()}."
         )
 
     def put(self, gathered: ReadTogether) -> str:
