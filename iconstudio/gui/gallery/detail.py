@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from iconstudio.gui.gallery.display import DisplaySwitch, setting
-from iconstudio.gui.gallery.sending import Destination, offer
+from iconstudio.gui.gallery.sending import Destination, offer, offer_to_open
 from iconstudio.gui.pictures.picture import Picture, SourcePicture, source_pictures
 from iconstudio.gui.theme import theme
 from iconstudio.gui.theme.elided import ElidedLabel
@@ -225,11 +225,16 @@ class DetailPanel(QFrame):
         self._about.setToolTip(text)
 
     def set_destinations(
-        self, destinations: Sequence[Destination], send: Callable[[str], object]
+        self,
+        destinations: Sequence[Destination],
+        send: Callable[[str], object],
+        send_sources: Callable[[str], object],
     ) -> None:
-        """Offer to ``send`` the result to one of these, by its title."""
+        """Offer to ``send`` the result, or its sources, to one of these, by its title."""
         menu = QMenu(self._send)
         offer(menu, destinations, send)
+        openers = offer_to_open(menu, destinations, send_sources)
+        menu.aboutToShow.connect(lambda: [one.setVisible(self.picture.has_code) for one in openers])
         self._send.setMenu(menu)
         self._send.setVisible(bool(destinations))
 

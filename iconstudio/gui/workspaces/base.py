@@ -23,7 +23,7 @@ from iconstudio.gui.panels.canvas import CanvasPanel
 from iconstudio.gui.workspaces.actions import COMMON, EXAMPLES, REDO, UNDO, Actions, Entry
 from iconstudio.gui.workspaces.results import ResultsWidget
 from iconstudio.inputs.examples import examples
-from iconstudio.model import Pictogram
+from iconstudio.model import Pictogram, Remix
 from iconstudio.session import Session
 from iconstudio.workflows.files import write_file
 from iconstudio.workflows.workflow import Workflow, load_object
@@ -121,6 +121,10 @@ class Workspace(ResultsWidget):
         if self.opener is not None:
             self.opener.take(pictogram)
 
+    def open_result(self, result: Remix) -> None:
+        """Open the sources of a result, if its workflow ``opens_results``."""
+        raise NotImplementedError
+
     def open_mime(self, data: QMimeData) -> None:
         """Open what was dropped where nothing else is made of it."""
         if self.opener is not None:
@@ -133,7 +137,9 @@ class Workspace(ResultsWidget):
         self.destinations = tuple(one for one in destinations if own or one.title != title)
         if self.detail is not None:
             self.detail.set_destinations(
-                self.destinations, lambda title: self.send_picture(self.picture, title)
+                self.destinations,
+                lambda title: self.send_picture(self.picture, title),
+                lambda title: self.send_sources_of(self.picture, title),
             )
 
     def run(self) -> None:
