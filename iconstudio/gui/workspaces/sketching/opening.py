@@ -61,7 +61,7 @@ class SketchOpener(Opener):
                 photo = yield from photo_in(self.session, File(str(file.photo)))
             except IconstudioError as error:
                 trouble = error
-        sketch, step = file.sketch, "open sketch"
+        sketch, step = file.resolved(self.session.icon), "open sketch"
         put = partial(page.load_sketch, sketch=sketch, photo=photo, text=step)
         yield Opened(f"Opened “{file.title}”.", put)
         if trouble is not None:
