@@ -14,8 +14,9 @@ from iconstudio.model import CANVAS, Axis, Layer, Placement, Polygon, Sketch, St
 from iconstudio.svg.resvg import render_placed
 from iconstudio.workflows.events import Remark
 from iconstudio.workflows.grid import GridSettings
+from iconstudio.workflows.modelling.alternatives import Tried, alternatives, trying
 from iconstudio.workflows.modelling.modelling import run
-from iconstudio.workflows.modelling.parts import Parts, Tried, alternatives, trying
+from iconstudio.workflows.parts import Parts
 from iconstudio.workflows.pinning import with_pin, without_pins
 from tests.shapes import blob, exemplar, icons
 
@@ -116,7 +117,7 @@ def test_a_part_is_the_piece_of_ink_under_the_pointer(result):
 
 def test_alternatives_are_other_sources_that_look_different_there(result):
     part = Parts(result).at((60, 128))
-    offered = alternatives(result.composite, part)
+    offered = alternatives(part)
     assert offered
     shown = [part.ink]
     for one in offered:
@@ -131,7 +132,7 @@ def test_alternatives_are_other_sources_that_look_different_there(result):
 
 def test_each_alternative_is_tried_with_the_part_pinned(result, resources):
     part = Parts(result).at((60, 128))
-    offered = alternatives(result.composite, part)[:2]
+    offered = alternatives(part)[:2]
     events = trying(resources, SKETCH, result.composite, offered)
     tried = {one.number: one.icon for one in events if isinstance(one, Tried)}
     assert sorted(tried) == [0, 1]

@@ -113,6 +113,11 @@ class Workspace(ResultsWidget):
         """The icons on the page."""
         return ()
 
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """What the user should know of the page, beside the remarks on its icons."""
+        return ()
+
     def enter(self) -> None:
         """The user has come here: put the focus where work goes on."""
 

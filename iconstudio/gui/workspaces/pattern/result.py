@@ -5,7 +5,7 @@ from PySide6.QtGui import QBrush, QImage, QPainter, QPainterPath, QPaintEvent, Q
 from PySide6.QtWidgets import QButtonGroup, QFrame, QToolButton
 
 from iconstudio.gui.gallery.cell import PALE, PALING
-from iconstudio.gui.gallery.detail import LargePicture
+from iconstudio.gui.gallery.large import LargePicture
 from iconstudio.gui.pictures.picture import Picture, within
 from iconstudio.gui.preferences import prefer, preferred
 from iconstudio.gui.theme import theme

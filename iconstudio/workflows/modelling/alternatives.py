@@ -1,27 +1,24 @@
-"""The parts of a sketch's result: which source each comes from, and what could stand in its place.
+"""What could stand in the place of a part of a sketch's result.
 
 An addition to the paper, whose users take a result as it is.
 """
 
 from collections.abc import Generator, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property, partial
+from functools import partial
 
-import numpy as np
 import scipy
-from numpy.typing import NDArray
 
 from iconstudio.algorithms.raster import Bitmap, fill_polygon, overlap, placed_ink
-from iconstudio.model import CANVAS, Composite, Point, Remix, Sketch, Source
+from iconstudio.model import Composite, Remix, Sketch
 from iconstudio.workflows.events import Event, Result
 from iconstudio.workflows.modelling.modelling import pose_sketch
 from iconstudio.workflows.montage.reproducing import strokes_over
+from iconstudio.workflows.parts import Part
 from iconstudio.workflows.pinning import PinnedPart, pinned_parts, with_pin
 from iconstudio.workflows.remixing import Remixing, RemixResources
 from iconstudio.workflows.solving import CutSeries
 
-REACH = 6.0
-"""A part is found from so far, in canvas units."""
 MOST = 8
 """Alternatives that are offered."""
 _BESIDE = 8.0
@@ -34,70 +31,13 @@ _MARGIN = 2
 """Canvas units by which the place of a part is larger than its ink, before and after."""
 
 
-@dataclass(frozen=True, eq=False)
-class Part:
-    """A piece of ink of one source."""
-
-    label: int
-    source: Source
-    ink: Bitmap
-    """(CANVAS, CANVAS): its part of the canvas."""
-
-
-@dataclass(frozen=True, eq=False)
-class Parts:
-    """All parts of a result."""
-
-    icon: Remix
-
-    def at(self, point: Point, reach: float = REACH) -> Part | None:
-        """Return the part nearest to a point of the canvas, within ``reach``, in canvas units."""
-        ys, xs = np.nonzero(self._pieces)
-        if not len(xs):
-            return None
-        away = np.hypot(xs + 0.5 - point[0], ys + 0.5 - point[1])
-        nearest = int(away.argmin())
-        if away[nearest] > reach:
-            return None
-        piece = self._pieces == self._pieces[ys[nearest], xs[nearest]]
-        label = int(self._labels[ys[nearest], xs[nearest]])
-        return Part(label, self.icon.composite.sources[label], piece)
-
-    @cached_property
-    def _labels(self) -> NDArray[np.uint8]:
-        labels = self.icon.composite.labels
-        finer = len(labels) // CANVAS
-        return labels[::finer, ::finer]
-
-    @cached_property
-    def _pieces(self) -> NDArray[np.int32]:
-        """(CANVAS, CANVAS): the number of the part that each pixel belongs to; 0 is paper."""
-        drawn = _on_canvas(self.icon)
-        numbers = np.zeros((CANVAS, CANVAS), dtype=np.int32)
-        for label in np.unique(self._labels[drawn]):
-            pieces, _ = scipy.ndimage.label(drawn & (self._labels == label), np.ones((3, 3)))
-            numbers = np.where(pieces > 0, pieces + numbers.max(), numbers)
-        return numbers
-
-
-def _on_canvas(icon: Remix) -> Bitmap:
-    """Return the ink of a drawing on the canvas, (CANVAS, CANVAS), which its frame may exceed."""
-    coverage, frame = icon.drawing.coverage, icon.drawing.frame
-    along = np.arange(CANVAS) + 0.5
-    rows, columns = (
-        np.clip((along - start) / frame.size * len(coverage), 0, len(coverage) - 1).astype(int)
-        for start in (frame.y, frame.x)
-    )
-    ink: Bitmap = coverage[np.ix_(rows, columns)] > 127
-    return ink
-
-
-def alternatives(composite: Composite, part: Part) -> tuple[PinnedPart, ...]:
-    """Return what could stand in the place of a part of a composite: other sources that do there.
+def alternatives(part: Part) -> tuple[PinnedPart, ...]:
+    """Return what could stand in the place of a part: other sources of the same result.
 
     First come those that were matched for the same salient region, then the others with ink there;
     of each, what covers most of the part. Of those that look the same there, only one.
     """
+    composite = part.icon.composite
     away = scipy.ndimage.distance_transform_edt(~part.ink)
     place = away <= _BESIDE
     least = _LEAST * part.ink.sum()
