@@ -5,6 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.geometry import merged_lines
 from iconstudio.algorithms.raster import Bitmap
 from iconstudio.model import CANVAS, Point
 
@@ -37,8 +38,6 @@ def midlines(shape: Bitmap) -> tuple[Midline, ...]:
 
 def _branches(axis: Bitmap) -> Iterator[NDArray[np.intp]]:
     """Yield the pixels (n, 2), rows of (y, x), of each branch of lines one pixel wide."""
-    import shapely
-
     pixels = np.argwhere(axis)
     number = np.full(axis.shape, -1)
     number[tuple(pixels.T)] = np.arange(len(pixels))
@@ -53,7 +52,5 @@ def _branches(axis: Bitmap) -> Iterator[NDArray[np.intp]]:
     alone = np.ones(len(pixels), bool)
     alone[number[joined[..., 0], joined[..., 1]].ravel()] = False
     yield from pixels[alone][:, None]
-    if len(joined):
-        lines = shapely.line_merge(shapely.multilinestrings(shapely.linestrings(joined)))
-        for line in shapely.get_parts(lines):
-            yield shapely.get_coordinates(line).astype(int)
+    for line in merged_lines(joined.astype(np.float64)):
+        yield line.astype(int)

@@ -172,7 +172,7 @@ class MainWindow(QMainWindow):
 
     def _send_sources(self, result: Remix, title: str) -> None:
         self.show_workspace(self._number(title))
-        self.workspace.open_result(result)
+        self.workspace.opener.open_result(result)
 
     def _send_picture(self, picture: Picture, title: str) -> None:
         self.recent.keep(picture)

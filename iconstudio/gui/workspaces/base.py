@@ -23,7 +23,7 @@ from iconstudio.gui.panels.canvas import CanvasPanel
 from iconstudio.gui.workspaces.actions import COMMON, EXAMPLES, REDO, UNDO, Actions, Entry
 from iconstudio.gui.workspaces.results import ResultsWidget
 from iconstudio.inputs.examples import examples
-from iconstudio.model import Pictogram, Remix
+from iconstudio.model import Pictogram
 from iconstudio.session import Session
 from iconstudio.workflows.files import write_file
 from iconstudio.workflows.workflow import Workflow, load_object
@@ -69,6 +69,8 @@ class Workspace(ResultsWidget):
     """Whether results can be worked on here again."""
     opener: Opener | None = None
     """Brings onto the page what is opened, dropped and pasted, if anything can be."""
+    remarks: Sequence[str] = ()
+    """What the user should know of the page, beside the remarks on its icons."""
     view: CanvasView | None = None
     """Shows the page, if it lies on a canvas."""
     tools: Mapping[str, Tool]
@@ -113,11 +115,6 @@ class Workspace(ResultsWidget):
         """The icons on the page."""
         return ()
 
-    @property
-    def remarks(self) -> tuple[str, ...]:
-        """What the user should know of the page, beside the remarks on its icons."""
-        return ()
-
     def enter(self) -> None:
         """The user has come here: put the focus where work goes on."""
 
@@ -125,10 +122,6 @@ class Workspace(ResultsWidget):
         """Begin with an icon that was sent here, or add it."""
         if self.opener is not None:
             self.opener.take(pictogram)
-
-    def open_result(self, result: Remix) -> None:
-        """Open the sources of a result, if its workflow ``opens_results``."""
-        raise NotImplementedError
 
     def open_mime(self, data: QMimeData) -> None:
         """Open what was dropped where nothing else is made of it."""

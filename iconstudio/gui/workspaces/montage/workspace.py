@@ -20,7 +20,7 @@ from iconstudio.gui.workspaces.montage.opening import MontageOpener
 from iconstudio.gui.workspaces.montage.scene import MontageScene
 from iconstudio.gui.workspaces.montage.tools import montage_tools
 from iconstudio.gui.workspaces.montage.tools.scribble import THINNEST, WIDEST, Brush
-from iconstudio.model import Pictogram, Remix
+from iconstudio.model import Pictogram
 from iconstudio.workflows.montage.page import MontagePage
 
 DESCRIPTION = "Arrange icons, and scribble over their parts, here"
@@ -70,10 +70,6 @@ class MontageWorkspace(Workspace):
     def enter(self) -> None:
         """Begin with looking for icons, then on the canvas."""
         (self.view if self.page.layers else self.chooser).setFocus()
-
-    def open_result(self, result: Remix) -> None:
-        """Open the sources of a result."""
-        self.opener.open_result(result)
 
     # -- result --------------------------------------------------------------------------------
 

@@ -24,7 +24,7 @@ ENTRIES = (
     tool("trace", "&Trace outline", "Trace the outline", "P", "polygon"),
     Entry("regions", "&Salient regions", "Show the regions that are matched", "R", "regions",
           do="show_regions", checkable=True, menu="&View"),
-    Entry("unpin", "&Unpin all parts", "Let the program choose for all parts again",
+    Entry("unpin", "Unpin all &parts", "Let the program choose for all parts again",
           enabled=_pinned, menu="&Edit"),
     *work_entries("sketch", _drawn),
     *GRID,
