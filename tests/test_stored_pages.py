@@ -14,12 +14,15 @@ from iconstudio.model import (
     Correction,
     Icon,
     IconstudioError,
+    Layer,
     Motif,
     Patterning,
     Photo,
     Placement,
+    Polygon,
     Remix,
     Separation,
+    Sketch,
     Stroke,
 )
 from iconstudio.project import archive
@@ -27,6 +30,7 @@ from iconstudio.project.archive import Index, Project
 from iconstudio.project.contents import Contents, Formats, reading
 from iconstudio.workflows.editing.page import Area, Kind
 from iconstudio.workflows.hybrids.page import PickRequest
+from iconstudio.workflows.modelling.page import SketchPage
 from iconstudio.workflows.pattern.page import PatternPage
 from iconstudio.workflows.registry import registered, workflows
 from tests.test_projects import CAT, DRAWING, SQUARE, Library
@@ -114,6 +118,23 @@ class Written:
 
     def result(self, icon):
         return icon.title
+
+
+def test_the_pins_of_a_sketch_are_read_back_and_one_without_its_icon_is_told(formats):
+    strokes = (Stroke(9.5, POINTS), Stroke(3.0, POINTS[:1]))
+    pin = Layer(CAT, Placement(1.1, True, 3, -4), strokes)
+    page = SketchPage(Sketch(Polygon(POINTS), "cat", pins=(pin,)), closed=True)
+    project = Contents("model", {"model": page}).project(formats)
+    again = contents(archive.unpacked(archive.packed(project)), formats)
+    assert again.pages["model"] == page
+    stored = project.index.pages["model"]
+    (own,) = stored.pins
+    lost = structs.replace(own, icon="mdi:lost")
+    project.index.pages["model"] = structs.replace(stored, pins=(lost, own))
+    again = contents(archive.unpacked(archive.packed(project)), formats)
+    assert again.pages["model"] == page
+    (complaint,) = again.complaints
+    assert "pinned part" in complaint and "mdi:lost" in complaint
 
 
 @pytest.mark.parametrize("with_image", [False, True])

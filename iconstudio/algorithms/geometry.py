@@ -73,6 +73,20 @@ def simplified_line(line: Points | Sequence[Point], stray: float) -> tuple[Point
     return tuple(map(tuple, points.tolist()))
 
 
+def merged_lines(segments: NDArray[np.float64]) -> list[Points]:
+    """Return segments (n, 2, 2) joined to lines, as long as no more than two of them meet.
+
+    >>> merged_lines(np.array([[[0.0, 0.0], [1.0, 0.0]], [[2.0, 0.0], [1.0, 0.0]]]))[0].tolist()
+    [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0]]
+    """
+    import shapely
+
+    if not len(segments):
+        return []
+    lines = shapely.line_merge(shapely.multilinestrings(shapely.linestrings(segments)))
+    return [shapely.get_coordinates(line) for line in shapely.get_parts(lines)]
+
+
 def near(points: Points, line: Sequence[Point], reach: float) -> NDArray[np.bool_]:
     """Return which of ``points`` are within ``reach`` of a line of one point or more, (n,).
 

@@ -18,10 +18,10 @@ from iconstudio.workflows.modelling.spec import MODELLING
 @grid.grid_command("model", "SKETCH.json", "all four")
 def command(options: grid.GridOptions) -> None:
     """Make icons in the shape of the polygon in SKETCH.json out of parts of real ones."""
-    sketch = read_sketch(options.file).sketch
+    file = read_sketch(options.file)
     settings = options.settings(GridSettings().styles)
     with profiled(options.profile) as stopwatch, Session() as session:
-        sketch = options.of(sketch, session)
+        sketch = options.of(file.resolved(session.icon), session)
         run(session, sketch, settings, options.folder, stopwatch, dump=options.dump)
 
 

@@ -12,7 +12,7 @@ from iconstudio.cli.timing import Stopwatch
 from iconstudio.model import CANVAS, IconstudioError, Pictogram
 from iconstudio.output.folder import check_folder
 from iconstudio.session import Session
-from iconstudio.workflows.events import Event, Progress, Result, Retrieved, StyleSkipped
+from iconstudio.workflows.events import Event, Progress, Remark, Result, Retrieved, StyleSkipped
 from iconstudio.workflows.remixing import FINE
 
 
@@ -43,6 +43,8 @@ def run(session: Session, events: Generator[Event], report: Report, stopwatch: S
                     bar.say(f"{len(event.exemplars)} different icons of “{event.keyword}”")
                     if event.remark:
                         bar.say(event.remark)
+                case Remark():
+                    bar.say(event.sentence)
                 case Result(preview=False):
                     results += 1
         bar.show(1.0, "Drawing the contact sheet")

@@ -3,10 +3,14 @@
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 from iconstudio.model.canvas import CANVAS, MARGIN
 from iconstudio.model.errors import IconstudioError
 from iconstudio.model.symmetry import Axis
+
+if TYPE_CHECKING:
+    from iconstudio.model.montage import Layer
 
 Point = tuple[float, float]
 
@@ -130,3 +134,6 @@ class Sketch:
     exclude: frozenset[str] = field(default_factory=frozenset)
     """Identifiers of pictograms that must not be used."""
     symmetry: Axis | None = None
+    pins: "tuple[Layer, ...]" = ()
+    """Icons, where they lie on the canvas that the polygon is ``fitted`` to, and strokes over the
+    places that must be theirs, in the styles to which they belong."""

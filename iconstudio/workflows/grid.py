@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.iconification.matching import SCALES, Matcher, sources_of
 from iconstudio.algorithms.iconification.saliency import Region
-from iconstudio.algorithms.iconification.style import STYLES, Style
+from iconstudio.algorithms.iconification.style import STYLES, Style, blackness
 from iconstudio.model import Composite, IconstudioError, Placement, Remix, Source
 from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import Render
@@ -92,6 +92,7 @@ def remix_styles(
     workers: Workers,
     render: Render,
     always: tuple[Source, ...] = (),
+    pinned: tuple[Source, ...] = (),
     finish: Finish = lambda icon: icon,
     without: str = "",
     earlier: Composite | None = None,
@@ -118,6 +119,8 @@ def remix_styles(
         Draws a source at its placement; must be picklable.
     always
         Sources that every style has, before those that are matched.
+    pinned
+        More sources, each of the styles that admit it.
     finish
         What to add to each icon.
     without
@@ -136,7 +139,8 @@ def remix_styles(
             if rows is None:
                 remixing.expect_fewer(len(settings.lambdas))
                 continue
-            sources = (*always, *distinct(rows))
+            own = [one for one in pinned if style.admits(blackness(one.exemplar.ink))]
+            sources = (*always, *distinct((*rows, own)))
             series = CutSeries(
                 style.name,
                 sources,

@@ -104,6 +104,9 @@ class Workflow(Generic[W]):
     """What its command does, in a sentence."""
     invitation: str = ""
     """The words that offer to send an icon to it; empty if it takes none."""
+    opens_results: bool = False
+    """Whether the sources of a result can be opened in it, as work that makes the result again: its
+    workspace's opener has an ``open_result``."""
     file: type[File[W]]
     """The format of its files."""
     run: Run[W]

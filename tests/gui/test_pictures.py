@@ -9,7 +9,7 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QIcon, QPainter
 
 from iconstudio.gui.canvas.tools.polygon import PolygonTool
-from iconstudio.gui.gallery.detail import LargePicture
+from iconstudio.gui.gallery.large import LargePicture
 from iconstudio.gui.gallery.sheet import Sheet
 from iconstudio.gui.gallery.sheet_delegate import Look
 from iconstudio.gui.pictures.mipmap import Mipmap

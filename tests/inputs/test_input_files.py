@@ -1,5 +1,7 @@
 """The user's files: what is written is read again, and every mistake is told."""
 
+import dataclasses
+import itertools
 import json
 import math
 from pathlib import Path
@@ -27,6 +29,7 @@ from iconstudio.workflows.editing.file import EditFile, read_edit
 from iconstudio.workflows.hybrids.file import HybridsFile, read_hybrids
 from iconstudio.workflows.modelling.file import SketchFile, read_sketch
 from iconstudio.workflows.montage.file import LayerFile, MontageFile, read_montage
+from iconstudio.workflows.montage.strokes import visible
 from tests.shapes import pictogram
 
 SQUARE = [[0, 0], [100, 0], [100, 80], [0, 80]]
@@ -74,10 +77,28 @@ def saved(path, data):
     return path
 
 
-@given(st.builds(Sketch, polygons, words, st.frozensets(names), axes))
+pins = st.builds(Layer, icons, placements, st.tuples(strokes))
+
+
+@given(st.builds(Sketch, polygons, words, st.frozensets(names), axes, st.lists(pins, max_size=2)))
 def test_sketches_come_back(path, sketch):
+    seen = [any(map(visible, pin.strokes)) for pin in sketch.pins]
+    sketch = dataclasses.replace(sketch, pins=tuple(itertools.compress(sketch.pins, seen)))
     write(path, SketchFile.of(sketch, named))
-    assert read_sketch(path).sketch == sketch
+    again = read_sketch(path).resolved(found)
+    assert dataclasses.replace(again, pins=()) == dataclasses.replace(sketch, pins=())
+    assert [(pin.icon, pin.placement) for pin in again.pins] == [
+        (pin.icon, pin.placement) for pin in sketch.pins
+    ]
+    for pin, other in zip(again.pins, sketch.pins, strict=True):
+        assert pin.strokes[0].width == pytest.approx(other.strokes[0].width)
+        assert pin.strokes[0].points == other.strokes[0].points
+
+
+def test_a_pin_without_strokes_is_refused(path):
+    pin = {"icon": "mdi:cat", "scale": 1.1}
+    with pytest.raises(IconstudioError, match="pin of “mdi:cat” has no strokes"):
+        read_sketch(saved(path, {"polygon": SQUARE, "pins": [pin]}))
 
 
 areas = st.lists(polygons, max_size=2).map(tuple)

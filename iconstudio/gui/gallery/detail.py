@@ -3,8 +3,8 @@
 import math
 from collections.abc import Callable, Sequence
 
-from PySide6.QtCore import QRectF, QSize, Qt
-from PySide6.QtGui import QPaintEvent, QResizeEvent
+from PySide6.QtCore import QRectF, Qt
+from PySide6.QtGui import QPaintEvent
 from PySide6.QtWidgets import (
     QFrame,
     QGridLayout,
@@ -17,9 +17,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from iconstudio.gui.gallery.display import DisplaySwitch, setting
-from iconstudio.gui.gallery.paling import Paling
-from iconstudio.gui.gallery.sending import Destination, offer
+from iconstudio.gui.gallery.display import DisplaySwitch
+from iconstudio.gui.gallery.large import LargePicture
+from iconstudio.gui.gallery.sending import Destination, offer, offer_to_open
 from iconstudio.gui.jobs.live import LiveRunner
 from iconstudio.gui.pictures.picture import Picture, SourcePicture, source_pictures
 from iconstudio.gui.theme import theme
@@ -32,52 +32,6 @@ from iconstudio.model import Credit, Icon, Patterned, Remix
 
 INVITATION = "Pick a result to see it large, with the icons that its parts come from."
 MAKING = "It is being made, and appears here."
-
-
-class LargePicture(QWidget):
-    """A result on a sheet of its own."""
-
-    def __init__(self, wide: bool = False) -> None:
-        """``wide``: it fills what room there is, instead of growing with its height only."""
-        super().__init__()
-        self._picture: Picture | None = None
-        self._wide = wide
-        self.paling = Paling(self)
-        self.paling.changed.connect(self.update)
-        self.setMinimumSize(20 * UNIT, 20 * UNIT)
-        across = QSizePolicy.Policy.Expanding if wide else QSizePolicy.Policy.Preferred
-        self.setSizePolicy(across, QSizePolicy.Policy.Expanding)
-        self.setAccessibleName("The picked icon")
-        setting.changed.connect(self.update)
-
-    def show_picture(self, picture: Picture | None) -> None:
-        """Show another result."""
-        self._picture = picture
-        self.paling.renew()
-        self.update()
-
-    def sizeHint(self) -> QSize:
-        """Return a square, if there is room for one."""
-        side = 20 * UNIT if self._wide else min(self.height(), 40 * UNIT)
-        return QSize(side, 20 * UNIT)
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        """Stay square."""
-        if event.size().height() != event.oldSize().height():
-            self.updateGeometry()
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        """Draw the sheet and the icon."""
-        scheme = theme.current()
-        with smooth_painter(self) as painter:
-            side = min(self.width(), self.height())
-            sheet = QRectF(0, 0, side, side)
-            sheet.moveCenter(QRectF(self.rect()).center())
-            fill_rounded(painter, sheet, scheme.color("window"), 8)
-            if self._picture is not None:
-                painter.setOpacity(self.paling.opacity)
-                target = sheet.adjusted(UNIT, UNIT, -UNIT, -UNIT)
-                self._picture.paint(painter, target, scheme.color("text"), setting.value)
 
 
 class SourceThumbnail(QWidget):
@@ -243,11 +197,16 @@ class DetailPanel(QFrame):
         self._about.setToolTip(text)
 
     def set_destinations(
-        self, destinations: Sequence[Destination], send: Callable[[str], object]
+        self,
+        destinations: Sequence[Destination],
+        send: Callable[[str], object],
+        send_sources: Callable[[str], object],
     ) -> None:
-        """Offer to ``send`` the result to one of these, by its title."""
+        """Offer to ``send`` the result, or its sources, to one of these, by its title."""
         menu = QMenu(self._send)
         offer(menu, destinations, send)
+        openers = offer_to_open(menu, destinations, send_sources)
+        menu.aboutToShow.connect(lambda: [one.setVisible(self.picture.has_code) for one in openers])
         self._send.setMenu(menu)
         self._send.setVisible(bool(destinations))
 

@@ -4,6 +4,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu
 
 
@@ -13,6 +14,8 @@ class Destination:
 
     title: str
     invitation: str
+    opens_results: bool = False
+    """Whether it opens results, too: their sources, as they are joined."""
 
 
 def offer(menu: QMenu, destinations: Sequence[Destination], send: Callable[[str], object]) -> None:
@@ -20,6 +23,17 @@ def offer(menu: QMenu, destinations: Sequence[Destination], send: Callable[[str]
     for destination in destinations:
         action = menu.addAction(destination.invitation)
         action.triggered.connect(lambda _=False, title=destination.title: send(title))
+
+
+def offer_to_open(
+    menu: QMenu, destinations: Sequence[Destination], send: Callable[[str], object]
+) -> list[QAction]:
+    """Add an item for each destination that opens results, and return them."""
+    openers = [one for one in destinations if one.opens_results]
+    for one in openers:
+        action = menu.addAction(f"Open in {one.title}")
+        action.triggered.connect(lambda _=False, title=one.title: send(title))
+    return menu.actions()[len(menu.actions()) - len(openers) :]
 
 
 def pop_up(menu: QMenu, spot: QPoint) -> None:

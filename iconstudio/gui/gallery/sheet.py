@@ -140,6 +140,12 @@ class Sheet(QListView):
         self.viewport().update()
         self.changed.emit()
 
+    def set_hint(self, hint: str) -> None:
+        """Say something else as long as there is none."""
+        self._hint = hint
+        self.setAccessibleDescription(hint)
+        self.viewport().update()
+
     def remove(self, entry: Entry) -> None:
         """Take an icon out; its neighbour becomes the current one."""
         row = self.currentIndex().row()

@@ -153,9 +153,8 @@ class Picture:
         )
         if not self.has_code:
             display = Display.PLAIN
-        side, icon, twin = target.width(), QRectF(target), QRectF(target)
+        side, icon, twin = target.width(), self.icon_box(target, display), QRectF(target)
         if display is Display.BOTH:
-            icon.setSize(QSizeF(_ICON * side, _ICON * side))
             twin.setTopLeft(target.bottomRight() - _TWIN * QPointF(side, side))
         if display is Display.CODED or (display is Display.BOTH and not self._awaits_code):
             pixels = twin.width() * painter.device().devicePixelRatioF()
@@ -163,6 +162,13 @@ class Picture:
         if display is not Display.CODED:
             self._paint_shapes(painter, within(QSizeF(*self.icon.size), icon), ink)
         painter.restore()
+
+    def icon_box(self, target: QRectF, display: Display) -> QRectF:
+        """Return where ``paint`` draws the icon, or what stands for it, within ``target``."""
+        box = QRectF(target)
+        if display is Display.BOTH and self.has_code:
+            box.setSize(QSizeF(_ICON * target.width(), _ICON * target.width()))
+        return box
 
     def _paint_shapes(self, painter: QPainter, target: QRectF, ink: QColor) -> None:
         """Draw what the icon is drawn on into ``target``, which is as wide for its height."""

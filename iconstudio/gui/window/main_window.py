@@ -24,7 +24,7 @@ from iconstudio.gui.window.modes import ModeSwitch
 from iconstudio.gui.window.pane import WorkspacePane
 from iconstudio.gui.workspaces.actions import Actions
 from iconstudio.gui.workspaces.base import Workspace
-from iconstudio.model import Pictogram
+from iconstudio.model import Pictogram, Remix
 from iconstudio.project.journal import LeftBehind
 from iconstudio.session import Session
 from iconstudio.workflows import registry
@@ -56,7 +56,9 @@ class MainWindow(QMainWindow):
         self._files = Worker(self)
         self.saver = Saver(self._files, self)
         self._destinations = tuple(
-            Destination(one.title, one.invitation) for one in self._workflows if one.invitation
+            Destination(one.title, one.invitation, one.opens_results)
+            for one in self._workflows
+            if one.invitation
         )
         self.modes = ModeSwitch([one.title for one in self._workflows])
         self.recent = RecentResults(self._destinations, self.saver)
@@ -157,6 +159,7 @@ class MainWindow(QMainWindow):
             workspace.set_destinations(self._destinations)
             workspace.kept.connect(self.recent.keep)
             workspace.send.connect(self._send)
+            workspace.send_sources.connect(self._send_sources)
             workspace.project.connect(lambda path: self.project.open(Path(path)))
             pane = self._made[number] = WorkspacePane(workspace)
             self.panes.addWidget(pane)
@@ -166,6 +169,10 @@ class MainWindow(QMainWindow):
     def _send(self, pictogram: Pictogram, title: str) -> None:
         self.show_workspace(self._number(title))
         self.workspace.take(pictogram)
+
+    def _send_sources(self, result: Remix, title: str) -> None:
+        self.show_workspace(self._number(title))
+        self.workspace.opener.open_result(result)
 
     def _send_picture(self, picture: Picture, title: str) -> None:
         self.recent.keep(picture)

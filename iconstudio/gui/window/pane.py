@@ -59,14 +59,14 @@ class WorkspacePane(QWidget):
         self._steps = steps
 
     def _show_remarks(self) -> None:
-        """Show the remarks on the icons of the page as it is now; messages are dealt with."""
+        """Show the remarks on the page as it is now, and its icons; messages are dealt with."""
         about: dict[tuple[str, ...], list[str]] = {}
         for icon in dict.fromkeys(self.workspace.icons):
             about.setdefault(icon.remarks, []).append(icon.credit.title or icon.id)
         about.pop((), None)
         self.notice.clear()
         said = (f"{quoted_list(some)}: {' '.join(each)}" for each, some in about.items())
-        self.notice.remark(said)
+        self.notice.remark((*said, *self.workspace.remarks))
 
 
 def _is_of_others(data: QMimeData) -> bool:

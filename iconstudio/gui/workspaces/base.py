@@ -69,6 +69,8 @@ class Workspace(ResultsWidget):
     """Whether results can be worked on here again."""
     opener: Opener | None = None
     """Brings onto the page what is opened, dropped and pasted, if anything can be."""
+    remarks: Sequence[str] = ()
+    """What the user should know of the page, beside the remarks on its icons."""
     view: CanvasView | None = None
     """Shows the page, if it lies on a canvas."""
     tools: Mapping[str, Tool]
@@ -133,7 +135,9 @@ class Workspace(ResultsWidget):
         self.destinations = tuple(one for one in destinations if own or one.title != title)
         if self.detail is not None:
             self.detail.set_destinations(
-                self.destinations, lambda title: self.send_picture(self.picture, title)
+                self.destinations,
+                lambda title: self.send_picture(self.picture, title),
+                lambda title: self.send_sources_of(self.picture, title),
             )
 
     def run(self) -> None:

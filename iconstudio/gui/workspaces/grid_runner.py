@@ -118,10 +118,13 @@ class GridRunner(QObject):
         self._by_hand = self._by_hand or here
         return here
 
-    def run(self) -> None:
-        """Remix what the page says, which has no problem, because the user asks for it."""
+    def run(self, following: bool = False) -> None:
+        """Remix what the page says, which has no problem, because the user asks for it.
+
+        ``following``: as in live mode, also if that is off, the result in focus first.
+        """
         self._preparation.hurry()
-        self.live_runner.run(self._request())
+        self.live_runner.run(self._request(following))
         self._by_hand = True
 
     def renew(self) -> None:
@@ -163,15 +166,16 @@ class GridRunner(QObject):
         """Stop; in live mode, until the next change."""
         self.live_runner.cancel()
 
-    def _request(self) -> _Request:
+    def _request(self, following: bool = False) -> _Request:
+        live = self.live or following
         page, settings, before = self._page.document.page, self._page.settings(), self._ran
-        afresh = not self.live or before is None or page.elsewhere(before.page)
-        focus = self._page.focus() if self.live and not afresh else None
+        afresh = not live or before is None or page.elsewhere(before.page)
+        focus = self._page.focus() if live and not afresh else None
         if focus is not None and focus[0] not in settings.styles:
             focus = None
         if self.fine:
             settings = replace(settings, side=FINE_SIDE)
-        if self.live:
+        if live:
             settings = replace(settings, focus=focus or _middle(settings), previews=True)
         return _Request(self._page.inputs(), self.fine, page, settings, afresh, focus)
 

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QMenu, QWidget
 
 from iconstudio.gui.exchange.saving import Saver
 from iconstudio.gui.gallery.detail import DetailPanel
-from iconstudio.gui.gallery.sending import Destination, offer, pop_up
+from iconstudio.gui.gallery.sending import Destination, offer, offer_to_open, pop_up
 from iconstudio.gui.gallery.sheet import Sheet
 from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.workspaces.actions import Actions
@@ -26,11 +26,14 @@ class ResultsWidget(QWidget):
         A result worth keeping in sight.
     send(Pictogram, str)
         An icon is to go to the workspace of that title.
+    send_sources(Remix, str)
+        The sources of a result are to be opened in the workspace of that title.
     """
 
     picked = Signal(object)
     kept = Signal(object)
     send = Signal(object, str)
+    send_sources = Signal(object, str)
 
     detail: DetailPanel | None = None
     """Shows the picked result, if there are any."""
@@ -87,6 +90,11 @@ class ResultsWidget(QWidget):
         self.kept.emit(picture)
         self.send.emit(picture.pictogram(), title)
 
+    def send_sources_of(self, picture: Picture, title: str) -> None:
+        """Have the sources of a result opened in the workspace of that title."""
+        self.kept.emit(picture)
+        self.send_sources.emit(picture.icon, title)
+
     def offer_for(self, picture: Picture, spot: QPoint) -> None:
         """Open a menu of what can be done with a result, at a place of the screen."""
         menu = QMenu(self)
@@ -98,6 +106,10 @@ class ResultsWidget(QWidget):
     def fill_result_menu(self, menu: QMenu, picture: Picture) -> None:
         """Say what can be done with a result: it can be sent elsewhere."""
         offer(menu, self.destinations, lambda title: self.send_picture(picture, title))
+        if picture.has_code:
+            offer_to_open(
+                menu, self.destinations, lambda title: self.send_sources_of(picture, title)
+            )
 
     def _note_kept(self, picture: Picture) -> None:
         self._kept = picture

@@ -1,15 +1,17 @@
 """SKETCH.json: a sketch in a file, and the examples that come with the program."""
 
+import dataclasses
 from pathlib import Path
 from typing import Any, Self
 
 from msgspec.structs import replace
 
-from iconstudio.inputs.formats import Points, Text, TextSet
+from iconstudio.inputs.formats import Many, Points, Text, TextSet
 from iconstudio.inputs.lines import outline, rounded
 from iconstudio.model import Axis, IconstudioError, Sketch
 from iconstudio.resources import resource
 from iconstudio.workflows.files import open_file
+from iconstudio.workflows.montage.file import LayerFile
 from iconstudio.workflows.workflow import File, Find, Refer
 
 
@@ -20,6 +22,8 @@ class SketchFile(File[Sketch], frozen=True):
     keyword: Text = ""
     exclude: TextSet = frozenset()
     symmetry: Axis | None = None
+    pins: Many[LayerFile] = ()
+    """Icons on the canvas of the results, with strokes over the places that must be theirs."""
     photo: Path | None = None
     """The photo that the polygon was traced over."""
     best: Any = None
@@ -33,15 +37,24 @@ class SketchFile(File[Sketch], frozen=True):
             keyword=sketch.keyword,
             exclude=sketch.exclude,
             symmetry=sketch.symmetry,
+            pins=tuple(LayerFile.of(pin, refer) for pin in sketch.pins),
         )
 
     def resolved(self, find: Find) -> Sketch:
-        """Return the sketch, which names no icons to be found."""
-        return self.sketch
+        """Return the sketch, the icons of its pins found by ``find``."""
+        return dataclasses.replace(self.sketch, pins=tuple(pin.resolved(find) for pin in self.pins))
+
+    def check(self) -> None:
+        """Refuse pins that hold nothing."""
+        for pin in self.pins:
+            if not pin.strokes:
+                raise IconstudioError(
+                    f"The pin of “{pin.icon}” has no strokes: draw over the place that it holds."
+                )
 
     @property
     def sketch(self) -> Sketch:
-        """The sketch; of very many points, to simplify it takes a moment."""
+        """The sketch without its pins; of very many points, to simplify it takes a moment."""
         return Sketch(outline(self.polygon), self.keyword, self.exclude, self.symmetry)
 
 

@@ -12,8 +12,9 @@ from iconstudio.algorithms.raster import Bitmap, fill_polygon
 from iconstudio.model import Axis, Composite, Sketch, Source
 from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import Render
-from iconstudio.workflows.events import Event
+from iconstudio.workflows.events import Event, Remark
 from iconstudio.workflows.grid import GridSettings, Matches, focused, remix_styles
+from iconstudio.workflows.pinning import PinnedPart, idle_pins, pinned_parts, pinning
 from iconstudio.workflows.remixing import RemixResources
 from iconstudio.workflows.solving import Posed
 
@@ -40,8 +41,11 @@ def run(
     settings.chosen_styles()
     sketch.polygon.fitted()
     matcher = yield from resources.prepare(sketch.keyword, sketch.exclude, settings.scales)
+    if idle := idle_pins(sketch):
+        yield Remark(idle)
+    pins = pinned_parts(sketch, resources.exemplar)
     workers, render, earlier = resources.workers, resources.render, resources.earlier
-    events = model(sketch, matcher, settings, workers, render, earlier.get("sketch"))
+    events = model(sketch, matcher, settings, workers, render, earlier.get("sketch"), pins)
     yield from focused(resources, "sketch", events, settings)
 
 
@@ -52,10 +56,12 @@ def model(
     workers: Workers,
     render: Render,
     earlier: Composite | None = None,
+    pins: tuple[PinnedPart, ...] = (),
 ) -> Generator[Event]:
     """Remix the exemplars of ``matcher`` in the shape of a sketch, for every style and lambda_S.
 
-    The events, and the other parameters, are those of ``grid.remix_styles``.
+    The parts in ``pins`` belong to their sources, in the styles of their icons. The events, and the
+    other parameters, are those of ``grid.remix_styles``.
     """
     polygon = sketch.polygon.fitted()
     silhouette = fill_polygon(polygon)
@@ -65,15 +71,23 @@ def model(
         matcher,
         settings,
         refusal=refusal,
-        pose=partial(_pose, fill_polygon(polygon, settings.side), sketch.symmetry),
+        pose=partial(pose_sketch, fill_polygon(polygon, settings.side), sketch.symmetry, pins),
         workers=workers,
         render=render,
+        pinned=tuple(pin.source for pin in pins),
         earlier=earlier,
     )
 
 
-def _pose(silhouette: Bitmap, symmetry: Axis | None, sources: tuple[Source, ...]) -> Posed:
-    return Posed(remix_problem(distance_field(silhouette), sources, symmetry), silhouette)
+def pose_sketch(
+    silhouette: Bitmap,
+    symmetry: Axis | None,
+    pins: tuple[PinnedPart, ...],
+    sources: tuple[Source, ...],
+) -> Posed:
+    """Pose the problem of joining sources in the shape of a sketch, ``silhouette`` (m, m)."""
+    problem = remix_problem(distance_field(silhouette), sources, symmetry)
+    return pinning(problem, sources, silhouette, pins)
 
 
 def refusal(style: Style, count: int, rows: Matches | None) -> str:

@@ -3,8 +3,10 @@
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+from iconstudio.algorithms.raster import Bitmap
 from iconstudio.model import Photo, Point, Polygon, Sketch
 from iconstudio.workflows.pages import Document
+from iconstudio.workflows.pinning import PinnedPart, with_pin, without_pins
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,3 +70,22 @@ def load_sketch(
     """Start from another sketch: an example, a file, or nothing at all."""
     closed = len(sketch.polygon.vertices) >= 3
     document.change(text, SketchPage(sketch, closed, photo))
+
+
+def pin_part(document: SketchDocument, part: PinnedPart) -> None:
+    """Give a place of the results to a source, in every result of its style."""
+    sketch = document.page.sketch
+    pins = with_pin(sketch.pins, part.pin, sketch.symmetry)
+    document.change("pin part", document.page.with_criteria(pins=pins))
+
+
+def unpin_part(document: SketchDocument, place: Bitmap) -> None:
+    """Let a place of the results, (m, m) bool, be anyone's again."""
+    sketch = document.page.sketch
+    pins = without_pins(sketch.pins, place, sketch.symmetry)
+    document.change("unpin part", document.page.with_criteria(pins=pins))
+
+
+def unpin_all(document: SketchDocument) -> None:
+    """Remove all pins."""
+    document.change("unpin all parts", document.page.with_criteria(pins=()))

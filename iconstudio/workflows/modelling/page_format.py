@@ -1,11 +1,26 @@
 """A sketch over its photo in a project file."""
 
-from collections.abc import Generator
+from collections.abc import Generator, Sequence
+from dataclasses import asdict
 
-from iconstudio.inputs.formats import Points, Record, Text, TextSet, plain_text
-from iconstudio.model import Axis, IconstudioError, Polygon, Sketch
+from iconstudio.inputs.formats import Many, Points, Record, Text, TextSet, plain_text
+from iconstudio.model import Axis, IconstudioError, Layer, Polygon, Sketch
 from iconstudio.workflows.modelling.page import SketchPage
-from iconstudio.workflows.pages import PageFormat, Parts, StoredParts, StoredPhoto
+from iconstudio.workflows.montage.page_format import StoredStroke
+from iconstudio.workflows.pages import (
+    PageFormat,
+    Parts,
+    StoredParts,
+    StoredPhoto,
+    StoredPlacement,
+)
+
+
+class StoredPin(StoredPlacement, frozen=True, kw_only=True):
+    """An icon where it lies, and the place that is its."""
+
+    icon: Text
+    strokes: Many[StoredStroke]
 
 
 class StoredSketch(Record, frozen=True):
@@ -17,6 +32,7 @@ class StoredSketch(Record, frozen=True):
     exclude: TextSet = frozenset()
     symmetry: Axis | None = None
     photo: StoredPhoto | None = None
+    pins: Many[StoredPin] = ()
 
 
 class SketchPages(PageFormat[SketchPage, StoredSketch]):
@@ -34,12 +50,14 @@ class SketchPages(PageFormat[SketchPage, StoredSketch]):
             sketch.exclude,
             sketch.symmetry,
             None if page.photo is None else parts.photo(page.photo),
+            tuple(_stored(pin, parts) for pin in sketch.pins),
         )
 
     def read(self, stored: StoredSketch, parts: StoredParts) -> Generator[None, None, SketchPage]:
-        """Return the page that was written; without its photo, if only that is no good."""
+        """Return the page that was written; without its photo or pins, if these are no good."""
         polygon = Polygon(stored.polygon)
-        sketch = Sketch(polygon, stored.keyword, stored.exclude, stored.symmetry)
+        pins = tuple(_pins(stored.pins, parts))
+        sketch = Sketch(polygon, stored.keyword, stored.exclude, stored.symmetry, pins)
         photo = None
         if stored.photo is not None:
             try:
@@ -47,3 +65,18 @@ class SketchPages(PageFormat[SketchPage, StoredSketch]):
             except IconstudioError as error:
                 parts.complaints.append(f"The sketch was opened without its photo: {error}")
         return SketchPage(sketch, stored.closed, photo)
+
+
+def _stored(pin: Layer, parts: Parts) -> StoredPin:
+    strokes = tuple(map(StoredStroke.of, pin.strokes))
+    return StoredPin(icon=parts.icon(pin.icon), strokes=strokes, **asdict(pin.placement))
+
+
+def _pins(stored: Sequence[StoredPin], parts: StoredParts) -> Generator[Layer]:
+    for one in stored:
+        try:
+            icon = parts.icon(one.icon)
+        except IconstudioError as error:
+            parts.complaints.append(f"A pinned part of the sketch was left out: {error}")
+        else:
+            yield Layer(icon, one.placement, tuple(each.stroke for each in one.strokes))

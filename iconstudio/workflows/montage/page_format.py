@@ -2,7 +2,7 @@
 
 from collections.abc import Generator
 from dataclasses import asdict, replace
-from typing import Annotated
+from typing import Annotated, Self
 
 from msgspec import Meta
 
@@ -18,6 +18,16 @@ class StoredStroke(Record, frozen=True):
 
     width: Annotated[float, Meta(gt=0, le=2 * CANVAS)]
     points: Points
+
+    @classmethod
+    def of(cls, stroke: Stroke) -> Self:
+        """Return a stroke as it is stored."""
+        return cls(stroke.width, stroke.points)
+
+    @property
+    def stroke(self) -> Stroke:
+        """The value."""
+        return Stroke(self.width, self.points)
 
     def check(self) -> None:
         """Refuse what is nowhere."""
@@ -58,7 +68,7 @@ class MontagePages(PageFormat[MontagePage, StoredMontage]):
                 number=one.number,
                 icon=parts.icon(one.icon.pictogram),
                 hidden=one.hidden,
-                strokes=tuple(StoredStroke(each.width, each.points) for each in one.strokes),
+                strokes=tuple(map(StoredStroke.of, one.strokes)),
                 **asdict(one.placement),
             )
             for one in page.layers
@@ -70,7 +80,7 @@ class MontagePages(PageFormat[MontagePage, StoredMontage]):
         layers = []
         for one in stored.layers:
             icon = IconShape(parts.exemplar(parts.icon(one.icon)))
-            strokes = tuple(Stroke(each.width, each.points) for each in one.strokes)
+            strokes = tuple(each.stroke for each in one.strokes)
             layers.append(PlacedIcon(one.number, icon, one.placement, strokes, one.hidden))
             yield
         return MontagePage(tuple(layers), stored.chosen)

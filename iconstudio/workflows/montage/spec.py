@@ -9,6 +9,7 @@ MONTAGE = Workflow(
     noun="montage",
     help="Join the parts of icons that are scribbled over.",
     invitation="Add to montage",
+    opens_results=True,
     file=MontageFile,
     run=lazily("iconstudio.workflows.montage.montage:run"),
     examples="montages",

@@ -4,11 +4,12 @@ from collections.abc import Generator
 from pathlib import Path
 
 from iconstudio.gui.exchange.opening import IconOpener, Opened
-from iconstudio.inputs.together import ReadTogether, quoted_list
-from iconstudio.model import IconstudioError, Pictogram
+from iconstudio.inputs.together import ReadTogether, counted, quoted_list
+from iconstudio.model import IconstudioError, Pictogram, Remix
 from iconstudio.workflows.montage.file import read_montage
 from iconstudio.workflows.montage.montage import MOST
 from iconstudio.workflows.montage.page import IconShape, MontagePage
+from iconstudio.workflows.montage.reproducing import reproduction
 
 _OVERLAP = (
     "Where scribbles over two icons overlapped, those of the upper icon were kept: "
@@ -35,6 +36,18 @@ class MontageOpener(IconOpener):
         yield Opened(words, lambda document: document.change("open montage", page))
         if [one.strokes for one in page.layers] != [one.strokes for one in layers]:
             raise IconstudioError(_OVERLAP)
+
+    def open_result(self, result: Remix) -> None:
+        """Put the sources of a result in place of what is there, marked so that it comes again."""
+        self.replace(lambda: self._reproducing(result))
+
+    def _reproducing(self, result: Remix) -> Generator[Opened]:
+        composite = result.composite
+        drawn = {one.exemplar.id: one.exemplar for one in composite.sources}
+        layers = reproduction(composite).layers
+        page = MontagePage.of(layers, [IconShape(drawn[one.icon.id]) for one in layers])
+        words = f"Opened the {counted(len(layers), 'source')} of “{result.title}”."
+        yield Opened(words, lambda document: document.change("open result", page))
 
     def drawn(self, pictogram: Pictogram) -> IconShape:
         """Return an icon to be added."""

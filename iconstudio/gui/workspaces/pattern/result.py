@@ -4,7 +4,7 @@ from PySide6.QtCore import QPointF, QRectF, QSizeF, Signal
 from PySide6.QtGui import QBrush, QImage, QPainter, QPainterPath, QPaintEvent, QTransform
 from PySide6.QtWidgets import QButtonGroup, QFrame, QToolButton
 
-from iconstudio.gui.gallery.detail import LargePicture
+from iconstudio.gui.gallery.large import LargePicture
 from iconstudio.gui.pictures.picture import Picture, within
 from iconstudio.gui.preferences import prefer, preferred
 from iconstudio.gui.theme import theme

@@ -8,6 +8,10 @@ def _drawn(place) -> bool:
     return bool(place.page.vertices)
 
 
+def _pinned(place) -> bool:
+    return bool(place.page.sketch.pins)
+
+
 ENTRIES = (
     Entry("photo", "Open &photo…", "Open a photo to trace over", "Ctrl+Shift+O", "photo",
           do="opener.choose_photo", menu="&File"),
@@ -20,6 +24,8 @@ ENTRIES = (
     tool("trace", "&Trace outline", "Trace the outline", "P", "polygon"),
     Entry("regions", "&Salient regions", "Show the regions that are matched", "R", "regions",
           do="show_regions", checkable=True, menu="&View"),
+    Entry("unpin", "Unpin all &parts", "Let the program choose for all parts again",
+          enabled=_pinned, menu="&Edit"),
     *work_entries("sketch", _drawn),
     *GRID,
 )  # fmt: skip

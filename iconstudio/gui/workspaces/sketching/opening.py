@@ -64,7 +64,7 @@ class SketchOpener(Opener):
                 photo = yield from photo_in(self.session, File(str(file.photo)))
             except IconstudioError as error:
                 trouble = error
-        sketch, step = file.sketch, "open sketch"
+        sketch, step = file.resolved(self.session.icon), "open sketch"
         exclude, remarks = left_out(sketch.exclude, self.session.icon)
         sketch = replace(sketch, exclude=exclude)
         put = partial(page.load_sketch, sketch=sketch, photo=photo, text=step)

@@ -14,6 +14,7 @@ from iconstudio.gui.panels.slider import IconSlider
 from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.workspaces.remixing import RemixWorkspace
 from iconstudio.gui.workspaces.sketching.actions import ENTRIES
+from iconstudio.gui.workspaces.sketching.alternatives import PartAlternatives
 from iconstudio.gui.workspaces.sketching.opening import SketchOpener
 from iconstudio.gui.workspaces.sketching.scene import SketchScene
 from iconstudio.images.photo import file_beside
@@ -21,8 +22,9 @@ from iconstudio.model import IconstudioError, Polygon, Sketch
 from iconstudio.workflows.events import Event, RegionsFound
 from iconstudio.workflows.files import write_file
 from iconstudio.workflows.modelling.file import SketchFile
-from iconstudio.workflows.modelling.page import SketchPage
+from iconstudio.workflows.modelling.page import SketchPage, unpin_all
 from iconstudio.workflows.outline import Outline
+from iconstudio.workflows.pinning import idle_pins
 
 DESCRIPTION = "Trace the outline of an object here"
 
@@ -52,12 +54,22 @@ class SketchWorkspace(RemixWorkspace):
         self.view = CanvasView(self.scene, self.tool, DESCRIPTION)
         self.dim = IconSlider("dim", "Dim the photo", (0, 100), 35, self.scene.set_dim)
         self.offer_symmetry(lambda page: page.sketch.polygon if page.closed else None, _filled)
+        self.alternatives = PartAlternatives(
+            self.session, self.document, self.finder, self.detail.large, self
+        )
+        self.alternatives.runner.failed.connect(self.failed)
+        self.alternatives.changed.connect(self._remix_pinned)
         self.make_actions()
         self.start_buttons = StartButtons(self.view, self.actions_by_name["photo"], self.examples)
         bar = "photo examples", "undo redo", "trace pan fit regions clear"
         self.lay_out(*bar, trailing=[self.dim])
 
     # -- what the window asks for --------------------------------------------------------------
+
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """Which pins are not heeded."""
+        return tuple(filter(None, [idle_pins(self.page.sketch)]))
 
     def demonstrate(self, example: SketchFile) -> None:
         """Load an example and remix it as soon as it is there."""
@@ -112,6 +124,16 @@ class SketchWorkspace(RemixWorkspace):
             self.show_regions()
         super().show_event(event)
 
+    def unpin(self) -> None:
+        """Remove all pins."""
+        unpin_all(self.document)
+        self._remix_pinned()
+
+    def _remix_pinned(self) -> None:
+        """Remix with the pins that were changed; in live mode, that goes by itself."""
+        if not self.runner.live and not self.problem():
+            self.runner.run(following=True)
+
     # -- page ----------------------------------------------------------------------------------
 
     def show_page(self) -> None:
@@ -119,6 +141,7 @@ class SketchWorkspace(RemixWorkspace):
         page = self.page
         self.show_criteria("sketch")
         self.dim.setVisible(page.photo is not None)
+        self.detail.large.show_pins(page.sketch.pins)
         if not page.vertices:
             self._regions = ()
         self.show_regions()
