@@ -24,6 +24,7 @@ from iconstudio.library.words.decency import is_insult
 from iconstudio.library.words.naming import is_negated, take_apart
 from iconstudio.library.words.nearness import nearest
 from iconstudio.library.words.query import Style
+from iconstudio.library.words.strangers import shows_more
 from iconstudio.library.words.vocabulary import PREPOSITIONS
 from iconstudio.model import Credit, IconstudioError, Pictogram
 from iconstudio.model.progress import Progress
@@ -196,6 +197,23 @@ class Collection:
         if not found:
             raise IconstudioError(self._nothing(keyword, bool(exclude)))
         return self._pictograms(found)
+
+    @_mended
+    def strangers(self, keyword: str, icons: Iterable[str]) -> frozenset[str]:
+        """Return which of the icons found for a keyword show something else by their names, or more.
+
+        That is what the search holds for no more than related, and of the rest what has words for
+        more in its name (``shows_more``). ``icons`` are identifiers.
+        """
+        scores = self._answer(keyword).scores
+        known = {name: scores[one] for one, name in self._lookup.identifiers(scores).items()}
+        words = {form for one in query.plain(_name(keyword)).split() for form in query.forms(one)}
+        return frozenset(
+            icon
+            for icon in icons
+            if known.get(icon, search.MORE) >= search.MORE
+            or shows_more(icon.partition(":")[2], words)
+        )
 
     @_mended
     def remark(self, keyword: str) -> str:

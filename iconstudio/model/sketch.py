@@ -130,3 +130,5 @@ class Sketch:
     exclude: frozenset[str] = field(default_factory=frozenset)
     """Identifiers of pictograms that must not be used."""
     symmetry: Axis | None = None
+    include: frozenset[str] = field(default_factory=frozenset)
+    """Identifiers of those that may be used though they are less alike than others."""

@@ -19,6 +19,8 @@ class Retrieved(Event):
     exemplars: tuple[Exemplar, ...]
     remark: str = ""
     """How the keyword was read if not as typed, for the user."""
+    strangers: frozenset[str] = frozenset()
+    """Identifiers of the exemplars that are less alike than the others: the last ones."""
 
 
 @dataclass(frozen=True, slots=True)

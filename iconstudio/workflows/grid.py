@@ -1,7 +1,7 @@
 """Remixing in every style and for every lambda_S (sections 3.3 to 3.5): modelling and editing."""
 
 import math
-from collections.abc import Callable, Generator, Iterable, Sequence
+from collections.abc import Callable, Generator, Iterable, Sequence, Set
 from contextlib import closing
 from dataclasses import dataclass
 from functools import partial
@@ -32,6 +32,9 @@ LAMBDAS = tuple(float(v) for v in np.geomspace(0.03, 0.75, 8))
 
 UNTOUCHED = 0.98
 """A source with this part of the ink is the result, but for crumbs."""
+
+ENOUGH = 8
+"""With fewer exemplars of a style, those that are less alike serve, too."""
 
 Matches = tuple[tuple[Source, ...], ...]
 
@@ -93,7 +96,8 @@ def remix_styles(
     render: Render,
     always: tuple[Source, ...] = (),
     finish: Finish = lambda icon: icon,
-    without: str = "",
+    include: Set[str] = frozenset(),
+    without: Set[str] = frozenset(),
     earlier: Composite | None = None,
 ) -> Generator[Event]:
     """Match exemplars to the salient regions of an outline, and remix them in every style.
@@ -120,8 +124,10 @@ def remix_styles(
         Sources that every style has, before those that are matched.
     finish
         What to add to each icon.
+    include
+        Identifiers of strangers of the ``matcher`` that are used as the others are.
     without
-        Identifier of an exemplar that is left out.
+        Identifiers of exemplars that are left out.
     earlier
         A result of a similar run, for the preview to begin with.
     """
@@ -132,7 +138,8 @@ def remix_styles(
     preview = settings.previews
     try:
         for style in styles:
-            rows = yield from _matched(style, field, regions, matcher, refusal, without)
+            admitted = admitted_to(style, matcher, include, without)
+            rows = yield from _matched(style, field, regions, matcher, refusal, admitted)
             if rows is None:
                 remixing.expect_fewer(len(settings.lambdas))
                 continue
@@ -161,18 +168,13 @@ def _matched(
     regions: Sequence[Region],
     matcher: Matcher,
     refusal: Callable[[Style, int, Matches | None], str],
-    without: str,
+    admitted: Sequence[int],
 ) -> Generator[Event, None, Matches | None]:
     """Return the matches of a style; None if it is skipped. The parameters are ``remix_styles``'s.
 
-    Yields progress, and then ``StyleMatched`` or ``StyleSkipped``.
+    ``admitted`` are the numbers of the exemplars that may be used. Yields progress, and then ``StyleMatched`` or ``StyleSkipped``.
     """
     exemplars = matcher.exemplars
-    admitted = [
-        number
-        for number, one in enumerate(exemplars)
-        if style.admits(one.blackness) and one.exemplar.id != without
-    ]
     rows: Matches | None = None
     reason = refusal(style, len(admitted), rows)
     if not reason:
@@ -184,6 +186,23 @@ def _matched(
         return None
     yield StyleMatched(style.name, tuple(exemplars[i].exemplar for i in admitted), rows)
     return rows
+
+
+def admitted_to(
+    style: Style, matcher: Matcher, include: Set[str] = frozenset(), without: Set[str] = frozenset()
+) -> list[int]:
+    """Return the numbers of the exemplars that a style may use; for the others see ``remix_styles``.
+
+    What is less alike serves only if there are fewer than ``ENOUGH`` others.
+    """
+    every = [
+        number
+        for number, one in enumerate(matcher.exemplars)
+        if style.admits(one.blackness) and one.exemplar.id not in without
+    ]
+    strangers = matcher.strangers - include
+    alike = [number for number in every if matcher.exemplars[number].exemplar.id not in strangers]
+    return alike if len(alike) >= ENOUGH else every
 
 
 def focused(

@@ -19,6 +19,7 @@ class SketchFile(File[Sketch], frozen=True):
     polygon: Points
     keyword: Text = ""
     exclude: TextSet = frozenset()
+    include: TextSet = frozenset()
     symmetry: Axis | None = None
     photo: Path | None = None
     """The photo that the polygon was traced over."""
@@ -32,6 +33,7 @@ class SketchFile(File[Sketch], frozen=True):
             polygon=rounded(sketch.polygon.vertices),
             keyword=sketch.keyword,
             exclude=sketch.exclude,
+            include=sketch.include,
             symmetry=sketch.symmetry,
         )
 
@@ -42,7 +44,8 @@ class SketchFile(File[Sketch], frozen=True):
     @property
     def sketch(self) -> Sketch:
         """The sketch; of very many points, to simplify it takes a moment."""
-        return Sketch(outline(self.polygon), self.keyword, self.exclude, self.symmetry)
+        polygon = outline(self.polygon)
+        return Sketch(polygon, self.keyword, self.exclude, self.symmetry, self.include)
 
 
 def example(name: str) -> SketchFile:

@@ -68,6 +68,7 @@ def model(
         pose=partial(_pose, fill_polygon(polygon, settings.side), sketch.symmetry),
         workers=workers,
         render=render,
+        include=sketch.include,
         earlier=earlier,
     )
 

@@ -17,6 +17,7 @@ class StoredSketch(Record, frozen=True):
     exclude: TextSet = frozenset()
     symmetry: Axis | None = None
     photo: StoredPhoto | None = None
+    include: TextSet = frozenset()
 
 
 class SketchPages(PageFormat[SketchPage, StoredSketch]):
@@ -34,12 +35,14 @@ class SketchPages(PageFormat[SketchPage, StoredSketch]):
             sketch.exclude,
             sketch.symmetry,
             None if page.photo is None else parts.photo(page.photo),
+            sketch.include,
         )
 
     def read(self, stored: StoredSketch, parts: StoredParts) -> Generator[None, None, SketchPage]:
         """Return the page that was written; without its photo, if only that is no good."""
         polygon = Polygon(stored.polygon)
-        sketch = Sketch(polygon, stored.keyword, stored.exclude, stored.symmetry)
+        criteria = stored.keyword, stored.exclude, stored.symmetry, stored.include
+        sketch = Sketch(polygon, *criteria)
         photo = None
         if stored.photo is not None:
             try:
