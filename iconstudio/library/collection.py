@@ -200,7 +200,7 @@ class Collection:
 
     @_mended
     def strangers(self, keyword: str, icons: Iterable[str]) -> frozenset[str]:
-        """Return which of the icons found for a keyword show something else by their names, or more.
+        """Return which icons of a keyword show more than it, or something else, by their names.
 
         That is what the search holds for no more than related, and of the rest what has words for
         more in its name (``shows_more``). ``icons`` are identifiers.

@@ -45,6 +45,8 @@ class StyleMatched(Event):
     exemplars: tuple[Exemplar, ...]
     """What the style had to choose from."""
     matches: tuple[tuple[Source, ...], ...]
+    whole: tuple[Source, ...] = ()
+    """The best matches of the whole outline, which are sources, too."""
 
     @property
     def retrieved(self) -> int:

@@ -3,14 +3,14 @@
 import math
 from collections.abc import Callable, Generator, Iterable, Sequence, Set
 from contextlib import closing
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.iconification.matching import SCALES, Matcher, sources_of
-from iconstudio.algorithms.iconification.saliency import Region
+from iconstudio.algorithms.iconification.saliency import WHOLE, Region
 from iconstudio.algorithms.iconification.style import STYLES, Style
 from iconstudio.model import Composite, IconstudioError, Placement, Remix, Source
 from iconstudio.workers import Workers
@@ -139,11 +139,11 @@ def remix_styles(
     try:
         for style in styles:
             admitted = admitted_to(style, matcher, include, without)
-            rows = yield from _matched(style, field, regions, matcher, refusal, admitted)
-            if rows is None:
+            matched = yield from _matched(style, field, regions, matcher, refusal, admitted)
+            if matched is None:
                 remixing.expect_fewer(len(settings.lambdas))
                 continue
-            sources = (*always, *distinct(rows))
+            sources = (*always, *distinct((*matched.matches, matched.whole)))
             series = CutSeries(
                 style.name,
                 sources,
@@ -169,31 +169,36 @@ def _matched(
     matcher: Matcher,
     refusal: Callable[[Style, int, Matches | None], str],
     admitted: Sequence[int],
-) -> Generator[Event, None, Matches | None]:
+) -> Generator[Event, None, StyleMatched | None]:
     """Return the matches of a style; None if it is skipped. The parameters are ``remix_styles``'s.
 
-    ``admitted`` are the numbers of the exemplars that may be used. Yields progress, and then ``StyleMatched`` or ``StyleSkipped``.
+    ``admitted`` are the numbers of the exemplars that may be used. Yields progress, and then
+    ``StyleMatched`` or ``StyleSkipped``.
     """
     exemplars = matcher.exemplars
-    rows: Matches | None = None
-    reason = refusal(style, len(admitted), rows)
+    reason = refusal(style, len(admitted), None)
     if not reason:
-        matching = matcher.match(field, regions, admitted)
-        rows = sources_of((yield from staged("match", "Matching parts", matching)), exemplars)
-        reason = refusal(style, len(admitted), rows)
-    if reason or rows is None:
+        matching = matcher.match(field, (*regions, WHOLE), admitted)
+        found = yield from staged("match", "Matching parts", matching)
+        *rows, whole = sources_of(found, exemplars)
+        reason = refusal(style, len(admitted), tuple(rows))
+    if reason:
         yield StyleSkipped(style.name, len(admitted), reason)
         return None
-    yield StyleMatched(style.name, tuple(exemplars[i].exemplar for i in admitted), rows)
-    return rows
+    chosen = tuple(exemplars[number].exemplar for number in admitted)
+    best = tuple(replace(source, region=-1) for source in whole)
+    matched = StyleMatched(style.name, chosen, tuple(rows), best)
+    yield matched
+    return matched
 
 
 def admitted_to(
     style: Style, matcher: Matcher, include: Set[str] = frozenset(), without: Set[str] = frozenset()
 ) -> list[int]:
-    """Return the numbers of the exemplars that a style may use; for the others see ``remix_styles``.
+    """Return the numbers of the exemplars that a style may use.
 
-    What is less alike serves only if there are fewer than ``ENOUGH`` others.
+    Strangers serve only if there are fewer than ``ENOUGH`` others. The parameters are those of
+    ``remix_styles``.
     """
     every = [
         number

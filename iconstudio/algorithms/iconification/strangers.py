@@ -49,7 +49,7 @@ def strangers(inks: Sequence[NDArray[np.bool_]], named: NDArray[np.bool_]) -> ND
 def silhouettes(inks: Sequence[NDArray[np.bool_]]) -> NDArray[np.float32]:
     """Return what exemplars cover, from afar: (n, SIDE, SIDE), 0 or 1.
 
-    That is what has ink at all four sides, so that a contour with a gap covers as much as without.
+    That is what has ink at all four sides, so that a gap in a contour takes little away.
     """
     step = CANVAS // SIDE
     rows = [ink.reshape(SIDE, step, CANVAS).any(axis=1) for ink in inks]

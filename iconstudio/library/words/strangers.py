@@ -11,6 +11,7 @@ from iconstudio.library.words.vocabulary import (
     ATTRIBUTES,
     BADGES,
     CARRIERS,
+    INTERFACE,
     NEGATIONS,
     PEOPLE,
     PREPOSITIONS,
@@ -18,8 +19,8 @@ from iconstudio.library.words.vocabulary import (
 
 _ARTICLES = frozenset({"a", "an", "the", "o"})
 _SIGNS = (BADGES | NEGATIONS | CARRIERS) - ATTRIBUTES
-_POINTING = frozenset({"up", "down", "forward"})
-"""After a thing, these are arrows beside it."""
+_BEHIND = frozenset({"up", "down", "forward", "off"})
+"""Behind a thing, these are arrows beside it, or a line across it."""
 _TELLING = _SIGNS | PEOPLE | (PREPOSITIONS - _ARTICLES)
 
 
@@ -27,8 +28,8 @@ def shows_more(name: str, keyword: Iterable[str]) -> bool:
     """Whether an icon's name says that more is in it than a thing of the words of a keyword.
 
     It does if, beside the keyword, its style and size, it has a word for a sign, a frame or what
-    else things are shown on; for a person; a preposition; or, behind the thing, a direction.
-    Words of other kinds tell nothing here: a *police car* is a car.
+    else things are shown on; for a person; a preposition; or, behind a thing that is no mark of an
+    interface, a direction or *off*. Words of other kinds tell nothing: a *police car* is a car.
 
     >>> [shows_more(name, ["car"]) for name in ("car-key-plus", "car-with-key", "laptop-car")]
     [True, True, True]
@@ -38,6 +39,9 @@ def shows_more(name: str, keyword: Iterable[str]) -> bool:
     words = take_apart(name).words
     wanted = set(keyword)
     beside = [word for word in words if word not in wanted]
-    if len(words) == 1 or len(beside) == len(words) and _TELLING.issuperset(words):
+    if len(words) == 1 or (len(beside) == len(words) and _TELLING.issuperset(words)):
         return False
-    return not _TELLING.isdisjoint(beside) or bool(_POINTING.intersection(words[1:]) - wanted)
+    if not _TELLING.isdisjoint(beside):
+        return True
+    is_mark = not INTERFACE.isdisjoint(wanted)  # an arrow up is one arrow
+    return not is_mark and bool(_BEHIND.intersection(words[1:]) - wanted)

@@ -41,7 +41,6 @@ from iconstudio.workflows.grid import GridSettings, Matches, focused, remix_styl
 from iconstudio.workflows.remixing import RemixResources
 from iconstudio.workflows.solving import Posed
 
-
 SAME = 0.97
 """Overlap of ink from which two icons on the canvas are one drawing."""
 
