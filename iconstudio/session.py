@@ -272,9 +272,9 @@ class Session(FileReader, AbstractContextManager["Session"]):
 
     def _strangers(self, keyword: str, exemplars: tuple[Exemplar, ...]) -> frozenset[str]:
         """Return the identifiers of those less alike than others, if there are any others."""
-        named = self.collection.strangers(keyword, (one.id for one in exemplars))
-        flags = np.array([one.id in named for one in exemplars], bool)
-        found = strangers([one.ink for one in exemplars], flags)
+        told = self.collection.strangers(keyword, (one.id for one in exemplars))
+        named, doubtful = (np.array([one.id in ids for one in exemplars], bool) for ids in told)
+        found = strangers([one.ink for one in exemplars], named, doubtful)
         if found.all():
             return frozenset()
         return frozenset(one.id for one, less in zip(exemplars, found, strict=True) if less)

@@ -199,21 +199,21 @@ class Collection:
         return self._pictograms(found)
 
     @_mended
-    def strangers(self, keyword: str, icons: Iterable[str]) -> frozenset[str]:
-        """Return which icons of a keyword show more than it, or something else, by their names.
+    def strangers(
+        self, keyword: str, icons: Iterable[str]
+    ) -> tuple[frozenset[str], frozenset[str]]:
+        """Return which icons of a keyword show more than it by their names, and which may do so.
 
-        That is what the search holds for no more than related, and of the rest what has words for
-        more in its name (``shows_more``). ``icons`` are identifiers.
+        The first are those with words for more (``shows_more``), the others those that the search
+        holds for no more than related. ``icons`` are identifiers.
         """
         scores = self._answer(keyword).scores
         known = {name: scores[one] for one, name in self._lookup.identifiers(scores).items()}
         words = {form for one in query.plain(_name(keyword)).split() for form in query.forms(one)}
-        return frozenset(
-            icon
-            for icon in icons
-            if known.get(icon, search.MORE) >= search.MORE
-            or shows_more(icon.partition(":")[2], words)
-        )
+        found = frozenset(icons)
+        more = frozenset(one for one in found if shows_more(one.partition(":")[2], words))
+        related = frozenset(one for one in found if known.get(one, search.MORE) >= search.MORE)
+        return more, related - more
 
     @_mended
     def remark(self, keyword: str) -> str:

@@ -6,6 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from iconstudio.algorithms.iconification.strangers import (
+    FAR,
     FEWEST,
     NEAREST,
     SIDE,
@@ -33,7 +34,7 @@ GATE = box(40, 40, 216, 56) | box(16, 200, 120, 240)
 
 
 def none_named(count):
-    return np.zeros(count, bool)
+    return np.zeros((2, count), bool)
 
 
 def test_a_silhouette_is_what_has_ink_at_all_four_sides():
@@ -69,25 +70,39 @@ def test_a_mirror_image_is_as_like_as_the_drawing_itself():
 
 def test_what_lies_elsewhere_is_a_stranger():
     inks = [*HOUSES, GATE, HOUSES[3][:, ::-1]]
-    assert strangers(inks, none_named(10)).tolist() == [False] * 8 + [True, False]
+    assert strangers(inks, *none_named(10)).tolist() == [False] * 8 + [True, False]
 
 
 def test_a_few_of_another_kind_are_none():
     """A whole dog is a dog among heads, if there are ``NEAREST`` others of that kind."""
     gates = [GATE | box(16, 180 - number, 40, 200) for number in range(NEAREST + 1)]
-    assert not strangers([*HOUSES, *gates], none_named(FEWEST + NEAREST + 1)).any()
-    assert strangers([*HOUSES, *gates[:2]], none_named(FEWEST + 2)).tolist()[-2:] == [True] * 2
+    assert not strangers([*HOUSES, *gates], *none_named(FEWEST + NEAREST + 1)).any()
+    assert strangers([*HOUSES, *gates[:2]], *none_named(FEWEST + 2)).tolist()[-2:] == [True] * 2
 
 
 def test_shapes_of_those_told_by_name_count_for_nothing():
     inks = [*HOUSES, *[GATE] * (NEAREST + 2)]
     named = np.arange(len(inks)) >= FEWEST + 1
-    assert strangers(inks, named).tolist() == [False] * FEWEST + [True] * (NEAREST + 2)
+    assert strangers(inks, named, np.zeros_like(named)).tolist() == [False] * FEWEST + [True] * (
+        NEAREST + 2
+    )
 
 
 def test_of_few_drawings_only_the_names_count():
     named = np.array([False] * (FEWEST - 2) + [False, True])
-    assert np.array_equal(strangers([*HOUSES[2:], GATE, GATE], named), named)
+    nothing = np.zeros_like(named)
+    inks = [*HOUSES[2:], GATE, GATE]
+    assert np.array_equal(strangers(inks, named, nothing), named)
+    assert np.array_equal(strangers(inks, nothing, named), named)
+
+
+def test_where_a_name_leaves_doubt_the_shape_decides_more_strictly():
+    doubtful = np.array([False] * FEWEST + [True, True])
+    inks = [*HOUSES, HOUSES[3], HOUSES[3] & ~box(40, 40, 90, 90)]
+    far = unlikeness(silhouettes(inks), ~doubtful)
+    assert far[-2] < np.median(far[:-2]) < far[-1] < FAR[0]
+    assert strangers(inks, np.zeros_like(doubtful), doubtful).tolist()[-2:] == [False, True]
+    assert not strangers(inks, *none_named(len(inks))).any()
 
 
 MANY = [blob(number) if number % 5 else GATE for number in range(14)]
@@ -98,10 +113,11 @@ MANY = [blob(number) if number % 5 else GATE for number in range(14)]
 def test_names_are_believed_and_the_order_does_not_matter(flags, random):
     named = np.array(flags, bool)
     inks = MANY[: len(flags)]
-    found = strangers(inks, named)
+    doubtful = np.roll(named, 1) & ~named
+    found = strangers(inks, named, doubtful)
     assert found.shape == named.shape
     assert (found | ~named).all()
     order = list(range(len(flags)))
     random.shuffle(order)
-    again = strangers([inks[number] for number in order], named[order])
+    again = strangers([inks[number] for number in order], named[order], doubtful[order])
     assert np.array_equal(again, found[order])

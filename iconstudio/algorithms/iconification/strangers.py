@@ -25,7 +25,9 @@ keywords."""
 SPREAD = 3.0
 
 
-def strangers(inks: Sequence[NDArray[np.bool_]], named: NDArray[np.bool_]) -> NDArray[np.bool_]:
+def strangers(
+    inks: Sequence[NDArray[np.bool_]], named: NDArray[np.bool_], doubtful: NDArray[np.bool_]
+) -> NDArray[np.bool_]:
     """Return which of n exemplars are strangers, (n,) bool: by their names, or by their shapes.
 
     Parameters
@@ -33,16 +35,20 @@ def strangers(inks: Sequence[NDArray[np.bool_]], named: NDArray[np.bool_]) -> ND
     inks
         Each (CANVAS, CANVAS).
     named
-        (n,) bool: which ones' names say that they show something else, or more. Their shapes do not
-        count as the thing's.
+        (n,) bool: which ones' names say that they show something else, or more.
+    doubtful
+        (n,) bool: which ones' names say no more than that they may. Their shapes, and those of the
+        ``named``, do not count as the thing's.
     """
-    if (~named).sum() < FEWEST:
-        return named.copy()
-    far = unlikeness(silhouettes(inks), ~named)
-    own = far[~named]
+    things = ~(named | doubtful)
+    if things.sum() < FEWEST:
+        return named | doubtful
+    far = unlikeness(silhouettes(inks), things)
+    own = far[things]
     middle = float(np.median(own))
     deviation = 1.4826 * float(np.median(np.abs(own - middle)))
-    found: NDArray[np.bool_] = named | (far > np.clip(middle + SPREAD * deviation, *FAR))
+    limit = np.clip(middle + SPREAD * deviation, *FAR)
+    found: NDArray[np.bool_] = named | (far > np.where(doubtful, middle + deviation, limit))
     return found
 
 

@@ -5,6 +5,7 @@ sign, and ``man-in-car`` a scene.
 """
 
 from collections.abc import Iterable
+from itertools import pairwise
 
 from iconstudio.library.words.naming import take_apart
 from iconstudio.library.words.vocabulary import (
@@ -21,7 +22,9 @@ _ARTICLES = frozenset({"a", "an", "the", "o"})
 _SIGNS = (BADGES | NEGATIONS | CARRIERS) - ATTRIBUTES
 _BEHIND = frozenset({"up", "down", "forward", "off"})
 """Behind a thing, these are arrows beside it, or a line across it."""
-_TELLING = _SIGNS | PEOPLE | (PREPOSITIONS - _ARTICLES)
+_IDIOMS = (("cross", "country"),)
+"""Words that are no signs together."""
+_TELLING = _SIGNS | PEOPLE
 
 
 def shows_more(name: str, keyword: Iterable[str]) -> bool:
@@ -41,7 +44,9 @@ def shows_more(name: str, keyword: Iterable[str]) -> bool:
     beside = [word for word in words if word not in wanted]
     if len(words) == 1 or (len(beside) == len(words) and _TELLING.issuperset(words)):
         return False
-    if not _TELLING.isdisjoint(beside):
+    inside = (PREPOSITIONS - _ARTICLES).intersection(words[:-1])  # a lamp on is just one
+    idiom = {word for pair in pairwise(words) if pair in _IDIOMS for word in pair}
+    if not _TELLING.isdisjoint(set(beside) - idiom) or inside - wanted:
         return True
     is_mark = not INTERFACE.isdisjoint(wanted)  # an arrow up is one arrow
     return not is_mark and bool(_BEHIND.intersection(words[1:]) - wanted)
