@@ -7,15 +7,17 @@ import pytest
 from iconstudio.model import Axis, Sketch
 from iconstudio.workflows.editing.page import EditPage
 from iconstudio.workflows.editing.page_format import EditPages
+from iconstudio.workflows.editing.spec import EDITING
 from iconstudio.workflows.modelling.file import SketchFile
 from iconstudio.workflows.modelling.page import SketchPage
 from iconstudio.workflows.modelling.page_format import SketchPages
+from iconstudio.workflows.modelling.spec import MODELLING
 
 OUT, IN = frozenset({"a:out"}), frozenset({"a:in"})
 
 
 @pytest.mark.parametrize(
-    ("pages", "empty"), [(SketchPages(), SketchPage()), (EditPages(), EditPage())]
+    ("pages", "empty"), [(SketchPages(MODELLING), SketchPage()), (EditPages(EDITING), EditPage())]
 )
 def test_a_page_is_read_as_it_was_written(pages: Any, empty: Any):
     page = empty.with_criteria(keyword="dog", exclude=OUT, include=IN, symmetry=Axis.VERTICAL)
