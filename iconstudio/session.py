@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.iconification.matching import SCALES, Matcher, PreparedExemplar
+from iconstudio.algorithms.iconification.strangers import strangers
 from iconstudio.algorithms.iconification.style import has_pale_areas
 from iconstudio.caches.preparing import PreparingCache
 from iconstudio.caches.rasters import RasterCache
@@ -95,7 +96,7 @@ class Session(FileReader, AbstractContextManager["Session"]):
         self._collection: Collection | None = None
         self._opening = threading.Lock()
         self._cold = self._lines_unexpected = True
-        self._prepared: OrderedDict[_Key, Matcher] = OrderedDict()
+        self._prepared: OrderedDict[_Key, tuple[Retrieved, Matcher]] = OrderedDict()
         self._drawn = lru_cache(_AT_HAND)(self._draw)
         self._lines = lru_cache(_AT_HAND)(self._read_lines)
         self._traced = lru_cache(_AT_HAND)(self._trace)
@@ -263,18 +264,35 @@ class Session(FileReader, AbstractContextManager["Session"]):
     def retrieve(
         self, keyword: str, exclude: frozenset[str] = frozenset()
     ) -> Generator[Event, None, tuple[Exemplar, ...]]:
-        """Return a keyword's icons on the canvas, the best match first.
+        """Return a keyword's icons on the canvas, the best match first, the less alike last.
 
         Yields ``Progress``, and ``Retrieved`` once the icons are drawn.
         """
+        return (yield from self._retrieved(keyword, exclude)).exemplars
+
+    def _retrieved(
+        self, keyword: str, exclude: frozenset[str]
+    ) -> Generator[Event, None, Retrieved]:
         yield from self.open()
         yield Progress("search", 0.0, f"Looking for “{keyword}”")
         exemplars = yield from self.rasterise(self.search(keyword, exclude))
         plain = tuple(one for one in exemplars if not has_pale_areas(one.coverage))
         if len(plain) >= _PLENTY:
             exemplars = plain
-        yield Retrieved(keyword, exemplars, self.collection.remark(keyword))
-        return exemplars
+        less_alike = self._strangers(keyword, exemplars)
+        in_order = tuple(sorted(exemplars, key=lambda one: one.id in less_alike))
+        retrieved = Retrieved(keyword, in_order, self.collection.remark(keyword), less_alike)
+        yield retrieved
+        return retrieved
+
+    def _strangers(self, keyword: str, exemplars: tuple[Exemplar, ...]) -> frozenset[str]:
+        """Return the identifiers of those less alike than others, if there are any others."""
+        told = self.collection.strangers(keyword, (one.id for one in exemplars))
+        named, doubtful = (np.array([one.id in ids for one in exemplars], bool) for ids in told)
+        found = strangers([one.ink for one in exemplars], named, doubtful)
+        if found.all():
+            return frozenset()
+        return frozenset(one.id for one, less in zip(exemplars, found, strict=True) if less)
 
     def prepare(
         self,
@@ -290,18 +308,21 @@ class Session(FileReader, AbstractContextManager["Session"]):
         key = keyword.strip().casefold(), exclude, scales
         kept = self._prepared.get(key)
         if kept is not None:
-            yield Retrieved(keyword, tuple(one.exemplar for one in kept.exemplars))
-            return kept
+            yield kept[0]
+            return kept[1]
         yield from self.get_ready()
-        exemplars = yield from self.retrieve(keyword, exclude)
+        retrieved = yield from self._retrieved(keyword, exclude)
+        exemplars = retrieved.exemplars
         ready: dict[int, PreparedExemplar] = {}
         for index, one in self._preparing.prepared(exemplars, scales):
             ready[index] = one
             yield Progress("prepare", len(ready) / len(exemplars), "Measuring distances")
-        self._prepared[key] = Matcher([ready[index] for index in range(len(exemplars))])
+        in_order = [ready[index] for index in range(len(exemplars))]
+        matcher = Matcher(in_order, strangers=retrieved.strangers)
+        self._prepared[key] = retrieved, matcher
         while len(self._prepared) > _KEPT:
             self._prepared.popitem(last=False)
-        return self._prepared[key]
+        return matcher
 
     def choose(
         self, keyword: str, count: int, symmetry: Axis | None = None, seed: int = 0

@@ -135,3 +135,13 @@ def test_where_reading_the_lines_takes_too_long_the_picture_is_traced(session, m
     whole = session.icon("lucide:bird")
     bounds = path_of(session.lines(replace(whole, id="own:bird"))).bounds
     assert path_of(lines).bounds == pytest.approx(bounds, abs=1), "on the same page"
+
+
+def test_icons_that_are_less_alike_come_last_and_none_is_lost(session):
+    (*_, retrieved), exemplars = finished(session.retrieve("otter"))
+    found = [one.id for one in exemplars]
+    assert sorted(found) == sorted(one.id for one in session.search("otter"))
+    flags = [one in retrieved.strangers for one in found]
+    assert flags == sorted(flags)
+    assert not all(flags)
+    assert prepared(session, "otter")[1].strangers == retrieved.strangers

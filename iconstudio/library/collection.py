@@ -24,6 +24,7 @@ from iconstudio.library.words.decency import is_insult
 from iconstudio.library.words.naming import is_negated, take_apart
 from iconstudio.library.words.nearness import nearest
 from iconstudio.library.words.query import Style
+from iconstudio.library.words.strangers import shows_more
 from iconstudio.library.words.vocabulary import PREPOSITIONS
 from iconstudio.model import Credit, IconstudioError, Pictogram
 from iconstudio.model.progress import Progress
@@ -197,6 +198,23 @@ class Collection:
         if not found:
             raise IconstudioError(self._nothing(keyword, bool(exclude)))
         return self._pictograms(found)
+
+    @_mended
+    def strangers(
+        self, keyword: str, icons: Iterable[str]
+    ) -> tuple[frozenset[str], frozenset[str]]:
+        """Return which icons of a keyword show more than it by their names, and which may do so.
+
+        The first are those with words for more (``shows_more``), the others those that the search
+        holds for no more than related. ``icons`` are identifiers.
+        """
+        scores = self._answer(keyword).scores
+        known = {name: scores[one] for one, name in self._lookup.identifiers(scores).items()}
+        words = {form for one in query.plain(_name(keyword)).split() for form in query.forms(one)}
+        found = frozenset(icons)
+        more = frozenset(one for one in found if shows_more(one.partition(":")[2], words))
+        related = frozenset(one for one in found if known.get(one, search.MORE) >= search.MORE)
+        return more, related - more
 
     @_mended
     def remark(self, keyword: str) -> str:

@@ -18,6 +18,10 @@ RELEVANT = 8
 ITSELF = 2
 """Drawings that score higher are of a kind of the thing, or show more than it."""
 
+MORE = 6
+"""Drawings that score as much or higher show more than the thing, or only mention it, or are of
+what is broader."""
+
 PLENTY = 120
 """With so many relevant drawings, those that differ little are left out."""
 

@@ -22,3 +22,5 @@ class Edit:
     symmetry: Axis | None = None
     exclude: frozenset[str] = frozenset()
     """Identifiers of pictograms that must not be used."""
+    include: frozenset[str] = frozenset()
+    """Identifiers of those that may be used though they are less alike than others."""

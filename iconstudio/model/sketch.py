@@ -137,3 +137,5 @@ class Sketch:
     pins: "tuple[Layer, ...]" = ()
     """Icons, where they lie on the canvas that the polygon is ``fitted`` to, and strokes over the
     places that must be theirs, in the styles to which they belong."""
+    include: frozenset[str] = field(default_factory=frozenset)
+    """Identifiers of those that may be used though they are less alike than others."""

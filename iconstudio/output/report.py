@@ -158,8 +158,8 @@ class GridReport:
 def _style_json(event: StyleMatched | StyleSkipped) -> dict[str, Any]:
     if isinstance(event, StyleSkipped):
         return {"retrieved": event.retrieved, "matches": [], "skipped": event.reason}
-    rows = [
+    *rows, whole = [
         [record.of_source(source) | {"error": float(source.error)} for source in row]
-        for row in event.matches
+        for row in (*event.matches, event.whole)
     ]
-    return {"retrieved": event.retrieved, "matches": rows}
+    return {"retrieved": event.retrieved, "matches": rows, "whole": whole}

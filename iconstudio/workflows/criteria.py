@@ -21,6 +21,11 @@ class Criteria(Protocol):
         ...
 
     @property
+    def include(self) -> frozenset[str]:
+        """Identifiers of those that may be used though they are less alike."""
+        ...
+
+    @property
     def symmetry(self) -> Axis | None:
         """Which halves of the results must mirror each other."""
         ...
@@ -72,6 +77,13 @@ def exclude_icons(document: CriteriaDocument, exclude: frozenset[str]) -> None:
     fewer = exclude < document.page.criteria.exclude
     text = "use icon again" if fewer else "leave icon out"
     document.change(text, document.page.with_criteria(exclude=exclude))
+
+
+def toggle_stranger(document: CriteriaDocument, icon: str) -> None:
+    """Bring in an icon that is less alike than the others, or leave it where it was."""
+    before = document.page.criteria.include
+    text = "leave icon out" if icon in before else "bring icon in"
+    document.change(text, document.page.with_criteria(include=before ^ {icon}))
 
 
 def set_symmetry(document: CriteriaDocument, axis: Axis | None) -> None:

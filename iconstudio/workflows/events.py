@@ -19,6 +19,8 @@ class Retrieved(Event):
     exemplars: tuple[Exemplar, ...]
     remark: str = ""
     """How the keyword was read if not as typed, for the user."""
+    strangers: frozenset[str] = frozenset()
+    """Identifiers of the exemplars that are less alike than the others: the last ones."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,6 +45,8 @@ class StyleMatched(Event):
     exemplars: tuple[Exemplar, ...]
     """What the style had to choose from."""
     matches: tuple[tuple[Source, ...], ...]
+    whole: tuple[Source, ...] = ()
+    """The best matches of the whole outline, which are sources, too."""
 
     @property
     def retrieved(self) -> int:

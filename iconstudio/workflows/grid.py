@@ -1,16 +1,16 @@
 """Remixing in every style and for every lambda_S (sections 3.3 to 3.5): modelling and editing."""
 
 import math
-from collections.abc import Callable, Generator, Iterable, Sequence
+from collections.abc import Callable, Generator, Iterable, Sequence, Set
 from contextlib import closing
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.iconification.matching import SCALES, Matcher, sources_of
-from iconstudio.algorithms.iconification.saliency import Region
+from iconstudio.algorithms.iconification.saliency import WHOLE, Region
 from iconstudio.algorithms.iconification.style import STYLES, Style, blackness
 from iconstudio.model import Composite, IconstudioError, Placement, Remix, Source
 from iconstudio.workers import Workers
@@ -32,6 +32,9 @@ LAMBDAS = tuple(float(v) for v in np.geomspace(0.03, 0.75, 8))
 
 UNTOUCHED = 0.98
 """A source with this part of the ink is the result, but for crumbs."""
+
+ENOUGH = 8
+"""With fewer exemplars of a style, those that are less alike serve, too."""
 
 Matches = tuple[tuple[Source, ...], ...]
 
@@ -94,7 +97,8 @@ def remix_styles(
     always: tuple[Source, ...] = (),
     pinned: tuple[Source, ...] = (),
     finish: Finish = lambda icon: icon,
-    without: str = "",
+    include: Set[str] = frozenset(),
+    without: Set[str] = frozenset(),
     earlier: Composite | None = None,
 ) -> Generator[Event]:
     """Match exemplars to the salient regions of an outline, and remix them in every style.
@@ -123,8 +127,10 @@ def remix_styles(
         More sources, each of the styles that admit it.
     finish
         What to add to each icon.
+    include
+        Identifiers of strangers of the ``matcher`` that are used as the others are.
     without
-        Identifier of an exemplar that is left out.
+        Identifiers of exemplars that are left out.
     earlier
         A result of a similar run, for the preview to begin with.
     """
@@ -135,12 +141,13 @@ def remix_styles(
     preview = settings.previews
     try:
         for style in styles:
-            rows = yield from _matched(style, field, regions, matcher, refusal, without)
-            if rows is None:
+            admitted = admitted_to(style, matcher, include, without)
+            matched = yield from _matched(style, field, regions, matcher, refusal, admitted)
+            if matched is None:
                 remixing.expect_fewer(len(settings.lambdas))
                 continue
             own = [one for one in pinned if style.admits(blackness(one.exemplar.ink))]
-            sources = (*always, *distinct((*rows, own)))
+            sources = (*always, *distinct((*matched.matches, matched.whole, own)))
             series = CutSeries(
                 style.name,
                 sources,
@@ -165,29 +172,46 @@ def _matched(
     regions: Sequence[Region],
     matcher: Matcher,
     refusal: Callable[[Style, int, Matches | None], str],
-    without: str,
-) -> Generator[Event, None, Matches | None]:
+    admitted: Sequence[int],
+) -> Generator[Event, None, StyleMatched | None]:
     """Return the matches of a style; None if it is skipped. The parameters are ``remix_styles``'s.
 
-    Yields progress, and then ``StyleMatched`` or ``StyleSkipped``.
+    ``admitted`` are the numbers of the exemplars that may be used. Yields progress, and then
+    ``StyleMatched`` or ``StyleSkipped``.
     """
     exemplars = matcher.exemplars
-    admitted = [
-        number
-        for number, one in enumerate(exemplars)
-        if style.admits(one.blackness) and one.exemplar.id != without
-    ]
-    rows: Matches | None = None
-    reason = refusal(style, len(admitted), rows)
+    reason = refusal(style, len(admitted), None)
     if not reason:
-        matching = matcher.match(field, regions, admitted)
-        rows = sources_of((yield from staged("match", "Matching parts", matching)), exemplars)
-        reason = refusal(style, len(admitted), rows)
-    if reason or rows is None:
+        matching = matcher.match(field, (*regions, WHOLE), admitted)
+        found = yield from staged("match", "Matching parts", matching)
+        *rows, whole = sources_of(found, exemplars)
+        reason = refusal(style, len(admitted), tuple(rows))
+    if reason:
         yield StyleSkipped(style.name, len(admitted), reason)
         return None
-    yield StyleMatched(style.name, tuple(exemplars[i].exemplar for i in admitted), rows)
-    return rows
+    chosen = tuple(exemplars[number].exemplar for number in admitted)
+    best = tuple(replace(source, region=-1) for source in whole)
+    matched = StyleMatched(style.name, chosen, tuple(rows), best)
+    yield matched
+    return matched
+
+
+def admitted_to(
+    style: Style, matcher: Matcher, include: Set[str] = frozenset(), without: Set[str] = frozenset()
+) -> list[int]:
+    """Return the numbers of the exemplars that a style may use.
+
+    Strangers serve only if there are fewer than ``ENOUGH`` others. The parameters are those of
+    ``remix_styles``.
+    """
+    every = [
+        number
+        for number, one in enumerate(matcher.exemplars)
+        if style.admits(one.blackness) and one.exemplar.id not in without
+    ]
+    strangers = matcher.strangers - include
+    alike = [number for number in every if matcher.exemplars[number].exemplar.id not in strangers]
+    return alike if len(alike) >= ENOUGH else every
 
 
 def focused(

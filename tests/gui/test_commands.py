@@ -50,6 +50,7 @@ makers = st.one_of(
         lambda x: lambda d: criteria.exclude_icons(d, x),
         st.frozensets(st.sampled_from(["a:b", "c:d"])),
     ),
+    st.builds(lambda k: lambda d: criteria.toggle_stranger(d, k), st.sampled_from("ab")),
     st.builds(lambda a: lambda d: criteria.set_symmetry(d, a), st.sampled_from([None, *Axis])),
     st.builds(lambda p: lambda d: edits.set_photo(d, p), st.sampled_from([None, *PHOTOS])),
     st.builds(

@@ -20,6 +20,7 @@ from iconstudio.gui.pictures.picture import Display, SourcePicture
 from iconstudio.gui.theme.elided import ElidedLabel
 from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.model import Credit, Pictogram, Placement, Source
+from iconstudio.workflows.events import Retrieved
 from iconstudio.workflows.grid import GridSettings
 
 STYLES = GridSettings().styles
@@ -424,6 +425,28 @@ def test_an_icon_is_left_out_and_taken_back(ready, qtbot, session):
     assert not ready.document.page.sketch.exclude
     ready.document.undo_stack.undo()
     assert ready.document.page.sketch.exclude == {"shapes:cross-2"}
+
+
+def test_an_icon_that_is_less_alike_is_brought_in_by_a_click(ready, qtbot):
+    panel, thumbnails = ready.keyword_panel, ready.keyword_panel.sheet
+    qtbot.waitUntil(lambda: thumbnails.model().rowCount() == 60)
+    icons = tuple(thumbnails.model().entries[:6])
+    less = [icon.id for icon in icons[4:]]
+    panel.show_retrieved(Retrieved("dog", icons, strangers=frozenset(less)))
+    rule = thumbnails.model().entries[4]
+    assert thumbnails.model().index(4).data() == rule.text == "Less alike: click one to bring it in"
+    assert thumbnails.model().index(6).data() == f"{less[1]}, less alike"
+    thumbnails.chosen.emit(icons[5])
+    assert ready.document.page.sketch.include == {less[1]}
+    assert thumbnails.model().entries == [*icons[:4], icons[5], rule, icons[4]]
+    assert not ready.document.page.sketch.exclude
+    ready.document.undo_stack.undo()
+    assert thumbnails.model().entries == [*icons[:4], rule, *icons[4:]]
+    assert ready.document.undo_stack.redoText() == "bring icon in"
+    for _ in range(2):
+        thumbnails.chosen.emit(icons[4])
+    assert not ready.document.page.sketch.include
+    assert ready.document.undo_stack.undoText() == "leave icon out"
 
 
 def test_undo_in_the_keyword_field_is_the_documents(sketching):

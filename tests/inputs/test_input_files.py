@@ -220,8 +220,9 @@ def test_references_are_resolved_into_pictograms(path):
     known = {f"test:{name}": pictogram(name, "") for name in ("dog", "cat")}
     area = tuple(map(tuple, SQUARE))
     edit = EditFile(icon="test:dog", keyword="dog", remove=(area,), exclude=frozenset({"a:b"}))
+    edit = replace(edit, include=frozenset({"c:d"}))
     assert edit.resolved(known.__getitem__) == Edit(
-        known["test:dog"], "dog", (Polygon(area),), (), None, frozenset({"a:b"})
+        known["test:dog"], "dog", (Polygon(area),), (), None, frozenset({"a:b"}), frozenset({"c:d"})
     )
     mix = HybridsFile(icons=("test:cat", "test:dog"), draws=3, seed=9).resolved(known.__getitem__)
     assert (mix.icons, mix.draws, mix.seed) == ((known["test:cat"], known["test:dog"]), 3, 9)

@@ -6,7 +6,7 @@ import pytest
 from iconstudio.algorithms.iconification.matching import Matcher, prepare
 from iconstudio.model import CANVAS, Edit, IconstudioError, Polygon
 from iconstudio.svg.resvg import render_placed
-from iconstudio.workflows.editing.editing import edit_icon, own_styles, place_edit
+from iconstudio.workflows.editing.editing import SAME, edit_icon, lookalikes, own_styles, place_edit
 from iconstudio.workflows.events import Recommended, StyleMatched
 from iconstudio.workflows.grid import GridSettings
 from tests.shapes import blob, exemplar, icons
@@ -59,6 +59,22 @@ def test_the_icon_is_label_0_and_keeps_what_lies_beyond_the_change(events):
         assert result.composite.sources[0].exemplar is ICON
         assert result.unchanged >= 0.995
         assert (result.composite.labels[far] == 0).mean() > 0.95
+
+
+def test_another_file_of_the_same_drawing_is_left_out_too():
+    """It would put back what is to be removed."""
+    twin = BODY.copy()
+    twin[100:200, 238:240] = False
+    assert (twin & BODY).sum() / BODY.sum() > SAME
+    names = ("body", "twin", "body-with-knob", "blob")
+    inks = (BODY, twin, BODY | KNOB, blob(1))
+    ready = [prepare(exemplar(ink, name), (1.0,)) for name, ink in zip(names, inks, strict=True)]
+    assert lookalikes(ICON, Matcher(ready)) == {"test:body", "test:twin"}
+    assert lookalikes(exemplar(BODY, "own"), Matcher(ready)) == {
+        "test:own",
+        "test:body",
+        "test:twin",
+    }
 
 
 def test_the_row_ends_with_the_recommended_result(events):

@@ -1,8 +1,13 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from iconstudio.algorithms.iconification.energy import joined_ink, placed_sources
 from iconstudio.algorithms.iconification.matching import Matcher, prepare
+from iconstudio.algorithms.iconification.style import STYLES
 from iconstudio.model import CANVAS, Frame, IconstudioError, Placement, Polygon, Sketch
 from iconstudio.svg.resvg import render_coverage, render_placed
 from iconstudio.workflows.events import (
@@ -12,10 +17,11 @@ from iconstudio.workflows.events import (
     StyleMatched,
     StyleSkipped,
 )
-from iconstudio.workflows.grid import GridSettings, distinct
+from iconstudio.workflows.grid import ENOUGH, GridSettings, admitted_to, distinct
 from iconstudio.workflows.modelling.modelling import FEWEST, model
 from tests.shapes import blob, exemplar, icons
 
+LIGHTEST, *_, DARK = STYLES
 HOUSE = Polygon.of([(16, 128), (128, 16), (240, 128), (210, 128), (210, 240), (46, 240), (46, 128)])
 
 
@@ -148,3 +154,53 @@ def test_few_exemplars_that_are_unlike_the_sketch_are_skipped(workers):
     )
     assert skipped.retrieved == FEWEST
     assert "none resembles" in skipped.reason
+
+
+def squares(count):
+    """Dark exemplars, none of them like another."""
+    sides = np.zeros((count, CANVAS, CANVAS), bool)
+    for number, ink in enumerate(sides):
+        ink[16:240, 16 : 240 - 8 * number] = True
+    return [exemplar(ink, f"square-{number}") for number, ink in enumerate(sides)]
+
+
+@pytest.fixture(scope="module")
+def ten():
+    return [prepare(one, (1.0,)) for one in squares(ENOUGH + 2)]
+
+
+@settings(max_examples=40, deadline=None)
+@given(st.data())
+def test_strangers_serve_only_where_too_few_others_do_and_none_is_lost(ten, data):
+    ids = [one.exemplar.id for one in ten]
+    some = st.frozensets(st.sampled_from(ids))
+    strangers, include, without = (data.draw(some) for _ in range(3))
+    matcher = Matcher(ten, strangers=strangers)
+    used = {ids[number] for number in admitted_to(DARK, matcher, include, without)}
+    others = set(ids) - (strangers - include) - without
+    assert used | (strangers - include - without) == set(ids) - without
+    assert used == (others if len(others) >= ENOUGH else set(ids) - without)
+    assert not admitted_to(LIGHTEST, matcher)
+
+
+def test_strangers_are_no_sources_until_they_are_brought_in(ten, workers):
+    settings = GridSettings(styles=("dark",), lambdas=(0.1,), scales=(1.0,))
+    stranger = ten[0].exemplar
+    matcher = Matcher(ten, strangers=frozenset({stranger.id}))
+    square = Sketch(Polygon.of([(0, 0), (9, 0), (9, 9), (0, 9)]))
+    for sketch, used in (square, False), (replace(square, include=frozenset({stranger.id})), True):
+        run = model(sketch, matcher, settings, workers, render_placed)
+        (matched,) = of(StyleMatched, list(run))
+        assert (stranger in matched.exemplars) is used
+        assert (stranger.id in {one.exemplar.id for one in matched.whole}) is used
+
+
+def test_an_icons_own_silhouette_matches_it_as_a_whole(events):
+    (matched,) = of(StyleMatched, events)
+    first, *others = matched.whole
+    assert (first.exemplar.id, first.placement, first.region) == ("test:house", Placement(), -1)
+    assert first.error == pytest.approx(0, abs=1e-6)
+    assert [one.error for one in others] == sorted(one.error for one in others)
+    (result, *_) = icons(events)
+    pairs = {(one.exemplar.id, one.placement) for one in result.composite.sources}
+    assert {(one.exemplar.id, one.placement) for one in matched.whole} <= pairs

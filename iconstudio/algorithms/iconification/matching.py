@@ -96,12 +96,21 @@ class Matcher:
 
     It may be used from several threads at once. What it answers does not depend on what it
     remembers.
+
+    Parameters
+    ----------
+    strangers
+        Identifiers of exemplars that are to serve only where there are too few others.
     """
 
     def __init__(
-        self, exemplars: Sequence[PreparedExemplar], threads: int = os.cpu_count() or 1
+        self,
+        exemplars: Sequence[PreparedExemplar],
+        threads: int = os.cpu_count() or 1,
+        strangers: frozenset[str] = frozenset(),
     ) -> None:
         self.exemplars = tuple(exemplars)
+        self.strangers = strangers
         self._threads = threads
         self._chunks = [
             np.concatenate([one.spectra for one in self.exemplars[start : start + CHUNK]], axis=1)

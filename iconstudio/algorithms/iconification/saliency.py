@@ -39,6 +39,11 @@ class Region:
         return np.outer(self.down, self.across)
 
 
+_EVERYWHERE = np.ones(CANVAS, np.float32)
+WHOLE = Region((CANVAS // 2, CANVAS // 2), _EVERYWHERE, _EVERYWHERE)
+"""The whole canvas, every pixel of which counts alike."""
+
+
 def profile(offsets: NDArray[np.signedinteger | np.floating]) -> NDArray[np.float64]:
     """Return the mask's cross-section at ``offsets`` pixels from its centre.
 

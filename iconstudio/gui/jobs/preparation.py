@@ -36,8 +36,8 @@ class Preparation(QObject):
     -------
     started(str)
         Another keyword is being looked up; empty if there is none.
-    retrieved(tuple, str)
-        The exemplars of the keyword, and how it was read if not as typed.
+    retrieved(Retrieved)
+        The exemplars of the keyword are there.
     failed(str)
         The keyword cannot be used; a sentence for the user.
     remarked(str)
@@ -47,7 +47,7 @@ class Preparation(QObject):
     """
 
     started = Signal(str)
-    retrieved = Signal(tuple, str)
+    retrieved = Signal(object)
     failed = Signal(str)
     remarked = Signal(str)
     settled = Signal()
@@ -99,7 +99,7 @@ class Preparation(QObject):
             self._known[self._query] = event
             while len(self._known) > _KEPT:
                 del self._known[next(iter(self._known))]
-            self.retrieved.emit(event.exemplars, event.remark)
+            self.retrieved.emit(event)
 
     def _look_up(self) -> None:
         query = self._wanted
@@ -107,8 +107,7 @@ class Preparation(QObject):
             self.started.emit(query.keyword)
         self._query = query
         if query in self._known:  # a run may keep the worker from saying so for long
-            known = self._known[query]
-            self.retrieved.emit(known.exemplars, known.remark)
+            self.retrieved.emit(self._known[query])
         if query.keyword:
             self.runner.start(lambda: self._session.prepare(query.keyword, query.exclude))
         else:

@@ -155,7 +155,7 @@ class RemixWorkspace(Workspace):
         self.symmetry.chosen.connect(self.hold_to)
         preparation, runner = self.preparation, self.runner
         preparation.started.connect(panel.set_searching)
-        preparation.retrieved.connect(panel.show_exemplars)
+        preparation.retrieved.connect(panel.show_retrieved)
         preparation.failed.connect(panel.show_error)
         preparation.remarked.connect(self.failed)
         self.follow(preparation.runner)
@@ -182,7 +182,7 @@ class RemixWorkspace(Workspace):
     def show_criteria(self, name: str) -> None:
         """Show the criteria of the page; results of another ``name`` of work are called so."""
         criteria = self.page.criteria
-        self.keyword_panel.set_sketch(criteria.keyword, criteria.exclude)
+        self.keyword_panel.set_sketch(criteria.keyword, criteria.exclude, criteria.include)
         self.preparation.request(Query.of(criteria.keyword, criteria.exclude))
         self.symmetry.set_axis(criteria.symmetry)
         note = ""

@@ -80,6 +80,14 @@ PARTS = words(
 )
 """Words for the part of a thing that is often drawn for the whole."""
 
+CARRIERS = words(
+    """
+    file folder document page window browser laptop monitor calendar map earth globe shield
+    tooltip ticket tickets rental repair parking wash charging directions
+    """
+)
+"""Words that, beside a thing, mean what it is shown on, or a sign for what is done with it."""
+
 PREPOSITIONS = words(
     """
     with of and in on for from by above over under inside below beside behind near to at into

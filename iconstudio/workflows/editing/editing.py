@@ -18,7 +18,7 @@ from iconstudio.algorithms.iconification.overhang import seen
 from iconstudio.algorithms.iconification.saliency import saliency, salient_regions
 from iconstudio.algorithms.iconification.style import STYLES, Style, blackness
 from iconstudio.algorithms.iconification.tsdf import tsdf
-from iconstudio.algorithms.raster import Bitmap, fill_polygon, outlines, placed_ink, solid
+from iconstudio.algorithms.raster import Bitmap, fill_polygon, outlines, overlap, placed_ink, solid
 from iconstudio.model import (
     CANVAS,
     MARGIN,
@@ -40,6 +40,9 @@ from iconstudio.workflows.events import Event
 from iconstudio.workflows.grid import GridSettings, Matches, focused, remix_styles
 from iconstudio.workflows.remixing import RemixResources
 from iconstudio.workflows.solving import Posed
+
+SAME = 0.97
+"""Overlap of ink from which two icons on the canvas are one drawing."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -149,7 +152,8 @@ def edit_icon(
     """Remix an icon with parts of the exemplars of ``matcher`` where it is to be changed.
 
     ``change`` is the edit on the canvas, by ``place_edit``. The events, and the other
-    parameters, are those of ``grid.remix_styles``. The icon itself is left out of matching.
+    parameters, are those of ``grid.remix_styles``. The icon itself, and other files of the same
+    drawing, are left out of matching.
     """
     score = saliency(outlines(change.silhouette), change.silhouette, change.mask)
     posed = change
@@ -171,13 +175,24 @@ def edit_icon(
             always=(change.base,),
             pose=partial(posed.pose, edit.symmetry),
             finish=finish,
-            without=edit.icon.id,
+            include=edit.include,
+            without=lookalikes(change.base.exemplar, matcher),
             workers=workers,
             render=render,
             earlier=earlier,
         )
     finally:
         own.cancel()
+
+
+def lookalikes(icon: Exemplar, matcher: Matcher) -> frozenset[str]:
+    """Return the identifiers of an icon, and of the exemplars that are the same drawing.
+
+    They would put back what is to be removed.
+    """
+    found = (one.exemplar for one in matcher.exemplars)
+    same = (one.id for one in found if overlap(one.ink, icon.ink) > SAME)
+    return frozenset({icon.id, *same})
 
 
 def _shown(coverage: NDArray[np.uint8], frame: Frame) -> NDArray[np.uint8]:

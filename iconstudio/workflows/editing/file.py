@@ -19,6 +19,7 @@ class EditFile(File[Edit], frozen=True):
     add: Polygons = ()
     symmetry: Axis | None = None
     exclude: TextSet = frozenset()
+    include: TextSet = frozenset()
 
     @classmethod
     def of(cls, edit: Edit, refer: Refer) -> Self:
@@ -30,12 +31,14 @@ class EditFile(File[Edit], frozen=True):
             add=tuple(rounded(polygon.vertices) for polygon in edit.add),
             symmetry=edit.symmetry,
             exclude=edit.exclude,
+            include=edit.include,
         )
 
     def resolved(self, find: Find) -> Edit:
         """Return the edit, its icon found by ``find``."""
         remove, add = tuple(map(area, self.remove)), tuple(map(area, self.add))
-        return Edit(find(self.icon), self.keyword, remove, add, self.symmetry, self.exclude)
+        criteria = self.symmetry, self.exclude, self.include
+        return Edit(find(self.icon), self.keyword, remove, add, *criteria)
 
     def check(self) -> None:
         """Refuse polygons that enclose nothing."""

@@ -33,6 +33,7 @@ class EditPage:
     areas: tuple[Area, ...] = ()
     symmetry: Axis | None = None
     exclude: frozenset[str] = frozenset()
+    include: frozenset[str] = frozenset()
 
     @property
     def empty(self) -> bool:
@@ -65,7 +66,8 @@ class EditPage:
             tuple(Polygon(area.vertices) for area in self.areas if area.closed and area.kind is k)
             for k in (Kind.REMOVE, Kind.ADD)
         )
-        return Edit(self.icon.pictogram, self.keyword, remove, add, self.symmetry, self.exclude)
+        criteria = self.symmetry, self.exclude, self.include
+        return Edit(self.icon.pictogram, self.keyword, remove, add, *criteria)
 
     def elsewhere(self, before: "EditPage") -> bool:
         """Whether it is another icon."""
@@ -87,7 +89,7 @@ def load(document: EditDocument, edit: Edit, icon: Exemplar) -> None:
         for kind, polygons in ((Kind.REMOVE, edit.remove), (Kind.ADD, edit.add))
         for polygon in polygons
     )
-    page = EditPage(icon, edit.keyword, areas, edit.symmetry, edit.exclude)
+    page = EditPage(icon, edit.keyword, areas, edit.symmetry, edit.exclude, edit.include)
     document.change("open edit", page)
 
 

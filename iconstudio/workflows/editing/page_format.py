@@ -24,6 +24,7 @@ class StoredEdit(Record, frozen=True):
     areas: Many[StoredArea] = ()
     symmetry: Axis | None = None
     exclude: TextSet = frozenset()
+    include: TextSet = frozenset()
 
 
 class EditPages(PageFormat[EditPage, StoredEdit]):
@@ -39,6 +40,7 @@ class EditPages(PageFormat[EditPage, StoredEdit]):
             tuple(StoredArea(one.kind, one.vertices, one.closed) for one in page.areas),
             page.symmetry,
             page.exclude,
+            page.include,
         )
 
     def read(self, stored: StoredEdit, parts: StoredParts) -> Generator[None, None, EditPage]:
@@ -46,4 +48,5 @@ class EditPages(PageFormat[EditPage, StoredEdit]):
         icon = None if stored.icon is None else parts.exemplar(parts.icon(stored.icon))
         yield
         areas = tuple(Area(one.kind, one.points, one.closed) for one in stored.areas)
-        return EditPage(icon, stored.keyword, areas, stored.symmetry, stored.exclude)
+        criteria = stored.symmetry, stored.exclude, stored.include
+        return EditPage(icon, stored.keyword, areas, *criteria)

@@ -21,6 +21,7 @@ class SketchFile(File[Sketch], frozen=True):
     polygon: Points
     keyword: Text = ""
     exclude: TextSet = frozenset()
+    include: TextSet = frozenset()
     symmetry: Axis | None = None
     pins: Many[LayerFile] = ()
     """Icons on the canvas of the results, with strokes over the places that must be theirs."""
@@ -36,6 +37,7 @@ class SketchFile(File[Sketch], frozen=True):
             polygon=rounded(sketch.polygon.vertices),
             keyword=sketch.keyword,
             exclude=sketch.exclude,
+            include=sketch.include,
             symmetry=sketch.symmetry,
             pins=tuple(LayerFile.of(pin, refer) for pin in sketch.pins),
         )
@@ -55,7 +57,9 @@ class SketchFile(File[Sketch], frozen=True):
     @property
     def sketch(self) -> Sketch:
         """The sketch without its pins; of very many points, to simplify it takes a moment."""
-        return Sketch(outline(self.polygon), self.keyword, self.exclude, self.symmetry)
+        return Sketch(
+            outline(self.polygon), self.keyword, self.exclude, self.symmetry, include=self.include
+        )
 
 
 def example(name: str) -> SketchFile:

@@ -75,6 +75,7 @@ def model(
         workers=workers,
         render=render,
         pinned=tuple(pin.source for pin in pins),
+        include=sketch.include,
         earlier=earlier,
     )
 

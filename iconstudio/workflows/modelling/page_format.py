@@ -33,6 +33,7 @@ class StoredSketch(Record, frozen=True):
     symmetry: Axis | None = None
     photo: StoredPhoto | None = None
     pins: Many[StoredPin] = ()
+    include: TextSet = frozenset()
 
 
 class SketchPages(PageFormat[SketchPage, StoredSketch]):
@@ -51,13 +52,15 @@ class SketchPages(PageFormat[SketchPage, StoredSketch]):
             sketch.symmetry,
             None if page.photo is None else parts.photo(page.photo),
             tuple(_stored(pin, parts) for pin in sketch.pins),
+            sketch.include,
         )
 
     def read(self, stored: StoredSketch, parts: StoredParts) -> Generator[None, None, SketchPage]:
         """Return the page that was written; without its photo or pins, if these are no good."""
         polygon = Polygon(stored.polygon)
         pins = tuple(_pins(stored.pins, parts))
-        sketch = Sketch(polygon, stored.keyword, stored.exclude, stored.symmetry, pins)
+        criteria = stored.keyword, stored.exclude, stored.symmetry, pins, stored.include
+        sketch = Sketch(polygon, *criteria)
         photo = None
         if stored.photo is not None:
             try:
