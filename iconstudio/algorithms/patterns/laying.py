@@ -1,5 +1,6 @@
 """A layer on which whole elements are laid (beyond the paper)."""
 
+from collections import Counter
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
@@ -204,9 +205,15 @@ class Sheet:
         """Return whether there are emptier places than in the exemplar."""
         return emptiness(self._ink(), self._area > 0) > self._elements.emptiness
 
-    def count(self, element: Element) -> int:
-        """Return how often an element was laid."""
-        return sum(one.element is element for one in self._laid)
+    def counts(self, elements: Sequence[Element]) -> list[int]:
+        """Return how often each element was laid."""
+        laid = Counter(id(one.element) for one in self._laid)
+        return [laid[id(one)] for one in elements]
+
+    @property
+    def area(self) -> float:
+        """Pixels of the pattern where elements may lie."""
+        return float(self._area.sum())
 
     def _place(
         self, candidate: Candidate, margin: int = 0
