@@ -182,6 +182,18 @@ class Sheet:
             place = self._place(candidate, margin)
             blocked[place] |= ndimage.binary_dilation(np.pad(ink, margin), disk)
 
+    @property
+    def laid(self) -> Sequence[Candidate]:
+        """What was laid so far."""
+        return tuple(self._laid)
+
+    def exchange(self, one: Candidate, other: Candidate) -> bool:
+        """Lay another element in one's place, if it has room there; return whether it has."""
+        self._lay_all([laid for laid in self._laid if laid is not one])
+        fits = self.has_room(other)
+        self.lay(other if fits else one)
+        return fits
+
     def spread(self, ask: Callable[[], None]) -> None:
         """Move what was laid apart."""
         laid, enough = self._laid, _APART * self._elements.farthest
