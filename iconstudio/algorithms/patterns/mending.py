@@ -146,6 +146,8 @@ def _bring_in(
     ask: Callable[[], None],
 ) -> None:
     """Put elements that are hardly laid in the places of those that are laid too often."""
+    if usual < 1:
+        return  # there is not room for all of them
     counts = Counter(dict(enumerate(sheet.counts(whole))))
     numbers = {id(element): number for number, element in enumerate(whole)}
     for k in sorted(counts, key=counts.__getitem__):
