@@ -647,12 +647,12 @@ def test_from_an_empty_start_to_a_saved_pattern_with_the_real_session(qtbot, tmp
     window.resize(1280, 720)
     window.show()
     place = window.workspace
-    place.controls.size_fields.width_field.setValue(192)
-    place.controls.size_fields.height_field.setValue(128)
+    place.controls.size_fields.width_field.setValue(264)
+    place.controls.size_fields.height_field.setValue(264)
     place.take(session.icon("lucide:heart"))
     settled(place, qtbot, timeout=60000)
     first = place.picture.icon
-    assert first.size == (192, 128)
+    assert first.size == (264, 264)  # there is room for each of the nine hearts
     place.colour.chosen.emit("#000000")  # nothing is chosen
     click(place, middle(place))
     assert len(place.page.chosen) == 1

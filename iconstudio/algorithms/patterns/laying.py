@@ -1,5 +1,6 @@
 """A layer on which whole elements are laid (beyond the paper)."""
 
+from collections import Counter
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
@@ -181,6 +182,18 @@ class Sheet:
             place = self._place(candidate, margin)
             blocked[place] |= ndimage.binary_dilation(np.pad(ink, margin), disk)
 
+    @property
+    def laid(self) -> Sequence[Candidate]:
+        """What was laid so far."""
+        return tuple(self._laid)
+
+    def exchange(self, one: Candidate, other: Candidate) -> bool:
+        """Lay another element in one's place, if it has room there; return whether it has."""
+        self._lay_all([laid for laid in self._laid if laid is not one])
+        fits = self.has_room(other)
+        self.lay(other if fits else one)
+        return fits
+
     def spread(self, ask: Callable[[], None]) -> None:
         """Move what was laid apart."""
         laid, enough = self._laid, _APART * self._elements.farthest
@@ -204,9 +217,15 @@ class Sheet:
         """Return whether there are emptier places than in the exemplar."""
         return emptiness(self._ink(), self._area > 0) > self._elements.emptiness
 
-    def count(self, element: Element) -> int:
-        """Return how often an element was laid."""
-        return sum(one.element is element for one in self._laid)
+    def counts(self, elements: Sequence[Element]) -> list[int]:
+        """Return how often each element was laid."""
+        laid = Counter(id(one.element) for one in self._laid)
+        return [laid[id(one)] for one in elements]
+
+    @property
+    def area(self) -> float:
+        """Pixels of the pattern where elements may lie."""
+        return float(self._area.sum())
 
     def _place(
         self, candidate: Candidate, margin: int = 0

@@ -6,6 +6,7 @@ out. Those that lie closer than need be move apart; where a gap remains that has
 element, the most likely one is laid there.
 """
 
+from collections import Counter
 from collections.abc import Callable, Sequence
 from statistics import median
 
@@ -25,6 +26,11 @@ _LIKELY = 0.75
 """Of what an element differs from emptiness, it may differ so much from what it replaces."""
 _AS_LIKELY = 0.02
 """Elements are as likely in a place if their unlikeness differs by less."""
+_BALANCE = 0.3
+"""What an element that is laid twice as often as in the exemplar is less likely by."""
+_RARELY, _TRIES = 0.25, 4
+"""So much less often than in the exemplar an element is laid, at least, before it takes the places
+of others, and in how many places it is tried."""
 _FULL = 0.97
 """Of the exemplar's share of ink, how much a pattern has before narrow gaps are left empty."""
 _LIKELY_FULL = 1.03
@@ -75,17 +81,19 @@ def mended(
         places = np.argwhere(_least(values, tile) & (values < _LIKELY))
         candidates += [Candidate(float(values[y, x]), element, y, x) for y, x in places]
         unlikeness.append(values)
+    usual = elements.share * sheet.area / sum(int(one.ink.sum()) for one in elements.whole)
     for one in sorted(candidates, key=lambda candidate: candidate.unlikeness):
         ask()
-        one = _rarest(one, sheet, elements.whole, unlikeness)
-        if sheet.has_room(one) and sheet.share_with(one) <= _LIKELY_FULL * elements.share:
-            sheet.lay(one)
+        best = _balanced(one, sheet, elements.whole, unlikeness, usual)
+        if best is not None and sheet.share_with(best) <= _LIKELY_FULL * elements.share:
+            sheet.lay(best)
+    _bring_in(sheet, elements.whole, unlikeness, usual, ask)
     evenly = evenly and elements.independent and sheet.is_uneven()
     if evenly:
         sheet.spread(ask)
-    usual = median(int(element.ink.sum()) for element in elements.whole)
+    common = median(int(element.ink.sum()) for element in elements.whole)
     for blocked, most, least in (
-        (sheet.sparsely, _FULLEST, usual),
+        (sheet.sparsely, _FULLEST, common),
         (sheet.sparsely, _FULL, 0),
         (sheet.densely, _FULL, 0),
     ):
@@ -99,24 +107,63 @@ def mended(
     return sheet.result(ask)
 
 
-def _rarest(
-    one: Candidate, sheet: Sheet, whole: Sequence[Element], unlikeness: list[Field]
-) -> Candidate:
-    """Return that of the elements which is laid least often, of those as likely in one's place.
+def _balanced(
+    one: Candidate, sheet: Sheet, whole: Sequence[Element], unlikeness: list[Field], usual: float
+) -> Candidate | None:
+    """Return what to lay in one's place: what is likely there, and not laid too often already.
 
-    Elements of one shape may differ in their colours.
+    ``usual`` is how often each lies in as large a part of the exemplar. Of those as likely, such as
+    elements of one shape in several colours, it is the rarest. None if it has no room itself.
     """
-    middle_y = one.top + one.element.ink.shape[0] / 2
-    middle_x = one.left + one.element.ink.shape[1] / 2
-    best, least = one, sheet.count(one.element)
-    for other, values in zip(whole, unlikeness, strict=True):
-        rows, columns = values.shape
-        top = round(middle_y - other.ink.shape[0] / 2) % rows
-        left = round(middle_x - other.ink.shape[1] / 2) % columns
-        likely = values[top, left]
-        if likely <= one.unlikeness + _AS_LIKELY and sheet.count(other) < least:
-            best, least = Candidate(float(likely), other, top, left), sheet.count(other)
-    return best
+    if not sheet.has_room(one):
+        return None
+    costs: list[tuple[float, int, bool, Candidate]] = []
+    for other, values, count in zip(whole, unlikeness, sheet.counts(whole), strict=True):
+        there = _in_place_of(one, other, values)
+        if there.unlikeness < _LIKELY:
+            more = max(there.unlikeness - one.unlikeness, _AS_LIKELY)
+            too_often = max(count - usual, 0) / usual
+            is_other = other is not one.element
+            costs.append((more + _BALANCE * too_often, count, is_other, there))
+    in_order = sorted(costs, key=lambda cost: cost[:3])
+    return next((there for *_, there in in_order if sheet.has_room(there)), None)
+
+
+def _in_place_of(one: Candidate, other: Element, unlikeness: Field) -> Candidate:
+    """Return another element with its middle where one's is."""
+    rows, columns = unlikeness.shape
+    (height, width), (own_height, own_width) = one.element.ink.shape, other.ink.shape
+    top = round(one.top + (height - own_height) / 2) % rows
+    left = round(one.left + (width - own_width) / 2) % columns
+    return Candidate(float(unlikeness[top, left]), other, top, left)
+
+
+def _bring_in(
+    sheet: Sheet,
+    whole: Sequence[Element],
+    unlikeness: list[Field],
+    usual: float,
+    ask: Callable[[], None],
+) -> None:
+    """Put elements that are hardly laid in the places of those that are laid too often."""
+    if usual < 1:
+        return  # there is not room for all of them
+    counts = Counter(dict(enumerate(sheet.counts(whole))))
+    numbers = {id(element): number for number, element in enumerate(whole)}
+    for k in sorted(counts, key=counts.__getitem__):
+        while counts[k] < _RARELY * usual:
+            often = [one for one in sheet.laid if counts[numbers[id(one.element)]] > usual]
+            pairs = [(one, _in_place_of(one, whole[k], unlikeness[k])) for one in often]
+            pairs = [pair for pair in pairs if np.isfinite(pair[1].unlikeness)]
+            pairs.sort(key=lambda pair: pair[1].unlikeness)
+            for one, other in pairs[:_TRIES]:
+                ask()
+                if sheet.exchange(one, other):
+                    counts[numbers[id(one.element)]] -= 1
+                    counts[k] += 1
+                    break
+            else:
+                break
 
 
 def _least(values: Field, tile: bool) -> Bitmap:
@@ -136,8 +183,8 @@ def _fitting(
 ) -> Candidate | None:
     """Return the rarest element, large enough, that fits into a gap, where it is least unlike."""
     spectrum = forward(blocked.astype(np.float32), blocked.shape)
-    order = random.permutation(len(whole))
-    for k in sorted(order, key=lambda k: sheet.count(whole[k])):
+    counts = sheet.counts(whole)
+    for k in sorted(random.permutation(len(whole)), key=counts.__getitem__):
         ask()
         if whole[k].ink.sum() < least:
             continue

@@ -6,8 +6,8 @@ contradict each other. Here the first is the coarsest at which the exemplar stil
 pixels a side.
 """
 
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -204,33 +204,46 @@ class _Synthesis:
             most = reduced_shape(self._prepared.exemplar.colours.shape[:2], factor)
             source = upsampled(source, shape, most)
         coarse = self._weights.distances(picture)
-        distances = np.stack([enlarged(one, self._settings.size) for one in coarse])
-        colours = collapse(distances, [source] * (len(coarse) + 1), self._prepared.paints)
-        return Pattern(colours, distances, energy, 0.0, self._settings.tile)
+        distances = [enlarged(one, self._settings.size) for one in coarse]
+        # What it is made of is whole in a preview, too: coarse icons are rubble.
+        random, self._random = self._random, np.random.default_rng(self._settings.seed)
+        pattern = self._joined(self._layers(distances, source), source)
+        self._random = random
+        return replace(pattern, energy=energy)
 
     def _finished(self, picture: Channels, source: Places) -> Pattern:
-        layers: list[Mended] = []
         tile = self._settings.tile
-        for m, distance in enumerate(self._weights.distances(picture)):
+        layers = self._layers(self._weights.distances(picture), source)
+        pattern = self._joined(layers, source)
+        self._ask()
+        torn = np.mean([
+            torn_ink(distance < 0, mask > 0.5, tile, self._ask)
+            for distance, mask in zip(pattern.distances, self._prepared.exemplar.masks, strict=True)
+        ])  # fmt: skip
+        self._ask()
+        energy = self._energy(pattern.colours, pattern.distances, layers[0].source)
+        return replace(pattern, energy=energy, torn=float(torn), finished=True)
+
+    def _layers(self, distances: Iterable[Field], source: Places) -> list[Mended]:
+        layers: list[Mended] = []
+        for m, distance in enumerate(distances):
             self._ask()
-            exact = signed_distance(-distance, tile, self._ask)
+            exact = signed_distance(-distance, self._settings.tile, self._ask)
             self._ask()
             layers.append(
                 self._mended(m, exact, source, layers)
                 if self._settings.mend
                 else Mended.nothing(exact, source)
             )
+        return layers
+
+    def _joined(self, layers: Sequence[Mended], source: Places) -> Pattern:
+        """Return a pattern of layers, whose energy and torn ink are not measured yet."""
         distances = np.stack([one.distance for one in layers])
-        torn = np.mean([
-            torn_ink(distance < 0, mask > 0.5, tile, self._ask)
-            for distance, mask in zip(distances, self._prepared.exemplar.masks, strict=True)
-        ])  # fmt: skip
         self._ask()
         colours = collapse(
             distances, [one.source for one in layers] + [source], self._prepared.paints
         )
-        self._ask()
-        energy = self._energy(colours, distances, layers[0].source)
         placed = tuple(one for layer in layers for one in layer.placed)
         before = np.cumsum([0] + [len(one.placed) for one in layers])
         owners = np.stack([
@@ -238,7 +251,7 @@ class _Synthesis:
             for one, first in zip(layers, before, strict=False)
         ])  # fmt: skip
         return Pattern(
-            colours, distances, energy, float(torn), tile, True, placed, owners,
+            colours, distances, 0.0, 0.0, self._settings.tile, False, placed, owners,
             self._prepared.elements,
         )  # fmt: skip
 

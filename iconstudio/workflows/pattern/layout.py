@@ -1,6 +1,7 @@
 """Motifs on a canvas become an exemplar: its layers, and which elements they have (section 3).
 
-Motifs that lie on another one are details of it, and move with it. Others that overlap are in
+Motifs that always keep the same company move together, and those that lie on another one are
+details of it. Others that overlap are in
 different layers, the upper ones first; those that do not touch share one, so that they keep clear
 of each other in the pattern, too.
 """
@@ -21,11 +22,13 @@ from iconstudio.model import (
     Motif,
     Path,
     Patterning,
+    Pictogram,
     Transform,
     levels_of,
 )
 from iconstudio.model.patterning import GROUND
 from iconstudio.svg.resvg import render_coverage
+from iconstudio.workflows.pattern.companions import companies
 from iconstudio.workflows.pattern.density import denser
 
 Mask = NDArray[np.float32]
@@ -41,6 +44,7 @@ _DETAIL = 0.9
 class Shape:
     """A motif as it lies on the canvas."""
 
+    icon: Pictogram
     fill: Fill
     mask: Mask
 
@@ -99,7 +103,7 @@ class Arrangement:
             drawn = path.transformed(motif.transform).transformed(Transform().scale(samples))
             mask = rasterised(drawn, pixels)
             if mask.max() > _INK:
-                shapes.append(Shape(Fill(drawn, motif.colour), mask))
+                shapes.append(Shape(motif.icon, Fill(drawn, motif.colour), mask))
         if not shapes:
             raise IconstudioError("No ink of the icons lies on the canvas. Move them onto it.")
         layers = _layers(_elements(shapes))
@@ -138,21 +142,25 @@ def channels(colour: str) -> NDArray[np.float32]:
     return np.array(levels_of(colour), np.float32) / np.float32(255)
 
 
-def _elements(shapes: Iterable[Shape]) -> list[list[Shape]]:
-    """Return shapes by element, from back to front: a detail goes with what it lies on."""
+def _elements(shapes: Sequence[Shape]) -> list[list[Shape]]:
+    """Return shapes by element, from back to front.
+
+    What keeps company is one; and a detail goes with what it lies on.
+    """
+    groups = companies([one.icon for one in shapes], [one.mask > _INK for one in shapes])
     elements: list[list[Shape]] = []
-    for shape in shapes:
-        under = next((one for one in reversed(elements) if _is_detail(shape, one)), None)
+    for group in ([shapes[number] for number in numbers] for numbers in groups):
+        under = next((one for one in reversed(elements) if _is_detail(group, one)), None)
         if under is None:
-            elements.append([shape])
+            elements.append(group)
         else:
-            under.append(shape)
+            under.extend(group)
     return elements
 
 
-def _is_detail(shape: Shape, element: Sequence[Shape]) -> bool:
-    ground = solid(_united(element) > _INK)
-    return bool((shape.mask * ground).sum() > _DETAIL * shape.mask.sum())
+def _is_detail(shapes: Sequence[Shape], element: Sequence[Shape]) -> bool:
+    ground, own = solid(_united(element) > _INK), _united(shapes)
+    return bool((own * ground).sum() > _DETAIL * own.sum())
 
 
 def _layers(elements: Sequence[list[Shape]]) -> list[list[list[Shape]]]:

@@ -240,3 +240,17 @@ def test_elements_of_one_shape_in_two_colours_come_equally_often():
     pattern = made(exemplar, size=(128, 128), tile=True)
     kinds = [one.element % 3 == 0 for one in pattern.placed]  # those of the first column are red
     assert len(kinds) >= 16 and 0.2 < np.mean(kinds) < 0.5
+
+
+def test_every_element_of_an_exemplar_lies_in_its_pattern():
+    whole = Prepared.of(shapes()).elements[0].whole
+    for seed in range(3):
+        placed = made(shapes(), tile=True, seed=seed).placed
+        assert {one.element for one in placed} == set(range(len(whole)))
+
+
+def test_a_preview_shows_whole_elements():
+    settings = Settings(SIZE, tile=True)
+    preview = next(synthesised(Prepared.of(shapes()), settings))
+    assert not preview.finished and len(preview.placed) > 3
+    assert torn_ink(preview.distances[0] < 0, shapes().masks[0] > 0.5, True) == 0
