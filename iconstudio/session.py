@@ -8,7 +8,7 @@ import threading
 from collections import OrderedDict
 from collections.abc import Generator, Iterator
 from contextlib import AbstractContextManager
-from functools import lru_cache
+from functools import lru_cache, partial
 from importlib import import_module
 from pathlib import Path as File
 from typing import TypeVar
@@ -99,7 +99,7 @@ class Session(FileReader, AbstractContextManager["Session"]):
         self._prepared: OrderedDict[_Key, tuple[Retrieved, Matcher]] = OrderedDict()
         self._drawn = lru_cache(_AT_HAND)(self._draw)
         self._lines = lru_cache(_AT_HAND)(self._read_lines)
-        self._traced = lru_cache(_AT_HAND)(self._trace)
+        self._traced = lru_cache(_AT_HAND)(partial(_traced, self.workers))
         self.earlier: dict[str, Composite] = {}
 
     def open(self) -> Iterator[Progress]:
@@ -185,11 +185,6 @@ class Session(FileReader, AbstractContextManager["Session"]):
     def drawing(self, exemplar: Exemplar) -> Drawing:
         """Return an icon drawn and traced as results are: crisp at any size."""
         return self._traced(exemplar)
-
-    def _trace(self, exemplar: Exemplar) -> Drawing:
-        whole = Source(exemplar, Placement())
-        drawing = draw_whole(whole, exemplar.ink, self.workers, render_placed)
-        return answer(drawing, f"Drawing “{exemplar.name}”")
 
     def expect_lines(self) -> None:
         """Have what reads lines loaded, so that no time limit counts it; nobody waits for that."""
@@ -279,20 +274,11 @@ class Session(FileReader, AbstractContextManager["Session"]):
         plain = tuple(one for one in exemplars if not has_pale_areas(one.coverage))
         if len(plain) >= _PLENTY:
             exemplars = plain
-        less_alike = self._strangers(keyword, exemplars)
+        less_alike = _strangers(self.collection, keyword, exemplars)
         in_order = tuple(sorted(exemplars, key=lambda one: one.id in less_alike))
         retrieved = Retrieved(keyword, in_order, self.collection.remark(keyword), less_alike)
         yield retrieved
         return retrieved
-
-    def _strangers(self, keyword: str, exemplars: tuple[Exemplar, ...]) -> frozenset[str]:
-        """Return the identifiers of those less alike than others, if there are any others."""
-        told = self.collection.strangers(keyword, (one.id for one in exemplars))
-        named, doubtful = (np.array([one.id in ids for one in exemplars], bool) for ids in told)
-        found = strangers([one.ink for one in exemplars], named, doubtful)
-        if found.all():
-            return frozenset()
-        return frozenset(one.id for one, less in zip(exemplars, found, strict=True) if less)
 
     def prepare(
         self,
@@ -353,3 +339,20 @@ class Session(FileReader, AbstractContextManager["Session"]):
 
     def __exit__(self, *exc: object) -> None:
         self.close()
+
+
+def _traced(workers: Workers, exemplar: Exemplar) -> Drawing:
+    drawing = draw_whole(Source(exemplar, Placement()), exemplar.ink, workers, render_placed)
+    return answer(drawing, f"Drawing “{exemplar.name}”")
+
+
+def _strangers(
+    collection: Collection, keyword: str, exemplars: tuple[Exemplar, ...]
+) -> frozenset[str]:
+    """Return the identifiers of those less alike than others, if there are any others."""
+    told = collection.strangers(keyword, (one.id for one in exemplars))
+    named, doubtful = (np.array([one.id in ids for one in exemplars], bool) for ids in told)
+    found = strangers([one.ink for one in exemplars], named, doubtful)
+    if found.all():
+        return frozenset()
+    return frozenset(one.id for one, less in zip(exemplars, found, strict=True) if less)

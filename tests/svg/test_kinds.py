@@ -240,7 +240,7 @@ def test_the_house_is_drawn(kind):
 
 def test_the_tile_behind_a_house_is_left_out_with_a_remark():
     on_tile = svg(f'<path d="M0 0h24v24H0z"/><path fill="#fff" {EVENODD}/>')
-    assert_shows(on_tile, PATH, remarks=["tile behind"])
+    assert_shows(on_tile, PATH, remarks=["ground behind the drawing, such as a tile"])
 
 
 def declared(encoding, title):
