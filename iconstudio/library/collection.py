@@ -191,10 +191,12 @@ class Collection:
         if not query.plain(keyword):
             raise IconstudioError(f"There is no word in {messages.said(keyword)}. {messages.THING}")
         scores = self._answer(keyword).scores
-        for number in self._numbers(exclude):
+        excluded = self._numbers(exclude)
+        for number in excluded:
             scores.pop(number, None)
         found = self._choose(scores, limit, self._lookup.style(keyword))
-        found = list(dict.fromkeys(self._with_own(keyword, found, exclude)))[:limit]
+        called = self._lookup.called(keyword, self.sets)
+        found = search.with_called(found, called, excluded)[:limit]
         if not found:
             raise IconstudioError(self._nothing(keyword, bool(exclude)))
         return self._pictograms(found)
@@ -323,23 +325,6 @@ class Collection:
             most = max(len(chosen), min(limit, search.ENOUGH))
             chosen = search.different(self._cells[found], most, search.NEARLY_EQUAL)
         return [int(found[i]) for i in chosen]
-
-    def _with_own(self, keyword: str, found: list[int], exclude: frozenset[str]) -> list[int]:
-        """Return icons with one first that is called just so, unless one of them is.
-
-        Those that are called so but for hyphens come last.
-        """
-        name = query.plain(keyword).replace(" ", "-")
-        called = {f"{prefix}:{name}" for prefix in self.sets}
-        if not called.isdisjoint(self._lookup.identifiers(found).values()):
-            return found
-        own = self._numbers(sorted(called - exclude))
-        if own:
-            return [own[0], *found]
-        joined = "replace(substr(id, instr(id, ':') + 1), '-', '')"
-        ask = f"SELECT number, id FROM icon WHERE {joined} = ?"
-        rows = self._rows(ask, (name.replace("-", ""),))
-        return [*found, *(one for one, identifier in rows if identifier not in exclude)]
 
     def _in_order(self, scores: dict[int, int], worst: int, style: Style) -> NDArray[np.int64]:
         """Return the icons that score at most ``worst``, the best and those of a style first."""

@@ -18,6 +18,7 @@ class Lookup:
     """Looks keywords up. ``rows`` asks the database."""
 
     def __init__(self, rows: Rows) -> None:
+        self._rows = rows
         self._terms = Terms(rows)
         self._phrases = Phrases(self._terms)
 
@@ -84,6 +85,24 @@ class Lookup:
     def spelling(self, keyword: str) -> tuple[str, ...]:
         """Return the words that a keyword is a misspelling of, though few icons are called so."""
         return self._terms.spelling(query.plain(keyword))
+
+    def called(self, keyword: str, prefixes: Iterable[str]) -> dict[int, bool]:
+        """Return the icons that are called just so in their sets, or else but for hyphens.
+
+        And whether it is just so.
+        """
+        name = query.plain(keyword).replace(" ", "-")
+        ask = "SELECT number FROM icon WHERE id = ?"
+        exactly = {
+            number: True
+            for prefix in sorted(prefixes)
+            for (number,) in self._rows(ask, (f"{prefix}:{name}",))
+        }
+        if exactly:
+            return exactly
+        joined = "replace(substr(id, instr(id, ':') + 1), '-', '')"
+        found = self._rows(f"SELECT number FROM icon WHERE {joined} = ?", (name.replace("-", ""),))
+        return {number: False for (number,) in found}
 
     def identifiers(self, icons: Iterable[int]) -> dict[int, str]:
         """Return the identifiers of icons."""

@@ -79,3 +79,15 @@ def different(cells: NDArray[np.uint64], limit: int, alike: float = ALIKE) -> li
                 kept.append(index)
                 open_ &= far[place]
     return kept
+
+
+def with_called(found: list[int], called: dict[int, bool], excluded: list[int]) -> list[int]:
+    """Return ``found`` with icons that are called as the keyword is, unless one of them is there.
+
+    Of those that are called just so, one comes first; those that are but for hyphens come last.
+    """
+    if not set(called).isdisjoint(found):
+        return found
+    left = [(number, exactly) for number, exactly in called.items() if number not in excluded]
+    first = [number for number, exactly in left if exactly][:1]
+    return [*first, *found, *(number for number, exactly in left if not exactly)]
