@@ -195,7 +195,7 @@ class Collection:
         for number in excluded:
             scores.pop(number, None)
         found = self._choose(scores, limit, self._lookup.style(keyword))
-        called = self._lookup.called(keyword, self.sets)
+        called = self._lookup.called(keyword)
         found = search.with_called(found, called, excluded)[:limit]
         if not found:
             raise IconstudioError(self._nothing(keyword, bool(exclude)))

@@ -28,7 +28,7 @@ from iconstudio.library.archive import MANIFEST, Archive, damaged
 from iconstudio.model import IconstudioError
 from iconstudio.model.progress import Progress
 
-FORMAT = 2
+FORMAT = 3
 """To be raised when the database changes; those of other versions are then left alone."""
 _ABANDONED = 3600.0
 """Seconds after which the collection of another version may be removed."""
@@ -37,7 +37,7 @@ _CHECKSUM = slice(60, 64)
 
 _SCHEMA = """
 CREATE TABLE icon (
-    number INTEGER PRIMARY KEY, id TEXT, set_number INTEGER, view_box TEXT, body TEXT);
+    number INTEGER PRIMARY KEY, id TEXT, joined TEXT, set_number INTEGER, view_box TEXT, body TEXT);
 CREATE TABLE naming (phrase INTEGER, icon INTEGER, PRIMARY KEY (phrase, icon)) WITHOUT ROWID;
 CREATE TABLE reading (
     term TEXT, phrase INTEGER, tier INTEGER, PRIMARY KEY (term, phrase)) WITHOUT ROWID;
@@ -204,13 +204,14 @@ def _insert_icons(database: sqlite3.Connection, columns: dict[str, Any], bodies:
     )
     rows = zip(columns["set_of"], columns["names"], columns["view_boxes"], bodies, strict=True)
     database.executemany(
-        "INSERT INTO icon VALUES (?, ?, ?, ?, ?)",
+        "INSERT INTO icon VALUES (?, ?, ?, ?, ?, ?)",
         (
-            (number, f"{sets[one]['prefix']}:{name}", one, view_box, body)
+            (number, f"{sets[one]['prefix']}:{name}", name.replace("-", ""), one, view_box, body)
             for number, (one, name, view_box, body) in enumerate(rows)
         ),
     )
     database.execute("CREATE UNIQUE INDEX icon_by_id ON icon (id)")
+    database.execute("CREATE INDEX icon_by_name ON icon (joined)")
 
 
 def is_sound(path: Path, thorough: bool = False) -> bool:

@@ -86,23 +86,19 @@ class Lookup:
         """Return the words that a keyword is a misspelling of, though few icons are called so."""
         return self._terms.spelling(query.plain(keyword))
 
-    def called(self, keyword: str, prefixes: Iterable[str]) -> dict[int, bool]:
+    def called(self, keyword: str) -> dict[int, bool]:
         """Return the icons that are called just so in their sets, or else but for hyphens.
 
         And whether it is just so.
         """
         name = query.plain(keyword).replace(" ", "-")
-        ask = "SELECT number FROM icon WHERE id = ?"
-        exactly = {
-            number: True
-            for prefix in sorted(prefixes)
-            for (number,) in self._rows(ask, (f"{prefix}:{name}",))
+        ask = "SELECT number, id FROM icon WHERE joined = ? ORDER BY id"
+        found = {
+            number: identifier.endswith(f":{name}")
+            for number, identifier in self._rows(ask, (name.replace("-", ""),))
         }
-        if exactly:
-            return exactly
-        joined = "replace(substr(id, instr(id, ':') + 1), '-', '')"
-        found = self._rows(f"SELECT number FROM icon WHERE {joined} = ?", (name.replace("-", ""),))
-        return {number: False for (number,) in found}
+        exactly = {number: True for number, so in found.items() if so}
+        return exactly or found
 
     def identifiers(self, icons: Iterable[int]) -> dict[int, str]:
         """Return the identifiers of icons."""

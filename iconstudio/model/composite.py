@@ -76,3 +76,10 @@ class Drawing:
     frame: Frame = WHOLE
     """The square of the composite's canvas that is drawn, in its units: more than the canvas if a
     source that owns its border reaches past it. Path and coverage are in units of this square."""
+
+    def owned(self, labels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+        """Return who owns each pixel of the coverage, (n, n); ``labels`` are the composite's."""
+        owners = labels if self.owners is None else self.owners
+        n = len(self.coverage)
+        step = np.arange(n) * len(owners) // n
+        return owners[step[:, None], step]

@@ -78,11 +78,7 @@ class Parts:
     @cached_property
     def _owners(self) -> NDArray[np.uint8]:
         """(n, n): the owner of each pixel of the drawing."""
-        drawing = self.icon.drawing
-        owners = self.icon.composite.labels if drawing.owners is None else drawing.owners
-        n = len(drawing.coverage)
-        step = np.arange(n) * len(owners) // n
-        return owners[step[:, None], step]
+        return self.icon.drawing.owned(self.icon.composite.labels)
 
     @cached_property
     def _pieces(self) -> NDArray[np.int64]:

@@ -204,9 +204,7 @@ def _cut(state: _SeriesState, step: Step) -> Labels:
 def _shares(drawing: Drawing, labels: Labels, count: int) -> tuple[float, ...]:
     """Return which part of a drawing's ink each of the sources owns."""
     ink = drawing.coverage > 127
-    owners = labels if drawing.owners is None else drawing.owners
-    step = np.arange(len(ink)) * len(owners) // len(ink)
-    owned = np.bincount(owners[step[:, None], step][ink], minlength=count)
+    owned = np.bincount(drawing.owned(labels)[ink], minlength=count)
     return tuple((owned / max(1, owned.sum())).tolist())
 
 

@@ -262,7 +262,7 @@ def in_sight(place):
     """The results, those that are stale apart, and what stands beside them."""
     results = place.browser.results
     cells = [results.cell(*key) for key in states(place)]
-    assert not any(cell._stale or cell._pale for cell in cells)
+    assert all(not cell._stale and cell._paling.opacity == 1 for cell in cells)
     return results.pictures, states(place), [cell.recommended for cell in cells]
 
 
@@ -419,7 +419,7 @@ def test_old_results_stay_until_they_are_replaced(drawn, qtbot, session):
     assert "before the last change" in cell.accessibleName()
     assert cell.isEnabled()
     assert cell.grab().toImage() == fresh, "one that is soon replaced does not flicker"
-    cell._paling.timeout.emit()
+    cell._paling.timer.timeout.emit()
     assert cell.grab().toImage() != fresh
     session.gate.release(2)
     qtbot.waitUntil(lambda: cell.state is CellState.READY)

@@ -6,7 +6,6 @@ out. Those that lie closer than need be move apart; where a gap remains that has
 element, the most likely one is laid there.
 """
 
-from collections import Counter
 from collections.abc import Callable, Sequence
 from statistics import median
 
@@ -148,9 +147,9 @@ def _bring_in(
     """Put elements that are hardly laid in the places of those that are laid too often."""
     if usual < 1:
         return  # there is not room for all of them
-    counts = Counter(dict(enumerate(sheet.counts(whole))))
+    counts = sheet.counts(whole)
     numbers = {id(element): number for number, element in enumerate(whole)}
-    for k in sorted(counts, key=counts.__getitem__):
+    for k in sorted(range(len(whole)), key=counts.__getitem__):
         while counts[k] < _RARELY * usual:
             often = [one for one in sheet.laid if counts[numbers[id(one.element)]] > usual]
             pairs = [(one, _in_place_of(one, whole[k], unlikeness[k])) for one in often]

@@ -206,14 +206,13 @@ class _Synthesis:
         coarse = self._weights.distances(picture)
         distances = [enlarged(one, self._settings.size) for one in coarse]
         # What it is made of is whole in a preview, too: coarse icons are rubble.
-        random, self._random = self._random, np.random.default_rng(self._settings.seed)
-        pattern = self._joined(self._layers(distances, source), source)
-        self._random = random
+        random = np.random.default_rng(self._settings.seed)
+        pattern = self._joined(self._layers(distances, source, random), source)
         return replace(pattern, energy=energy)
 
     def _finished(self, picture: Channels, source: Places) -> Pattern:
         tile = self._settings.tile
-        layers = self._layers(self._weights.distances(picture), source)
+        layers = self._layers(self._weights.distances(picture), source, self._random)
         pattern = self._joined(layers, source)
         self._ask()
         torn = np.mean([
@@ -224,14 +223,16 @@ class _Synthesis:
         energy = self._energy(pattern.colours, pattern.distances, layers[0].source)
         return replace(pattern, energy=energy, torn=float(torn), finished=True)
 
-    def _layers(self, distances: Iterable[Field], source: Places) -> list[Mended]:
+    def _layers(
+        self, distances: Iterable[Field], source: Places, random: np.random.Generator
+    ) -> list[Mended]:
         layers: list[Mended] = []
         for m, distance in enumerate(distances):
             self._ask()
             exact = signed_distance(-distance, self._settings.tile, self._ask)
             self._ask()
             layers.append(
-                self._mended(m, exact, source, layers)
+                self._mended(m, exact, source, layers, random)
                 if self._settings.mend
                 else Mended.nothing(exact, source)
             )
@@ -255,7 +256,14 @@ class _Synthesis:
             self._prepared.elements,
         )  # fmt: skip
 
-    def _mended(self, m: int, distance: Field, source: Places, above: Sequence[Mended]) -> Mended:
+    def _mended(
+        self,
+        m: int,
+        distance: Field,
+        source: Places,
+        above: Sequence[Mended],
+        random: np.random.Generator,
+    ) -> Mended:
         """Return a layer of whole elements, which go with those above as in the exemplar."""
         others = [
             Other(one.distance < 0, share)
@@ -266,7 +274,7 @@ class _Synthesis:
             over = np.any([one.distance < 0 for one in above], axis=0) if above else None
             distance = joined(distance, over, tile, self._ask)
         return mended(
-            distance, source, elements, tile, self._random, self._ask, self._settings.guidance,
+            distance, source, elements, tile, random, self._ask, self._settings.guidance,
             others, evenly=True,
         )  # fmt: skip
 

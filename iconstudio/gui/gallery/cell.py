@@ -3,12 +3,12 @@
 import math
 from enum import Enum, auto
 
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt, QTimer
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QPainter, QPainterPath, QPaintEvent, QPen
 from PySide6.QtWidgets import QAbstractButton, QSizePolicy
 
 from iconstudio.gui.gallery.display import setting
-from iconstudio.gui.gallery.paling import PALE, PALING
+from iconstudio.gui.gallery.paling import PALE, Paling
 from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.theme import theme
 from iconstudio.gui.theme.painting import RADIUS, fill_rounded, paint_frame, smooth_painter
@@ -44,9 +44,9 @@ class ResultCell(QAbstractButton):
         self.state = CellState.BLANK
         self._name = name
         self.recommended = ""
-        self._paling = QTimer(self, singleShot=True, interval=PALING)
-        self._paling.timeout.connect(self._turn_pale)
-        self._pale = self._stale = False
+        self._paling = Paling(self)
+        self._paling.changed.connect(self.update)
+        self._stale = False
         self.setCheckable(True)
         self.setAttribute(Qt.WidgetAttribute.WA_Hover)  # it is painted anew when it is pointed at
         self.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
@@ -72,7 +72,6 @@ class ResultCell(QAbstractButton):
             self.expect(True)
         elif self.state is not CellState.OLD:
             self._turn(CellState.OLD)
-            self._paling.start()
 
     def show_picture(self, picture: Picture) -> None:
         """Put a result into the cell."""
@@ -106,7 +105,7 @@ class ResultCell(QAbstractButton):
                 paint_frame(painter, box, self.isChecked(), self.hasFocus(), self.underMouse())
                 target = QRectF(0, 0, side, side)
                 target.moveCenter(box.center())
-                painter.setOpacity(PALE if self._pale or self._stale else 1.0)
+                painter.setOpacity(PALE if self._stale else self._paling.opacity)
                 self.picture.paint(painter, target, scheme.color("text"), setting.value)
                 if self.recommended:
                     self._paint_mark(painter, scheme, target)
@@ -116,18 +115,12 @@ class ResultCell(QAbstractButton):
     def _turn(self, state: CellState) -> None:
         """Enter a state; say in words what it is."""
         self.state = state
-        if state is not CellState.OLD:
-            self._paling.stop()
-            self._pale = False
+        self._paling.set_stale(state is CellState.OLD)
         remark = _REMARKS.get(CellState.OLD if self._stale and self.picture else state)
         first = "recommended" if self.recommended else ""
         self.setAccessibleName(", ".join(part for part in (self._name, remark, first) if part))
         advice = f"Look here first: {self.recommended}" if self.recommended else ""
         self.setToolTip("\n".join(part for part in (self._name, advice) if part))
-        self.update()
-
-    def _turn_pale(self) -> None:
-        self._pale = True
         self.update()
 
     def _paint_mark(self, painter: QPainter, scheme: theme.Theme, icon: QRectF) -> None:

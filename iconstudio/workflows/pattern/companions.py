@@ -2,7 +2,7 @@
 
 from collections import Counter
 from collections.abc import Hashable, Sequence
-from itertools import combinations, pairwise, permutations
+from itertools import combinations, pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -65,13 +65,13 @@ def _grouped(kinds: Sequence[Hashable], apart: NDArray[np.float64]) -> list[tupl
 
 
 def _on_each_other(kinds: Sequence[Hashable], apart: NDArray[np.float64]) -> list[tuple[int, int]]:
+    touching: dict[tuple[Hashable, Hashable], list[tuple[int, int]]] = {}
+    for one, other in np.argwhere(apart == 0).tolist():
+        touching.setdefault((kinds[one], kinds[other]), []).append((one, other))
     found: list[tuple[int, int]] = []
-    for upper, lower in permutations(dict.fromkeys(kinds), 2):
-        pairs = [
-            (one, other)
-            for one, other in zip(*np.nonzero(apart == 0), strict=True)
-            if (kinds[one], kinds[other]) == (upper, lower)
-        ]
+    for (upper, lower), pairs in touching.items():
+        if upper == lower:
+            continue
         each = Counter(one for one, _ in pairs)
         on_each = Counter(other for _, other in pairs)
         if (
