@@ -21,7 +21,7 @@ _ALIKE = 0.9
 _SHORTEST = 4
 _FEWEST, _IN_ROWS = 6, 0.8
 """Elements that may lie in rows, and how near to these: the mean of their phases, 1 if exactly."""
-_SCALED, _STRETCHED = 1.06, 1.03
+_SCALED, _STRETCHED = 1.12, 1.03
 """By how much a tile is larger or smaller than wanted at most, and a side beside the other."""
 
 
