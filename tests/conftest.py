@@ -5,6 +5,7 @@ import shutil
 import tempfile
 
 import pytest
+from hypothesis import settings
 
 from iconstudio.gui.window.availability import missing_library
 from iconstudio.session import Session
@@ -17,6 +18,11 @@ CACHE = os.environ["ICONSTUDIO_CACHE"] if PROCESS else tempfile.mkdtemp(prefix="
 os.environ["ICONSTUDIO_CACHE"] = CACHE
 os.environ["ICONSTUDIO_DATA"] = os.path.join(CACHE, "data", PROCESS)  # nobody's work is offered
 
+# The same examples each time, so that what has passed once passes again; to look for new ones:
+# pytest --hypothesis-profile=explore
+settings.register_profile("same", derandomize=True, deadline=None)
+settings.register_profile("explore", deadline=None)
+settings.load_profile("same")
 
 MISSING = missing_library()
 

@@ -94,7 +94,7 @@ class Gateless(Library):
         return Pictogram(name, data.decode(), CAT.credit)
 
 
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=50)
 @given(st.lists(pictograms, max_size=4))
 def test_icons_are_read_back_whatever_they_are_called(icons):
     parts = Parts()
@@ -177,7 +177,7 @@ def result(parts, name):
             return end.value[0]
 
 
-@settings(max_examples=8, deadline=None)
+@settings(max_examples=8)
 @given(st.lists(contours, max_size=3), texts)
 def test_the_outline_of_a_result_is_exact(some, title):
     path = Outline((*SQUARE.contours, *some))
@@ -349,7 +349,7 @@ def test_what_is_no_project_is_told_in_a_sentence(tmp_path, data, said):
     assert "“dog.iconstudio” cannot be opened." in str(told.value)
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150)
 @given(st.data())
 def test_damage_ends_in_a_sentence_or_does_no_harm(data):
     broken = bytearray(WHOLE)

@@ -202,7 +202,7 @@ def random_problem(seed: int) -> RemixProblem:
     return RemixProblem(plain.data, plain.ink, plain.solid, axis)
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=200)
 @given(st.integers(0, 2**32 - 1), st.sampled_from([1, 2, 4]))
 def test_thousands_of_small_expansions_are_those_of_pymaxflow(seed, block):
     one = random_problem(seed)

@@ -30,7 +30,7 @@ def square(left, top, side, clockwise=True):
     return ring if clockwise else ring[::-1]
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(st.lists(CONTOUR, min_size=1, max_size=3), st.booleans())
 def test_what_contours_enclose_is_what_they_go_round(contours, even_odd):
     area = areas.filled(contours, even_odd)
@@ -69,7 +69,7 @@ def covered(places, points, closed, widths):
     return (off - np.interp(t, np.arange(len(row)), radii)).min(axis=1)
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(
     st.lists(st.tuples(COORDINATE, COORDINATE), min_size=1, max_size=7, unique=True),
     st.booleans(),
@@ -122,7 +122,7 @@ def test_a_closed_stroke_wider_than_what_it_encloses_is_whole(seed):
     assert areas.size_of(areas.without(stroke, capsules)) < 0.5
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(st.lists(st.tuples(COORDINATE, COORDINATE, COORDINATE, COORDINATE), max_size=12))
 def test_sides_whose_boxes_meet_are_found(sides):
     ends = np.array(sides, dtype=float).reshape(-1, 2, 2)

@@ -40,7 +40,7 @@ def drawings(draw) -> str:
     return "".join(parts)
 
 
-@settings(max_examples=12, deadline=None)
+@settings(max_examples=12)
 @given(drawings(), st.sampled_from(["#fff", "#fafafa", "#fde", "#fff2cc", "#ececff"]))
 def test_black_on_pale_paper_is_the_drawing_without_it(drawing, paper):
     right = ink(drawing, SIDE)

@@ -25,7 +25,7 @@ def test_with_others_it_is_the_one_as_far_along():
 
 
 @given(POINTS, POINTS, st.booleans())
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 def test_strokes_that_pause_are_as_good(plain, styled, closed):
     if len(set(plain.tolist())) < 2 or len(set(styled.tolist())) < 2:
         return

@@ -15,7 +15,7 @@ from tests.shapes import blob, problem
 finite = st.floats(-5, 5)
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=200)
 @given(st.integers(1, 6).flatmap(lambda n: st.tuples(st.just(n), st.integers(0, 2**32 - 1))))
 def test_minimum_cut_equals_brute_force(size_and_seed):
     n, seed = size_and_seed

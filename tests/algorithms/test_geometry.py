@@ -20,7 +20,9 @@ from iconstudio.model import Polygon
 
 grid = st.tuples(st.integers(0, 9), st.integers(0, 9))
 """On a small grid edges touch, overlap and run back a lot."""
-free = st.tuples(st.floats(0, 60), st.floats(0, 60))
+number = st.floats(0, 60).map(lambda value: round(value, 9))
+"""Products of two do not vanish, as those of 1e-200 do: the oracle would be wrong."""
+free = st.tuples(number, number)
 polygons = (st.lists(grid, min_size=3, max_size=20) | st.lists(free, min_size=3, max_size=40)).map(
     Polygon.of
 )
@@ -63,7 +65,6 @@ def apart(one, other):
     return max(min(gap(p, segment) for segment in other) for p in along(one))
 
 
-@settings(deadline=None)
 @given(polygons)
 def test_crossings_are_those_that_all_pairs_of_edges_have(polygon):
     assert crosses_itself(polygon) == plainly_crosses(polygon)
@@ -84,7 +85,7 @@ def test_to_touch_is_not_to_cross(points, crosses):
     assert crosses_itself(Polygon.of(points)) == crosses
 
 
-@settings(deadline=None, max_examples=200)
+@settings(max_examples=200)
 @given(polygons, st.sampled_from([0.2, 2.0, 6.0]))
 def test_a_simplified_outline_is_near_and_crosses_itself_only_if_it_did(polygon, stray):
     few = simplified(polygon, stray)
@@ -95,7 +96,7 @@ def test_a_simplified_outline_is_near_and_crosses_itself_only_if_it_did(polygon,
     assert apart(edges(few), edges(polygon)) <= stray + 1e-9
 
 
-@settings(deadline=None, max_examples=40)
+@settings(max_examples=40)
 @given(st.lists(st.floats(0.05, 0.95), min_size=1, max_size=8), st.sampled_from([0.2, 1.0, 4.0]))
 def test_what_reaches_into_a_dent_is_not_crossed(depths, stray):
     """Dents smaller than the tolerance, into which tips reach: plain simplification fails here."""
@@ -124,7 +125,6 @@ def test_what_would_vanish_stays():
     assert simplified(small, 5) == small
 
 
-@settings(deadline=None)
 @given(st.lists(free, min_size=1, max_size=40), st.sampled_from([0.2, 2.0]))
 def test_a_simplified_line_is_near_and_has_its_ends(line, stray):
     line = [point for point in line for _ in range(1 + (len(line) % 3 == 0))]  # some points twice
@@ -135,7 +135,6 @@ def test_a_simplified_line_is_near_and_has_its_ends(line, stray):
     assert apart([*itertools.pairwise(line), (line[0], line[0])], segments) <= stray + 1e-9
 
 
-@settings(deadline=None)
 @given(
     st.lists(free, min_size=1, max_size=9), st.lists(free, min_size=1, max_size=9), st.floats(0, 30)
 )

@@ -19,7 +19,7 @@ from iconstudio.model import CANVAS, Axis, Polygon, Stroke
 from tests.shapes import saliency_of
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(st.integers(0, 2**32 - 1), st.sampled_from([2.0, 5.0, 25.0]))
 def test_truncated_distances_by_brute_force(seed, reach):
     marked = np.random.default_rng(seed).random((9, 11)) < 0.05
@@ -91,7 +91,7 @@ def test_seeds_at_the_very_edge_lie_in_the_last_pixel():
 points = st.tuples(st.floats(-40, 300), st.floats(-40, 300))
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(st.lists(points, min_size=1, max_size=4), st.floats(1, 40))
 def test_a_scribble_covers_what_lies_within_half_its_width(corners, width):
     covered = scribble([Stroke(width, tuple(corners))])

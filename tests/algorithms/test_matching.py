@@ -84,7 +84,7 @@ def test_matches_are_those_of_the_exhaustive_search_at_full_resolution(matcher, 
         assert np.allclose([match.error for match in row], np.sort(errors)[:3], atol=1e-4)
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(
     st.sampled_from(range(3)),
     st.booleans(),
@@ -178,7 +178,7 @@ def test_a_mistake_in_a_thread_is_not_hidden(matcher, monkeypatch):
 FIELDS = [sketch_of(exemplar(blob(seed))) for seed in (60, 61)]
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 @given(st.data())
 def test_what_is_remembered_changes_no_answer(collection, data):
     """Also not what was remembered by a run that was closed half-way, or forgotten."""

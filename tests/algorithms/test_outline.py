@@ -125,7 +125,7 @@ POINT = st.tuples(st.integers(0, 64), st.integers(0, 64)).map(
 )
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(
     st.lists(
         st.builds(
@@ -148,7 +148,7 @@ def test_whatever_the_lines_are_the_drawing_is_sound(lines):
             assert contour.closed or width > 0
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(
     st.lists(POINT, min_size=2, max_size=10, unique=True),
     st.booleans(),

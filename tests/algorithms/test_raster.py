@@ -86,7 +86,7 @@ def test_scaling_about_the_centre_keeps_the_centre():
     assert abs(ink.sum() / blob(1).sum() - 1.25**2) < 0.02
 
 
-@settings(deadline=None, max_examples=50)
+@settings(max_examples=50)
 @given(st.integers(3, 40), st.sampled_from([64, 256]), st.integers(0, 2**32 - 1))
 def test_a_polygon_encloses_the_pixels_that_a_slow_library_finds(count, side, seed):
     random = np.random.default_rng(seed)

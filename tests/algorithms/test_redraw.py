@@ -154,7 +154,7 @@ def test_a_drawing_far_from_its_region_counts_for_nothing():
     assert (cleared != other).any()
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 @given(st.integers(0, 1000))
 def test_signed_distance_equals_the_distance_transform(seed):
     ink = blob(seed)[64:192, 64:192].copy()

@@ -71,7 +71,7 @@ def test_first_region_is_the_most_salient_pixel():
     assert score[y, x] == score.max()
 
 
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=10)
 @given(
     st.lists(st.tuples(st.floats(0, 100), st.floats(0, 100)), min_size=3, max_size=12, unique=True)
 )

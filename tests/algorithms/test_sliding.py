@@ -23,7 +23,7 @@ def numbers(n, low, high):
     return arrays(np.float32, (n, n), elements=st.floats(low, high, width=32))
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(st.data())
 def test_with_all_waves_the_errors_are_exact_at_every_translation(data):
     with pytest.MonkeyPatch.context() as patch:

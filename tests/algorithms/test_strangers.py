@@ -108,7 +108,7 @@ def test_where_a_name_leaves_doubt_the_shape_decides_more_strictly():
 MANY = [blob(number) if number % 5 else GATE for number in range(14)]
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(st.lists(st.booleans(), max_size=14), st.randoms())
 def test_names_are_believed_and_the_order_does_not_matter(flags, random):
     named = np.array(flags, bool)

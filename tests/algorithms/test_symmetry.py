@@ -38,7 +38,7 @@ def test_the_mirror_image_of_the_mirror_image_is_the_site(axis):
     assert np.array_equal(image[image], np.arange(64))
 
 
-@settings(max_examples=12, deadline=None)
+@settings(max_examples=12)
 @given(st.sampled_from(AXES), st.sampled_from([1, 2, 4]), st.integers(0, 100))
 def test_the_merged_lattice_has_the_energy_of_the_sites(axis, block, seed):
     lattice = Lattice(symmetric_problem(axis, seed % 3), block)

@@ -32,7 +32,7 @@ def two_bars(gap):
     return [unit(np.array([20 + y * 1j, 236 + y * 1j])) for y in (100, 100 + gap)]
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(st.floats(1, 40), st.floats(0.5, 12), st.sampled_from([0.0, 6.0]))
 def test_between_parallel_lines_each_stays_in_its_half(gap, height, width):
     """A fixed part of half of what is free is the most that is taken, and else nothing changes."""

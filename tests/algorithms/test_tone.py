@@ -61,7 +61,7 @@ PLAIN = ink(path(HOUSE))
 colours = st.tuples(*[st.integers(0, 255)] * 3).map(lambda c: "#{:02x}{:02x}{:02x}".format(*c))
 
 
-@settings(max_examples=12, deadline=None)
+@settings(max_examples=12)
 @given(colours, st.floats(0.1, 1))
 def test_one_tone_is_ink_whatever_its_colour_and_opacity(colour, opacity):
     drawing = rgba(f'<g opacity="{opacity}">{path(HOUSE, colour)}</g>')

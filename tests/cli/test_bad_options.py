@@ -34,9 +34,7 @@ OPTIONS = {
     "demo": [],
     "gallery": ["--sketches"],
 }
-USUAL = settings(
-    max_examples=8, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
-)
+USUAL = settings(max_examples=8, suppress_health_check=[HealthCheck.function_scoped_fixture])
 
 
 @pytest.mark.parametrize("words", [["demo", "--", "--x"], ["demo", "--seed"]])

@@ -61,7 +61,7 @@ makers = st.one_of(
 )
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(st.lists(makers, max_size=25))
 def test_undoing_everything_gives_back_every_page(steps):
     document = Document(SketchPage())

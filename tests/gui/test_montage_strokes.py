@@ -45,7 +45,7 @@ def three_icons():
     return MontagePage().with_icons(IconShape(exemplar(n)) for n in range(3))
 
 
-@settings(deadline=None, max_examples=150)
+@settings(max_examples=150)
 @given(st.lists(step, max_size=10))
 @example([("drawn", 0, [Stroke(4.0, ((0.0, 0.0), (1.0, 1.9006040323566764e-308)))])])
 def test_after_any_edits_the_montage_is_accepted_or_nothing_is_marked(tmp_path_factory, steps):
@@ -64,7 +64,7 @@ def test_after_any_edits_the_montage_is_accepted_or_nothing_is_marked(tmp_path_f
         check(read_montage(path).resolved(lambda _: page.layers[0].icon.pictogram))
 
 
-@settings(deadline=None, max_examples=100)
+@settings(max_examples=100)
 @given(stroke, stroke)
 def test_what_is_left_lies_where_the_stroke_was_and_is_as_much_as_can_be(one, knife):
     left = cut((one,), (knife,))

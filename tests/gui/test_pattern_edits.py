@@ -62,7 +62,7 @@ makers = st.one_of(
 )  # fmt: skip
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(st.lists(makers, max_size=20))
 def test_undoing_everything_gives_back_all_work(steps):
     document = Document(PatternPage())

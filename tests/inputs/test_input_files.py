@@ -145,7 +145,7 @@ def test_icons_to_be_picked_come_back(path, hybrids):
 layers_of_icons = st.builds(Layer, icons, placements, st.lists(strokes, max_size=3).map(tuple))
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(st.builds(Montage, st.lists(layers_of_icons, max_size=5).map(tuple)), words)
 def test_montages_come_back(path, montage, title):
     write(path, replace(MontageFile.of(montage, named), title=title))

@@ -8,7 +8,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from iconstudio.inputs.line_style import (
@@ -65,7 +65,6 @@ def styles(draw):
 
 
 @given(styles())
-@settings(deadline=None)
 def test_what_is_written_is_read(style):
     assert style_of(written(style)) == style
 

@@ -346,7 +346,7 @@ def test_what_is_no_file_is_refused_at_once(workers, tmp_path):
     assert time.monotonic() - start < 2
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(st.data())
 def test_damaged_files_end_in_a_picture_or_a_sentence(data):
     kind = data.draw(st.sampled_from(["PNG", "JPEG", "WEBP", "TIFF", "GIF", "BMP", "TGA", "PPM"]))

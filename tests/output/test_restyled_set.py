@@ -175,7 +175,7 @@ def test_skipped_icons_and_seeds_are_in_the_manifest(tmp_path):
 WORDS = st.text(max_size=8) | st.sampled_from(["a", "A", "con", "COM1.x", "é", "e\u0301", "."])
 
 
-@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=60, suppress_health_check=[HealthCheck.too_slow])
 @given(st.dictionaries(WORDS, WORDS, max_size=12))
 def test_file_names_are_safe_everywhere_and_differ(names):
     stems = file_stems(names)

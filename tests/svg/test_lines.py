@@ -250,7 +250,7 @@ SHAPE = st.sampled_from(
 PAINT = st.sampled_from(["#000", "#fff", "none"])
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(
     st.lists(
         st.tuples(SHAPE, PAINT, PAINT, st.sampled_from(["butt", "round", "square"])),

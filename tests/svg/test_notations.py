@@ -152,7 +152,7 @@ def drawings(draw):
 
 
 @given(drawings(), st.sampled_from(["utf-8", "utf-16", "utf-8-sig"]))
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150)
 def test_any_notation_gives_the_picture_of_the_plain_form(drawing, encoding):
     plainly, oddly = drawing
     read = plain(*parse(decode(oddly.encode(encoding))))
@@ -163,7 +163,7 @@ def test_any_notation_gives_the_picture_of_the_plain_form(drawing, encoding):
 
 
 @given(drawings())
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=50)
 def test_what_is_plain_stays_as_it_is(drawing):
     once = plain(*parse(drawing[1]))
     again = plain(*parse(document(once.content, BOX)))

@@ -54,7 +54,7 @@ def test_a_polygon_ends_at_its_mistake(points):
     assert (element.get("points").strip(), said) == ("0 0 9 0 9 9", [BROKEN])
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(st.sampled_from(SOUND), st.integers(0, 50), st.sampled_from("x .,-MZal{;+N"), st.booleans())
 def test_the_renderer_draws_as_far(data, place, letter, instead):
     data = data[:place] + letter + data[place + instead :]

@@ -60,7 +60,7 @@ def test_the_ink_fills_the_canvas_but_for_its_margin(kind):
     st.tuples(*[st.floats(0.05, 0.45)] * 2),
     st.floats(0, 180),
 )
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=10)
 def test_it_fits_at_any_scale_and_anywhere(scale, origin, radii, angle):
     x, y = origin
     rx, ry = (scale * radius for radius in radii)

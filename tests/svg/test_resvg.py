@@ -138,7 +138,7 @@ def test_without_view_box_user_space_is_in_css_pixels(attributes):
     st.floats(4, 40),
     st.tuples(*[st.floats(1, 16)] * 2),
 )
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 def test_nothing_shows_outside_the_documents_own_canvas(corner, side, size):
     """What shows of a drawing larger than its canvas is the area of the canvas in each pixel."""
     drawn = draw(
@@ -183,7 +183,7 @@ frames = st.builds(Frame, st.floats(-6, 4), st.floats(-6, 4), st.floats(9, 30))
 
 
 @given(placements, frames)
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 def test_a_placement_is_what_its_definition_says(placement, frame):
     """The same transformation of the canvas, written as an SVG transform."""
     c, unit = CANVAS / 2, CANVAS / frame.size

@@ -121,7 +121,7 @@ def placements():
     return st.builds(Placement, scales, st.booleans(), shifts, shifts)
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(st.integers(0, len(SHAPES) - 1), placements(), st.sampled_from([16, 64]))
 @example(3, Placement(3.3, False, 0, -37), 64)
 def test_no_tile_with_ink_is_left_out(number, placement, count):
@@ -141,7 +141,7 @@ def test_no_tile_with_ink_is_left_out(number, placement, count):
     assert not (tiles & ~near).any()
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 @given(st.integers(0, len(SHAPES) - 1), placements(), st.tuples(*[st.integers(-3, 250)] * 2))
 def test_a_window_shows_its_part_of_the_picture(number, placement, corner):
     one = source(number, placement)

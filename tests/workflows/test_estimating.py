@@ -95,7 +95,7 @@ def at(track, when):
     return [remaining for time, remaining in track if time <= when][-1]
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(
     rows=st.sampled_from([2, 4, 6]),
     columns=st.integers(6, 8),

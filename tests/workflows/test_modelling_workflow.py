@@ -169,7 +169,7 @@ def ten():
     return [prepare(one, (1.0,)) for one in squares(ENOUGH + 2)]
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(st.data())
 def test_strangers_serve_only_where_too_few_others_do_and_none_is_lost(ten, data):
     ids = [one.exemplar.id for one in ten]

@@ -20,7 +20,7 @@ class Paper:
         self.page = SketchPage(Sketch(Polygon(vertices), ""), closed)
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(st.lists(places, max_size=6).map(tuple), st.booleans(), places)
 def test_the_nearest_vertex_in_reach_is_hit_or_else_the_nearest_edge(vertices, closed, place):
     hit = Outline(Paper(vertices, closed)).hit(place, 3.0, 2.0)

@@ -47,7 +47,7 @@ def test_what_lies_on_each_other_stays_together():
 
 
 @given(st.integers(1, 14), st.integers(0, 20))
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 def test_scattered_anew_all_keep_colour_and_relative_size_and_what_lies_on_them(count, seed):
     cups = [Motif(ICON, 30 + 5 * n, 40, 20 + 4 * (n % 4), 10.0 * n, False, f"#0000{n:02x}")
             for n in range(1, count)]  # fmt: skip

@@ -105,7 +105,7 @@ def test_what_nothing_hides_stays_as_it_is():
     assert not completed(nothing, own > 0.5).any()
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 @given(st.integers(0, 2**32 - 1))
 def test_it_only_adds_and_only_where_it_is_hidden(seed):
     random = np.random.default_rng(seed)

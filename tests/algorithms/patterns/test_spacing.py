@@ -36,7 +36,7 @@ def test_nothing_goes_where_it_is_not_allowed():
 
 
 @given(st.integers(0, 10**6), st.integers(2, 12), st.floats(3, 16))
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 def test_no_gap_gets_narrower_and_borders_meet(seed, count, enough):
     random = np.random.default_rng(seed)
     cells = random.permutation(36)[:count]
