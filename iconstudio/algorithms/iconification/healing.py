@@ -28,6 +28,8 @@ _FEWEST = 12
 _LONGEST = 60.0
 """Canvas units of the longest seam that is healed."""
 _PASSES = 3
+_LIKELY = 24
+"""Examples of each neighbourhood of a seam among which those of what replaces it are sought."""
 _ALIKE = 0.22
 """A drawn seam that is so few canvas units from its nearest examples needs no healing."""
 _CUTS = 3, 8
@@ -41,30 +43,37 @@ _BETTER = 0.8
 
 
 class Examples:
-    """Neighbourhoods of the sources' contours (section 3.1 of *Curve Analogies*).
+    """Neighbourhoods of the sources' contours (section 3.1 of *Curve Analogies*)."""
 
-    Parameters
-    ----------
-    curves
-        Closed contours in pixels, each with the ink on the same side as outlines have it.
-    unit
-        Canvas units to a pixel.
-    """
+    def __init__(self, rows: NDArray[np.complex64]) -> None:
+        """Take neighbourhoods (n, k) whose means are 0."""
+        self._rows = rows
+        self._energies = (abs(rows) ** 2).sum(axis=1)
 
-    def __init__(self, curves: Sequence[tuple[SourceCurve, bool]], unit: float) -> None:
-        rows = []
+    @classmethod
+    def of(cls, curves: Sequence[tuple[SourceCurve, bool]], unit: float) -> "Examples":
+        """Take all neighbourhoods of closed contours in pixels, of ``unit`` canvas units each.
+
+        With each contour comes whether it is to be run backwards: all shall have the ink on the
+        side on which outlines have it.
+        """
+        rows = [np.zeros((0, 2 * _REACH + 1), np.complex128)]
         for curve, backwards in curves:
             count = int(curve.length * unit / _SPACING)
             if count < _FEWEST:
                 continue
             points = curve.at(np.arange(count) * curve.length / count) * unit
             rows.append(_neighbourhoods(points[::-1] if backwards else points, np.arange(count)))
-        found = np.concatenate(rows) if rows else np.zeros((0, 2 * _REACH + 1), np.complex128)
-        self._rows = (found - found.mean(axis=1, keepdims=True)).astype(np.complex64)
-        self._energies = (abs(self._rows) ** 2).sum(axis=1)
+        found = np.concatenate(rows)
+        return cls((found - found.mean(axis=1, keepdims=True)).astype(np.complex64))
 
-    def __bool__(self) -> bool:
-        return len(self._rows) > 0
+    def likely(self, rows: Points) -> "Examples":
+        """Return those of them that neighbourhoods (n, k), or others like these, are near to."""
+        if len(self._rows) <= _LIKELY:
+            return self
+        errors, _ = self._errors(rows)
+        best = np.argpartition(errors, _LIKELY, axis=1)[:, :_LIKELY]
+        return Examples(self._rows[np.unique(best)])
 
     def nearest(self, rows: Points) -> tuple[NDArray[np.float32], Points]:
         """Return how far neighbourhoods (n, k) are from their nearest examples, and these.
@@ -72,17 +81,24 @@ class Examples:
         Distances are root mean squares in canvas units, after the best rotation and translation in
         closed form; the examples are turned and moved so that they lie on the neighbourhoods.
         """
-        means = rows.mean(axis=1, keepdims=True)
-        centred = (rows - means).astype(np.complex64)
-        products = centred @ self._rows.conj().T
-        errors = self._energies - 2 * abs(products)
+        errors, products = self._errors(rows)
         best = errors.argmin(axis=1)
         numbers = np.arange(len(rows))
         turns = products[numbers, best]
         turns = turns / np.maximum(abs(turns), 1e-12)
-        squares = errors[numbers, best] + (abs(centred) ** 2).sum(axis=1)
+        means = rows.mean(axis=1, keepdims=True)
+        squares = errors[numbers, best] + (abs(rows - means) ** 2).sum(axis=1)
         away = np.sqrt(np.maximum(squares, 0) / rows.shape[1])
         return away, self._rows[best] * turns[:, None] + means
+
+    def _errors(self, rows: Points) -> tuple[NDArray[np.float32], NDArray[np.complex64]]:
+        """Return sums of squares for each neighbourhood and example, but for the former's own part.
+
+        Their products come with them; how these turn is the best rotation.
+        """
+        centred = (rows - rows.mean(axis=1, keepdims=True)).astype(np.complex64)
+        products = centred @ self._rows.conj().T
+        return self._energies - 2 * abs(products), products
 
 
 def _neighbourhoods(points: Points, middles: NDArray[np.intp]) -> Points:
@@ -125,12 +141,13 @@ class _Seam:
         examples: Examples,
         unit: float,
     ) -> None:
-        self._before, self._after, self._examples, self._unit = before, after, examples, unit
+        self._before, self._after, self._unit = before, after, unit
         self.points = outline.at(np.arange(before.last + 1, end))
         reach = np.arange(2 * _REACH * _SPACING / unit).astype(int)
         self._earlier = outline.at(before.first - 1 - reach[::-1])
         self._later = outline.at(after.last + 1 + reach)
         self._drawn = self._row(before, after, self.points)
+        self._examples = examples
 
     def best(self) -> tuple[Followed, Followed]:
         """Return the two rows, joined by ``points`` as much like the sources as can be."""
@@ -140,6 +157,7 @@ class _Seam:
         least = self._unlike(self._drawn) * _BETTER
         if least < _ALIKE * _BETTER:
             return best
+        self._examples = self._examples.likely(self._drawn.neighbourhoods)
         for before, after, points in self._candidates():
             row = self._row(before, after, points)
             if row.strays(self._drawn) > _FAR:

@@ -39,7 +39,7 @@ def joined_path(coverage: NDArray[np.uint8], sources: Sequence[Path], heal: bool
     moves = np.zeros(len(sources), dtype=np.complex128)
     if heal:
         moves = alignment(drawn, followed, len(sources), unit)
-        examples = Examples(curves.oriented(), unit)
+        examples = Examples.of(curves.oriented(), unit)
     contours = []
     for outline, rows in zip(drawn, followed, strict=True):
         outline, rows = moved(outline, rows, moves)

@@ -216,7 +216,8 @@ class _Source:
         self._points = points
         self._along = np.concatenate([curve.along for curve in curves])
         self._number = np.repeat(np.arange(len(curves)), [len(one.points) for one in curves])
-        self._tree = scipy.spatial.KDTree(np.column_stack([points.real, points.imag]))
+        pairs = np.column_stack([points.real, points.imag])
+        self._tree = scipy.spatial.KDTree(pairs, balanced_tree=False, compact_nodes=False)
 
     @property
     def is_backwards(self) -> bool:

@@ -10,7 +10,7 @@ from iconstudio.algorithms.tracing.bezier import Points
 from iconstudio.algorithms.tracing.pieces import Piece
 from iconstudio.model.path import Contour
 
-STEP = 0.5
+STEP = 1.0
 """Pixels between the points that stand for a curve."""
 _SNAP = 1.0
 """A part that ends so few pixels from a node of its curve ends there."""
