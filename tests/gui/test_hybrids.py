@@ -202,7 +202,7 @@ def test_icons_that_the_user_chose_or_pinned_stay_when_the_program_picks(chosen,
 
 def test_more_picks_than_there_is_room_for_are_told(place, qtbot):
     for number in range(MOST - 2):
-        place.opener.take_exemplar(exemplar(20 + number))
+        place.add(exemplar(20 + number))
     search(place.column.chooser, "lamp")
     pick(place, qtbot, 4)
     assert len(names(place)) == MOST
@@ -491,7 +491,7 @@ def test_undo_brings_back_the_sheet_of_an_earlier_mix(mixed, qtbot):
     stack.undo()
     assert rows(mixed) == first
     assert mixed.sheet.isVisible()
-    mixed.opener.shown.emit()
+    mixed.mix_example()
     assert not mixed.draws.runner.running, "an example that is opened again is there already"
     run(mixed, qtbot)
     assert rows(mixed)[: len(first)] == first, "more of it is drawn below"

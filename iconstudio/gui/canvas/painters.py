@@ -19,6 +19,9 @@ _SOLID = Qt.PenStyle.SolidLine
 HINT_ROOM = 48.0
 """How high the lower end of the canvas is where hints are written, in pixels."""
 
+OFFER_ROOM = 36.0
+"""The same of the upper end, where something may be offered by a button."""
+
 MANY = 500
 """An outline of more points is drawn with less care: nobody clicked them."""
 

@@ -6,13 +6,13 @@ from PySide6.QtWidgets import QCheckBox, QFrame, QPushButton, QSpinBox, QWidget
 
 from iconstudio.gui.canvas.outlines import IconOutlines
 from iconstudio.gui.document.document import new_gesture
-from iconstudio.gui.panels.colour import ColourButton
 from iconstudio.gui.panels.seed import SeedField
 from iconstudio.gui.panels.value_slider import FactorSlider, ValueSlider
 from iconstudio.gui.theme import theme
 from iconstudio.gui.theme.layout import card, column, label, row, tool_button
 from iconstudio.gui.theme.painting import smooth_painter
 from iconstudio.gui.theme.theme import UNIT
+from iconstudio.gui.workspaces.pattern.colour import ColourButton
 from iconstudio.model import CANVAS, Pictogram
 from iconstudio.workflows.pattern import page as edits
 from iconstudio.workflows.pattern.bounds import LARGER, LARGEST, LARGEST_SEED, SMALLER, SMALLEST
@@ -91,6 +91,14 @@ class ShapePicture(QWidget):
                 painter.fillPath(path, scheme.color("text"))
 
 
+class TurnSlider(ValueSlider):
+    """An angle in degrees."""
+
+    def words(self, value: float) -> str:
+        """Return an angle in words."""
+        return f"{value:.0f}°"
+
+
 class PatternControls(QFrame):
     """Edit what is wanted of the page."""
 
@@ -110,9 +118,9 @@ class PatternControls(QFrame):
             "Scale", "How large all is, beside the exemplar", SMALLER, LARGER,
             lambda value, gesture: edits.set_scale(document, value, gesture),
         )  # fmt: skip
-        self.turn = ValueSlider(
-            "Turn", "Degrees by which every icon turns", -180, 180, lambda value: f"{value:.0f}°",
-            lambda value, gesture: edits.set_turn(document, value, gesture), step=5,
+        self.turn = TurnSlider(
+            "Turn", "Degrees by which every icon turns", -180, 180,
+            lambda value, gesture: edits.set_turn(document, value, gesture),
         )  # fmt: skip
         self.seed = SeedField(LARGEST_SEED, "patterns")
         self.seed.changed.connect(lambda seed: edits.set_seed(document, seed, self.seed.gesture))
