@@ -11,6 +11,9 @@ from iconstudio.gui.document.document import new_gesture
 from iconstudio.gui.theme.layout import label, row
 from iconstudio.gui.theme.theme import UNIT
 
+NAME = 7 * UNIT
+"""Room for the word before a slider, in pixels."""
+
 
 class ValueSlider(QWidget):
     """A value from ``least`` to ``most``; a subclass says how it reads, and where it stands.
@@ -48,7 +51,7 @@ class ValueSlider(QWidget):
         self.slider.setAccessibleName(title)
         self.setToolTip(tip)
         name, self._value = label(title), label()
-        name.setFixedWidth(6 * UNIT)
+        name.setFixedWidth(NAME)
         self._value.setFixedWidth(5 * UNIT)
         self._value.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         row(name, (self.slider, 1), self._value, of=self, spacing=UNIT // 2)

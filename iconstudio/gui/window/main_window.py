@@ -165,6 +165,7 @@ class MainWindow(QMainWindow):
             workspace.project.connect(lambda path: self.project.open(Path(path)))
             workspace.actions_by_name["cancel"].triggered.connect(self.project.cancel)
             pane = self._made[number] = WorkspacePane(workspace)
+            pane.status.cancelled.connect(self.project.cancel)
             self.panes.addWidget(pane)
             self.work.watch(workspace)
         return self._made[number]

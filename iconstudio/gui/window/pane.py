@@ -36,7 +36,7 @@ class WorkspacePane(QWidget):
         workspace.counted.connect(self.status.set_finished)
         workspace.idle.connect(self.status.rest)
         workspace.document.page_changed.connect(self._show_remarks)
-        self.status.cancelled.connect(workspace.actions_by_name["cancel"].trigger)
+        self.status.cancelled.connect(workspace.cancel)
         stack = workspace.document.undo_stack
         self._steps = stack.index()
         stack.indexChanged.connect(self._note_step)
