@@ -502,7 +502,7 @@ def test_an_icon_of_the_window_goes_where_icons_are_only(window, qtbot):
     window.show_workspace(OTHERS["Hybrids"])
     place, data = window.workspace, packed(exemplar(3).pictogram)
     assert drop(place.favourites_panel, data) is None, "that is where it may come from"
-    assert drop(place.column.cards.viewport(), data)
+    assert drop(place.column.cards, data)
     there(place, qtbot, 1)
 
 

@@ -148,11 +148,11 @@ def test_icons_and_files_can_be_dropped_on_the_cards_and_pasted(place, qtbot, tm
     own, mix = tmp_path / "own.svg", tmp_path / "two.json"
     own.write_text(SVG)
     mix.write_text('{"icons": ["shapes:ring-4", "shapes:frame-5"]}')
-    drop(place.column.cards.viewport(), packed(exemplar(2).pictogram))
+    drop(place.column.cards, packed(exemplar(2).pictogram))
     qtbot.waitUntil(lambda: names(place) == ["shapes:cross-2"])
     urls = QMimeData()
     urls.setUrls([QUrl.fromLocalFile(str(own))])
-    drop(place.column.cards.viewport(), urls)
+    drop(place.column.cards, urls)
     qtbot.waitUntil(lambda: len(names(place)) == 2)
     urls.setUrls([QUrl.fromLocalFile(str(mix))])
     QApplication.clipboard().setMimeData(urls)

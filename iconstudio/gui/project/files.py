@@ -12,7 +12,7 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 
 from iconstudio.gui.jobs.runner import Runner
-from iconstudio.gui.jobs.worker import Worker
+from iconstudio.gui.jobs.worker import Worker, once
 from iconstudio.gui.pictures.picture import Picture, picture_of
 from iconstudio.gui.project import questions, recents
 from iconstudio.gui.project.journaling import Journaling
@@ -206,9 +206,6 @@ class ProjectFiles(QObject):
         contents, formats, project = self._work.contents(), self._work.formats, self._project
         known = self._stamp if path == self._path and not anyway else None
 
-        def saving() -> Generator[Stamp | None]:
-            yield save(path, contents.project(formats), known)
-
         def saved(stamp: Stamp | None) -> None:
             recents.note(path)
             self.remarked.emit(f"Saved “{path}”.")
@@ -221,7 +218,7 @@ class ProjectFiles(QObject):
                 then()
 
         self.remarked.emit("")
-        job = self._files.submit(saving)
+        job = self._files.submit(lambda: once(lambda: save(path, contents.project(formats), known)))
         job.event.connect(saved)
         job.failed.connect(self.failed)
 
