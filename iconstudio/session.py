@@ -41,7 +41,7 @@ from iconstudio.reading import MEMORY as READING_MEMORY
 from iconstudio.reading import SECONDS as READING_SECONDS
 from iconstudio.reading import SIMPLER, FileReader
 from iconstudio.svg import lines
-from iconstudio.svg.resvg import render_placed
+from iconstudio.svg.placed import render_placed
 from iconstudio.workers import Workers, answer, loss
 from iconstudio.workflows.drawing import MEMORY, SECONDS, draw_whole
 from iconstudio.workflows.estimating import estimated

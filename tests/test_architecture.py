@@ -15,6 +15,7 @@ ADAPTERS = {
     "numba": {"algorithms/compiled.py"},
     "resvg_py": {"svg/resvg.py"},
     "fontTools": {
+        "algorithms/regions.py",
         "svg/geometry.py",
         "model/path.py",
         "model/placement.py",
@@ -27,6 +28,7 @@ ADAPTERS = {
     "coloraide": {"svg/colours.py"},
     "shapely": {"algorithms/areas.py", "algorithms/geometry.py"},
     "pillow_heif": {"images/pillow.py"},
+    "pathops": {"algorithms/regions.py"},
     "maxflow": {"algorithms/patterns/seams.py"},
     "potrace": {"algorithms/tracing/potrace.py"},
     "tqdm": {"cli/progress.py"},

@@ -7,7 +7,8 @@ from scipy import ndimage
 from iconstudio.algorithms.iconification.redraw import SCALE, binarised, redraw
 from iconstudio.algorithms.tracing.vectorize import trace
 from iconstudio.model import CANVAS, Frame, Placement
-from iconstudio.svg.resvg import render_coverage, render_placed
+from iconstudio.svg.placed import render_placed
+from iconstudio.svg.resvg import render_coverage
 
 N = SCALE * CANVAS
 

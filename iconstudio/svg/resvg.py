@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 from resvg_py import __version__, svg_to_bytes
 
-from iconstudio.model import Frame, IconstudioError, Placement
+from iconstudio.model import Frame, IconstudioError
 from iconstudio.svg.lengths import Box, numbers, pixels
 from iconstudio.svg.mark import PAGE
 
@@ -26,7 +26,6 @@ __all__ = [
     "Window",
     "render_colours",
     "render_coverage",
-    "render_placed",
     "view_box",
 ]
 
@@ -178,18 +177,6 @@ def _drawn(
     with Image.open(io.BytesIO(png)) as image:
         image.load()
         return image, box, corner, unit
-
-
-def render_placed(
-    svg: str, frame: Frame, placement: Placement, size: int, window: Window | None = None
-) -> NDArray[np.uint8]:
-    """Draw the exemplar of ``frame`` at ``placement``: the canvas, (size, size) uint8, or part."""
-    if not placement.flip:
-        return render_coverage(svg, placement.frame(frame), size, window)
-    left, top, right, bottom = window or (0, 0, size, size)
-    mirrored = size - right, top, size - left, bottom
-    coverage = render_coverage(svg, placement.frame(frame), size, mirrored)
-    return np.ascontiguousarray(coverage[:, ::-1])
 
 
 def _root(svg: str) -> ET.Element:

@@ -33,7 +33,8 @@ from iconstudio.algorithms.iconification.redraw import (
     restore,
 )
 from iconstudio.algorithms.raster import Bitmap, inked_tiles, shifted
-from iconstudio.model import CANVAS, Drawing, Exemplar, Frame, Placement, Source
+from iconstudio.model import CANVAS, Drawing, Exemplar, Frame, Placement, Source, Transform
+from iconstudio.model.path import Path
 from iconstudio.workers import Workers
 
 SECONDS = 30.0
@@ -57,7 +58,9 @@ _MOST = 2048
 
 
 class Render(Protocol):
-    """Draws exemplars at their placement."""
+    """Draws exemplars at their placement. It can be a key."""
+
+    def __hash__(self) -> int: ...
 
     def __call__(
         self,
@@ -73,6 +76,10 @@ class Render(Protocol):
         """
         ...
 
+    def outline(self, svg: str, frame: Frame) -> Path:
+        """Return what the ink of an exemplar is enclosed by; empty if its shapes do not tell."""
+        ...
+
 
 def draw(
     labels: Labels,
@@ -81,6 +88,7 @@ def draw(
     render: Render,
     scale: int = SCALE,
     marked: Bitmap | None = None,
+    exact: bool = True,
 ) -> Drawing:
     """Redraw a labelling from its owners' SVG without its crumbs, and trace it.
 
@@ -94,6 +102,8 @@ def draw(
         Drawn pixels to a canvas pixel: 2, 4 or 8, and no fewer than there are labels.
     marked
         (m, m) bool: what the user wants to keep; nothing of it goes.
+    exact
+        Whether the path takes the sources' own curves where it runs along them.
     """
     from iconstudio.algorithms.tracing.vectorize import trace
 
@@ -110,12 +120,17 @@ def draw(
     erase(coverage, fragments(labels, ink, marked=marked), marked)
     if marked is not None:
         restore(coverage, labels, coverages, marked)
+    owners_drawn = [one for one in coverages if one != nobody]
+    outlines = [_outline(sources[one], render) for one in owners_drawn] if exact else []
     if not pad:
-        return Drawing(trace(coverage), _reduced(coverage))
+        return Drawing(trace(coverage, sources=outlines), _reduced(coverage))
     frame = framed(coverage, pad)
     coverage = cropped(coverage, pad, frame)
     owners = owned_throughout(cropped(labels, pad, frame, nobody), nobody)
-    return Drawing(trace(coverage), _reduced(coverage), owners, frame)
+    unit = CANVAS / frame.size
+    to_frame = Transform(unit, 0, 0, unit, -frame.x * unit, -frame.y * unit)
+    outlines = [outline.transformed(to_frame) for outline in outlines]
+    return Drawing(trace(coverage, sources=outlines), _reduced(coverage), owners, frame)
 
 
 def draw_whole(
@@ -226,6 +241,18 @@ def _tiled_drawing(key: _DrawingKey) -> _TiledDrawing:
     The results of a style share most of their exemplars, and one often lies at several places.
     """
     return _TiledDrawing(key)
+
+
+def _outline(source: Source, render: Render) -> Path:
+    """Return the outline of a source at its placement."""
+    exemplar = source.exemplar
+    outline = _outline_of(render, exemplar.pictogram.svg, exemplar.frame)
+    return outline.transformed(source.placement.transform)
+
+
+@lru_cache(maxsize=256)
+def _outline_of(render: Render, svg: str, frame: Frame) -> Path:
+    return render.outline(svg, frame)
 
 
 def _reduced(coverage: NDArray[np.uint8]) -> NDArray[np.uint8]:

@@ -150,7 +150,8 @@ def finished(posed: Posed, series: CutSeries, step: Step, labels: Labels, render
     """Judge, redraw and trace a labelling (m, m) that a step has come to."""
     problem, kept = posed.problem, posed.kept(labels)
     scale = PREVIEW if step.preview else SCALE
-    drawing = draw(labels, problem.ink, series.sources, render, scale, kept)
+    exact = not step.preview
+    drawing = draw(labels, problem.ink, series.sources, render, scale, kept, exact)
     shares = _shares(drawing, labels, len(series.sources))
     data_cost, smoothness_cost = problem.costs(labels)
     iou, likeness = _compared(posed, drawing)

@@ -16,7 +16,7 @@ from iconstudio.algorithms.raster import (
     solid,
 )
 from iconstudio.model import CANVAS, Placement, Polygon
-from iconstudio.svg.resvg import render_placed
+from iconstudio.svg.placed import render_placed
 from tests.shapes import blob, exemplar
 
 bitmaps = arrays(bool, st.tuples(st.integers(1, 12), st.integers(1, 12)))

@@ -15,7 +15,7 @@ from iconstudio.algorithms.iconification.tsdf import D_MAX, tsdf
 from iconstudio.algorithms.raster import fill_polygon
 from iconstudio.model import CANVAS
 from iconstudio.session import Session
-from iconstudio.svg.resvg import render_placed
+from iconstudio.svg.placed import render_placed
 from iconstudio.workflows.drawing import draw
 from iconstudio.workflows.grid import distinct
 from iconstudio.workflows.modelling.file import example

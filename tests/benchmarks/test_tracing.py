@@ -12,7 +12,8 @@ from iconstudio.algorithms.iconification.redraw import SCALE, binarised, redraw
 from iconstudio.algorithms.tracing.vectorize import trace
 from iconstudio.model import CANVAS, Frame, Path, Placement
 from iconstudio.session import Session
-from iconstudio.svg.resvg import render_coverage, render_placed
+from iconstudio.svg.placed import render_placed
+from iconstudio.svg.resvg import render_coverage
 from iconstudio.workflows.drawing import PREVIEW
 
 WORDS = ("house", "cat", "car", "tree", "camera", "chess", "bicycle", "flower", "gear", "music")

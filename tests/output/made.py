@@ -18,7 +18,7 @@ from iconstudio.model import (
     Sketch,
     Source,
 )
-from iconstudio.svg.resvg import render_placed
+from iconstudio.svg.placed import render_placed
 from iconstudio.workflows.remixing import remix_of
 from iconstudio.workflows.solving import CutSeries, Posed, Step, finished
 from tests.shapes import exemplar

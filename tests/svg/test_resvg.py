@@ -4,7 +4,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from iconstudio.model import CANVAS, Frame, IconstudioError, Placement
-from iconstudio.svg.resvg import render_coverage, render_placed, view_box
+from iconstudio.svg.placed import render_placed
+from iconstudio.svg.resvg import render_coverage, view_box
 
 WHOLE = Frame(0, 0, 16)
 F = "M3 2h9v3H7v3h4v3H7v5H3z"

@@ -15,8 +15,9 @@ from iconstudio.algorithms.iconification.fragments import fragments
 from iconstudio.algorithms.iconification.redraw import SCALE, binarised, erase, redraw
 from iconstudio.algorithms.raster import inked_tiles
 from iconstudio.model import CANVAS, Exemplar, Frame, Path, Placement, Source
+from iconstudio.svg.placed import Renderer, render_placed
 from iconstudio.svg.rasterise import rasterise
-from iconstudio.svg.resvg import render_coverage, render_placed
+from iconstudio.svg.resvg import render_coverage
 from iconstudio.workflows.drawing import PREVIEW, draw
 from tests.shapes import pictogram
 
@@ -96,11 +97,13 @@ def test_a_drawing_is_that_of_whole_sources(sources, side, scale):
 def test_only_what_is_needed_is_drawn(sources):
     areas = []
 
-    def render(svg, frame, placement, size, window=None):
-        left, top, right, bottom = window
-        areas.append((right - left) * (bottom - top) / size**2)
-        return render_placed(svg, frame, placement, size, window)
+    class Recording(Renderer):
+        def __call__(self, svg, frame, placement, size, window=None):
+            left, top, right, bottom = window
+            areas.append((right - left) * (bottom - top) / size**2)
+            return super().__call__(svg, frame, placement, size, window)
 
+    render = Recording()
     labels = np.zeros((CANVAS, CANVAS), np.uint8)
     labels[100:130, 20:50] = 2
     ink, _ = placed_sources(sources)

@@ -5,7 +5,7 @@ import pytest
 
 from iconstudio.algorithms.iconification.matching import Matcher, prepare
 from iconstudio.model import CANVAS, Edit, IconstudioError, Polygon
-from iconstudio.svg.resvg import render_placed
+from iconstudio.svg.placed import render_placed
 from iconstudio.workflows.editing.editing import SAME, edit_icon, lookalikes, own_styles, place_edit
 from iconstudio.workflows.events import Recommended, StyleMatched
 from iconstudio.workflows.grid import GridSettings

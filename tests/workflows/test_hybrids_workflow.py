@@ -5,7 +5,7 @@ import pytest
 
 from iconstudio.algorithms.iconification.symmetry import reflected
 from iconstudio.model import CANVAS, Axis, IconstudioError, Mix
-from iconstudio.svg.resvg import render_placed
+from iconstudio.svg.placed import render_placed
 from iconstudio.workflows.events import Progress
 from iconstudio.workflows.hybrids.hybrids import check, draw_seeds, mix_icons, pinned
 from iconstudio.workflows.hybrids.selection import select_icons, stroke_width

@@ -9,7 +9,8 @@ from iconstudio.algorithms.iconification.energy import joined_ink, placed_source
 from iconstudio.algorithms.iconification.matching import Matcher, prepare
 from iconstudio.algorithms.iconification.style import STYLES
 from iconstudio.model import CANVAS, Frame, IconstudioError, Placement, Polygon, Sketch
-from iconstudio.svg.resvg import render_coverage, render_placed
+from iconstudio.svg.placed import render_placed
+from iconstudio.svg.resvg import render_coverage
 from iconstudio.workflows.events import (
     Progress,
     RegionsFound,

@@ -7,7 +7,7 @@ from iconstudio.algorithms.iconification.guidance import carried, scribble
 from iconstudio.algorithms.iconification.overhang import seen
 from iconstudio.algorithms.raster import placed_ink
 from iconstudio.model import CANVAS, IconstudioError, Layer, Montage, Placement, Stroke
-from iconstudio.svg.resvg import render_placed
+from iconstudio.svg.placed import render_placed
 from iconstudio.workflows.events import Progress
 from iconstudio.workflows.montage.montage import montage_icons
 from tests.shapes import exemplar, icons

@@ -8,7 +8,8 @@ from hypothesis import strategies as st
 from iconstudio.algorithms.iconification.energy import placed_sources
 from iconstudio.algorithms.iconification.overhang import overhang, seen
 from iconstudio.model import CANVAS, MARGIN, Frame, Placement, Source
-from iconstudio.svg.resvg import render_coverage, render_placed
+from iconstudio.svg.placed import render_placed
+from iconstudio.svg.resvg import render_coverage
 from iconstudio.workflows.drawing import PREVIEW, SCALE, draw
 from tests.shapes import exemplar
 

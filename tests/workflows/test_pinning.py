@@ -11,7 +11,7 @@ from iconstudio.algorithms.iconification.guidance import scribble
 from iconstudio.algorithms.iconification.matching import Matcher, prepare
 from iconstudio.algorithms.raster import placed_ink
 from iconstudio.model import CANVAS, Axis, Layer, Placement, Polygon, Sketch, Stroke
-from iconstudio.svg.resvg import render_placed
+from iconstudio.svg.placed import render_placed
 from iconstudio.workflows.events import Remark
 from iconstudio.workflows.grid import GridSettings
 from iconstudio.workflows.modelling.alternatives import Tried, alternatives, trying

@@ -9,7 +9,7 @@ import pytest
 from iconstudio.algorithms.iconification.matching import Matcher, prepare
 from iconstudio.algorithms.raster import overlap
 from iconstudio.model import CANVAS, Polygon, Sketch
-from iconstudio.svg.resvg import render_placed
+from iconstudio.svg.placed import render_placed
 from iconstudio.workers import Workers
 from iconstudio.workflows.events import Progress, Recommended, Result
 from iconstudio.workflows.grid import GridSettings

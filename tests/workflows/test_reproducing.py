@@ -4,7 +4,7 @@ import pytest
 from iconstudio.algorithms.iconification.matching import Matcher, prepare
 from iconstudio.algorithms.raster import overlap
 from iconstudio.model import CANVAS, Polygon, Sketch
-from iconstudio.svg.resvg import render_placed
+from iconstudio.svg.placed import render_placed
 from iconstudio.workflows.grid import GridSettings
 from iconstudio.workflows.modelling.modelling import model
 from iconstudio.workflows.montage.montage import check, montage_icons

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.patterns.distance import Field, bordered, contours
-from iconstudio.algorithms.tracing.vectorize import Outline
+from iconstudio.algorithms.tracing.pieces import Outline
 
 Rows = NDArray[np.float64]
 """(n, 2), rows and columns."""

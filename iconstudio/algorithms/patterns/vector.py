@@ -18,7 +18,8 @@ from iconstudio.algorithms.patterns.exemplar import Pattern, Placed
 from iconstudio.algorithms.patterns.outlines import LevelSet, finer, level_sets
 from iconstudio.algorithms.patterns.tiling import bounded, moved, repeated
 from iconstudio.algorithms.patterns.trapping import run_on
-from iconstudio.algorithms.tracing.vectorize import Outline, contour_along
+from iconstudio.algorithms.tracing.pieces import Outline
+from iconstudio.algorithms.tracing.vectorize import contour_along
 from iconstudio.model import ColouredLayer, Contour, Fill, Path, Transform, hex_colour
 
 Shapes = Sequence[Sequence[Sequence[Fill]]]

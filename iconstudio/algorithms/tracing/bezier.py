@@ -41,7 +41,7 @@ def fit(
     >>> [len(fit(half_circle, 1j, 1j, tolerance)) for tolerance in (1, 0.1)]
     [1, 2]
     """
-    cubic, error = _fit_one(points, start, end, tolerance)
+    cubic, error = fit_one(points, start, end, tolerance)
     if error < tolerance or len(points) < _SHORTEST:
         return [cubic]
     middle, reach = _split(points)
@@ -70,7 +70,7 @@ def snapped(way: complex, margin: float) -> complex:
     return way / abs(way) if way else 1
 
 
-def _fit_one(
+def fit_one(
     points: Points, start: complex | None, end: complex | None, tolerance: float
 ) -> tuple[Cubic, float]:
     """Return the least-squares cubic between the first and last point, and its largest error."""
