@@ -147,7 +147,6 @@ def test_reading_a_project_shows_its_share_and_can_be_cancelled(window, qtbot, m
             yield Progress("open", step / (step + 1), "Opening the project")
 
     monkeypatch.setattr(files, "opening", slowly)
-    monkeypatch.setattr(files, "_CALM", 0)
     status = window.pane.status
     window.project.open(Path("large.iconstudio"))
     qtbot.waitUntil(lambda: status.bar.isVisible() and 500 <= status.bar.value() < 1000)

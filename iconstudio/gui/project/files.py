@@ -1,6 +1,5 @@
 """Projects in files: new, open, save; and nothing is lost without a question."""
 
-import time
 from collections.abc import Callable, Generator
 from contextlib import closing
 from dataclasses import dataclass
@@ -11,6 +10,7 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 
+from iconstudio.gui.exchange.patience import Patience
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker, once
 from iconstudio.gui.pictures.picture import Picture, picture_of
@@ -28,9 +28,6 @@ from iconstudio.project.journal import LeftBehind
 from iconstudio.session import Session
 from iconstudio.workflows.events import Progress
 from iconstudio.workflows.files import likely_workflow
-
-_CALM = 0.3
-"""Seconds that reading may take before its progress is shown."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,7 +85,7 @@ class ProjectFiles(QObject):
         """Of results on pages that wait for their workspaces, so that nobody draws them again."""
         self.journaling = Journaling(self._taken, self)
         self._runner = Runner(files, self)
-        self._began = 0.0
+        self._patience = Patience(self.progressed.emit, self.rested.emit, self)
         self._runner.event.connect(self._receive)
         self._runner.progress.connect(self._tell)
         self._runner.failed.connect(self.failed)
@@ -183,16 +180,16 @@ class ProjectFiles(QObject):
     # -- how it is done ------------------------------------------------------------------------
 
     def _read(self, make: Callable[[], Generator[Any]]) -> None:
-        self._began = time.monotonic()
         self._runner.start(make)
+        self._patience.begin()
 
     def _tell(self, progress: Progress) -> None:
-        if time.monotonic() > self._began + _CALM:
+        if self._patience.asked:
             self.progressed.emit(progress)
 
     def _rest(self) -> None:
         self.restoring.emit(False)
-        self.rested.emit()
+        self._patience.end()
 
     def _replace(self, opened: OpenedProject, pictures: tuple[Picture, ...] = ()) -> None:
         """Put another project in place, once it is certain that nothing is lost."""
