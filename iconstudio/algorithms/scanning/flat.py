@@ -122,7 +122,8 @@ def flat_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
     if ground is None:
         return None
     if small.shape[2] == 3:
-        if palette.shades and palette.noise(ground, blended) > _CLEAN:
+        noise = palette.noise(ground, blended) if max(blended.shape) > SMALL else 0.0
+        if palette.shades and noise > _CLEAN:
             return None
         fading = _fading(palette, ground, blended)
         if any(palette.colours[one].sum() > palette.colours[ground].sum() for one in fading):
@@ -375,7 +376,7 @@ def _enlarged(
         number: np.pad(shade[crop], [*pad, (0, 0)], mode="edge")
         for number, shade in palette.shades.items()
     }
-    return _at(padded, shades, palette, shape)
+    return _at(padded, shades, palette, shape, ground)
 
 
 def _at(
@@ -383,9 +384,18 @@ def _at(
     shades: dict[int, NDArray[np.float32]],
     palette: Palette,
     shape: tuple[int, ...],
+    ground: int | None = None,
 ) -> tuple[NDArray[np.intp], NDArray[np.float32]]:
-    """Return the number (h, w) of each pixel's colour at another resolution, and it (h, w, 4)."""
-    labels = reconstructed(np.stack(parts), shape).argmax(axis=0)
+    """Return the number (h, w) of each pixel's colour at another resolution, and it (h, w, 4).
+
+    Where the ``ground`` is, is told by its own part alone, whatever colours meet there.
+    """
+    larger = reconstructed(np.stack(parts), shape)
+    labels = larger.argmax(axis=0)
+    if ground is not None and len(parts) > 2:
+        outside = reconstructed(np.stack([parts[ground], 1 - parts[ground]]), shape)[0] > 0.5
+        larger[ground] = -1
+        labels = np.where(outside, ground, larger.argmax(axis=0))
     colours = palette.colours[labels]
     for number, shade in shades.items():
         at = labels == number
