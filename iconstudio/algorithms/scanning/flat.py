@@ -32,8 +32,8 @@ from iconstudio.algorithms.scanning.ground import (
 from iconstudio.algorithms.scanning.margin import PAPER, box_of, corners_of, has_stripes, rim_of
 from iconstudio.algorithms.scanning.palette import SMALL, Palette, is_in_one_colour, palette_of
 from iconstudio.algorithms.scanning.resampling import (
+    numbered,
     premultiplied,
-    reconstructed,
     resized,
     shrunk,
 )
@@ -386,16 +386,9 @@ def _at(
     shape: tuple[int, ...],
     ground: int | None = None,
 ) -> tuple[NDArray[np.intp], NDArray[np.float32]]:
-    """Return the number (h, w) of each pixel's colour at another resolution, and it (h, w, 4).
-
-    Where the ``ground`` is, is told by its own part alone, whatever colours meet there.
-    """
-    larger = reconstructed(np.stack(parts), shape)
-    labels = larger.argmax(axis=0)
-    if ground is not None and len(parts) > 2:
-        outside = reconstructed(np.stack([parts[ground], 1 - parts[ground]]), shape)[0] > 0.5
-        larger[ground] = -1
-        labels = np.where(outside, ground, larger.argmax(axis=0))
+    """Return the number (h, w) of each pixel's colour at another resolution, and it (h, w, 4)."""
+    free = ground is not None and not palette.has_blends_of(ground)
+    labels = numbered(np.stack(parts), shape, ground if free else None)
     colours = palette.colours[labels]
     for number, shade in shades.items():
         at = labels == number

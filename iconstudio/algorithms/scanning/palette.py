@@ -89,6 +89,13 @@ class Palette(NamedTuple):
                 kept.remove(one)
         return self._only(sorted(kept))
 
+    def has_blends_of(self, one: int) -> bool:
+        """Whether a colour blends another with this one, so that it cannot be told from edges."""
+        ways = self.colours - self.colours[one]
+        shares = ways @ ways.T / np.maximum((ways**2).sum(axis=1), 1)
+        away = np.linalg.norm(ways[:, None] - shares[..., None] * ways, axis=2)
+        return bool(((shares > 0.1) & (shares < 0.9) & (away < 2 * _EVEN)).any())
+
     def _only(self, kept: list[int]) -> "Palette":
         """Return it with some of its colours."""
         renamed = np.full(len(self.colours) + 1, -1)

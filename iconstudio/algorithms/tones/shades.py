@@ -24,6 +24,10 @@ from iconstudio.algorithms.tones.regions import Mask, Regions, cielab, pale, reg
 
 _SLIGHT, _LEAP = 2.0, 1.5
 """Least difference that is seen (CIEDE2000), and that of a channel of CIELAB at its edge."""
+_FLOWING = 3.0
+"""As the first, where colours flow."""
+_EDGE = 3.0
+"""Half the width of an edge, in pixels, at most."""
 _PLAIN, _PAINTS = 0.93, 6
 """How much of a flat drawing has one of how many colours."""
 _AROUND, _FEW = 0.9, 3
@@ -48,11 +52,11 @@ def shades(
     """Return the regions (k + 1,) of a drawing, and whether shades of them are not told apart."""
     alone = not (found.lengths[1:, 1:] > 0).any()
     flat = _is_flat(rgb, inside)
-    if not (flat if alone else _has_pale_rim(found) or (flat and found.white.any())):
-        return found, flat and _hides_figures(found, rgb, inside, smallest)
-    closer = regions(cielab(rgb), inside, _SLIGHT, smallest, leap=_LEAP)
+    if not (alone or _has_pale_rim(found) or (flat and found.white.any())):
+        return found, _hides_figures(found, rgb, inside, smallest)
+    closer = regions(cielab(rgb), inside, _SLIGHT if flat else _FLOWING, smallest, leap=_LEAP)
     more = len(closer.areas) - len(found.areas)
-    if not more:
+    if not more or (not flat and _flow_together(closer)):
         return found, False
     if _has_pale_line(closer) and (alone or more <= _FEW):
         return closer, False
@@ -61,6 +65,14 @@ def shades(
     with_white = closer.white.any() and not closer.white[1:].all()
     told = with_white or _sides(closer) or _figures(closer)
     return (closer, False) if told else (found, True)
+
+
+def _flow_together(found: Regions) -> bool:
+    """Whether regions go over into each other by degrees, as in a steep gradient, at no edge."""
+    labels = np.where(found.labels > 0, found.labels, found.extended)
+    meet = scipy.ndimage.maximum_filter(labels, 3) != scipy.ndimage.minimum_filter(labels, 3)
+    away = scipy.ndimage.distance_transform_edt(~found.pure)[meet & (found.labels > 0)]
+    return bool(away.size and away.mean() > _EDGE)
 
 
 def _is_flat(rgb: NDArray[np.uint8], inside: Mask) -> bool:
