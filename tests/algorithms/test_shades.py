@@ -178,3 +178,12 @@ def test_colours_that_flow_without_an_edge_are_one_shape(end):
     coverage, omissions = tone.pictogram(drawn(drawing.format("url(#a)")))
     assert amiss(coverage, drawn(DISC.format("#000"))[..., 3]) < 0.01
     assert not omissions
+
+
+def test_sides_that_are_one_beside_other_colours_are_told():
+    """As the panels of an umbrella, beside its handle."""
+    panels = '<path d="M2 12a10 10 0 0 1 20 0z" fill="#3b97d3"/>'
+    panels += '<path d="M2 12A10 10 0 0 1 12 2a20 20 0 0 1 0 10z" fill="#2980b9"/>'
+    handle = '<path d="M11 12h2v10h-2z" fill="#e64c3c"/>'
+    coverage, omissions = tone.pictogram(drawn(panels + handle))
+    assert scipy.ndimage.label(coverage > 127)[1] == 2 and omissions == {Omission.SHADES}

@@ -42,6 +42,8 @@ _SIDES = 8.0
 """How much the lit side of a thing differs from the dark one; shadows and gloss differ by less."""
 _SIZE, _LOST = 0.01, 0.6
 """How much of the drawing figures have that are told of, and how much of their contour is lost."""
+_LARGE = 0.1
+"""How much of the drawing each of two sides has that are told of."""
 _ASIDE = 0.12
 """How far from the middle, as part of the size, a highlight is."""
 
@@ -53,7 +55,7 @@ def shades(
     alone = not (found.lengths[1:, 1:] > 0).any()
     flat = _is_flat(rgb, inside)
     if not (alone or _has_pale_rim(found) or (flat and found.white.any())):
-        return found, _hides_figures(found, rgb, inside, smallest)
+        return found, _hides_shapes(found, rgb, inside, smallest)
     closer = regions(cielab(rgb), inside, _SLIGHT if flat else _FLOWING, smallest, leap=_LEAP)
     more = len(closer.areas) - len(found.areas)
     if not more or (not flat and _flow_together(closer)):
@@ -145,8 +147,8 @@ def _figures(found: Regions) -> bool:
     return bool(aside.min() < _ASIDE)
 
 
-def _hides_figures(found: Regions, rgb: NDArray[np.uint8], inside: Mask, smallest: float) -> bool:
-    """Whether regions are one that differ as much as sides do, and are figures of some size."""
+def _hides_shapes(found: Regions, rgb: NDArray[np.uint8], inside: Mask, smallest: float) -> bool:
+    """Whether regions are one that differ as sides do, and are large, or figures of some size."""
     closer = regions(cielab(rgb), inside, _SIDES, smallest, leap=_LEAP)
     count = len(closer.areas)
     if count == len(found.areas):
@@ -161,7 +163,9 @@ def _hides_figures(found: Regions, rgb: NDArray[np.uint8], inside: Mask, smalles
     within = (home == home[:, None]) & (closer.lengths > 0)
     lost = within & (closer.contrasts > _SIDES)
     lost_around = np.where(lost, closer.lengths, 0).sum(axis=1)
-    return bool((figure & (lost_around > _LOST * closer.around)).any())
+    large = closer.areas > _LARGE * closer.areas[1:].sum()
+    sides = lost & large & large[:, None]
+    return bool((figure & (lost_around > _LOST * closer.around)).any() or sides.any())
 
 
 def _middle(mask: Mask) -> NDArray[np.float64]:
