@@ -24,8 +24,8 @@ from iconstudio.algorithms.tones.regions import Mask, Regions, cielab, pale, reg
 
 _SLIGHT, _LEAP = 2.0, 1.5
 """Least difference that is seen (CIEDE2000), and that of a channel of CIELAB at its edge."""
-_FLOWING = 3.0
-"""As the first, where colours flow."""
+_FLOWING, _BROAD = 3.0, 0.02
+"""As the first, where colours flow; and how much of the drawing a figure has there at least."""
 _EDGE = 3.0
 """Half the width of an edge, in pixels, at most."""
 _PLAIN, _PAINTS = 0.93, 6
@@ -56,7 +56,8 @@ def shades(
     flat = _is_flat(rgb, inside)
     if not (alone or _has_pale_rim(found) or (flat and found.white.any())):
         return found, _hides_shapes(found, rgb, inside, smallest)
-    closer = regions(cielab(rgb), inside, _SLIGHT if flat else _FLOWING, smallest, leap=_LEAP)
+    least, size = (_SLIGHT, smallest) if flat else (_FLOWING, _BROAD * inside.sum())
+    closer = regions(cielab(rgb), inside, least, size, leap=_LEAP)
     more = len(closer.areas) - len(found.areas)
     if not more or (not flat and _flow_together(closer)):
         return found, False
