@@ -77,11 +77,11 @@ def numbered(
     Where the ``ground`` is, if one is given, is told by its own part alone, whatever meets there.
     """
     larger = reconstructed(parts, shape)
-    if ground is None or _has_no_greys(parts):
-        return larger.argmax(axis=0)
-    outside = reconstructed(np.stack([parts[ground], 1 - parts[ground]]), shape)[0] > 0.5
-    larger[ground] = -1
-    return np.where(outside, ground, larger.argmax(axis=0))
+    if ground is not None and not _has_no_greys(parts):
+        outside = reconstructed(np.stack([parts[ground], 1 - parts[ground]]), shape)[0] > 0.5
+        larger[ground] = np.where(outside, 2, -1)
+    number: NDArray[np.intp] = larger.argmax(axis=0)
+    return number
 
 
 def _sharpened(parts: NDArray[np.float32]) -> NDArray[np.float32]:
