@@ -5,10 +5,17 @@ They are for work that may hang or swell inside a library: that a file from outs
 
 import os
 import signal
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from time import monotonic
+from time import monotonic, process_time
+
+PATIENCE = 10.0
+"""How many times its limit of processor time something may take by the clock."""
+OVER_TIME = frozenset(
+    -number for name in ("SIGPROF", "SIGALRM") if (number := getattr(signal, name, 0))
+)
+"""Exit codes of processes that a limit of time has ended."""
 
 
 @contextmanager
@@ -40,22 +47,35 @@ def silence(wanted: bool = True) -> Iterator[None]:
 
 @contextmanager
 def time_limit(seconds: float | None) -> Iterator[None]:
-    """End this process by ``SIGALRM`` if the block takes more than so many seconds.
+    """End this process by a signal if the block takes more than so many seconds of a processor.
 
-    An earlier limit of a block around it holds on. In the main thread only.
+    So a machine that has much else to do ends nothing; ``PATIENCE`` times as long by the clock ends
+    what waits for ever. Earlier limits of a block around it hold on.
     """
-    if seconds is None or not hasattr(signal, "setitimer"):  # Windows
+    if seconds is None:
         yield
         return
-    began = monotonic()
-    around, _ = signal.setitimer(signal.ITIMER_REAL, seconds)
+    by_clock = PATIENCE * seconds
+    with _timer("ITIMER_PROF", seconds, process_time), _timer("ITIMER_REAL", by_clock, monotonic):
+        yield
+
+
+@contextmanager
+def _timer(name: str, seconds: float, clock: Callable[[], float]) -> Iterator[None]:
+    """Have the system send its signal if the block takes longer, where it has such timers."""
+    if not hasattr(signal, "setitimer"):  # Windows
+        yield
+        return
+    timer: int = getattr(signal, name)
+    began = clock()
+    around, _ = signal.setitimer(timer, seconds)
     if 0 < around < seconds:
-        signal.setitimer(signal.ITIMER_REAL, around)
+        signal.setitimer(timer, around)
     try:
         yield
     finally:
-        rest = max(around - (monotonic() - began), 0.001) if around else 0.0
-        signal.setitimer(signal.ITIMER_REAL, rest)
+        rest = max(around - (clock() - began), 0.001) if around else 0.0
+        signal.setitimer(timer, rest)
 
 
 @contextmanager

@@ -17,11 +17,8 @@ from iconstudio.workflows.events import Event, staged
 from iconstudio.workflows.registry import taking_icons
 
 SECONDS, MEMORY = 20.0, 1 << 30
-"""How long reading a file may take, and how many bytes."""
-SIMPLER = (
-    "Try again when the machine has less to do; else simplify the drawing, "
-    "or save it as a PNG and open that."
-)
+"""How many seconds of a processor reading a file may take, and how many bytes."""
+SIMPLER = "Simplify the drawing, or save it as a PNG and open that."
 """What to do about a drawing that reaches the limits."""
 _SHOWN = 200
 """Most characters of a reference that a message repeats."""

@@ -108,13 +108,10 @@ def _run(
     memory: int | None,
     ticket: int | None,
 ) -> Any:
-    """Run a task in a worker process, which outlives its time by a second at most.
-
-    This is for a task that hangs in a library when nobody is left to kill it.
-    """
+    """Run a task in a worker process, which ends if it takes more than there is."""
     global _ticket
     _ticket = ticket
     if stopped():
         raise CancelledError
-    with limited(timeout and timeout + 1, memory):
+    with limited(timeout, memory):
         return function(*args)

@@ -25,6 +25,7 @@ from contextlib import suppress
 from time import monotonic
 from typing import Any, TypeVar
 
+from iconstudio.limits import OVER_TIME, PATIENCE
 from iconstudio.model import IconstudioError
 from iconstudio.safepath import protect_children
 from iconstudio.tasks import BEGUN, SLOTS, work
@@ -37,7 +38,6 @@ _TRIES = 2
 """How many processes a task may lose while it runs."""
 _STARTS = 6
 """How many processes may be lost in all before a task is given up: some before they began it."""
-_ALARM = getattr(signal, "SIGALRM", 0)
 _KILL = getattr(signal, "SIGKILL", 0)
 
 
@@ -107,7 +107,8 @@ class Workers:
         Parameters
         ----------
         timeout
-            Seconds of running after which it is killed, and the future raises ``TimeoutError``.
+            Seconds of a processor after which it is killed, and the future raises ``TimeoutError``;
+            see ``limits.time_limit``.
         memory
             Bytes that it may take; then it raises ``MemoryError``, or its process dies.
         lane
@@ -268,9 +269,9 @@ class _WorkerQueue:
                     break
                 self._connection.send_bytes(message)
                 begun = self._connection.recv_bytes() == BEGUN
-                if not self._connection.poll(task.timeout):
+                if not self._connection.poll(task.timeout and PATIENCE * task.timeout):
                     self._end_process()
-                    return None, TimeoutError(f"more than {task.timeout:g} seconds")
+                    return None, TimeoutError(f"far more than {task.timeout:g} seconds")
                 outcome: tuple[Any, BaseException | None]
                 outcome = pickle.loads(self._connection.recv_bytes())
                 return outcome
@@ -279,7 +280,7 @@ class _WorkerQueue:
                 lost += begun
                 if task.done():
                     break
-                if exitcode == -_ALARM:
+                if exitcode in OVER_TIME:
                     return None, TimeoutError("a limit of its own")
                 if lost == _TRIES:
                     break

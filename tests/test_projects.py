@@ -439,6 +439,24 @@ def test_the_work_of_a_window_that_was_killed_is_offered_once(tmp_path, writer):
     assert not list(tmp_path.iterdir())
 
 
+_FIRST_EDIT = """
+import sys
+from pathlib import Path
+from iconstudio.project.archive import Index, Project
+from iconstudio.project.journal import Journal, left_behind
+folder = Path(sys.argv[1])
+list(left_behind(folder))  # as when the window has just opened
+before = set(sys.modules)
+Journal(folder).write(Project(Index(), {}))
+print(*set(sys.modules) - before)
+"""
+
+
+def test_the_first_edit_waits_for_nothing_to_be_loaded(tmp_path):
+    command = [sys.executable, "-c", _FIRST_EDIT, str(tmp_path)]
+    assert subprocess.run(command, check=True, capture_output=True, text=True).stdout.split() == []
+
+
 def test_a_journal_that_is_cleared_leaves_nothing(tmp_path):
     journal = Journal(tmp_path / "journals")
     assert not (tmp_path / "journals").exists()

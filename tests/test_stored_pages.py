@@ -64,6 +64,15 @@ def first(formats):
     return contents(archive.read(FIRST), formats)
 
 
+def test_the_share_of_a_project_that_has_been_read_grows_to_all_of_it(formats):
+    *steps, _ = reading(Studio(), archive.read(FIRST), formats)
+    shares = [one.done for one in steps]
+    assert shares == sorted(shares)
+    assert shares[0] < 0.5
+    assert shares[-1] == 1.0
+    assert len(set(shares)) > 2
+
+
 def test_the_first_project_still_opens(first):
     assert (first.complaints, first.current) == ((), "hybrids")
     sketch, edit, mix, montage = (

@@ -7,13 +7,22 @@ same under the same name, keep the ``ICONS`` most useful, work out under which w
 
 import json
 from collections import Counter, defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import islice
 from pathlib import Path
 
 from iconstudio.building.drawings import fingerprints
 from iconstudio.building.licences import credits_text
-from iconstudio.building.selection import Brands, brands, namings, normal_body, select, wanted_sets
+from iconstudio.building.selection import (
+    MAKERS,
+    Brands,
+    brands,
+    namings,
+    normal_body,
+    select,
+    wanted_sets,
+)
 from iconstudio.files import reason_of
 from iconstudio.library import archive
 from iconstudio.library.fingerprint import Fingerprint, stack, unlikeness
@@ -31,6 +40,9 @@ ICONS = 103_200
 
 ALIKE = 0.15
 """Drawings of one name that differ by less are kept once."""
+
+FEW = 10
+"""So many drawings are kept of each name that ``MAKERS`` authors draw, be it a mark: *recycle*."""
 
 LIKE_A_LOGO = 0.3
 """An icon that has a logo's name, and differs from the logo by less, is the logo."""
@@ -82,7 +94,7 @@ def build(inputs: Inputs, out: Path, workers: Workers, most: int = ICONS) -> Ite
         if shape is not None
     ]
     candidates = _no_logos(candidates, known, shapes[len(selected) :])
-    chosen = _most_useful(_different(candidates), most, wordnet)
+    chosen = _most_useful(_different(candidates), most, wordnet, sets)
     yield Progress("prepare", 0.8, "Working out the words")
     contents = _contents(sets, chosen, wordnet)
     yield Progress("prepare", 0.9, "Packing")
@@ -167,18 +179,33 @@ def _different(candidates: Sequence[_Candidate]) -> list[_Candidate]:
     return different
 
 
-def _most_useful(candidates: Sequence[_Candidate], most: int, wordnet: WordNet) -> list[_Candidate]:
-    """Return at most ``most`` candidates in the order of their identifiers, things before marks."""
+def _most_useful(
+    candidates: Sequence[_Candidate], most: int, wordnet: WordNet, sets: Mapping[str, IconSet]
+) -> list[_Candidate]:
+    """Return at most ``most`` candidates in the order of their identifiers.
+
+    First come a few of each name that many draw, then things, then marks.
+    """
     worth: dict[tuple[str, ...], int] = {}
     for candidate in candidates:
         words = candidate.name.words
         if words not in worth:
             worth[words] = _worth(words, wordnet)
+    common = _few_of_each(candidates, sets)
     ranked = sorted(
         candidates,
-        key=lambda c: (worth[c.name.words], len(c.icon.body), c.icon.id),
+        key=lambda c: (c.icon.id not in common, worth[c.name.words], len(c.icon.body), c.icon.id),
     )
     return sorted(ranked[:most], key=lambda c: (c.icon.prefix, c.icon.name))
+
+
+def _few_of_each(candidates: Sequence[_Candidate], sets: Mapping[str, IconSet]) -> set[str]:
+    """Return the identifiers of a few drawings of each name that many authors draw, one of each."""
+    by_name: defaultdict[tuple[str, ...], dict[str, str]] = defaultdict(dict)
+    for one in sorted(candidates, key=lambda c: (len(c.icon.body), c.icon.id)):
+        by_name[one.name.words].setdefault(sets[one.icon.prefix].author, one.icon.id)
+    many = (made for made in by_name.values() if len(made) >= MAKERS)
+    return {drawing for made in many for drawing in islice(made.values(), FEW)}
 
 
 def _worth(words: tuple[str, ...], wordnet: WordNet) -> int:

@@ -44,10 +44,12 @@ _COMPANIES = words(
     "twitter amazon slack discord dropbox android skype reddit google facebook github python"
 )
 """Companies whose names WordNet lists as common nouns, or that name many products after them."""
-_MAKERS, _TO_ONE = 4, 3
-"""A name is common, whatever logos have it, if at least so many authors draw it as a thing, and so
-many to one that draws it as a logo. So *wifi*, 47 to 4, and *bluetooth*, 49 to 10, are; *facebook*,
-28 to 35, and *copilot*, 4 to 2, are not. Sets of one author count once."""
+MAKERS = 4
+"""A name that so many authors draw is common. Sets of one author count once."""
+_TO_ONE = 3
+"""A name is common, whatever logos have it, if so many authors draw it as a thing to one that draws
+it as a logo. So *wifi*, 47 to 4, and *bluetooth*, 49 to 10, are; *facebook*,
+28 to 35, and *copilot*, 4 to 2, are not."""
 _FLAGS = re.compile(r"^(circle-)?flags?-(for|of)-|^flag-[a-z]{2}(-[a-z]+)?$")
 _PIXEL_ART = re.compile(r"^pixel-|\b8-?bit\b")
 """Pixel art among the drawings of a set that is none."""
@@ -120,7 +122,7 @@ def brands(folder: Path, wordnet: WordNet) -> Brands:
     common = {
         name
         for name, makers in as_logo.items()
-        if len(as_thing[name]) >= max(_MAKERS, _TO_ONE * len(makers))
+        if len(as_thing[name]) >= max(MAKERS, _TO_ONE * len(makers))
     }
     return Brands(
         frozenset(names - common), tuple((icon, name) for icon, name in logos if name not in common)

@@ -30,6 +30,11 @@ def remember(name: str, texts: list[str]) -> None:
     _settings().setValue(name, texts)
 
 
+def put_in_front(name: str, text: str, most: int) -> None:
+    """Put a text in front of a list that is kept, of which ``most`` are."""
+    remember(name, [text, *(one for one in remembered(name) if one != text)][:most])
+
+
 def _settings() -> QSettings:
     scope = QSettings.Scope.UserScope
     return QSettings(QSettings.Format.IniFormat, scope, "iconstudio", "iconstudio")

@@ -28,9 +28,7 @@ SUFFIXES = (
 )
 """How names of files of images usually end."""
 
-CURE = (
-    "Try again when the machine has less to do; else scale it down, or save it in another format."
-)
+CURE = "Scale it down, or save it in another format."
 """What to do about an image that reaches the limits."""
 _SECONDS = 60.0
 _MEMORY = 1 << 31

@@ -2,6 +2,7 @@
 
 import os
 import re
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -48,12 +49,12 @@ class Drawing:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Image:
-    """An image of pixels that is in no file: its bytes in whatever format, or as the window has it.
+    """An image of pixels that is in no file: its bytes in whatever format, or what decodes it.
 
-    What the window has, only the window can read.
+    That may be called in any thread, and is: an image may be large.
     """
 
-    image: bytes | Any
+    image: bytes | Callable[[], Any]
     name: str = "image"
 
 

@@ -280,8 +280,7 @@ class Collection:
     @_mended
     def suggest(self, keyword: str) -> tuple[str, ...]:
         """Return keywords near to ``keyword`` in spelling that do have results."""
-        words = query.plain(keyword)
-        return () if is_insult(words) else nearest(words, self._lookup.proposals())
+        return self._lookup.suggestions(keyword)
 
     @_mended
     def keyword(self, title: str) -> str:

@@ -6,8 +6,11 @@ from dataclasses import replace
 from iconstudio.library.phrases import Answer, Phrases
 from iconstudio.library.terms import FEW, Rows, Scores, Terms
 from iconstudio.library.words import query, symbols
+from iconstudio.library.words.decency import is_insult
 from iconstudio.library.words.naming import is_negated
+from iconstudio.library.words.nearness import nearest
 from iconstudio.library.words.query import Style
+from iconstudio.library.words.usage import BRANDS
 from iconstudio.library.words.vocabulary import ATTRIBUTES, PREPOSITIONS
 
 _MOST = 8
@@ -78,9 +81,12 @@ class Lookup:
         """Return words for things of the same kind as one that nothing answers."""
         return self._terms.beside(query.plain(keyword))
 
-    def proposals(self) -> list[str]:
-        """Return the words that may be proposed to somebody who has misspelt one."""
-        return self._terms.proposals()
+    def suggestions(self, keyword: str) -> tuple[str, ...]:
+        """Return words near to a keyword in spelling, unless that is no misspelling."""
+        words = query.plain(keyword)
+        if is_insult(words) or words in BRANDS:
+            return ()
+        return nearest(words, self._terms.proposals())
 
     def spelling(self, keyword: str) -> tuple[str, ...]:
         """Return the words that a keyword is a misspelling of, though few icons are called so."""

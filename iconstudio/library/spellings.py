@@ -1,7 +1,7 @@
 """How else a keyword may be spelt: joined or parted, as icons are called, or rightly."""
 
 from collections.abc import Iterator
-from itertools import islice, pairwise, product
+from itertools import chain, islice, product
 
 from iconstudio.library.terms import Terms
 from iconstudio.library.words import query, symbols
@@ -36,8 +36,9 @@ class Spellings:
         """
         found = [words, ("".join(words),)]
         if len(words) <= _SHORT:
-            known = self._terms.leading(first + second for first, second in pairwise(words))
-            found += (one for one in query.joinings(words) if not known.isdisjoint(one))
+            joined = [*query.joinings(words), *query.phrasal(words)]
+            known = self._terms.leading(set(chain(*joined)).difference(words))
+            found += (one for one in joined if not known.isdisjoint(one))
             found += self._otherwise(words)
             for place, word in enumerate(words):
                 for parted in sorted(self._terms.leading(query.partings(word))):

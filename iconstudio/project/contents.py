@@ -4,7 +4,7 @@ from collections.abc import Generator, Iterator, Mapping
 from contextlib import closing
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from msgspec import structs
 
@@ -12,8 +12,11 @@ from iconstudio.inputs import json
 from iconstudio.model import Icon, IconstudioError
 from iconstudio.project.archive import INDEX, Index, Project
 from iconstudio.project.parts import Parts, ProjectSession, StoredParts
+from iconstudio.workflows.events import Progress
 from iconstudio.workflows.pages import Page, PageFormat
 from iconstudio.workflows.workflow import Workflow, load_object
+
+T = TypeVar("T")
 
 _HERE = Path(INDEX)
 
@@ -77,7 +80,7 @@ class Contents:
 
 
 def reading(session: ProjectSession, project: Project, formats: Formats) -> Generator[Any]:
-    """Yield the contents of a project at last; before that progress, or None.
+    """Yield the contents of a project at last; before that progress.
 
     A page that cannot be read is told and kept, and the others are there. Fields that are not
     known here are told, too.
@@ -98,14 +101,25 @@ def reading(session: ProjectSession, project: Project, formats: Formats) -> Gene
             stored = json.converted(page, formats[name].stored, _HERE, f", {name}")
             parts.note_unknown(f"On the page of {title}", json.unknown_fields(stored, page))
             with closing(formats[name].read(stored, parts)) as steps:
-                pages[name] = yield from steps
+                pages[name] = yield from _told(steps, parts)
         except IconstudioError as error:
             parts.complaints.append(f"The page of {title} could not be read. {error}")
-    recent = yield from parts.results(index.recent)
+    recent = yield from _told(parts.results(index.recent), parts)
     left = {name: page for name, page in index.pages.items() if name not in pages}
     unread = Project(structs.replace(index, pages=left), project.parts) if left else None
     complaints = (*parts.complaints, *parts.passed_over)
     yield Contents(index.current, pages, recent, complaints, unread)
+
+
+def _told(steps: Generator[Any, None, T], parts: StoredParts) -> Generator[Progress, None, T]:
+    """Yield at each step the share of the project that has been read; return the same."""
+    try:
+        while True:
+            next(steps)
+            yield Progress("open", parts.share, "Opening the project")
+    except StopIteration as end:
+        found: T = end.value
+        return found
 
 
 def _all_in(some: tuple[Icon, ...], others: tuple[Icon, ...]) -> bool:

@@ -138,6 +138,8 @@ class LeftBehind:
 
 def left_behind(folder: Path) -> Generator[LeftBehind]:
     """Yield what windows that are no more have left in the folder of all journals, newest first."""
+    import filelock  # noqa: F401 - so that the first edit need not wait until that is loaded
+
     found = []
     with suppress(OSError):
         found = [one for one in folder.iterdir() if one.is_dir()]

@@ -129,6 +129,14 @@ class StoredParts:
         self._contents = contents
         self._found: dict[str, Pictogram] = {}
         self._drawn: dict[str, Exemplar] = {}
+        self._left = {*icons, *(part for part in contents if not part.startswith("icons/"))}
+        """Icons, and other parts, that have not been asked for yet."""
+        self._total = len(self._left)
+
+    @property
+    def share(self) -> float:
+        """The share of the project that has been read, from 0 to 1."""
+        return 1 - len(self._left) / max(1, self._total)
 
     @property
     def resources(self) -> Resources:
@@ -158,6 +166,7 @@ class StoredParts:
             If there is none, or it is no good.
         """
         if reference not in self._found:
+            self._left.discard(reference)
             self._found[reference] = self._read_icon(reference)
         return self._found[reference]
 
@@ -184,6 +193,7 @@ class StoredParts:
         """
         if part not in self._contents:
             raise IconstudioError(f"“{part}” is missing in the file.")
+        self._left.discard(part)
         return self._contents[part]
 
     def drawn(self, part: str) -> Pictogram:

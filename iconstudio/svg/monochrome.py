@@ -11,7 +11,7 @@ import re
 import xml.etree.ElementTree as ET
 from collections.abc import Sequence
 from string import whitespace
-from time import perf_counter
+from time import process_time
 from typing import NamedTuple
 
 import numpy as np
@@ -38,8 +38,8 @@ from iconstudio.svg.strokes import coarsened, evened, thickened, widened
 _SIDE = 4 * CANVAS
 """Side of the picture that decides, unless the drawing has filters, masks or patterns."""
 _SLOW = 0.7
-"""Seconds from which such a drawing is drawn no larger than the canvas: all but the oddest are far
-from it, so that what comes out does not depend on what else the machine does."""
+"""Seconds of a processor from which such a drawing is drawn no larger than the canvas: all but the
+oddest are far from it."""
 _APART = 100
 """Grey levels by which ink and paper differ."""
 _ALIKE = 0.004
@@ -202,9 +202,9 @@ def _picture(
             return _Picture(None, coverage, frozenset(), False)
     svg, size = document(content, box), _SIDE
     if heavy:
-        start = perf_counter()
+        start = process_time()
         render_colours(svg, frame, CANVAS, fonts)
-        size = CANVAS if perf_counter() - start > _SLOW else 2 * CANVAS
+        size = CANVAS if process_time() - start > _SLOW else 2 * CANVAS
     colours = flattened(render_colours(svg, frame, size, fonts))
     coverage, omissions = pictogram(colours)
     return _Picture(colours, coverage, omissions, _is_thin(coverage))

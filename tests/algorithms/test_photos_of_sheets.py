@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from iconstudio.algorithms.scanning.binarisation import ink_of, recognised
-from iconstudio.algorithms.scanning.sheet import is_photographed
+from iconstudio.algorithms.scanning.sheet import photographed_sheet
 from iconstudio.algorithms.tones.alternation import Omission
 from tests import scans
 from tests.algorithms.test_scanning import house
@@ -33,6 +33,6 @@ def test_what_a_computer_painted_was_not_photographed():
     picture = np.full((200, 300, 3), (0.2, 0.5, 0.8), np.float32)
     picture[40:160, 60:240] = 0.97
     picture[80:120, 120:180] = 0.1
-    assert not is_photographed(picture)
+    assert photographed_sheet(picture) is None
     uneven = picture * np.linspace(0.7, 1, 300, dtype=np.float32)[:, None]
-    assert is_photographed(uneven)
+    assert photographed_sheet(uneven) is not None

@@ -145,3 +145,45 @@ def test_figures_that_are_lost_beside_other_colours_are_told():
     both = [picture.format("#ff9800"), picture.format("#ff9800") + hills.format("#b3ddf5")]
     told = [tone.pictogram(rgba(one, 512, "0 0 100 100")).omissions for one in both]
     assert told == [set(), {Omission.SHADES}]
+
+
+def flowing(name, one, other, across=1):
+    stops = f'<stop stop-color="{one}"/><stop offset="1" stop-color="{other}"/>'
+    return f'<linearGradient id="{name}" x2="{across}" y2="{1 - across}">{stops}</linearGradient>'
+
+
+DISC = '<circle cx="12" cy="12" r="11" fill="{}"/>'
+BEHIND, ABOVE = (flowing("b", "#f7971e", "#ffd200"), flowing("a", "#ffa62e", "#ffdf3a"))
+
+
+def test_a_figure_is_told_from_its_ground_though_the_colours_of_both_flow():
+    ground, figure = FIGURES["star"]
+    drawing = BEHIND + ABOVE + ground.format("url(#b)") + figure.format("url(#a)")
+    coverage, omissions = tone.pictogram(drawn(drawing))
+    shape = drawn(figure.format("#000"))[..., 3]
+    assert amiss(coverage, np.where(shape > 127, 0, drawn(DISC.format("#000"))[..., 3])) < 0.04
+    assert not omissions
+
+
+def test_sides_are_set_off_though_their_colours_flow():
+    colours = flowing("b", "#6a11cb", "#2575fc", 0) + flowing("a", "#7b2bd6", "#3d88ff", 0)
+    envelope = '<path d="M2 5h20v14H2z" fill="url(#b)"/><path d="M2 5l10 8 10-8z" fill="url(#a)"/>'
+    coverage, omissions = tone.pictogram(drawn(colours + envelope))
+    assert scipy.ndimage.label(coverage > 127)[1] == 2 and not omissions
+
+
+@pytest.mark.parametrize("end", [1, 0.4])
+def test_colours_that_flow_without_an_edge_are_one_shape(end):
+    drawing = flowing("a", "#803", "#f9a", end).replace('y2="0.6"', 'y2="0"') + DISC
+    coverage, omissions = tone.pictogram(drawn(drawing.format("url(#a)")))
+    assert amiss(coverage, drawn(DISC.format("#000"))[..., 3]) < 0.01
+    assert not omissions
+
+
+def test_sides_that_are_one_beside_other_colours_are_told():
+    """As the panels of an umbrella, beside its handle."""
+    panels = '<path d="M2 12a10 10 0 0 1 20 0z" fill="#3b97d3"/>'
+    panels += '<path d="M2 12A10 10 0 0 1 12 2a20 20 0 0 1 0 10z" fill="#2980b9"/>'
+    handle = '<path d="M11 12h2v10h-2z" fill="#e64c3c"/>'
+    coverage, omissions = tone.pictogram(drawn(panels + handle))
+    assert scipy.ndimage.label(coverage > 127)[1] == 2 and omissions == {Omission.SHADES}

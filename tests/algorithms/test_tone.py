@@ -6,6 +6,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+import scipy
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from PIL import Image
@@ -364,3 +365,15 @@ def test_a_body_that_shows_through_the_holes_of_what_is_on_it_stays_one():
     coverage, omissions = tone.pictogram(rgba(body + letter))
     assert_alike(coverage, np.where(ink(letter) > 127, 0, ink(body)))
     assert not omissions
+
+
+def test_the_midst_of_a_mosaic_is_as_the_rest_of_it():
+    colours = ["#e53935", "#1e88e5", "#43a047", "#fdd835"]
+    squares = "".join(
+        f'<rect x="{6 * x}" y="{6 * y}" width="6" height="6" fill="{colours[(x + 3 * y) % 4]}"/>'
+        for x in range(4)
+        for y in range(4)
+    )
+    pieces, _ = scipy.ndimage.label(pictogram(rgba(squares)) > 127)
+    sizes = np.bincount(pieces.ravel())[1:]
+    assert (sizes > 10000).sum() == 16 and sizes[sizes <= 10000].sum() < 100

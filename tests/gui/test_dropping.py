@@ -290,22 +290,22 @@ def test_several_files_are_pasted(roomy, qtbot, own):
     there(roomy, qtbot, 2)
 
 
-def slowly(opener, monkeypatch):
-    """Let an opener wait until an event is set before it reads."""
-    go, read = threading.Event(), opener.reading
+def slowly(importer, monkeypatch):
+    """Let an importer wait until an event is set before it reads."""
+    go, read = threading.Event(), importer.reading
 
     def reading(item):
         while not go.wait(0.01):
             yield None
         return (yield from read(item))
 
-    monkeypatch.setattr(opener, "reading", reading)
+    monkeypatch.setattr(importer, "reading", reading)
     return go
 
 
 @pytest.mark.parametrize("good", [True, False])
 def test_what_takes_long_to_open_is_told_meanwhile(place, qtbot, own, monkeypatch, good):
-    go, (path,), told, failures = slowly(place.opener, monkeypatch), own(1), [], []
+    go, (path,), told, failures = slowly(place.importer, monkeypatch), own(1), [], []
     path.write_text(SVG.format(0) if good else "no drawing")
     place.remarked.connect(told.append)
     place.failed.connect(failures.append)
@@ -329,7 +329,7 @@ def test_opening_can_be_cancelled(window, qtbot, own, photo, monkeypatch, title)
     window.show_workspace(OTHERS.get(title, 0))
     place = window.workspace
     before = place.page
-    slowly(place.opener, monkeypatch)
+    slowly(place.importer, monkeypatch)
     place.open_mime(urls(*(own(1) if title != "Sketch" else [photo])))
     qtbot.waitUntil(lambda: status(place) == "Opening…")
     place.window().pane.status.button.click()
@@ -502,7 +502,7 @@ def test_an_icon_of_the_window_goes_where_icons_are_only(window, qtbot):
     window.show_workspace(OTHERS["Hybrids"])
     place, data = window.workspace, packed(exemplar(3).pictogram)
     assert drop(place.favourites_panel, data) is None, "that is where it may come from"
-    assert drop(place.column.cards.viewport(), data)
+    assert drop(place.column.cards, data)
     there(place, qtbot, 1)
 
 

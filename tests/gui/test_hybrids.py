@@ -148,11 +148,11 @@ def test_icons_and_files_can_be_dropped_on_the_cards_and_pasted(place, qtbot, tm
     own, mix = tmp_path / "own.svg", tmp_path / "two.json"
     own.write_text(SVG)
     mix.write_text('{"icons": ["shapes:ring-4", "shapes:frame-5"]}')
-    drop(place.column.cards.viewport(), packed(exemplar(2).pictogram))
+    drop(place.column.cards, packed(exemplar(2).pictogram))
     qtbot.waitUntil(lambda: names(place) == ["shapes:cross-2"])
     urls = QMimeData()
     urls.setUrls([QUrl.fromLocalFile(str(own))])
-    drop(place.column.cards.viewport(), urls)
+    drop(place.column.cards, urls)
     qtbot.waitUntil(lambda: len(names(place)) == 2)
     urls.setUrls([QUrl.fromLocalFile(str(mix))])
     QApplication.clipboard().setMimeData(urls)
@@ -202,7 +202,7 @@ def test_icons_that_the_user_chose_or_pinned_stay_when_the_program_picks(chosen,
 
 def test_more_picks_than_there_is_room_for_are_told(place, qtbot):
     for number in range(MOST - 2):
-        place.opener.take_exemplar(exemplar(20 + number))
+        place.add(exemplar(20 + number))
     search(place.column.chooser, "lamp")
     pick(place, qtbot, 4)
     assert len(names(place)) == MOST
@@ -491,7 +491,7 @@ def test_undo_brings_back_the_sheet_of_an_earlier_mix(mixed, qtbot):
     stack.undo()
     assert rows(mixed) == first
     assert mixed.sheet.isVisible()
-    mixed.opener.shown.emit()
+    mixed.mix_example()
     assert not mixed.draws.runner.running, "an example that is opened again is there already"
     run(mixed, qtbot)
     assert rows(mixed)[: len(first)] == first, "more of it is drawn below"

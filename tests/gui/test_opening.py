@@ -168,7 +168,7 @@ def test_another_sketch_can_be_undone(sketching, qtbot):
     trace(sketching)
     type_keyword(sketching, "dog")
     before = sketching.document.page
-    sketching.opener.open_example(example("coffee"))
+    sketching.open_sketch(example("coffee"))
     qtbot.waitUntil(lambda: sketching.document.page != before)
     sketching.actions_by_name["undo"].trigger()
     assert sketching.document.page == before

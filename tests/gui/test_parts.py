@@ -16,8 +16,10 @@ from iconstudio.gui.workspaces.sketching import alternatives as offering
 from iconstudio.gui.workspaces.sketching.workspace import SketchWorkspace
 from iconstudio.model import Layer, Stroke
 from iconstudio.session import Session
+from iconstudio.workflows import grid
 from iconstudio.workflows.criteria import exclude_icons
 from iconstudio.workflows.grid import GridSettings
+from iconstudio.workflows.modelling import alternatives
 from iconstudio.workflows.modelling.alternatives import Tried
 from iconstudio.workflows.modelling.spec import MODELLING
 
@@ -178,6 +180,8 @@ def test_a_result_is_opened_in_montage_as_its_sources(window, place, qtbot):
 def test_a_part_is_pinned_with_the_real_session(qtbot, monkeypatch):
     few = GridSettings(styles=("dark",), lambdas=(0.1,))
     monkeypatch.setattr(SketchWorkspace, "settings", lambda self: few)
+    monkeypatch.setattr(grid, "LAMBDAS", (0.1,))  # no others are searched beside it
+    monkeypatch.setattr(alternatives, "MOST", 2)
     with shown(MainWindow(Session(), (MODELLING,)), qtbot) as window:
         place = window.workspace
         trace(place)

@@ -420,7 +420,7 @@ def test_what_is_no_exemplar_is_refused_and_the_page_stays(
     path.write_text(json.dumps(content))
     with qtbot.waitSignal(laid_out.failed) as failed:
         if content is None:
-            laid_out.opener.open_image(str(tmp_path / "tiny.png"))
+            laid_out.open_image(str(tmp_path / "tiny.png"))
         else:
             laid_out.opener.open_file(str(path))
     assert said in failed.args[0]
@@ -477,7 +477,7 @@ def test_a_coloured_drawing_is_opened_as_an_image_with_its_credits(place, qtbot,
         '<rect width="96" height="64" fill="#fff"/>'
         '<rect x="24" y="16" width="48" height="32" fill="#dc1e1e"/></svg>'
     )
-    place.opener.open_image(str(path))
+    place.open_image(str(path))
     qtbot.waitUntil(lambda: place.reader.layers is not None)
     assert place.reader.layers.colours == ("#ffffff", "#dc1e1e")
     assert [one.id.startswith("own:ornament") for one in place.page.work.image.credits] == [True]
@@ -488,7 +488,7 @@ def test_a_sprite_sheet_opened_as_an_image_is_told_in_words_of_the_window(place,
     symbol = '<symbol id="{}" viewBox="0 0 9 9"><path d="M1 1h7v7z" fill="red"/></symbol>'
     symbols = "".join(map(symbol.format, ("flag", "bar")))
     path.write_text(f'<svg xmlns="http://www.w3.org/2000/svg">{symbols}</svg>')
-    place.opener.open_image(str(path))
+    place.open_image(str(path))
     notice = place.window().pane.notice
     qtbot.waitUntil(notice.isVisible)
     assert "sprite sheet of 2 symbols (flag, bar)" in notice.label.text()
@@ -522,7 +522,7 @@ def test_while_the_first_pattern_is_made_its_place_says_so(place, qtbot, monkeyp
 def test_the_work_is_saved_beside_its_image_and_opened(
     place, qtbot, monkeypatch, tmp_path, ornament
 ):
-    place.opener.open_image(str(ornament))
+    place.open_image(str(ornament))
     qtbot.waitUntil(lambda: place.page.work.image is not None)
     path = tmp_path / "work.json"
     save_to(place, monkeypatch, path)

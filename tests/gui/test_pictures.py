@@ -5,8 +5,9 @@ import pytest
 from fake_session import FakeSession, drawing
 from hands import SQUARE, trace
 from images import assert_alike, blank, difference, pixels
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtCore import QPoint, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QIcon, QPainter
+from PySide6.QtWidgets import QCheckBox
 
 from iconstudio.gui.canvas.tools.polygon import PolygonTool
 from iconstudio.gui.gallery.large import LargePicture
@@ -23,6 +24,7 @@ from iconstudio.gui.pictures.picture import (
 )
 from iconstudio.gui.pictures.vector import painter_path
 from iconstudio.gui.theme import icons, theme
+from iconstudio.gui.theme.layout import card
 from iconstudio.model import (
     CANVAS,
     ColouredLayer,
@@ -186,15 +188,21 @@ def test_a_disabled_icon_is_faint(qtbot):
     assert disabled == pytest.approx(0.35 * normal, abs=0.01)
 
 
-@pytest.mark.parametrize("colours", [theme.LIGHT, theme.DARK], ids=["light", "dark"])
-def test_words_can_be_read_in_both_themes(colours):
-    def luminance(token):
+def contrast(one, other):
+    """The contrast of two colours, from 1 to 21 (WCAG 2)."""
+
+    def luminance(color):
         channels = [
-            c / 12.92 if c <= 0.03928 else ((c + 0.055) / 1.055) ** 2.4
-            for c in colours.color(token).getRgbF()[:3]
+            c / 12.92 if c <= 0.03928 else ((c + 0.055) / 1.055) ** 2.4 for c in color.getRgbF()[:3]
         ]
         return float(np.dot(channels, (0.2126, 0.7152, 0.0722)))
 
+    dark, light = sorted((luminance(one), luminance(other)))
+    return (light + 0.05) / (dark + 0.05)
+
+
+@pytest.mark.parametrize("colours", [theme.LIGHT, theme.DARK], ids=["light", "dark"])
+def test_words_can_be_read_in_both_themes(colours):
     for ink, ground in [
         ("text", "surface"),
         ("text", "window"),
@@ -205,8 +213,21 @@ def test_words_can_be_read_in_both_themes(colours):
         ("danger", "surface"),
         ("text", "danger_soft"),
     ]:
-        dark, light = sorted((luminance(ink), luminance(ground)))
-        assert (light + 0.05) / (dark + 0.05) >= 4.5, (ink, ground)
+        assert contrast(colours.color(ink), colours.color(ground)) >= 4.5, (ink, ground)
+
+
+@pytest.mark.parametrize("colours", [theme.LIGHT, theme.DARK], ids=["light", "dark"])
+def test_the_border_of_a_check_box_can_be_seen_in_both_themes(qtbot, colours):
+    off, on = QCheckBox("Off"), QCheckBox("On", checked=True)
+    frame = card(off, on)
+    qtbot.addWidget(frame)
+    frame.setStyleSheet(theme._style_sheet(colours))
+    shown = frame.grab().toImage()
+    for box in (off, on):
+        at = box.mapTo(frame, QPoint(0, box.height() // 2))
+        border, ground = (shown.pixelColor(at + QPoint(x, 0)) for x in (0, -4))
+        assert ground.name() == colours.surface
+        assert contrast(border, ground) >= 3, box.text()
 
 
 def test_the_outline_is_drawn_where_it_was_traced(sketching):

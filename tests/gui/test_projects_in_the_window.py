@@ -1,10 +1,12 @@
 """Projects: what is in the window, in one file, and back."""
 
+import itertools
 import json
 import threading
 import time
 import zipfile
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -24,11 +26,10 @@ from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QMessageBox
 
 from iconstudio.gui.pictures.photo import mipmap_of
-from iconstudio.gui.project import questions, recents
+from iconstudio.gui.project import files, questions, recents
 from iconstudio.gui.project.questions import Answer
 from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.gui.window.pane import WorkspacePane
-from iconstudio.gui.workspaces.plain.opening import WorkPage
 from iconstudio.images.reading import Image
 from iconstudio.model import Axis, Placement, Stroke
 from iconstudio.output.filenames import suffixed
@@ -36,9 +37,11 @@ from iconstudio.project import archive
 from iconstudio.project.archive import SUFFIX
 from iconstudio.svg.reading import own_svg
 from iconstudio.workflows.editing.page import Area, EditPage, Kind
+from iconstudio.workflows.events import Progress
 from iconstudio.workflows.hybrids.page import HybridsPage, Ingredient, PickRequest
 from iconstudio.workflows.modelling.file import read_sketch
 from iconstudio.workflows.montage.page import IconShape, MontagePage
+from iconstudio.workflows.plain import WorkPage
 from iconstudio.workflows.registry import registered
 from tests.toy import MIRROR, Mirroring
 
@@ -135,6 +138,23 @@ def icons_of(recent):
 
 def no_question(*_):
     raise AssertionError("nothing is lost, and yet there is a question")
+
+
+def test_reading_a_project_shows_its_share_and_can_be_cancelled(window, qtbot, monkeypatch):
+    def slowly(*_):
+        for step in itertools.count():
+            time.sleep(0.005)
+            yield Progress("open", step / (step + 1), "Opening the project")
+
+    monkeypatch.setattr(files, "opening", slowly)
+    status = window.pane.status
+    window.project.open(Path("large.iconstudio"))
+    qtbot.waitUntil(lambda: status.bar.isVisible() and 500 <= status.bar.value() < 1000)
+    status.button.click()
+    assert not status.bar.isVisible()
+    assert not status.button.isVisible()
+    assert not window.workspace.actions_by_name["cancel"].isEnabled()
+    assert window.project.path is None
 
 
 def test_the_pages_of_all_workflows_are_read_back(window, another, qtbot, tmp_path, monkeypatch):

@@ -50,7 +50,7 @@ def done(sketching, qtbot):
 
 def test_a_saved_sketch_is_read_back_the_same(sketching, qtbot, tmp_path, monkeypatch):
     shown = example("coffee")
-    sketching.opener.open_example(shown)
+    sketching.open_sketch(shown)
     qtbot.waitUntil(lambda: sketching.document.page.closed)
     path = tmp_path / "sketch.json"
     save_to(sketching, monkeypatch, path)

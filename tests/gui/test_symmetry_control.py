@@ -7,6 +7,7 @@ from PySide6.QtGui import QInputDevice, QPointingDevice, QTabletEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
+from iconstudio.gui.canvas import painters
 from iconstudio.gui.canvas.tools.base import Tool
 from iconstudio.gui.panels.symmetry import WORDS
 from iconstudio.model import Axis
@@ -50,6 +51,7 @@ def test_every_axis_has_an_icon_of_its_own(sketching):
 def test_symmetry_is_offered_for_what_is_nearly_symmetric(sketching, qtbot):
     trace(sketching, HOUSE)
     qtbot.waitUntil(sketching.symmetry_hint.isVisible)
+    assert sketching.symmetry_hint.geometry().bottom() < painters.OFFER_ROOM
     QTest.mouseClick(sketching.symmetry_hint, Qt.MouseButton.LeftButton)
     assert axis_of(sketching) is Axis.HORIZONTAL
     assert not sketching.symmetry_hint.isVisible()

@@ -144,7 +144,7 @@ def test_delete_leaves_its_results_alone(mirror, qtbot):
 
 def test_remarks_on_its_icons_are_told(mirror, window, qtbot):
     text = "Text was left out; turn it into shapes."
-    mirror.opener.add_icons([with_remark(exemplar(1), text)])
+    mirror.importer.add_icons([with_remark(exemplar(1), text)])
     assert text in window.pane.notice.label.text()
     qtbot.waitUntil(lambda: len(titles(mirror)) == 1)
 

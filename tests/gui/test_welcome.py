@@ -51,9 +51,9 @@ def test_fields_for_words_have_room_for_what_they_say(window, title):
 
 
 @pytest.mark.parametrize("title", ["Sketch", "Edit", "Montage", "Line style", "Pattern"])
-def test_what_is_fitted_into_a_canvas_is_not_covered_by_the_hint(window, title):
+def test_what_is_fitted_into_a_canvas_is_not_covered_by_hints_and_offers(window, title):
     view = go_to(window, title).view
     view.fit()
     page = view.camera.transform.mapRect(view.scene.bounds())
-    room = QRectF(view.rect()).adjusted(0, 0, 0, -painters.HINT_ROOM)
+    room = QRectF(view.rect()).adjusted(0, painters.OFFER_ROOM, 0, -painters.HINT_ROOM)
     assert room.adjusted(-0.1, -0.1, 0.1, 0.1).contains(page)

@@ -133,6 +133,22 @@ def test_what_looks_the_same_under_one_name_is_kept_once(make):
     assert names(make(*sets)) == ["a:bowl", "b:dog"]
 
 
+@pytest.mark.parametrize(("makers", "kept"), [(3, 0), (4, 4), (12, 10)])
+def test_where_there_is_no_room_a_few_drawings_of_what_many_draw_are_kept(
+    makers, kept, packages, workers, tmp_path
+):
+    dot = '<path d="M20 20h3v3h-3z"/>'
+    things = icon_set("things", {f"dog-{n}": shape(n) + dot for n in range(16)})
+    marks = [icon_set(f"a{n}", {"recycle": shape(n)}) for n in range(makers)]
+    iconify = write_sets(tmp_path / "iconify", things, *marks)
+    inputs = Inputs(iconify, packages / "wordnet", packages / "spdx")
+    for _ in build(inputs, tmp_path / "out", workers, most=12):
+        pass
+    found = names(tmp_path / "out")
+    assert len(found) == 12
+    assert sum("recycle" in name for name in found) == kept
+
+
 def test_aliases_are_names_not_icons(opened):
     animals = icon_set("zoo", {"dog": shape(1), "horse": shape(2)})
     animals["aliases"] = {

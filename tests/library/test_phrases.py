@@ -139,7 +139,7 @@ def test_a_word_that_few_names_misspell_does_not_hide_the_right_one(bundled, key
     assert ids(bundled, keyword)
     right = {"calender": "calendar", "coffe": "coffee", "ballon": "balloon"}[keyword]
     assert bundled.remark(keyword) == f"Did you mean {right}?"
-    assert keyword not in bundled._lookup.proposals()
+    assert keyword not in bundled._lookup._terms.proposals()
 
 
 @pytest.mark.parametrize("keyword", ["witch", "otter", "bison", "mango", "saturn", "dog", "a b"])

@@ -1,5 +1,7 @@
 """Search by inflected words, by symbols, by styles; near things for what has no drawings; hints."""
 
+import re
+
 import pytest
 from small_world import icon_set, shape
 
@@ -94,7 +96,15 @@ def test_another_language_is_told_the_english_word(world, typed):
 
 @pytest.mark.parametrize(
     ("typed", "words"),
-    [("\u72ac", ["dog"]), ("\u9ce5", ["bird"]), ("\u732b", ["cat"]), ("\u306e", []), ("nd", [])],
+    [
+        ("\u72ac", ["dog"]),
+        ("\u82b1", ["flower"]),
+        ("\u6708", ["moon"]),
+        ("\u9ce5", ["bird"]),
+        ("\u732b", ["cat"]),
+        ("\u306e", []),
+        ("nd", []),
+    ],
 )
 def test_a_word_that_names_end_in_is_what_they_are_kinds_of(typed, words):
     assert symbols.english(typed) == words
@@ -161,7 +171,7 @@ def test_nothing_far_fetched(bundled, keyword, never):
 
 def test_no_hint_hurts(bundled):
     hurtful = {"bum", "rape", "slave", "suicide", "swastika", "eskimo", "anus", "penis"}
-    assert hurtful.isdisjoint(bundled._lookup.proposals())
+    assert hurtful.isdisjoint(bundled._lookup._terms.proposals())
 
 
 @pytest.mark.parametrize(
@@ -234,7 +244,7 @@ def test_a_misspelt_word_is_told(bundled, typed, meant):
     assert bundled.suggest(typed)[0] == meant
 
 
-@pytest.mark.parametrize("brand", ["github", "Instagram"])
+@pytest.mark.parametrize("brand", ["github", "Instagram", "twitter", "paypal"])
 def test_of_brands_it_is_told_that_there_are_none(bundled, brand):
     with pytest.raises(IconstudioError, match=rf"'{brand}'\. Icons have.* logos of brands"):
         bundled.search(brand)
@@ -261,3 +271,19 @@ def test_a_hint_is_near_or_none(bundled, keyword, told, never):
         bundled.search(keyword)
     assert never not in str(error.value)
     assert not told or f"Did you mean {told}" in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("typed", "named"),
+    [
+        ("plane taking off", "takeoff"),
+        ("logging in", "log-?in"),
+        ("autumn leaves", "leaf"),
+        ("happy new year", "firework"),
+        ("thanksgiving", "turkey"),
+    ],
+)
+def test_words_find_what_names_call_otherwise(bundled, typed, named):
+    found = ids(bundled, typed)
+    assert sum(re.search(named, name) is not None for name in found[:3]) >= min(2, len(found))
+    assert not bundled.remark(typed)

@@ -30,7 +30,7 @@ from iconstudio.algorithms.scanning.noise import without_noise
 from iconstudio.algorithms.scanning.paper import lighting, page, trend
 from iconstudio.algorithms.scanning.resampling import COARSE, reconstructed, resized, shrunk
 from iconstudio.algorithms.scanning.shadow import without_shadow
-from iconstudio.algorithms.scanning.sheet import is_photographed
+from iconstudio.algorithms.scanning.sheet import photographed_sheet
 from iconstudio.algorithms.tones.alternation import Omission
 from iconstudio.algorithms.tones.tone import Inked, pictogram
 from iconstudio.model import IconstudioError
@@ -92,7 +92,11 @@ class Scan:
         return self.darkness > threshold
 
 
-def scanned(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
+def scanned(
+    pixels: NDArray[np.uint8],
+    inverted: bool | None = None,
+    sheet: NDArray[np.bool_] | None = None,
+) -> Scan:
     """Find the drawing on a picture.
 
     Parameters
@@ -101,6 +105,8 @@ def scanned(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
         (h, w, 3) RGB or (h, w, 4) RGBA, in sRGB.
     inverted
         Whether it is lighter than its ground; None to find out.
+    sheet
+        (h, w) where the sheet lies, of the coarse picture; None to find out.
 
     Raises
     ------
@@ -114,7 +120,7 @@ def scanned(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
         see, inverted = _seen_through(small, inverted)
         coarse = see(small)
     else:
-        ground, valid, inverted = _ground(small, inverted)
+        ground, valid, inverted = _ground(small, inverted, sheet)
         coarse = np.where(valid, _darkness(small, ground, inverted), 0.0)
         left_out = frozenset(() if valid.all() else {Omission.DESK})
     bounds = _bounds(coarse)
@@ -167,8 +173,10 @@ def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
     if is_noise(pixels):
         return replace(scanned(pixels, inverted), found=False)
     opaque = pixels.shape[2] == 3
-    if opaque and not inverted and is_photographed(shrunk(pixels, _step(pixels))):
-        return scanned(pixels, inverted)
+    if opaque and not inverted:
+        sheet = photographed_sheet(shrunk(pixels, _step(pixels)))
+        if sheet is not None:
+            return scanned(pixels, inverted, sheet)
     picture = without_checkerboard(without_half_lines(pixels))
     pixels = without_noise(picture)
     left_out: frozenset[Omission] = frozenset()
@@ -287,10 +295,10 @@ def _veil(alpha: NDArray[np.float32]) -> NDArray[np.bool_]:
 
 
 def _ground(
-    small: NDArray[np.float32], inverted: bool | None
+    small: NDArray[np.float32], inverted: bool | None, sheet: NDArray[np.bool_] | None
 ) -> tuple[NDArray[np.float32], NDArray[np.bool_], bool]:
     """Return the paper without the drawing, where there is paper, and whether it is dark."""
-    valid = page(small)
+    valid = page(small, sheet)
     ground = lighting(small, valid)
     if inverted is None:
         off = _luminance(small - ground)[valid]

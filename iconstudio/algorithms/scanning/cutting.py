@@ -4,8 +4,12 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.scanning.pieces import pieces_alike
+
 _BLENDS = 2
 """Pixels beside the ground that may blend it."""
+_ALIKE = 6.0
+"""Levels by which colours differ that are one."""
 _NEAR = 5
 """Pixels across, of where the colour is that they blend with it."""
 
@@ -24,8 +28,14 @@ def cut_out(
     away = np.linalg.norm(levels - ground, axis=2)
     away[mask] = 0
     edge = scipy.ndimage.binary_dilation(mask, np.ones((3, 3)), iterations=_BLENDS) & ~mask
-    farthest = scipy.ndimage.maximum_filter(away, _NEAR)
-    share = np.where(edge, away / np.maximum(farthest, 1), ~mask)
+    # What goes on beyond is of its own colour.
+    number = pieces_alike(levels, ~mask, _ALIKE)
+    goes_on = np.zeros(mask.size, bool)
+    goes_on[number[~mask & ~edge]] = True
+    pure = ~mask & goes_on[number]
+    farthest = scipy.ndimage.maximum_filter(np.where(pure, away, 0), 3)
+    farthest = np.where(farthest > 0, farthest, scipy.ndimage.maximum_filter(away, _NEAR))
+    share = np.where(pure | mask, pure, np.minimum(away / np.maximum(farthest, 1), 1))
     colours = np.where(
         edge[..., None], ground + (levels - ground) / np.maximum(share, 0.1)[..., None], levels
     )

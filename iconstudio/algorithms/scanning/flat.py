@@ -32,8 +32,8 @@ from iconstudio.algorithms.scanning.ground import (
 from iconstudio.algorithms.scanning.margin import PAPER, box_of, corners_of, has_stripes, rim_of
 from iconstudio.algorithms.scanning.palette import SMALL, Palette, is_in_one_colour, palette_of
 from iconstudio.algorithms.scanning.resampling import (
+    numbered,
     premultiplied,
-    reconstructed,
     resized,
     shrunk,
 )
@@ -122,7 +122,8 @@ def flat_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
     if ground is None:
         return None
     if small.shape[2] == 3:
-        if palette.shades and palette.noise(ground, blended) > _CLEAN:
+        noise = palette.noise(ground, blended) if max(blended.shape) > SMALL else 0.0
+        if palette.shades and noise > _CLEAN:
             return None
         fading = _fading(palette, ground, blended)
         if any(palette.colours[one].sum() > palette.colours[ground].sum() for one in fading):
@@ -375,7 +376,7 @@ def _enlarged(
         number: np.pad(shade[crop], [*pad, (0, 0)], mode="edge")
         for number, shade in palette.shades.items()
     }
-    return _at(padded, shades, palette, shape)
+    return _at(padded, shades, palette, shape, ground)
 
 
 def _at(
@@ -383,9 +384,11 @@ def _at(
     shades: dict[int, NDArray[np.float32]],
     palette: Palette,
     shape: tuple[int, ...],
+    ground: int | None = None,
 ) -> tuple[NDArray[np.intp], NDArray[np.float32]]:
     """Return the number (h, w) of each pixel's colour at another resolution, and it (h, w, 4)."""
-    labels = reconstructed(np.stack(parts), shape).argmax(axis=0)
+    free = ground is not None and not palette.has_blends_of(ground)
+    labels = numbered(np.stack(parts), shape, ground if free else None)
     colours = palette.colours[labels]
     for number, shade in shades.items():
         at = labels == number

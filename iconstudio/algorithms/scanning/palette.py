@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.scanning.blending import unblended
 from iconstudio.algorithms.scanning.ground import CLEAR, Ground, are_alike, unevenness
+from iconstudio.algorithms.scanning.pieces import pieces_alike
 from iconstudio.algorithms.tones.regions import Mask, nearest
 
 _EVEN = 20.0
@@ -87,6 +88,13 @@ class Palette(NamedTuple):
             if _is_blend(self.colours[one], others):
                 kept.remove(one)
         return self._only(sorted(kept))
+
+    def has_blends_of(self, one: int) -> bool:
+        """Whether a colour blends another with this one, so that it cannot be told from edges."""
+        ways = self.colours - self.colours[one]
+        shares = ways @ ways.T / np.maximum((ways**2).sum(axis=1), 1)
+        away = np.linalg.norm(ways[:, None] - shares[..., None] * ways, axis=2)
+        return bool(((shares > 0.1) & (shares < 0.9) & (away < 2 * _EVEN)).any())
 
     def _only(self, kept: list[int]) -> "Palette":
         """Return it with some of its colours."""
@@ -262,16 +270,7 @@ def _pieces(
     blended: NDArray[np.float32], even: NDArray[np.bool_], least: float, leap: float = _EVEN
 ) -> Iterator[NDArray[np.bool_]]:
     """Yield (h, w) the evenly painted pieces, in which colours do not leap, if large enough."""
-    index = np.arange(even.size).reshape(even.shape)
-    meet = []
-    for one, other in ((np.s_[1:], np.s_[:-1]), (np.s_[:, 1:], np.s_[:, :-1])):
-        alike = abs(blended[one] - blended[other]).max(axis=2) < leap
-        alike &= even[one] & even[other]
-        meet.append(np.stack([index[one][alike], index[other][alike]]))
-    rows, columns = np.concatenate(meet, axis=1)
-    graph = scipy.sparse.coo_array((np.ones(len(rows)), (rows, columns)), (even.size,) * 2)
-    _, labels = scipy.sparse.csgraph.connected_components(graph, directed=False)
-    labels = labels.reshape(even.shape)
+    labels = pieces_alike(blended, even, leap)
     for label in np.flatnonzero(np.bincount(labels[even]) >= least):
         yield labels == label
 

@@ -38,9 +38,13 @@ _DEEPEST, _INK, _DRAWN, _BESIDE_IT = 0.12, 0.6, 0.001, 6
 and no more than so many pixels away."""
 
 
-def page(picture: NDArray[np.float32]) -> NDArray[np.bool_]:
-    """Return (h, w) where the sheet lies that is drawn upon; everywhere if no desk is seen."""
-    sheet = sheet_on_desk(picture)
+def page(picture: NDArray[np.float32], sheet: NDArray[np.bool_] | None = None) -> NDArray[np.bool_]:
+    """Return (h, w) where the sheet lies that is drawn upon; everywhere if no desk is seen.
+
+    Where the ``sheet`` is may be known.
+    """
+    if sheet is None:
+        sheet = sheet_on_desk(picture)
     if sheet is None:
         return np.ones(picture.shape[:2], bool)
     width = max(2, round(_EDGE * min(sheet.shape) / 2))

@@ -69,6 +69,21 @@ def reconstructed(parts: NDArray[np.float32], shape: tuple[int, ...]) -> NDArray
     return np.stack([resized(np.clip(one, 0, 1), shape) for one in smooth])
 
 
+def numbered(
+    parts: NDArray[np.float32], shape: tuple[int, ...], ground: int | None
+) -> NDArray[np.intp]:
+    """Return the number of the shape (k, h, w) that each pixel at a higher resolution is of.
+
+    Where the ``ground`` is, if one is given, is told by its own part alone, whatever meets there.
+    """
+    larger = reconstructed(parts, shape)
+    if ground is not None and not _has_no_greys(parts):
+        outside = reconstructed(np.stack([parts[ground], 1 - parts[ground]]), shape)[0] > 0.5
+        larger[ground] = np.where(outside, 2, -1)
+    number: NDArray[np.intp] = larger.argmax(axis=0)
+    return number
+
+
 def _sharpened(parts: NDArray[np.float32]) -> NDArray[np.float32]:
     """Return parts (k, h, w) that are nearly 1 where they are the largest, and else nearly 0."""
     second, first = np.partition(parts, -2, axis=0)[-2:]

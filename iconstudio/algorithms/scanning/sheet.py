@@ -52,21 +52,22 @@ def sheet_on_desk(picture: NDArray[np.float32]) -> NDArray[np.bool_] | None:
     return sheet
 
 
-def is_photographed(picture: NDArray[np.float32]) -> bool:
-    """Whether a picture (h, w, 3), from 0 to 1, shows a sheet on a desk, and both as cameras do.
+def photographed_sheet(picture: NDArray[np.float32]) -> NDArray[np.bool_] | None:
+    """Return as ``sheet_on_desk`` does, but only if sheet and desk look as cameras see them.
 
-    Neither has one colour all over, as light and grain are uneven.
+    Neither has one colour all over then, as light and grain are uneven.
     """
     if min(picture.shape[:2]) < _FEWEST or _is_of_one_colour(rim_of(picture)):
-        return False
+        return None
     sheet = sheet_on_desk(picture)
     if sheet is None:
-        return False
+        return None
     paper = sheet & (picture.mean(axis=2) > np.median(picture[sheet]) * (1 - _SHADE))
     even = unevenness(picture, _ACROSS) < _LEVEL
-    return not any(
+    painted = any(
         _is_of_one_colour(picture[part]) or even[part].mean() > _PAINTED for part in (paper, ~sheet)
     )
+    return None if painted else sheet
 
 
 def _is_of_one_colour(colours: NDArray[np.float32]) -> bool:

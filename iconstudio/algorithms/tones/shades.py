@@ -24,6 +24,10 @@ from iconstudio.algorithms.tones.regions import Mask, Regions, cielab, pale, reg
 
 _SLIGHT, _LEAP = 2.0, 1.5
 """Least difference that is seen (CIEDE2000), and that of a channel of CIELAB at its edge."""
+_FLOWING, _BROAD = 3.0, 0.02
+"""As the first, where colours flow; and how much of the drawing a figure has there at least."""
+_EDGE = 3.0
+"""Half the width of an edge, in pixels, at most."""
 _PLAIN, _PAINTS = 0.93, 6
 """How much of a flat drawing has one of how many colours."""
 _AROUND, _FEW = 0.9, 3
@@ -38,6 +42,8 @@ _SIDES = 8.0
 """How much the lit side of a thing differs from the dark one; shadows and gloss differ by less."""
 _SIZE, _LOST = 0.01, 0.6
 """How much of the drawing figures have that are told of, and how much of their contour is lost."""
+_LARGE = 0.1
+"""How much of the drawing each of two sides has that are told of."""
 _ASIDE = 0.12
 """How far from the middle, as part of the size, a highlight is."""
 
@@ -48,11 +54,12 @@ def shades(
     """Return the regions (k + 1,) of a drawing, and whether shades of them are not told apart."""
     alone = not (found.lengths[1:, 1:] > 0).any()
     flat = _is_flat(rgb, inside)
-    if not (flat if alone else _has_pale_rim(found) or (flat and found.white.any())):
-        return found, flat and _hides_figures(found, rgb, inside, smallest)
-    closer = regions(cielab(rgb), inside, _SLIGHT, smallest, leap=_LEAP)
+    if not (alone or _has_pale_rim(found) or (flat and found.white.any())):
+        return found, _hides_shapes(found, rgb, inside, smallest)
+    least, size = (_SLIGHT, smallest) if flat else (_FLOWING, _BROAD * inside.sum())
+    closer = regions(cielab(rgb), inside, least, size, leap=_LEAP)
     more = len(closer.areas) - len(found.areas)
-    if not more:
+    if not more or (not flat and _flow_together(closer)):
         return found, False
     if _has_pale_line(closer) and (alone or more <= _FEW):
         return closer, False
@@ -61,6 +68,14 @@ def shades(
     with_white = closer.white.any() and not closer.white[1:].all()
     told = with_white or _sides(closer) or _figures(closer)
     return (closer, False) if told else (found, True)
+
+
+def _flow_together(found: Regions) -> bool:
+    """Whether regions go over into each other by degrees, as in a steep gradient, at no edge."""
+    labels = np.where(found.labels > 0, found.labels, found.extended)
+    meet = scipy.ndimage.maximum_filter(labels, 3) != scipy.ndimage.minimum_filter(labels, 3)
+    away = scipy.ndimage.distance_transform_edt(~found.pure)[meet & (found.labels > 0)]
+    return bool(away.size and away.mean() > _EDGE)
 
 
 def _is_flat(rgb: NDArray[np.uint8], inside: Mask) -> bool:
@@ -133,8 +148,8 @@ def _figures(found: Regions) -> bool:
     return bool(aside.min() < _ASIDE)
 
 
-def _hides_figures(found: Regions, rgb: NDArray[np.uint8], inside: Mask, smallest: float) -> bool:
-    """Whether regions are one that differ as much as sides do, and are figures of some size."""
+def _hides_shapes(found: Regions, rgb: NDArray[np.uint8], inside: Mask, smallest: float) -> bool:
+    """Whether regions are one that differ as sides do, and are large, or figures of some size."""
     closer = regions(cielab(rgb), inside, _SIDES, smallest, leap=_LEAP)
     count = len(closer.areas)
     if count == len(found.areas):
@@ -149,7 +164,9 @@ def _hides_figures(found: Regions, rgb: NDArray[np.uint8], inside: Mask, smalles
     within = (home == home[:, None]) & (closer.lengths > 0)
     lost = within & (closer.contrasts > _SIDES)
     lost_around = np.where(lost, closer.lengths, 0).sum(axis=1)
-    return bool((figure & (lost_around > _LOST * closer.around)).any())
+    large = closer.areas > _LARGE * closer.areas[1:].sum()
+    sides = lost & large & large[:, None]
+    return bool((figure & (lost_around > _LOST * closer.around)).any() or sides.any())
 
 
 def _middle(mask: Mask) -> NDArray[np.float64]:

@@ -17,7 +17,7 @@ into regions of even colour (``regions``). Of these,
    but not if it is pure white and takes a bite out of a colour (a crescent, ``whites``);
 5. of the others, what mainly borders on the outside is ink; what mainly borders on ink is paper
    (eyes in a face, the door of a house), and what mainly borders on paper is ink; but the middle
-   of three stripes in three colours is ink as the others are;
+   of three stripes in three colours, and the midst of a mosaic, are ink as the others are;
 6. between two regions of ink runs a line of paper; in a line drawing, between fills that differ
    strongly, one of ink;
 7. colours that differ little are shades of one, but a figure on its ground is told from it if
@@ -71,6 +71,9 @@ _BLENDS = 4.0
 """Pixels on either side of an edge that may blend its colours."""
 _NARROW = 2 * LINE
 """Width of regions that no line sets off, unless their colour is striking."""
+
+_SEVERAL, _MOST_BESIDE = 4, 0.4
+"""Neighbours that a piece of a mosaic has, and how much of its contour one of them has at most."""
 
 
 class Paints(Enum):
@@ -269,7 +272,7 @@ def _alternating(found: Regions, behind: Mask, white: Mask) -> Mask:
     tone = np.where(paper, -1, 0)
     if not behind.any():
         tone[white] = -1
-        tone[_tricolour(found) & ~white] = 1
+        tone[_among_others(found) & ~white] = 1
     # The shade along a contour is no outline of what it is the shade of.
     inner = found.contrasts[:, 1:].max(axis=1)
     shade = (tone == 0) & (found.widths < _NARROW) & (inner > 0) & (inner < STRIKING)
@@ -283,8 +286,11 @@ def _alternating(found: Regions, behind: Mask, white: Mask) -> Mask:
     return tone > 0
 
 
-def _tricolour(found: Regions) -> Mask:
-    """Return the middle stripes (k + 1,) of flags: those between two others of other colours."""
+def _among_others(found: Regions) -> Mask:
+    """Return the regions (k + 1,) of rectangles that are as those of other colours beside them.
+
+    These are the middle stripes of flags, and what lies in the midst of a mosaic.
+    """
     outer = found.lengths[0] > 0
     middle: Mask = np.zeros(outer.shape, bool)
     if rectangularity(found) < SHARP:
@@ -294,6 +300,9 @@ def _tricolour(found: Regions) -> Mask:
         if len(beside) == 2:
             one, other = found.colours[beside]
             middle[number] = np.linalg.norm(one - other) > ALIKE
+    several = (found.lengths > 0).sum(axis=1) >= _SEVERAL
+    middle |= several & (found.lengths.max(axis=1) < _MOST_BESIDE * found.around) & ~outer
+    middle[0] = False
     return middle
 
 

@@ -15,8 +15,9 @@ ZOOM_STEP = 1.25
 class CameraView(QWidget):
     """Zooms with the wheel, pans with a touch pad, pinches; keeps the content fitted if it was."""
 
-    covered: ClassVar[float] = 0.0
-    """How high the lower end is that may be covered: the content is fitted above, in pixels."""
+    covered: ClassVar[tuple[float, float]] = (0.0, 0.0)
+    """How high the upper and the lower end are that may be covered, in pixels: the content is
+    fitted between them."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -89,5 +90,6 @@ class CameraView(QWidget):
 
     def _fitting(self) -> Camera:
         margin = 3 * UNIT
-        room = QRectF(self.rect()).adjusted(margin, margin, -margin, -max(margin, self.covered))
+        above, below = (max(margin, covered) for covered in self.covered)
+        room = QRectF(self.rect()).adjusted(margin, above, -margin, -below)
         return Camera.fitting(self.content(), room)

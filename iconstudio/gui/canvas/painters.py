@@ -19,6 +19,9 @@ _SOLID = Qt.PenStyle.SolidLine
 HINT_ROOM = 48.0
 """How high the lower end of the canvas is where hints are written, in pixels."""
 
+OFFER_ROOM = 36.0
+"""The same of the upper end, where something may be offered by a button."""
+
 MANY = 500
 """An outline of more points is drawn with less care: nobody clicked them."""
 
@@ -137,10 +140,16 @@ def paint_welcome(painter: QPainter, area: QRectF, heading: str, text: str, them
     """Say what to do first, above the middle: more lines of text begin higher up."""
     centre = area.center()
     wrapped = int(Qt.AlignmentFlag.AlignHCenter) | int(Qt.TextFlag.TextWordWrap)
-    width = min(360.0, area.width() - 4 * UNIT)
-    box = QRectF(centre.x() - width / 2, centre.y() - 64, width, 72)
     painter.setFont(_sized(14))
-    box.setTop(min(box.top(), box.bottom() - painter.boundingRect(box, wrapped, text).height()))
+
+    def height(width: float) -> float:
+        return painter.boundingRect(QRectF(0, 0, width, 1), wrapped, text).height()
+
+    width = most = min(360.0, area.width() - 4 * UNIT)
+    while width > most / 2 and height(width - UNIT) == height(most):
+        width -= UNIT  # until its lines are about as long
+    box = QRectF(centre.x() - width / 2, centre.y() - 64, width, 72)
+    box.setTop(min(box.top(), box.bottom() - height(width)))
     painter.setPen(theme.color("muted"))
     painter.drawText(box, wrapped, text)
     painter.setPen(theme.color("text"))

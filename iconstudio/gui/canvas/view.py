@@ -33,7 +33,7 @@ class CanvasView(CameraView):
 
     dropped = Signal(object)
 
-    covered = painters.HINT_ROOM
+    covered = painters.OFFER_ROOM, painters.HINT_ROOM
 
     def __init__(self, scene: Scene, tool: Tool, description: str = "") -> None:
         """``description`` says what is done here. The scene belongs to the view."""

@@ -1,11 +1,13 @@
 """What is dropped or pasted, read from its MIME data, in whichever form it comes."""
 
 import html
+from functools import partial
 
 from PySide6.QtCore import QMimeData, QUrl
 from PySide6.QtGui import QGuiApplication, QImage, QPixmap
 
 from iconstudio.gui.exchange.dragging import unpacked
+from iconstudio.gui.pictures.photo import image_of
 from iconstudio.images.pillow import is_image
 from iconstudio.inputs.items import Drawing, Elsewhere, File, Image, Item, Reference, named_in
 from iconstudio.svg.pasted import data_images, drawings_in, is_part
@@ -74,7 +76,7 @@ def _images(data: QMimeData) -> tuple[Item, ...]:
     image = data.imageData() if data.hasImage() and not drawn else None
     image = image.toImage() if isinstance(image, QPixmap) else image
     if isinstance(image, QImage) and not image.isNull():
-        return (Image(image),)
+        return (Image(partial(image_of, image)),)
     return tuple(one for one in _in_addresses(data.text(), data.html()) if isinstance(one, Image))
 
 

@@ -1,46 +1,27 @@
-"""What all workspaces have in common when something is opened."""
+"""Opens what is chosen, dropped or pasted, in the background, and puts it on the page."""
 
 from collections.abc import Callable, Generator, Sequence
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any
 
 from PySide6.QtCore import QMimeData, QObject, Signal
 from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
-from iconstudio.gui.document.document import Document
 from iconstudio.gui.exchange import mime
 from iconstudio.gui.exchange.patience import Patience
-from iconstudio.gui.exchange.scanning import ImageInput, ScanDialog, may_be_scan, pictogram_of
+from iconstudio.gui.exchange.scanning import ScanDialog
 from iconstudio.gui.exchange.symbols import SymbolDialog
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Job, Worker
-from iconstudio.inputs.items import Drawing, Elsewhere, File, Image, Item, Reference
+from iconstudio.importing.importer import Importer, Opened
+from iconstudio.inputs.items import Elsewhere, File, Item
 from iconstudio.inputs.together import ReadTogether, Sprite, quoted_list, read_together, was
 from iconstudio.model import IconstudioError, Pictogram
 from iconstudio.project.archive import SUFFIX
-from iconstudio.session import Session
-
-
-@dataclass(frozen=True, slots=True)
-class Opened:
-    """Something that was opened: what to tell the user, once it is on the page."""
-
-    words: str
-    put: Callable[[Document], object]
-    """Puts it there, by one command."""
-
-    def onto(self, document: Document) -> str:
-        """Put it on the page, and return the words."""
-        self.put(document)
-        return self.words
 
 
 class Opener(QObject):
-    """Opens things in the background and then puts them on the page, by one command each.
-
-    A subclass says in ``opening`` what is in a file of its own. Other things, which may be dropped
-    or pasted together, are read each by ``reading``, and put on the page together by ``put``.
+    """Reads in the background what ``importer`` can bring onto a page, by one command each.
 
     Signals
     -------
@@ -52,6 +33,8 @@ class Opener(QObject):
         What is there now, for the status line.
     progressed(Progress), rested()
         Something is being opened that takes long; that is over.
+    choosing()
+        The user is to choose a symbol of a sprite sheet.
     project(str)
         A project is to be opened, in the file of that path.
     """
@@ -61,29 +44,13 @@ class Opener(QObject):
     opened = Signal(str)
     progressed = Signal(object)
     rested = Signal()
+    choosing = Signal()
     project = Signal(str)
 
-    question: ClassVar[str] = ""
-    """Title of the dialog that asks for a file of this workspace's own, “Open a sketch”."""
-    kinds: ClassVar[str] = ""
-    """What such files are called there, “Sketches”."""
-    other: ClassVar[str] = "drawing"
-    """What else can be opened here."""
-    forms: ClassVar[str] = "a file, a drawing or its markup"
-    """In what forms it can be dropped or pasted."""
-    images_first: ClassVar[bool] = False
-    """Whether an image of pixels is wanted rather than a drawing of the same."""
-    most: ClassVar[int] = 1
-    """How many things the page has room for."""
-    limit: ClassVar[str] = ""
-    """Why there is no room for more, “an edit has one icon”."""
-
-    def __init__(
-        self, session: Session, document: Document | None, worker: Worker, owner: QWidget
-    ) -> None:
+    def __init__(self, importer: Importer, worker: Worker, owner: QWidget) -> None:
+        """``owner`` is what dialogs stand over."""
         super().__init__(owner)
-        self.session = session
-        self.document = document
+        self.importer = importer
         self._worker = worker
         self._owner = owner
         self.adding: list[Job] = []
@@ -97,68 +64,37 @@ class Opener(QObject):
         self.runner.failed.connect(self.complain)
         self.runner.ended.connect(self._rest)
 
-    # -- what a subclass does ------------------------------------------------------------------
-
-    def opening(self, path: Path) -> Generator[Any]:
-        """Yield what is in a file of this workspace's own as ``Opened``; in the worker's thread.
-
-        Raises
-        ------
-        IconstudioError
-            If it cannot be opened here.
-        """
-        raise NotImplementedError
-
-    def open_work(self, path: str) -> None:
-        """Open a file of this workspace's own."""
-        self.replace(lambda: self.opening(Path(path)))
-
-    def try_example(self, path: str) -> None:
-        """Open an example."""
-        self.open_work(path)
-
-    def open_file(self, path: str) -> None:
-        """Open any other file."""
-        self.open_items((File(path),))
-
-    def take(self, pictogram: Pictogram) -> None:
-        """Open an icon that is sent, or dropped here."""
-        self.open_items((pictogram,))
-
-    def reading(self, item: Item) -> Generator[None, None, Any]:
-        """Return what ``put`` puts on the page; in the worker's thread.
-
-        Raises
-        ------
-        IconstudioError
-            If it cannot be opened here.
-        """
-        raise NotImplementedError
-
-    def put(self, gathered: ReadTogether) -> str:
-        """Put all that was read on the page; return what to tell the user.
-
-        Raises
-        ------
-        IconstudioError
-            If there is no room for it.
-        """
-        raise NotImplementedError
-
-    def choose_symbol(self, sprite: Sprite) -> None:
-        """Let the user choose a symbol of a sprite sheet that was opened."""
-
     # -- ways to open --------------------------------------------------------------------------
 
     def choose_work(self) -> None:
         """Ask for a file of this workspace's own."""
-        self.ask(self.question, f"{self.kinds} (*.json)", self.open_work)
+        self.ask(self.importer.question, f"{self.importer.kinds} (*.json)", self.open_work)
 
     def ask(self, question: str, kinds: str, use: Callable[[str], None]) -> None:
         """Ask for a file, and ``use`` its path if the user names one."""
         path, _ = QFileDialog.getOpenFileName(self._owner, question, "", f"{kinds};;All files (*)")
         if path:
             use(path)
+
+    def open_work(self, path: str) -> None:
+        """Open a file of this workspace's own."""
+        self.replace(lambda: self.importer.opening(Path(path)))
+
+    def open_file(self, path: str) -> None:
+        """Open any other file."""
+        self.open_items((File(path),))
+
+    def open_drawing(self, path: str) -> None:
+        """Open a file as a drawing, whatever it is called."""
+        item = File(path)
+        if self.importer.becomes_icon(item):
+            self._make_icon(item)
+        else:
+            self.replace(lambda: self._reading([item]))
+
+    def take(self, pictogram: Pictogram) -> None:
+        """Open an icon that is sent, or dropped here."""
+        self.open_items((pictogram,))
 
     def paste(self) -> None:
         """Open what is on the clipboard."""
@@ -167,51 +103,46 @@ class Opener(QObject):
     def open_mime(self, data: QMimeData, pasted: bool = False) -> None:
         """Open what was dropped or pasted."""
         self._begin_anew()
-        items = mime.items(data, self.images_first)
+        items, other = mime.items(data, self.importer.images_first), self.importer.other
+        forms = self.importer.forms
         if not items and pasted:
-            self.complain(f"There is no {self.other} to paste. Copy {self.forms} first.")
+            self.complain(f"There is no {other} to paste. Copy {forms} first.")
         elif not items:
-            self.complain(f"There is no {self.other} in what was dropped. Drop {self.forms}.")
+            self.complain(f"There is no {other} in what was dropped. Drop {forms}.")
         elif len(items) == 1:
             self.open_item(items[0])
         else:
             self.open_items(items)
 
     def open_item(self, item: Item) -> None:
-        """Open a single thing."""
-        match item:
-            case Pictogram() as pictogram:
-                self.take(pictogram)
-            case File(path):
-                (_way(self, path) if _is_work(item) else self.open_file)(path)
-            case Elsewhere():
-                self.complain(
-                    f"Only files on this computer can be opened. Save the {self.other} first."
-                )
-            case _:
-                self.open_items((item,))
+        """Open a single thing; of an image of pixels, an icon may be made while the user looks."""
+        importer = self.importer
+        if isinstance(item, Elsewhere):
+            self.complain(
+                f"Only files on this computer can be opened. Save the {importer.other} first."
+            )
+        elif (reading := importer.alone(item)) is not None:
+            self.replace(lambda: reading)
+        elif importer.becomes_icon(item):
+            self._make_icon(item)
+        else:
+            self.open_items((item,))
 
     def open_items(self, items: Sequence[Item]) -> None:
         """Open several things together; what is left over is told."""
         works = [one for one in items if _is_work(one)]
         others = [one for one in items if one not in works]
-        start = self.replace if self.most == 1 else self.add
+        start = self.replace if self.importer.most == 1 else self.add
         if others:
-            start(lambda: read_together(others, self.reading, self.most, self.no_room))
+            start(lambda: self._reading(others))
         else:
-            path = works.pop(0).path
-            _way(self, path)(path)
+            path = works.pop(0).path  # a project is none of the page's
+            (self.project.emit if path.lower().endswith(SUFFIX) else self.open_work)(path)
         if works:
             self.complain(
                 f"{quoted_list(works)} {was(works)} not opened. What such a file holds takes the "
                 "place of all that is here: open it by itself."
             )
-
-    def no_room(self, taken: Sequence[str], left: Sequence[Item | str]) -> str:
-        """Return the sentence that says for what there was no room."""
-        if self.most == 1:
-            return f"Only “{taken[0]}” was opened, not {quoted_list(left)}: {self.limit}."
-        return f"{quoted_list(left)} {was(left)} not added: {self.limit}."
 
     # -- in the background ---------------------------------------------------------------------
 
@@ -241,38 +172,46 @@ class Opener(QObject):
 
     def receive(self, found: object) -> None:
         """Put something on the page, and tell."""
-        if isinstance(found, Sprite):
-            self.choose_symbol(found)
-        if isinstance(found, ReadTogether):
-            for complaint in found.complaints:
-                self.complain(complaint)
         try:
             match found:
-                case Opened():
-                    done = found.onto(self.document)
-                case ReadTogether() if found.found:
-                    done = self.put(found)
+                case Sprite():
+                    self._choose_symbol(found)
+                    return
+                case Opened(words, put):
+                    told = words, *(put(self.importer.document) or ())
+                case ReadTogether():
+                    for complaint in found.complaints:
+                        self.complain(complaint)
+                    told = self.importer.put(found) if found.found else ()
                 case _:
                     return
         except IconstudioError as error:
             self.complain(str(error))
             return
-        self.opened.emit(done)
-        for complaint in self._complaints:  # what was told before has gone from sight with that
-            self.failed.emit(complaint)
+        if told:
+            self.opened.emit(told[0])
+            for complaint in self._complaints:  # what was told before has gone with that
+                self.failed.emit(complaint)
+            for complaint in told[1:]:
+                self.complain(complaint)
 
     def complain(self, message: str) -> None:
         """Tell the user of something that was not opened, until all is opened that is to be."""
-        if self._busy:
+        if self.busy:
             self._complaints.append(message)
         self.failed.emit(message)
 
     @property
-    def _busy(self) -> bool:
+    def busy(self) -> bool:
+        """Whether something is being opened that is not on the page yet."""
         return bool(self.adding) or self.runner.running
 
+    def _reading(self, items: Sequence[Item]) -> Generator[Any]:
+        importer = self.importer
+        return read_together(items, importer.reading, importer.most, importer.no_room)
+
     def _begin_anew(self) -> None:
-        if not self._busy:
+        if not self.busy:
             self.began.emit()
 
     def _added(self) -> None:
@@ -281,81 +220,35 @@ class Opener(QObject):
         self._rest()
 
     def _rest(self) -> None:
-        if not self._busy:
+        if not self.busy:
             self._complaints.clear()
             self.patience.end()
 
+    # -- dialogs -------------------------------------------------------------------------------
 
-def _is_work(item: Item) -> bool:
-    """Whether something is a file of the program's own."""
-    return isinstance(item, File) and item.path.lower().endswith((".json", SUFFIX))
-
-
-def _way(opener: Opener, path: str) -> Callable[[str], object]:
-    """Return how a file of the program's own is opened: a project is none of the page's."""
-    return opener.project.emit if path.lower().endswith(SUFFIX) else opener.open_work
-
-
-class IconOpener(Opener):
-    """Opens icons: those of the window or the collection, files, and markup."""
-
-    def open_item(self, item: Item) -> None:
-        """Open a single thing; of an image of pixels, an icon is made while the user looks on."""
-        match item:
-            case File(path) if may_be_scan(path):
-                self._scan(item, Path(path))
-            case Image(image):
-                self._scan(item, image)
-            case _:
-                super().open_item(item)
-
-    def open_drawing(self, path: str) -> None:
-        """Open a file as a drawing, whatever it is called."""
-        item = File(path)
-        if may_be_scan(path):
-            self._scan(item, Path(path))
-        else:
-            self.replace(lambda: read_together([item], self.reading, self.most, self.no_room))
-
-    def reading(self, item: Item) -> Generator[None, None, Any]:
-        """Return an icon, drawn."""
-        return self.drawn((yield from self._pictogram(item)))
-
-    def drawn(self, pictogram: Pictogram) -> Any:
-        """Return what is put on the page for an icon; in the worker's thread."""
-        return self.session.exemplar(pictogram)
-
-    def _pictogram(self, item: Item) -> Generator[None, None, Pictogram]:
-        match item:
-            case Pictogram() as pictogram:
-                return pictogram
-            case File(name) | Reference(name):
-                return self.session.icon(name)
-            case Drawing(data, name):
-                return self.session.icon_from(data, name)
-            case Image(image, name):
-                return (yield from pictogram_of(self.session, image, name))
-        raise IconstudioError(f"“{item.name}” is nothing that can be used here.")
-
-    def choose_symbol(self, sprite: Sprite) -> None:
+    def _choose_symbol(self, sprite: Sprite) -> None:
         """Let the user choose a symbol of a sprite sheet, and open that."""
-        session = self.session
+        importer, session = self.importer, self.importer.session
+        self.choosing.emit()
 
         def find(name: str) -> Pictogram:
-            match sprite.item:
-                case Drawing(data, title):
-                    return session.icon_from(data, title, name)
-                case File(reference) | Reference(reference):
-                    return session.icon(f"{reference}#{name}")
-            raise IconstudioError(f"“{sprite.item.name}” is nothing that can be used here.")
+            return importer.symbol(sprite, name)
 
         dialog = SymbolDialog(session, self._worker, find, sprite.names, self._owner)
         dialog.chosen.connect(self.take)
         dialog.open()
 
-    def _scan(self, item: Item, source: ImageInput) -> None:
-        dialog = ScanDialog(self.session, self._worker, source, item.name, self._owner)
+    def _make_icon(self, item: Item) -> None:
+        """Let the user see which icon becomes of an image, and open that."""
+        source = Path(item.path) if isinstance(item, File) else item.image
+        session = self.importer.session
+        dialog = ScanDialog(session, self._worker, source, item.name, self._owner)
         dialog.chosen.connect(self.take)
         dialog.failed.connect(self.complain)
         dialog.no_image.connect(lambda: self.open_items((item,)))
         dialog.open()
+
+
+def _is_work(item: Item) -> bool:
+    """Whether something is a file of the program's own."""
+    return isinstance(item, File) and item.path.lower().endswith((".json", SUFFIX))

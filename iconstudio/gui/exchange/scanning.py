@@ -13,12 +13,12 @@ from iconstudio.gui.exchange.icon_dialog import GAP, IconDialog, ScanView
 from iconstudio.gui.jobs.live import LiveRunner
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.pictures.mipmap import fitted
-from iconstudio.gui.pictures.photo import image_of, qt_image
+from iconstudio.gui.pictures.photo import qt_image
 from iconstudio.gui.theme.layout import push_button, row
 from iconstudio.gui.theme.theme import UNIT
-from iconstudio.images.reading import SUFFIXES, Image, is_image_file
+from iconstudio.images.reading import Image, is_image_file
 from iconstudio.images.scans import Tracing, doubts
-from iconstudio.model import Pictogram
+from iconstudio.importing.images import ImageSource, image_in
 from iconstudio.session import Session
 
 DARKEST = 255
@@ -29,23 +29,6 @@ _REST = 60
 _PATIENCE = 10_000
 _WORDS = "Move the slider until the icon is as it should be: to the right, fainter strokes count."
 _BY_HAND = "If you see a drawing, move the slider until the icon is as it should be."
-
-ImageInput = Path | bytes | QImage
-
-
-def may_be_scan(path: str) -> bool:
-    """Whether a file is called as images are."""
-    return path.rpartition(".")[2].lower() in SUFFIXES
-
-
-def pictogram_of(
-    session: Session, source: ImageInput, name: str
-) -> Generator[None, None, Pictogram]:
-    """Return an image as an icon, without asking; yield now and then."""
-    image = yield from _read(session, source)
-    scan = yield from session.scan(image)
-    tracing = yield from session.trace(scan, None, name, image.remark)
-    return tracing.pictogram
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,7 +57,7 @@ class ScanDialog(IconDialog):
     no_image = Signal()
 
     def __init__(
-        self, session: Session, worker: Worker, source: ImageInput, name: str, parent: QWidget
+        self, session: Session, worker: Worker, source: ImageSource, name: str, parent: QWidget
     ) -> None:
         super().__init__("Make an icon of a picture", "Use icon", parent)
         self._session, self._name = session, name
@@ -193,22 +176,16 @@ class ScanDialog(IconDialog):
         self.runner.cancel()
 
 
-def _opened(session: Session, source: ImageInput) -> Generator[object]:
+def _opened(session: Session, source: ImageSource) -> Generator[object]:
     """Yield an image, and a smaller one to show; or True if it is none."""
     if isinstance(source, Path) and source.is_file() and not is_image_file(source):
         yield True
         return
-    image = yield from _read(session, source)
+    image = yield from image_in(session, source)
     shown = qt_image(image)
     if max(shown.width(), shown.height()) > _SHOWN:
         shown = fitted(shown, _SHOWN)
     yield image, shown
-
-
-def _read(session: Session, source: ImageInput) -> Generator[None, None, Image]:
-    if isinstance(source, QImage):
-        return image_of(source)
-    return (yield from session.image(source))
 
 
 def _answer(steps: Generator[None, None, object]) -> Generator[object]:

@@ -1,12 +1,12 @@
 """Choose a symbol of a sprite sheet: a list of their names, and a picture of one."""
 
-from collections.abc import Callable, Generator, Sequence
+from collections.abc import Callable, Sequence
 
 from PySide6.QtWidgets import QLineEdit, QListWidget, QWidget
 
 from iconstudio.gui.exchange.icon_dialog import GAP, IconDialog, ScanView
 from iconstudio.gui.jobs.runner import Runner
-from iconstudio.gui.jobs.worker import Worker
+from iconstudio.gui.jobs.worker import Worker, once
 from iconstudio.gui.theme.layout import column, row
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.model import Exemplar, Pictogram
@@ -70,10 +70,8 @@ class SymbolDialog(IconDialog):
             self.caption.say("No symbol is called so.")
             return
         self.caption.say(f"Reading “{name}”…")
-        self.runner.start(lambda: self._exemplar(name))
-
-    def _exemplar(self, name: str) -> Generator[Exemplar]:
-        yield self._session.exemplar(self._find(name))
+        find, session = self._find, self._session
+        self.runner.start(lambda: once(lambda: session.exemplar(find(name))))
 
     def _show(self, exemplar: Exemplar) -> None:
         self.preview.show_ink(exemplar.coverage > 127)

@@ -1,6 +1,5 @@
 """The result that was picked, large, beside the icons that it owes its parts to."""
 
-import math
 from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import QRectF, Qt
@@ -28,7 +27,8 @@ from iconstudio.gui.theme.layout import column, label, push_button, row, scrolle
 from iconstudio.gui.theme.painting import fill_rounded, smooth_painter
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.inputs.together import counted
-from iconstudio.model import Credit, Icon, Patterned, Remix
+from iconstudio.model import Remix
+from iconstudio.output.words import described, thanks, told_of
 
 INVITATION = "Pick a result to see it large, with the icons that its parts come from."
 MAKING = "It is being made, and appears here."
@@ -41,7 +41,7 @@ class SourceThumbnail(QWidget):
         super().__init__()
         self._picture = picture
         self.setFixedSize(6 * UNIT, 6 * UNIT)
-        self.setToolTip(_placement_text(picture))
+        self.setToolTip(described(picture.source.placement))
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """Draw the source."""
@@ -69,7 +69,7 @@ class SourceRow(QWidget):
         )
         text = ElidedLabel(who, tail=f" · {icon.credit.license}")
         text.setProperty("muted", True)
-        text.setToolTip("\n".join(_thanks(one.credit) for one in icon.origins))
+        text.setToolTip("\n".join(thanks(one.credit) for one in icon.origins))
         words = column(None, title, text, None, spacing=1)
         thumbnail, gap = SourceThumbnail(picture), UNIT * 3 // 2
         row(thumbnail, (words, 1), share, of=self, spacing=gap, margins=(0, 0, UNIT, 0))
@@ -134,32 +134,11 @@ class DetailPanel(QFrame):
         if picture is None:
             self._show_sources(())
             return
-        match picture.icon:
-            case Remix() as icon:
-                self._show_remix(icon, picture)
-            case Patterned() as icon:
-                self._title.set_words(icon.title.capitalize())
-                tiles = "tiles without a seam" if icon.tile else "does not tile"
-                about = f"{icon.width} × {icon.height}, {tiles}", *_thanks_together(icon)
-                self._about.setText("; ".join(about))
-                self._show_sources(())
-            case Icon() as icon:
-                self._title.set_words(icon.title.capitalize())
-                self._about.setText("; ".join(_thanks(one.credit) for one in icon.credits))
-                self._show_sources(())
-
-    def _show_remix(self, icon: Remix, picture: Picture) -> None:
-        composite = icon.composite
-        self._title.set_words(composite.style.capitalize())
-        sources = source_pictures(composite, picture.colours)
-        self._show_sources(sources)
-        icons = len({source.source.exemplar.id for source in sources})
-        about = f"{counted(len(sources), 'part')} of {counted(icons, 'icon')}"
-        if picture.preview:
-            about = "preview"
-        # Of hybrids and montages, λ is always the same.
-        weight = [] if composite.iou is None else [f"λ {composite.lambda_s:.2f}"]
-        self._about.setText(" · ".join((*weight, about, *_merits(icon))))
+        icon = picture.icon
+        remix = isinstance(icon, Remix)
+        self._title.set_words((icon.composite.style if remix else icon.title).capitalize())
+        self._about.setText(told_of(icon, picture.preview))
+        self._show_sources(source_pictures(icon.composite, picture.colours) if remix else ())
 
     def _show_sources(self, sources: Sequence[SourcePicture]) -> None:
         while self._rows.count():
@@ -231,39 +210,3 @@ class DetailPanel(QFrame):
         scroll = scrolled(inner)
         scroll.setAccessibleName("Sources of the picked icon")
         return scroll
-
-
-def _thanks(credit: Credit) -> str:
-    return f"{credit.title}, by {credit.author}, {credit.license}"
-
-
-def _thanks_together(icon: Icon) -> list[str]:
-    """Return whom to thank, those of one author and licence in one."""
-    titles: dict[tuple[str, str], list[str]] = {}
-    for one in icon.credits:
-        titles.setdefault((one.credit.author, one.credit.license), []).append(one.credit.title)
-    return [f"{', '.join(some)}, by {who}, {how}" for (who, how), some in titles.items()]
-
-
-def _merits(icon: Remix) -> list[str]:
-    """Return how well an icon does what was wanted."""
-    if icon.unchanged is not None:
-        return [
-            f"fits the change by {icon.score.likeness:.0%}",
-            f"unchanged elsewhere {_floor(100 * icon.unchanged)}%",
-        ]
-    if icon.draw >= 0:
-        return [f"rank score {icon.score.total:.2f}"]
-    iou = icon.composite.iou
-    return [] if iou is None else [f"fits the sketch by {iou:.0%}"]
-
-
-def _floor(percent: float) -> str:
-    """Return one decimal, never rounded up to 100."""
-    return f"{math.floor(10 * percent) / 10:g}"
-
-
-def _placement_text(picture: SourcePicture) -> str:
-    placement = picture.source.placement
-    mirrored = ", mirrored" if placement.flip else ""
-    return f"Scaled {placement.scale:g}×, shifted by {placement.dx}, {placement.dy}{mirrored}"

@@ -120,6 +120,9 @@ class Sheet(QListView):
         self.setMovement(QListView.Movement.Static)
         if self._look.fills:
             self.setVerticalScrollBarPolicy(policies.ScrollBarAlwaysOn)
+            bar = self.verticalScrollBar()  # has its room always, but is seen only if it scrolls
+            bar.setEnabled(False)
+            bar.rangeChanged.connect(lambda least, most: bar.setEnabled(most > least))
 
     # -- what there is -------------------------------------------------------------------------
 

@@ -5,7 +5,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from iconstudio.gui.jobs.kept import KEPT, Kept
+from iconstudio.caches.kept import KEPT, Kept
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.workflows.events import Progress

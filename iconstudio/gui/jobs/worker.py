@@ -90,6 +90,11 @@ class Job(QObject):
             self.failed.emit(message)
 
 
+def once(work: Callable[[], Any]) -> Generator[Any]:
+    """Do something, as a job whose only event is what it returns."""
+    yield work()
+
+
 class _Thread(QThread):
     def __init__(self, jobs: "queue.SimpleQueue[Job | None]", parent: QObject) -> None:
         super().__init__(parent)

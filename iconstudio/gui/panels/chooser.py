@@ -1,6 +1,6 @@
 """Choose icons to work on: look them up by a word, or open a drawing of one's own."""
 
-from collections.abc import Generator
+from collections.abc import Callable, Generator
 from contextlib import closing
 
 from PySide6.QtCore import QMimeData, Qt, QTimer, Signal
@@ -9,8 +9,7 @@ from PySide6.QtWidgets import QFileDialog
 
 from iconstudio.gui.exchange.dragging import unpacked
 from iconstudio.gui.exchange.dropping import DropTarget
-from iconstudio.gui.exchange.opening import IconOpener
-from iconstudio.gui.exchange.scanning import may_be_scan
+from iconstudio.gui.exchange.opening import Opener
 from iconstudio.gui.gallery.sheet import Sheet
 from iconstudio.gui.gallery.sheet_delegate import Look
 from iconstudio.gui.gallery.sheet_model import credited
@@ -22,7 +21,9 @@ from iconstudio.gui.panels.wordfield import WordField
 from iconstudio.gui.theme.layout import push_button
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.images.reading import SUFFIXES
-from iconstudio.inputs.together import ReadTogether, Sprite
+from iconstudio.importing.images import is_called_image
+from iconstudio.importing.importer import IconImporter
+from iconstudio.inputs.together import ReadTogether
 from iconstudio.model import Exemplar
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event, Retrieved
@@ -72,9 +73,11 @@ class IconChooser(IconSearch):
         self._search = Runner(worker, self)
         self._search.event.connect(self._show_found)
         self._search.failed.connect(self._fail)
-        self._opener = _FileOpener(session, worker, self)
+        self._opener = Opener(_FileImporter(session, self.take), worker, self)
         self._opener.opened.connect(self.caption.say)
         self._opener.failed.connect(self._fail)
+        symbol = "Choose a symbol of the sprite sheet."
+        self._opener.choosing.connect(lambda: self.caption.say(symbol))
         self._timer = QTimer(self, singleShot=True, interval=DEBOUNCE)
         self._timer.timeout.connect(self._look_up)
         self.field.textEdited.connect(self._timer.start)
@@ -96,7 +99,7 @@ class IconChooser(IconSearch):
 
     def open_file(self, path: str) -> None:
         """Read and draw a file in the background, then choose it; of a scan, show what it gives."""
-        if not may_be_scan(path):
+        if not is_called_image(path):
             self.caption.say(f"Opening “{path}”…")
         self._opener.open_drawing(path)
 
@@ -156,23 +159,18 @@ class IconChooser(IconSearch):
             self.sheet.setCurrentIndex(self.sheet.model().index(0))
 
 
-class _FileOpener(IconOpener):
-    """Opens files for a chooser."""
+class _FileImporter(IconImporter):
+    """Reads files for a chooser, which is no page."""
 
-    def __init__(self, session: Session, worker: Worker, chooser: IconChooser) -> None:
-        super().__init__(session, None, worker, chooser)
-        self._chooser = chooser
+    def __init__(self, session: Session, take: Callable[[Exemplar], None]) -> None:
+        super().__init__(session, None)
+        self._take = take
 
-    def put(self, gathered: ReadTogether) -> str:
+    def put(self, gathered: ReadTogether) -> tuple[str]:
         """Choose an icon."""
         (found,) = gathered.found
-        self._chooser.take(found)
-        return f"Opened “{found.pictogram.credit.title}”."
-
-    def choose_symbol(self, sprite: Sprite) -> None:
-        """Let the user choose a symbol of a sprite sheet that was opened."""
-        self._chooser.caption.say("Choose a symbol of the sprite sheet.")
-        super().choose_symbol(sprite)
+        self._take(found)
+        return (f"Opened “{found.pictogram.credit.title}”.",)
 
 
 class SearchField(WordField):

@@ -2,29 +2,32 @@
 
 from collections.abc import Callable
 from math import log2
+from typing import ClassVar
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import QSlider, QWidget
 
 from iconstudio.gui.document.document import new_gesture
 from iconstudio.gui.theme.layout import label, row
 from iconstudio.gui.theme.theme import UNIT
 
+NAME = 7 * UNIT
+"""Room for the word before a slider, in pixels."""
+
 
 class ValueSlider(QWidget):
-    """A value from ``least`` to ``most``; of its own, the slider goes by ones.
+    """A value from ``least`` to ``most``; a subclass says how it reads, and where it stands.
 
     Parameters
     ----------
     title, tip
         What it is called, and what it does.
-    words
-        Returns a value in words.
     change
         Called with the value and the mark of the drag.
-    step
-        Of the arrow keys, in positions of the slider.
     """
+
+    step: ClassVar[int] = 5
+    """Of the arrow keys, in positions of the slider."""
 
     def __init__(
         self,
@@ -32,25 +35,23 @@ class ValueSlider(QWidget):
         tip: str,
         least: float,
         most: float,
-        words: Callable[[float], str],
         change: Callable[[float, object], None],
-        step: int = 1,
     ) -> None:
         super().__init__()
-        self._change, self._words = change, words
+        self._change = change
         self._gesture: object = None
         self.slider = QSlider(
             Qt.Orientation.Horizontal,
             minimum=self.position(least),
             maximum=self.position(most),
-            singleStep=step,
-            pageStep=5 * step,
+            singleStep=self.step,
+            pageStep=5 * self.step,
         )
         self.slider.setMinimumHeight(3 * UNIT)  # else its round handle is cut off
         self.slider.setAccessibleName(title)
         self.setToolTip(tip)
         name, self._value = label(title), label()
-        name.setFixedWidth(6 * UNIT)
+        name.setFixedWidth(NAME)
         self._value.setFixedWidth(5 * UNIT)
         self._value.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         row(name, (self.slider, 1), self._value, of=self, spacing=UNIT // 2)
@@ -66,14 +67,16 @@ class ValueSlider(QWidget):
         """Return the value for which the slider stands there."""
         return float(position)
 
+    def words(self, value: float) -> str:
+        """Return a value in words."""
+        return f"{value:.0f}"
+
     def show_value(self, value: float) -> None:
         """Show the value that is in use."""
-        position = self.position(value)
-        if position != self.slider.value():
-            blocked = self.slider.blockSignals(True)
-            self.slider.setValue(position)
-            self.slider.blockSignals(blocked)
-        self._value.setText(self._words(value))
+        if self.position(value) != self.slider.value():
+            with QSignalBlocker(self.slider):
+                self.slider.setValue(self.position(value))
+        self._value.setText(self.words(value))
 
     def _begin(self) -> None:
         self._gesture = new_gesture()
@@ -88,19 +91,6 @@ class ValueSlider(QWidget):
 class PercentSlider(ValueSlider):
     """A part of the usual value, in percent."""
 
-    step = 5
-    """Of the arrow keys, in positions of the slider."""
-
-    def __init__(
-        self,
-        title: str,
-        tip: str,
-        least: float,
-        most: float,
-        change: Callable[[float, object], None],
-    ) -> None:
-        super().__init__(title, tip, least, most, lambda part: f"{part:.0%}", change, self.step)
-
     def position(self, value: float) -> int:
         """Return where the slider stands for a part."""
         return round(100 * value)
@@ -108,6 +98,10 @@ class PercentSlider(ValueSlider):
     def value(self, position: int) -> float:
         """Return the part for which the slider stands there."""
         return position / 100
+
+    def words(self, value: float) -> str:
+        """Return a part in words."""
+        return f"{value:.0%}"
 
 
 _TO_DOUBLE = 20

@@ -10,8 +10,9 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 
+from iconstudio.gui.exchange.patience import Patience
 from iconstudio.gui.jobs.runner import Runner
-from iconstudio.gui.jobs.worker import Worker
+from iconstudio.gui.jobs.worker import Worker, once
 from iconstudio.gui.pictures.picture import Picture, picture_of
 from iconstudio.gui.project import questions, recents
 from iconstudio.gui.project.journaling import Journaling
@@ -25,6 +26,7 @@ from iconstudio.project.contents import Contents, Formats
 from iconstudio.project.files import OpenedProject, Stamp, opening, restoring, save
 from iconstudio.project.journal import LeftBehind
 from iconstudio.session import Session
+from iconstudio.workflows.events import Progress
 from iconstudio.workflows.files import likely_workflow
 
 
@@ -48,6 +50,8 @@ class ProjectFiles(QObject):
         What was done, and what could not be; a sentence for the user.
     imported(WorkFile)
         A file was opened that is no project.
+    progressed(Progress), rested()
+        A project is being read that takes long; nothing is being read any more.
     restoring(bool)
         Work that a window left behind is being read, or no longer, whatever came of it.
     restored(LeftBehind)
@@ -58,6 +62,8 @@ class ProjectFiles(QObject):
     remarked = Signal(str)
     failed = Signal(str)
     imported = Signal(object)
+    progressed = Signal(object)
+    rested = Signal()
     restoring = Signal(bool)
     restored = Signal(object)
 
@@ -79,9 +85,11 @@ class ProjectFiles(QObject):
         """Of results on pages that wait for their workspaces, so that nobody draws them again."""
         self.journaling = Journaling(self._taken, self)
         self._runner = Runner(files, self)
+        self._patience = Patience(self.progressed.emit, self.rested.emit, self)
         self._runner.event.connect(self._receive)
+        self._runner.progress.connect(self._tell)
         self._runner.failed.connect(self.failed)
-        self._runner.ended.connect(lambda _: self.restoring.emit(False))
+        self._runner.ended.connect(self._rest)
         self.journaling.failed.connect(self.failed)
         work.changed.connect(self._compare)
 
@@ -104,7 +112,7 @@ class ProjectFiles(QObject):
 
     def new(self) -> None:
         """Start another project."""
-        self._runner.cancel()
+        self.cancel()
         self._replace(OpenedProject(Contents()))
 
     def choose(self) -> None:
@@ -118,14 +126,14 @@ class ProjectFiles(QObject):
         session, formats = self._session, self._work.formats
         self.remarked.emit(f"Opening “{path.name}”…")
         if path.suffix.lower() == SUFFIX:
-            self._runner.start(lambda: _opening(session, path, formats))
+            self._read(lambda: _opening(session, path, formats))
         else:
-            self._runner.start(lambda: _workflow_of(path, formats))
+            self._read(lambda: _workflow_of(path, formats))
 
     def restore(self, found: LeftBehind) -> None:
         """Open work that a window left behind, still unsaved."""
         session, formats = self._session, self._work.formats
-        self._runner.start(lambda: _with_pictures(restoring(session, found, formats), formats))
+        self._read(lambda: _with_pictures(restoring(session, found, formats), formats))
         self.restoring.emit(True)
 
     def save(self, then: Callable[[], object] | None = None) -> None:
@@ -160,12 +168,28 @@ class ProjectFiles(QObject):
             self.save(again)
         return answer is Answer.DISCARD
 
+    def cancel(self) -> None:
+        """Read on no further; what is there stays."""
+        self._runner.cancel()
+
     def close(self) -> None:
         """The window closes; what is not saved was let go."""
-        self._runner.cancel()
+        self.cancel()
         self.journaling.close()
 
     # -- how it is done ------------------------------------------------------------------------
+
+    def _read(self, make: Callable[[], Generator[Any]]) -> None:
+        self._runner.start(make)
+        self._patience.begin()
+
+    def _tell(self, progress: Progress) -> None:
+        if self._patience.asked:
+            self.progressed.emit(progress)
+
+    def _rest(self) -> None:
+        self.restoring.emit(False)
+        self._patience.end()
 
     def _replace(self, opened: OpenedProject, pictures: tuple[Picture, ...] = ()) -> None:
         """Put another project in place, once it is certain that nothing is lost."""
@@ -179,9 +203,6 @@ class ProjectFiles(QObject):
         contents, formats, project = self._work.contents(), self._work.formats, self._project
         known = self._stamp if path == self._path and not anyway else None
 
-        def saving() -> Generator[Stamp | None]:
-            yield save(path, contents.project(formats), known)
-
         def saved(stamp: Stamp | None) -> None:
             recents.note(path)
             self.remarked.emit(f"Saved “{path}”.")
@@ -194,7 +215,7 @@ class ProjectFiles(QObject):
                 then()
 
         self.remarked.emit("")
-        job = self._files.submit(saving)
+        job = self._files.submit(lambda: once(lambda: save(path, contents.project(formats), known)))
         job.event.connect(saved)
         job.failed.connect(self.failed)
 
@@ -264,10 +285,14 @@ def _with_pictures(events: Generator[Any], formats: Formats) -> Generator[Any]:
     """
     with closing(events):
         for event in events:
-            if isinstance(event, OpenedProject):
-                yield event, tuple(map(picture_of, event.contents.results(formats)))
-            else:
+            if not isinstance(event, OpenedProject):
                 yield event
+                continue
+            results, pictures = tuple(event.contents.results(formats)), []
+            for result in results:
+                pictures.append(picture_of(result))
+                yield Progress("draw", len(pictures) / len(results), "Drawing the results")
+            yield event, tuple(pictures)
 
 
 def _workflow_of(path: Path, formats: Formats) -> Generator[WorkFile]:

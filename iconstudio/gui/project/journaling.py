@@ -1,11 +1,11 @@
 """Keeps unsaved work in the journal, edit by edit, and finds what other windows left there."""
 
 import time
-from collections.abc import Callable, Generator
+from collections.abc import Callable
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from iconstudio.gui.jobs.worker import Worker
+from iconstudio.gui.jobs.worker import Worker, once
 from iconstudio.project.archive import Project
 from iconstudio.project.journal import Journal, LeftBehind, journals_folder, left_behind
 
@@ -73,7 +73,7 @@ class Journaling(QObject):
         if self._kept:
             self._kept = False
             journal = self._journal
-            self._worker.submit(lambda: _done(journal.clear))
+            self._worker.submit(lambda: once(journal.clear))
 
     def restored(self, left: LeftBehind) -> None:
         """Remove what was left behind once the window's own journal has it."""
@@ -100,7 +100,7 @@ class Journaling(QObject):
 
     def _remove(self, left: LeftBehind) -> None:
         self._gone.append(left)
-        self._worker.submit(lambda: _done(left.discard))
+        self._worker.submit(lambda: once(left.discard))
 
     def _find(self, left: LeftBehind) -> None:
         self._held.append(left)
@@ -119,7 +119,7 @@ class Journaling(QObject):
             for left in restored:
                 left.discard()
 
-        job = self._worker.submit(lambda: _done(write))
+        job = self._worker.submit(lambda: once(write))
         job.event.connect(self._succeed)
         job.failed.connect(self._fail)
         job.finished.connect(self._end)
@@ -136,8 +136,3 @@ class Journaling(QObject):
         self._writing = False
         if self._again:
             self.note()
-
-
-def _done(work: Callable[[], object]) -> Generator[None]:
-    work()
-    yield

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QMenu
 
-from iconstudio.gui.preferences import remember, remembered
+from iconstudio.gui.preferences import put_in_front, remember, remembered
 
 MOST = 10
 _NAME = "recent projects"
@@ -20,8 +20,7 @@ def recents() -> list[str]:
 
 def note(path: Path) -> None:
     """Put a project in front."""
-    name = str(path.absolute())
-    remember(_NAME, [name, *(one for one in recents() if one != name)][:MOST])
+    put_in_front(_NAME, str(path.absolute()), MOST)
 
 
 def discard(path: Path) -> None:

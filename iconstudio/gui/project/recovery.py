@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QFrame, QLabel, QProgressBar
+from PySide6.QtWidgets import QFrame, QLabel
 
 from iconstudio.gui.theme.layout import push_button, row, with_role
 from iconstudio.gui.theme.theme import UNIT
@@ -39,13 +39,8 @@ class RecoveryBar(QFrame):
         self.dismiss_button = push_button(
             "&Dismiss", "Remove it for good", lambda: self.dismiss.emit(self._offers[0])
         )
-        self.bar = QProgressBar(textVisible=False, maximum=0)  # nobody knows how long it takes
-        self.bar.setFixedWidth(15 * UNIT)
-        self.bar.setAccessibleName("Restoring")
         margins = UNIT * 3 // 2, UNIT // 2, UNIT, UNIT // 2
-        parts = (self.label, 1), self.bar, self.restore_button, self.dismiss_button
-        row(*parts, of=self, margins=margins)
-        self.bar.hide()
+        row((self.label, 1), self.restore_button, self.dismiss_button, of=self, margins=margins)
         self.hide()
 
     def offer(self, found: LeftBehind) -> None:
@@ -61,7 +56,6 @@ class RecoveryBar(QFrame):
 
     def set_restoring(self, restoring: bool) -> None:
         """Say whether the work in sight is being restored; until then it can be asked for."""
-        self.bar.setVisible(restoring)
         for button in (self.restore_button, self.dismiss_button):
             button.setEnabled(not restoring)
         self._restoring = restoring

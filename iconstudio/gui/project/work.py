@@ -62,8 +62,7 @@ class Work(QObject):
     @property
     def opening(self) -> bool:
         """Whether something is being opened that is not on its page yet."""
-        openers = [one.opener for one in self._made.values() if one.opener is not None]
-        return any(one.runner.running or one.adding for one in openers)
+        return any(one.opener.busy for one in self._made.values() if one.opener is not None)
 
     def contents(self) -> Contents:
         """Return what is there now."""

@@ -22,7 +22,7 @@ STRONG = "Inter Semi Bold"
 class Theme:
     """Colours by what they are for."""
 
-    dark: bool
+    name: str
     window: str
     surface: str
     sunken: str
@@ -44,7 +44,7 @@ class Theme:
 
 
 LIGHT = Theme(
-    dark=False,
+    name="light",
     window="#f4f4f1",
     surface="#ffffff",
     sunken="#ebebe7",
@@ -60,7 +60,7 @@ LIGHT = Theme(
 )
 
 DARK = Theme(
-    dark=True,
+    name="dark",
     window="#19191b",
     surface="#232326",
     sunken="#121214",
@@ -177,6 +177,7 @@ def _style_sheet(theme: Theme) -> str:
     sheet = sheet.replace(
         "@strong;", f'font-family: "{STRONG}";' if _has_strong() else "font-weight: 600;"
     )
+    sheet = sheet.replace("@name", theme.name)
     for token in Theme.__slots__:
         sheet = sheet.replace(f"@{token};", f"{getattr(theme, token)};")
     return sheet

@@ -6,8 +6,9 @@ from PySide6.QtWidgets import QMessageBox, QWidget
 from iconstudio import __version__
 
 ABOUT = """<h3>Iconstudio {version}</h3>
-<p>Makes new icons out of parts of real ones, after the paper
-<i>Data-Driven Iconification</i>.</p>
+<p>Makes new icons out of parts of real ones, after the paper <i>Data-Driven Iconification</i>;
+draws their lines by example, after <i>Curve Analogies</i>; and makes patterns of them, after
+<i>Example-Based Art Pattern Synthesis Using Level Sets</i>.</p>
 <p>Free software under the GNU General Public License, version 3 or later. Every icon it
 makes carries the credits of its sources: their authors and licences are in the saved SVG.</p>
 <p>Made with Qt, NumPy, SciPy, scikit-image, PyMaxflow, Numba and resvg.

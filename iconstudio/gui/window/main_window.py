@@ -97,6 +97,8 @@ class MainWindow(QMainWindow):
             failed.connect(lambda message: self.pane.notice.say(message))
         project.changed.connect(self._show_title)
         project.imported.connect(self._import)
+        project.progressed.connect(lambda progress: self.workspace.progressed.emit(progress))
+        project.rested.connect(self._rest)
         project.restoring.connect(self.recovery.set_restoring)
         project.restored.connect(self.recovery.withdraw)
         project.journaling.found.connect(self.recovery.offer)
@@ -161,7 +163,9 @@ class MainWindow(QMainWindow):
             workspace.send.connect(self._send)
             workspace.send_sources.connect(self._send_sources)
             workspace.project.connect(lambda path: self.project.open(Path(path)))
+            workspace.actions_by_name["cancel"].triggered.connect(self.project.cancel)
             pane = self._made[number] = WorkspacePane(workspace)
+            pane.status.cancelled.connect(self.project.cancel)
             self.panes.addWidget(pane)
             self.work.watch(workspace)
         return self._made[number]
@@ -172,7 +176,7 @@ class MainWindow(QMainWindow):
 
     def _send_sources(self, result: Remix, title: str) -> None:
         self.show_workspace(self._number(title))
-        self.workspace.opener.open_result(result)
+        self.workspace.open_result(result)
 
     def _send_picture(self, picture: Picture, title: str) -> None:
         self.recent.keep(picture)
@@ -186,6 +190,11 @@ class MainWindow(QMainWindow):
         self.setWindowTitle(f"{project.name}[*] – {_TITLE}" if project.name else untitled)
         self.setWindowFilePath("" if project.path is None else str(project.path))
         self.setWindowModified(project.modified)
+
+    def _rest(self) -> None:
+        """Say no longer that a project is being read, in whichever pane that is said."""
+        for pane in self._made.values():
+            pane.workspace.rest()
 
     def _import(self, file: WorkFile) -> None:
         if file.workflow:

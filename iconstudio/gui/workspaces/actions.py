@@ -4,14 +4,16 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
 from operator import attrgetter
+from pathlib import Path
 from typing import Any
 
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QMenu, QWidget
 
 from iconstudio.gui.gallery.display import setting
 from iconstudio.gui.pictures.picture import Display
 from iconstudio.gui.theme import icons
+from iconstudio.inputs.examples import examples
 
 Key = QKeySequence.StandardKey
 
@@ -130,6 +132,14 @@ def work_entries(noun: str, enabled: Ask) -> tuple[Entry, ...]:
         Entry("save", json, f"Write the {noun} into a JSON file", enabled=enabled),
         Entry("paste", "&Paste", "Use what is on the clipboard", Key.Paste, do="opener.paste"),
     )  # fmt: skip
+
+
+def examples_menu(owner: QWidget, folder: str, use: Callable[[Path], object]) -> QMenu:
+    """Return a menu of the examples in a folder; ``use`` is called with the file of one."""
+    menu = QMenu(EXAMPLES.text, owner)
+    for one in examples(folder):
+        menu.addAction(one.title, lambda path=one.path: use(path))
+    return menu
 
 
 def tool(name: str, text: str, tip: str, keys: str, icon: str) -> Entry:

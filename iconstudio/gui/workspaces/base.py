@@ -20,10 +20,18 @@ from iconstudio.gui.gallery.sending import Destination
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.panels.canvas import CanvasPanel
-from iconstudio.gui.workspaces.actions import COMMON, EXAMPLES, REDO, UNDO, Actions, Entry
+from iconstudio.gui.workspaces.actions import (
+    COMMON,
+    EXAMPLES,
+    REDO,
+    UNDO,
+    Actions,
+    Entry,
+    examples_menu,
+)
 from iconstudio.gui.workspaces.results import ResultsWidget
-from iconstudio.inputs.examples import examples
-from iconstudio.model import Pictogram
+from iconstudio.images.photo import file_beside
+from iconstudio.model import Photo, Pictogram
 from iconstudio.session import Session
 from iconstudio.workflows.files import write_file
 from iconstudio.workflows.workflow import Workflow, load_object
@@ -128,6 +136,10 @@ class Workspace(ResultsWidget):
         if self.opener is not None:
             self.opener.open_mime(data)
 
+    def open_example(self, path: Path) -> None:
+        """Open an example, which is a file of work."""
+        self.opener.open_work(str(path))
+
     def set_destinations(self, destinations: tuple[Destination, ...]) -> None:
         """Say where icons can be sent to; called once."""
         title = self.workflow.title
@@ -177,7 +189,8 @@ class Workspace(ResultsWidget):
             if self.view is not None:
                 self.view.dropped.connect(opener.open_mime)
             if self.workflow.examples is not None:
-                self.examples = self._make_examples(opener)
+                self.examples = examples_menu(self, self.workflow.examples, self.open_example)
+                self.actions_by_name.add(EXAMPLES, self.examples.menuAction())
         self.document.page_changed.connect(self.show_page)
         self.document.page_changed.connect(self.actions_by_name.refresh)
         self.picked.connect(self.actions_by_name.refresh)
@@ -232,20 +245,16 @@ class Workspace(ResultsWidget):
         """Take the tool of that name."""
         self.view.set_tool(self.tools[name])
 
-    def save_work(self, work: object, name: str, **more: Any) -> None:
-        """Ask for a file, and write work into it; see ``write_file``."""
+    def save_work(
+        self, work: object, name: str, photos: Mapping[str, Photo] = {}, **more: Any
+    ) -> None:
+        """Ask for a file, and write work into it, beside its ``photos``; see ``write_file``."""
 
         def write(path: Path) -> None:
-            write_file(path, self.workflow, work, **more)
+            files = {field: file_beside(photo, path) for field, photo in photos.items()}
+            write_file(path, self.workflow, work, **files, **more)
 
         self.saver.save_work(self.workflow.noun, name, write)
-
-    def _make_examples(self, opener: Opener) -> QMenu:
-        menu = QMenu(EXAMPLES.text, self)
-        for one in examples(self.workflow.examples):
-            menu.addAction(one.title, lambda path=str(one.path): opener.try_example(path))
-        self.actions_by_name.add(EXAMPLES, menu.menuAction())
-        return menu
 
     def _refresh_actions(self) -> None:
         self.actions_by_name.refresh()

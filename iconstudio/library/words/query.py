@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from iconstudio.library.words import symbols
-from iconstudio.library.words.inflections import singulars
+from iconstudio.library.words.inflections import singulars, verbs
 from iconstudio.library.words.naming import take_apart
 from iconstudio.library.words.usage import INFORMAL
 from iconstudio.library.words.vocabulary import PREPOSITIONS, STYLE_GROUPS, STYLES
@@ -37,6 +37,8 @@ _LONGEST = 24
 """Most letters of a word that is taken for several."""
 _PARTS = 3
 """Most words that one is parted into, or joined from."""
+_PARTICLES = {"off", "out", "in", "up", "down", "over", "back"}
+"""What verbs are joined with to nouns: *plane taking off*, *takeoff*."""
 _FRAMING = {
     "black", "white", "heavy", "red", "blue", "green", "orange", "yellow", "purple", "brown",
     "grey", "pink", "suit", "sign", "symbol", "building", "face", "button", "flag",
@@ -104,6 +106,14 @@ def joinings(words: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
     """Yield words with two neighbours in one each time: *wi fi router* as *wifi router*."""
     for i in range(1, len(words)):
         yield (*words[: i - 1], words[i - 1] + words[i], *words[i + 1 :])
+
+
+def phrasal(words: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
+    """Yield words with a verb in the form in which names join it with what follows: *takeoff*."""
+    for i in range(1, len(words)):
+        if words[i] in _PARTICLES:
+            for verb in verbs(words[i - 1]):
+                yield (*words[: i - 1], verb + words[i], *words[i + 1 :])
 
 
 def spelt_out(words: tuple[str, ...]) -> tuple[str, ...]:

@@ -233,7 +233,10 @@ class Relations:
 
     def _is_clear(self, word: str) -> bool:
         """Whether ``word`` commonly means one thing, or one more often than another."""
-        often = [self._wordnet.count(word, key) for key in self._meant(word)]
+        meant = self._meant(word)
+        if any(self._is_usage(word, key) for key in meant[:1]):
+            return True
+        often = [self._wordnet.count(word, key) for key in meant]
         return len(often) == 1 or (len(often) > 1 and often[0] >= max(_COMMON, often[1] + 1))
 
     def _general(self, key: int, most: int = _GENERAL) -> list[str]:

@@ -8,6 +8,8 @@ import unicodedata
 from collections import Counter
 from functools import cache
 
+from iconstudio.library.words.usage import EVERYDAY
+
 _SKINS = dict.fromkeys(range(0x1F3FB, 0x1F400))
 _KEYCAP = "\u20e3"
 
@@ -52,6 +54,8 @@ def english(word: str) -> list[str]:
     Or that several emoji are kinds of, in languages that write words without spaces: of a guide dog
     and a service dog, whose names end in it, a dog.
     """
+    if meant := EVERYDAY.get(word):
+        return list(meant)
     called = _translations()
     if (found := called.get(word.casefold(), [])) or not word or word.isascii():
         return found

@@ -1,5 +1,7 @@
 """What collections of icons mean by words, and designers, where WordNet says something else."""
 
+from iconstudio.library.words.vocabulary import words
+
 
 def _listed(text: str) -> dict[str, tuple[str, ...]]:
     """Return word: terms, of a text of "word: term other_term, word: term, ..."."""
@@ -80,49 +82,52 @@ INFORMAL = _listed(
     """
     247: 24 hours, 24h: 24 hours, 24hr: 24 hours, abomb: atomic bomb, ac: air conditioner,
     acct: account, addon: plugin, addr: address, admin: administrator, advert: ad,
-    aircon: air conditioner, appt: appointment, apt: apartment, avo: avocado, bathers: swimsuit,
-    bauble: christmas ball, bball: basketball, bday: birthday, bellybutton: navel, bestie: friend,
-    bff: friend, bickie: biscuit, bigwheel: ferris wheel, bikkie: biscuit, bio: biology,
-    birdie: bird, biz: business, bldg: building, bobsleigh: bobsled, booboo: bandage, bowwow: dog,
+    aircon: air conditioner, appt: appointment, apt: apartment, autumnleaf: fallen leaf,
+    autumnleave: fallen leaf, avo: avocado, bathers: swimsuit, bauble: christmas ball,
+    bball: basketball, bday: birthday, bellybutton: navel, bestie: friend, bff: friend,
+    bickie: biscuit, bigwheel: ferris wheel, bikkie: biscuit, bio: biology, birdie: bird,
+    biz: business, bldg: building, bobsleigh: bobsled, booboo: bandage, bowwow: dog,
     bp: blood pressure, brekkie: breakfast, brekky: breakfast, btc: bitcoin, byebye: waving hand,
     caff: cafe, calc: calculator, cam: camera, cardi: cardigan, catsup: ketchup, cclamp: clamp,
-    champers: champagne, chem: chemistry, chimp: chimpanzee, choc: chocolate, choccy: chocolate,
-    choochoo: train, chook: chicken, cig: cigarette, ciggie: cigarette, ciggy: cigarette,
-    cny: yuan, comp: computer, condo: apartment, config: settings, copter: helicopter,
-    cornflakes: cereal, cossie: swimsuit, cozzie: swimsuit, croc: crocodile, culdesac: dead end,
-    cuppa: tea cup, cv: resume, daddylonglegs: spider, db: database, del: delete, dev: developer,
-    dict: dictionary, dingdong: bell, dino: dinosaur, diy: tools, dl: download, doggo: dog,
-    dorm: dormitory, duckie: duck, ducky: duck, dunny: toilet, ebike: electric bike,
-    ebook: e reader, ecar: electric car, ecig: vape, ecigarette: vape, ekg: ecg, emt: ambulance,
-    er: emergency, escooter: electric scooter, eticket: ticket, eur: euro, ewallet: wallet,
-    fav: favorite, fave: favorite, ffwd: fast forward, fireman: firefighter,
-    firewoman: firefighter, fishy: fish, footie: football, footy: football, foto: photo,
-    froggie: frog, froggy: frog, fwd: forward, gbp: pound, gclamp: clamp, geegee: horse,
-    gocart: go kart, gov: government, govt: government, grad: graduate, grandad: grandparent,
-    granddad: grandparent, guac: avocado, gumboot: rubber boot, haha: laughing,
-    hankie: handkerchief, hanky: handkerchief, hbomb: atomic bomb, heli: helicopter, hgv: truck,
+    champers: champagne, chem: chemistry, chimp: chimpanzee, chinesenewyear: firecracker,
+    choc: chocolate, choccy: chocolate, choochoo: train, chook: chicken, cig: cigarette,
+    ciggie: cigarette, ciggy: cigarette, cny: yuan, comp: computer, condo: apartment,
+    config: settings, copter: helicopter, cornflakes: cereal, cossie: swimsuit, cozzie: swimsuit,
+    croc: crocodile, culdesac: dead end, cuppa: tea cup, cv: resume, daddylonglegs: spider,
+    db: database, del: delete, dev: developer, dict: dictionary, dingdong: bell, dino: dinosaur,
+    diwali: oil lamp, diy: tools, dl: download, doggo: dog, dorm: dormitory, duckie: duck,
+    ducky: duck, dunny: toilet, ebike: electric bike, ebook: e reader, ecar: electric car,
+    ecig: vape, ecigarette: vape, ekg: ecg, emt: ambulance, er: emergency,
+    escooter: electric scooter, eticket: ticket, eur: euro, ewallet: wallet, fav: favorite,
+    fave: favorite, ffwd: fast forward, fireman: firefighter, firewoman: firefighter, fishy: fish,
+    footie: football, footy: football, foto: photo, froggie: frog, froggy: frog, fwd: forward,
+    gbp: pound, gclamp: clamp, geegee: horse, gocart: go kart, gov: government, govt: government,
+    grad: graduate, grandad: grandparent, granddad: grandparent, guac: avocado,
+    gumboot: rubber boot, haha: laughing, hankie: handkerchief, hanky: handkerchief,
+    hanukkah: menorah, happynewyear: fireworks, hbomb: atomic bomb, heli: helicopter, hgv: truck,
     hifive: high five, hivis: vest, hols: holiday, hoolahoop: hula hoop, hoover: vacuum cleaner,
     horsey: horse, horsie: horse, hosp: hospital, hq: headquarters, hwy: highway, img: image,
-    inr: rupee, ipad: tablet, jab: syringe, jackolantern: pumpkin, jpy: yen, k9: dog,
-    kittycat: cat, lappy: laptop, lashes: eyelash, lcd: screen, loco: locomotive, lp: vinyl record,
-    maths: math, meds: medicine, mgr: manager, moggie: cat, moggy: cat, mozzie: mosquito,
-    msg: message, mtg: meeting, mtn: mountain, mum: mother, mushie: mushroom, nan: grandparent,
-    nana: grandparent, nanna: grandparent, notif: notification, oj: orange juice, papa: father,
-    phys: physics, pic: picture, piccy: picture, piggie: pig, pinkie: little finger,
-    pinky: little finger, prev: previous, prof: teacher, pushchair: stroller, pussycat: cat,
-    pw: password, pwd: password, qtip: cotton swab, rew: rewind, rip: gravestone, roach: cockroach,
-    roo: kangaroo, rubbish: trash, rugger: rugby, sammie: sandwich, santa: father christmas,
-    santaclaus: father christmas, sarnie: sandwich, shades: sunglasses, shroom: mushroom,
-    sneaks: sneaker, spag: spaghetti, spagbol: spaghetti, spud: potato, sub: submarine,
-    sunnies: sunglasses, synth: synthesizer, tater: potato, tbone: steak, tech: technology,
-    tee: t shirt, teeshirt: t shirt, tel: telephone, tele: television, telly: television,
-    temp: temperature, ticktacktoe: tic tac toe, ticktock: clock, tjunction: junction,
-    tnt: dynamite, togs: swimsuit, tp: toilet paper, trackies: trousers, trex: tyrannosaurus,
-    trike: tricycle, tsquare: set square, tuktuk: auto rickshaw, tum: stomach, tummy: stomach,
-    twopiece: bikini, txt: text, uboat: submarine, uke: ukulele, undies: underwear,
-    uni: university, url: link, usd: dollar, ute: pickup truck, vac: vacuum cleaner, vacc: vaccine,
-    vax: vaccine, vcr: cassette, vid: video, vino: wine, vol: volume, vsign: victory hand,
-    walkietalky: walkie talkie, wellie: rubber boot, wellington: rubber boot,
+    inr: rupee, ipad: tablet, jab: syringe, jackolantern: pumpkin, jpy: yen, k9: dog, kittycat: cat,
+    lappy: laptop, lashes: eyelash, lcd: screen, loco: locomotive, lp: vinyl record, maths: math,
+    meds: medicine, mgr: manager, moggie: cat, moggy: cat, mozzie: mosquito, msg: message,
+    mtg: meeting, mtn: mountain, mum: mother, mushie: mushroom, nan: grandparent, nana: grandparent,
+    nanna: grandparent, newyear: fireworks, newyearseve: fireworks, notif: notification,
+    oj: orange juice, papa: father, phys: physics, pic: picture, piccy: picture, piggie: pig,
+    pinkie: little finger, pinky: little finger, prev: previous, prof: teacher, pushchair: stroller,
+    pussycat: cat, pw: password, pwd: password, qtip: cotton swab, rew: rewind, rip: gravestone,
+    roach: cockroach, roo: kangaroo, rubbish: trash, rugger: rugby, sammie: sandwich,
+    santa: father christmas, santaclaus: father christmas, sarnie: sandwich, shades: sunglasses,
+    shroom: mushroom, sneaks: sneaker, spag: spaghetti, spagbol: spaghetti, spud: potato,
+    sub: submarine, sunnies: sunglasses, synth: synthesizer, tater: potato, tbone: steak,
+    tech: technology, tee: t shirt, teeshirt: t shirt, tel: telephone, tele: television,
+    telly: television, temp: temperature, thanksgiving: turkey, ticktacktoe: tic tac toe,
+    ticktock: clock, tjunction: junction, tnt: dynamite, togs: swimsuit, tp: toilet paper,
+    trackies: trousers, trex: tyrannosaurus, trike: tricycle, tsquare: set square,
+    tuktuk: auto rickshaw, tum: stomach, tummy: stomach, twopiece: bikini, txt: text,
+    uboat: submarine, uke: ukulele, undies: underwear, uni: university, url: link, usd: dollar,
+    ute: pickup truck, vac: vacuum cleaner, vacc: vaccine, valentineday: heart,
+    valentinesday: heart, vax: vaccine, vcr: cassette, vid: video, vino: wine, vol: volume,
+    vsign: victory hand, walkietalky: walkie talkie, wellie: rubber boot, wellington: rubber boot,
     wellingtonboot: rubber boot, welly: rubber boot, womb: uterus, www: globe, xmas: christmas,
     yfront: underwear
     """
@@ -154,3 +159,24 @@ ALONE = {
 
 OTHER_IN_PLURAL = frozenset({"boxers", "glasses", "greens", "news"})
 """What is not several of what it is the plural of."""
+
+BRANDS = words(
+    """
+    adobe airbnb bluesky discord facebook flickr huawei instagram jira lenovo linkedin mastodon
+    netflix nvidia paypal pinterest reddit shopify skype slack snapchat spotify threads tiktok
+    trello tumblr twitter uber vimeo wechat weibo whatsapp xiaomi youtube zoom
+    """
+)
+"""Brands: another word that is spelt like one is no hint."""
+
+EVERYDAY = _listed(
+    """
+    花: flower, 꽃: flower, 車: car, 车: car, 차: car, 水: water, 물: water, 人: person, 月: moon,
+    달: moon, 日: sun, 해: sun, 手: hand, 손: hand, 雪: snow, 茶: tea, 酒: wine, 肉: meat, 米: rice,
+    石: stone, 川: river, 海: sea, 空: sky, 牛: cow, 豚: pig, 鶏: chicken, 虎: tiger, 竜: dragon,
+    刀: sword, 靴: shoe, 鞋: shoe, 門: gate, 窗: window, 机: desk, 桌: table, 椅: chair, 灯: lamp,
+    花火: fireworks, 筆: brush, 紙: paper, 纸: paper, 時計: clock, 電話: telephone, 葉: leaf,
+    男: man, 女: woman, 孩子: child, うさぎ: rabbit, りんご: apple, 象: elephant, 책: book
+    """
+)
+"""Words of other languages that no emoji is called by, or something else."""

@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 from enum import Enum
 from typing import Any
 
-from iconstudio.model import Axis, Edit, Exemplar, Point, Polygon
+from iconstudio.model import Axis, Edit, Exemplar, IconstudioError, Point, Polygon
 from iconstudio.workflows.pages import Document
 
 
@@ -75,6 +75,22 @@ class EditPage:
 
 
 EditDocument = Document[EditPage]
+
+
+def problem(page: EditPage) -> str:
+    """Return what is missing before an icon can be remixed, as a sentence; else nothing."""
+    from iconstudio.workflows.editing.editing import place_edit
+
+    edit = page.edit()
+    if page.icon is None or edit is None:
+        return "There is no icon yet. Look one up on the left, or open a drawing of your own."
+    try:
+        place_edit(edit, page.icon)
+    except IconstudioError as error:
+        return str(error)
+    if not page.keyword.strip():
+        return "The icon has no name. Type what it is below the canvas, for example “camera”."
+    return ""
 
 
 def begin(document: EditDocument, icon: Exemplar, keyword: str) -> None:

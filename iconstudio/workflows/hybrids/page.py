@@ -24,6 +24,11 @@ class PickRequest:
     symmetry: Axis | None
     group: int = 0
 
+    @property
+    def next(self) -> "PickRequest":
+        """The request for the icons that are next best."""
+        return replace(self, group=self.group + 1)
+
 
 @dataclass(frozen=True, slots=True)
 class Ingredient:
@@ -141,6 +146,14 @@ def remove_icon(document: HybridsDocument, identifier: str) -> None:
     if left != page.ingredients:
         ask = page.ask if left else None
         document.change("remove icon", replace(page, ingredients=left, ask=ask))
+
+
+def next_pick(page: HybridsPage, keyword: str, count: int) -> PickRequest:
+    """Return how the program should pick icons; once more the same, the next best ones."""
+    ask = PickRequest(keyword, count, page.symmetry)
+    if page.ask is not None and ask == replace(page.ask, group=0):
+        return page.ask.next
+    return ask
 
 
 def set_picked(

@@ -4,7 +4,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from iconstudio.algorithms.raster import Bitmap
-from iconstudio.model import Photo, Point, Polygon, Sketch
+from iconstudio.model import IconstudioError, Photo, Point, Polygon, Sketch
 from iconstudio.workflows.pages import Document
 from iconstudio.workflows.pinning import PinnedPart, with_pin, without_pins
 
@@ -52,6 +52,21 @@ class SketchPage:
 
 
 SketchDocument = Document[SketchPage]
+
+
+def problem(page: SketchPage) -> str:
+    """Return what is missing before a sketch can be remixed, as a sentence; else nothing."""
+    if not page.vertices:
+        return "There is no outline yet. Click around the object on the canvas to trace it."
+    try:
+        page.sketch.polygon.fitted()
+    except IconstudioError as error:
+        return str(error)
+    if not page.closed:
+        return "The outline is still open. Click its first point to close it."
+    if not page.sketch.keyword.strip():
+        return "The object has no name yet. Type what it is below the canvas, for example “dog”."
+    return ""
 
 
 def set_photo(document: SketchDocument, photo: Photo | None) -> None:

@@ -63,6 +63,17 @@ class AreaTool(PolygonTool):
         self.outline.remove()
         return selected
 
+    def _press_nowhere(self, pointer: Pointer) -> None:
+        if self.outline.closed:
+            self.selected = None
+            self.begin(pointer)
+        else:
+            super()._press_nowhere(pointer)
+
+    def begin(self, pointer: Pointer) -> None:
+        """Begin something where no outline is, and none is being traced."""
+        raise NotImplementedError
+
     def _page_changed(self) -> None:
         self.outline.follow_page()
         super()._page_changed()
@@ -135,11 +146,8 @@ class DrawTool(AreaTool):
             painter.setBrush(theme.color(TOKENS[self.kind], 0.15))
             painter.drawPath(painters.outline_path(self._stroke, True, camera))
 
-    def _press_nowhere(self, pointer: Pointer) -> None:
-        if not self.outline.closed:
-            super()._press_nowhere(pointer)
-            return
-        self.selected = None
+    def begin(self, pointer: Pointer) -> None:
+        """Begin another area."""
         self.outline.select(None)
         self._began = pointer
         self._missed = False
@@ -205,11 +213,8 @@ class SelectTool(AreaTool):
         self.outline.shift(*step, ("nudge", self.outline.index))
         return True
 
-    def _press_nowhere(self, pointer: Pointer) -> None:
-        if not self.outline.closed:
-            super()._press_nowhere(pointer)
-            return
-        self.selected = None
+    def begin(self, pointer: Pointer) -> None:
+        """Select the area there, and take hold of it."""
         self.outline.select(self._area_at(pointer.page))
         if self.outline.area is not None:
             self._held = pointer.page

@@ -4,14 +4,15 @@ from collections.abc import Generator
 from typing import NamedTuple
 
 from iconstudio.gui.canvas.view import CanvasView
+from iconstudio.gui.exchange.opening import Opener
 from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.workspaces.editing.actions import ENTRIES
-from iconstudio.gui.workspaces.editing.opening import EditOpener
 from iconstudio.gui.workspaces.editing.scene import EditScene
 from iconstudio.gui.workspaces.editing.start import StartPanel
 from iconstudio.gui.workspaces.editing.tools import DrawTool, edit_tools
 from iconstudio.gui.workspaces.remixing import RemixWorkspace
-from iconstudio.model import Edit, IconstudioError, Pictogram
+from iconstudio.importing.edits import EditImporter
+from iconstudio.model import Edit, Exemplar, Pictogram
 from iconstudio.workflows.editing import page as edits
 from iconstudio.workflows.editing.areas import AreaOutline
 from iconstudio.workflows.editing.editing import own_styles, place_edit
@@ -45,7 +46,8 @@ class EditWorkspace(RemixWorkspace):
     def build(self) -> None:
         """Make canvas, panels and runs."""
         super().build()
-        self.opener = EditOpener(self.session, self.document, self.files, self)
+        self.importer = EditImporter(self.session, self.document)
+        self.opener = Opener(self.importer, self.files, self)
         self.outline = AreaOutline(self.document)
         self.tools = edit_tools(self.outline)
         self.tool = self.tools["remove"]
@@ -55,7 +57,7 @@ class EditWorkspace(RemixWorkspace):
         self.make_actions()
         chooser = IconChooser(self.session, self.finder)
         self.start_panel = StartPanel(self.document, self.view, chooser, self.examples)
-        chooser.chosen.connect(self.opener.take_exemplar)
+        chooser.chosen.connect(self._begin_with)
         self.opener.opened.connect(self._begin)
         self.lay_out("icon", "undo redo", "remove add select pan fit clear")
 
@@ -98,16 +100,7 @@ class EditWorkspace(RemixWorkspace):
 
     def problem(self) -> str:
         """Return what is missing before the icon can be remixed."""
-        page = self.page
-        if page.icon is None:
-            return "There is no icon yet. Look one up on the left, or open a drawing of your own."
-        try:
-            place_edit(page.edit(), page.icon)
-        except IconstudioError as error:
-            return str(error)
-        if not page.keyword.strip():
-            return "The icon has no name. Type what it is below the canvas, for example “camera”."
-        return ""
+        return edits.problem(self.page)
 
     def help_out(self) -> None:
         """Put the focus where an icon can be chosen or named."""
@@ -129,6 +122,9 @@ class EditWorkspace(RemixWorkspace):
         """Follow a change of the styles that are wanted."""
         self.show_page()
         self.runner.renew()
+
+    def _begin_with(self, icon: Exemplar) -> None:
+        self.opener.replace(lambda: self.importer.beginning(icon))
 
     def _begin(self) -> None:
         """Begin to mark: something has been put on the page."""

@@ -14,7 +14,7 @@ from PySide6.QtGui import (
     QPaintEvent,
     QPen,
 )
-from PySide6.QtWidgets import QGridLayout, QScrollArea, QWidget
+from PySide6.QtWidgets import QGridLayout, QWidget
 
 from iconstudio.algorithms.iconification.guidance import mirror_image
 from iconstudio.gui.canvas.tools.base import NUDGES
@@ -197,7 +197,7 @@ class IconCard(QWidget):
             self.removed.emit(self._ingredient.id)
 
 
-class Cards(QScrollArea):
+class Cards(QWidget):
     """The cards of all icons, in rows: edit the page; icons and files can be dropped here.
 
     Signals
@@ -211,20 +211,12 @@ class Cards(QScrollArea):
     def __init__(self, document: HybridsDocument) -> None:
         super().__init__()
         self._document = document
-        self.setWidgetResizable(True)
-        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.setFrameShape(QScrollArea.Shape.NoFrame)
-        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        DropTarget(self.viewport(), self.dropped.emit)
+        DropTarget(self, self.dropped.emit)
         self.cards: list[IconCard] = []
-        inside = QWidget()
-        self._grid = QGridLayout(inside)
+        self._grid = QGridLayout(self)
         self._grid.setContentsMargins(0, 0, 0, 0)
         self._grid.setSpacing(UNIT // 2)
         self._grid.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
-        self.setWidget(inside)
-        self.viewport().setAutoFillBackground(False)
-        inside.setAutoFillBackground(False)
 
     def show_icons(self, ingredients: Sequence[Ingredient], axis: Axis | None) -> None:
         """Show these icons."""

@@ -4,8 +4,8 @@ from dataclasses import dataclass, replace
 
 from PySide6.QtCore import QObject, Signal
 
+from iconstudio.caches.kept import Kept
 from iconstudio.gui.gallery.sheet_model import Rule
-from iconstudio.gui.jobs.kept import Kept
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.pictures.picture import Picture, pictured

@@ -20,6 +20,7 @@ from iconstudio.gui.theme.layout import (
     label,
     push_button,
     row,
+    scrolled,
     with_role,
 )
 from iconstudio.gui.theme.theme import UNIT
@@ -62,7 +63,8 @@ class IconsColumn(QWidget):
         self._hint = Caption()
         wide = (UNIT * 3 // 2,) * 4
         settings = row(self.symmetry, self.seed, None, self.run)
-        gathered = self._gathered, self._hint, (self.cards, 1), self.offer, settings
+        area = scrolled(self.cards, focusPolicy=Qt.FocusPolicy.NoFocus)
+        gathered = self._gathered, self._hint, (area, 1), self.offer, settings
         picking = row(self.pick, self.count, (label("icons that mix well"), 1))
         finding = card((self.chooser, 1), picking, margins=wide)
         column((finding, 5), (card(*gathered, margins=wide), 6), of=self)

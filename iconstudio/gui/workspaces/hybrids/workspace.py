@@ -1,8 +1,11 @@
 """Pictogram hybrids (section 4.3): choose icons, mix them, scroll, keep what surprises."""
 
+from pathlib import Path
+
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMenu, QWidget
 
+from iconstudio.gui.exchange.opening import Opener
 from iconstudio.gui.gallery.detail import DetailPanel
 from iconstudio.gui.gallery.favourites import FavouritesPanel
 from iconstudio.gui.pictures.picture import Picture, picture_of
@@ -10,10 +13,10 @@ from iconstudio.gui.theme.layout import column, row, splitter
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.hybrids.actions import ENTRIES
 from iconstudio.gui.workspaces.hybrids.drawing import CODED, Draws
-from iconstudio.gui.workspaces.hybrids.opening import HybridsOpener
 from iconstudio.gui.workspaces.hybrids.panels import IconsColumn, SheetPanel
-from iconstudio.inputs.together import counted
-from iconstudio.model import IconstudioError, Pictogram
+from iconstudio.importing.mixes import MixImporter
+from iconstudio.inputs.together import ReadTogether, counted
+from iconstudio.model import Exemplar, IconstudioError, Pictogram
 from iconstudio.workflows.hybrids import page as edits
 from iconstudio.workflows.hybrids.page import HybridsPage
 
@@ -27,7 +30,8 @@ class HybridsWorkspace(Workspace):
 
     def build(self) -> None:
         """Make canvas, panels and runs."""
-        self.opener = HybridsOpener(self.session, self.document, self.finder, self)
+        self.importer = MixImporter(self.session, self.document)
+        self.opener = Opener(self.importer, self.finder, self)
         self.column = IconsColumn(self.document, self.session, self.finder)
         self.panel = SheetPanel()
         self.sheet, self.sections = self.panel.sheet, self.panel.sections
@@ -44,7 +48,7 @@ class HybridsWorkspace(Workspace):
         self.show_page()
 
     def _wire(self) -> None:
-        self.column.chooser.chosen.connect(self.opener.take_exemplar)
+        self.column.chooser.chosen.connect(self.add)
         self.column.cards.dropped.connect(self.opener.open_mime)
         self.column.pick.clicked.connect(self.pick)
         self.column.run.clicked.connect(self.run)
@@ -52,7 +56,6 @@ class HybridsWorkspace(Workspace):
         self.follow(self.opener.runner)
         self.draws.counted.connect(self.counted)
         self.draws.section_changed.connect(self.rest)
-        self.opener.shown.connect(self._mix_example)
         self.pick_from(self.sheet)
         self.pick_from(self.favourites_panel.icon_list)
         self.sheet.asked.connect(self.offer_for)
@@ -86,7 +89,11 @@ class HybridsWorkspace(Workspace):
         self.panel.show_welcome(False)
         self.show_page()
 
-    def _mix_example(self) -> None:
+    def open_example(self, path: Path) -> None:
+        """Open the icons of an example, and mix them."""
+        self.opener.replace(lambda: self.importer.opening(path, self.mix_example))
+
+    def mix_example(self) -> None:
         """Draw the hybrids of an example, unless they are there from before."""
         if self.draws.ran != self.page.mix:
             self.run()
@@ -98,12 +105,17 @@ class HybridsWorkspace(Workspace):
         except IconstudioError as error:
             self.failed.emit(str(error))
 
+    def add(self, icon: Exemplar) -> None:
+        """Mix one more icon, which is drawn already."""
+        self.opener.receive(ReadTogether((icon.id,), (icon,)))
+
     def pick(self) -> None:
         """Let the program pick icons of the word that is looked up; once more, the next best."""
         keyword = self.column.chooser.field.text().strip()
         if keyword:
             self.remarked.emit("")
-            self.opener.pick(keyword, self.column.count.value())
+            ask = edits.next_pick(self.page, keyword, self.column.count.value())
+            self.opener.replace(lambda: self.importer.picking(ask))
         else:
             self.hinted.emit("Type what the icons should show, for example “lamp”.")
             self.column.chooser.setFocus()

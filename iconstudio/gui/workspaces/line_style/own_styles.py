@@ -3,7 +3,7 @@
 from collections.abc import Generator
 from pathlib import Path
 
-from iconstudio.gui.preferences import remember, remembered
+from iconstudio.gui.preferences import put_in_front, remembered
 from iconstudio.inputs.line_style import read_style
 from iconstudio.model import IconstudioError, LineStyle
 
@@ -13,8 +13,7 @@ _MOST = 24
 
 def note(path: Path) -> None:
     """Put a file in front; those that were used longest ago are forgotten."""
-    name = str(path.absolute())
-    remember(_NAME, [name, *(one for one in remembered(_NAME) if one != name)][:_MOST])
+    put_in_front(_NAME, str(path.absolute()), _MOST)
 
 
 def known_styles() -> Generator[LineStyle]:

@@ -1,12 +1,11 @@
 """Reads the lines of the icon on the page, as they are, so that they can be seen and selected."""
 
-from collections.abc import Generator
 from dataclasses import dataclass
 
 from PySide6.QtCore import QObject
 
 from iconstudio.gui.jobs.runner import Runner
-from iconstudio.gui.jobs.worker import Worker
+from iconstudio.gui.jobs.worker import Worker, once
 from iconstudio.model import Line, Pictogram
 from iconstudio.session import Session
 
@@ -35,8 +34,5 @@ class LineReader(Runner):
         if icon is None:
             self.cancel()
         else:
-            self.start(lambda: _read(self._session, icon))
-
-
-def _read(session: Session, icon: Pictogram) -> Generator[IconLines]:
-    yield IconLines(icon, session.lines(icon))
+            lines = self._session.lines
+            self.start(lambda: once(lambda: IconLines(icon, lines(icon))))

@@ -1,6 +1,7 @@
 """Line styles by example (*Curve Analogies*): lines take the hand of a few strokes."""
 
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import Qt
@@ -9,6 +10,7 @@ from PySide6.QtWidgets import QWidget
 
 from iconstudio.gui.canvas.start import StartButtons
 from iconstudio.gui.canvas.view import CanvasView
+from iconstudio.gui.exchange.opening import Opener
 from iconstudio.gui.gallery.detail import DetailPanel
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.theme.layout import column, row, splitter
@@ -18,7 +20,6 @@ from iconstudio.gui.workspaces.line_style import own_styles
 from iconstudio.gui.workspaces.line_style.actions import ENTRIES
 from iconstudio.gui.workspaces.line_style.controls import StyleControls
 from iconstudio.gui.workspaces.line_style.finding import FindDialog
-from iconstudio.gui.workspaces.line_style.opening import STYLES, RestyleOpener
 from iconstudio.gui.workspaces.line_style.pad import ExamplePanel
 from iconstudio.gui.workspaces.line_style.reading import LineReader
 from iconstudio.gui.workspaces.line_style.restyler import Restyler
@@ -27,6 +28,7 @@ from iconstudio.gui.workspaces.line_style.styles import StylesPanel
 from iconstudio.gui.workspaces.line_style.tools import PenTool, SelectTool
 from iconstudio.gui.workspaces.line_style.variations import VariationsPanel
 from iconstudio.gui.workspaces.made import Made
+from iconstudio.importing.restylings import STYLES, RestyleImporter
 from iconstudio.inputs.line_style import write_style
 from iconstudio.inputs.styles import bundled
 from iconstudio.inputs.together import counted
@@ -56,7 +58,8 @@ class LineStyleWorkspace(FollowingWorkspace):
         """The result in sight."""
         self.session.workers.everywhere(warm_up)
         self.session.expect_lines()
-        self.opener = RestyleOpener(self.session, self.document, self.finder, self)
+        self.importer = RestyleImporter(self.session, self.document)
+        self.opener = Opener(self.importer, self.finder, self)
         self.restyler = Restyler(self.session, self.worker, self)
         self.reader = LineReader(self.session, self.finder, self)
         self.scene = RestyleScene(self.document)
@@ -229,7 +232,12 @@ class LineStyleWorkspace(FollowingWorkspace):
 
     def choose_style(self) -> None:
         """Ask for a line style."""
-        self.opener.ask("Open a line style", STYLES, self.opener.open_style)
+        self.opener.ask("Open a line style", STYLES, self.open_style)
+
+    def open_style(self, path: str) -> None:
+        """Learn a style from a file."""
+        learn = partial(self.importer.opening_style, Path(path), own_styles.note)
+        self.opener.replace(learn)
 
     def save_style(self) -> None:
         """Write the style into a file."""

@@ -207,7 +207,6 @@ class LayerList(QWidget):
 def left_side(chooser: QWidget, layers: LayerList) -> QSplitter:
     """Return where icons are found, above the list of those that are there."""
     finding = card(label("Find icons", "heading"), (chooser, 1))
-    area = scrolled(layers)
-    area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+    area = scrolled(layers, focusPolicy=Qt.FocusPolicy.NoFocus)
     listed = card(label("Layers", "heading"), (area, 1))
     return splitter(Qt.Orientation.Vertical, (finding, 300, 0), (listed, 260, 0))

@@ -6,6 +6,7 @@ from PySide6.QtCore import Qt
 
 from iconstudio.gui.canvas.start import StartButtons
 from iconstudio.gui.canvas.view import CanvasView
+from iconstudio.gui.exchange.opening import Opener
 from iconstudio.gui.gallery.detail import DetailPanel
 from iconstudio.gui.jobs.live import LiveRunner
 from iconstudio.gui.panels.chooser import IconChooser
@@ -16,11 +17,11 @@ from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.montage.actions import ENTRIES
 from iconstudio.gui.workspaces.montage.layers import LayerList, left_side
 from iconstudio.gui.workspaces.montage.live import TITLE, Request, made
-from iconstudio.gui.workspaces.montage.opening import MontageOpener
 from iconstudio.gui.workspaces.montage.scene import MontageScene
 from iconstudio.gui.workspaces.montage.tools import montage_tools
 from iconstudio.gui.workspaces.montage.tools.scribble import THINNEST, WIDEST, Brush
-from iconstudio.model import Pictogram
+from iconstudio.importing.montages import MontageImporter
+from iconstudio.model import Pictogram, Remix
 from iconstudio.workflows.montage.page import MontagePage
 
 DESCRIPTION = "Arrange icons, and scribble over their parts, here"
@@ -36,7 +37,8 @@ class MontageWorkspace(Workspace):
 
     def build(self) -> None:
         """Make canvas, panels and runs."""
-        self.opener = MontageOpener(self.session, self.document, self.finder, self)
+        self.importer = MontageImporter(self.session, self.document)
+        self.opener = Opener(self.importer, self.finder, self)
         self.live = LiveRunner(self.worker, partial(made, self.session), self)
         self.scene = MontageScene(self.document, self.outlines)
         self.brush = Brush(self)
@@ -69,6 +71,10 @@ class MontageWorkspace(Workspace):
     def enter(self) -> None:
         """Begin with looking for icons, then on the canvas."""
         (self.view if self.page.layers else self.chooser).setFocus()
+
+    def open_result(self, result: Remix) -> None:
+        """Put the sources of a result in place of what is there, marked so that it comes again."""
+        self.opener.replace(lambda: self.importer.reproducing(result))
 
     # -- result --------------------------------------------------------------------------------
 

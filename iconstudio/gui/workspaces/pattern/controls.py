@@ -6,13 +6,13 @@ from PySide6.QtWidgets import QCheckBox, QFrame, QPushButton, QSpinBox, QWidget
 
 from iconstudio.gui.canvas.outlines import IconOutlines
 from iconstudio.gui.document.document import new_gesture
-from iconstudio.gui.panels.colour import ColourButton
 from iconstudio.gui.panels.seed import SeedField
-from iconstudio.gui.panels.value_slider import FactorSlider, ValueSlider
+from iconstudio.gui.panels.value_slider import NAME, FactorSlider, ValueSlider
 from iconstudio.gui.theme import theme
 from iconstudio.gui.theme.layout import card, column, label, row, tool_button
 from iconstudio.gui.theme.painting import smooth_painter
 from iconstudio.gui.theme.theme import UNIT
+from iconstudio.gui.workspaces.pattern.colour import ColourButton
 from iconstudio.model import CANVAS, Pictogram
 from iconstudio.workflows.pattern import page as edits
 from iconstudio.workflows.pattern.bounds import LARGER, LARGEST, LARGEST_SEED, SMALLER, SMALLEST
@@ -35,7 +35,9 @@ class SizeFields(QWidget):
         self.width_field, self.height_field = (_side(name) for name in ("Width", "Height"))
         for field in (self.width_field, self.height_field):
             field.valueChanged.connect(self._changed)
-        row(label("Size"), 2, self.width_field, label("×"), self.height_field, None, of=self)
+        self.words = label("Size")
+        sides = self.width_field, label("×"), self.height_field
+        row(self.words, *sides, None, of=self, spacing=UNIT // 2)
 
     def show_size(self, width: int, height: int) -> None:
         """Show the size that is in use."""
@@ -91,6 +93,14 @@ class ShapePicture(QWidget):
                 painter.fillPath(path, scheme.color("text"))
 
 
+class TurnSlider(ValueSlider):
+    """An angle in degrees."""
+
+    def words(self, value: float) -> str:
+        """Return an angle in words."""
+        return f"{value:.0f}°"
+
+
 class PatternControls(QFrame):
     """Edit what is wanted of the page."""
 
@@ -110,9 +120,9 @@ class PatternControls(QFrame):
             "Scale", "How large all is, beside the exemplar", SMALLER, LARGER,
             lambda value, gesture: edits.set_scale(document, value, gesture),
         )  # fmt: skip
-        self.turn = ValueSlider(
-            "Turn", "Degrees by which every icon turns", -180, 180, lambda value: f"{value:.0f}°",
-            lambda value, gesture: edits.set_turn(document, value, gesture), step=5,
+        self.turn = TurnSlider(
+            "Turn", "Degrees by which every icon turns", -180, 180,
+            lambda value, gesture: edits.set_turn(document, value, gesture),
         )  # fmt: skip
         self.seed = SeedField(LARGEST_SEED, "patterns")
         self.seed.changed.connect(lambda seed: edits.set_seed(document, seed, self.seed.gesture))
@@ -131,16 +141,17 @@ class PatternControls(QFrame):
 
     def _lay_out(self) -> None:
         self._ground_words, self._shape_words = label("Ground"), label("Shape")
-        for words in (self._ground_words, self._shape_words):
-            words.setFixedWidth(6 * UNIT)
+        named = self.size_fields.words, self.seed.words, self._ground_words, self._shape_words
+        for words in named:
+            words.setFixedWidth(NAME)
         parts = (
             label("Pattern", "heading"),
             self.size_fields,
             self.tile,
             column(self.density, self.factor, self.turn, spacing=2),
             row(self.seed, None),
-            row(self._ground_words, self.ground, self.transparent, None),
-            row(self._shape_words, self.shape, (self.fill, 1), self.whole),
+            row(self._ground_words, self.ground, self.transparent, None, spacing=UNIT // 2),
+            row(self._shape_words, self.shape, (self.fill, 1), self.whole, spacing=UNIT // 2),
         )
         row(card(*parts), of=self)
 

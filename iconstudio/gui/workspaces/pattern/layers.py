@@ -8,12 +8,12 @@ from PySide6.QtWidgets import QButtonGroup, QCheckBox, QFrame, QGridLayout, QSpi
 
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
-from iconstudio.gui.panels.colour import Swatch, paint_colour
 from iconstudio.gui.panels.slider import IconSlider
 from iconstudio.gui.theme.layout import column, label, push_button, row
 from iconstudio.gui.theme.painting import smooth_painter
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.workspaces.montage.tools.scribble import THINNEST, WIDEST, Brush
+from iconstudio.gui.workspaces.pattern.colour import Swatch, paint_colour
 from iconstudio.gui.workspaces.pattern.scene import tint
 from iconstudio.inputs.together import counted
 from iconstudio.model import Separation

@@ -2,31 +2,32 @@
 
 import random
 from collections.abc import Callable
-from pathlib import Path
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QStackedWidget, QWidget
 
 from iconstudio.gui.canvas.start import StartButtons
 from iconstudio.gui.canvas.view import CanvasView
+from iconstudio.gui.exchange.opening import Opener
 from iconstudio.gui.gallery.detail import DetailPanel
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.panels.chooser import IconChooser
-from iconstudio.gui.panels.colour import ColourButton
 from iconstudio.gui.theme.layout import card, column, push_button, row, splitter
 from iconstudio.gui.workspaces.following import FollowingWorkspace
 from iconstudio.gui.workspaces.made import Made
 from iconstudio.gui.workspaces.montage.tools.scribble import Brush
 from iconstudio.gui.workspaces.pattern.actions import ENTRIES
+from iconstudio.gui.workspaces.pattern.colour import ColourButton
 from iconstudio.gui.workspaces.pattern.controls import PatternControls
 from iconstudio.gui.workspaces.pattern.correcting import CorrectTool
 from iconstudio.gui.workspaces.pattern.layers import LayerReader, LayersPanel
-from iconstudio.gui.workspaces.pattern.opening import IMAGES, PatternOpener
 from iconstudio.gui.workspaces.pattern.patterner import Patterner
 from iconstudio.gui.workspaces.pattern.result import PatternView, TiledSwitch
 from iconstudio.gui.workspaces.pattern.scene import PatternScene
 from iconstudio.gui.workspaces.pattern.seeds import SeedsPanel
 from iconstudio.gui.workspaces.pattern.tools import ArrangeTool
+from iconstudio.importing.patterns import IMAGES, PatternImporter
+from iconstudio.inputs.items import File
 from iconstudio.inputs.together import counted
 from iconstudio.model import IconstudioError, Patterning, Pictogram, Separation
 from iconstudio.model.patterning import GROUND, INK
@@ -55,7 +56,8 @@ class PatternWorkspace(FollowingWorkspace):
     def build(self) -> None:
         """Make canvas, panels and runs."""
         self.session.workers.everywhere(warm_up)
-        self.opener = PatternOpener(self.session, self.document, self.finder, self)
+        self.importer = PatternImporter(self.session, self.document)
+        self.opener = Opener(self.importer, self.finder, self)
         self.patterner = Patterner(self.session, self.worker, self)
         self.scene = PatternScene(self.document, self.outlines)
         self.brush = Brush(self)
@@ -119,8 +121,8 @@ class PatternWorkspace(FollowingWorkspace):
         self.colour.chosen.connect(lambda colour: edits.colour_chosen(self.document, colour))
         self.chooser.chosen.connect(lambda one: self.opener.take(one.pictogram))
         shape = self.actions_by_name["shape"]
-        self.opener.wants_shape = shape.isChecked
-        self.opener.shape_taken = lambda: shape.setChecked(False)
+        self.importer.wants_shape = shape.isChecked
+        self.importer.shape_taken = lambda: shape.setChecked(False)
 
     # -- what the window asks for --------------------------------------------------------------
 
@@ -237,18 +239,14 @@ class PatternWorkspace(FollowingWorkspace):
 
     def choose_image(self) -> None:
         """Ask for an image to continue."""
-        self.opener.ask("Open an image to continue", IMAGES, self.opener.open_image)
+        self.opener.ask("Open an image to continue", IMAGES, self.open_image)
+
+    def open_image(self, path: str) -> None:
+        """Open a file as an image, whatever it is called."""
+        self.opener.replace(lambda: self.importer.image(File(path)))
 
     def save(self) -> None:
         """Write the work into a file, beside its image."""
-        page = self.page
-        image = page.work.image
-
-        def write(path: Path) -> None:
-            from iconstudio.images.photo import file_beside
-            from iconstudio.workflows.files import write_file
-
-            more = {} if image is None else {"image": file_beside(image.photo, path)}
-            write_file(path, self.workflow, page.work, **more)
-
-        self.saver.save_work("pattern", "pattern", write)
+        image = self.page.work.image
+        photos = {} if image is None else {"image": image.photo}
+        self.save_work(self.page.work, "pattern", photos)

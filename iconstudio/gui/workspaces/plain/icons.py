@@ -1,7 +1,5 @@
 """The icons of the work, in the default workspace: found, added, looked at and taken out."""
 
-from collections.abc import Generator
-
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QWidget
 
@@ -9,7 +7,7 @@ from iconstudio.gui.gallery.sheet import Sheet
 from iconstudio.gui.gallery.sheet_delegate import Look
 from iconstudio.gui.gallery.sheet_model import Entry, credited
 from iconstudio.gui.jobs.runner import Runner
-from iconstudio.gui.jobs.worker import Worker
+from iconstudio.gui.jobs.worker import Worker, once
 from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.theme.layout import card, column, label
 from iconstudio.gui.theme.theme import UNIT
@@ -57,7 +55,8 @@ class WorkIcons(QWidget):
         self.chooser.set_taken(frozenset(icon.id for icon in icons))
         if icons != self._icons:
             self._icons = icons
-            self._drawing.start(lambda: _drawn(self._session, icons))
+            exemplar = self._session.exemplar
+            self._drawing.start(lambda: once(lambda: tuple(map(exemplar, icons))))
 
 
 class _IconSheet(Sheet):
@@ -74,10 +73,6 @@ class _IconSheet(Sheet):
     def remove(self, entry: Entry) -> None:
         """Ask for it; whose icons they are takes it out."""
         self.removed.emit(entry)
-
-
-def _drawn(session: Session, icons: tuple[Pictogram, ...]) -> Generator[tuple[Exemplar, ...]]:
-    yield tuple(map(session.exemplar, icons))
 
 
 def _described(icon: Exemplar, marked: bool) -> tuple[str, str]:

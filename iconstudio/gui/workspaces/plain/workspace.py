@@ -9,6 +9,7 @@ from typing import Any
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
+from iconstudio.gui.exchange.opening import Opener
 from iconstudio.gui.gallery.detail import DetailPanel
 from iconstudio.gui.gallery.display import DisplaySwitch
 from iconstudio.gui.gallery.sheet import Sheet
@@ -20,9 +21,10 @@ from iconstudio.gui.theme.layout import card, hidden, label, push_button, row, s
 from iconstudio.gui.workspaces.actions import Entry, work_entries
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.plain.icons import WorkIcons
-from iconstudio.gui.workspaces.plain.opening import WorkOpener, WorkPage
+from iconstudio.importing.works import WorkImporter
 from iconstudio.inputs.together import counted
 from iconstudio.model import Pictogram
+from iconstudio.workflows.plain import WorkPage
 
 _SIDE = 112
 """Side of a result on the sheet, in device-independent pixels."""
@@ -40,7 +42,8 @@ class PlainWorkspace(Workspace):
     def build(self) -> None:
         """Make panels and runs."""
         workflow, session = self.workflow, self.session
-        self.opener = WorkOpener(workflow, session, self.document, self.finder, self)
+        self.importer = WorkImporter(workflow, session, self.document)
+        self.opener = Opener(self.importer, self.finder, self)
         self.work_icons = WorkIcons(session, self.finder) if workflow.with_icons else None
         self.runner = LiveRunner(
             self.worker, lambda work: pictured(session.run(workflow, work)), self
@@ -72,8 +75,8 @@ class PlainWorkspace(Workspace):
 
     def _wire(self) -> None:
         if self.work_icons is not None:
-            self.work_icons.chooser.chosen.connect(lambda icon: self.opener.add_icons([icon]))
-            self.work_icons.removed.connect(lambda icon: self.opener.remove_icon(icon.id))
+            self.work_icons.chooser.chosen.connect(lambda icon: self.importer.add_icons([icon]))
+            self.work_icons.removed.connect(lambda icon: self.importer.remove_icon(icon.id))
         self.pick_from(self.results)
         self.results.asked.connect(self.offer_for)
         self.results.changed.connect(self._show_switch)

@@ -14,7 +14,7 @@ def _pinned(place) -> bool:
 
 ENTRIES = (
     Entry("photo", "Open &photo…", "Open a photo to trace over", "Ctrl+Shift+O", "photo",
-          do="opener.choose_photo", menu="&File"),
+          do="choose_photo", menu="&File"),
     Entry("paste", "P&aste photo", "Use the image on the clipboard", Key.Paste, do="opener.paste"),
     Entry("delete", "&Delete point", "Remove the selected or the last point", "Backspace",
           do="tool.delete_selected", enabled=_drawn),

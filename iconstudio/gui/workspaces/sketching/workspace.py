@@ -1,7 +1,5 @@
 """Sketch-based modelling (section 4.1): trace, name, remix."""
 
-from pathlib import Path
-
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import Qt
@@ -10,19 +8,18 @@ from iconstudio.algorithms.geometry import crosses_itself
 from iconstudio.gui.canvas.start import StartButtons
 from iconstudio.gui.canvas.tools.polygon import PolygonTool
 from iconstudio.gui.canvas.view import CanvasView
+from iconstudio.gui.exchange.opening import Opener
 from iconstudio.gui.panels.slider import IconSlider
 from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.workspaces.remixing import RemixWorkspace
 from iconstudio.gui.workspaces.sketching.actions import ENTRIES
 from iconstudio.gui.workspaces.sketching.alternatives import PartAlternatives
-from iconstudio.gui.workspaces.sketching.opening import SketchOpener
 from iconstudio.gui.workspaces.sketching.scene import SketchScene
-from iconstudio.images.photo import file_beside
-from iconstudio.model import IconstudioError, Polygon, Sketch
+from iconstudio.importing.sketches import PHOTOS, SketchImporter
+from iconstudio.model import Polygon, Sketch
 from iconstudio.workflows.events import Event, RegionsFound
-from iconstudio.workflows.files import write_file
 from iconstudio.workflows.modelling.file import SketchFile
-from iconstudio.workflows.modelling.page import SketchPage, unpin_all
+from iconstudio.workflows.modelling.page import SketchPage, problem, unpin_all
 from iconstudio.workflows.outline import Outline
 from iconstudio.workflows.pinning import idle_pins
 
@@ -45,7 +42,8 @@ class SketchWorkspace(RemixWorkspace):
     def build(self) -> None:
         """Make canvas, panels and runs."""
         super().build()
-        self.opener = SketchOpener(self.session, self.document, self.files, self)
+        self.importer = SketchImporter(self.session, self.document)
+        self.opener = Opener(self.importer, self.files, self)
         self._regions: tuple = ()
         self.scene = SketchScene(self.document)
         self.outline = Outline(self.document)
@@ -74,7 +72,15 @@ class SketchWorkspace(RemixWorkspace):
     def demonstrate(self, example: SketchFile) -> None:
         """Load an example and remix it as soon as it is there."""
         self.opener.opened.connect(self.run, Qt.ConnectionType.SingleShotConnection)
-        self.opener.open_example(example)
+        self.open_sketch(example)
+
+    def open_sketch(self, file: SketchFile) -> None:
+        """Put another sketch in place of the one that is there."""
+        self.opener.replace(lambda: self.importer.resolving(file))
+
+    def choose_photo(self) -> None:
+        """Ask for a photo."""
+        self.opener.ask("Open a photo to trace over", PHOTOS, self.opener.open_file)
 
     # -- modelling -----------------------------------------------------------------------------
 
@@ -102,20 +108,7 @@ class SketchWorkspace(RemixWorkspace):
 
     def problem(self) -> str:
         """Return what is missing before the sketch can be remixed."""
-        page = self.page
-        if not page.vertices:
-            return "There is no outline yet. Click around the object on the canvas to trace it."
-        try:
-            page.sketch.polygon.fitted()
-        except IconstudioError as error:
-            return str(error)
-        if not page.closed:
-            return "The outline is still open. Click its first point to close it."
-        if not page.sketch.keyword.strip():
-            return (
-                "The object has no name yet. Type what it is below the canvas, for example “dog”."
-            )
-        return ""
+        return problem(self.page)
 
     def show_event(self, event: Event | Picture) -> None:
         """Show what a run has come to."""
@@ -156,14 +149,8 @@ class SketchWorkspace(RemixWorkspace):
 
     def save(self) -> None:
         """Write the sketch into a file, beside its photo."""
-        page = self.page
-        title = page.sketch.keyword
-
-        def write(path: Path) -> None:
-            photo = None if page.photo is None else file_beside(page.photo, path)
-            write_file(path, self.workflow, page.sketch, photo=photo)
-
-        self.saver.save_work("sketch", title, write)
+        sketch, photo = self.page.sketch, self.page.photo
+        self.save_work(sketch, sketch.keyword, {} if photo is None else {"photo": photo})
 
 
 def _filled(polygon: Polygon) -> NDArray[np.bool_]:

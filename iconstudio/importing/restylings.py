@@ -1,11 +1,10 @@
-"""Bring icons, restylings and line styles onto the page."""
+"""Brings icons, restylings and line styles onto the page of line styles."""
 
-from collections.abc import Generator
+from collections.abc import Callable, Generator
 from pathlib import Path
 from typing import Any
 
-from iconstudio.gui.exchange.opening import IconOpener, Opened
-from iconstudio.gui.workspaces.line_style import own_styles
+from iconstudio.importing.importer import IconImporter, Opened
 from iconstudio.inputs.together import ReadTogether
 from iconstudio.model import Pictogram
 from iconstudio.workflows.files import open_file
@@ -18,7 +17,7 @@ from iconstudio.workflows.line_style.restyling import said_of
 STYLES = "Line styles (*.json *.svg)"
 
 
-class RestyleOpener(IconOpener):
+class RestyleImporter(IconImporter[RestylePage]):
     """Puts an icon on the page in place of the one that is there, or the work of a file."""
 
     question = "Open a restyling"
@@ -35,27 +34,28 @@ class RestyleOpener(IconOpener):
         words = " ".join(
             filter(None, [f"Opened “{file.title or path.stem}”.", *file.remarks, pale])
         )
-        yield Opened(words, lambda there: there.change("open restyling", RestylePage(work)))
+        page = RestylePage(work)
+        yield Opened(words, lambda there: there.change("open restyling", page))
+
+    def opening_style(self, path: Path, note: Callable[[Path], object]) -> Generator[Opened]:
+        """Yield a style that is learned from a file: JSON, or the lines of a drawing.
+
+        ``note`` is called with the file if it is one of a style.
+        """
+        remarks: list[str] = []
+        style = style_in(self.session, str(path), remarks.append)
+        words = " ".join([f"Opened the style “{style.name}”.", *remarks])
+        yield Opened(words, lambda there: edits.set_style(there, style))
+        if is_written(str(path)):
+            note(path)
 
     def drawn(self, pictogram: Pictogram) -> tuple[Pictogram, str]:
         """Return an icon that has lines, and what they do not show of it."""
         self.session.lines(pictogram)
         return pictogram, said_of(self.session, pictogram)
 
-    def put(self, gathered: ReadTogether) -> str:
+    def put(self, gathered: ReadTogether) -> tuple[str]:
         """Restyle an icon's lines."""
         ((icon, remark),) = gathered.found
         edits.take_icon(self.document, icon)
-        return f"“{icon.credit.title}” is on the canvas. {remark}".rstrip()
-
-    def open_style(self, path: str) -> None:
-        """Learn a style from a file: JSON, or the lines of a drawing."""
-        self.replace(lambda: self._opening_style(Path(path)))
-
-    def _opening_style(self, path: Path) -> Generator[Opened]:
-        remarks: list[str] = []
-        style = style_in(self.session, str(path), remarks.append)
-        words = " ".join([f"Opened the style “{style.name}”.", *remarks])
-        yield Opened(words, lambda there: edits.set_style(there, style))
-        if is_written(str(path)):
-            own_styles.note(path)
+        return (f"“{icon.credit.title}” is on the canvas. {remark}".rstrip(),)

@@ -1,13 +1,12 @@
-"""Bring icons, images and patterns onto the page."""
+"""Brings icons, images and patterns onto the page of a pattern."""
 
 from collections.abc import Callable, Generator
 from pathlib import Path
 from typing import Any
 
-from iconstudio.gui.exchange.opening import IconOpener, Opened
-from iconstudio.gui.exchange.photos import photo_in
-from iconstudio.gui.exchange.scanning import may_be_scan
 from iconstudio.images.reading import SUFFIXES
+from iconstudio.importing.images import photo_in
+from iconstudio.importing.importer import IconImporter, Opened
 from iconstudio.inputs.items import File, Image, Item
 from iconstudio.inputs.together import ReadTogether, quoted_list
 from iconstudio.model import IconstudioError, Pictogram, Separation, SpriteError
@@ -21,7 +20,7 @@ DRAWINGS = ".svg", ".svgz"
 IMAGES = f"Images ({' '.join(f'*.{one}' for one in (*SUFFIXES, 'svg', 'svgz'))})"
 
 
-class PatternOpener(IconOpener):
+class PatternImporter(IconImporter[PatternPage]):
     """Adds icons to the exemplar, lets an image be it, or puts the work of a file in its place.
 
     While ``wants_shape`` says so, the next icon is not added, but is the shape that is filled;
@@ -44,43 +43,18 @@ class PatternOpener(IconOpener):
         file = open_file(path, PatternFile)
         work = yield from file.resolving(self.session)
         check(work)
-        words = " ".join(
-            [f"Opened “{file.title or path.stem}”.", *file.remarks, unheeded(work)]
-        ).strip()
-        yield Opened(words, lambda there: there.change("open pattern", PatternPage(work)))
+        words = " ".join([f"Opened “{file.title or path.stem}”.", *file.remarks, unheeded(work)])
+        page = PatternPage(work)
+        yield Opened(words.strip(), lambda there: there.change("open pattern", page))
 
-    def open_image(self, path: str) -> None:
-        """Open a file as an image, whatever it is called."""
-        self.replace(lambda: self._image(File(path)))
+    def alone(self, item: Item) -> Generator[Any] | None:
+        """Yield an image of pixels as the exemplar, unless it is to be an icon for a shape."""
+        if not isinstance(item, File | Image) or self.wants_shape():
+            return None
+        return self.image(item) if self.becomes_icon(item) else None
 
-    def open_item(self, item: Item) -> None:
-        """Open a single thing; an image of pixels becomes the exemplar, or an icon for a shape."""
-        match item:
-            case File(path) if may_be_scan(path) and not self.wants_shape():
-                self.replace(lambda: self._image(item))
-            case Image() if not self.wants_shape():
-                self.replace(lambda: self._image(item))
-            case _:
-                super().open_item(item)
-
-    def drawn(self, pictogram: Pictogram) -> Pictogram:
-        """Return an icon that can be drawn."""
-        self.session.exemplar(pictogram)
-        return pictogram
-
-    def put(self, gathered: ReadTogether) -> str:
-        """Add icons, or fill a shape."""
-        if self.wants_shape():
-            shape, *left = gathered.found
-            edits.set_fill(self.document, shape)
-            self.shape_taken()
-            if left:
-                self.complain("A pattern fills one shape: the first of those was taken.")
-            return f"“{shape.credit.title}” is filled with the pattern."
-        edits.add_icons(self.document, gathered.found)
-        return f"Added {quoted_list([one.credit.title for one in gathered.found])}."
-
-    def _image(self, item: File | Image) -> Generator[Opened | None]:
+    def image(self, item: File | Image) -> Generator[Any]:
+        """Yield an image as the exemplar; a file, whatever it is called."""
         from iconstudio.workflows.pattern.imaging import check_size, reduction_of
 
         if isinstance(item, File) and item.path.lower().endswith(DRAWINGS):
@@ -96,3 +70,20 @@ class PatternOpener(IconOpener):
         remarks = [reduction_of(photo), photo.remark, *(r for one in credits for r in one.remarks)]
         words = " ".join([f"“{item.name}” is the exemplar.", *filter(None, remarks)])
         yield Opened(words, lambda there: edits.take_image(there, photo, credits))
+
+    def drawn(self, pictogram: Pictogram) -> Pictogram:
+        """Return an icon that can be drawn."""
+        self.session.exemplar(pictogram)
+        return pictogram
+
+    def put(self, gathered: ReadTogether) -> tuple[str, ...]:
+        """Add icons, or fill a shape."""
+        if self.wants_shape():
+            shape, *left = gathered.found
+            edits.set_fill(self.document, shape)
+            self.shape_taken()
+            filled = f"“{shape.credit.title}” is filled with the pattern."
+            rest = "A pattern fills one shape: the first of those was taken."
+            return (filled, rest) if left else (filled,)
+        edits.add_icons(self.document, gathered.found)
+        return (f"Added {quoted_list([one.credit.title for one in gathered.found])}.",)

@@ -1,20 +1,21 @@
-"""Bring icons and edits into the document."""
+"""Brings icons and edits onto the page of an edit."""
 
 from collections.abc import Generator
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from iconstudio.gui.exchange.opening import IconOpener, Opened
+from iconstudio.importing.importer import IconImporter, Opened
 from iconstudio.inputs.together import ReadTogether
 from iconstudio.model import Exemplar, Pictogram
 from iconstudio.workflows.criteria import left_out
 from iconstudio.workflows.editing import page
+from iconstudio.workflows.editing.page import EditPage
 from iconstudio.workflows.editing.spec import EDITING
 from iconstudio.workflows.files import read_file
 
 
-class EditOpener(IconOpener):
+class EditImporter(IconImporter[EditPage]):
     """Puts an icon on the page, perhaps with areas, in place of the one that is there."""
 
     question = "Open an edit"
@@ -30,24 +31,21 @@ class EditOpener(IconOpener):
         words = " ".join([_about(icon), *remarks])
         yield Opened(words, lambda document: page.load(document, edit, icon))
 
-    def take_exemplar(self, icon: Exemplar) -> None:
-        """Begin with an icon that is drawn already."""
-        self.replace(lambda: self._beginning(icon))
+    def beginning(self, icon: Exemplar) -> Generator[Opened]:
+        """Yield the beginning of an edit of an icon that is drawn already."""
+        keyword = self.session.keyword(icon.pictogram)
+        yield Opened(_about(icon), lambda document: page.begin(document, icon, keyword))
 
     def drawn(self, pictogram: Pictogram) -> tuple[Exemplar, str]:
         """Return an icon, and what icons like it are looked for by."""
-        icon = super().drawn(pictogram)
+        icon = self.session.exemplar(pictogram)
         return icon, self.session.keyword(icon.pictogram)
 
-    def put(self, gathered: ReadTogether) -> str:
+    def put(self, gathered: ReadTogether) -> tuple[str]:
         """Start from an icon."""
         ((icon, keyword),) = gathered.found
         page.begin(self.document, icon, keyword)
-        return _about(icon)
-
-    def _beginning(self, icon: Exemplar) -> Generator[Opened]:
-        keyword = self.session.keyword(icon.pictogram)
-        yield Opened(_about(icon), lambda document: page.begin(document, icon, keyword))
+        return (_about(icon),)
 
 
 def _about(icon: Exemplar) -> str:

@@ -1,38 +1,31 @@
-"""Bring icons and files of work onto the page of any workflow."""
+"""Brings icons and files of work onto the page of any workflow."""
 
 from collections.abc import Generator, Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
-from PySide6.QtWidgets import QWidget
-
-from iconstudio.gui.document.document import Document
-from iconstudio.gui.exchange.opening import IconOpener, Opened
-from iconstudio.gui.jobs.worker import Worker
+from iconstudio.importing.importer import IconImporter, Opened
 from iconstudio.inputs.together import ReadTogether, quoted_list
 from iconstudio.model import Exemplar, IconstudioError, Pictogram
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.files import read_file
+from iconstudio.workflows.pages import Document
 from iconstudio.workflows.plain import WorkPage
 from iconstudio.workflows.workflow import Workflow
 
 
-class WorkOpener(IconOpener):
+class WorkImporter(IconImporter[WorkPage]):
     """Adds icons to the work, or puts that of a file in place of it."""
 
     most = 1000
     limit = "there is no room for more"
 
     def __init__(
-        self,
-        workflow: Workflow,
-        session: Session,
-        document: Document[WorkPage],
-        worker: Worker,
-        owner: QWidget,
+        self, workflow: Workflow[Any], session: Session, document: Document[WorkPage]
     ) -> None:
-        super().__init__(session, document, worker, owner)
+        super().__init__(session, document)
         self._workflow = workflow
         self.question = f"Open a file with a {workflow.noun}"
         self.kinds = f"{workflow.title} files"
@@ -45,10 +38,10 @@ class WorkOpener(IconOpener):
         step = f"open {self._workflow.noun}"
         yield Opened(f"Opened “{path.stem}”.", lambda there: there.change(step, WorkPage(work)))
 
-    def put(self, gathered: ReadTogether) -> str:
+    def put(self, gathered: ReadTogether) -> tuple[str]:
         """Add icons to the work."""
         self.add_icons(gathered.found)
-        return f"Added {quoted_list(gathered.names)}."
+        return (f"Added {quoted_list(gathered.names)}.",)
 
     def add_icons(self, icons: Sequence[Exemplar]) -> None:
         """Add icons that are drawn already, in one step; those that are there stay as they are.

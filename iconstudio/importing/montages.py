@@ -1,9 +1,9 @@
-"""Bring icons and montages onto the canvas, and save montages."""
+"""Brings icons and montages onto the canvas of a montage."""
 
 from collections.abc import Generator
 from pathlib import Path
 
-from iconstudio.gui.exchange.opening import IconOpener, Opened
+from iconstudio.importing.importer import IconImporter, Opened
 from iconstudio.inputs.together import ReadTogether, counted, quoted_list
 from iconstudio.model import IconstudioError, Pictogram, Remix
 from iconstudio.workflows.montage.file import read_montage
@@ -17,7 +17,7 @@ _OVERLAP = (
 )
 
 
-class MontageOpener(IconOpener):
+class MontageImporter(IconImporter[MontagePage]):
     """Adds icons on top, or puts a montage in place of what is there."""
 
     question = "Open a montage"
@@ -37,11 +37,8 @@ class MontageOpener(IconOpener):
         if [one.strokes for one in page.layers] != [one.strokes for one in layers]:
             raise IconstudioError(_OVERLAP)
 
-    def open_result(self, result: Remix) -> None:
-        """Put the sources of a result in place of what is there, marked so that it comes again."""
-        self.replace(lambda: self._reproducing(result))
-
-    def _reproducing(self, result: Remix) -> Generator[Opened]:
+    def reproducing(self, result: Remix) -> Generator[Opened]:
+        """Yield the sources of a result, marked so that it comes again."""
         composite = result.composite
         drawn = {one.exemplar.id: one.exemplar for one in composite.sources}
         layers = reproduction(composite).layers
@@ -51,14 +48,14 @@ class MontageOpener(IconOpener):
 
     def drawn(self, pictogram: Pictogram) -> IconShape:
         """Return an icon to be added."""
-        return IconShape(super().drawn(pictogram))
+        return IconShape(self.session.exemplar(pictogram))
 
-    def put(self, gathered: ReadTogether) -> str:
+    def put(self, gathered: ReadTogether) -> tuple[str, ...]:
         """Add icons on top, as many as there is room for."""
         page, icons = self.document.page, gathered.found
         room = max(1, MOST - len(page.layers))  # with no room at all, the page itself says so
         after = page.with_icons(icons[:room])
         self.document.change("add icon" if len(icons[:room]) == 1 else "add icons", after)
-        if left := gathered.names[room:]:
-            self.complain(self.no_room(gathered.names[:room], left))
-        return f"Added {quoted_list([one.title for one in after.layers[len(page.layers) :]])}."
+        added = f"Added {quoted_list([one.title for one in after.layers[len(page.layers) :]])}."
+        left = gathered.names[room:]
+        return (added, self.no_room(gathered.names[:room], left)) if left else (added,)

@@ -1,25 +1,26 @@
-"""Bring photos and sketches into the document: from files, the clipboard, a drop, the examples."""
+"""Brings photos and sketches onto the page of a sketch."""
 
 from collections.abc import Generator
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
-from iconstudio.gui.exchange.opening import Opened, Opener
-from iconstudio.gui.exchange.photos import photo_in
 from iconstudio.images.reading import SUFFIXES
+from iconstudio.importing.images import photo_in
+from iconstudio.importing.importer import Importer, Opened
 from iconstudio.inputs.items import Drawing, File, Image, Item
 from iconstudio.inputs.together import ReadTogether
 from iconstudio.model import IconstudioError, Photo
 from iconstudio.workflows.criteria import left_out
 from iconstudio.workflows.modelling import page
 from iconstudio.workflows.modelling.file import SketchFile, read_sketch
+from iconstudio.workflows.modelling.page import SketchPage
 from iconstudio.workflows.registry import taking_icons
 
-_PHOTOS = f"Photos ({' '.join(f'*.{one}' for one in SUFFIXES)})"
+PHOTOS = f"Photos ({' '.join(f'*.{one}' for one in SUFFIXES)})"
 
 
-class SketchOpener(Opener):
+class SketchImporter(Importer[SketchPage]):
     """Puts a photo under the drawing, or a sketch in its place."""
 
     question = "Open a sketch"
@@ -29,34 +30,11 @@ class SketchOpener(Opener):
     images_first = True
     limit = "a sketch has one photo"
 
-    def choose_photo(self) -> None:
-        """Ask for a photo."""
-        self.ask("Open a photo to trace over", _PHOTOS, self.open_file)
-
     def opening(self, path: Path) -> Generator[Opened | None]:
         """Yield the sketch in a file, with the photo that it names."""
-        return self._sketch_and_photo(read_sketch(path))
+        return self.resolving(read_sketch(path))
 
-    def open_example(self, example: SketchFile) -> None:
-        """Open an example."""
-        self.replace(lambda: self._sketch_and_photo(example))
-
-    def reading(self, item: Item) -> Generator[None, None, Photo]:
-        """Return a photo: of a file, or from the clipboard or a drop."""
-        if isinstance(item, File | Image):
-            return (yield from photo_in(self.session, item))
-        raise IconstudioError(
-            "A sketch is traced over a photo, not over a drawing. "
-            f"Open {_quoted(item)} in {taking_icons()}."
-        )
-
-    def put(self, gathered: ReadTogether) -> str:
-        """Show a photo."""
-        (photo,) = gathered.found
-        page.set_photo(self.document, photo)
-        return _about(photo)
-
-    def _sketch_and_photo(self, file: SketchFile) -> Generator[Opened | None]:
+    def resolving(self, file: SketchFile) -> Generator[Opened | None]:
         """Yield a sketch with its photo; if only the photo is missing, none, and then say so."""
         photo, trouble = None, None
         if file.photo is not None:
@@ -71,6 +49,21 @@ class SketchOpener(Opener):
         yield Opened(" ".join([f"Opened “{file.title}”.", *remarks]), put)
         if trouble is not None:
             raise IconstudioError(f"The sketch was opened without its photo: {trouble}")
+
+    def reading(self, item: Item) -> Generator[None, None, Photo]:
+        """Return a photo: of a file, or from the clipboard or a drop."""
+        if isinstance(item, File | Image):
+            return (yield from photo_in(self.session, item))
+        raise IconstudioError(
+            "A sketch is traced over a photo, not over a drawing. "
+            f"Open {_quoted(item)} in {taking_icons()}."
+        )
+
+    def put(self, gathered: ReadTogether) -> tuple[str]:
+        """Show a photo."""
+        (photo,) = gathered.found
+        page.set_photo(self.document, photo)
+        return (_about(photo),)
 
 
 def _quoted(item: Item) -> str:

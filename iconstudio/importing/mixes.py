@@ -5,33 +5,23 @@ from contextlib import closing
 from dataclasses import replace
 from pathlib import Path
 
-from PySide6.QtCore import Signal
-
-from iconstudio.gui.exchange.opening import IconOpener, Opened
+from iconstudio.importing.importer import IconImporter, Opened
 from iconstudio.inputs.together import ReadTogether, quoted_list
 from iconstudio.model import Exemplar
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.hybrids import page as edits
 from iconstudio.workflows.hybrids.file import read_hybrids
 from iconstudio.workflows.hybrids.hybrids import MOST
-from iconstudio.workflows.hybrids.page import HybridsDocument, PickRequest, page_of
+from iconstudio.workflows.hybrids.page import HybridsDocument, HybridsPage, PickRequest, page_of
 
 
-class HybridsOpener(IconOpener):
-    """Adds icons, or puts others in place of all that are there; favourites stay.
-
-    Signals
-    -------
-    shown()
-        The icons of an example are on the page.
-    """
+class MixImporter(IconImporter[HybridsPage]):
+    """Adds icons, or puts others in place of all that are there; favourites stay."""
 
     question = "Open a mix"
     kinds = "Mixes"
     most = MOST
     limit = f"at most {MOST} icons can be mixed"
-
-    shown = Signal()
 
     def opening(
         self, path: Path, then: Callable[[], object] = lambda: None
@@ -45,44 +35,28 @@ class HybridsOpener(IconOpener):
 
         yield Opened(f"Opened “{page.title}”.", put)
 
-    def try_example(self, path: str) -> None:
-        """Mix the icons of an example."""
-        self.replace(lambda: self.opening(Path(path), self.shown.emit))
-
-    def pick(self, keyword: str, count: int) -> None:
-        """Let the program pick icons; once more, the next best ones."""
-        page = self.document.page
-        ask = PickRequest(keyword, count, page.symmetry)
-        if page.ask is not None and ask == replace(page.ask, group=0):
-            ask = replace(ask, group=page.ask.group + 1)
-        self.replace(lambda: self._picking(ask))
-
-    def take_exemplar(self, icon: Exemplar) -> None:
-        """Add an icon that is drawn already."""
-        self.receive(ReadTogether((icon.id,), (icon,)))
-
-    def put(self, gathered: ReadTogether) -> str:
-        """Add icons, as many as there is room for."""
-        before, icons = self.document.page.ids, {one.id: one for one in gathered.found}
-        left = edits.add_icons(self.document, gathered.found)
-        if left:
-            self.complain(self.no_room((), _titles(left)))
-        there = [one for one in icons.values() if one.id in before]
-        added = [one for one in icons.values() if one.id in self.document.page.ids - before]
-        said = f"Added {quoted_list(_titles(added))}." if added else "", _there(_titles(there))
-        return " ".join(filter(None, said))
-
-    def _picking(self, ask: PickRequest) -> Generator[Event | Opened]:
+    def picking(self, ask: PickRequest) -> Generator[Event | Opened]:
+        """Yield icons that the program picks."""
         session = self.session
         with closing(session.choose(ask.keyword, ask.count, ask.symmetry, ask.group)) as choosing:
             icons = yield from choosing
         picked = tuple(map(session.exemplar, icons))
+        yield Opened(
+            f"Picked {len(picked)} icons for “{ask.keyword}”.",
+            lambda document: self._complaints(edits.set_picked(document, picked, ask)),
+        )
 
-        def put(document: HybridsDocument) -> None:
-            if left := edits.set_picked(document, picked, ask):
-                self.complain(self.no_room((), _titles(left)))
+    def put(self, gathered: ReadTogether) -> tuple[str, ...]:
+        """Add icons, as many as there is room for."""
+        before, icons = self.document.page.ids, {one.id: one for one in gathered.found}
+        left = edits.add_icons(self.document, gathered.found)
+        there = [one for one in icons.values() if one.id in before]
+        added = [one for one in icons.values() if one.id in self.document.page.ids - before]
+        said = f"Added {quoted_list(_titles(added))}." if added else "", _there(_titles(there))
+        return " ".join(filter(None, said)), *self._complaints(left)
 
-        yield Opened(f"Picked {len(picked)} icons for “{ask.keyword}”.", put)
+    def _complaints(self, left: Sequence[Exemplar]) -> tuple[str, ...]:
+        return (self.no_room((), _titles(left)),) if left else ()
 
 
 def _titles(icons: Sequence[Exemplar]) -> list[str]:

@@ -1,0 +1,1 @@
+"""Brings files, drawings and images onto the pages of workflows, however they were given."""
