@@ -27,12 +27,16 @@ _STAY = 0.01
 
 
 def alignment(
-    outlines: Sequence[Outline], followed: Sequence[Sequence[Followed]], count: int, unit: float
+    outlines: Sequence[Outline],
+    followed: Sequence[Sequence[Followed]],
+    count: int,
+    unit: float,
+    fixed: int | None = None,
 ) -> Points:
     """Return by how much each of ``count`` sources is moved, in pixels, as complex numbers.
 
     ``followed`` are, for each closed outline, its rows in order; ``unit`` is in canvas units to a
-    pixel.
+    pixel. The source ``fixed`` stays where it is.
     """
     seams = [
         seam
@@ -50,6 +54,8 @@ def alignment(
         system[row, 2 * other : 2 * other + 2] = -normal.real, -normal.imag
         wanted[row] = miss
     system[len(seams) :] = np.sqrt(_STAY) * np.eye(2 * count)
+    if fixed is not None:
+        system[: len(seams), 2 * fixed : 2 * fixed + 2] = 0
     found = np.linalg.lstsq(system, wanted, rcond=None)[0]
     moves = found[::2] + 1j * found[1::2]
     farthest = _FARTHEST / unit

@@ -19,7 +19,12 @@ from iconstudio.model import CANVAS
 from iconstudio.model.path import Path
 
 
-def joined_path(coverage: NDArray[np.uint8], sources: Sequence[Path], heal: bool = True) -> Path:
+def joined_path(
+    coverage: NDArray[np.uint8],
+    sources: Sequence[Path],
+    heal: bool = True,
+    fixed: int | None = None,
+) -> Path:
     """Return the outline of a joined drawing in canvas units, to a hundredth of one.
 
     Parameters
@@ -31,6 +36,8 @@ def joined_path(coverage: NDArray[np.uint8], sources: Sequence[Path], heal: bool
         nowhere. An empty one is not known.
     heal
         Whether sources are moved, by two canvas units at most, and seams are made anew.
+    fixed
+        Number of a source that is not moved.
     """
     unit = CANVAS / len(coverage)
     drawn = [one.even() for one in outlines(coverage)]
@@ -38,7 +45,7 @@ def joined_path(coverage: NDArray[np.uint8], sources: Sequence[Path], heal: bool
     followed = [curves.followed(one) for one in drawn]
     moves = np.zeros(len(sources), dtype=np.complex128)
     if heal:
-        moves = alignment(drawn, followed, len(sources), unit)
+        moves = alignment(drawn, followed, len(sources), unit, fixed)
         examples = Examples.of(curves.oriented(), unit)
     contours = []
     for outline, rows in zip(drawn, followed, strict=True):
