@@ -13,7 +13,7 @@ from iconstudio.model import Line
 
 LONGEST = 4.0
 """Canvas units: a stroke that is no longer than this is a dot."""
-_LARGEST = 2.0
+_LARGEST = 2.2
 """How large a filled dot is at most, over the width of the widest stroke."""
 _ROUND = 0.8
 """Part of what a circle of its length encloses that a filled dot does, at least."""
