@@ -8,10 +8,7 @@ from iconstudio.algorithms import areas
 from iconstudio.algorithms.contours import contours_of
 from iconstudio.algorithms.curves.outline import path_of
 from iconstudio.algorithms.curves.outlined_strokes import with_strokes
-from iconstudio.algorithms.curves.restyle import prepare, restyled
 from iconstudio.algorithms.flattening import flattened
-from iconstudio.inputs.styles import named
-from iconstudio.model import Line
 
 WIDTH = 20.0
 
@@ -101,16 +98,3 @@ def test_nothing_of_a_picture_is_lost():
     contours = (*drawn(*LINES["a T"]), *contours_of(shapely.box(150, 150, 230, 230)))
     before, after = area_of(contours), area_of(with_strokes(contours))
     assert shapely.symmetric_difference(before, after).area < 0.01 * before.area
-
-
-def test_a_line_is_styled_alike_whether_it_is_a_stroke_or_its_outline():
-    """As wavy along both sides, not each side by itself."""
-    style = prepare(named("Waves"), 2.0)
-    (line,) = (Line(points, False, WIDTH) for points in LINES["a bar"])
-    for lines in ([line], with_strokes(drawn(*LINES["a bar"]))):
-        (made,) = restyled([(one, style) for one in lines], 1)
-        area = area_of([made])
-        places = np.linspace(60, 196, 35)
-        thick = [shapely.intersection(area, shapely.box(x, 0, x + 0.1, 256)).area for x in places]
-        assert np.std(thick) < 0.45 * WIDTH * 0.1
-        assert np.ptp(np.array(made.points)[:, 1]) > 10
