@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 
 from iconstudio.algorithms.curves.outline import path_of
-from iconstudio.model import CANVAS, IconstudioError
+from iconstudio.model import CANVAS, Credit, IconstudioError, Pictogram
 from iconstudio.session import Session
 from iconstudio.workflows.events import Progress, Retrieved
+from iconstudio.workflows.line_style.restyling import said_of
 
 
 def test_an_icon_is_drawn_as_on_the_canvas_but_finer(session):
@@ -145,3 +146,16 @@ def test_icons_that_are_less_alike_come_last_and_none_is_lost(session):
     assert flags == sorted(flags)
     assert not all(flags)
     assert prepared(session, "otter")[1].strangers == retrieved.strangers
+
+
+@pytest.mark.parametrize(
+    ("page", "width", "said"), [(24, 2, False), (400, 2, True), (160, 14, False)]
+)
+def test_what_is_small_on_its_page_is_said_to_be(session, page, width, said):
+    """Its textures would look large. A dot of a set is as small, and as thick as all else."""
+    svg = (
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {page} {page}">'
+        f'<path d="M8 8H20V20" fill="none" stroke="#000" stroke-width="{width}"/></svg>'
+    )
+    icon = Pictogram(f"small:{page}-{width}", svg, Credit("corner", "", "", "", ""))
+    assert ("small on its page" in said_of(session, icon)) == said

@@ -32,6 +32,8 @@ LARGEST_SEED = 2**53
 """More would not be the same number everywhere in JSON."""
 SEEDS = 4
 """Of variations: a column each."""
+_SMALL = 0.25
+"""Of the canvas: what is no larger is small on its page."""
 SECONDS, MEMORY = 60.0, 2 << 30
 Sides = tuple[float, float]
 """Width and height, in canvas units."""
@@ -97,8 +99,23 @@ def lines_of(resources: Resources, work: Restyling) -> tuple[Line, ...]:
 
 
 def said_of(resources: Resources, icon: Pictogram) -> str:
-    """Return a sentence about what its lines do not show of an icon; empty if there is nothing."""
-    return said_of_pale_parts(resources.exemplar(icon).coverage)
+    """Return what a user should know of its lines: what they do not show, and whether they are so
+    small that textures are large beside them. Empty if there is nothing.
+    """
+    pale = said_of_pale_parts(resources.exemplar(icon).coverage)
+    return " ".join(filter(None, [pale, _said_of_size(resources.lines(icon))]))
+
+
+def _said_of_size(lines: Sequence[Line]) -> str:
+    """Return a sentence about lines that are small and thin: a dot of a set is not."""
+    xs, ys = zip(*(point for line in lines for point in line.points), strict=True)
+    side = max(max(xs) - min(xs), max(ys) - min(ys))
+    if side > _SMALL * CANVAS or max(line.width for line in lines) > side / 2:
+        return ""
+    return (
+        f"It is small on its page, {side / CANVAS:.0%} of it, and textures are as large as on "
+        "others. Crop the page to it, or make the texture smaller."
+    )
 
 
 def variations(work: Restyling) -> list[Restyling]:
