@@ -11,6 +11,7 @@ from iconstudio.algorithms.curves.corners import joined, parted
 from iconstudio.algorithms.curves.curve import Curve, Numbers
 from iconstudio.algorithms.curves.dots import LONGEST, dots_as_rings, length
 from iconstudio.algorithms.curves.junctions import junctions
+from iconstudio.algorithms.curves.kinks import without_kinks
 from iconstudio.algorithms.curves.multiresolution import analogy
 from iconstudio.algorithms.curves.prepared import Prepared, prepare, smoothed
 from iconstudio.algorithms.curves.thickness import held_back
@@ -88,7 +89,7 @@ def _one(
     for number, (part, own, first, last) in enumerate(whole):
         parameters, levels = prepared.room(part, coarse)
         made = analogy(levels, part, parameters, seed + number, style.rotation, style.shape, own)
-        pieces.append((made.curve, first, last))
+        pieces.append((without_kinks(made.curve, part, levels[-1], own), first, last))
         widths.append(prepared.widths(levels, made.sources))
     curve = joined(plain, [(_smooth(one), first, last) for one, first, last in pieces])
     return curve, _fitting(curve, pieces, widths, width)
