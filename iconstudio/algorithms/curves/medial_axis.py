@@ -3,19 +3,16 @@
 from dataclasses import dataclass
 
 import numpy as np
-import shapely
 from numpy.typing import NDArray
 from scipy.spatial import Voronoi
 
-from iconstudio.algorithms.areas import Area, Points
+from iconstudio.algorithms.areas import Area, Points, along_outline, from_outline, hold
 
 Numbers = NDArray[np.float64]
 
 _OPPOSITE = 0.6
 """Of the way across, what lies between the two places of the outline that are nearest to a side of
 the axis, at least: else it leads into a corner, or into the roundness of an end."""
-_MOST = 6_000
-"""Points of an outline."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,29 +36,14 @@ class Axis:
 
 def axis_of(polygon: Area, step: float) -> Axis:
     """Return the medial axis of a polygon, of whose outline a point is taken every ``step``."""
-    step = max(step, polygon.length / _MOST)
-    outline = np.concatenate([_spaced(ring, step) for ring in shapely.get_rings(polygon)])
+    outline = along_outline(polygon, step)
     diagram = Voronoi(outline)
-    sides = np.array(diagram.ridge_vertices)
-    nearest = diagram.ridge_points[(sides >= 0).all(axis=1)]
-    sides = sides[(sides >= 0).all(axis=1)]
+    sides, nearest = np.array(diagram.ridge_vertices), diagram.ridge_points
     points = diagram.vertices
-    shapely.prepare(polygon)
-    inside = shapely.contains_xy(polygon, points)
-    here = inside[sides].all(axis=1)
+    here = (sides >= 0).all(axis=1) & hold(polygon, points)[sides].all(axis=1)
     sides, nearest = sides[here], nearest[here]
     away = outline[nearest[:, 0], None] - points[sides]
     across = np.hypot(*(outline[nearest[:, 0]] - outline[nearest[:, 1]]).T)
     opposite = across > _OPPOSITE * 2 * np.hypot(away[..., 0], away[..., 1]).max(axis=1)
     used, sides = np.unique(sides[opposite], return_inverse=True)
-    radii = shapely.distance(shapely.points(points[used]), shapely.boundary(polygon))
-    return Axis(points[used], radii, sides.reshape(-1, 2))
-
-
-def _spaced(ring: Area, step: float) -> Points:
-    count = max(8, int(np.ceil(ring.length / step)))
-    along = (np.arange(count) + 0.5) / count
-    spaced: Points = shapely.get_coordinates(
-        shapely.line_interpolate_point(ring, along, normalized=True)
-    )
-    return spaced
+    return Axis(points[used], from_outline(polygon, points[used]), sides.reshape(-1, 2))

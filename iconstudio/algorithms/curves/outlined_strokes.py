@@ -9,13 +9,16 @@ that begin there reach into it.
 from collections.abc import Iterable, Sequence
 
 import numpy as np
-import shapely
 
 from iconstudio.algorithms.areas import (
     NOTHING,
     Area,
-    Points,
     filled,
+    grown,
+    hold,
+    length_of_outline,
+    opened,
+    pieces,
     size_of,
     stroked,
     united,
@@ -31,6 +34,8 @@ _THINNEST, _THICKEST = 2.0, 36.0
 """Canvas units of lines; what is thicker is a shape."""
 _FINE = 0.125
 """Between points of the outline, over the width."""
+_MOST = 8_000
+"""Such points; what has more is too fine to be drawn by a pen."""
 _MOSTLY = 0.6
 """How much of an axis is that of lines, if there are any."""
 _LONG = 1.5
@@ -55,7 +60,7 @@ def with_strokes(lines: Iterable[Line]) -> tuple[Line, ...]:
     contours = [np.array(one.points) for one in lines if not one.width]
     kept: list[Line] = []
     found: list[Line] = []
-    for piece in shapely.get_parts(filled(contours)):
+    for piece in pieces(filled(contours)):
         solid, strokes = parted(piece)
         kept += contours_of(solid)
         found += strokes
@@ -67,24 +72,26 @@ def with_strokes(lines: Iterable[Line]) -> tuple[Line, ...]:
 def parted(piece: Area) -> tuple[Area, list[Line]]:
     """Return what is solid of a polygon, and the strokes of one width that draw the rest."""
     nothing = piece, list[Line]()
-    if not _THINNEST < 2 * size_of(piece) / max(piece.length, 1e-9) < _THICKEST:
+    length = length_of_outline(piece)
+    mean = 2 * size_of(piece) / max(length, 1e-9)
+    if not _THINNEST < mean < _THICKEST or length > _MOST * _FINE * mean:
         return nothing
-    centre = Centre.of(axis_of(piece, _FINE * 2 * size_of(piece) / piece.length))
+    centre = Centre.of(axis_of(piece, _FINE * mean))
     if centre is None or centre.share < _MOSTLY:
         return nothing
     width = 2 * centre.radius
-    solid = _opened(piece, _SOLID * width, _CORE * width**2)
+    solid = opened(piece, _SOLID * width, _CORE * width**2)
     if solid.is_empty:
         rows = connected(centre)
     else:
         rows = []
-        for part in shapely.get_parts(without(piece, solid)):
+        for part in pieces(without(piece, solid)):
             own = _rows_of(part, width)
             rows += [_into(solid, row, width) for row in own]
             if not own:
                 solid = united([solid, part])
-    length = sum(length_of(points) for points, _ in rows)
-    if length < _LONG * width or not _draws(rows, width, solid, piece):
+    drawn = sum(length_of(points) for points, _ in rows)
+    if drawn < _LONG * width or not _draws(rows, width, solid, piece):
         return nothing
     return solid, [Line(pairs(points), closed, width) for points, closed in rows]
 
@@ -98,36 +105,20 @@ def _rows_of(part: Area, width: float) -> list[Row]:
     return rows if _draws(rows, width, NOTHING, part) else []
 
 
-def _opened(piece: Area, radius: float, least: float) -> Area:
-    """Return what discs cover that fit into a piece, if there is so much room for their middles."""
-    middles = [
-        one for one in shapely.get_parts(shapely.buffer(piece, -radius)) if size_of(one) > least
-    ]
-    grown = shapely.buffer(united(middles), radius)
-    return shapely.intersection(grown, piece) if middles else NOTHING
-
-
 def _into(solid: Area, row: Row, width: float) -> Row:
     """Return a line that goes on where it ends at what is solid."""
     points, closed = row
     if closed:
         return row
     first, last = (points[at] + _INTO * width * way_out(points, at, width / 2) for at in (0, -1))
-    ahead, behind = shapely.contains_xy(solid, *np.transpose([first, last]))
+    ahead, behind = hold(solid, np.array([first, last]))
     return np.concatenate([first[None][: int(ahead)], points, last[None][: int(behind)]]), False
 
 
 def _draws(rows: Sequence[Row], width: float, solid: Area, piece: Area) -> bool:
     """Whether a pen that follows some lines draws a piece beside what is solid, but for corners."""
     drawn = united([solid, *(stroked(points, closed, width) for points, closed in rows)])
-    grown, thick = (shapely.buffer(one, _SLIVER * width) for one in (piece, drawn))
-    other = [*map(_sizes, (without(piece, thick), without(drawn, grown)))]
-    sizes = np.concatenate(other)
-    return bool(
-        sizes.sum() < _ALIKE * size_of(piece) and sizes.max(initial=0.0) < _LARGEST * width**2
-    )
-
-
-def _sizes(area: Area) -> Points:
-    sizes: Points = shapely.area(shapely.get_parts(area))
-    return sizes
+    spare = _SLIVER * width
+    other = without(piece, grown(drawn, spare)), without(drawn, grown(piece, spare))
+    sizes = [size_of(one) for some in other for one in pieces(some)]
+    return sum(sizes) < _ALIKE * size_of(piece) and max(sizes, default=0.0) < _LARGEST * width**2
