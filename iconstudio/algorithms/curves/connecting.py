@@ -8,6 +8,7 @@ from collections import Counter
 from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations, pairwise
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,7 +32,7 @@ _SPUR, _TIP = 0.5, 0.7
 """Over the radius: the length of the longest branch that is none, and of one that may lead from a
 crossing into a corner."""
 _NEAR = 0.35
-"""Over the radius: how near to where two lines would meet such a one ends."""
+"""Over the radius: how near to where two lines would meet such a one ends, and the axis runs."""
 _BENT, _WAY = 0.4, 1.2
 """Over the radius: how much of a line's end crossings bend, and how much tells its direction."""
 _STRAIGHT = np.radians(35)
@@ -42,16 +43,22 @@ _STRAY = 0.05
 """Canvas units by which lines may be simplified."""
 
 
+class Meeting(NamedTuple):
+    """Where lines meet."""
+
+    ends: Sequence[End]
+    axis: Points
+    """The points of the axis there, (n, 2)."""
+
+
 @dataclass(frozen=True, eq=False)
 class Centre:
     """Lines along strokes, without the places where they meet."""
 
     rows: Sequence[Row]
-    meetings: Sequence[Sequence[End]]
-    """The ends of lines that meet, by place."""
+    meetings: Sequence[Meeting]
     radius: float
     """Half the width of the strokes."""
-
     share: float
     """The part of the axis that is along them."""
 
@@ -73,10 +80,10 @@ class Centre:
             tuple(axis.points[at].tolist()): int(place[at]) for at in np.flatnonzero(place >= 0)
         }
         found = _without_spurs(axis.points[axis.sides[even]], crossings, _SPUR * radius)
-        corners = _corners(*_meeting(found, crossings), radius)
+        corners = _corners(*_meetings(found, crossings), radius)
         kept = [one for number, one in enumerate(found) if number not in corners]
         share = float(lengths[even].sum() / lengths.sum())
-        return cls(*_meeting(kept, crossings), radius, share) if kept else None
+        return cls(*_meetings(kept, crossings), radius, share) if kept else None
 
 
 def connected(centre: Centre) -> list[Row]:
@@ -86,8 +93,8 @@ def connected(centre: Centre) -> list[Row]:
         for number, (points, closed) in enumerate(centre.rows)
     ]
     links: dict[End, tuple[End, Points | None]] = {}
-    for ends in centre.meetings:
-        _connect(rows, ends, centre.radius, links)
+    for meeting in centre.meetings:
+        _connect(rows, meeting, centre.radius, links)
     return [
         (simplified(points, closed, _STRAY), closed)
         for points, closed in _walked(rows, [closed for _, closed in centre.rows], links)
@@ -134,31 +141,38 @@ def _sides(row: Points) -> Points:
     return np.stack([row[:-1], row[1:]], axis=1)
 
 
-def _meeting(
+def _meetings(
     lines: Sequence[Points], crossings: Mapping[Place, int]
-) -> tuple[list[Row], list[list[End]]]:
+) -> tuple[list[Row], list[Meeting]]:
     """Return lines, closed if they end where they begin and nothing else does; where ends meet."""
     met = Counter(tuple(one[at]) for one in lines for at in (0, -1))
+    points: dict[int | Place, list[Place]] = {}
+    for point, number in crossings.items():
+        points.setdefault(number, []).append(point)
     rows: list[Row] = []
-    meetings: dict[int | Place, list[End]] = {}
+    ends: dict[int | Place, list[End]] = {}
     for number, line in enumerate(lines):
         first, last = tuple(line[0]), tuple(line[-1])
         closed = first == last and met[first] == 2 and first not in crossings
         rows.append((line[:-1], True) if closed else (line, False))
         if not closed:
             for which, at in ((0, first), (-1, last)):
-                meetings.setdefault(crossings.get(at, at), []).append((number, which))
-    return rows, [ends for ends in meetings.values() if len(ends) > 1]
+                place = crossings.get(at, at)
+                points.setdefault(place, [at])
+                ends.setdefault(place, []).append((number, which))
+    return rows, [
+        Meeting(some, np.array(points[place])) for place, some in ends.items() if len(some) > 1
+    ]
 
 
-def _corners(rows: Sequence[Row], meetings: Sequence[Sequence[End]], radius: float) -> set[int]:
+def _corners(rows: Sequence[Row], meetings: Sequence[Meeting], radius: float) -> set[int]:
     """Return the numbers of those lines that lead from a crossing into a corner of the outline.
 
     They are short, and end where two others would meet.
     """
-    met = {end for ends in meetings for end in ends}
+    met = {end for ends, _ in meetings for end in ends}
     found = set()
-    for ends in meetings:
+    for ends, _ in meetings:
         short = [
             (number, at)
             for number, at in ends
@@ -185,7 +199,7 @@ def _trimmed(points: Points, closed: bool, number: int, centre: Centre) -> Point
     """Return a line without what crossings bend of it."""
     if closed:
         return points
-    met = {end for ends in centre.meetings for end in ends}
+    met = {end for ends, _ in centre.meetings for end in ends}
     whole = length_of(points)
     off = [min(_BENT * centre.radius, whole / 4) * ((number, at) in met) for at in (0, -1)]
     return part(points, off[0], whole - off[1])
@@ -193,11 +207,12 @@ def _trimmed(points: Points, closed: bool, number: int, centre: Centre) -> Point
 
 def _connect(
     rows: list[Points],
-    ends: Sequence[End],
+    meeting: Meeting,
     radius: float,
     links: dict[End, tuple[End, Points | None]],
 ) -> None:
     """Link the ends that go on in each other, and let the others end where those pass."""
+    ends, axis = meeting
     at = {end: rows[end[0]][end[1]] for end in ends}
     ways = {end: way_out(rows[end[0]], end[1], radius) for end in ends}
     left = list(ends)
@@ -216,13 +231,13 @@ def _connect(
     if len(left) == 2 and not passing:
         one, other = left
         corner = _crossing(at[one], ways[one], at[other], ways[other])
-        if corner is not None and max(np.hypot(*(corner - at[e])) for e in left) > _FAR * radius:
-            corner = None
+        corner = _on_axis(corner, axis, [at[one], at[other]], radius)
         links[one], links[other] = (other, corner), (one, corner)
         return
     middle = np.mean([at[end] for end in ends], axis=0)
     if not passing:
         middle = _nearest_to_all([at[end] for end in left], [ways[end] for end in left], middle)
+        middle = _on_axis(middle, axis, [at[end] for end in left], radius)
     for end in left:
         onto = middle
         for first, last in passing:
@@ -259,6 +274,16 @@ def _crossing(a: Points, way: Points, b: Points, other: Points) -> Points | None
         return None
     along = ((b - a)[0] * other[1] - (b - a)[1] * other[0]) / cross
     return a + along * way if along > -1e-9 else None
+
+
+def _on_axis(found: Points | None, axis: Points, ends: Sequence[Points], radius: float) -> Points:
+    """Return a place where lines meet; if it is off the axis, or none, a place on that."""
+    if found is None:
+        away = np.min([np.hypot(*(axis - end).T) for end in ends], axis=0)
+        farthest: Points = axis[away.argmax()]
+        return farthest
+    off = np.hypot(*(axis - found).T)
+    return found if off.min() < _NEAR * radius else axis[off.argmin()]
 
 
 def _nearest_to_all(ends: Sequence[Points], ways: Sequence[Points], otherwise: Points) -> Points:

@@ -32,6 +32,8 @@ from iconstudio.model import Line
 
 _THINNEST, _THICKEST = 2.0, 36.0
 """Canvas units of lines; what is thicker is a shape."""
+_SLIT = 0.2
+"""Canvas units: half the width of gaps that are a fault of a drawing."""
 _FINE = 0.125
 """Between points of the outline, over the width."""
 _MOST = 8_000
@@ -50,7 +52,7 @@ _SLIVER = 0.03
 """Over the width: by so much the edges may differ all along,"""
 _ALIKE = 0.08
 """by such a part of its area an area may differ from what is drawn instead,"""
-_LARGEST = 0.4
+_LARGEST = 0.6
 """and by such a part of the square of the width in one place: a sharp corner is one."""
 
 
@@ -60,7 +62,7 @@ def with_strokes(lines: Iterable[Line]) -> tuple[Line, ...]:
     contours = [np.array(one.points) for one in lines if not one.width]
     kept: list[Line] = []
     found: list[Line] = []
-    for piece in pieces(filled(contours)):
+    for piece in pieces(grown(grown(filled(contours), _SLIT), -_SLIT)):
         solid, strokes = parted(piece)
         kept += contours_of(solid)
         found += strokes
