@@ -26,12 +26,12 @@ Place = tuple[float, ...]
 End = tuple[int, int]
 """The number of a line, and 0 for its start or -1 for its end."""
 
-_EVEN = 0.07
+_EVEN = 0.12
 """By what part of it the radius of a stroke may vary."""
 _SPUR, _TIP = 0.5, 0.7
 """Over the radius: the length of the longest branch that is none, and of one that may lead from a
 crossing into a corner."""
-_NEAR = 0.35
+_NEAR = 0.6
 """Over the radius: how near to where two lines would meet such a one ends, and the axis runs."""
 _BENT, _WAY = 0.4, 1.2
 """Over the radius: how much of a line's end crossings bend, and how much tells its direction."""

@@ -48,7 +48,7 @@ _CORE = 0.1
 """Of the square of the width: where the middle of such a disc may be, at least."""
 _INTO = 0.8
 """Over the width: how far strokes reach into what is filled."""
-_SLIVER = 0.03
+_SLIVER = 0.05
 """Over the width: by so much the edges may differ all along,"""
 _ALIKE = 0.08
 """by such a part of its area an area may differ from what is drawn instead,"""
