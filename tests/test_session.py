@@ -129,10 +129,11 @@ def _loaded():
 
 def test_where_reading_the_lines_takes_too_long_the_picture_is_traced(session, monkeypatch):
     monkeypatch.setattr("iconstudio.session._LINES_SECONDS", 1e-3)
-    lines = session.lines(session.icon("lucide:bird"))
+    bird = session.icon("lucide:bird")
+    lines = session.lines(replace(bird, id="slow:bird"))
     assert lines
     monkeypatch.undo()
-    own = session.lines(replace(session.icon("lucide:bird"), id="own:bird"))
+    own = session.lines(replace(bird, id="own:bird"))
     assert lines != own
     assert path_of(lines).bounds == pytest.approx(path_of(own).bounds, abs=1), "on the same page"
     assert {round(line.width) for line in lines if line.width} == {round(own[0].width)}
