@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 
 from iconstudio.algorithms.curves.outline import path_of
-from iconstudio.model import CANVAS, IconstudioError
+from iconstudio.model import CANVAS, Credit, IconstudioError, Pictogram
 from iconstudio.session import Session
 from iconstudio.workflows.events import Progress, Retrieved
+from iconstudio.workflows.line_style.restyling import said_of
 
 
 def test_an_icon_is_drawn_as_on_the_canvas_but_finer(session):
@@ -128,13 +129,14 @@ def _loaded():
 
 def test_where_reading_the_lines_takes_too_long_the_picture_is_traced(session, monkeypatch):
     monkeypatch.setattr("iconstudio.session._LINES_SECONDS", 1e-3)
-    lines = session.lines(session.icon("lucide:bird"))
+    bird = session.icon("lucide:bird")
+    lines = session.lines(replace(bird, id="slow:bird"))
     assert lines
-    assert all(line.closed and not line.width for line in lines)
     monkeypatch.undo()
-    whole = session.icon("lucide:bird")
-    bounds = path_of(session.lines(replace(whole, id="own:bird"))).bounds
-    assert path_of(lines).bounds == pytest.approx(bounds, abs=1), "on the same page"
+    own = session.lines(replace(bird, id="own:bird"))
+    assert lines != own
+    assert path_of(lines).bounds == pytest.approx(path_of(own).bounds, abs=1), "on the same page"
+    assert {round(line.width) for line in lines if line.width} == {round(own[0].width)}
 
 
 def test_icons_that_are_less_alike_come_last_and_none_is_lost(session):
@@ -145,3 +147,16 @@ def test_icons_that_are_less_alike_come_last_and_none_is_lost(session):
     assert flags == sorted(flags)
     assert not all(flags)
     assert prepared(session, "otter")[1].strangers == retrieved.strangers
+
+
+@pytest.mark.parametrize(
+    ("page", "width", "said"), [(24, 2, False), (400, 2, True), (160, 14, False)]
+)
+def test_what_is_small_on_its_page_is_said_to_be(session, page, width, said):
+    """Its textures would look large. A dot of a set is as small, and as thick as all else."""
+    svg = (
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {page} {page}">'
+        f'<path d="M8 8H20V20" fill="none" stroke="#000" stroke-width="{width}"/></svg>'
+    )
+    icon = Pictogram(f"small:{page}-{width}", svg, Credit("corner", "", "", "", ""))
+    assert ("small on its page" in said_of(session, icon)) == said

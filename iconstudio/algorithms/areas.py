@@ -245,6 +245,58 @@ def size_of(area: Area) -> float:
     return float(shapely.area(area))
 
 
+def length_of_outline(area: Area) -> float:
+    """Return how long the contours of an area are together."""
+    return float(shapely.length(area))
+
+
+def pieces(area: Area) -> list[Area]:
+    """Return the polygons of an area."""
+    return list(shapely.get_parts(area))
+
+
+def grown(area: Area, by: float) -> Area:
+    """Return an area with all that is so near to it."""
+    return shapely.buffer(area, by)
+
+
+def opened(area: Area, radius: float, least: float) -> Area:
+    """Return what discs cover that fit into an area, if there is so much room for their middles."""
+    middles = [one for one in pieces(shapely.buffer(area, -radius)) if size_of(one) > least]
+    return common(shapely.buffer(united(middles), radius), area) if middles else NOTHING
+
+
+def hold(area: Area, points: Points) -> NDArray[np.bool_]:
+    """Return which of some points (n, 2) are within an area, not at its edge."""
+    shapely.prepare(area)
+    within: NDArray[np.bool_] = shapely.contains_xy(area, points)
+    return within
+
+
+def along_outline(area: Area, step: float) -> Points:
+    """Return points (n, 2) of the contours of an area, about ``step`` apart."""
+    found = []
+    for ring in shapely.get_rings(area):
+        count = max(8, math.ceil(ring.length / step))
+        at = (np.arange(count) + 0.5) / count
+        found.append(shapely.line_interpolate_point(ring, at, normalized=True))
+    points: Points = shapely.get_coordinates(np.concatenate(found))
+    return points
+
+
+def from_outline(area: Area, points: Points) -> NDArray[np.float64]:
+    """Return how far points (n, 2) are from the contours of an area, (n,)."""
+    rings = [shapely.get_coordinates(ring) for ring in shapely.get_rings(area)]
+    sides = np.concatenate([np.stack([one[:-1], one[1:]], axis=1) for one in rings])
+    tree = shapely.STRtree(shapely.linestrings(sides))
+    (place, _), away = tree.query_nearest(
+        shapely.points(points), return_distance=True, all_matches=False
+    )
+    found = np.zeros(len(points))
+    found[place] = away
+    return found
+
+
 def outlines(area: Area, stray: float = 0.0) -> list[Points]:
     """Return the contours of an area, holes the other way round than what is around them.
 

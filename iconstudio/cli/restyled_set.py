@@ -72,7 +72,8 @@ def restyle_set(
     _tell("Skipped ", written.skipped, named)
     _tell("", written.remarks, named)
     if written.shrunk:
-        subject = f"{_icons(len(written.shrunk))} had no room on the canvas, and came out"
+        pages = "its page" if len(written.shrunk) == 1 else "their pages"
+        subject = f"{_icons(len(written.shrunk))} had no room on {pages}, and came out"
         tell(f"{subject} smaller, by {1 - min(written.shrunk):.1%} at most{named}.")
     if not written:
         raise IconstudioError("No icon of the set could be restyled.")

@@ -7,7 +7,8 @@
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
-from math import dist
+from itertools import pairwise
+from math import dist, hypot
 from pathlib import Path
 from typing import Annotated, Self, TypeVar
 
@@ -28,6 +29,8 @@ LONGEST = 20_000.0
 """Length of all styled strokes together; learning takes time and memory in proportion."""
 SHORTEST = 10.0
 """Length of a styled stroke: about a neighbourhood of the finest texture."""
+_ADVANCING = 0.02
+"""How far a stroke without a plain one gets, over its length."""
 _EVEN = 1.0
 """Width of a stroke that has the same all along: only how it changes is learned."""
 
@@ -76,10 +79,16 @@ class PairFile(StrictRecord, frozen=True):
                 f"The styled stroke has {_count(len(self.styled))}; it needs at least 3."
             )
         check_widths(self.styled, "styled stroke")
+        points, _ = parted(self.styled)
         if self.length < SHORTEST:
             raise IconstudioError(
                 f"The styled stroke is {self.length:.3g} units long; it needs at least "
                 f"{SHORTEST:g}, on a canvas of {CANVAS}. Draw it longer, or scale it up."
+            )
+        if not (self.plain or self.closed) and _advance(points) < _ADVANCING * self.length:
+            raise IconstudioError(
+                "The styled stroke gets nowhere: it ends where it began, or goes there and back. "
+                "Draw it along a line, or give its plain stroke."
             )
         if self.plain and _length(self.plain, self.closed) < SHORTEST:
             raise IconstudioError(
@@ -259,6 +268,20 @@ def _thinned(some: Sequence[T]) -> tuple[T, ...]:
 def _length(points: Sequence[Point], closed: bool) -> float:
     following = (*points[1:], *points[:1]) if closed else points[1:]
     return sum(map(dist, points, following))
+
+
+def _advance(points: Sequence[Point]) -> float:
+    """Return the length of the straight line that runs along a stroke, by least squares."""
+    whole = _length(points, False)
+    along, moments = 0.0, [0.0, 0.0]
+    for one, other in pairwise(points):
+        step = dist(one, other)
+        middle = along + step / 2 - whole / 2
+        for axis in (0, 1):
+            mean, rise = (one[axis] + other[axis]) / 2, other[axis] - one[axis]
+            moments[axis] += step * (middle * mean + step * rise / 12)
+        along += step
+    return hypot(*moments) * 12 / whole**2
 
 
 def _count(points: int) -> str:

@@ -19,3 +19,5 @@ class Line:
     """Of the stroke, in canvas units; 0 for a contour."""
     widths: tuple[float, ...] = ()
     """Of the stroke at each point, where it is not the same all along."""
+    filled: bool = False
+    """Whether what a closed stroke encloses is filled, too."""

@@ -27,7 +27,7 @@ from iconstudio.workflows.line_style.sets import Manner, MemberRestyled, MemberS
 
 MANIFEST = "restyled.json"
 CREDITS = "CREDITS.md"
-_FORMAT = 2
+_FORMAT = 3
 """To be raised when icons come out differently: those of before are then made again."""
 _ICON = re.compile(r"[^./\\:][^/\\:]*\.svg")
 _SHEET = re.compile(r"sheet(-\d+)?\.png")
@@ -49,7 +49,7 @@ class _Entry(msgspec.Struct, frozen=True):
     remarks: tuple[str, ...] = ()
     """What could not be read of its drawing."""
     scale: float = 1.0
-    """Below 1 if it had no room on the canvas."""
+    """Below 1 if it had no room on its page."""
 
 
 class _Manifest(msgspec.Struct, frozen=True):
@@ -100,7 +100,7 @@ class RestyledSet:
 
     @property
     def shrunk(self) -> list[float]:
-        """The scales of icons that had no room on the canvas."""
+        """The scales of icons that had no room on their pages."""
         return [one.scale for one in self._done.values() if one.scale < 1]
 
     def __len__(self) -> int:
@@ -124,7 +124,7 @@ class RestyledSet:
             self.skipped[event.member.id] = event.reason
             return
         member, file = event.member, self._files[event.member.id]
-        data = document(event.title, event.credits, event.drawn).encode()
+        data = document(event.title, event.credits, event.drawn, event.page).encode()
         if self._is_foreign(file, data):
             self.skipped[member.id] = (
                 f"“{file}” is there already, and not as it was made. It was left as it is: "

@@ -6,8 +6,8 @@ from pathlib import Path
 
 from PIL import Image
 
-from iconstudio.model import CANVAS, Frame
 from iconstudio.output.figure import MUTED, Figure
+from iconstudio.svg.rasterise import page_frame
 from iconstudio.svg.resvg import render_coverage
 
 PER_SHEET = 2000
@@ -36,7 +36,7 @@ def set_sheet(title: str, count: int, files: Sequence[Path]) -> Generator[float,
     for number, file in enumerate(files):
         x, y = _EDGE + number % across * step_x, _HEAD + number // across * step_y
         svg = file.read_text("utf-8")
-        ink = render_coverage(svg, Frame(0, 0, CANVAS), 2 * _SIDE)
+        ink = render_coverage(svg, page_frame(svg), 2 * _SIDE)
         figure.stencil(x + _GAP / 2, y, _SIDE, ink)
         middle, width = x + step_x / 2, step_x - 6
         figure.text(middle, y + _SIDE + 4, file.stem, 12, colour=MUTED, width=width, anchor="ma")

@@ -1,4 +1,4 @@
-"""The lines of a drawing: outlines of what is filled, and centre lines of what is stroked."""
+"""The lines of a drawing: outlines of what is filled, and centre lines of strokes."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +15,7 @@ _SPECK = 0.5
 
 
 def lines_of(svg: str, frame: Frame, coverage: NDArray[np.uint8]) -> tuple[Line, ...]:
-    """Return the lines of a document on the canvas.
+    """Return the lines of a document on the canvas. Outlines of strokes are read as those.
 
     ``frame`` and ``coverage`` are those of its exemplar. Curves are flattened to within 0.02 canvas
     units. Ends and corners of strokes come out round. The document is hostile: call this in a
@@ -28,6 +28,7 @@ def lines_of(svg: str, frame: Frame, coverage: NDArray[np.uint8]) -> tuple[Line,
     """
     # They load libraries, which the window's own process can do without.
     from iconstudio.algorithms.contours import contours_of_path
+    from iconstudio.algorithms.curves.outlined_strokes import with_strokes
     from iconstudio.algorithms.iconification.redraw import binarised
     from iconstudio.algorithms.tracing.vectorize import trace
     from iconstudio.svg.ink import own_lines
@@ -40,7 +41,7 @@ def lines_of(svg: str, frame: Frame, coverage: NDArray[np.uint8]) -> tuple[Line,
         raise IconstudioError(
             "It has no lines: all of it is too small to be seen. Draw something larger."
         )
-    return lines
+    return with_strokes(lines)
 
 
 def lines_on_page(svg: str) -> tuple[Line, ...]:
@@ -82,14 +83,16 @@ def warm_up() -> None:
 
 
 def lines_of_drawing(path: Path, frame: Frame, svg: str) -> tuple[Line, ...]:
-    """Return the contours of what a path fills by the nonzero rule.
+    """Return the lines of what a path fills by the nonzero rule.
 
     ``frame`` of the document fills the path's canvas, and the page fills that of the lines.
     """
     from iconstudio.algorithms.contours import contours_of_path
+    from iconstudio.algorithms.curves.outlined_strokes import with_strokes
     from iconstudio.svg.rasterise import page_frame
 
     page = page_frame(svg)
     scale, unit = frame.size / page.size, CANVAS / page.size
     off = unit * (frame.x - page.x), unit * (frame.y - page.y)
-    return contours_of_path(path.transformed(Transform(scale, 0, 0, scale, *off)))
+    contours = contours_of_path(path.transformed(Transform(scale, 0, 0, scale, *off)))
+    return with_strokes(contours)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import shapely
 
-from iconstudio.algorithms.curves.outline import path_of
+from iconstudio.algorithms.curves.outline import path_of, strokes_of
 from iconstudio.algorithms.curves.restyle import prepare, restyled
 from iconstudio.algorithms.flattening import flattened
 from iconstudio.inputs.styles import named
@@ -253,3 +253,26 @@ def test_a_pinhole_in_thick_strokes_is_none():
     for width, holes in ((6.0, 1), (20.0, 0)):
         path = path_of([line(*triangle, width=width, closed=True)])
         assert len(path.contours) == 1 + holes
+
+
+def test_a_shape_beside_strokes_is_drawn_by_their_pen():
+    """Its edge was ragged beside theirs, as if another hand had drawn it."""
+    square = Line(((40.0, 40.0), (140.0, 40.0), (140.0, 140.0), (40.0, 140.0)), True)
+    bar = line((40, 200), (216, 200))
+    style = prepare(named("Shaky"))
+    shape, _ = made = styled([square, bar], style)
+    assert (shape.width, shape.filled, shape.closed) == (20.0, True, True)
+    area = path_of([shape]).bounds
+    assert area == pytest.approx((40, 40, 140, 140), abs=8)
+    assert len(path_of([shape]).contours) == 1, "its inside is filled"
+    outlines = [path_of(made), *(path for path, width in strokes_of(made) if not width)]
+    assert [len(one.contours) for one in outlines] == [2, 1]
+    (alone,) = styled([square], style)
+    assert not alone.width
+
+
+def test_a_shape_that_the_pen_beside_it_cannot_draw_stays_an_edge(style):
+    star = [(100 if k % 2 else 18) * np.exp(1j * np.pi * k / 4) for k in range(8)]
+    tips = Line(tuple((120 + z.real, 120 + z.imag) for z in star), True)
+    shape, _ = styled([tips, line((20, 240), (236, 240))], style)
+    assert not shape.width

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path as FilePath
 from statistics import mean, median
 from tempfile import TemporaryDirectory
-from time import perf_counter
+from time import perf_counter, process_time
 from typing import Any, cast
 from xml.etree import ElementTree
 
@@ -42,6 +42,9 @@ _NEAR = 0.75
 _EVEN = 1.0
 """Between places at which the distance from the plain line is taken."""
 _LONG = 40.0
+"""Along which distances are averaged, and beyond which what is alike repeats."""
+_DRAWS = 16
+"""Noises whose repetition is averaged."""
 _REACH = 24.0
 """Farther than this from the plain line nothing is looked for."""
 
@@ -73,6 +76,8 @@ class Figures:
     strays: float
     """Of the same, averaged over ``_LONG``: how far the lines are off as a whole."""
     repeats: float | None
+    chance: float | None
+    """What noise repeats that is as rough, of the same length."""
 
 
 def measured(lines: Sequence[Line], drawing: Drawing) -> Figures:
@@ -89,6 +94,7 @@ def measured(lines: Sequence[Line], drawing: Drawing) -> Figures:
         _rms(whole),
         _rms(np.concatenate([_averaged(one) for one in off])),
         repetition(whole),
+        by_chance(whole),
     )
 
 
@@ -103,6 +109,23 @@ def repetition(offsets: Points) -> float | None:
     found = products / np.maximum(np.sqrt(first * second), 1e-12)
     negative = np.flatnonzero(found < 0)
     return float(found[negative[0] :].max()) if len(negative) else None
+
+
+def by_chance(offsets: Points) -> float | None:
+    """Return what noise repeats whose autocorrelation is the same at short lags, and else none."""
+    centred = offsets - offsets.mean()
+    count = len(centred)
+    products = np.correlate(centred, centred, "full")[count - 1 :]
+    lags = np.minimum(np.arange(count) / _LONG, 1.0)
+    near = products * (0.5 + 0.5 * np.cos(np.pi * lags))
+    power = np.maximum(np.fft.rfft(np.concatenate([near, near[-2:0:-1]])).real, 0.0)
+    random = np.random.default_rng(0)
+    found = [
+        repetition(np.fft.irfft(np.sqrt(power) * np.fft.rfft(one))[:count])
+        for one in random.normal(size=(_DRAWS, 2 * count - 2))
+    ]
+    some = [one for one in found if one is not None]
+    return mean(some) if some else None
 
 
 def _opening(pieces: Sequence[Points]) -> float:
@@ -166,10 +189,10 @@ def ours(icons: Mapping[str, Sequence[Line]], style: LineStyle) -> Peer:
     drawings, times = {}, []
     for name, lines in icons.items():
         restyled([(line, prepared) for line in lines])
-        began = perf_counter()
+        began = process_time()
         made = restyled([(line, prepared) for line in lines])
         strokes_of(made)
-        times.append(perf_counter() - began)
+        times.append(process_time() - began)
         drawings[name] = [[_whole(line)] for line in made]
     return Peer(f"ours, {style.name}", drawings, mean(times))
 
@@ -285,19 +308,22 @@ def table(icons: Mapping[str, Sequence[Line]], peers: Sequence[Peer]) -> str:
     """Return the figures of what was drawn, over all icons."""
     rows = [
         "| | seconds an icon | gap where a shape closes | gap where lines join "
-        "| off the line: texture | as a whole | over the texture | repeats |",
-        "| --- | --- | --- | --- | --- | --- | --- | --- |",
+        "| off the line: texture | as a whole | over the texture | repeats | by chance |",
+        "| --- | --- | --- | --- | --- | --- | --- | --- | --- |",
     ]
     for peer in peers:
         found = [measured(icons[name], drawing) for name, drawing in peer.drawings.items()]
         closes = max(one.closes for one in found if one.closes is not None)
         joins = max(one.joins for one in found if one.joins is not None)
         rms, strays = (mean(getattr(one, what) for one in found) for what in ("rms", "strays"))
-        repeats = median(one.repeats for one in found if one.repeats is not None)
+        repeats, chance = (
+            median(value for one in found if (value := getattr(one, what)) is not None)
+            for what in ("repeats", "chance")
+        )
         rows.append(
             f"| {peer.name} | {_seconds(peer.seconds)} | {closes:.2f} | {joins:.2f} "
             f"| {rms:.2f} | {strays:.2f} "
-            f"| {strays / rms:.2f} | {repeats:.2f} |"
+            f"| {strays / rms:.2f} | {repeats:.2f} | {chance:.2f} |"
         )
     return "\n".join(rows)
 

@@ -216,7 +216,7 @@ def test_icons_of_a_set_keep_their_scale_and_it_is_told_if_they_have_no_room(tmp
     (tmp_path / "in" / "full.svg").write_text(page.format("M0 0h24v24H0z"))
     words = ["restyle", "--set", str(tmp_path / "in"), "--style", "Torn"]
     assert run([*words, "--out", str(tmp_path / "out")], None) == 0
-    told = r"^1 icon had no room on the canvas, and came out smaller, by [1-9]\.\d% at most; "
+    told = r"^1 icon had no room on its page, and came out smaller, by [1-9]\.\d% at most; "
     assert re.search(told, capsys.readouterr().err, re.M)
     dot = ink((tmp_path / "out" / "dot.svg").read_text("utf-8"))
     assert dot.any(axis=0).sum() == pytest.approx(4 / 24 * CANVAS, abs=12)

@@ -40,7 +40,10 @@ def style_of(text, *tell):
 def pairs(draw, plain, wide):
     points = st.lists(st.tuples(HUNDREDTHS, HUNDREDTHS), min_size=3, max_size=4, unique=True)
     far = ((0.0, 0.0), (SHORTEST, 0.0))
-    styled = (*far, *draw(points))
+    onwards = [
+        (round(x + 3.0 * CANVAS * n, 2), y) for n, (x, y) in enumerate(draw(points), start=1)
+    ]
+    styled = (*far, *onwards)
     return StylePair(
         styled,
         (*far, *draw(points)) if plain else (),
@@ -112,6 +115,7 @@ def pair(**more):
         (pair(styled=STROKE[:2]), "has two points; it needs at least 3"),
         (pair(styled=[[1, 1]] * 5), "is 0 units long"),
         (pair(plain=[[1, 1]] * 3), "The plain stroke is 0 units long"),
+        (pair(styled=[[0, 0], [90, 60], [0, 0], [90, 60], [0, 0]]), "gets nowhere"),
         (pair(styled=[[x / 20, y / 20] for x, y in STROKE]), "units long; it needs at least 10"),
         (pair(styled=[[0, 0], [nan, 1], [9, 9]]), "Point 2 of"),
         (pair(plain=[[0, 0], [5, 1], [9, -inf]]), "Point 3 of"),
@@ -120,7 +124,10 @@ def pair(**more):
         (pair(styled=[[0, 0], [1, 2, 3, 4], [9, 9]]), "is not numbers such as"),
         (pair(styled=[[0, 0], [9, 2, 3], [9, 9]]), "have a width, and some have none"),
         (pair(styled=[[x, y, -1] for x, y in STROKE]), "Widths of the styled stroke are from 0"),
-        (pair(styled=[[i % 2 * 5000, i] for i in range(9)]), "Scale them down, or leave some out"),
+        (
+            pair(styled=[[i % 2 * 4000, 500 * i - 2000] for i in range(9)]),
+            "Scale them down, or leave some out",
+        ),
         ({"name": "a", "pairs": [{"styled": STROKE}, {"styled": STROKE, "plain": STROKE}]}, "none"),
         (
             {"name": "a", "pairs": [{"styled": STROKE}, {"styled": WIDE}]},

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from PIL import Image
 
 from iconstudio.inputs.styles import named
-from iconstudio.model import Credit, IconstudioError, Pictogram
+from iconstudio.model import Credit, IconstudioError, Pictogram, Transform
 from iconstudio.model.icon_set import Member
 from iconstudio.output import restyled_set
 from iconstudio.output.credits import credits_page
@@ -66,6 +66,17 @@ def test_a_file_each_a_sheet_and_credits(tmp_path):
     with Image.open(tmp_path / "sheet.png") as sheet:
         assert sheet.convert("L").crop((54, 110, 118, 174)).getextrema()[0] < 60  # ink
     assert "Ann" in (tmp_path / "CREDITS.md").read_text("utf-8")
+
+
+def test_a_wide_page_is_shown_whole(tmp_path):
+    written_set = RestyledSet(tmp_path, "set", MEMBERS[:1], MANNER)
+    right = SQUARE.transformed(Transform(1, 0, 0, 1, 256, 0))
+    written_set.add(replace(restyled(MEMBERS[0]), drawn=((right, 0.0),), page=(512.0, 256.0)))
+    list(written_set.finish())
+    (file,) = tmp_path.glob("*.svg")
+    assert 'width="512" height="256" viewBox="0 0 512 256"' in file.read_text("utf-8")
+    with Image.open(tmp_path / "sheet.png") as sheet:
+        assert sheet.convert("L").crop((86, 110, 118, 174)).getextrema()[0] < 60  # ink
 
 
 def test_what_is_there_is_taken_over_if_nothing_has_changed(tmp_path):

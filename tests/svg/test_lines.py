@@ -82,6 +82,15 @@ def test_a_stroke_is_its_centre_line_in_canvas_units():
     assert not line.closed
 
 
+def test_the_outline_of_a_stroke_is_that_stroke():
+    """Many sets of line icons hold outlines alone."""
+    (line,) = read('<path d="M4 11H20A1 1 0 0 1 20 13H4A1 1 0 0 1 4 11Z"/>')
+    scale = 224 / 18
+    assert line.width == pytest.approx(2 * scale, rel=0.01)
+    ends = np.array([line.points[0], line.points[-1]])
+    assert abs(ends[0] - ends[1]) == pytest.approx((16 * scale, 0), abs=0.5)
+
+
 @pytest.mark.parametrize(
     "body",
     [

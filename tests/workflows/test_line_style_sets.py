@@ -79,10 +79,10 @@ def test_an_icon_depends_on_itself_alone():
 
 def test_strokes_stay_strokes_if_that_is_wanted():
     manner = Manner(MANNER.style, strokes=True)
-    _, ((path, width),), _ = restyled_member("test:0", MEMBERS[0].read(), manner)
+    _, ((path, width),), _, _ = restyled_member("test:0", MEMBERS[0].read(), manner)
     assert len(path.contours) == 2
     assert width > 0
-    _, ((_, filled),), _ = restyled_member("test:0", MEMBERS[0].read(), MANNER)
+    _, ((_, filled),), _, _ = restyled_member("test:0", MEMBERS[0].read(), MANNER)
     assert filled == 0
 
 
@@ -91,7 +91,9 @@ def test_icons_of_a_set_stay_on_the_canvas_too(strokes):
     """They were restyled by other code than single ones, which shrink."""
     frame = cross(6).replace("M6 4V20M4 6H20", "M1 1H23V23H1Z")
     manner = Manner(named("Speed"), strokes=strokes)
-    _, drawn, scale = restyled_member("test:frame", Pictogram("test:frame", frame, CREDIT), manner)
+    _, drawn, _, scale = restyled_member(
+        "test:frame", Pictogram("test:frame", frame, CREDIT), manner
+    )
     assert 0.8 < scale < 1
     for path, width in drawn:
         left, top, right, bottom = path.bounds
@@ -100,10 +102,10 @@ def test_icons_of_a_set_stay_on_the_canvas_too(strokes):
 
 
 def test_the_file_of_a_drawing_is_read_where_it_is_restyled():
-    icon, drawn, scale = restyled_member("a/cross.svg", cross(8).encode(), MANNER)
+    icon, drawn, page, scale = restyled_member("a/cross.svg", cross(8).encode(), MANNER)
     assert (icon.credit.title, icon.svg) == ("cross.svg", "")
     assert drawn[0][0]
-    assert scale == 1
+    assert (page, scale) == ((256, 256), 1)
 
 
 def raises(error):
@@ -207,6 +209,33 @@ def test_closing_cancels_what_waits():
 def test_it_is_recorded_what_became_of_pale_parts(opacity, said):
     body = f'<path d="M4 4h16v6H4z"/><path opacity="{opacity}" d="M4 12h16v8H4z"/>'
     svg = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24">{body}</svg>'
-    icon, _, _ = restyled_member("test:two", Pictogram("test:two", svg, CREDIT), MANNER)
+    icon, _, _, _ = restyled_member("test:two", Pictogram("test:two", svg, CREDIT), MANNER)
     assert len(icon.remarks) == bool(said)
     assert said in "".join(icon.remarks)
+
+
+@pytest.mark.parametrize(
+    ("width", "height", "page", "unit"),
+    [
+        (24, 24, (256, 256), 256 / 24),
+        (30, 24, (320, 256), 256 / 24),
+        (15, 24, (160, 256), 256 / 24),
+        (3, 24, (128, 256), 256 / 24),
+        (96, 24, (512, 256), 512 / 96),
+    ],
+)
+def test_pages_keep_their_proportions_and_are_as_high_as_each_other(width, height, page, unit):
+    """So strokes have one width in a set whose pages have several, and textures one scale."""
+    middle = width / 2
+    svg = (
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}">'
+        f'<path d="M{middle} 6V18" stroke="#000" stroke-width="2" stroke-linecap="round"/></svg>'
+    )
+    manner = Manner(named("Loose"), seed=4, strokes=True)
+    icon = Pictogram("test:line", svg, CREDIT)
+    _, ((path, stroke),), found, _ = restyled_member(icon.id, icon, manner)
+    assert found == pytest.approx(page)
+    assert stroke == pytest.approx(2 * unit, rel=0.01)
+    left, top, right, bottom = path.bounds
+    assert (left + right) / 2 == pytest.approx(page[0] / 2, abs=6)
+    assert (top, bottom) == pytest.approx((page[1] / 2 - 6 * unit, page[1] / 2 + 6 * unit), abs=6)

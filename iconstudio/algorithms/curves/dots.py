@@ -1,31 +1,44 @@
-"""Dots, as a pen draws them: round a ring so small that its stroke fills it.
+"""Dots and filled shapes beside strokes, as a pen draws them: round a ring, and what is in it.
 
-Beyond the paper. A dot has no length that could be styled, and its edge is no line that a pen
-draws: with a texture there it is ragged, beside strokes whose edges are smooth.
+Beyond the paper. A dot has no length that could be styled, and the edge of a shape is no line that
+a pen draws: with a texture there it is ragged, beside strokes whose edges are smooth.
 """
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
-from iconstudio.algorithms.areas import Area, Points, filled, outlines, stroked, without
+from iconstudio.algorithms.areas import (
+    Area,
+    Points,
+    filled,
+    outlines,
+    size_of,
+    stroked,
+    united,
+    without,
+)
 from iconstudio.model import Line
 
 LONGEST = 4.0
 """Canvas units: a stroke that is no longer than this is a dot."""
-_LARGEST = 2.0
+_LARGEST = 2.2
 """How large a filled dot is at most, over the width of the widest stroke."""
+_ROUNDED = 0.1
+"""Part of a shape that a pen may lose in its corners."""
 _ROUND = 0.8
 """Part of what a circle of its length encloses that a filled dot does, at least."""
 
 
-def dots_as_rings(lines: Sequence[Line]) -> list[Line]:
-    """Return lines of which those that are dots are closed strokes, without a hole.
+def with_rings(lines: Sequence[Line]) -> list[Line]:
+    """Return lines of which dots, and shapes beside strokes, are closed strokes without a hole.
 
-    What is filled is one if there are strokes, none of which is much thinner than it is large.
+    What is filled is a dot if there are strokes, none of which is much thinner than it is large;
+    and a shape is drawn by the pen of the widest one, if that can draw it.
     """
-    widest = max((line.width for line in lines), default=0.0)
-    return [_ring(line, lines, _LARGEST * widest) for line in lines]
+    pen = max((line.width for line in lines), default=0.0)
+    return [_ring(line, lines, pen) for line in lines]
 
 
 def length(line: Line) -> float:
@@ -34,21 +47,31 @@ def length(line: Line) -> float:
     return float(abs(np.diff(points)).sum())
 
 
-def _ring(line: Line, lines: Sequence[Line], largest: float) -> Line:
+def _ring(line: Line, lines: Sequence[Line], pen: float) -> Line:
     points = np.array(line.points, dtype=float)
     if line.width:
         if length(line) > LONGEST:
             return line
-        width = line.width / 2
-        inner = stroked(points, line.closed, width)
-    else:
-        width = _extent(points).min() / 2
-        if not 0 < 2 * width < largest or not _is_round(points) or _is_in_company(line, lines):
-            return line
-        inner = _inset(points, width)
+        return _ringed(stroked(points, line.closed, line.width / 2), line.width / 2) or line
+    if not pen or _is_in_company(line, lines):
+        return line
+    width = _extent(points).min() / 2
+    if 0 < 2 * width < _LARGEST * pen and _is_round(points):
+        return _ringed(_inset(points, width), width) or line
+    ring = _ringed(_inset(points, pen), pen)
+    if ring is None:
+        return line
+    inner, whole = np.array(ring.points), filled([points])
+    drawn = united([filled([inner]), stroked(inner, True, pen)])
+    is_same = size_of(without(whole, drawn)) < _ROUNDED * size_of(whole)
+    return replace(ring, filled=True) if is_same else line
+
+
+def _ringed(inner: Area, width: float) -> Line | None:
+    """Return a closed stroke along the outline of an area, if that is one piece without a hole."""
     rings = outlines(inner)
     if len(rings) != 1:
-        return line
+        return None
     return Line(tuple((x, y) for x, y in rings[0].tolist()), closed=True, width=width)
 
 

@@ -1,6 +1,7 @@
 """Lines as a drawing: one filled outline of few cubics, or strokes for who draws them."""
 
 from collections.abc import Iterable
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -37,6 +38,8 @@ def path_of(lines: Iterable[Line]) -> Path:
             strokes.append(areas.stroked(_without_repeats(points), line.closed, line.width))
         else:
             contours.append(_without_repeats(points))
+        if line.filled:
+            strokes.append(areas.filled([_without_repeats(points)]))
     whole = areas.united([areas.inked(contours), *strokes])
     hole = max(_SPECK, (_PINHOLE * widest) ** 2)
     rings = areas.outlines(areas.without_specks(whole, _SPECK, hole), _STRAY)
@@ -47,10 +50,11 @@ def strokes_of(lines: Iterable[Line]) -> tuple[tuple[Path, float], ...]:
     """Return what lines draw as paths, each with the width of its stroke; 0 is filled instead.
 
     Strokes of one width are one path, with round ends and joins; those whose width is not the same
-    all along are filled, as contours are.
+    all along are filled, as contours and the insides of filled strokes are.
     """
     lines = tuple(lines)
-    filled = path_of(line for line in lines if line.widths or line.width <= 0)
+    inside = (replace(line, width=0.0, widths=(), filled=False) for line in lines if line.filled)
+    filled = path_of((*(line for line in lines if line.widths or line.width <= 0), *inside))
     strokes: dict[float, list[Contour]] = {}
     for line in lines:
         if line.width > 0 and not line.widths:

@@ -9,8 +9,9 @@ from iconstudio.algorithms.areas import one_piece
 from iconstudio.algorithms.curves.constraints import Constraint
 from iconstudio.algorithms.curves.corners import joined, parted
 from iconstudio.algorithms.curves.curve import Curve, Numbers
-from iconstudio.algorithms.curves.dots import LONGEST, dots_as_rings, length
+from iconstudio.algorithms.curves.dots import LONGEST, length, with_rings
 from iconstudio.algorithms.curves.junctions import junctions
+from iconstudio.algorithms.curves.kinks import without_kinks
 from iconstudio.algorithms.curves.multiresolution import analogy
 from iconstudio.algorithms.curves.prepared import Prepared, prepare, smoothed
 from iconstudio.algorithms.curves.thickness import held_back
@@ -39,10 +40,11 @@ def restyled(
     If they may be ``coarse``, they are the blurred ones from which the others are made.
 
     Lines that met still meet, and none cross or touch that did not. Styles with two sides show the
-    same one on the outside of whatever is closed, and of its holes within. Dots become rings.
+    same one on the outside of whatever is closed, and of its holes within. Dots, and
+    shapes beside strokes, become rings.
     """
     given, styles = zip(*lines, strict=True) if (lines := tuple(lines)) else ((), ())
-    lines = list(zip(dots_as_rings([*map(_ring, given)]), styles, strict=True))
+    lines = list(zip(with_rings([*map(_ring, given)]), styles, strict=True))
     long = [number for number, (line, _) in enumerate(lines) if length(line) > LONGEST]
     made = dict(zip(long, _styled([lines[number] for number in long], seed, coarse), strict=True))
     return [made.get(number, line) for number, (line, _) in enumerate(lines)]
@@ -88,7 +90,7 @@ def _one(
     for number, (part, own, first, last) in enumerate(whole):
         parameters, levels = prepared.room(part, coarse)
         made = analogy(levels, part, parameters, seed + number, style.rotation, style.shape, own)
-        pieces.append((made.curve, first, last))
+        pieces.append((without_kinks(made.curve, part, levels[-1], own), first, last))
         widths.append(prepared.widths(levels, made.sources))
     curve = joined(plain, [(_smooth(one), first, last) for one, first, last in pieces])
     return curve, _fitting(curve, pieces, widths, width)

@@ -32,7 +32,11 @@ LARGEST_SEED = 2**53
 """More would not be the same number everywhere in JSON."""
 SEEDS = 4
 """Of variations: a column each."""
+_SMALL = 0.25
+"""Of the canvas: what is no larger is small on its page."""
 SECONDS, MEMORY = 60.0, 2 << 30
+Sides = tuple[float, float]
+"""Width and height, in canvas units."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -95,8 +99,23 @@ def lines_of(resources: Resources, work: Restyling) -> tuple[Line, ...]:
 
 
 def said_of(resources: Resources, icon: Pictogram) -> str:
-    """Return a sentence about what its lines do not show of an icon; empty if there is nothing."""
-    return said_of_pale_parts(resources.exemplar(icon).coverage)
+    """Return what a user should know of its lines: what they do not show, and whether they are so
+    small that textures are large beside them. Empty if there is nothing.
+    """
+    pale = said_of_pale_parts(resources.exemplar(icon).coverage)
+    return " ".join(filter(None, [pale, _said_of_size(resources.lines(icon))]))
+
+
+def _said_of_size(lines: Sequence[Line]) -> str:
+    """Return a sentence about lines that are small and thin: a dot of a set is not."""
+    xs, ys = zip(*(point for line in lines for point in line.points), strict=True)
+    side = max(max(xs) - min(xs), max(ys) - min(ys))
+    if side > _SMALL * CANVAS or max(line.width for line in lines) > side / 2:
+        return ""
+    return (
+        f"It is small on its page, {side / CANVAS:.0%} of it, and textures are as large as on "
+        "others. Crop the page to it, or make the texture smaller."
+    )
 
 
 def variations(work: Restyling) -> list[Restyling]:
@@ -119,11 +138,12 @@ def restyled_path(
     size: float,
     seed: int,
     coarse: bool = False,
+    page: Sides = (CANVAS, CANVAS),
 ) -> tuple[Path, tuple[Line, ...], float]:
     """Return what lines in their styles draw, these lines, and their scale, 1 mostly.
 
-    If the given lines do not reach as far out of the canvas, all shrinks towards its middle. Runs
-    in a worker process.
+    If the given lines do not reach as far out of a ``page`` in the middle of the canvas, all
+    shrinks towards its middle. Runs in a worker process.
     """
     from iconstudio.algorithms.curves.outline import path_of
     from iconstudio.algorithms.curves.restyle import prepare, restyled
@@ -131,19 +151,28 @@ def restyled_path(
     prepared = [prepare(style, strength, size) for style in styles]
     drawn = tuple(restyled(zip(lines, prepared, strict=True), seed, coarse))
     path = path_of(drawn)
-    overhang = path.overhang
-    allowed = path_of(lines).overhang if overhang > OVERHANG else 0.0
+    overhang = _overhang(path, page)
+    allowed = _overhang(path_of(lines), page) if overhang > OVERHANG else 0.0
     if overhang <= allowed + OVERHANG:
         return path, drawn, 1.0
-    scale = (CANVAS / 2 + allowed) / (CANVAS / 2 + overhang)
-    return *_scaled(path, drawn, scale), scale
+    half = min(page) / 2
+    scale = (half + allowed) / (half + overhang)
+    return path.transformed(_scaling(scale)), scaled(drawn, scale), scale
 
 
-def _scaled(path: Path, lines: tuple[Line, ...], scale: float) -> tuple[Path, tuple[Line, ...]]:
-    """Return a path and its lines, larger or smaller about the middle of the canvas."""
-    off = (1 - scale) * CANVAS / 2
-    transform = Transform(scale, 0, 0, scale, off, off)
-    return path.transformed(transform), tuple(
+def _overhang(path: Path, page: Sides) -> float:
+    """Return by how much a path reaches out of a page in the middle of the canvas, at most."""
+    if not path:
+        return 0.0
+    left, top, right, bottom = path.bounds
+    x, y = ((CANVAS - side) / 2 for side in page)
+    return max(0.0, x - left, y - top, right - CANVAS + x, bottom - CANVAS + y)
+
+
+def scaled(lines: Sequence[Line], scale: float) -> tuple[Line, ...]:
+    """Return lines larger or smaller, about the middle of the canvas."""
+    transform = _scaling(scale)
+    return tuple(
         replace(
             one,
             points=tuple(map(transform.transformPoint, one.points)),
@@ -152,6 +181,11 @@ def _scaled(path: Path, lines: tuple[Line, ...], scale: float) -> tuple[Path, tu
         )
         for one in lines
     )
+
+
+def _scaling(scale: float) -> Transform:
+    off = (1 - scale) * CANVAS / 2
+    return Transform(scale, 0, 0, scale, off, off)
 
 
 def warm_up() -> None:

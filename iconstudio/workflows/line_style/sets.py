@@ -2,6 +2,9 @@
 
 An icon depends on itself, the style and its seed alone: however many processes work on a set, on
 whatever machines, and however often they were stopped, the result is the same.
+
+An icon keeps the proportions of its page. Pages of a set are as high as each other, mostly, while
+some are wider: so each is as high as the canvas, and the texture has one scale in all icons.
 """
 
 import hashlib
@@ -14,16 +17,25 @@ from time import perf_counter
 from typing import Any, Protocol
 
 from iconstudio.cluster import DisconnectedError
-from iconstudio.model import IconstudioError, LineStyle, Path, Pictogram
+from iconstudio.model import CANVAS, IconstudioError, LineStyle, Path, Pictogram, Transform
 from iconstudio.model.icon_set import Member
 from iconstudio.workers import Workers, loss
 from iconstudio.workflows.estimating import remaining
 from iconstudio.workflows.events import Progress
-from iconstudio.workflows.line_style.restyling import MEMORY, SECONDS, restyled_path, signed
+from iconstudio.workflows.line_style.restyling import (
+    MEMORY,
+    SECONDS,
+    Sides,
+    restyled_path,
+    scaled,
+    signed,
+)
 
 Drawn = tuple[tuple[Path, float], ...]
 """What is drawn of an icon: paths, each with the width of its stroke; 0 is filled."""
 
+_WIDEST = 2.0
+"""Over its height: a page that is wider is as wide as that, and a slimmer one gets room."""
 _AHEAD = 3
 """Tasks that are handed out for each process: the next ones wait where they are worked on."""
 _PATIENCE = 300.0
@@ -60,8 +72,9 @@ class MemberRestyled:
     """Whom to thank: the icon's makers, and the style's author."""
     remarks: tuple[str, ...]
     """What could not be read of its drawing; a sentence for the user each."""
+    page: Sides = (CANVAS, CANVAS)
     scale: float = 1.0
-    """Below 1 if it had no room on the canvas."""
+    """Below 1 if it had no room on its page."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -164,8 +177,8 @@ def restyle_set(
 
 def restyled_member(
     identifier: str, source: Pictogram | bytes, manner: Manner
-) -> tuple[Pictogram, Drawn, float]:
-    """Return an icon without its drawing, what is drawn of it in a style, and at what scale.
+) -> tuple[Pictogram, Drawn, Sides, float]:
+    """Return an icon without its drawing, what is drawn of it, its page, and at what scale.
 
     Its remarks say what the lines do not show of it.
 
@@ -177,21 +190,41 @@ def restyled_member(
         If it cannot be drawn, or has no lines.
     """
     from iconstudio.algorithms.curves.outline import strokes_of
-    from iconstudio.svg.lines import lines_on_page, said_of_pale_parts
-    from iconstudio.svg.rasterise import rasterise_page
+    from iconstudio.svg.lines import lines_of, said_of_pale_parts
+    from iconstudio.svg.rasterise import page_frame, rasterise_page
     from iconstudio.svg.reading import own_svg
 
     icon = own_svg(source, identifier) if isinstance(source, bytes) else source
-    lines = lines_on_page(icon.svg)
+    frame, coverage = rasterise_page(icon.svg)
+    lines = lines_of(icon.svg, frame, coverage)
+    page: Sides = (CANVAS, CANVAS)
+    if frame == page_frame(icon.svg):
+        page, larger = _page(icon.svg)
+        lines = scaled(lines, larger)
     styles = [manner.style] * len(lines)
     seed = manner.seed_of(identifier)
-    path, made, scale = restyled_path(lines, styles, manner.strength, manner.size, seed)
+    path, made, scale = restyled_path(lines, styles, manner.strength, manner.size, seed, page=page)
     drawn = strokes_of(made) if manner.strokes else ((path, 0.0),)
     if not any(path for path, _ in drawn):
         raise IconstudioError("Nothing of it is left in this style. Make the style smaller.")
-    _, coverage = rasterise_page(icon.svg)
+    corner = Transform(1, 0, 0, 1, (page[0] - CANVAS) / 2, (page[1] - CANVAS) / 2)
+    drawn = tuple((path.transformed(corner), width) for path, width in drawn)
     remarks = (*icon.remarks, *filter(None, [said_of_pale_parts(coverage)]))
-    return replace(icon, svg="", remarks=remarks), drawn, scale
+    return replace(icon, svg="", remarks=remarks), drawn, page, scale
+
+
+def _page(svg: str) -> tuple[Sides, float]:
+    """Return the sides of a document's page, and how much larger it is than if it fits the canvas.
+
+    Neither side is less than half of the other.
+    """
+    from iconstudio.svg.resvg import page_of
+
+    _, _, width, height = page_of(svg)
+    unit = CANVAS / max(height, width / _WIDEST)
+    across, down = width * unit, height * unit
+    page = max(across, down / _WIDEST), max(down, across / _WIDEST)
+    return page, max(width, height) * unit / CANVAS
 
 
 def _finished(waiting: Iterable["Future[Any]"]) -> Iterable["Future[Any]"]:
@@ -213,7 +246,7 @@ def _outcome(
 ) -> MemberRestyled | MemberSkipped:
     """Return what has come of an icon."""
     try:
-        icon, drawn, scale = future.result()
+        icon, drawn, page, scale = future.result()
     except DisconnectedError:
         raise
     except IconstudioError as error:
@@ -231,4 +264,4 @@ def _outcome(
             reason = f"The program fails on it: {type(error).__name__}."
         return MemberSkipped(member, reason)
     title, credits = signed(icon, [manner.style])
-    return MemberRestyled(member, source, drawn, title, credits, icon.remarks, scale)
+    return MemberRestyled(member, source, drawn, title, credits, icon.remarks, page, scale)
