@@ -34,6 +34,7 @@ from iconstudio.algorithms.iconification.redraw import (
 )
 from iconstudio.algorithms.raster import Bitmap, inked_tiles, shifted
 from iconstudio.model import CANVAS, Drawing, Exemplar, Frame, Placement, Source, Transform
+from iconstudio.model.composite import WHOLE
 from iconstudio.model.path import Path
 from iconstudio.workers import Workers
 
@@ -53,6 +54,9 @@ _AROUND = -(-(REACH + FAR) * _TILES // CANVAS)
 """Tiles around a region in which its owner's drawing counts."""
 _COVERAGE = 2 * CANVAS
 """Side of a drawing's coverage, in pixels."""
+_OTHER, _FEW = 64, 8
+"""Shades by which a pixel is another one, and how many of a path may be so by another rule of
+filling: with more, its contours overlap."""
 _MOST = 2048
 """Side of the largest drawing that is traced, in pixels."""
 
@@ -89,6 +93,7 @@ def draw(
     scale: int = SCALE,
     marked: Bitmap | None = None,
     exact: bool = True,
+    fixed: int | None = None,
 ) -> Drawing:
     """Redraw a labelling from its owners' SVG without its crumbs, and trace it.
 
@@ -104,7 +109,10 @@ def draw(
         (m, m) bool: what the user wants to keep; nothing of it goes.
     exact
         Whether the path takes the sources' own curves where it runs along them.
+    fixed
+        Number of a source that is not moved to meet others.
     """
+    from iconstudio.algorithms.iconification.joined_path import joined_path
     from iconstudio.algorithms.tracing.vectorize import trace
 
     m, nobody = len(labels), len(sources)
@@ -120,17 +128,24 @@ def draw(
     erase(coverage, fragments(labels, ink, marked=marked), marked)
     if marked is not None:
         restore(coverage, labels, coverages, marked)
-    owners_drawn = [one for one in coverages if one != nobody]
-    outlines = [_outline(sources[one], render) for one in owners_drawn] if exact else []
-    if not pad:
-        return Drawing(trace(coverage, sources=outlines), _reduced(coverage))
-    frame = framed(coverage, pad)
-    coverage = cropped(coverage, pad, frame)
-    owners = owned_throughout(cropped(labels, pad, frame, nobody), nobody)
-    unit = CANVAS / frame.size
-    to_frame = Transform(unit, 0, 0, unit, -frame.x * unit, -frame.y * unit)
-    outlines = [outline.transformed(to_frame) for outline in outlines]
-    return Drawing(trace(coverage, sources=outlines), _reduced(coverage), owners, frame)
+    outlines = [
+        _outline(one, render) if number in coverages else Path()
+        for number, one in enumerate(sources)
+    ]
+    owners, frame = None, WHOLE
+    if pad:
+        frame = framed(coverage, pad)
+        coverage = cropped(coverage, pad, frame)
+        owners = owned_throughout(cropped(labels, pad, frame, nobody), nobody)
+        unit = CANVAS / frame.size
+        to_frame = Transform(unit, 0, 0, unit, -frame.x * unit, -frame.y * unit)
+        outlines = [outline.transformed(to_frame) for outline in outlines]
+    if exact:
+        path = joined_path(coverage, outlines, marked is None, fixed)
+        drawn, other = (_picture(path, rule, render) for rule in ("nonzero", "evenodd"))
+        if (abs(drawn.astype(np.int16) - other) > _OTHER).sum() <= _FEW:
+            return Drawing(path, drawn, owners, frame)
+    return Drawing(trace(coverage), _reduced(coverage), owners, frame)
 
 
 def draw_whole(
@@ -241,6 +256,14 @@ def _tiled_drawing(key: _DrawingKey) -> _TiledDrawing:
     The results of a style share most of their exemplars, and one often lies at several places.
     """
     return _TiledDrawing(key)
+
+
+def _picture(path: Path, rule: str, render: Render) -> NDArray[np.uint8]:
+    """Draw a path, filled by a rule, as results are drawn."""
+    box = f"0 0 {CANVAS} {CANVAS}"
+    shape = f'<path d="{path.svg()}" fill-rule="{rule}"/>'
+    svg = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{box}">{shape}</svg>'
+    return render(svg, Frame(0, 0, CANVAS), Placement(), _COVERAGE)
 
 
 def _outline(source: Source, render: Render) -> Path:

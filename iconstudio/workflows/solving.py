@@ -37,6 +37,8 @@ class Posed:
     """(m, m): where the likeness to it counts; everywhere if None."""
     marked: Bitmap | None = None
     """(K, m, m): what the user wants to keep of each source; nothing if None."""
+    fixed: int | None = None
+    """Number of a source that is drawn where it is, whatever it meets."""
 
     def kept(self, labels: Labels) -> Bitmap | None:
         """Return what is marked of its owner, (m, m), if anything is."""
@@ -150,8 +152,9 @@ def finished(posed: Posed, series: CutSeries, step: Step, labels: Labels, render
     """Judge, redraw and trace a labelling (m, m) that a step has come to."""
     problem, kept = posed.problem, posed.kept(labels)
     scale = PREVIEW if step.preview else SCALE
-    exact = not step.preview
-    drawing = draw(labels, problem.ink, series.sources, render, scale, kept, exact)
+    drawing = draw(
+        labels, problem.ink, series.sources, render, scale, kept, not step.preview, posed.fixed
+    )
     shares = _shares(drawing, labels, len(series.sources))
     data_cost, smoothness_cost = problem.costs(labels)
     iou, likeness = _compared(posed, drawing)

@@ -5,8 +5,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from iconstudio.algorithms.flattening import flattened
+from iconstudio.algorithms.iconification.joined_path import joined_path
 from iconstudio.algorithms.tracing.vectorize import trace
 from iconstudio.model import CANVAS, Frame, Path
+from iconstudio.model.path import Contour
 from iconstudio.svg.resvg import render_coverage
 from tests.paths import circle, rectangle, segments
 
@@ -19,38 +22,66 @@ def picture(*paths: Path) -> np.ndarray:
     return render_coverage(svg, Frame(0, 0, CANVAS), N)
 
 
-numbers = st.floats(60, 120).map(lambda value: round(value, 2))
+numbers = st.floats(60, 90).map(lambda value: round(value, 2))
 
 
 @settings(max_examples=15)
 @given(numbers, numbers, st.floats(10, 50).map(lambda value: round(value, 2)))
 def test_what_has_one_source_is_its_own_path(x, y, size):
     round_one, square = circle(x, y, size), rectangle(x + size + 5, y, 2 * size, size)
-    traced = trace(picture(round_one, square), sources=[round_one, square])
+    traced = joined_path(picture(round_one, square), [round_one, square])
     assert segments(traced) == segments(round_one) | segments(square)
 
 
-def test_away_from_a_seam_curves_are_exact_and_nothing_else_is():
-    """The left half of a circle, and the right one of another, a canvas unit lower."""
-    one, other = circle(128, 128, 80), circle(128, 129, 80)
+@pytest.mark.parametrize("off", [0.5, 1, 2])
+def test_two_halves_of_a_circle_that_lie_apart_are_a_circle(off):
+    one, other = circle(128, 128, 80), circle(128, 128 + off, 80)
     coverage = picture(one)
     coverage[:, N // 2 :] = picture(other)[:, N // 2 :]
-    traced = trace(coverage, sources=[one, other])
-    for row in segments(traced):
-        weights = (1, 3, 3, 1) if len(row) == 4 else (4, 4)
-        middle = sum(w * complex(*p) for w, p in zip(weights, row, strict=True)) / 8
-        centre = 128 + (128j if middle.real < 128 else 129j)
-        if abs(middle.real - 128) > 20:
-            assert abs(middle - centre) == pytest.approx(80, abs=0.03)
-    assert (48.0, 128.0) in {end for row in segments(traced) for end in (row[0], row[-1])}
-    assert (208.0, 129.0) in {end for row in segments(traced) for end in (row[0], row[-1])}
+    traced = joined_path(coverage, [one, other])
+    (row,) = [points for points, _ in flattened(traced)]
+    middle = (row.max(axis=0) + row.min(axis=0)) / 2
+    assert abs(np.hypot(*(row - middle).T) - 80).max() < 0.3
     assert len(segments(traced)) <= 12
+
+
+@pytest.mark.parametrize("off", [0.5, 1, 2])
+def test_two_halves_of_a_stroke_that_lie_apart_are_a_stroke(off):
+    one, other = rectangle(30, 100, 196, 24), rectangle(30, 100 + off, 196, 24)
+    coverage = picture(one)
+    coverage[:, N // 2 :] = picture(other)[:, N // 2 :]
+    traced = joined_path(coverage, [one, other])
+    tops = {y for points in segments(traced) for _, y in points}
+    assert len(tops) <= 4
+    assert max(tops) - min(tops) == pytest.approx(24, abs=0.3)
+
+
+def test_away_from_a_seam_curves_are_exact():
+    """The left half of a circle, and the right one of a larger one."""
+    one, other = circle(128, 128, 80), circle(128, 128, 82)
+    coverage = picture(one)
+    coverage[:, N // 2 :] = picture(other)[:, N // 2 :]
+    for row, _ in flattened(joined_path(coverage, [one, other], heal=False)):
+        away = np.hypot(*(row - 128).T)
+        left, right = row[:, 0] < 95, row[:, 0] > 161
+        assert abs(away[left] - 80).max() < 0.03
+        assert abs(away[right] - 82).max() < 0.03
+        assert away.min() > 79.8
+        assert away.max() < 82.2
+
+
+def test_a_corner_that_was_cut_off_does_not_come_back_as_a_spike():
+    spiky = Path((Contour((40, 40), (((200, 60),), ((40, 80),))),))
+    coverage = picture(spiky)
+    coverage[:, 4 * 170 :] = 0
+    for row, _ in flattened(joined_path(coverage, [spiky])):
+        assert row[:, 0].max() < 171
 
 
 def test_curves_that_cross_meet_where_they_cross():
     """Of an overlap of two squares, the outline has the corners of both, and where sides cross."""
     one, other = rectangle(40, 40, 100, 100), rectangle(90, 90, 100, 100)
-    traced = trace(picture(one, other), sources=[one, other])
+    traced = joined_path(picture(one, other), [one, other])
     ends = {end for row in segments(traced) for end in (row[0], row[-1])}
     assert ends == {
         (40, 40), (140, 40), (140, 90), (190, 90), (190, 190), (90, 190), (90, 140), (40, 140),
@@ -60,12 +91,12 @@ def test_curves_that_cross_meet_where_they_cross():
 def test_a_source_that_lies_elsewhere_changes_nothing():
     coverage = picture(circle(128, 128, 60))
     other = [rectangle(10, 10, 30, 30), circle(128, 128, 70), Path()]
-    assert trace(coverage, sources=other) == trace(coverage)
+    assert joined_path(coverage, other) == trace(coverage)
 
 
 @pytest.mark.parametrize("off", [0.2, 0.5])
 def test_a_curve_that_is_near_but_not_the_drawn_one_is_not_taken(off):
     drawn, near = rectangle(60, 60, 100, 100), rectangle(60 + off, 60 + off, 100, 100)
-    traced = trace(picture(drawn), sources=[near])
+    traced = joined_path(picture(drawn), [near])
     ends = [end for row in segments(traced) for end in (row[0], row[-1])]
     assert max(min(abs(x - 60), abs(x - 160)) for x, _ in ends) < 0.05

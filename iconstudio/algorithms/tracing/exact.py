@@ -8,25 +8,23 @@ replaced by that part of it; only what is between, where two sources meet, is fi
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise
 
 import numpy as np
 import scipy
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.tracing.bezier import Points
-from iconstudio.algorithms.tracing.pieces import Outline, Piece, Run
-from iconstudio.model.path import Contour, Path
+from iconstudio.algorithms.tracing.pieces import Outline, Run
+from iconstudio.algorithms.tracing.source_curve import STEP, SourceCurve
+from iconstudio.model.path import Path
 
 _NEAR = 0.4
 """How far, in pixels, the points of an outline may be from a curve that they follow."""
-_STEP = 0.5
-"""Pixels between the points that stand for a curve."""
 _SHORTEST = 8
 """Points in a row that must follow a curve."""
 _BLUNTED = 10
 """Points in a row, at a corner, that need not be near: pixels round it."""
-_SPIKE = 6.0
+_SPIKE = 4.0
 """Pixels by which the curve may be longer than those points: how far a corner may point."""
 _PACE = 0.3, 2.5
 """How far along the curve, in pixels, a step from point to point may lead."""
@@ -34,149 +32,52 @@ _ROOM = 12
 """Points between two rows from which what is between is fitted."""
 _CROSSES = 0.05
 """Sine of the least angle at which curves cross."""
-_SNAP = 1.0
-"""A part that ends so few pixels from a node of its curve ends there."""
-
-
-class SourceCurves:
-    """The curves of some paths, to be found again along an outline.
-
-    Parameters
-    ----------
-    paths
-        In canvas units; each overlaps itself nowhere.
-    unit
-        Canvas units to a pixel.
-    """
-
-    def __init__(self, paths: Sequence[Path], unit: float) -> None:
-        self._sources = [
-            _Source([_Curve.of(contour, unit) for contour in path.contours])
-            for path in paths
-            if path
-        ]
-
-    def runs(self, outline: Outline) -> list[Run]:
-        """Return where a closed outline follows a curve, in order: the longest runs first, and none
-        over another."""
-        count = len(outline)
-        found = [one for source in self._sources for one in source.followed(outline.points)]
-        taken = np.zeros(count, dtype=bool)
-        chosen: list[_Followed] = []
-        while found:
-            best = max(found, key=lambda one: one.count)
-            found.remove(best)
-            free = best.longest(~taken[best.indices % count])
-            if free.count < _SHORTEST:
-                continue
-            if free.count < best.count:
-                found.append(free)
-                continue
-            taken[best.indices % count] = True
-            chosen.append(best)
-        chosen.sort(key=lambda one: one.first)
-        return [one.run() for one in _joined(chosen, outline)]
 
 
 @dataclass(frozen=True, eq=False)
-class _Curve:
-    """A closed contour in pixels, and points along it."""
-
-    pieces: tuple[Piece, ...]
-    points: Points
-    """(p,): close to one another; the last is the first."""
-    along: NDArray[np.float64]
-    """(p,): how far along the contour each is, in pixels."""
-    place: NDArray[np.float64]
-    """(p,): number of the piece, plus how much of its parameter lies before the point."""
-
-    @classmethod
-    def of(cls, contour: Contour, unit: float) -> "_Curve":
-        """Put points on a contour."""
-        at = complex(*contour.start) / unit
-        pieces: list[Piece] = []
-        for segment in contour.segments:
-            ends = tuple(complex(*point) / unit for point in segment)
-            if len(ends) == 3 or ends[0] != at:
-                pieces.append((at, *ends))
-            at = ends[-1]
-        start = complex(*contour.start) / unit
-        if at != start:
-            pieces.append((at, start))
-        rows, places = [np.array([start])], [np.zeros(1)]
-        for number, piece in enumerate(pieces):
-            length = sum(abs(b - a) for a, b in pairwise(piece))
-            t = np.arange(1, max(1, int(length / _STEP)) + 1) / max(1, int(length / _STEP))
-            rows.append(_at(piece, t))
-            places.append(number + t)
-        points = np.concatenate(rows)
-        along = np.concatenate([[0], np.cumsum(abs(np.diff(points)))])
-        return cls(tuple(pieces), points, along, np.concatenate(places))
-
-    @property
-    def length(self) -> float:
-        return float(self.along[-1])
-
-    def at(self, along: NDArray[np.float64]) -> Points:
-        """Return the points that lie so far along; it goes round and round."""
-        return np.interp(along % self.length, self.along, self.points)
-
-    def part(self, start: float, end: float) -> list[Piece]:
-        """Return the pieces between two places along it, backwards if the end is before the start.
-
-        Places are in pixels, and go round and round.
-        """
-        if end < start:
-            return [piece[::-1] for piece in reversed(self.part(end, start))]
-        first, last = self._place(start), self._place(end)
-        count = len(self.pieces)
-        found = []
-        for number in range(int(np.floor(first)), int(np.ceil(last))):
-            since, until = max(first - number, 0.0), min(last - number, 1.0)
-            piece = self.pieces[number % count]
-            found.append(piece if (since, until) == (0, 1) else _between(piece, since, until))
-        return found
-
-    def _place(self, at: float) -> float:
-        """Return the piece and parameter of a place along, at a node if one is next to it."""
-        turns, rest = divmod(at, self.length)
-        place = float(np.interp(rest, self.along, self.place))
-        node = round(place)
-        if abs(np.interp(node, self.place, self.along) - rest) < _SNAP:
-            place = node
-        return place + turns * len(self.pieces)
-
-
-@dataclass(frozen=True, eq=False)
-class _Followed:
+class Followed:
     """A row of an outline's points that follows a curve."""
 
-    curve: _Curve
+    curve: SourceCurve
     first: int
     """Its first point; the last one's number may be more than the outline has."""
     along: NDArray[np.float64]
     """(p,): how far along the curve each point is; it only grows, or only falls."""
+    source: int = 0
+    """Number of the path that the curve is of."""
     whole: bool = False
     """Whether all of the outline follows all of the curve."""
 
     @property
     def count(self) -> int:
+        """How many points it has."""
         return len(self.along)
 
     @property
     def last(self) -> int:
+        """Its last point."""
         return self.first + self.count - 1
 
     @property
     def indices(self) -> NDArray[np.intp]:
+        """All its points."""
         return np.arange(self.first, self.last + 1)
+
+    def moved(self, by: complex) -> "Followed":
+        """Return it with its curve moved by some pixels."""
+        return replace(self, curve=self.curve.moved(by)) if by else self
+
+    @property
+    def points(self) -> Points:
+        """Its points on the curve."""
+        return self.curve.at(self.along)
 
     @property
     def way(self) -> float:
         """1 if it runs as the curve does, else -1."""
         return 1.0 if self.along[-1] > self.along[0] else -1.0
 
-    def longest(self, free: NDArray[np.bool_]) -> "_Followed":
+    def longest(self, free: NDArray[np.bool_]) -> "Followed":
         """Return the longest part of it, of those of its points (p,) that are ``free``."""
         if free.all():
             return self
@@ -187,15 +88,15 @@ class _Followed:
         best = (ends - starts).argmax()
         return self.cut(int(starts[best]), int(ends[best]))
 
-    def cut(self, start: int, end: int) -> "_Followed":
+    def cut(self, start: int, end: int) -> "Followed":
         """Return its points from one number up to another."""
-        return _Followed(self.curve, self.first + start, self.along[start:end])
+        return replace(self, first=self.first + start, along=self.along[start:end])
 
-    def ending(self, along: float) -> "_Followed":
+    def ending(self, along: float) -> "Followed":
         """Return it with its last point moved along the curve."""
         return replace(self, along=np.append(self.along[:-1], along))
 
-    def beginning(self, along: float) -> "_Followed":
+    def beginning(self, along: float) -> "Followed":
         """Return it with its first point moved along the curve."""
         return replace(self, along=np.append(along, self.along[1:]))
 
@@ -207,7 +108,7 @@ class _Followed:
         return Run(self.first, self.last, self.curve.part(start, end), self.whole)
 
 
-def _joined(found: Sequence[_Followed], outline: Outline) -> list[_Followed]:
+def joined(found: Sequence[Followed], outline: Outline) -> list[Followed]:
     """Return rows that are next to one another so that they meet, or leave room between them.
 
     Two curves that cross meet there. Where they run on side by side, a step would show: what is
@@ -223,7 +124,7 @@ def _joined(found: Sequence[_Followed], outline: Outline) -> list[_Followed]:
         gap = other.first + turn - one.last
         if gap > _ROOM:
             continue
-        at = _crossing(one, other)
+        at = crossing(one, other, _ROOM)
         if at is None:
             back = (_ROOM - gap) // 2 + 1
             rows[here] = one.cut(0, max(one.count - back, one.count // 2))
@@ -235,9 +136,12 @@ def _joined(found: Sequence[_Followed], outline: Outline) -> list[_Followed]:
     return rows
 
 
-def _crossing(one: _Followed, other: _Followed) -> tuple[float, float] | None:
-    """Return how far along two curves they cross, where one row ends and the other begins."""
-    steps = np.arange(-_ROOM, _ROOM + _STEP, _STEP)
+def crossing(one: Followed, other: Followed, room: float) -> tuple[float, float] | None:
+    """Return how far along two curves they cross, where one row ends and the other begins.
+
+    They are drawn out, and cut back, by ``room`` pixels at most. None: they do not cross.
+    """
+    steps = np.arange(-room, room + STEP, STEP)
     first = one.along[-1] + one.way * steps
     second = other.along[0] + other.way * steps
     p, q = one.curve.at(first), other.curve.at(second)
@@ -256,25 +160,76 @@ def _crossing(one: _Followed, other: _Followed) -> tuple[float, float] | None:
     best = (abs(steps[row]) + abs(steps[column])).argmin()
     i, j = row[best], column[best]
     return (
-        float(first[i] + one.way * _STEP * t[i, j]),
-        float(second[j] + other.way * _STEP * u[i, j]),
+        float(first[i] + one.way * STEP * t[i, j]),
+        float(second[j] + other.way * STEP * u[i, j]),
     )
 
 
+class SourceCurves:
+    """The curves of some paths, to be found again along an outline.
+
+    Parameters
+    ----------
+    paths
+        In canvas units; each overlaps itself nowhere.
+    unit
+        Canvas units to a pixel.
+    """
+
+    def __init__(self, paths: Sequence[Path], unit: float) -> None:
+        self._sources = [
+            _Source(number, [SourceCurve.of(contour, unit) for contour in path.contours])
+            for number, path in enumerate(paths)
+            if path
+        ]
+
+    def oriented(self) -> list[tuple[SourceCurve, bool]]:
+        """Return all curves, and whether each runs against the outlines of what they enclose."""
+        return [(curve, source.is_backwards) for source in self._sources for curve in source.curves]
+
+    def followed(self, outline: Outline) -> list[Followed]:
+        """Return where a closed outline follows a curve, in order, and none over another."""
+        count = len(outline)
+        found = [one for source in self._sources for one in source.followed(outline.points)]
+        taken = np.zeros(count, dtype=bool)
+        chosen: list[Followed] = []
+        while found:
+            best = max(found, key=lambda one: one.count)
+            found.remove(best)
+            free = best.longest(~taken[best.indices % count])
+            if free.count < _SHORTEST:
+                continue
+            if free.count < best.count:
+                found.append(free)
+                continue
+            taken[best.indices % count] = True
+            chosen.append(best)
+        chosen.sort(key=lambda one: one.first)
+        return chosen
+
+
 class _Source:
-    def __init__(self, curves: Sequence[_Curve]) -> None:
-        self._curves = curves
+    def __init__(self, number: int, curves: Sequence[SourceCurve]) -> None:
+        self.curves = curves
+        self._source = number
         points = np.concatenate([curve.points for curve in curves])
         self._points = points
         self._along = np.concatenate([curve.along for curve in curves])
         self._number = np.repeat(np.arange(len(curves)), [len(one.points) for one in curves])
-        self._tree = scipy.spatial.KDTree(np.column_stack([points.real, points.imag]))
+        pairs = np.column_stack([points.real, points.imag])
+        self._tree = scipy.spatial.KDTree(pairs, balanced_tree=False, compact_nodes=False)
 
-    def followed(self, points: Points) -> Iterator[_Followed]:
+    @property
+    def is_backwards(self) -> bool:
+        """Whether what its curves enclose is on the other side of them than an outline's ink."""
+        rows = [curve.points for curve in self.curves]
+        return bool(sum((row[:-1].conj() * row[1:]).imag.sum() for row in rows) < 0)
+
+    def followed(self, points: Points) -> Iterator[Followed]:
         """Yield the rows of a closed outline's points (n,) that follow one of its curves."""
         count = len(points)
         pairs = np.column_stack([points.real, points.imag])
-        away, nearest = self._tree.query(pairs, distance_upper_bound=_NEAR + _STEP)
+        away, nearest = self._tree.query(pairs, distance_upper_bound=_NEAR + STEP)
         some = np.flatnonzero(away < np.inf)
         if len(some) < _SHORTEST:
             return
@@ -285,7 +240,8 @@ class _Source:
         along[some[close]] = place[close]
         for curve_number in np.unique(number[number >= 0]):
             near = np.flatnonzero(number == curve_number)
-            yield from _rows(self._curves[int(curve_number)], near, along[near], count)
+            for row in _rows(self.curves[int(curve_number)], near, along[near], count):
+                yield replace(row, source=self._source)
 
     def _projected(
         self, points: Points, nearest: NDArray[np.intp]
@@ -299,12 +255,12 @@ class _Source:
         way = self._points[after] - self._points[before]
         way = way / np.maximum(abs(way), 1e-9)
         offset = (points - on) * way.conj()
-        return abs(offset.imag), self._along[nearest] + np.clip(offset.real, -_STEP, _STEP)
+        return abs(offset.imag), self._along[nearest] + np.clip(offset.real, -STEP, STEP)
 
 
 def _rows(
-    curve: _Curve, near: NDArray[np.intp], along: NDArray[np.float64], count: int
-) -> Iterator[_Followed]:
+    curve: SourceCurve, near: NDArray[np.intp], along: NDArray[np.float64], count: int
+) -> Iterator[Followed]:
     """Yield the rows of points of an outline that follow a curve, one after another.
 
     ``near`` are the indices of those that are close to it, and ``along`` says where on it.
@@ -320,10 +276,10 @@ def _rows(
     follows = np.where(
         gap == 1,
         (forward > _PACE[0]) & (forward < _PACE[1]),
-        (gap <= _BLUNTED) & (forward > 0.5 * gap) & (forward < 2 * gap + _SPIKE),
+        (gap <= _BLUNTED) & (forward > 0.5 * gap) & (forward < gap + _SPIKE),
     )
     if follows.all() and abs(step.sum()) > half:
-        yield _Followed(curve, 0, way * np.linspace(0, curve.length, count), whole=True)
+        yield Followed(curve, 0, way * np.linspace(0, curve.length, count), whole=True)
         return
     breaks = np.flatnonzero(~follows)
     if not len(breaks):
@@ -335,30 +291,6 @@ def _rows(
             continue
         indices = np.concatenate([[0], np.cumsum(gap[turn[:-1]])])
         places = along[turn[0]] + np.concatenate([[0], np.cumsum(step[turn[:-1]])])
-        yield _Followed(
+        yield Followed(
             curve, int(near[turn[0]]), np.interp(np.arange(indices[-1] + 1), indices, places)
         )
-
-
-def _at(piece: Piece, t: NDArray[np.float64]) -> Points:
-    """Return the points of a line or cubic."""
-    u = 1 - t
-    powers = [u, t] if len(piece) == 2 else [u**3, 3 * u * u * t, 3 * u * t * t, t**3]
-    found: Points = np.array(piece, dtype=np.complex128) @ np.array(powers)
-    return found
-
-
-def _between(piece: Piece, since: float, until: float) -> Piece:
-    """Return the part of a line or cubic between two of its parameters."""
-    ends = _at(piece, np.array([since, until]))
-    start, end = (complex(one) for one in ends)
-    if len(piece) == 2:
-        return start, end
-    third = (until - since) / 3
-    first, last = (_speed(piece, t) * third for t in (since, until))
-    return start, start + first, end - last, end
-
-
-def _speed(piece: Piece, t: float) -> complex:
-    a, b, c, d = piece
-    return 3 * ((1 - t) ** 2 * (b - a) + 2 * (1 - t) * t * (c - b) + t * t * (d - c))

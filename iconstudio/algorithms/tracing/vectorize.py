@@ -7,13 +7,12 @@ Points are complex numbers, x + iy, in pixels of the drawing; outlines are rows 
 pixel apart.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 from skimage.measure import find_contours
 
-from iconstudio.algorithms.tracing.exact import SourceCurves
 from iconstudio.algorithms.tracing.pieces import Outline, Piece, pieces_of
 from iconstudio.model import CANVAS, Point
 from iconstudio.model.path import Contour, Path, Segment
@@ -24,28 +23,26 @@ TOLERANCE = 0.08
 """How far, in canvas units, a line or curve may stray from the outline."""
 
 
-def trace(coverage: NDArray[np.uint8], speck: float = SPECK, sources: Sequence[Path] = ()) -> Path:
+def trace(coverage: NDArray[np.uint8], speck: float = SPECK) -> Path:
     """Return the outline of a drawing in canvas units, to a hundredth of one.
 
     ``coverage`` is (n, n) uint8, 255 = ink; n canvas pixels to CANVAS. Outlines run around ink,
     holes the other way round. Those of less than ``speck`` square canvas units are left out. The
     path is empty if there is no ink.
-
-    ``sources`` are what was drawn, in canvas units; each overlaps itself nowhere. Where the outline
-    runs along one of them, it takes its curves.
     """
     unit = CANVAS / coverage.shape[0]
+    return Path(tuple(contour_along(one, unit) for one in outlines(coverage, speck)))
+
+
+def outlines(coverage: NDArray[np.uint8], speck: float = SPECK) -> Iterator[Outline]:
+    """Yield the outlines of a drawing as points in its pixels: see ``trace``."""
+    unit = CANVAS / coverage.shape[0]
     framed = np.pad(coverage, 1).astype(np.float32)
-    curves = SourceCurves(sources, unit)
-    contours = []
     for rows in find_contours(framed, 127.5):
         outline = (rows[:, 1] - 0.5) + 1j * (rows[:, 0] - 0.5)
         area = abs((outline[:-1].conj() * outline[1:]).imag.sum()) / 2
         if area * unit**2 >= speck:
-            even = Outline(outline[:-1]).even()
-            pieces = pieces_of(even, TOLERANCE / unit, 1, curves.runs(even))
-            contours.append(_contour(pieces, unit, closed=True))
-    return Path(tuple(contours))
+            yield Outline(outline[:-1])
 
 
 def contour_along(
@@ -62,11 +59,11 @@ def contour_along(
         How many times as much corners are blunted as in a drawing.
     """
     pieces = pieces_of(outline.even(), tolerance / unit, blur)
-    return _contour(pieces, unit, closed=not outline.step)
+    return contour_of(pieces, unit, closed=not outline.step)
 
 
-def _contour(pieces: list[Piece], unit: float, closed: bool) -> Contour:
-    """Return an outline, a piece a segment, but for lines that are nothing once rounded."""
+def contour_of(pieces: Sequence[Piece], unit: float, closed: bool = True) -> Contour:
+    """Return pieces in pixels as a contour, but for lines that are nothing once rounded."""
     start = at = _rounded(pieces[0][0] * unit)
     segments: list[Segment] = []
     for piece in pieces:

@@ -1,0 +1,58 @@
+"""The path of a joined drawing (section 3.4, post-processing), of its sources' own curves.
+
+The paper traces the joined picture. Here what is traced is compared with the outlines of the
+sources: away from seams these are the path. Sources that nearly meet are moved until they do, and
+what lies between two of them is healed.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from iconstudio.algorithms.iconification.alignment import alignment, moved
+from iconstudio.algorithms.iconification.healing import Examples, healed
+from iconstudio.algorithms.tracing.exact import SourceCurves, joined
+from iconstudio.algorithms.tracing.pieces import pieces_of
+from iconstudio.algorithms.tracing.vectorize import TOLERANCE, contour_of, outlines
+from iconstudio.model import CANVAS
+from iconstudio.model.path import Path
+
+
+def joined_path(
+    coverage: NDArray[np.uint8],
+    sources: Sequence[Path],
+    heal: bool = True,
+    fixed: int | None = None,
+) -> Path:
+    """Return the outline of a joined drawing in canvas units, to a hundredth of one.
+
+    Parameters
+    ----------
+    coverage
+        (n, n) uint8, 255 = ink; n canvas pixels to CANVAS.
+    sources
+        The outlines of what was joined, where it was drawn, in canvas units; each overlaps itself
+        nowhere. An empty one is not known.
+    heal
+        Whether sources are moved, by two canvas units at most, and seams are made anew.
+    fixed
+        Number of a source that is not moved.
+    """
+    unit = CANVAS / len(coverage)
+    drawn = [one.even() for one in outlines(coverage)]
+    curves = SourceCurves(sources, unit)
+    followed = [curves.followed(one) for one in drawn]
+    moves = np.zeros(len(sources), dtype=np.complex128)
+    if heal:
+        moves = alignment(drawn, followed, len(sources), unit, fixed)
+        examples = Examples.of(curves.oriented(), unit)
+    contours = []
+    for outline, rows in zip(drawn, followed, strict=True):
+        outline, rows = moved(outline, rows, moves)
+        rows = joined(rows, outline)
+        runs = [row.run() for row in rows]
+        if heal:
+            outline, runs = healed(outline, rows, examples, unit)
+        contours.append(contour_of(pieces_of(outline, TOLERANCE / unit, 1, runs), unit))
+    return Path(tuple(contours))
