@@ -8,7 +8,7 @@ import threading
 from collections import OrderedDict
 from collections.abc import Generator, Iterator
 from contextlib import AbstractContextManager
-from functools import lru_cache, partial
+from functools import cached_property, lru_cache, partial
 from importlib import import_module
 from pathlib import Path as File
 from typing import TypeVar
@@ -17,12 +17,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.iconification.matching import SCALES, Matcher, PreparedExemplar
+from iconstudio.algorithms.iconification.plausibility import Plausibility
 from iconstudio.algorithms.iconification.strangers import strangers
 from iconstudio.algorithms.iconification.style import has_pale_areas
 from iconstudio.caches.preparing import PreparingCache
 from iconstudio.caches.rasters import RasterCache
 from iconstudio.caches.samples import SampleCache
 from iconstudio.files import remove_abandoned
+from iconstudio.inputs.plausibility import read_plausibility
 from iconstudio.library.collection import Collection, cache_folder
 from iconstudio.model import (
     Axis,
@@ -134,8 +136,23 @@ class Session(FileReader, AbstractContextManager["Session"]):
 
     @property
     def trouble(self) -> str | None:
-        """A sentence for the user if drawings cannot be kept in the cache, else None."""
-        return self._rasters.trouble or self._preparing.trouble
+        """A sentence for the user if drawings cannot be kept in the cache, else None.
+
+        Or if there is nothing to judge results by.
+        """
+        return self._rasters.trouble or self._preparing.trouble or self._judging[1]
+
+    @property
+    def plausibility(self) -> Plausibility | None:
+        """What tells plausible results from others; None if its file is no good (``trouble``)."""
+        return self._judging[0]
+
+    @cached_property
+    def _judging(self) -> tuple[Plausibility | None, str | None]:
+        try:
+            return read_plausibility(), None
+        except IconstudioError as error:
+            return None, str(error)
 
     def search(self, keyword: str, exclude: frozenset[str] = frozenset()) -> tuple[Pictogram, ...]:
         """Return at most 200 pictograms for a keyword, best first (section 3.1).

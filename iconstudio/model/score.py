@@ -17,8 +17,12 @@ class Score:
     """Ink that comes from several sources; 1 where that is not asked for."""
     likeness: float
     """Overlap with the outline that was wanted; 1 if none was."""
+    plausible: float | None = None
+    """The learned probability that the picture is plausible, which then stands for ``seam`` and
+    ``whole``; None if it was not asked."""
 
     @property
     def total(self) -> float:
         """The rank score: the product of the terms."""
-        return self.seam * self.whole * self.symmetry * self.sharing * self.likeness
+        looks = self.seam * self.whole if self.plausible is None else self.plausible
+        return looks * self.symmetry * self.sharing * self.likeness

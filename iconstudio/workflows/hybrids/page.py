@@ -238,9 +238,10 @@ def problem(mix: Mix) -> str:
 
 def terms(score: Score) -> str:
     """Say what the rank score of a hybrid is made of."""
-    parts = {
-        "smooth seams": score.seam,
-        "in one piece": score.whole,
+    looks = {"smooth seams": score.seam, "in one piece": score.whole}
+    if score.plausible is not None:
+        looks = {"plausible": score.plausible}
+    parts = looks | {
         "symmetry": score.symmetry,
         "shared by several icons": score.sharing,
     }
