@@ -8,7 +8,7 @@ import threading
 from collections import OrderedDict
 from collections.abc import Generator, Iterator
 from contextlib import AbstractContextManager
-from functools import cached_property, lru_cache, partial
+from functools import lru_cache, partial
 from importlib import import_module
 from pathlib import Path as File
 from typing import TypeVar
@@ -103,6 +103,7 @@ class Session(FileReader, AbstractContextManager["Session"]):
         self._lines = lru_cache(_AT_HAND)(self._read_lines)
         self._traced = lru_cache(_AT_HAND)(partial(_traced, self.workers))
         self.earlier: dict[str, Composite] = {}
+        self.plausibility, self._unlearned = _learned()
 
     def open(self) -> Iterator[Progress]:
         """Open the bundled collection, which the very first use unpacks."""
@@ -136,23 +137,8 @@ class Session(FileReader, AbstractContextManager["Session"]):
 
     @property
     def trouble(self) -> str | None:
-        """A sentence for the user if drawings cannot be kept in the cache, else None.
-
-        Or if there is nothing to judge results by.
-        """
-        return self._rasters.trouble or self._preparing.trouble or self._judging[1]
-
-    @property
-    def plausibility(self) -> Plausibility | None:
-        """What tells plausible results from others; None if its file is no good (``trouble``)."""
-        return self._judging[0]
-
-    @cached_property
-    def _judging(self) -> tuple[Plausibility | None, str | None]:
-        try:
-            return read_plausibility(), None
-        except IconstudioError as error:
-            return None, str(error)
+        """A sentence for the user if drawings cannot be kept, or results not be judged, else None."""
+        return self._rasters.trouble or self._preparing.trouble or self._unlearned
 
     def search(self, keyword: str, exclude: frozenset[str] = frozenset()) -> tuple[Pictogram, ...]:
         """Return at most 200 pictograms for a keyword, best first (section 3.1).
@@ -356,6 +342,14 @@ class Session(FileReader, AbstractContextManager["Session"]):
 
     def __exit__(self, *exc: object) -> None:
         self.close()
+
+
+def _learned() -> tuple[Plausibility | None, str | None]:
+    """Return what tells plausible results from others, or a sentence that says why it cannot."""
+    try:
+        return read_plausibility(), None
+    except IconstudioError as error:
+        return None, str(error)
 
 
 def _traced(workers: Workers, exemplar: Exemplar) -> Drawing:

@@ -1,5 +1,6 @@
 """How good a remix looks, in terms that each lie between 0 and 1; 1 is best."""
 
+import math
 from dataclasses import dataclass
 
 
@@ -18,11 +19,15 @@ class Score:
     likeness: float
     """Overlap with the outline that was wanted; 1 if none was."""
     plausible: float | None = None
-    """The learned probability that the picture is plausible, which then stands for ``seam`` and
-    ``whole``; None if it was not asked."""
+    """The learned probability that the picture is plausible; None if it was not asked."""
 
     @property
     def total(self) -> float:
-        """The rank score: the product of the terms."""
-        looks = self.seam * self.whole if self.plausible is None else self.plausible
+        """The rank score: the product of the terms.
+
+        What is plausible was told by ``seam`` and ``whole``, too: then these count by their roots.
+        """
+        looks = self.seam * self.whole
+        if self.plausible is not None:
+            looks = math.sqrt(looks) * self.plausible
         return looks * self.symmetry * self.sharing * self.likeness

@@ -82,6 +82,6 @@ def examples_of(
 def _measured(
     posed: Posed, sources: tuple[Source, ...], labels: np.ndarray, render: Render
 ) -> dict[str, float]:
-    drawing = draw(labels, posed.problem.ink, sources, render, PREVIEW)
+    drawing = draw(labels, posed.problem.ink, sources, render, PREVIEW, exact=False)
     score = ranking.score(posed.problem, labels)
     return features(remixed(posed, sources, labels, drawing, score))

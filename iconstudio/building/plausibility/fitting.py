@@ -5,13 +5,18 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.iconification.plausibility import FEATURES, Plausibility, Weight
+from iconstudio.algorithms.iconification.plausibility import (
+    FARTHEST,
+    FEATURES,
+    Plausibility,
+    Weight,
+)
 from iconstudio.building.plausibility.judged import Example
 
-STRENGTH = 0.05
+STRENGTH = 0.003
 """The inverse of how strongly weights are held to zero."""
-JUDGED = 4.0
-"""How much more an example counts that was judged by eye."""
+JUDGED = 40.0
+"""How much more an example counts that was judged by eye: what was made is easily told."""
 OUTLINE = ("missing", "missing_depth", "iou")
 """Features that are known only where an outline is wanted."""
 
@@ -19,7 +24,8 @@ OUTLINE = ("missing", "missing_depth", "iou")
 def fit(examples: Sequence[Example]) -> Plausibility:
     """Return the weights that tell examples apart best, as many plausible ones as others.
 
-    Every example counts twice, once as if no outline were wanted.
+    Every example counts twice, once as if no outline were wanted. Strongly held weights tell too
+    little apart: they are made larger until the probabilities fit what was judged (Platt 1999).
     """
     from sklearn.linear_model import LogisticRegression
 
@@ -33,11 +39,19 @@ def fit(examples: Sequence[Example]) -> Plausibility:
     blind[:, [FEATURES.index(name) for name in OUTLINE]] = np.nan
     both = np.nan_to_num((np.concatenate([values, blind]) - mean) / deviation)
     model = LogisticRegression(C=STRENGTH, max_iter=1000)
-    model.fit(np.clip(both, -4, 4), np.tile(plausible, 2), np.tile(weight * len(examples) / 2, 2))
-    rows = zip(FEATURES, mean, deviation, model.coef_[0], strict=True)
+    model.fit(
+        np.clip(both, -FARTHEST, FARTHEST),
+        np.tile(plausible, 2),
+        np.tile(weight * len(examples) / 4, 2),
+    )
+    judged = np.array([one.kind == "judged" for one in examples])
+    logits = model.decision_function(np.clip(both[: len(examples)], -FARTHEST, FARTHEST))[:, None]
+    odds = LogisticRegression(C=1e6).fit(logits[judged], plausible[judged])
+    slope, bias = float(odds.coef_[0, 0]), float(odds.intercept_[0])
+    rows = zip(FEATURES, mean, deviation, slope * model.coef_[0], strict=True)
     return Plausibility(
         tuple(Weight(name, *(round(float(v), 4) for v in some)) for name, *some in rows),
-        round(float(model.intercept_[0]), 4),
+        round(slope * float(model.intercept_[0]) + bias, 4),
     )
 
 

@@ -238,10 +238,10 @@ def problem(mix: Mix) -> str:
 
 def terms(score: Score) -> str:
     """Say what the rank score of a hybrid is made of."""
-    looks = {"smooth seams": score.seam, "in one piece": score.whole}
-    if score.plausible is not None:
-        looks = {"plausible": score.plausible}
-    parts = looks | {
+    plausible = {} if score.plausible is None else {"plausible": score.plausible}
+    parts = plausible | {
+        "smooth seams": score.seam,
+        "in one piece": score.whole,
         "symmetry": score.symmetry,
         "shared by several icons": score.sharing,
     }
