@@ -137,7 +137,7 @@ class Session(FileReader, AbstractContextManager["Session"]):
 
     @property
     def trouble(self) -> str | None:
-        """A sentence for the user if drawings cannot be kept, or results not be judged, else None."""
+        """A sentence for the user if drawings cannot be kept or results judged, else None."""
         return self._rasters.trouble or self._preparing.trouble or self._unlearned
 
     def search(self, keyword: str, exclude: frozenset[str] = frozenset()) -> tuple[Pictogram, ...]:

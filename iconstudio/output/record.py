@@ -35,8 +35,7 @@ def of_remix(name: str, icon: Remix) -> dict[str, Any]:
         "frame": _of_frame(icon.drawing.frame),
         "rank_score": float(icon.score.total),
         "rank_terms": {
-            term: None if value is None else float(value)
-            for term, value in asdict(icon.score).items()
+            term: float(value) for term, value in asdict(icon.score).items() if value is not None
         },
         "svg": f"{name}.svg",
         "png": f"{name}.png",
