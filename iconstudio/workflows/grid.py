@@ -262,11 +262,14 @@ class Recommending:
 
 
 def _best(row: Sequence[Remix]) -> Remix | None:
-    """Return the best remix of a row, or an icon as it went in if that must stand for one."""
+    """Return the best remix of a row, or an icon as it went in if that must stand for one.
+
+    Of equals, that of the highest lambda_S: a row comes in any order.
+    """
     made = [one for one in row if max(one.composite.shares) < UNTOUCHED]
     plausible = [one for one in row if (one.score.plausible or 0) >= PLAUSIBLE]
     some = [one for one in made if one in plausible] or plausible or made
-    return max(some, key=lambda one: one.score.total, default=None)
+    return max(some, key=lambda one: (one.score.total, one.composite.lambda_s), default=None)
 
 
 def distinct(rows: Sequence[Sequence[Source]]) -> tuple[Source, ...]:

@@ -35,3 +35,9 @@ def test_an_icon_as_it_went_in_is_never_recommended_unless_it_was_judged():
     worse = replace(joined, score=replace(joined.score, likeness=0.1))
     assert recommended([better, worse]) == Recommended("light", 0.05)
     assert recommended([better, better]) == Recommended("light", None)
+
+
+def test_what_is_recommended_does_not_depend_on_what_came_first():
+    same = [judged(made(0 * quarters(), value), 0.9) for value in (0.1, 0.75, 0.3)]
+    for icons in (same, same[::-1]):
+        assert recommended(icons) == Recommended("light", 0.75)
