@@ -46,11 +46,11 @@ def examples_of(
 ) -> Iterator[Example]:
     """Yield the examples that the results of a sketch give."""
     silhouette = fill_polygon(sketch.sketch.polygon.fitted())
-    random = np.random.default_rng(crc32(sketch.name.encode()))
     styles: dict[str, list[Remix]] = {}
     for icon in icons:
         styles.setdefault(icon.composite.style, []).append(icon)
-    for style, row in styles.items():
+    for style, row in sorted(styles.items()):  # they come in any order
+        random = np.random.default_rng(crc32(f"{sketch.name} {style}".encode()))
         sources = row[0].composite.sources
 
         def example(kind: str, grade: int, found: dict[str, float]) -> Example:
