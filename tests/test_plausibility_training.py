@@ -31,7 +31,7 @@ from tests.output.made import SOURCES, SQUARE, made, quarters
 
 JUDGED = File(__file__).parent.parent / "resources" / "judged"
 AREA, AGREEMENT = 0.75, 0.6
-"""What was measured is 0.79 and 0.64: what is printed by ``iconstudio library plausibility``."""
+"""What was measured is 0.79 and 0.65: what is printed by ``iconstudio library plausibility``."""
 
 
 @pytest.fixture(scope="module")
