@@ -63,6 +63,7 @@ def examples(judged: Path) -> None:
 
     found = []
     with Session() as session, ProgressBar() as bar:
+        session.plausibility = None  # so were those made that were judged
         for step in examples_of(session, read_sketches(judged), read_grades(judged)):
             if isinstance(step, Progress):
                 bar.show(step.done, step.message)
