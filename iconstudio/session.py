@@ -17,12 +17,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.iconification.matching import SCALES, Matcher, PreparedExemplar
+from iconstudio.algorithms.iconification.plausibility import Plausibility
 from iconstudio.algorithms.iconification.strangers import strangers
 from iconstudio.algorithms.iconification.style import has_pale_areas
 from iconstudio.caches.preparing import PreparingCache
 from iconstudio.caches.rasters import RasterCache
 from iconstudio.caches.samples import SampleCache
 from iconstudio.files import remove_abandoned
+from iconstudio.inputs.plausibility import read_plausibility
 from iconstudio.library.collection import Collection, cache_folder
 from iconstudio.model import (
     Axis,
@@ -101,6 +103,7 @@ class Session(FileReader, AbstractContextManager["Session"]):
         self._lines = lru_cache(_AT_HAND)(self._read_lines)
         self._traced = lru_cache(_AT_HAND)(partial(_traced, self.workers))
         self.earlier: dict[str, Composite] = {}
+        self.plausibility, self._unlearned = _learned()
 
     def open(self) -> Iterator[Progress]:
         """Open the bundled collection, which the very first use unpacks."""
@@ -134,8 +137,8 @@ class Session(FileReader, AbstractContextManager["Session"]):
 
     @property
     def trouble(self) -> str | None:
-        """A sentence for the user if drawings cannot be kept in the cache, else None."""
-        return self._rasters.trouble or self._preparing.trouble
+        """A sentence for the user if drawings cannot be kept or results judged, else None."""
+        return self._rasters.trouble or self._preparing.trouble or self._unlearned
 
     def search(self, keyword: str, exclude: frozenset[str] = frozenset()) -> tuple[Pictogram, ...]:
         """Return at most 200 pictograms for a keyword, best first (section 3.1).
@@ -339,6 +342,14 @@ class Session(FileReader, AbstractContextManager["Session"]):
 
     def __exit__(self, *exc: object) -> None:
         self.close()
+
+
+def _learned() -> tuple[Plausibility | None, str | None]:
+    """Return what tells plausible results from others, or a sentence that says why it cannot."""
+    try:
+        return read_plausibility(), None
+    except IconstudioError as error:
+        return None, str(error)
 
 
 def _traced(workers: Workers, exemplar: Exemplar) -> Drawing:

@@ -38,3 +38,63 @@ def build(iconify: Path, wordnet: Path, licences: Path, out: Path) -> None:
             message = step.message
             bar.show(step.done, message)
     click.echo(message)
+
+
+_JUDGED = click.option(
+    "--judged",
+    type=_FOLDER,
+    required=True,
+    help="Folder of sketches, judgements and examples: resources/judged.",
+)
+
+
+@command.command()
+@_JUDGED
+def examples(judged: Path) -> None:
+    """Make the examples of plausible and implausible results again, by running all sketches."""
+    from iconstudio.building.plausibility.examples import examples as examples_of
+    from iconstudio.building.plausibility.judged import (
+        read_grades,
+        read_sketches,
+        write_examples,
+    )
+    from iconstudio.model.progress import Progress
+    from iconstudio.session import Session
+
+    found = []
+    with Session() as session, ProgressBar() as bar:
+        session.plausibility = None  # so were those made that were judged
+        for step in examples_of(session, read_sketches(judged), read_grades(judged)):
+            if isinstance(step, Progress):
+                bar.show(step.done, step.message)
+            else:
+                found.append(step)
+    write_examples(judged, found)
+    click.echo(f"{len(found)} examples")
+
+
+@command.command()
+@_JUDGED
+@click.option(
+    "--out",
+    type=click.Path(dir_okay=False, path_type=Path),
+    required=True,
+    help="File to write the weights into: resources/plausibility.json.",
+)
+def plausibility(judged: Path, out: Path) -> None:
+    """Fit the weights by which plausible results are told from others, and measure them."""
+    from iconstudio.building.plausibility.fitting import agreement, area_under_curve, fit
+    from iconstudio.building.plausibility.judged import read_examples
+    from iconstudio.files import write_bytes
+    from iconstudio.inputs import json
+    from iconstudio.inputs.plausibility import PlausibilityFile
+
+    every = read_examples(judged)
+    model = fit([one for one in every if not one.held_out])
+    write_bytes(out, json.encoded(PlausibilityFile.of(model)))
+    asked = [one for one in every if one.held_out and one.kind == "judged"]
+    click.echo(
+        f"On {len(asked)} results of keywords that were held out, judged by eye: "
+        f"area under the curve {area_under_curve(model, asked):.3f}, "
+        f"agreement {agreement(model, asked):.0%}"
+    )

@@ -1,5 +1,6 @@
 """How good a remix looks, in terms that each lie between 0 and 1; 1 is best."""
 
+import math
 from dataclasses import dataclass
 
 
@@ -17,8 +18,16 @@ class Score:
     """Ink that comes from several sources; 1 where that is not asked for."""
     likeness: float
     """Overlap with the outline that was wanted; 1 if none was."""
+    plausible: float | None = None
+    """The learned probability that the picture is plausible; None if it was not asked."""
 
     @property
     def total(self) -> float:
-        """The rank score: the product of the terms."""
-        return self.seam * self.whole * self.symmetry * self.sharing * self.likeness
+        """The rank score: the product of the terms.
+
+        What is plausible was told by ``seam`` and ``whole``, too: then these count by their roots.
+        """
+        looks = self.seam * self.whole
+        if self.plausible is not None:
+            looks = math.sqrt(looks) * self.plausible
+        return looks * self.symmetry * self.sharing * self.likeness

@@ -34,7 +34,9 @@ def of_remix(name: str, icon: Remix) -> dict[str, Any]:
         "iou": None if composite.iou is None else float(composite.iou),
         "frame": _of_frame(icon.drawing.frame),
         "rank_score": float(icon.score.total),
-        "rank_terms": {term: float(value) for term, value in asdict(icon.score).items()},
+        "rank_terms": {
+            term: float(value) for term, value in asdict(icon.score).items() if value is not None
+        },
         "svg": f"{name}.svg",
         "png": f"{name}.png",
         "sources_png": f"{name}-sources.png",

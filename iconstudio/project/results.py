@@ -56,6 +56,7 @@ class StoredScore(Record, frozen=True):
     symmetry: Unit = 1.0
     sharing: Unit = 1.0
     likeness: Unit = 1.0
+    plausible: Unit | None = None
 
 
 class StoredSource(StoredPlacement, frozen=True, kw_only=True):
@@ -227,7 +228,7 @@ def _made(
         data_cost=float(composite.data_cost),
         smoothness_cost=float(composite.smoothness_cost),
         iou=None if composite.iou is None else float(composite.iou),
-        score=StoredScore(**{name: float(one) for name, one in asdict(icon.score).items()}),
+        score=StoredScore(**_known(icon.score)),
         seeds=icon.seeds,
         draw=icon.draw,
         unchanged=None if icon.unchanged is None else float(icon.unchanged),
@@ -240,6 +241,10 @@ def _made(
         labels=add(".labels", numbers[composite.labels].tobytes()),
         owners=None if owners is None else add(".labels", numbers[owners].tobytes()),
     )
+
+
+def _known(score: Score) -> dict[str, float]:
+    return {name: float(one) for name, one in asdict(score).items() if one is not None}
 
 
 def _source(source: Source, share: float, reference: str) -> StoredSource:

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.iconification.matching import SCALES, Matcher, sources_of
+from iconstudio.algorithms.iconification.plausibility import Plausibility
 from iconstudio.algorithms.iconification.saliency import WHOLE, Region
 from iconstudio.algorithms.iconification.style import STYLES, Style, blackness
 from iconstudio.model import Composite, IconstudioError, Placement, Remix, Source
@@ -32,6 +33,9 @@ LAMBDAS = tuple(float(v) for v in np.geomspace(0.03, 0.75, 8))
 
 UNTOUCHED = 0.98
 """A source with this part of the ink is the result, but for crumbs."""
+
+PLAUSIBLE = 0.5
+"""Least probability of a result that is called plausible."""
 
 ENOUGH = 8
 """With fewer exemplars of a style, those that are less alike serve, too."""
@@ -100,6 +104,7 @@ def remix_styles(
     include: Set[str] = frozenset(),
     without: Set[str] = frozenset(),
     earlier: Composite | None = None,
+    plausibility: Plausibility | None = None,
 ) -> Generator[Event]:
     """Match exemplars to the salient regions of an outline, and remix them in every style.
 
@@ -133,10 +138,13 @@ def remix_styles(
         Identifiers of exemplars that are left out.
     earlier
         A result of a similar run, for the preview to begin with.
+    plausibility
+        What judges results, if anything does.
     """
     styles = settings.chosen_styles()
     yield RegionsFound(tuple(region.centre for region in regions))
-    remixing = Remixing(workers, render, total=len(styles) * len(settings.lambdas))
+    total = len(styles) * len(settings.lambdas)
+    remixing = Remixing(workers, render, total, plausibility)
     recommending = Recommending(len(settings.lambdas))
     preview = settings.previews
     try:
@@ -231,7 +239,8 @@ def focused(
 class Recommending:
     """Names the best result of each style once all ``count`` are there.
 
-    An icon that comes out as it went in is no remix, and is never named.
+    An icon that comes out as it went in is no remix, and is named only where it is plausible and
+    no remix is.
     """
 
     def __init__(self, count: int) -> None:
@@ -248,9 +257,19 @@ class Recommending:
                     row = self._remixes.setdefault(style, [])
                     row.append(icon)
                     if len(row) == self._count:
-                        made = [one for one in row if max(one.composite.shares) < UNTOUCHED]
-                        best = max(made, key=lambda one: one.score.total, default=None)
+                        best = _best(row)
                         yield Recommended(style, None if best is None else best.composite.lambda_s)
+
+
+def _best(row: Sequence[Remix]) -> Remix | None:
+    """Return the best remix of a row, or an icon as it went in if that must stand for one.
+
+    Of equals, that of the highest lambda_S: a row comes in any order.
+    """
+    made = [one for one in row if max(one.composite.shares) < UNTOUCHED]
+    plausible = [one for one in row if (one.score.plausible or 0) >= PLAUSIBLE]
+    some = [one for one in made if one in plausible] or plausible or made
+    return max(some, key=lambda one: (one.score.total, one.composite.lambda_s), default=None)
 
 
 def distinct(rows: Sequence[Sequence[Source]]) -> tuple[Source, ...]:

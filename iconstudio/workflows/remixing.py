@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from iconstudio.algorithms.iconification.matching import Matcher
+from iconstudio.algorithms.iconification.plausibility import Plausibility
 from iconstudio.model import CANVAS, Composite, Remix
 from iconstudio.workers import Workers, answer
 from iconstudio.workflows.drawing import Render
@@ -44,6 +45,11 @@ class RemixResources(Resources, Protocol):
         """Draws a source at its placement; can be pickled."""
         ...
 
+    @property
+    def plausibility(self) -> Plausibility | None:
+        """What tells plausible results from others, if it is at hand."""
+        ...
+
     def prepare(
         self, keyword: str, exclude: frozenset[str] = ..., scales: tuple[float, ...] = ...
     ) -> Generator[Event, None, Matcher]:
@@ -61,12 +67,21 @@ class Remixing:
     ----------
     total
         How many finished results are expected in all, for the progress.
+    plausibility
+        What judges results, if anything does.
     """
 
-    def __init__(self, workers: Workers, render: Render, total: int) -> None:
+    def __init__(
+        self,
+        workers: Workers,
+        render: Render,
+        total: int,
+        plausibility: Plausibility | None = None,
+    ) -> None:
         self._workers = workers
         self._render = render
         self._total = total
+        self._plausibility = plausibility
         self._done = 0
         self._ticket = workers.ticket()
         self._waiting: deque[tuple[CutSeries, Finish]] = deque()
@@ -139,6 +154,7 @@ class Remixing:
             task.series,
             task.step,
             self._render,
+            self._plausibility,
             lane=task.lane,
             ticket=self._ticket,
         )

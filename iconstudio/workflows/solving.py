@@ -6,6 +6,7 @@ The process remembers what it has found for a series, so that each step builds o
 from collections.abc import Callable, Mapping
 from concurrent.futures import CancelledError
 from dataclasses import dataclass, field, replace
+from functools import cached_property, partial
 from time import perf_counter
 from typing import TYPE_CHECKING
 
@@ -13,7 +14,10 @@ import numpy as np
 
 from iconstudio.algorithms.iconification import ranking
 from iconstudio.algorithms.iconification.energy import Labels, RemixProblem, joined_ink
-from iconstudio.algorithms.iconification.overhang import seen
+from iconstudio.algorithms.iconification.features import Remixed, features
+from iconstudio.algorithms.iconification.looks import Looks
+from iconstudio.algorithms.iconification.overhang import on_canvas, seen
+from iconstudio.algorithms.iconification.plausibility import Plausibility
 from iconstudio.algorithms.iconification.redraw import SCALE
 from iconstudio.algorithms.iconification.warm_start import transferred
 from iconstudio.algorithms.raster import Bitmap, overlap, solid
@@ -39,6 +43,19 @@ class Posed:
     """(K, m, m): what the user wants to keep of each source; nothing if None."""
     fixed: int | None = None
     """Number of a source that is drawn where it is, whatever it meets."""
+
+    @cached_property
+    def looks(self) -> tuple[Looks, ...]:
+        """Those of the sources, worked out when they are asked for."""
+        finer = self.problem.side // CANVAS
+        every = self.problem.ink[:, ::finer, ::finer], self.problem.solid[:, ::finer, ::finer]
+        return tuple(map(Looks, *every))
+
+    @cached_property
+    def outline(self) -> Looks | None:
+        """That of the silhouette."""
+        finer = self.problem.side // CANVAS
+        return None if self.silhouette is None else Looks(self.silhouette[::finer, ::finer])
 
     def kept(self, labels: Labels) -> Bitmap | None:
         """Return what is marked of its owner, (m, m), if anything is."""
@@ -121,7 +138,13 @@ class _SeriesState:
     """What the explored lambda_S come to on the canvas."""
 
 
-def solve(key: object, series: CutSeries, step: Step, render: Render) -> Solved:
+def solve(
+    key: object,
+    series: CutSeries,
+    step: Step,
+    render: Render,
+    plausibility: Plausibility | None = None,
+) -> Solved:
     """Cut, judge, redraw and trace: one result. Runs in a worker process.
 
     What is found is remembered under ``key`` for the other steps of the series.
@@ -136,7 +159,7 @@ def solve(key: object, series: CutSeries, step: Step, render: Render) -> Solved:
     began = perf_counter()
     try:
         state = remembered(key, lambda: _begin(series))
-        labels = _cut(state, step)
+        labels = _cut(state, series, step, plausibility)
     except Stopped:
         forget(key)
         raise CancelledError from None
@@ -144,12 +167,22 @@ def solve(key: object, series: CutSeries, step: Step, render: Render) -> Solved:
         forget(key)
     cut = perf_counter()
     with limited(SECONDS, MEMORY):
-        solved = finished(state.posed, series, step, labels, render)
+        solved = finished(state.posed, series, step, labels, render, plausibility)
     return replace(solved, seconds={"remix": cut - began, "vectorize": perf_counter() - cut})
 
 
-def finished(posed: Posed, series: CutSeries, step: Step, labels: Labels, render: Render) -> Solved:
-    """Judge, redraw and trace a labelling (m, m) that a step has come to."""
+def finished(
+    posed: Posed,
+    series: CutSeries,
+    step: Step,
+    labels: Labels,
+    render: Render,
+    plausibility: Plausibility | None = None,
+) -> Solved:
+    """Judge, redraw and trace a labelling (m, m) that a step has come to.
+
+    Whether it is plausible is asked of finished results alone.
+    """
     problem, kept = posed.problem, posed.kept(labels)
     scale = PREVIEW if step.preview else SCALE
     drawing = draw(
@@ -160,15 +193,32 @@ def finished(posed: Posed, series: CutSeries, step: Step, labels: Labels, render
     iou, likeness = _compared(posed, drawing)
     score = ranking.score(problem, labels, marked=kept)
     sharing = ranking.evenness(shares) if series.sharing else 1.0
+    plausible = None
+    if plausibility is not None and not step.preview:
+        plausible = plausibility.of(
+            features(remixed(posed, series.sources, labels, drawing, score))
+        )
     return Solved(
         labels,
         (data_cost, smoothness_cost),
         data_cost + posed.weight(step.lambda_s) * smoothness_cost,
         shares,
         iou,
-        replace(score, likeness=likeness, sharing=sharing),
+        replace(score, likeness=likeness, sharing=sharing, plausible=plausible),
         drawing,
     )
+
+
+def remixed(
+    posed: Posed,
+    sources: tuple[Source, ...],
+    labels: Labels,
+    drawing: Drawing,
+    score: Score,
+) -> Remixed:
+    """Return a labelling (m, m) and its drawing as they are judged."""
+    drawn = on_canvas(drawing.coverage > 127, drawing.frame)
+    return Remixed(posed.problem, labels, drawn, score, sources, posed.looks, posed.outline)
 
 
 def warm_up(render: Render) -> None:
@@ -195,14 +245,33 @@ def _begin(series: CutSeries) -> _SeriesState:
     return _SeriesState(posed, expansion, tuple(map(posed.weight, series.explored)))
 
 
-def _cut(state: _SeriesState, step: Step) -> Labels:
+def _cut(
+    state: _SeriesState, series: CutSeries, step: Step, plausibility: Plausibility | None
+) -> Labels:
     """Return the labelling of a step. Only a preview depends on the result before an edit."""
     weight = state.posed.weight(step.lambda_s)
     if step.preview:
         return state.expansion.preview(weight)
     if state.row:
-        return state.expansion.find(weight, state.row)
+        worth = None
+        if plausibility is not None:
+            worth = partial(_worth, state.posed, series.sources, plausibility)
+        return state.expansion.find(weight, state.row, worth)
     return state.expansion.solve(weight)
+
+
+def _worth(
+    posed: Posed, sources: tuple[Source, ...], plausibility: Plausibility, labels: Labels
+) -> float:
+    """Return how plausible a labelling (m, m) is before it is drawn."""
+    problem = posed.problem
+    drawn = joined_ink(posed.problem.ink, labels)[
+        :: problem.side // CANVAS, :: problem.side // CANVAS
+    ]
+    score = ranking.score(problem, labels, marked=posed.kept(labels))
+    return plausibility.of(
+        features(Remixed(problem, labels, drawn, score, sources, posed.looks, posed.outline))
+    )
 
 
 def _shares(drawing: Drawing, labels: Labels, count: int) -> tuple[float, ...]:

@@ -180,7 +180,10 @@ def test_results_come_in_rank_order(runs):
     assert scores == sorted(scores, reverse=True)
     for rank, result in enumerate(report["results"], start=1):
         assert result["rank"] == rank
-        assert result["rank_score"] == pytest.approx(np.prod(list(result["rank_terms"].values())))
+        terms = result["rank_terms"]
+        others = np.prod([terms[name] for name in ("plausible", "symmetry", "sharing", "likeness")])
+        looks = np.sqrt(terms["seam"] * terms["whole"])
+        assert result["rank_score"] == pytest.approx(looks * others)
         assert {source["icon"] for source in result["sources"]} <= set(LAMPS)
         for points in result["seeds"]:
             assert {(CANVAS - x, y) for x, y in points} == {(x, y) for x, y in points}

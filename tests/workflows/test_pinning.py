@@ -47,6 +47,7 @@ def resources(workers):
         workers=workers,
         render=render_placed,
         earlier={},
+        plausibility=None,
         prepare=retrieve,
         exemplar=lambda pictogram: known[pictogram.id],
     )

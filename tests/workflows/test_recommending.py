@@ -11,9 +11,33 @@ def recommended(icons):
     return one
 
 
-def test_an_icon_as_it_went_in_is_never_recommended():
+def judged(icon, plausible, likeness=0.9):
+    terms = replace(icon.score, seam=1.0, whole=1.0, likeness=likeness, plausible=plausible)
+    return replace(icon, score=terms)
+
+
+def test_what_is_plausible_is_recommended_rather_than_what_is_like_the_outline():
+    torn, good = made(quarters(), 0.05), made(quarters(), 0.1)
+    icons = [judged(torn, 0.2, likeness=0.95), judged(good, 0.8, likeness=0.7)]
+    assert recommended(icons) == Recommended("light", 0.1)
+
+
+def test_an_icon_as_it_went_in_stands_for_remixes_of_which_none_is_plausible():
+    whole, joined = made(0 * quarters(), 0.75), made(quarters(), 0.05)
+    assert recommended([judged(whole, 0.9), judged(joined, 0.6)]) == Recommended("light", 0.05)
+    assert recommended([judged(whole, 0.9), judged(joined, 0.4)]) == Recommended("light", 0.75)
+    assert recommended([judged(whole, 0.4), judged(joined, 0.2)]) == Recommended("light", 0.05)
+
+
+def test_an_icon_as_it_went_in_is_never_recommended_unless_it_was_judged():
     whole, joined = made(0 * quarters(), 0.75), made(quarters(), 0.05)
     better = replace(whole, score=replace(whole.score, likeness=1.0, seam=1.0))
     worse = replace(joined, score=replace(joined.score, likeness=0.1))
     assert recommended([better, worse]) == Recommended("light", 0.05)
     assert recommended([better, better]) == Recommended("light", None)
+
+
+def test_what_is_recommended_does_not_depend_on_what_came_first():
+    same = [judged(made(0 * quarters(), value), 0.9) for value in (0.1, 0.75, 0.3)]
+    for icons in (same, same[::-1]):
+        assert recommended(icons) == Recommended("light", 0.75)

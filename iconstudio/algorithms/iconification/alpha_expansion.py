@@ -23,7 +23,8 @@ What is heuristic, in the order of the work:
    from the lowest lambda_S up to it, each from the last, and from the highest down to it, in either
    way through half of the row at least; and those on 4 x 4 blocks, from the cheapest labels, that
    are nearly as good as the best of these are improved on 2 x 2. It ends with expansions on the
-   sites near the seams of the best labelling: elsewhere next to nothing is gained. The rises and
+   sites near the seams of the best labelling: elsewhere next to nothing is gained. Where several
+   pictures cost nearly the same, what they are worth to the eye may choose which. The rises and
    falls are kept for the others of the row.
 
 What ``find`` returns depends on the problem, the value and the row alone: not on what was asked
@@ -39,7 +40,14 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import ndimage
 
-from iconstudio.algorithms.iconification.energy import EPSILON, F_INT, PATCH, Labels, RemixProblem
+from iconstudio.algorithms.iconification.energy import (
+    EPSILON,
+    F_INT,
+    PATCH,
+    Labels,
+    RemixProblem,
+    joined_ink,
+)
 from iconstudio.algorithms.iconification.expansion_capacities import UNIT, move, update
 from iconstudio.algorithms.iconification.expansion_network import (
     FREE,
@@ -65,6 +73,10 @@ SEAM_REACH = 5
 """Sites farther than this from a seam keep their labels in the end."""
 PROMISING = 1.03
 """An energy this much above the best that is found is worth refining."""
+NEARLY = 1.015
+"""Energies are nearly equal up to this ratio: about what expansions lose beside the optimum."""
+DIFFERENT = 0.03
+"""Pictures are different if more than this part of the ink is."""
 FAR_FLOW = 0.5
 """From this lambda_S on, seams outweigh the data cost, so that flow goes far."""
 LOWEST = 0.03
@@ -264,10 +276,20 @@ class AlphaExpansion:
         self._descend(BLOCK, lambda_s, self.best(lambda_s))
         return self.best(lambda_s)
 
-    def find(self, lambda_s: float, row: Iterable[float]) -> Labels:
+    def find(
+        self,
+        lambda_s: float,
+        row: Iterable[float],
+        worth: Callable[[Labels], float] | None = None,
+    ) -> Labels:
         """Return a labelling of low energy, (m, m), whatever else is known.
 
-        ``lambda_s`` is one of the values of ``row``, for which labellings are looked for, too.
+        Parameters
+        ----------
+        lambda_s
+            One of the values of ``row``, for which labellings are looked for, too.
+        worth
+            Chooses among pictures whose energies are nearly equal: the larger, the better.
         """
         values = sorted(row)
         at = values.index(lambda_s)
@@ -278,8 +300,22 @@ class AlphaExpansion:
             coarse = self._kept(COARSE, (value,))
             if coarse.energy(lambda_s) < PROMISING * _best(found, lambda_s).energy(lambda_s):
                 found.append(self._descend(BLOCK, lambda_s, coarse.labels))
-        found.append(self._descend(1, lambda_s, _best(found, lambda_s).labels))
-        return _best(found, lambda_s).labels
+        chosen = _best(found, lambda_s)
+        if worth is not None:
+            near = self._near(found, lambda_s)
+            chosen = max(near, key=lambda one: worth(one.labels)) if near[1:] else chosen
+        return self._descend(1, lambda_s, chosen.labels).labels
+
+    def _near(self, found: Sequence["Found"], lambda_s: float) -> list["Found"]:
+        """Return the best, and others of nearly its energy that look different, by energy."""
+        least = _best(found, lambda_s).energy(lambda_s)
+        near: list[tuple[Found, NDArray[np.bool_]]] = []
+        for one in sorted(found, key=lambda one: one.energy(lambda_s)):
+            if one.energy(lambda_s) <= NEARLY * least:
+                ink = joined_ink(self._problem.ink, one.labels)
+                if all((ink ^ other).sum() > DIFFERENT * ink.sum() for _, other in near):
+                    near.append((one, ink))
+        return [one for one, _ in near]
 
     def solve(self, lambda_s: float) -> Labels:
         """Return a labelling of low energy, (m, m), that is no worse than any that is known."""

@@ -137,6 +137,17 @@ def seen(picture: NDArray[Scalar], frame: Frame, size: int, fill: object = 0) ->
     return np.where(beyond, np.asarray(fill, dtype=out.dtype), out)
 
 
+def on_canvas(picture: NDArray[Scalar], frame: Frame) -> NDArray[Scalar]:
+    """Return what a picture (n, n) of a frame shows on the canvas, (CANVAS, CANVAS)."""
+    at = (np.arange(CANVAS) + 0.5) * len(picture) / frame.size
+    ys, xs = (
+        np.clip(np.floor(at - start * len(picture) / frame.size).astype(int), 0, len(picture) - 1)
+        for start in (frame.y, frame.x)
+    )
+    shown: NDArray[Scalar] = picture[ys[:, None], xs]
+    return shown
+
+
 def _border(side: int) -> Bitmap:
     border = np.zeros((side, side), dtype=bool)
     border[[0, -1]] = border[:, [0, -1]] = True

@@ -15,6 +15,7 @@ from iconstudio.algorithms.iconification.guidance import (
 )
 from iconstudio.algorithms.iconification.matching import Matcher
 from iconstudio.algorithms.iconification.overhang import seen
+from iconstudio.algorithms.iconification.plausibility import Plausibility
 from iconstudio.algorithms.iconification.saliency import saliency, salient_regions
 from iconstudio.algorithms.iconification.style import STYLES, Style, blackness
 from iconstudio.algorithms.iconification.tsdf import tsdf
@@ -134,9 +135,16 @@ def run(
     settings = settings or GridSettings(styles=own_styles(icon))
     settings.chosen_styles()
     matcher = yield from resources.prepare(edit.keyword, edit.exclude, settings.scales)
-    workers, render = resources.workers, resources.render
-    earlier = resources.earlier.get(edit.icon.id)
-    events = edit_icon(edit, change, matcher, settings, workers, render, earlier)
+    events = edit_icon(
+        edit,
+        change,
+        matcher,
+        settings,
+        resources.workers,
+        resources.render,
+        resources.earlier.get(edit.icon.id),
+        resources.plausibility,
+    )
     yield from focused(resources, edit.icon.id, events, settings)
 
 
@@ -148,6 +156,7 @@ def edit_icon(
     workers: Workers,
     render: Render,
     earlier: Composite | None = None,
+    plausibility: Plausibility | None = None,
 ) -> Generator[Event]:
     """Remix an icon with parts of the exemplars of ``matcher`` where it is to be changed.
 
@@ -180,6 +189,7 @@ def edit_icon(
             workers=workers,
             render=render,
             earlier=earlier,
+            plausibility=plausibility,
         )
     finally:
         own.cancel()

@@ -17,6 +17,7 @@ from iconstudio.algorithms.iconification.guidance import (
     seed_cost,
     with_mirror_images,
 )
+from iconstudio.algorithms.iconification.plausibility import Plausibility
 from iconstudio.algorithms.iconification.ranking import Gallery
 from iconstudio.algorithms.iconification.symmetry import reflected
 from iconstudio.model import (
@@ -91,7 +92,8 @@ def run(
     """Draw hybrids: see ``mix_icons``."""
     exemplars = map(resources.exemplar, mix.icons)
     side = (settings or CutSettings()).side
-    yield from mix_icons(mix, exemplars, resources.workers, resources.render, side)
+    workers, render = resources.workers, resources.render
+    yield from mix_icons(mix, exemplars, workers, render, side, resources.plausibility)
 
 
 def mix_icons(
@@ -100,12 +102,13 @@ def mix_icons(
     workers: Workers,
     render: Render,
     side: int = CANVAS,
+    plausibility: Plausibility | None = None,
 ) -> Generator[Event]:
     """Draw hybrids of ``exemplars``, one for each of ``mix.icons``; asked for once all is checked.
 
     Yields ``Progress``, and each ``Result`` in the order of the draws, so that the same seed gives
     the same results; one that looks like a source or like an earlier result is dropped.
-    ``side`` is m, the sites in a row of the graph cut.
+    ``side`` is m, the sites in a row of the graph cut; ``plausibility`` judges results.
     """
     check(mix)
     sources = tuple(Source(exemplar, Placement()) for exemplar in exemplars)
@@ -118,7 +121,7 @@ def mix_icons(
                 f"“{source.exemplar.name}” looks the same as another of the icons. "
                 "Choose different ones."
             )
-    remixing = Remixing(workers, render, total=mix.draws)
+    remixing = Remixing(workers, render, mix.draws, plausibility)
     numbers = iter(range(mix.first, mix.first + mix.draws))
     waiting: dict[int, tuple[Result, Remix]] = {}
     turn, finer = mix.first, side // CANVAS

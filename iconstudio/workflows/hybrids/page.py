@@ -238,7 +238,8 @@ def problem(mix: Mix) -> str:
 
 def terms(score: Score) -> str:
     """Say what the rank score of a hybrid is made of."""
-    parts = {
+    plausible = {} if score.plausible is None else {"plausible": score.plausible}
+    parts = plausible | {
         "smooth seams": score.seam,
         "in one piece": score.whole,
         "symmetry": score.symmetry,

@@ -5,6 +5,7 @@ from functools import partial
 
 from iconstudio.algorithms.iconification.energy import distance_field, remix_problem
 from iconstudio.algorithms.iconification.matching import Matcher
+from iconstudio.algorithms.iconification.plausibility import Plausibility
 from iconstudio.algorithms.iconification.saliency import saliency, salient_regions
 from iconstudio.algorithms.iconification.style import Style
 from iconstudio.algorithms.iconification.tsdf import tsdf
@@ -44,8 +45,16 @@ def run(
     if idle := idle_pins(sketch):
         yield Remark(idle)
     pins = pinned_parts(sketch, resources.exemplar)
-    workers, render, earlier = resources.workers, resources.render, resources.earlier
-    events = model(sketch, matcher, settings, workers, render, earlier.get("sketch"), pins)
+    events = model(
+        sketch,
+        matcher,
+        settings,
+        resources.workers,
+        resources.render,
+        resources.earlier.get("sketch"),
+        pins,
+        resources.plausibility,
+    )
     yield from focused(resources, "sketch", events, settings)
 
 
@@ -57,6 +66,7 @@ def model(
     render: Render,
     earlier: Composite | None = None,
     pins: tuple[PinnedPart, ...] = (),
+    plausibility: Plausibility | None = None,
 ) -> Generator[Event]:
     """Remix the exemplars of ``matcher`` in the shape of a sketch, for every style and lambda_S.
 
@@ -77,6 +87,7 @@ def model(
         pinned=tuple(pin.source for pin in pins),
         include=sketch.include,
         earlier=earlier,
+        plausibility=plausibility,
     )
 
 
