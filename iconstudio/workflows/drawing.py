@@ -93,7 +93,7 @@ def draw(
     scale: int = SCALE,
     marked: Bitmap | None = None,
     exact: bool = True,
-    fixed: int | None = None,
+    heal: bool = True,
 ) -> Drawing:
     """Redraw a labelling from its owners' SVG without its crumbs, and trace it.
 
@@ -109,8 +109,8 @@ def draw(
         (m, m) bool: what the user wants to keep; nothing of it goes.
     exact
         Whether the path takes the sources' own curves where it runs along them.
-    fixed
-        Number of a source that is not moved to meet others.
+    heal
+        Whether sources are moved to meet and seams made anew, unless something is marked.
     """
     from iconstudio.algorithms.iconification.joined_path import joined_path
     from iconstudio.algorithms.tracing.vectorize import trace
@@ -141,7 +141,7 @@ def draw(
         to_frame = Transform(unit, 0, 0, unit, -frame.x * unit, -frame.y * unit)
         outlines = [outline.transformed(to_frame) for outline in outlines]
     if exact:
-        path = joined_path(coverage, outlines, marked is None, fixed)
+        path = joined_path(coverage, outlines, heal and marked is None)
         drawn, other = (_picture(path, rule, render) for rule in ("nonzero", "evenodd"))
         if (abs(drawn.astype(np.int16) - other) > _OTHER).sum() <= _FEW:
             return Drawing(path, drawn, owners, frame)

@@ -41,8 +41,8 @@ class Posed:
     """(m, m): where the likeness to it counts; everywhere if None."""
     marked: Bitmap | None = None
     """(K, m, m): what the user wants to keep of each source; nothing if None."""
-    fixed: int | None = None
-    """Number of a source that is drawn where it is, whatever it meets."""
+    heal: bool = True
+    """Whether sources may be moved a little to meet, and seams be made anew."""
 
     @cached_property
     def looks(self) -> tuple[Looks, ...]:
@@ -186,7 +186,7 @@ def finished(
     problem, kept = posed.problem, posed.kept(labels)
     scale = PREVIEW if step.preview else SCALE
     drawing = draw(
-        labels, problem.ink, series.sources, render, scale, kept, not step.preview, posed.fixed
+        labels, problem.ink, series.sources, render, scale, kept, not step.preview, posed.heal
     )
     shares = _shares(drawing, labels, len(series.sources))
     data_cost, smoothness_cost = problem.costs(labels)

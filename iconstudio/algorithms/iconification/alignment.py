@@ -31,12 +31,11 @@ def alignment(
     followed: Sequence[Sequence[Followed]],
     count: int,
     unit: float,
-    fixed: int | None = None,
 ) -> Points:
     """Return by how much each of ``count`` sources is moved, in pixels, as complex numbers.
 
     ``followed`` are, for each closed outline, its rows in order; ``unit`` is in canvas units to a
-    pixel. The source ``fixed`` stays where it is.
+    pixel.
     """
     seams = [
         seam
@@ -54,8 +53,6 @@ def alignment(
         system[row, 2 * other : 2 * other + 2] = -normal.real, -normal.imag
         wanted[row] = miss
     system[len(seams) :] = np.sqrt(_STAY) * np.eye(2 * count)
-    if fixed is not None:
-        system[: len(seams), 2 * fixed : 2 * fixed + 2] = 0
     found = np.linalg.lstsq(system, wanted, rcond=None)[0]
     moves = found[::2] + 1j * found[1::2]
     farthest = _FARTHEST / unit

@@ -10,11 +10,13 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from iconstudio.algorithms import regions
 from iconstudio.algorithms.iconification.alignment import alignment, moved
 from iconstudio.algorithms.iconification.healing import Examples, healed
+from iconstudio.algorithms.regions import RegionError
 from iconstudio.algorithms.tracing.exact import SourceCurves, joined
 from iconstudio.algorithms.tracing.pieces import pieces_of
-from iconstudio.algorithms.tracing.vectorize import TOLERANCE, contour_of, outlines
+from iconstudio.algorithms.tracing.vectorize import SPECK, TOLERANCE, contour_of, outlines
 from iconstudio.model import CANVAS
 from iconstudio.model.path import Path
 
@@ -36,8 +38,6 @@ def joined_path(
         nowhere. An empty one is not known.
     heal
         Whether sources are moved, by two canvas units at most, and seams are made anew.
-    fixed
-        Number of a source that is not moved.
     """
     unit = CANVAS / len(coverage)
     drawn = [one.even() for one in outlines(coverage)]
@@ -45,7 +45,7 @@ def joined_path(
     followed = [curves.followed(one) for one in drawn]
     moves = np.zeros(len(sources), dtype=np.complex128)
     if heal:
-        moves = alignment(drawn, followed, len(sources), unit, fixed)
+        moves = alignment(drawn, followed, len(sources), unit)
         examples = Examples.of(curves.oriented(), unit)
     contours = []
     for outline, rows in zip(drawn, followed, strict=True):
@@ -55,4 +55,19 @@ def joined_path(
         if heal:
             outline, runs = healed(outline, rows, examples, unit)
         contours.append(contour_of(pieces_of(outline, TOLERANCE / unit, 1, runs), unit))
-    return Path(tuple(contours))
+    return _without_overlaps(Path(tuple(contours)))
+
+
+def _without_overlaps(path: Path) -> Path:
+    """Return a path whose contours do not cross, nor enclose specks where they did."""
+    try:
+        clean = regions.outline(regions.united([regions.filled(path)]))
+    except RegionError:
+        return path
+    if _segments(clean) == _segments(path):
+        return path
+    return Path(tuple(one for one in clean.contours if abs(Path((one,)).area) >= SPECK))
+
+
+def _segments(path: Path) -> int:
+    return sum(len(one.segments) for one in path.contours)

@@ -49,6 +49,8 @@ _SMOOTH = np.array([1, 2, 3, 2, 1]) / 9
 
 _LOOSE = 2.0
 """How many times as far what joins two runs may stray: seams are not as exact as drawings."""
+_SHORT, _NEXT = 4, 0.5
+"""Points, and pixels between the ends, of a span that is nothing but a step back."""
 _NOTHING = 1e-6
 """Points so few pixels apart are one."""
 
@@ -166,7 +168,7 @@ def pieces_of(
             pieces += knot.run.pieces
         start = _way(knot.run.pieces[-1][::-1]) if knot.run else None
         end = _way(following.run.pieces[0]) if following.run else None
-        if len(span) > 2 or abs(span[-1] - span[0]) > _NOTHING:
+        if len(span) > _SHORT or abs(span[-1] - span[0]) > _NEXT:
             allowed = tolerance * _LOOSE if knot.run and following.run else tolerance
             pieces += _along(span, straight, start and -start, end and -end, allowed)
     return pieces

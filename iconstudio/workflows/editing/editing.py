@@ -69,7 +69,8 @@ class PlacedEdit:
         """Pose the graph cut of ``sources``, the first of which is the icon itself."""
         problem = remix_problem(distance_field(self.silhouette), sources, symmetry)
         problem = replace(problem, data=problem.data + edit_penalty(self.mask, len(sources)))
-        return Posed(problem, self.silhouette, near=self.mask < 1, fixed=0)
+        # All but the change stays as it is.
+        return Posed(problem, self.silhouette, near=self.mask < 1, heal=False)
 
     def unchanged(self, edited: Drawing, own: Drawing) -> float:
         """Return the part of the pixels beyond the reach of the change that equal the icon's."""
