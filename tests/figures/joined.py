@@ -36,9 +36,9 @@ class Subject(NamedTuple):
 
 
 SUBJECTS = (
-    Subject("airplane", "lightest", 0.12),
-    Subject("boot", "light", 0.12),
-    Subject("sailboat", "light", 0.3),
+    Subject("motorcycle", "light", 0.12),
+    Subject("lamp", "lightest", 0.075),
+    Subject("sailboat", "light", 0.12),
 )
 
 
