@@ -179,8 +179,8 @@ def test_a_folder_that_lets_nothing_in(cache, tmp_path, monkeypatch, reason):
 
 def test_a_crash_a_hang_and_greed_lose_only_the_culprit(cache, tmp_path, monkeypatch):
     monkeypatch.setattr(rasters, "draw_entries", perilous_entries)
-    monkeypatch.setattr(rasters, "_CHUNK_SECONDS", 4.0)
-    monkeypatch.setattr(rasters, "_ONE_SECONDS", 2.0)
+    monkeypatch.setattr(rasters, "_CHUNK_SECONDS", 1.0)
+    monkeypatch.setattr(rasters, "_ONE_SECONDS", 0.5)
     kinds = ("crash", "hang", "greedy")
     culprits = [pictogram(kind, f"<title>{kind}</title>") for kind in kinds]
     mixed = [*GOOD[:2], culprits[0], *GOOD[2:8], culprits[1], *GOOD[8:], culprits[2]]
