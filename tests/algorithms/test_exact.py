@@ -88,6 +88,12 @@ def test_curves_that_cross_meet_where_they_cross():
     }  # fmt: skip
 
 
+def test_where_no_contour_is_long_enough_to_learn_from_seams_stay_as_they_are_drawn():
+    small, bump = rectangle(100, 100, 6, 5), circle(106, 102.5, 1.5)
+    coverage = picture(small, bump)
+    assert joined_path(coverage, [small]) == joined_path(coverage, [small], heal=False)
+
+
 def test_a_source_that_lies_elsewhere_changes_nothing():
     coverage = picture(circle(128, 128, 60))
     other = [rectangle(10, 10, 30, 30), circle(128, 128, 70), Path()]

@@ -17,12 +17,13 @@ from numpy.typing import NDArray
 from iconstudio.algorithms.tracing.bezier import Points
 from iconstudio.algorithms.tracing.exact import Followed, crossing
 from iconstudio.algorithms.tracing.pieces import Outline, Run
-from iconstudio.algorithms.tracing.source_curve import SourceCurve
+from iconstudio.algorithms.tracing.source_curve import SourceCurve, points_on
 
 _SPACING = 2.0
 """Canvas units between the samples of a neighbourhood."""
 _REACH = 10
 """Samples of a neighbourhood to each side of its middle."""
+_AROUND = np.arange(-_REACH, _REACH + 1)
 _FEWEST = 12
 """Samples of the shortest contour that serves as an example."""
 _LONGEST = 60.0
@@ -57,15 +58,18 @@ class Examples:
         With each contour comes whether it is to be run backwards: all shall have the ink on the
         side on which outlines have it.
         """
-        rows = [np.zeros((0, 2 * _REACH + 1), np.complex128)]
+        rows = [np.zeros((0, len(_AROUND)), np.complex128)]
         for curve, backwards in curves:
             count = int(curve.length * unit / _SPACING)
             if count < _FEWEST:
                 continue
             points = curve.at(np.arange(count) * curve.length / count) * unit
-            rows.append(_neighbourhoods(points[::-1] if backwards else points, np.arange(count)))
+            rows.append(_neighbourhoods(points[::-1] if backwards else points))
         found = np.concatenate(rows)
         return cls((found - found.mean(axis=1, keepdims=True)).astype(np.complex64))
+
+    def __bool__(self) -> bool:
+        return len(self._rows) > 0
 
     def likely(self, rows: Points) -> "Examples":
         """Return those of them that neighbourhoods (n, k), or others like these, are near to."""
@@ -101,10 +105,9 @@ class Examples:
         return self._energies - 2 * abs(products), products
 
 
-def _neighbourhoods(points: Points, middles: NDArray[np.intp]) -> Points:
-    """Return the neighbourhoods (n, k) of some of a closed row of points a unit apart."""
-    around = np.arange(-_REACH, _REACH + 1)
-    found: Points = points[(middles[:, None] + around) % len(points)]
+def _neighbourhoods(points: Points) -> Points:
+    """Return the neighbourhoods (n, k) of a closed row of samples (n,)."""
+    found: Points = points[(np.arange(len(points))[:, None] + _AROUND) % len(points)]
     return found
 
 
@@ -203,7 +206,7 @@ class _Seam:
 
 
 class _Row(NamedTuple):
-    """A part of an outline around a seam, in canvas units, with points a unit apart."""
+    """A part of an outline around a seam, in canvas units, by its samples."""
 
     points: Points
     first: int
@@ -228,15 +231,13 @@ class _Row(NamedTuple):
 
     @property
     def neighbourhoods(self) -> Points:
-        around = np.arange(-_REACH, _REACH + 1)
-        found: Points = self.points[self.middles[:, None] + around]
+        found: Points = self.points[self.middles[:, None] + _AROUND]
         return found
 
     def drawn_to(self, found: Points) -> "_Row":
         """Return the row with each of the seam's points where the neighbourhoods want it."""
-        around = np.arange(-_REACH, _REACH + 1)
-        weights = np.exp(-((around / (_REACH / 2)) ** 2))
-        numbers = (self.middles[:, None] + around).ravel()
+        weights = np.exp(-((_AROUND / (_REACH / 2)) ** 2))
+        numbers = (self.middles[:, None] + _AROUND).ravel()
         total = np.bincount(numbers, np.tile(weights, len(found)), len(self.points))
         wanted = (found * weights).ravel()
         x, y = (np.bincount(numbers, part, len(self.points)) for part in (wanted.real, wanted.imag))
@@ -278,10 +279,8 @@ def _bridge(before: Followed, after: Followed) -> Points | None:
     handles = _velocity(theta, phi), _velocity(phi, theta)
     first = a + chord * np.exp(1j * theta) * handles[0]
     last = b - chord * np.exp(-1j * phi) * handles[1]
-    t = np.arange(1, max(2, round(abs(chord)))) / max(2, round(abs(chord)))
-    u = 1 - t
-    found: Points = u**3 * a + 3 * u * u * t * first + 3 * u * t * t * last + t**3 * b
-    return found
+    count = max(2, round(abs(chord)))
+    return points_on((a, first, last, b), np.arange(1, count) / count)
 
 
 def _velocity(theta: float, phi: float) -> float:

@@ -45,7 +45,7 @@ class SourceCurve:
         for number, piece in enumerate(pieces):
             length = sum(abs(b - a) for a, b in pairwise(piece))
             t = np.arange(1, max(1, int(length / STEP)) + 1) / max(1, int(length / STEP))
-            rows.append(_at(piece, t))
+            rows.append(points_on(piece, t))
             places.append(number + t)
         points = np.concatenate(rows)
         along = np.concatenate([[0], np.cumsum(abs(np.diff(points)))])
@@ -91,8 +91,8 @@ class SourceCurve:
         return place + turns * len(self.pieces)
 
 
-def _at(piece: Piece, t: NDArray[np.float64]) -> Points:
-    """Return the points of a line or cubic."""
+def points_on(piece: Piece, t: NDArray[np.float64]) -> Points:
+    """Return the points of a line or cubic at parameters (n,) from 0 to 1."""
     u = 1 - t
     powers = [u, t] if len(piece) == 2 else [u**3, 3 * u * u * t, 3 * u * t * t, t**3]
     found: Points = np.array(piece, dtype=np.complex128) @ np.array(powers)
@@ -101,7 +101,7 @@ def _at(piece: Piece, t: NDArray[np.float64]) -> Points:
 
 def _between(piece: Piece, since: float, until: float) -> Piece:
     """Return the part of a line or cubic between two of its parameters."""
-    ends = _at(piece, np.array([since, until]))
+    ends = points_on(piece, np.array([since, until]))
     start, end = (complex(one) for one in ends)
     if len(piece) == 2:
         return start, end
