@@ -7,7 +7,6 @@ from numpy.typing import NDArray
 
 from iconstudio.model import Frame, Placement
 from iconstudio.model.path import Path
-from iconstudio.svg.outline import outline_of
 from iconstudio.svg.resvg import Window, render_coverage
 
 
@@ -33,6 +32,9 @@ class Renderer:
 
     def outline(self, svg: str, frame: Frame) -> Path:
         """Return the outline of an exemplar that is not moved; empty if its shapes do not tell."""
+        # What reads shapes loads libraries, which the window's own process can do without.
+        from iconstudio.svg.outline import outline_of
+
         return outline_of(svg, frame)
 
 

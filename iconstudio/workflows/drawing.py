@@ -128,19 +128,16 @@ def draw(
     erase(coverage, fragments(labels, ink, marked=marked), marked)
     if marked is not None:
         restore(coverage, labels, coverages, marked)
-    outlines = [
-        _outline(one, render) if number in coverages else Path()
-        for number, one in enumerate(sources)
-    ]
     owners, frame = None, WHOLE
     if pad:
         frame = framed(coverage, pad)
         coverage = cropped(coverage, pad, frame)
         owners = owned_throughout(cropped(labels, pad, frame, nobody), nobody)
-        unit = CANVAS / frame.size
-        to_frame = Transform(unit, 0, 0, unit, -frame.x * unit, -frame.y * unit)
-        outlines = [outline.transformed(to_frame) for outline in outlines]
     if exact:
+        outlines = [
+            _outline(one, frame, render) if number in coverages else Path()
+            for number, one in enumerate(sources)
+        ]
         path = joined_path(coverage, outlines, heal and marked is None)
         drawn, other = (_picture(path, rule, render) for rule in ("nonzero", "evenodd"))
         if (abs(drawn.astype(np.int16) - other) > _OTHER).sum() <= _FEW:
@@ -266,11 +263,12 @@ def _picture(path: Path, rule: str, render: Render) -> NDArray[np.uint8]:
     return render(svg, Frame(0, 0, CANVAS), Placement(), _COVERAGE)
 
 
-def _outline(source: Source, render: Render) -> Path:
-    """Return the outline of a source at its placement."""
-    exemplar = source.exemplar
+def _outline(source: Source, frame: Frame, render: Render) -> Path:
+    """Return the outline of a source at its placement, in units of the ``frame`` of the canvas."""
+    exemplar, unit = source.exemplar, CANVAS / frame.size
+    to_frame = Transform(unit, 0, 0, unit, -frame.x * unit, -frame.y * unit)
     outline = _outline_of(render, exemplar.pictogram.svg, exemplar.frame)
-    return outline.transformed(source.placement.transform)
+    return outline.transformed(to_frame.transform(source.placement.transform))
 
 
 @lru_cache(maxsize=256)

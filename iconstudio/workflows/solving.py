@@ -195,9 +195,8 @@ def finished(
     sharing = ranking.evenness(shares) if series.sharing else 1.0
     plausible = None
     if plausibility is not None and not step.preview:
-        plausible = plausibility.of(
-            features(remixed(posed, series.sources, labels, drawing, score))
-        )
+        found = features(remixed(posed, series.sources, labels, drawing, score))
+        plausible = plausibility.of(found)
     return Solved(
         labels,
         (data_cost, smoothness_cost),
@@ -224,13 +223,14 @@ def remixed(
 def warm_up(render: Render) -> None:
     """Load what cuts and draws, and compile it if it never was, on a problem of nothing."""
     from iconstudio.algorithms.iconification.alpha_expansion import AlphaExpansion
-    from iconstudio.algorithms.tracing.vectorize import trace
+    from iconstudio.algorithms.iconification.joined_path import joined_path
 
     ink = np.zeros((2, CANVAS, CANVAS), dtype=bool)
     expansion = AlphaExpansion(RemixProblem(ink.astype(np.float32), ink, ink))
     expansion.find(1.0, [1.0])
     dot = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 8 8"><path d="M2 2h4v4H2z"/></svg>'
-    trace(render(dot, Frame(0, 0, 8), Placement(), CANVAS))
+    frame = Frame(0, 0, 8)
+    joined_path(render(dot, frame, Placement(), CANVAS), [render.outline(dot, frame)])
 
 
 def _begin(series: CutSeries) -> _SeriesState:
@@ -264,14 +264,11 @@ def _worth(
     posed: Posed, sources: tuple[Source, ...], plausibility: Plausibility, labels: Labels
 ) -> float:
     """Return how plausible a labelling (m, m) is before it is drawn."""
-    problem = posed.problem
-    drawn = joined_ink(posed.problem.ink, labels)[
-        :: problem.side // CANVAS, :: problem.side // CANVAS
-    ]
+    problem, finer = posed.problem, posed.problem.side // CANVAS
+    drawn = joined_ink(problem.ink, labels)[::finer, ::finer]
     score = ranking.score(problem, labels, marked=posed.kept(labels))
-    return plausibility.of(
-        features(Remixed(problem, labels, drawn, score, sources, posed.looks, posed.outline))
-    )
+    one = Remixed(problem, labels, drawn, score, sources, posed.looks, posed.outline)
+    return plausibility.of(features(one))
 
 
 def _shares(drawing: Drawing, labels: Labels, count: int) -> tuple[float, ...]:

@@ -18,7 +18,10 @@ import iconstudio.gui.app
 print(*sys.modules)
 """
 
-LATER = {"PIL", "numba", "skimage", "scipy.ndimage", "scipy.spatial", "scipy.special", "filelock"}
+LATER = {
+    "PIL", "numba", "skimage", "scipy.ndimage", "scipy.spatial", "scipy.special", "filelock",
+    "pathops", "shapely", "tinycss2",
+}  # fmt: skip
 """Slow to load, and needed only once something is drawn or cut."""
 
 _FILLING = """
