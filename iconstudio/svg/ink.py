@@ -16,11 +16,9 @@ from iconstudio.algorithms.contours import contours_of, pairs
 from iconstudio.algorithms.dashing import dashed, length_of, part
 from iconstudio.algorithms.flattening import STRAY, flattened
 from iconstudio.model import CANVAS, Frame, IconstudioError, Line
-from iconstudio.svg.lengths import Box, Matrix, inverse, mapped, scale_of
-from iconstudio.svg.parse import parse
-from iconstudio.svg.plain import plain
+from iconstudio.svg.lengths import Box, Matrix, inverse, scale_of
 from iconstudio.svg.resvg import render_coverage
-from iconstudio.svg.shapes import Clip, NotOfShapesError, Shape, shapes
+from iconstudio.svg.shapes import Clip, NotOfShapesError, Shape, shapes_on_canvas
 
 _SPECK = 0.25
 """Square canvas units: what is smaller is no piece, no hole and no overlap."""
@@ -52,15 +50,11 @@ class _Stroke:
 def own_lines(svg: str, frame: Frame, coverage: NDArray[np.uint8]) -> tuple[Line, ...] | None:
     """Return the lines of a document's own shapes; None if they give another picture."""
     try:
-        drawing = plain(parse(svg)[0])
-        page = drawing.page or (frame.x, frame.y, frame.size, frame.size)
-        ids = {one.attrib["id"]: one for one in drawing.content.iter() if "id" in one.attrib}
-        scale = CANVAS / frame.size
-        matrix = scale, 0.0, 0.0, scale, -frame.x * scale, -frame.y * scale
+        page, drawn = shapes_on_canvas(svg, frame)
         found = _Ink()
-        for shape in shapes(drawing.content, page, ids, matrix):
+        for shape in drawn:
             found.paint(shape)
-        found.cut_to(_on_canvas(page, matrix))
+        found.cut_to(_with_edge(page))
     except (NotOfShapesError, IconstudioError):
         return None
     return found.lines() if _looks_like(found.area(), coverage) else None
@@ -215,8 +209,8 @@ def _is_within(one: Area, other: Area) -> bool:
     return areas.size_of(areas.without(one, other)) <= _COVERED * areas.size_of(one)
 
 
-def _on_canvas(page: Box, matrix: Matrix) -> Area:
-    x, y, width, height = mapped(matrix, page)
+def _with_edge(page: Box) -> Area:
+    x, y, width, height = page
     edge = _PAGE_EDGE
     return areas.rectangle(x - edge, y - edge, x + width + edge, y + height + edge)
 

@@ -4,14 +4,10 @@ from collections.abc import Iterator
 
 from iconstudio.algorithms import regions
 from iconstudio.algorithms.regions import Region, RegionError
-from iconstudio.model import CANVAS, Frame, IconstudioError
+from iconstudio.model import Frame, IconstudioError
 from iconstudio.model.path import Path
-from iconstudio.svg.lengths import Box, Matrix, mapped
-from iconstudio.svg.parse import parse
-from iconstudio.svg.plain import plain
-from iconstudio.svg.shapes import Clip, NotOfShapesError, Shape, shapes
-
-_WHOLE: Matrix = (1, 0, 0, 1, 0, 0)
+from iconstudio.svg.lengths import Box
+from iconstudio.svg.shapes import Clip, NotOfShapesError, Shape, shapes_on_canvas
 
 
 def outline_of(svg: str, frame: Frame) -> Path:
@@ -22,13 +18,8 @@ def outline_of(svg: str, frame: Frame) -> Path:
     The document is hostile: call this in a worker process.
     """
     try:
-        drawing = plain(parse(svg)[0])
-        page = drawing.page or (frame.x, frame.y, frame.size, frame.size)
-        ids = {one.attrib["id"]: one for one in drawing.content.iter() if "id" in one.attrib}
-        scale = CANVAS / frame.size
-        matrix = scale, 0.0, 0.0, scale, -frame.x * scale, -frame.y * scale
-        ink = _painted(shapes(drawing.content, page, ids, matrix))
-        return regions.outline(_on_page(ink, mapped(matrix, page)))
+        page, drawn = shapes_on_canvas(svg, frame)
+        return regions.outline(_on_page(_painted(drawn), page))
     except (NotOfShapesError, IconstudioError, RegionError):
         return Path()
 

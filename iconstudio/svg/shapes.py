@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Literal, NamedTuple, cast
 
 from iconstudio.algorithms.areas import Cap, Join
+from iconstudio.model import CANVAS, Frame
 from iconstudio.model.path import Path
 from iconstudio.svg.bounds import viewport
 from iconstudio.svg.geometry import SHAPES, outline, path_data
@@ -15,11 +16,14 @@ from iconstudio.svg.lengths import (
     Box,
     Matrix,
     length,
+    mapped,
     multiplied,
     numbers,
     transform,
     whole_of,
 )
+from iconstudio.svg.parse import parse
+from iconstudio.svg.plain import plain
 
 Tone = Literal["ink", "paper", "none"]
 """What becomes dark, what covers the dark, and what does neither."""
@@ -95,25 +99,25 @@ class _Space(NamedTuple):
     depth: int
 
 
-def shapes(
-    content: ET.Element, page: Box, ids: dict[str, ET.Element], matrix: Matrix
-) -> Iterator[Shape]:
-    """Yield the shapes of a plain drawing in the order in which they are painted.
+def shapes_on_canvas(svg: str, frame: Frame) -> tuple[Box, Iterator[Shape]]:
+    """Return a document's page on the canvas that ``frame`` fills, and its shapes.
 
-    Parameters
-    ----------
-    ids
-        Its elements by their ids.
-    matrix
-        From its user space to the canvas.
+    These come in the order in which they are painted.
 
     Raises
     ------
+    IconstudioError
+        If the document cannot be read.
     NotOfShapesError
-        If it is painted by more than plain fills and strokes.
+        While shapes are asked for: if it is painted by more than plain fills and strokes.
     """
-    painter = _Painter(page, ids)
-    yield from painter.painted(content, _Space(matrix, _INITIAL, 1.0, (), 0))
+    drawing = plain(parse(svg)[0])
+    page = drawing.page or (frame.x, frame.y, frame.size, frame.size)
+    ids = {one.attrib["id"]: one for one in drawing.content.iter() if "id" in one.attrib}
+    scale = CANVAS / frame.size
+    matrix = scale, 0.0, 0.0, scale, -frame.x * scale, -frame.y * scale
+    space = _Space(matrix, _INITIAL, 1.0, (), 0)
+    return mapped(matrix, page), _Painter(page, ids).painted(drawing.content, space)
 
 
 class _Painter:

@@ -21,12 +21,7 @@ from iconstudio.model import CANVAS
 from iconstudio.model.path import Path
 
 
-def joined_path(
-    coverage: NDArray[np.uint8],
-    sources: Sequence[Path],
-    heal: bool = True,
-    fixed: int | None = None,
-) -> Path:
+def joined_path(coverage: NDArray[np.uint8], sources: Sequence[Path], heal: bool = True) -> Path:
     """Return the outline of a joined drawing in canvas units, to a hundredth of one.
 
     Parameters
