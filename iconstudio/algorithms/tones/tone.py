@@ -42,7 +42,8 @@ from iconstudio.algorithms.tones.alternation import Omission, Tones, decide
 from iconstudio.algorithms.tones.duotone import dark_is_ink, separated, two_tones
 from iconstudio.algorithms.tones.layers import without_faint
 from iconstudio.algorithms.tones.linework import STRIKING, line_drawing, outline
-from iconstudio.algorithms.tones.regions import ALIKE, Mask, Regions, cielab, nearest
+from iconstudio.algorithms.tones.regions import ALIKE, Mask, Regions, cielab
+from iconstudio.algorithms.tones.separation import LINE, blend, separating
 from iconstudio.algorithms.tones.shades import shades
 from iconstudio.algorithms.tones.tiles import SHARP, is_sheet, rectangularity, tile
 from iconstudio.algorithms.tones.whites import whites
@@ -59,16 +60,12 @@ _RIM, _CONTOUR = 5, 0.2
 """Pixels along the contour that tell of such a grey, and how much of them it has."""
 SMALLEST = 60
 """Pixels of the smallest detail that reads."""
-LINE = 7.0
-"""Width of the lines drawn between regions, in pixels: 3.5 on the canvas of 256."""
 OUTLINE = 2 * LINE
 """Width of the line along white that is a part of the silhouette, in pixels."""
 _FINE = 5
 """Half the width, in pixels, of the thickest lines that may have no even colour."""
 _ROUNDING = 3
 """Levels of sRGB by which pixels of one colour may differ."""
-_BLENDS = 4.0
-"""Pixels on either side of an edge that may blend its colours."""
 _NARROW = 2 * LINE
 """Width of regions that no line sets off, unless their colour is striking."""
 
@@ -138,9 +135,13 @@ def _in_colours(rgba: NDArray[np.uint8], rgb: NDArray[np.uint8], inside: Mask) -
     found, hidden = shades(rgb, inside, _regions(rgb, inside), SMALLEST)
     tones = _tones(found)
     soft = np.ones(inside.shape, np.float32)
+    drawn = separating(rgb, found, tones.lines)
     if tones.lines.any() or not tones.ink[1:].all() or tones.over.any():
-        soft = _soft(rgb, found, tones)
-    soft = _with_details(_enlarged(soft, len(rgba)), rgba, inside, found, tones)
+        soft = _soft(rgb, found, tones, drawn)
+    soft = _enlarged(soft, len(rgba))
+    at_lines = _repeated(scipy.ndimage.maximum_filter(drawn, 5) > 0, len(rgba))
+    detailed = _with_details(soft, rgba, inside, found, tones)
+    soft = np.where(at_lines, soft, detailed)
     omissions = tones.omissions | ({Omission.SHADES} if hidden else set())
     return _Share(soft, omissions)
 
@@ -154,8 +155,8 @@ def _with_details(
 ) -> NDArray[np.float32]:
     """Return how much of each pixel is ink, given that without letters and thin lines."""
     n = len(rgba)
-    at = np.arange(n) * SIDE // n
-    within, pure, ink = (mask[at][:, at] for mask in (inside, found.pure, tones.ink[found.labels]))
+    masks = inside, found.pure, tones.ink[found.labels]
+    within, pure, ink = (_repeated(mask, n) for mask in masks)
     levels = rgba[..., :3].astype(np.float32) @ np.array([0.299, 0.587, 0.114], np.float32)
     grey = np.where(within, levels, np.float32(255))
     reach = round(_FINE * n / SIDE)
@@ -306,19 +307,16 @@ def _among_others(found: Regions) -> Mask:
     return middle
 
 
-def _soft(rgb: NDArray[np.uint8], found: Regions, tones: Tones) -> NDArray[np.float32]:
-    """Return how much of each pixel is ink, (SIDE, SIDE) from 0 to 1, were all inside."""
+def _soft(
+    rgb: NDArray[np.uint8], found: Regions, tones: Tones, drawn: NDArray[np.float32]
+) -> NDArray[np.float32]:
+    """Return how much of each pixel is ink, (SIDE, SIDE) from 0 to 1, were all inside.
+
+    ``drawn`` is how much of it belongs to lines between regions.
+    """
     soft = _blended(rgb, found, tones.ink)
     labels = found.extended
-    edge = np.zeros(labels.shape, bool)
-    for one, other in ((np.s_[1:], np.s_[:-1]), (np.s_[:, 1:], np.s_[:, :-1])):
-        edge[one] |= tones.lines[labels[one], labels[other]]
-    if edge.any():
-        # Smoothing takes the staircase off the lines.
-        away = _smooth(scipy.ndimage.distance_transform_edt(~edge), LINE / 4)
-        drawn = np.clip(LINE / 2 + 0.5 - away, 0, 1)
-        at_ink = tones.ink[labels]
-        soft = np.where(at_ink, np.minimum(soft, 1 - drawn), np.maximum(soft, drawn))
+    soft = np.where(tones.ink[labels], np.minimum(soft, 1 - drawn), np.maximum(soft, drawn))
     if tones.over.any():
         over = tones.over[labels]
         away = _smooth(scipy.ndimage.distance_transform_edt(~over), LINE / 4)
@@ -337,15 +335,9 @@ def _blended(rgb: NDArray[np.uint8], found: Regions, ink: Mask) -> NDArray[np.fl
     pure = found.pure & (found.labels > 0)
     if not (pure & toned).any() or not (pure & ~toned).any():
         return toned.astype(np.float32)
-    at_ink, at_paper = nearest(pure & toned), nearest(pure & ~toned)
-    here = np.indices(toned.shape)
-    near = [np.hypot(*(np.array(at) - here)) <= _BLENDS for at in (at_ink, at_paper)]
-    mixed = near[0] & near[1] & ~pure & (found.labels > 0)
-    full, none = (rgb[at][mixed].astype(np.float32) for at in (at_ink, at_paper))
-    way = full - none
-    share = ((rgb[mixed] - none) * way).sum(axis=1) / np.maximum((way**2).sum(axis=1), 1)
+    mixed, share, _ = blend(rgb, pure & toned, pure & ~toned, found.pure | (found.labels == 0))
     soft = toned.astype(np.float32)
-    soft[mixed] = np.clip(share, 0, 1)
+    soft[mixed] = share
     return _smooth(soft, 0.6)
 
 
@@ -368,6 +360,12 @@ def _without_crumbs(soft: NDArray[np.float32], inside: Mask) -> NDArray[np.float
 def _smooth(values: NDArray[np.floating], sigma: float) -> NDArray[np.float32]:
     smooth: NDArray[np.float32] = scipy.ndimage.gaussian_filter(values.astype(np.float32), sigma)
     return smooth
+
+
+def _repeated(mask: Mask, n: int) -> Mask:
+    """Return a mask (SIDE, SIDE) on n by n pixels."""
+    at = np.arange(n) * SIDE // n
+    return mask[at][:, at]
 
 
 def _enlarged(soft: NDArray[np.float32], n: int) -> NDArray[np.float32]:
