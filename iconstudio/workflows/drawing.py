@@ -6,6 +6,7 @@ A source is drawn only where it is needed: a renderer takes longer the more pixe
 import math
 from collections.abc import Mapping, Sequence
 from concurrent.futures import Future
+from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Protocol
@@ -139,8 +140,8 @@ def draw(
             for number, one in enumerate(sources)
         ]
         path = joined_path(coverage, outlines, heal and marked is None)
-        drawn, other = (_picture(path, rule, render) for rule in ("nonzero", "evenodd"))
-        if (abs(drawn.astype(np.int16) - other) > _OTHER).sum() <= _FEW:
+        drawn = _picture(path, "nonzero", render)
+        if _is_plain(path, drawn, render):
             return Drawing(path, drawn, owners, frame)
     return Drawing(trace(coverage), _reduced(coverage), owners, frame)
 
@@ -253,6 +254,21 @@ def _tiled_drawing(key: _DrawingKey) -> _TiledDrawing:
     The results of a style share most of their exemplars, and one often lies at several places.
     """
     return _TiledDrawing(key)
+
+
+def _is_plain(path: Path, drawn: NDArray[np.uint8], render: Render) -> bool:
+    """Whether a path looks the same by both rules of filling; ``drawn`` is it by the nonzero one.
+
+    It is drawn by the other one only if the areas leave a doubt.
+    """
+    from iconstudio.algorithms.regions import RegionError, doubled
+
+    pixel = (CANVAS / _COVERAGE) ** 2
+    with suppress(RegionError):
+        if doubled(path) < _FEW * _OTHER / 255 * pixel:
+            return True
+    other = _picture(path, "evenodd", render)
+    return bool((abs(drawn.astype(np.int16) - other) > _OTHER).sum() <= _FEW)
 
 
 def _picture(path: Path, rule: str, render: Render) -> NDArray[np.uint8]:
