@@ -32,6 +32,7 @@ class GridOptions:
     folder: Path
     keyword: str | None
     exclude: tuple[str, ...]
+    include: tuple[str, ...]
     styles: tuple[str, ...]
     lambdas: tuple[float, ...]
     scales: tuple[float, ...]
@@ -45,7 +46,7 @@ class GridOptions:
         Raises
         ------
         IconstudioError
-            If an icon is to be left out that the collection does not have.
+            If an option names an icon that the collection does not have.
         """
         here, remarks = left_out(request.exclude, session.collection.get)
         for remark in remarks:
@@ -53,7 +54,8 @@ class GridOptions:
         return replace(
             request,
             keyword=request.keyword if self.keyword is None else self.keyword,
-            exclude=here | running.left_out(session, self.exclude),
+            exclude=here | running.icons_of("--exclude", session, self.exclude),
+            include=request.include | running.icons_of("--include", session, self.include),
         )
 
     def settings(self, styles: tuple[str, ...]) -> GridSettings:
@@ -85,6 +87,12 @@ def grid_command(
         ),
         click.option(
             "--exclude", multiple=True, metavar="ID", help="Do not use this icon; may be repeated."
+        ),
+        click.option(
+            "--include",
+            multiple=True,
+            metavar="ID",
+            help="Use this icon though it is less alike; may be repeated.",
         ),
         click.option(
             "--styles",

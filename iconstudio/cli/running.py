@@ -74,8 +74,8 @@ def tell_remarks(icons: Iterable[Pictogram]) -> None:
             click.echo(" ".join(line.split()), err=True)
 
 
-def left_out(session: Session, identifiers: Iterable[str]) -> frozenset[str]:
-    """Return the icons that are to be left out by ``--exclude``, as the collection calls them.
+def icons_of(option: str, session: Session, identifiers: Iterable[str]) -> frozenset[str]:
+    """Return the icons that an ``option`` names, as the collection calls them.
 
     Raises
     ------
@@ -85,7 +85,7 @@ def left_out(session: Session, identifiers: Iterable[str]) -> frozenset[str]:
     try:
         return frozenset(session.collection.get(one).id for one in identifiers)
     except IconstudioError as error:
-        raise IconstudioError(f"--exclude: {error}") from None
+        raise IconstudioError(f"{option}: {error}") from None
 
 
 def input_file(metavar: str) -> Callable[..., Any]:

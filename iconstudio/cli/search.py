@@ -38,7 +38,7 @@ def command(
         with ProgressBar() as bar:
             for step in session.open():
                 bar.show(step.done, step.message)
-        pictograms = session.search(word, running.left_out(session, exclude))
+        pictograms = session.search(word, running.icons_of("--exclude", session, exclude))
         stopwatch.note(Progress("search", 1.0, word))
         if sheet is not None:
             _draw(session, pictograms, word, sheet, stopwatch)

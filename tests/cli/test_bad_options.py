@@ -21,7 +21,16 @@ FILES = {
     "restyle": {"icon": "no:such"},
 }
 """What each command takes, of icons and words that there are not."""
-GRID = ["--keyword", "--exclude", "--styles", "--lambdas", "--scales", "--dump", "--fine"]
+GRID = [
+    "--keyword",
+    "--exclude",
+    "--include",
+    "--styles",
+    "--lambdas",
+    "--scales",
+    "--dump",
+    "--fine",
+]
 OPTIONS = {
     "model": GRID,
     "edit": GRID,

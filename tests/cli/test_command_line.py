@@ -4,10 +4,13 @@ import json
 import os
 import subprocess
 import sys
+from types import SimpleNamespace
 
 import pytest
 
 from iconstudio.cli.app import run
+from iconstudio.cli.grid import GridOptions
+from iconstudio.model import Polygon, Sketch
 
 SQUARE = [[0, 0], [100, 0], [100, 80], [0, 80]]
 
@@ -122,8 +125,18 @@ def test_an_icon_is_left_out_however_it_is_spelt(capsys):
     assert first not in capsys.readouterr().out
 
 
-@pytest.mark.parametrize("command", ["search", "model", "edit"])
-def test_an_icon_that_is_not_there_cannot_be_left_out(tmp_path, capsys, command):
+@pytest.mark.parametrize(
+    ("command", "option"),
+    [
+        ("search", "--exclude"),
+        ("model", "--exclude"),
+        ("edit", "--exclude"),
+        ("model", "--include"),
+    ],
+)
+def test_an_icon_that_is_not_there_can_be_neither_left_out_nor_used(
+    tmp_path, capsys, command, option
+):
     files = {
         "model": {"keyword": "otter", "polygon": SQUARE},
         "edit": {"icon": "mdi:cat", "keyword": "otter", "add": [SQUARE]},
@@ -131,10 +144,20 @@ def test_an_icon_that_is_not_there_cannot_be_left_out(tmp_path, capsys, command)
     words = ["otter"]
     if command in files:
         words = [write(tmp_path, files[command]), "--out", str(tmp_path / "out")]
-    assert run([command, *words, "--exclude", "nope:nope"], NoWindow()) == 2
+    assert run([command, *words, option, "nope:nope"], NoWindow()) == 2
     told = capsys.readouterr()
-    assert told.err.startswith("iconstudio: --exclude: The collection has no icon 'nope:nope'.")
+    assert told.err.startswith(f"iconstudio: {option}: The collection has no icon 'nope:nope'.")
     assert not told.out and not (tmp_path / "out").exists()
+
+
+def test_icons_that_are_less_alike_are_brought_in_by_name(tmp_path):
+    dog = SimpleNamespace(id="a:dog")
+    given = GridOptions(
+        tmp_path / "otter.json", tmp_path, None, (), ("a-dog",), (), (), (), False, False, False
+    )
+    session = SimpleNamespace(collection=SimpleNamespace(get=lambda name: dog))
+    asked = Sketch(Polygon.of(SQUARE), "otter", include=frozenset({"a:otter"}))
+    assert given.of(asked, session).include == {"a:otter", "a:dog"}
 
 
 def test_what_a_file_leaves_out_in_vain_is_told(tmp_path, capsys):
