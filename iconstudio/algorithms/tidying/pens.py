@@ -1,0 +1,146 @@
+"""Strokes of nearly one width: what is of a source with a somewhat other pen is drawn with one.
+
+The pen of a source is as wide as its strokes are nearly everywhere; a solid shape has none.
+"""
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from iconstudio.algorithms.tidying.sides import SEAM, Side, Sides
+from iconstudio.algorithms.tracing.bezier import Points
+from iconstudio.algorithms.tracing.source_curve import SourceCurve
+from iconstudio.model.path import Path
+
+_SPACING, _EVERY = 1.0, 8
+"""Canvas units between points of contours, and how many points there are to one asked."""
+_FEWEST = 12
+"""Points that are asked at least."""
+_SPREAD = 0.12
+"""Quartiles of the widths along a pen's strokes differ by no more, in parts."""
+_WIDEST = 40.0
+"""Canvas units of the widest pen."""
+_NEAR = 0.2
+"""Widths that differ by no more, in parts, are meant to be one."""
+_CORNER = 0.3
+"""Sine of the angle from which on two sides meet in a corner."""
+_POINTED = 2.0
+"""A corner is moved by no more times what its sides are."""
+
+
+def pen_of(path: Path) -> float | None:
+    """Return the width of the pen that drew an outline, in its units; None if none did."""
+    curves = [SourceCurve.of(one, _SPACING) for one in path.contours if one.segments]
+    rows = [_even(one) for one in curves if one.length > _FEWEST]
+    if not rows:
+        return None
+    points = np.concatenate(rows)
+    ways = np.concatenate([np.roll(row, -1) - np.roll(row, 1) for row in rows])
+    normals = 1j * ways / np.maximum(abs(ways), 1e-9)
+    if path.area < 0:
+        normals = -normals
+    some = slice(None, None, max(1, min(_EVERY, len(points) // _FEWEST)))
+    widths = _widths(points, points[some], normals[some])
+    low, middle, high = np.percentile(widths, [25, 50, 75])
+    if not 0 < middle < _WIDEST or high - low > _SPREAD * middle:
+        return None
+    return float(middle)
+
+
+def _even(curve: SourceCurve) -> Points:
+    count = int(curve.length / _SPACING)
+    return curve.at(np.arange(count) * curve.length / count)
+
+
+def _widths(points: Points, some: Points, normals: Points) -> NDArray[np.float64]:
+    """Return the diameters of the largest discs within a shape that touch it at ``some`` points."""
+    away = points - some[:, None]
+    depth = (away * normals.conj()[:, None]).real
+    with np.errstate(divide="ignore", invalid="ignore"):
+        # What is next to a point, along a straight side, says nothing of its disc.
+        found = np.where(depth > 0.3 * abs(away), abs(away) ** 2 / depth, np.inf)
+    widths: NDArray[np.float64] = found.min(axis=1)
+    return widths
+
+
+def evened(contours: Sequence[Sides], pens: Mapping[int, float]) -> list[Sides]:
+    """Return contours with strokes of one width where their sources' are nearly one.
+
+    ``pens`` are the widths of those sources that have one. That of most of the contour wins.
+    """
+    lengths: dict[int, float] = {}
+    for sides in contours:
+        for side in sides:
+            if side.owner in pens:
+                lengths[side.owner] = lengths.get(side.owner, 0.0) + side.length
+    if len(lengths) < 2:
+        return list(contours)
+    width = pens[
+        max(
+            lengths,
+            key=lambda owner: sum(
+                length for other, length in lengths.items() if _nearly(pens[other], pens[owner])
+            ),
+        )
+    ]
+    thicker = {owner: (width - pen) / 2 for owner, pen in pens.items() if _nearly(pen, width)}
+    if not any(thicker.values()):
+        return list(contours)
+    return [_thickened(sides, thicker) for sides in contours]
+
+
+def _nearly(one: float, other: float) -> bool:
+    return abs(one - other) <= _NEAR * max(one, other)
+
+
+def _thickened(sides: Sides, thicker: Mapping[int, float]) -> Sides:
+    """Return a contour with the sides of each owner moved outwards by some canvas units."""
+    by = _along([None if side.owner == SEAM else thicker.get(side.owner, 0.0) for side in sides])
+    if not by.any():
+        return sides
+    nodes = [
+        side.start + _moved(sides[k - 1], float(by[k - 1]), side, float(by[k]))
+        for k, side in enumerate(sides)
+    ]
+    return [
+        _stretched(side, start, end)
+        for side, start, end in zip(sides, nodes, nodes[1:] + nodes[:1], strict=True)
+    ]
+
+
+def _along(offsets: Sequence[float | None]) -> NDArray[np.float64]:
+    """Return an offset for each side; those of a seam go from one source's to the other's."""
+    known = [number for number, one in enumerate(offsets) if one is not None]
+    if not known:
+        return np.zeros(len(offsets))
+    values = [one for one in offsets if one is not None]
+    return np.interp(np.arange(len(offsets)), known, values, period=len(offsets))
+
+
+def _moved(before: Side, by: float, after: Side, more: float) -> complex:
+    """Return how the node between two sides moves that are moved outwards.
+
+    In a corner both stay parallel to themselves; where a line goes on as a curve, the line does.
+    """
+    normal, other = -1j * before.ways[1], -1j * after.ways[0]
+    sine = (normal.conjugate() * other).imag
+    cosine = (normal.conjugate() * other).real
+    if abs(sine) < _CORNER:
+        if cosine < 0:
+            return 0j
+        if before.is_line != after.is_line:
+            return by * normal if before.is_line else more * other
+        return (by + more) / 2 * (normal + other) / (1 + cosine)
+    moved = 1j * (by * other - more * normal) / -sine
+    most = _POINTED * max(abs(by), abs(more))
+    return moved if abs(moved) <= most else moved / abs(moved) * most
+
+
+def _stretched(side: Side, start: complex, end: complex) -> Side:
+    """Return a side between two other ends, its handles as directed as they were."""
+    if side.is_line:
+        return Side((start, end), side.owner)
+    a, b, c, d = side.piece
+    scale = abs(end - start) / abs(d - a) if abs(d - a) > 1e-6 else 1.0
+    return Side((start, start + (b - a) * scale, end + (c - d) * scale, end), side.owner)
