@@ -46,7 +46,7 @@ def balanced(contours: Sequence[Sides]) -> list[Sides]:
     if (off & (owners == owners[nearest]) & (owners >= 0)).sum() > _OWN * off.sum():
         return list(contours)
     partners = [_partner(numbers[nearest[numbers == k]]) for k in range(len(rows))]
-    if any(one is None or partners[one] != k for k, one in enumerate(partners)):
+    if any(partners[one] != k for k, one in enumerate(partners)):
         return list(contours)
     left = [side for sides in contours for side in sides if _middle(side) < axis]
     right = [side for sides in contours for side in sides if _middle(side) > axis]
@@ -74,11 +74,9 @@ def _nearest(points: Points, others: Points) -> tuple[NDArray[np.float64], NDArr
     return away, nearest
 
 
-def _partner(numbers: NDArray[np.intp]) -> int | None:
-    """Return which contour nearly all of these numbers name."""
-    counts = np.bincount(numbers)
-    best = int(counts.argmax())
-    return best if counts[best] > 0.9 * len(numbers) else None
+def _partner(numbers: NDArray[np.intp]) -> int:
+    """Return which contour most of these numbers name."""
+    return int(np.bincount(numbers).argmax())
 
 
 def _middle(side: Side) -> float:

@@ -56,7 +56,7 @@ class Carrier(NamedTuple):
     @property
     def lean(self) -> float:
         """By how many radians it is off the nearest axis."""
-        return min(abs(np.arcsin(self.way.imag)), abs(np.arcsin(self.way.real)))
+        return float(np.arcsin(min(abs(self.way.imag), abs(self.way.real), 1)))
 
     @property
     def upright(self) -> "Carrier":
@@ -188,7 +188,7 @@ def _smoothed(sides: Sides, first: int, count: int) -> Sides | None:
         return None
     part = turned(sides, first)
     one, inner, other = part[0], part[1 : count + 1], part[count + 1]
-    if one.is_line and other.is_line or not has_seam(part[: count + 2]):
+    if (one.is_line and other.is_line) or not has_seam(part[: count + 2]):
         return None
     gone = sum(side.length for side in inner)
     if gone > _BLUNT:
