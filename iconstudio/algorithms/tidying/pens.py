@@ -121,20 +121,19 @@ def _along(offsets: Sequence[float | None]) -> NDArray[np.float64]:
 def _moved(before: Side, by: float, after: Side, more: float) -> complex:
     """Return how the node between two sides moves that are moved outwards.
 
-    In a corner both stay parallel to themselves; where a line goes on as a curve, the line does.
+    In a corner both stay parallel to themselves; where that would lead far, the longer one does,
+    and where a line goes on as a curve, the line.
     """
     normal, other = -1j * before.ways[1], -1j * after.ways[0]
     sine = (normal.conjugate() * other).imag
-    cosine = (normal.conjugate() * other).real
-    if abs(sine) < _CORNER:
-        if cosine < 0:
-            return 0j
-        if before.is_line != after.is_line:
-            return by * normal if before.is_line else more * other
-        return (by + more) / 2 * (normal + other) / (1 + cosine)
-    moved = 1j * (by * other - more * normal) / -sine
-    most = _POINTED * max(abs(by), abs(more))
-    return moved if abs(moved) <= most else moved / abs(moved) * most
+    if abs(sine) >= _CORNER:
+        moved = 1j * (by * other - more * normal) / -sine
+        if abs(moved) <= _POINTED * max(abs(by), abs(more)):
+            return moved
+    first = before.length > after.length
+    if before.is_line != after.is_line:
+        first = before.is_line
+    return by * normal if first else more * other
 
 
 def _stretched(side: Side, start: complex, end: complex) -> Side:

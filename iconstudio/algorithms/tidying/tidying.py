@@ -47,10 +47,10 @@ def _is_crumb(sides: Sides) -> bool:
 
 def is_near(sides: Sides, others: Sides) -> bool:
     """Whether a contour is nowhere farther from another than the limit, nor that from it."""
-    return sides is others or _distance(sides, others) <= LIMIT
+    return sides is others or distance(sides, others) <= LIMIT
 
 
-def _distance(sides: Sides, others: Sides) -> float:
+def distance(sides: Sides, others: Sides) -> float:
     """Return the Hausdorff distance of two contours, about."""
     rows = [
         np.column_stack([row.real, row.imag])
