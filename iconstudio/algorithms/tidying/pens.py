@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.tidying.sides import SEAM, Side, Sides
+from iconstudio.algorithms.tidying.sides import LIMIT, SEAM, Side, Sides
 from iconstudio.algorithms.tracing.bezier import Points
 from iconstudio.algorithms.tracing.source_curve import SourceCurve
 from iconstudio.model.path import Path
@@ -25,8 +25,8 @@ _NEAR = 0.2
 """Widths that differ by no more, in parts, are meant to be one."""
 _CORNER = 0.3
 """Sine of the angle from which on two sides meet in a corner."""
-_POINTED = 2.0
-"""A corner is moved by no more times what its sides are."""
+_UPRIGHT = 1e-3
+"""Sine of the angle by which a line that is upright or level is off it at most."""
 
 
 def pen_of(path: Path) -> float | None:
@@ -121,19 +121,23 @@ def _along(offsets: Sequence[float | None]) -> NDArray[np.float64]:
 def _moved(before: Side, by: float, after: Side, more: float) -> complex:
     """Return how the node between two sides moves that are moved outwards.
 
-    In a corner both stay parallel to themselves; where that would lead far, the longer one does,
-    and where a line goes on as a curve, the line.
+    In a corner both stay parallel to themselves; where that would lead far, and where one goes on
+    as the other, the one that matters more.
     """
     normal, other = -1j * before.ways[1], -1j * after.ways[0]
     sine = (normal.conjugate() * other).imag
     if abs(sine) >= _CORNER:
         moved = 1j * (by * other - more * normal) / -sine
-        if abs(moved) <= _POINTED * max(abs(by), abs(more)):
+        if abs(moved) <= LIMIT:
             return moved
-    first = before.length > after.length
-    if before.is_line != after.is_line:
-        first = before.is_line
+    first = max((before, after), key=_firm) is before
     return by * normal if first else more * other
+
+
+def _firm(side: Side) -> tuple[bool, bool, float]:
+    """Return how much it matters that a side stays parallel to itself, to be compared."""
+    x, y = side.ways[0].real, side.ways[0].imag
+    return side.is_line, side.is_line and min(abs(x), abs(y)) < _UPRIGHT, side.length
 
 
 def _stretched(side: Side, start: complex, end: complex) -> Side:

@@ -16,7 +16,7 @@ from iconstudio.algorithms.tidying.sides import (
     points_of,
     turned,
 )
-from iconstudio.algorithms.tidying.straight import Carrier
+from iconstudio.algorithms.tidying.straight import Carrier, tilts
 from iconstudio.algorithms.tracing.bezier import Points
 
 _ROUND = 0.012
@@ -259,6 +259,8 @@ def _onto(sides: Sides, arc: _Arc) -> Sides | None:
     first = circle.meeting(before, start)
     last = circle.meeting(after.reversed(), end)
     if abs(first - start) > LIMIT or abs(last - end) > LIMIT:
+        return None
+    if tilts(before, first) or tilts(after, last):
         return None
     turn = np.angle((last - circle.centre) * np.conj(first - circle.centre))
     turn += 2 * np.pi * round((arc.turn - turn) / (2 * np.pi))

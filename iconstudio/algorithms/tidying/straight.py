@@ -38,6 +38,8 @@ _SHORT = 5.0
 _MOST = 6
 """How many sides are looked over."""
 _TIE = 0.02
+_ASIDE = 0.05
+"""Canvas units by which the end of a line is moved aside at most: lines do not turn."""
 _CROSSES = 0.15
 """Sine of the least angle at which a line is followed to where it meets another."""
 
@@ -234,6 +236,8 @@ def _onto(sides: Sides, count: int, carrier: Carrier, owner: int) -> Sides | Non
     first, last = _meeting(before, carrier, start), _meeting(after.reversed(), carrier, end)
     if abs(first - start) > LIMIT or abs(last - end) > LIMIT:
         return None
+    if tilts(before, first) or tilts(after, last):
+        return None
     if ((last - first) * carrier.way.conjugate()).real <= 0:
         return None
     ways = before.ways[1], after.ways[0]
@@ -245,6 +249,13 @@ def _onto(sides: Sides, count: int, carrier: Carrier, owner: int) -> Sides | Non
     before = before.ending(first, carrier.way if smooth[0] else None)
     after = after.beginning(last, carrier.way if smooth[1] else None)
     return [line, after, *sides[count + 1 : -1], before]
+
+
+def tilts(side: Side, end: complex) -> bool:
+    """Whether a line of some length would turn if it ended elsewhere."""
+    if not side.is_line or side.length < _LONG:
+        return False
+    return abs(Carrier.of(side).nearest(end) - end) > _ASIDE
 
 
 def _meeting(side: Side, carrier: Carrier, end: complex) -> complex:
