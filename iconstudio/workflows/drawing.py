@@ -161,11 +161,14 @@ def _tidied(contours: "Sequence[Sides]", pens: Mapping[int, float], plain: Path)
     from iconstudio.algorithms.iconification.joined_path import path_along
     from iconstudio.algorithms.tidying.tidying import tidied
 
-    found = tidied(contours, pens)
-    if found == contours:
-        return plain
-    path = path_along(found)
-    return path if _has_parts(path, plain, len(contours) - len(found)) else plain
+    for widths in (pens, {}):
+        found = tidied(contours, widths)
+        if found == contours:
+            return plain
+        path = path_along(found)
+        if _has_parts(path, plain, len(contours) - len(found)):
+            return path
+    return plain
 
 
 def _has_parts(path: Path, other: Path, fewer: int) -> bool:

@@ -21,10 +21,14 @@ _SPREAD = 0.12
 """Quartiles of the widths along a pen's strokes differ by no more, in parts."""
 _WIDEST = 40.0
 """Canvas units of the widest pen."""
-_NEAR = 0.2
+_NEAR = 0.35
 """Widths that differ by no more, in parts, are meant to be one."""
 _CORNER = 0.3
 """Sine of the angle from which on two sides meet in a corner."""
+_ONWARD = 0.9
+"""Cosine of the angle by which a contour turns at most where it goes on."""
+_DENT = 0.4
+"""Canvas units by which it may be moved more on one side of a seam than on the other."""
 _UPRIGHT = 1e-3
 """Sine of the angle by which a line that is upright or level is off it at most."""
 
@@ -87,11 +91,24 @@ def evened(contours: Sequence[Sides], pens: Mapping[int, float]) -> list[Sides]:
     thicker = {owner: (width - pen) / 2 for owner, pen in pens.items() if _nearly(pen, width)}
     if not any(thicker.values()):
         return list(contours)
+    if any(_would_dent(sides, thicker) for sides in contours):
+        return list(contours)
     return [_thickened(sides, thicker) for sides in contours]
 
 
 def _nearly(one: float, other: float) -> bool:
     return abs(one - other) <= _NEAR * max(one, other)
+
+
+def _would_dent(sides: Sides, thicker: Mapping[int, float]) -> bool:
+    """Whether a curve that goes on as another source's would be moved more than that."""
+    known = [side for side in sides if side.owner != SEAM]
+    for one, other in zip(known, known[1:] + known[:1], strict=True):
+        apart = abs(thicker.get(one.owner, 0.0) - thicker.get(other.owner, 0.0))
+        smooth = (one.ways[1] * other.ways[0].conjugate()).real > _ONWARD
+        if apart > _DENT and smooth and not (one.is_line and other.is_line):
+            return True
+    return False
 
 
 def _thickened(sides: Sides, thicker: Mapping[int, float]) -> Sides:

@@ -6,6 +6,7 @@ runs, as y grows downwards.
 
 import cmath
 from collections.abc import Iterator, Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -61,6 +62,15 @@ class Side(NamedTuple):
         """The directions in which it begins and ends."""
         return _way(self.piece), -_way(self.piece[::-1])
 
+    @property
+    def turning(self) -> float:
+        """By how many radians it turns, to whichever side."""
+        if self.is_line:
+            return 0.0
+        a, b, c, d = self.piece
+        steps = [step for step in (b - a, c - b, d - c) if abs(step) > _NOTHING]
+        return sum(abs(angle(one, other)) for one, other in pairwise(steps))
+
     def points(self, count: int) -> Points:
         """Return so many points along it, both ends among them."""
         return points_on(self.piece, np.linspace(0, 1, count))
@@ -114,6 +124,14 @@ def area(sides: Sequence[Side]) -> float:
 def angle(way: complex, other: complex) -> float:
     """Return by how many radians one direction is turned to become another, -pi to pi."""
     return cmath.phase(other * way.conjugate())
+
+
+def turning(sides: Sequence[Side]) -> float:
+    """Return by how many radians a contour turns in all: the more, the more bumps it has."""
+    joints = (
+        abs(angle(one.ways[1], other.ways[0])) for one, other in pairwise([sides[-1], *sides])
+    )
+    return sum(joints) + sum(side.turning for side in sides)
 
 
 def between(sides: Sequence[Side], first: int, last: int) -> Iterator[int]:

@@ -13,11 +13,23 @@ import scipy
 from iconstudio.algorithms.tidying.balance import balanced
 from iconstudio.algorithms.tidying.pens import evened
 from iconstudio.algorithms.tidying.round import rounded
-from iconstudio.algorithms.tidying.sides import LIMIT, SEAM, Sides, area, has_seam, points_of
+from iconstudio.algorithms.tidying.sides import (
+    LIMIT,
+    SEAM,
+    Sides,
+    area,
+    has_seam,
+    points_of,
+    turning,
+)
 from iconstudio.algorithms.tidying.straight import straightened
 
 _CRUMB = 24.0
 """Square canvas units of the largest piece or hole that is a crumb."""
+_ROUGHER = 0.35
+"""Radians by which a contour may turn more than before in all: with more, it has bumps."""
+_BUMPIER = 1.03
+"""How many times as much all may turn with strokes of another width."""
 _SPACING = 2.0
 """Canvas units between the points by which it is told how far a contour was moved."""
 
@@ -31,13 +43,23 @@ def tidied(contours: Sequence[Sides], pens: Mapping[int, float]) -> list[Sides]:
     if len(owners - {SEAM}) < 2:
         return list(contours)
     kept = [sides for sides in contours if not _is_crumb(sides)] or list(contours)
-    straight = [straightened(sides) for sides in kept]
-    found = rounded(evened(straight, pens))
-    for number, sides in enumerate(kept):
-        tries = (found[number], straight[number])
-        found[number] = next((one for one in tries if is_near(one, sides)), sides)
+    straight = [_better(straightened(sides), sides) for sides in kept]
+    found = list(map(_better, rounded(straight), straight))
+    even = evened(found, pens)
+    if _turning(even) <= _turning(found) * _BUMPIER:
+        found = even
+    found = [one if is_near(one, sides) else sides for one, sides in zip(found, kept, strict=True)]
     whole = balanced(found)
     return whole if whole != found and all(map(is_near, whole, kept)) else found
+
+
+def _better(sides: Sides, others: Sides) -> Sides:
+    """Return a contour if it is no rougher than another one, and else that."""
+    return sides if turning(sides) <= turning(others) + _ROUGHER else others
+
+
+def _turning(contours: Sequence[Sides]) -> float:
+    return sum(map(turning, contours))
 
 
 def _is_crumb(sides: Sides) -> bool:
