@@ -93,7 +93,7 @@ def test_strokes_of_nearly_one_width_are_of_one():
                       20 + 22j, owners=[0, SEAM, 1, 1, 1, SEAM, 0])  # fmt: skip
     (found,) = tidied([contour], {0: 22.0, 1: 20.0})
     assert sorted({round(side.start.imag, 6) for side in found}) == [0, 22]
-    apart = polygon(200, 220, 220 + 100j, 200 + 100j, owners=[1])
+    apart = polygon(200, 220, 220 + 10j, 200 + 10j, owners=[1])
     _, thicker = evened([contour, apart], {0: 22.0, 1: 20.0})
     assert sorted({side.start.real for side in thicker}) == [199, 221]
 

@@ -3,7 +3,7 @@
 The pen of a source is as wide as its strokes are nearly everywhere; a solid shape has none.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,8 +27,6 @@ _CORNER = 0.3
 """Sine of the angle from which on two sides meet in a corner."""
 _ONWARD = 0.9
 """Cosine of the angle by which a contour turns at most where it goes on."""
-_DENT = 0.4
-"""Canvas units by which it may be moved more on one side of a seam than on the other."""
 _UPRIGHT = 1e-3
 """Sine of the angle by which a line that is upright or level is off it at most."""
 
@@ -76,22 +74,25 @@ def evened(contours: Sequence[Sides], pens: Mapping[int, float]) -> list[Sides]:
     lengths: dict[int, float] = {}
     for sides in contours:
         for side in sides:
-            if side.owner in pens:
-                lengths[side.owner] = lengths.get(side.owner, 0.0) + side.length
-    if len(lengths) < 2:
+            lengths[side.owner] = lengths.get(side.owner, 0.0) + side.length
+    lengths.pop(SEAM, None)
+    thicker: dict[int, float] = {}
+    groups = _groups(contours, lengths)
+    widths = {group: _width(group, pens, lengths) for group in groups}
+    drawn = {group: width for group, width in widths.items() if width}
+    if not drawn:
         return list(contours)
-    width = pens[
-        max(
-            lengths,
-            key=lambda owner: sum(
-                length for other, length in lengths.items() if _nearly(pens[other], pens[owner])
-            ),
-        )
-    ]
-    thicker = {owner: (width - pen) / 2 for owner, pen in pens.items() if _nearly(pen, width)}
+    sizes = {group: sum(lengths[owner] for owner in group) for group in drawn}
+    # The largest group, of those that have the most beside them that is nearly as wide.
+    near = {
+        one: sum(sizes[group] for group in drawn if _nearly(drawn[group], drawn[one]))
+        for one in drawn
+    }
+    most = max(drawn, key=lambda one: (near[one], sizes[one]))
+    for group, width in drawn.items():
+        if _nearly(width, drawn[most]):
+            thicker.update(dict.fromkeys(group, (drawn[most] - width) / 2))
     if not any(thicker.values()):
-        return list(contours)
-    if any(_would_dent(sides, thicker) for sides in contours):
         return list(contours)
     return [_thickened(sides, thicker) for sides in contours]
 
@@ -100,15 +101,33 @@ def _nearly(one: float, other: float) -> bool:
     return abs(one - other) <= _NEAR * max(one, other)
 
 
-def _would_dent(sides: Sides, thicker: Mapping[int, float]) -> bool:
-    """Whether a curve that goes on as another source's would be moved more than that."""
-    known = [side for side in sides if side.owner != SEAM]
-    for one, other in zip(known, known[1:] + known[:1], strict=True):
-        apart = abs(thicker.get(one.owner, 0.0) - thicker.get(other.owner, 0.0))
-        smooth = (one.ways[1] * other.ways[0].conjugate()).real > _ONWARD
-        if apart > _DENT and smooth and not (one.is_line and other.is_line):
-            return True
-    return False
+def _width(
+    group: Sequence[int], pens: Mapping[int, float], lengths: Mapping[int, float]
+) -> float | None:
+    """Return the mean width of the strokes of some sources; None if one of them is no pen's."""
+    if not all(owner in pens for owner in group):
+        return None
+    total = sum(lengths[owner] for owner in group)
+    return sum(lengths[owner] * pens[owner] for owner in group) / max(total, 1e-9)
+
+
+def _groups(contours: Sequence[Sides], owners: Iterable[int]) -> list[tuple[int, ...]]:
+    """Return the sources that are moved together: a curve of one goes on as another's.
+
+    What is moved on one side of a seam alone would have a dent there.
+    """
+    leaders = {owner: owner for owner in owners}
+    for sides in contours:
+        known = [side for side in sides if side.owner != SEAM]
+        for one, other in zip(known, known[1:] + known[:1], strict=True):
+            smooth = (one.ways[1] * other.ways[0].conjugate()).real > _ONWARD
+            if smooth and not (one.is_line and other.is_line):
+                leader, led = leaders[one.owner], leaders[other.owner]
+                leaders = {k: leader if now == led else now for k, now in leaders.items()}
+    return [
+        tuple(sorted(k for k, now in leaders.items() if now == leader))
+        for leader in sorted(set(leaders.values()))
+    ]
 
 
 def _thickened(sides: Sides, thicker: Mapping[int, float]) -> Sides:
