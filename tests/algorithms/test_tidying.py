@@ -120,6 +120,14 @@ def test_crumbs_of_seams_go_and_small_parts_of_sources_stay():
     assert tidied([body, crumb, eye], {}) == [body, eye]
 
 
+def test_a_curve_without_a_handle_ends_the_same_again():
+    # Its direction cannot be changed by moving its handle.
+    curve = Side((150 + 0j, 150 + 0j, 190 + 20j, 190 + 60j), 1)
+    contour = [Side((50 + 0j, 150 + 0j), 0), curve, Side((190 + 60j, 50 + 60j), 0),
+               Side((50 + 60j, 50 + 0j), 0)]  # fmt: skip
+    assert distance(tidied([contour], {})[0], contour) < LIMIT
+
+
 def test_what_is_nearly_symmetric_becomes_so():
     contour = polygon(60, 160, 200 + 60j, 161 + 120j, 60 + 120j, 20.4 + 60j,
                       owners=[0, 1, 1, 1, 0, 0])  # fmt: skip

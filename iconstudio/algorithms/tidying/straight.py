@@ -85,10 +85,10 @@ def straightened(sides: Sides) -> Sides:
     """Return a contour whose lines and corners no seam interrupts."""
     if not has_seam(sides):
         return sides
-    while len(sides) > 2:
-        changed = next(_changes(sides), None)
+    for _ in range(2 * len(sides)):
+        changed = next(_changes(sides), None) if len(sides) > 2 else None
         if changed is None:
-            return sides
+            break
         sides = changed
     return sides
 
@@ -208,7 +208,10 @@ def _smoothed(sides: Sides, first: int, count: int) -> Sides | None:
     if any(abs(point - at) > LIMIT for side in inner for point in side.piece):
         return None
     way /= abs(way)
-    return [one.ending(at, way), other.beginning(at, way), *part[count + 2 :]]
+    one, other = one.ending(at, way), other.beginning(at, way)
+    if abs(angle(one.ways[1], other.ways[0])) > _EXACT:  # a curve without a handle there
+        return None
+    return [one, other, *part[count + 2 :]]
 
 
 def _set_upright(sides: Sides, number: int) -> Sides | None:
