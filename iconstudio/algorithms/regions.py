@@ -113,6 +113,22 @@ def without(one: Region, other: Region) -> Region:
     return pathops.op(one, other, pathops.PathOp.DIFFERENCE)
 
 
+def doubled(path: Path) -> float:
+    """Return the area that the nonzero rule fills and the even-odd rule does not.
+
+    Raises
+    ------
+    RegionError
+        If Skia fails.
+
+    >>> square = Contour((0, 0), (((8, 0),), ((8, 8),), ((0, 8),)))
+    >>> doubled(Path((square,))), doubled(Path((square, square)))
+    (0.0, 64.0)
+    """
+    nonzero, odd = (united([filled(path, even_odd=rule)]) for rule in (False, True))
+    return abs(float(abs(nonzero.area) - abs(odd.area)))
+
+
 def outline(region: Region) -> Path:
     """Return the outline of a region of the nonzero rule, quadratic curves as cubic ones.
 

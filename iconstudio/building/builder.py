@@ -35,7 +35,7 @@ from iconstudio.model import IconstudioError
 from iconstudio.model.progress import Progress
 from iconstudio.workers import Workers
 
-ICONS = 103_200
+ICONS = 102_500
 """At most so many icons: what fits into the space that the collection may take."""
 
 ALIKE = 0.15

@@ -61,7 +61,7 @@ _COLOURED = re.compile(
 )
 _MASK = re.compile(r"<mask.*?</mask>", re.DOTALL)
 """A mask's colours are no ink."""
-MAX_BODY = 4_000
+MAX_BODY = 3_500
 """Longest body in characters: longer ones are engravings that eat the space of ten others."""
 _BEST_SIZE = 24
 

@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 
 from iconstudio.algorithms.iconification.energy import placed_sources
-from iconstudio.algorithms.iconification.guidance import edit_penalty
 from iconstudio.algorithms.raster import interior, solid
 from iconstudio.model import CANVAS, Composite, Exemplar, Point, Remix
 from iconstudio.output import record
@@ -44,7 +43,7 @@ class GridReport:
     def __init__(
         self, folder: Path, request: Request, lambdas: Iterable[float], *, dump: bool = False
     ) -> None:
-        self._folder = Folder(folder, "model" if request.base is None else "edit")
+        self._folder = Folder(folder, "model" if request.change is None else "edit")
         self._request = request
         self._lambdas = sorted(set(lambdas))
         self._dumping = dump
@@ -100,8 +99,8 @@ class GridReport:
     def _json(self, timings: Mapping[str, float]) -> dict[str, Any]:
         request = self._request
         asked: dict[str, Any] = {"keyword": request.keyword}
-        if request.base is not None:
-            asked["base"] = record.of_source(request.base)
+        if request.change is not None:
+            asked["base"] = record.of_source(request.change.base)
         found = {
             "retrieved": len(self._retrieved),
             "regions": [[float(x), float(y)] for x, y in self._centres],
@@ -147,9 +146,9 @@ class GridReport:
             "exemplar_solid": np.array(whole, dtype=bool).reshape(-1, CANVAS, CANVAS),
             "exemplar_id": np.array([exemplar.id for exemplar in exemplars], dtype=np.str_),
         }
-        if request.mask is not None:
-            arrays["change"] = request.mask == 0
-            arrays["penalty"] = edit_penalty(request.mask, len(ink))
+        if request.change is not None:
+            arrays["change"] = request.change.mask == 0
+            arrays["penalty"] = request.change.penalty(len(ink))
         buffer = io.BytesIO()
         np.savez_compressed(buffer, **arrays)  # type: ignore[arg-type]  # none is `allow_pickle`
         self._folder.write(f"{style}.npz", buffer.getvalue())

@@ -4,11 +4,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 
-import numpy as np
-from numpy.typing import NDArray
-
 from iconstudio.algorithms.raster import Bitmap, fill_polygon
-from iconstudio.model import CANVAS, Axis, Edit, Sketch, Source
+from iconstudio.model import CANVAS, Axis, Edit, Sketch
 from iconstudio.output.figure import INK, MUTED, RGB
 from iconstudio.workflows.editing.editing import PlacedEdit, place_edit
 
@@ -27,15 +24,13 @@ class Request:
     """The picture of it: bitmaps (CANVAS, CANVAS) to be painted over each other."""
     outline: Bitmap
     """(CANVAS, CANVAS): the outline that is wanted, filled."""
-    base: Source | None = None
-    """Of an edit: the icon that is changed."""
-    mask: NDArray[np.float32] | None = None
-    """Of an edit: D_E, (CANVAS, CANVAS)."""
+    change: PlacedEdit | None = None
+    """Of an edit: the icon, and what is changed."""
     posed: Callable[[int], "Request"] | None = None
     """Poses the same request on a canvas of another side m."""
 
     def on(self, side: int) -> "Request":
-        """Return the request on a canvas of side m: its outline and mask are (side, side)."""
+        """Return the request on a canvas of side m: its outline and change are (side, side)."""
         return self if self.posed is None or side == len(self.outline) else self.posed(side)
 
 
@@ -67,7 +62,6 @@ def edit_request(edit: Edit, change: PlacedEdit) -> Request:
         f"{change.base.exemplar.name}, less red, plus green",
         layers,
         change.silhouette,
-        change.base,
-        change.mask,
+        change,
         lambda side: edit_request(edit, place_edit(edit, change.base.exemplar, side)),
     )

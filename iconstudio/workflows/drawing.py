@@ -6,6 +6,7 @@ A source is drawn only where it is needed: a renderer takes longer the more pixe
 import math
 from collections.abc import Mapping, Sequence
 from concurrent.futures import Future
+from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import TYPE_CHECKING, Protocol
@@ -147,8 +148,8 @@ def draw(
         plain = path_along(contours)
         tidy = _tidied(contours, _pens(contours, sources, frame, render), plain) if heal else plain
         for path in (tidy, plain) if tidy != plain else (plain,):
-            drawn = _pictured(path, render)
-            if drawn is not None:
+            drawn = _picture(path, "nonzero", render)
+            if _is_plain(path, drawn, render):
                 return Drawing(path, drawn, owners, frame, None if path is plain else plain)
     return Drawing(trace(coverage), _reduced(coverage), owners, frame)
 
@@ -316,11 +317,19 @@ def _tiled_drawing(key: _DrawingKey) -> _TiledDrawing:
     return _TiledDrawing(key)
 
 
-def _pictured(path: Path, render: Render) -> NDArray[np.uint8] | None:
-    """Draw a path; None if its contours overlap, so that rules of filling draw it differently."""
-    drawn, other = (_picture(path, rule, render) for rule in ("nonzero", "evenodd"))
-    overlaps = (abs(drawn.astype(np.int16) - other) > _OTHER).sum() > _FEW
-    return None if overlaps else drawn
+def _is_plain(path: Path, drawn: NDArray[np.uint8], render: Render) -> bool:
+    """Whether a path looks the same by both rules of filling; ``drawn`` is it by the nonzero one.
+
+    It is drawn by the other one only if the areas leave a doubt.
+    """
+    from iconstudio.algorithms.regions import RegionError, doubled
+
+    pixel = (CANVAS / _COVERAGE) ** 2
+    with suppress(RegionError):
+        if doubled(path) < _FEW * _OTHER / 255 * pixel:
+            return True
+    other = _picture(path, "evenodd", render)
+    return bool((abs(drawn.astype(np.int16) - other) > _OTHER).sum() <= _FEW)
 
 
 def _picture(path: Path, rule: str, render: Render) -> NDArray[np.uint8]:

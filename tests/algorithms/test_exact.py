@@ -6,7 +6,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from iconstudio.algorithms.flattening import flattened
+from iconstudio.algorithms.iconification.healing import Examples
 from iconstudio.algorithms.iconification.joined_path import joined_path
+from iconstudio.algorithms.regions import doubled
 from iconstudio.algorithms.tracing.vectorize import trace
 from iconstudio.model import CANVAS, Frame, Path
 from iconstudio.model.path import Contour
@@ -106,3 +108,26 @@ def test_a_curve_that_is_near_but_not_the_drawn_one_is_not_taken(off):
     traced = joined_path(picture(drawn), [near])
     ends = [end for row in segments(traced) for end in (row[0], row[-1])]
     assert max(min(abs(x - 60), abs(x - 160)) for x, _ in ends) < 0.05
+
+
+def test_the_likely_examples_of_a_seam_are_those_nearest_to_it():
+    random = np.random.default_rng(0)
+    rows = (random.normal(size=(3000, 21)) + 1j * random.normal(size=(3000, 21))).astype(complex)
+    rows[1000:2000] = rows[:1000]  # as of an icon that lies at two places
+    rows -= rows.mean(axis=1, keepdims=True)
+    few = Examples(rows.astype(np.complex64)).likely(rows[::600])
+    away, _ = few.nearest(rows[::600])
+    assert abs(away).max() < 1e-2
+    kept = [Examples(rows[k : k + 1].astype(np.complex64)) for k in range(3000)]
+    errors = np.array([one.nearest(rows[:1])[0][0] for one in kept])
+    wanted = rows[np.argsort(errors)[:20]]
+    assert few.nearest(wanted)[0].max() < 1e-2
+
+
+def test_a_path_that_covers_itself_is_told_by_the_area_that_it_covers_twice():
+    square = circle(64, 64, 40)
+    moved = circle(90, 64, 40)
+    assert doubled(Path(square.contours)) < 0.01
+    twice = doubled(Path((*square.contours, *moved.contours)))
+    lens = 2 * 40**2 * np.arccos(26 / 80) - 26 / 2 * np.sqrt(4 * 40**2 - 26**2)
+    assert abs(twice - lens) < 0.01 * lens

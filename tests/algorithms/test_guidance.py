@@ -33,10 +33,14 @@ def test_truncated_distances_by_brute_force(seed, reach):
 
 def test_the_penalty_of_an_edit_by_hand():
     # D_E: in the changed area, on the way out of it, and beyond its reach.
-    penalty = edit_penalty(np.array([[0.0, 0.25, 1.0]], np.float32), 3)
+    mask = np.array([[0.0, 0.25, 1.0]], np.float32)
+    penalty = edit_penalty(mask, mask, 3)
     assert penalty[0, 0] == pytest.approx([0.1, 0.075, 0.0])  # E_0 costs where it is to change
     for label in (1, 2):
         assert penalty[label, 0] == pytest.approx([0.0, 0.025, 0.1])
+    # Beside what is taken off, E_0 costs nothing.
+    kept = np.array([[0.0, 1.0, 1.0]], np.float32)
+    assert edit_penalty(mask, kept, 2)[0, 0] == pytest.approx([0.1, 0.0, 0.0])
 
 
 def test_equation_10_by_direct_sums():

@@ -127,7 +127,7 @@ def test_a_misspelt_word_of_several_finds_what_the_right_one_does(bundled, keywo
     assert bundled.remark(right) == ""
 
 
-@pytest.mark.parametrize("keyword", ["clapping hands", "birthday hat", "witch hat"])
+@pytest.mark.parametrize("keyword", ["birthday hat", "witch hat"])
 def test_a_word_that_is_known_is_not_taken_for_another(bundled, keyword):
     answer = bundled._lookup.answer(keyword)
     assert answer.read_as == ()

@@ -199,7 +199,7 @@ def test_of_what_only_forbids_it_is_told_that_there_is_none(bundled, typed):
         ("log off", ("out", "exit", "leave")),
         ("camera off", ("camera-x", "camera-cancelled")),
         ("mic off", ("microphone-cancelled",)),
-        ("wifi off", ("wifi-x",)),
+        ("bluetooth off", ("bluetooth-x",)),
         ("on/off", ("power",)),
         ("on off", ("power",)),
         ("mute", ("volume-x", "speaker-x", "volume-zero", "quiet")),
@@ -219,3 +219,4 @@ def test_what_no_icon_is_switched_off_of_is_told(bundled):
     for word in ("off", "slash", "muted"):
         left_out = f"No icon has all of these words: “{word}” was left out."
         assert bundled.remark(f"teapot {word}") == left_out
+        assert bundled.remark(f"wifi {word}") == left_out

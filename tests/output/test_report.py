@@ -234,7 +234,8 @@ def test_the_dump_of_an_edit_holds_equation_11(edited):
     mask = np.minimum(distance / 25, 1)
     assert np.array_equal(dump["change"], fill_polygon(REMOVED))
     assert dump["penalty"].shape == (4, CANVAS, CANVAS)
-    assert dump["penalty"][0] == pytest.approx(0.1 * (1 - mask), abs=1e-6)
+    # E_0 gives way to nothing beside what is only taken off.
+    assert dump["penalty"][0] == pytest.approx(0.1 * fill_polygon(REMOVED), abs=1e-6)
     for other in dump["penalty"][1:]:
         assert other == pytest.approx(0.1 * mask, abs=1e-6)
     assert np.array_equal(dump["sketch"], change.silhouette)

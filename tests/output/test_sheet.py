@@ -165,7 +165,7 @@ def test_what_is_added_beyond_the_canvas_is_still_on_the_sheet():
     change = place_edit(edit, BLOCK)
     asked = edit_request(edit, change)
     (_, (added, _), *_) = asked.layers
-    assert np.array_equal(added, asked.mask == 0)
+    assert np.array_equal(added, asked.change.mask == 0)
     assert not added[:, -1].any()
 
 

@@ -98,6 +98,41 @@ def test_what_is_taken_out_of_the_middle_leaves_the_outline():
     assert np.array_equal(change.silhouette, BODY)
 
 
+CUP = box(30, 60, 170, 220) & ~box(46, 76, 154, 204)
+HANDLE = box(170, 90, 226, 190) & ~box(170, 106, 210, 174)
+
+
+def test_a_handle_goes_with_its_hole_and_no_stubs_are_left():
+    cup = exemplar(CUP | HANDLE, "cup")
+    rough = Polygon.of([(174, 80), (240, 82), (238, 200), (175, 196)])
+    change = place_edit(Edit(cup.pictogram, "x", (rough,)), cup)
+    assert (change.silhouette ^ box(30, 60, 170, 220)).sum() < 40  # of 1,200
+
+
+def test_a_corner_that_is_removed_does_not_open_the_body():
+    cup = exemplar(CUP, "cup")
+    corner = rectangle(130, 180, 180, 230)
+    change = place_edit(Edit(cup.pictogram, "x", (corner,)), cup)
+    assert np.array_equal(change.silhouette, box(30, 60, 170, 220) & ~box(130, 180, 180, 230))
+
+
+def test_where_something_is_only_taken_off_the_icon_itself_stays(workers):
+    """Another icon's wall would leave a bulge."""
+    cup = exemplar(CUP | HANDLE, "cup")
+    thick = box(24, 60, 178, 220) & ~box(46, 76, 150, 204)
+    others = [exemplar(blob(seed), f"blob-{seed}") for seed in range(3)]
+    prepared = Matcher([prepare(one) for one in (exemplar(thick, "thick"), *others)])
+    rough = Polygon.of([(172, 80), (240, 82), (238, 200), (173, 196)])
+    edit = Edit(cup.pictogram, "x", (rough,))
+    settings = GridSettings(styles=("light",), lambdas=(0.05, 0.3))
+    change = place_edit(edit, cup)
+    events = list(edit_icon(edit, change, prepared, settings, workers, render_placed))
+    assert icons(events)
+    for result in icons(events):
+        ink = result.drawing.coverage.reshape(CANVAS, 2, CANVAS, 2).mean(axis=(1, 3)) > 127
+        assert (ink ^ CUP).sum() < 0.01 * CUP.sum()
+
+
 def test_the_unchanged_part_by_hand():
     change = place_edit(EDIT, ICON)
     own = of_drawing(BODY)

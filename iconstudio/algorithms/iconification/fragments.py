@@ -46,17 +46,20 @@ def fragments(
     for piece in range(1, count + 1):
         if sizes[piece] <= small * joined.sum() and not wanted[piece]:
             here = pieces == piece
-            if _shown(labels, ink, here) <= WHOLE:
+            if not _shows_much(labels, ink, here):
                 found |= here
     return found
 
 
-def _shown(labels: Labels, ink: NDArray[np.bool_], here: NDArray[np.bool_]) -> float:
-    """Return which part of its sources' shapes a piece shows; two halves make a whole."""
+def _shows_much(labels: Labels, ink: NDArray[np.bool_], here: NDArray[np.bool_]) -> bool:
+    """Whether a piece shows more than WHOLE of its sources' shapes; two halves make a whole."""
     part = 0.0
-    for owner in np.unique(labels[here]):
+    for owner in np.flatnonzero(np.bincount(labels[here])):
         own = here & (labels == owner)
         shapes, _ = scipy.ndimage.label(ink[owner], _EIGHT)
-        shown = np.unique(shapes[own])
-        part += float(own.sum() / np.isin(shapes, shown[shown > 0]).sum())
-    return part
+        sizes = np.bincount(shapes.ravel())
+        shown = np.bincount(shapes[own], minlength=len(sizes)) > 0
+        part += float(own.sum() / sizes[1:][shown[1:]].sum())
+        if part > WHOLE:
+            return True
+    return False

@@ -43,13 +43,21 @@ def truncated_distance(marked: NDArray[np.bool_], reach: float) -> NDArray[np.fl
     return np.minimum(distance / reach, 1).astype(np.float32)
 
 
-def edit_penalty(mask: NDArray[np.float32], count: int) -> NDArray[np.float32]:
+def edit_penalty(
+    mask: NDArray[np.float32], kept: NDArray[np.float32], count: int
+) -> NDArray[np.float32]:
     """Return P_E of ``count`` labels, (count, h, w) (equation 11); label 0 is the icon E_0.
 
-    ``mask`` is D_E, (h, w): 0 inside the changed area.
+    Parameters
+    ----------
+    mask
+        D_E, (h, w): 0 inside the changed area.
+    kept
+        The same for what E_0 gives way to, (h, w). In the paper it is D_E; but beside what is only
+        taken off nothing is wanted in its place.
     """
     penalty = np.repeat(EDIT_WEIGHT * mask[None], count, axis=0)
-    penalty[0] = EDIT_WEIGHT * (1 - mask)
+    penalty[0] = EDIT_WEIGHT * (1 - kept)
     return penalty.astype(np.float32)
 
 

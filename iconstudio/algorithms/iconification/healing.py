@@ -9,6 +9,7 @@ if nothing is more.
 """
 
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -58,15 +59,8 @@ class Examples:
         With each contour comes whether it is to be run backwards: all shall have the ink on the
         side on which outlines have it.
         """
-        rows = [np.zeros((0, len(_AROUND)), np.complex128)]
-        for curve, backwards in curves:
-            count = int(curve.length * unit / _SPACING)
-            if count < _FEWEST:
-                continue
-            points = curve.at(np.arange(count) * curve.length / count) * unit
-            rows.append(_neighbourhoods(points[::-1] if backwards else points))
-        found = np.concatenate(rows)
-        return cls((found - found.mean(axis=1, keepdims=True)).astype(np.complex64))
+        none = np.zeros((0, len(_AROUND)), np.complex64)
+        return cls(np.concatenate([none, *(_neighbourhoods(*one, unit) for one in curves)]))
 
     def __bool__(self) -> bool:
         return len(self._rows) > 0
@@ -76,8 +70,7 @@ class Examples:
         if len(self._rows) <= _LIKELY:
             return self
         errors, _ = self._errors(rows)
-        best = np.argpartition(errors, _LIKELY, axis=1)[:, :_LIKELY]
-        return Examples(self._rows[np.unique(best)])
+        return Examples(self._rows[_least(errors, _LIKELY)])
 
     def nearest(self, rows: Points) -> tuple[NDArray[np.float32], Points]:
         """Return how far neighbourhoods (n, k) are from their nearest examples, and these.
@@ -105,10 +98,39 @@ class Examples:
         return self._energies - 2 * abs(products), products
 
 
-def _neighbourhoods(points: Points) -> Points:
-    """Return the neighbourhoods (n, k) of a closed row of samples (n,)."""
-    found: Points = points[(np.arange(len(points))[:, None] + _AROUND) % len(points)]
-    return found
+@lru_cache(maxsize=256)
+def _neighbourhoods(curve: SourceCurve, backwards: bool, unit: float) -> NDArray[np.complex64]:
+    """Return the neighbourhoods of a closed contour, (n, k), their means 0.
+
+    They are remembered, some 100 KiB each: the results of a row share most of their sources.
+    """
+    count = int(curve.length * unit / _SPACING)
+    if count < _FEWEST:
+        return np.zeros((0, len(_AROUND)), np.complex64)
+    points = curve.at(np.arange(count) * curve.length / count) * unit
+    points = points[::-1] if backwards else points
+    found = points[(np.arange(count)[:, None] + _AROUND) % count]
+    rows: NDArray[np.complex64] = (found - found.mean(axis=1, keepdims=True)).astype(np.complex64)
+    return rows
+
+
+def _least(errors: NDArray[np.float32], count: int) -> NDArray[np.intp]:
+    """Return in which columns rows of errors (n, m) have one of their ``count`` least.
+
+    The least of some stretches of a row tell how large those can be, so that few are left to sort;
+    but of equal ones, those are taken that sorting all finds first.
+    """
+    stretch = max(1, errors.shape[1] // (8 * count))
+    heads = errors[:, : errors.shape[1] // stretch * stretch]
+    heads = heads.reshape(len(errors), -1, stretch).min(axis=2)
+    bounds = np.partition(heads, count - 1, axis=1)[:, count - 1]
+    found = []
+    for row, bound in zip(errors, bounds, strict=True):
+        few = np.flatnonzero(row <= bound)
+        last = np.partition(row[few], count - 1)[count - 1]
+        best = few[row[few] <= last]
+        found.append(best if len(best) == count else np.argpartition(row, count)[:count])
+    return np.unique(np.concatenate(found))
 
 
 def healed(

@@ -182,6 +182,7 @@ class SignedDistance:
         top, left = np.maximum(corners.min(axis=0) - margin, 0)
         bottom, right = corners.max(axis=0) + within + margin
         contour = _contour(coverage[top:bottom, left:right]) + np.array([top, left])
+        contour = contour[_within(corners, margin + within, contour)]
         self._contour = scipy.spatial.KDTree(contour, balanced_tree=False, compact_nodes=False)
 
     def at(self, points: NDArray[np.intp]) -> NDArray[np.float64]:
@@ -191,6 +192,20 @@ class SignedDistance:
         away = np.minimum(away, self._far)
         inside: NDArray[np.bool_] = self._ink[points[:, 0], points[:, 1]]
         return np.where(inside, -away, away)
+
+
+def _within(
+    corners: NDArray[np.intp], reach: int, points: NDArray[np.float64]
+) -> NDArray[np.bool_]:
+    """Return which points (p, 2) may be within ``reach`` pixels of a corner: all that are."""
+    first = (corners.min(axis=0) - 2 * reach) // reach
+    cells = corners // reach - first
+    near = np.zeros(cells.max(axis=0) + 3, dtype=bool)
+    near[tuple(cells.T)] = True
+    near = scipy.ndimage.maximum_filter(near, 3)
+    y, x = (points.astype(np.intp) // reach - first).T
+    found: NDArray[np.bool_] = near[y, x]
+    return found
 
 
 def _contour(coverage: NDArray[np.uint8]) -> NDArray[np.float64]:

@@ -8,6 +8,7 @@ replaced by that part of it; only what is between, where two sources meet, is fi
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
 
 import numpy as np
 import scipy
@@ -30,6 +31,8 @@ _PACE = 0.3, 2.5
 """How far along the curve, in pixels, a step from point to point may lead."""
 _ROOM = 12
 """Points between two rows from which what is between is fitted."""
+_CELL = 4.0
+"""Side in pixels of the cells by which it is told what is far from a curve."""
 _CROSSES = 0.05
 """Sine of the least angle at which curves cross."""
 
@@ -178,20 +181,24 @@ class SourceCurves:
     """
 
     def __init__(self, paths: Sequence[Path], unit: float) -> None:
-        self._sources = [
-            _Source(number, [SourceCurve.of(contour, unit) for contour in path.contours])
-            for number, path in enumerate(paths)
-            if path
-        ]
+        self._sources = {number: _source(path, unit) for number, path in enumerate(paths) if path}
 
     def oriented(self) -> list[tuple[SourceCurve, bool]]:
         """Return all curves, and whether each runs against the outlines of what they enclose."""
-        return [(curve, source.is_backwards) for source in self._sources for curve in source.curves]
+        return [
+            (curve, source.is_backwards)
+            for source in self._sources.values()
+            for curve in source.curves
+        ]
 
     def followed(self, outline: Outline) -> list[Followed]:
         """Return where a closed outline follows a curve, in order, and none over another."""
         count = len(outline)
-        found = [one for source in self._sources for one in source.followed(outline.points)]
+        found = [
+            replace(row, source=number)
+            for number, source in self._sources.items()
+            for row in source.followed(outline.points)
+        ]
         taken = np.zeros(count, dtype=bool)
         chosen: list[Followed] = []
         while found:
@@ -210,17 +217,17 @@ class SourceCurves:
 
 
 class _Source:
-    def __init__(self, number: int, curves: Sequence[SourceCurve]) -> None:
+    def __init__(self, curves: Sequence[SourceCurve]) -> None:
         self.curves = curves
-        self._source = number
         points = np.concatenate([curve.points for curve in curves])
         self._points = points
         self._along = np.concatenate([curve.along for curve in curves])
         self._number = np.repeat(np.arange(len(curves)), [len(one.points) for one in curves])
         pairs = np.column_stack([points.real, points.imag])
+        self._near = _Cells(pairs)
         self._tree = scipy.spatial.KDTree(pairs, balanced_tree=False, compact_nodes=False)
 
-    @property
+    @cached_property
     def is_backwards(self) -> bool:
         """Whether what its curves enclose is on the other side of them than an outline's ink."""
         rows = [curve.points for curve in self.curves]
@@ -230,19 +237,22 @@ class _Source:
         """Yield the rows of a closed outline's points (n,) that follow one of its curves."""
         count = len(points)
         pairs = np.column_stack([points.real, points.imag])
-        away, nearest = self._tree.query(pairs, distance_upper_bound=_NEAR + STEP)
-        some = np.flatnonzero(away < np.inf)
+        some = np.flatnonzero(self._near.hold(pairs))
+        if len(some) < _SHORTEST:
+            return
+        away, nearest = self._tree.query(pairs[some], distance_upper_bound=_NEAR + STEP)
+        near = away < np.inf
+        some, nearest = some[near], nearest[near]
         if len(some) < _SHORTEST:
             return
         number, along = np.full(count, -1), np.zeros(count)
-        away, place = self._projected(points[some], nearest[some])
+        away, place = self._projected(points[some], nearest)
         close = away < _NEAR
-        number[some[close]] = self._number[nearest[some[close]]]
+        number[some[close]] = self._number[nearest[close]]
         along[some[close]] = place[close]
         for curve_number in np.unique(number[number >= 0]):
             near = np.flatnonzero(number == curve_number)
-            for row in _rows(self.curves[int(curve_number)], near, along[near], count):
-                yield replace(row, source=self._source)
+            yield from _rows(self.curves[int(curve_number)], near, along[near], count)
 
     def _projected(
         self, points: Points, nearest: NDArray[np.intp]
@@ -257,6 +267,32 @@ class _Source:
         way = way / np.maximum(abs(way), 1e-9)
         offset = (points - on) * way.conj()
         return abs(offset.imag), self._along[nearest] + np.clip(offset.real, -STEP, STEP)
+
+
+class _Cells:
+    """Where points are near to others, by cells: few are left to be looked for among them."""
+
+    def __init__(self, points: NDArray[np.float64]) -> None:
+        """Take rows of x and y."""
+        cells = np.floor(points / _CELL).astype(int)
+        self._corner = cells.min(axis=0) - 2
+        places = cells - self._corner
+        held = np.zeros(places.max(axis=0) + 3, dtype=bool)
+        held[tuple(places.T)] = True
+        self._held = scipy.ndimage.maximum_filter(held, 3)
+
+    def hold(self, points: NDArray[np.float64]) -> NDArray[np.bool_]:
+        """Return which points (n, 2) may be less than a cell from any: all that are."""
+        places = np.floor(points / _CELL).astype(int) - self._corner
+        x, y = np.clip(places, 0, np.array(self._held.shape) - 1).T
+        held: NDArray[np.bool_] = self._held[x, y]
+        return held
+
+
+@lru_cache(maxsize=64)
+def _source(path: Path, unit: float) -> _Source:
+    """Remember sources, some 200 KiB each: the results of a row share most of theirs."""
+    return _Source([SourceCurve.of(contour, unit) for contour in path.contours])
 
 
 def _rows(

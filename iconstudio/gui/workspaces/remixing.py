@@ -20,6 +20,7 @@ from iconstudio.gui.theme.layout import row, splitter
 from iconstudio.gui.workspaces.actions import CANVAS, Entry
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.grid_runner import FINE, LIVE, GridRunner, Place
+from iconstudio.gui.workspaces.inner import INNER
 from iconstudio.gui.workspaces.symmetry import SymmetryDetection
 from iconstudio.inputs.together import counted
 from iconstudio.workflows import criteria as edits
@@ -32,6 +33,7 @@ GRID = (
           do="set_live", checked=lambda place: place.runner.live),
     Entry("fine", "F&ine quality", "Fine: smoother joins, five times as slow",
           do="set_fine", checked=lambda place: place.runner.fine),
+    INNER,
     *CANVAS,
 )  # fmt: skip
 """What every workspace with a grid of results does."""

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.iconification.energy import distance_field, remix_problem
@@ -44,6 +45,9 @@ from iconstudio.workflows.solving import Posed
 
 SAME = 0.97
 """Overlap of ink from which two icons on the canvas are one drawing."""
+_ROUGH, _STUB = 8, 32
+"""Canvas units by which an outline may miss the end of what is removed, and the width of the widest
+stubs that this leaves."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,10 +69,20 @@ class PlacedEdit:
     mask: NDArray[np.float32]
     """D_E, (m, m): the distance from the changed area, from 0 to 1."""
 
+    @property
+    def kept(self) -> NDArray[np.float32]:
+        """D_E of what is added, and 0 where something is removed, (m, m)."""
+        reach = EDIT_REACH * len(self.mask) / CANVAS
+        return np.where(self.removed, 0, truncated_distance(self.added, reach)).astype(np.float32)
+
+    def penalty(self, count: int) -> NDArray[np.float32]:
+        """P_E of ``count`` labels, (count, m, m)."""
+        return edit_penalty(self.mask, self.kept, count)
+
     def pose(self, symmetry: Axis | None, sources: tuple[Source, ...]) -> Posed:
         """Pose the graph cut of ``sources``, the first of which is the icon itself."""
         problem = remix_problem(distance_field(self.silhouette), sources, symmetry)
-        problem = replace(problem, data=problem.data + edit_penalty(self.mask, len(sources)))
+        problem = replace(problem, data=problem.data + self.penalty(len(sources)))
         # All but the change stays as it is.
         return Posed(problem, self.silhouette, near=self.mask < 1, heal=False)
 
@@ -107,11 +121,19 @@ def place_edit(edit: Edit, icon: Exemplar, side: int = CANVAS) -> PlacedEdit:
             "What should be added is too small to be seen. Sketch it larger, in the "
             f"icon's canvas of {CANVAS} units."
         )
-    silhouette = solid((filled & ~removed) | added)
+    silhouette = solid((filled & ~_taken_off(ink, filled, removed)) | added)
     if not silhouette.any():
         raise IconstudioError("Nothing of the icon would be left. Remove less, or add something.")
     mask = truncated_distance(removed | added, EDIT_REACH * side / CANVAS)
     return PlacedEdit(Source(icon, placement), ink, removed, added, silhouette, mask)
+
+
+def paper(icon: Source) -> Source:
+    """Return the icon moved off the canvas: a source that shows nothing.
+
+    With it, what is taken off needs no other icon that happens to be white there.
+    """
+    return Source(icon.exemplar, Placement(dx=4 * CANVAS))
 
 
 def own_styles(icon: Exemplar) -> tuple[str, ...]:
@@ -182,7 +204,7 @@ def edit_icon(
             matcher,
             settings,
             refusal=_refusal,
-            always=(change.base,),
+            always=(change.base, paper(change.base)) if edit.remove else (change.base,),
             pose=partial(posed.pose, edit.symmetry),
             finish=finish,
             include=edit.include,
@@ -252,6 +274,32 @@ def _room(edit: Edit, icon: Exemplar) -> Placement:
         round(scale * (half - (left + right) / 2)),
         round(scale * (half - (top + bottom) / 2)),
     )
+
+
+def _taken_off(ink: Bitmap, filled: Bitmap, removed: Bitmap) -> Bitmap:
+    """Return what is removed, and what a rough outline leaves of it.
+
+    If most of a hole is removed, as of a handle, so is its rest, and the stubs beside that.
+    """
+    holes, _ = scipy.ndimage.label(filled & ~ink)
+    sizes = np.bincount(holes.ravel())
+    mostly = 2 * np.bincount(holes[removed], minlength=len(sizes)) > sizes
+    mostly[0] = False
+    gone: Bitmap = removed | mostly[holes]
+    rest = gone & ~removed
+    if not rest.any():
+        return gone
+    unit = len(ink) / CANVAS
+    left = filled & ~gone
+    away = [scipy.ndimage.distance_transform_edt(~mask) for mask in (removed, rest)]
+    depth = scipy.ndimage.distance_transform_edt(np.pad(left, 1))[1:-1, 1:-1]
+    radius = min(_STUB * unit, 0.75 * depth.max())
+    opened = scipy.ndimage.distance_transform_edt(depth <= radius) <= radius
+    near = (away[0] < _ROUGH * unit) & (away[1] < _STUB * unit)
+    pieces, _ = scipy.ndimage.label(left & ~opened & near)
+    stubs = np.unique(pieces[scipy.ndimage.binary_dilation(removed)])
+    gone |= np.isin(pieces, stubs[stubs > 0])
+    return gone
 
 
 def _union(polygons: Sequence[Polygon], placement: Placement, side: int) -> Bitmap:

@@ -1,6 +1,7 @@
 """What can be done with a mix and its hybrids."""
 
 from iconstudio.gui.workspaces.actions import Entry, Key, work_entries
+from iconstudio.gui.workspaces.inner import INNER
 
 
 def _has_icons(place) -> bool:
@@ -25,5 +26,6 @@ ENTRIES = (
     Entry("like", "More &like this", "Draw hybrids like the picked one", "L", menu="&Edit",
           do=lambda place: place.draw_like(place.picture), enabled=_picked),
     Entry("run", "&Mix", "Draw hybrids of the icons", "Ctrl+Return"),
+    INNER,
     *work_entries("mix", _has_icons),
 )  # fmt: skip

@@ -1,6 +1,7 @@
 """What can be done with a montage."""
 
 from iconstudio.gui.workspaces.actions import CANVAS, Entry, Key, tool, work_entries
+from iconstudio.gui.workspaces.inner import INNER
 from iconstudio.workflows.montage import edits
 
 
@@ -27,6 +28,7 @@ ENTRIES = (
     tool("brush", "&Keep brush", "Scribble over the parts to keep", "B", "brush"),
     tool("arrange", "&Arrange icons", "Choose, move and scale icons", "V", "arrow"),
     tool("eraser", "&Eraser", "Rub scribbles out", "E", "eraser"),
+    INNER,
     *work_entries("montage", _holds_icons),
     *CANVAS,
 )  # fmt: skip
