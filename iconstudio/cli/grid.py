@@ -39,6 +39,7 @@ class GridOptions:
     dump: bool
     fine: bool
     profile: bool
+    tidy: bool = True
 
     def of(self, request: _Work, session: Session) -> _Work:
         """Return the request in the file, as the options change it.
@@ -70,7 +71,7 @@ class GridOptions:
 
 
 def grid_command(
-    name: str, metavar: str, styles: str
+    name: str, metavar: str, styles: str, tidies: bool = False
 ) -> Callable[[Callable[[GridOptions], None]], click.Command]:
     """Make a function a command with the options of a grid.
 
@@ -78,8 +79,10 @@ def grid_command(
     ----------
     styles
         Which styles there are if none is named, for the help.
+    tidies
+        Whether what seams bring about is put right.
     """
-    options = (
+    options: tuple[Callable[..., Any], ...] = (
         running.input_file(metavar),
         running.output_folder("grid.png"),
         click.option(
@@ -124,6 +127,8 @@ def grid_command(
         running.fine_option,
         profile_option,
     )
+    if tidies:
+        options = (*options, running.tidy_option)
     goes_on = {"--styles": _STYLES.__contains__, "--lambdas": is_number, "--scales": is_number}
 
     def decorate(function: Callable[[GridOptions], None]) -> click.Command:
@@ -146,10 +151,11 @@ def run(
     stopwatch: Stopwatch,
     *,
     dump: bool = False,
+    tidy: bool = True,
 ) -> None:
     """Run a workflow that fills a grid, write everything into ``folder``, say what is there."""
     report = GridReport(folder, request, settings.lambdas, dump=dump)
-    results = running.run(session, events, report, stopwatch)
+    results = running.run(session, events, report, stopwatch, tidy)
     if not results:
         raise IconstudioError(
             f"No style has enough icons of “{request.keyword}”. Try a more common word; "

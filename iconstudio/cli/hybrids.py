@@ -34,9 +34,16 @@ from iconstudio.workflows.remixing import CutSettings
     help="The same seed gives the same hybrids; instead of the file's.",
 )
 @running.fine_option
+@running.tidy_option
 @profile_option
 def command(
-    file: Path, folder: Path, draws: int | None, seed: int | None, fine: bool, profile: bool
+    file: Path,
+    folder: Path,
+    draws: int | None,
+    seed: int | None,
+    fine: bool,
+    tidy: bool,
+    profile: bool,
 ) -> None:
     """Mix the icons in HYBRIDS.json at random, and rank what comes of it."""
     hybrids = read_hybrids(file)
@@ -48,7 +55,7 @@ def command(
     with profiled(profile) as stopwatch, Session() as session:
         events = _mixing(session, hybrids, running.side_of(fine))
         report = HybridsReport(folder, hybrids.word, hybrids.draws, hybrids.seed, hybrids.symmetry)
-        results = running.run(session, events, report, stopwatch)
+        results = running.run(session, events, report, stopwatch, tidy)
     if not results:
         raise IconstudioError(
             "All hybrids repeat the icons. Choose icons that differ more, or ask for more draws."

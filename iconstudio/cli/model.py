@@ -15,14 +15,15 @@ from iconstudio.workflows.modelling.file import read_sketch
 from iconstudio.workflows.modelling.spec import MODELLING
 
 
-@grid.grid_command("model", "SKETCH.json", "all four")
+@grid.grid_command("model", "SKETCH.json", "all four", tidies=True)
 def command(options: grid.GridOptions) -> None:
     """Make icons in the shape of the polygon in SKETCH.json out of parts of real ones."""
     file = read_sketch(options.file)
     settings = options.settings(GridSettings().styles)
     with profiled(options.profile) as stopwatch, Session() as session:
         sketch = options.of(file.resolved(session.icon), session)
-        run(session, sketch, settings, options.folder, stopwatch, dump=options.dump)
+        dump, tidy = options.dump, options.tidy
+        run(session, sketch, settings, options.folder, stopwatch, dump=dump, tidy=tidy)
 
 
 def run(
@@ -33,6 +34,7 @@ def run(
     stopwatch: Stopwatch,
     *,
     dump: bool = False,
+    tidy: bool = True,
 ) -> None:
     """Model a sketch, write everything into ``folder``, and say what is there."""
     settings.chosen_styles()
@@ -41,4 +43,4 @@ def run(
     if crosses_itself(sketch.polygon):
         click.echo("The outline crosses itself: all that it encloses counts as inside.", err=True)
     events = session.run(MODELLING, sketch, settings)
-    grid.run(session, events, request, settings, folder, stopwatch, dump=dump)
+    grid.run(session, events, request, settings, folder, stopwatch, dump=dump, tidy=tidy)

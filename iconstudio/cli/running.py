@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Generator, Iterable, Mapping
 from contextlib import closing
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -11,6 +12,7 @@ from iconstudio.cli.progress import ProgressBar
 from iconstudio.cli.timing import Stopwatch
 from iconstudio.model import CANVAS, IconstudioError, Pictogram
 from iconstudio.output.folder import check_folder
+from iconstudio.output.png import untidied
 from iconstudio.session import Session
 from iconstudio.workflows.events import Event, Progress, Remark, Result, Retrieved, StyleSkipped
 from iconstudio.workflows.remixing import FINE
@@ -26,11 +28,22 @@ class Report(Protocol):
         """Write the rest; ``timings`` are seconds by stage."""
 
 
-def run(session: Session, events: Generator[Event], report: Report, stopwatch: Stopwatch) -> int:
-    """Run a workflow to its end, write all that comes of it, and return how many results did."""
+def run(
+    session: Session,
+    events: Generator[Event],
+    report: Report,
+    stopwatch: Stopwatch,
+    tidy: bool = True,
+) -> int:
+    """Run a workflow to its end, write all that comes of it, and return how many results did.
+
+    ``tidy``: what seams brought about is put right.
+    """
     results = 0
     with closing(events), ProgressBar() as bar:
         for event in events:
+            if isinstance(event, Result) and not tidy:
+                event = replace(event, icon=untidied(event.icon))
             stopwatch.note(event)
             report.add(event)
             stopwatch.wrote()
@@ -100,6 +113,18 @@ def fine_option(function: Callable[..., Any]) -> Callable[..., Any]:
         is_flag=True,
         help=f"Join on a canvas of {FINE} x {FINE} sites instead of {CANVAS} x {CANVAS}: finer"
         " seams, about five times the time.",
+    )(function)
+
+
+def tidy_option(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Add an option ``--no-tidy``, which gives ``tidy``."""
+    return click.option(
+        "--no-tidy",
+        "tidy",
+        is_flag=True,
+        flag_value=False,
+        default=True,
+        help="Leave lines, circles, widths and symmetry as they come out where parts meet.",
     )(function)
 
 

@@ -76,6 +76,8 @@ class Drawing:
     frame: Frame = WHOLE
     """The square of the composite's canvas that is drawn, in its units: more than the canvas if a
     source that owns its border reaches past it. Path and coverage are in units of this square."""
+    untidied: Path | None = None
+    """The path before what seams brought about was put right; None if nothing was."""
 
     def owned(self, labels: NDArray[np.uint8]) -> NDArray[np.uint8]:
         """Return who owns each pixel of the coverage, (n, n); ``labels`` are the composite's."""

@@ -1,6 +1,6 @@
 """An icon that the program made: its outline, its title, whom to thank, and how it was made."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from iconstudio.model.canvas import CANVAS
 from iconstudio.model.composite import Composite, Drawing
@@ -82,6 +82,10 @@ class Remix(Icon):
             drawing=drawing,
             score=score,
         )
+
+    def drawn(self, drawing: Drawing) -> "Remix":
+        """Return the same remix drawn in another way."""
+        return replace(self, path=drawing.path, drawing=drawing)
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

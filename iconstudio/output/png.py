@@ -1,6 +1,7 @@
 """Pictures as PNG files."""
 
 import io
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -8,7 +9,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from iconstudio.files import check_writable
-from iconstudio.model import CANVAS, Frame, Icon, IconstudioError
+from iconstudio.model import CANVAS, Frame, Icon, IconstudioError, Remix
 from iconstudio.model import Path as Outline
 from iconstudio.svg.resvg import render_colours, render_coverage
 
@@ -23,6 +24,15 @@ def coverage(path: Outline, size: int) -> NDArray[np.uint8]:
         f'<path d="{path.svg()}"/></svg>'
     )
     return render_coverage(svg, Frame(0, 0, CANVAS), size)
+
+
+def untidied(icon: Icon) -> Icon:
+    """Return an icon as it was before what seams brought about was put right."""
+    if not isinstance(icon, Remix) or icon.drawing.untidied is None:
+        return icon
+    path, drawing = icon.drawing.untidied, icon.drawing
+    drawn = coverage(path, len(drawing.coverage))
+    return icon.drawn(replace(drawing, path=path, coverage=drawn, untidied=None))
 
 
 def icon_pixels(icon: Icon, size: int, white: bool = False) -> NDArray[np.uint8]:

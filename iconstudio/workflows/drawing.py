@@ -9,7 +9,7 @@ from concurrent.futures import Future
 from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import lru_cache
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 import scipy
@@ -38,6 +38,9 @@ from iconstudio.model import CANVAS, Drawing, Exemplar, Frame, Placement, Source
 from iconstudio.model.composite import WHOLE
 from iconstudio.model.path import Path
 from iconstudio.workers import Workers
+
+if TYPE_CHECKING:
+    from iconstudio.algorithms.tidying.sides import Sides
 
 SECONDS = 30.0
 MEMORY = 1 << 30
@@ -111,9 +114,10 @@ def draw(
     exact
         Whether the path takes the sources' own curves where it runs along them.
     heal
-        Whether sources are moved to meet and seams made anew, unless something is marked.
+        Whether sources are moved to meet, seams made anew, and what these bring about is put
+        right, unless something is marked.
     """
-    from iconstudio.algorithms.iconification.joined_path import joined_path
+    from iconstudio.algorithms.iconification.joined_path import joined_sides, path_along
     from iconstudio.algorithms.tracing.vectorize import trace
 
     m, nobody = len(labels), len(sources)
@@ -139,11 +143,68 @@ def draw(
             _outline(one, frame, render) if number in coverages else Path()
             for number, one in enumerate(sources)
         ]
-        path = joined_path(coverage, outlines, heal and marked is None)
-        drawn = _picture(path, "nonzero", render)
-        if _is_plain(path, drawn, render):
-            return Drawing(path, drawn, owners, frame)
+        heal = heal and marked is None
+        contours = joined_sides(coverage, outlines, heal)
+        plain = path_along(contours)
+        tidy = _tidied(contours, _pens(contours, sources, frame, render), plain) if heal else plain
+        for path in (tidy, plain) if tidy != plain else (plain,):
+            drawn = _picture(path, "nonzero", render)
+            if _is_plain(path, drawn, render):
+                return Drawing(path, drawn, owners, frame, None if path is plain else plain)
     return Drawing(trace(coverage), _reduced(coverage), owners, frame)
+
+
+def _tidied(contours: "Sequence[Sides]", pens: Mapping[int, float], plain: Path) -> Path:
+    """Return the path of contours with what seams brought about put right.
+
+    If anything else came of that, it is ``plain``, their path as they are.
+    """
+    from iconstudio.algorithms.iconification.joined_path import path_along
+    from iconstudio.algorithms.tidying.tidying import tidied
+
+    for widths in (pens, {}):
+        found = tidied(contours, widths)
+        if found == contours:
+            return plain
+        path = path_along(found)
+        if _has_parts(path, plain, len(contours) - len(found)):
+            return path
+    return plain
+
+
+def _has_parts(path: Path, other: Path, fewer: int) -> bool:
+    """Whether a path has as many pieces and as many holes as another one but for so many."""
+    (pieces, holes), (more, most) = (
+        np.bincount([Path((one,)).area < 0 for one in some.contours], minlength=2)
+        for some in (path, other)
+    )
+    return bool(pieces <= more and holes <= most and more - pieces + most - holes == fewer)
+
+
+def _pens(
+    contours: "Sequence[Sides]", sources: Sequence[Source], frame: Frame, render: Render
+) -> dict[int, float]:
+    """Return how wide the pens are that drew the sources of contours, if any did."""
+    owners = {side.owner for sides in contours for side in sides if side.owner >= 0}
+    if len(owners) < 2:
+        return {}
+    widths = {owner: _pen(sources[owner].exemplar, render) for owner in owners}
+    return {
+        owner: width * sources[owner].placement.scale * CANVAS / frame.size
+        for owner, width in widths.items()
+        if width is not None
+    }
+
+
+def _pen(exemplar: Exemplar, render: Render) -> float | None:
+    return _pen_of(render, exemplar.pictogram.svg, exemplar.frame)
+
+
+@lru_cache(maxsize=256)
+def _pen_of(render: Render, svg: str, frame: Frame) -> float | None:
+    from iconstudio.algorithms.tidying.pens import pen_of
+
+    return pen_of(_outline_of(render, svg, frame))
 
 
 def draw_whole(

@@ -108,7 +108,7 @@ def exemplar(number: int) -> Exemplar:
 
 
 def drawing(sketch: Sketch, row: int, column: int) -> Drawing:
-    """The sketch with a hole that grows from row to row."""
+    """The sketch with a hole that grows from row to row; before it was tidied, a narrower one."""
     outer = sketch.polygon.fitted().vertices
     hole = 10 * (3 - row) + 2 * column
     middle = CANVAS / 2
@@ -122,7 +122,8 @@ def drawing(sketch: Sketch, row: int, column: int) -> Drawing:
     path = outline(*subpaths)
     coverage = np.zeros((CANVAS, CANVAS), np.uint8)
     coverage[40:216, 40:216] = 255
-    return Drawing(path, coverage)
+    before = outline(outer, [(middle + 0.9 * x, middle + y) for x, y in inner])
+    return Drawing(path, coverage, untidied=before)
 
 
 def read_simply(data: bytes, name: str, symbol: str | None = None) -> Pictogram:

@@ -319,7 +319,7 @@ def _put_together(
     """Return the outline that begins with the first row, and the runs in it."""
     points, runs, at = [], [], 0
     for row, seam in zip(rows, seams, strict=True):
-        runs.append(Run(at, at + row.count - 1, row.run().pieces))
+        runs.append(row.run()._replace(first=at, last=at + row.count - 1))
         points += [row.points, seam]
         at += row.count + len(seam)
     return Outline(np.concatenate(points)), runs

@@ -14,8 +14,9 @@ from iconstudio.algorithms import regions
 from iconstudio.algorithms.iconification.alignment import alignment, moved
 from iconstudio.algorithms.iconification.healing import Examples, healed
 from iconstudio.algorithms.regions import RegionError
+from iconstudio.algorithms.tidying.sides import Side, Sides
 from iconstudio.algorithms.tracing.exact import SourceCurves, joined
-from iconstudio.algorithms.tracing.pieces import pieces_of
+from iconstudio.algorithms.tracing.pieces import owned_pieces_of
 from iconstudio.algorithms.tracing.vectorize import SPECK, TOLERANCE, contour_of, outlines
 from iconstudio.model import CANVAS
 from iconstudio.model.path import Path
@@ -23,6 +24,16 @@ from iconstudio.model.path import Path
 
 def joined_path(coverage: NDArray[np.uint8], sources: Sequence[Path], heal: bool = True) -> Path:
     """Return the outline of a joined drawing in canvas units, to a hundredth of one.
+
+    For what it is made of see ``joined_sides``.
+    """
+    return path_along(joined_sides(coverage, sources, heal))
+
+
+def joined_sides(
+    coverage: NDArray[np.uint8], sources: Sequence[Path], heal: bool = True
+) -> list[Sides]:
+    """Return the contours of a joined drawing in canvas units; they may cross where it is narrow.
 
     Parameters
     ----------
@@ -42,15 +53,22 @@ def joined_path(coverage: NDArray[np.uint8], sources: Sequence[Path], heal: bool
     if heal:
         moves = alignment(drawn, followed, len(sources), unit)
         examples = Examples.of(curves.oriented(), unit)
-    contours = []
+    contours: list[Sides] = []
     for outline, rows in zip(drawn, followed, strict=True):
         outline, rows = moved(outline, rows, moves)
         rows = joined(rows, outline)
         runs = [row.run() for row in rows]
         if heal:
             outline, runs = healed(outline, rows, examples, unit)
-        contours.append(contour_of(pieces_of(outline, TOLERANCE / unit, 1, runs), unit))
-    return _without_overlaps(Path(tuple(contours)))
+        found = owned_pieces_of(outline, TOLERANCE / unit, 1, runs)
+        contours.append([Side.of(piece, owner, unit) for piece, owner in found])
+    return contours
+
+
+def path_along(contours: Sequence[Sides]) -> Path:
+    """Return contours as a path that overlaps itself nowhere, to a hundredth of a unit."""
+    pieces = ([side.piece for side in sides] for sides in contours if sides)
+    return _without_overlaps(Path(tuple(contour_of(one, 1.0) for one in pieces)))
 
 
 def _without_overlaps(path: Path) -> Path:

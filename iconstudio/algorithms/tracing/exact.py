@@ -108,7 +108,8 @@ class Followed:
         start, end = float(self.along[0]), float(self.along[-1])
         if self.whole:
             start, end = (0.0, self.curve.length) if end > start else (self.curve.length, 0.0)
-        return Run(self.first, self.last, self.curve.part(start, end), self.whole)
+        pieces = self.curve.part(start, end)
+        return Run(self.first, self.last, pieces, self.whole, self.source)
 
 
 def joined(found: Sequence[Followed], outline: Outline) -> list[Followed]:

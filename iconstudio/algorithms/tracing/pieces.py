@@ -56,6 +56,8 @@ _NOTHING = 1e-6
 
 Piece = tuple[complex, ...]
 """First and last point of a line, or the four points of a cubic."""
+NOBODY = -1
+"""Owner of pieces that are of no source."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -110,6 +112,8 @@ class Run(NamedTuple):
     pieces: Sequence[Piece]
     whole: bool = False
     """Whether the pieces are all of the outline."""
+    owner: int = NOBODY
+    """Number of the source that they are of."""
 
 
 class _Knot(NamedTuple):
@@ -127,14 +131,21 @@ def pieces_of(
 
     ``runs`` are in order, none over another.
     """
+    return [piece for piece, _ in owned_pieces_of(outline, tolerance, blur, runs)]
+
+
+def owned_pieces_of(
+    outline: Outline, tolerance: float, blur: int, runs: Sequence[Run] = ()
+) -> list[tuple[Piece, int]]:
+    """Return the same, each with its owner: that of its run, or nobody."""
     if runs and runs[0].whole:
-        return list(runs[0].pieces)
+        return [(piece, runs[0].owner) for piece in runs[0].pieces]
     corners = _corners(outline, blur)
     smooth = outline.smooth()
     knots = [_Knot(one.first, one.last, one) for one in runs]
     knots += [_Knot(one, one) for one in corners if not _is_covered(one, runs, len(outline))]
     if not knots:
-        return _round(smooth, tolerance)
+        return [(piece, NOBODY) for piece in _round(smooth, tolerance)]
     knots.sort()
     count = len(outline)
     ends = [*knots, _Knot(knots[0].first + count, knots[0].last + count)]
@@ -160,17 +171,18 @@ def pieces_of(
             at = outline.points[knot.first]
         out[0] = at
         into[-1] = at + turn
-    pieces: list[Piece] = []
+    pieces: list[tuple[Piece, int]] = []
     for knot, following, span, straight in zip(
         knots, [*knots[1:], knots[0]], spans, lines, strict=True
     ):
         if knot.run:
-            pieces += knot.run.pieces
+            pieces += [(piece, knot.run.owner) for piece in knot.run.pieces]
         start = _way(knot.run.pieces[-1][::-1]) if knot.run else None
         end = _way(following.run.pieces[0]) if following.run else None
         if len(span) > _SHORT or abs(span[-1] - span[0]) > _NEXT:
             allowed = tolerance * _LOOSE if knot.run and following.run else tolerance
-            pieces += _along(span, straight, start and -start, end and -end, allowed)
+            found = _along(span, straight, start and -start, end and -end, allowed)
+            pieces += [(piece, NOBODY) for piece in found]
     return pieces
 
 

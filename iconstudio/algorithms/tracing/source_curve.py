@@ -78,7 +78,7 @@ class SourceCurve:
         for number in range(int(np.floor(first)), int(np.ceil(last))):
             since, until = max(first - number, 0.0), min(last - number, 1.0)
             piece = self.pieces[number % count]
-            found.append(piece if (since, until) == (0, 1) else _between(piece, since, until))
+            found.append(piece if (since, until) == (0, 1) else part_of(piece, since, until))
         return found
 
     def _place(self, at: float) -> float:
@@ -99,7 +99,7 @@ def points_on(piece: Piece, t: NDArray[np.float64]) -> Points:
     return found
 
 
-def _between(piece: Piece, since: float, until: float) -> Piece:
+def part_of(piece: Piece, since: float, until: float) -> Piece:
     """Return the part of a line or cubic between two of its parameters."""
     ends = points_on(piece, np.array([since, until]))
     start, end = (complex(one) for one in ends)

@@ -5,6 +5,7 @@ from PySide6.QtWidgets import QSplitter
 
 from iconstudio.gui.gallery.detail import DetailPanel
 from iconstudio.gui.gallery.results import ResultsPanel
+from iconstudio.gui.gallery.tidiness import setting
 from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.workflows.events import Event, Recommended, StyleMatched, StyleSkipped
@@ -46,6 +47,7 @@ class ResultsBrowser(QSplitter):
         results, detail = self.results, self.detail
         results.picked.connect(detail.show_picture)
         results.chosen.connect(self._choose)
+        setting.changed.connect(self._renew_tidiness)
 
     def begin(self, settings: GridSettings, afresh: bool = True) -> None:
         """Make room for the results of a new run.
@@ -76,7 +78,7 @@ class ResultsBrowser(QSplitter):
             case Recommended():
                 self._recommend(event)
             case Picture():
-                self._add(event)
+                self._add(setting.shown(event))
 
     def end(self, whole: bool = True, keep: bool = True) -> None:
         """Nothing more is to come; ``keep`` the best result in sight."""
@@ -89,6 +91,11 @@ class ResultsBrowser(QSplitter):
         self._settled = self._settled or (whole and best is not None)
         if keep and self.results.finished:
             self.kept.emit(best or self.detail.picture)
+
+    def _renew_tidiness(self) -> None:
+        if self._best is not None:
+            self._best = setting.shown(self._best)
+        self.results.renew_tidiness()
 
     def _add(self, picture: Picture) -> None:
         if not self.results.add(picture):

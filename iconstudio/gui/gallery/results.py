@@ -18,6 +18,7 @@ from iconstudio.gui.canvas.tools.base import NUDGES
 from iconstudio.gui.gallery.axes import HEAD, RowHead, Scale
 from iconstudio.gui.gallery.cell import CellState, ResultCell
 from iconstudio.gui.gallery.display import DisplaySwitch
+from iconstudio.gui.gallery.tidiness import TidySwitch, setting
 from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.theme.layout import column, label, row, with_role
 from iconstudio.gui.theme.theme import UNIT
@@ -114,9 +115,9 @@ class ResultsPanel(QFrame):
         with_role(self, "card")
         self._nearer = nearer
         self.grid = ResultsGrid((), (), nearer)
-        self.switch = DisplaySwitch()
+        self.switch, self.tidy_switch = DisplaySwitch(), TidySwitch()
         self.note = label(wordWrap=True)
-        top = row(label("Results", "title"), (self.note, 1), self.switch)
+        top = row(label("Results", "title"), (self.note, 1), self.tidy_switch, self.switch)
         below = QWidget()
         # Nothing is left for what is below it until it is full.
         self._place = column((self.grid, 1000), (None, 1), of=below, spacing=0)
@@ -198,6 +199,15 @@ class ResultsPanel(QFrame):
         if cell.isChecked():
             self.picked.emit(picture)
         return True
+
+    def renew_tidiness(self) -> None:
+        """Show all results tidied or not, as the setting says."""
+        for cell in self.grid.cells.values():
+            if cell.picture is not None:
+                cell.picture = setting.shown(cell.picture)
+                cell.update()
+                if cell.isChecked():
+                    self.picked.emit(cell.picture)
 
     def recommend(self, style: str, lambda_s: float | None) -> None:
         """Mark the result of a style to look at first, if there is one, and no other."""

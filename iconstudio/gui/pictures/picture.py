@@ -65,6 +65,19 @@ class Picture:
     """Side of the colour-coded picture in pixels."""
     preview: bool = False
     """Whether a better one is to follow in its place."""
+    tidied: "Picture | None" = None
+    """Of one that shows an icon before it was tidied: the other."""
+
+    @cached_property
+    def untidied(self) -> "Picture | None":
+        """The icon before what seams brought about was put right; None if nothing was."""
+        if not isinstance(self.icon, Remix) or self.icon.drawing.untidied is None:
+            return None
+        path, drawing = self.icon.drawing.untidied, self.icon.drawing
+        outline = painter_path(path)
+        coverage = _coverage(outline, len(drawing.coverage))
+        icon = self.icon.drawn(replace(drawing, path=path, coverage=coverage, untidied=None))
+        return Picture(icon, outline, self.colours, self.coded_side, self.preview, self)
 
     @cached_property
     def coded(self) -> Mipmap | None:
@@ -74,6 +87,8 @@ class Picture:
         """
         from iconstudio.output.colours import colour_code
 
+        if self.tidied is not None:  # the labelling is the same
+            return self.tidied.coded
         match self.icon:
             case Remix(composite=composite, drawing=drawing):
                 pixels = colour_code(composite, drawing, self.coded_side, self.colours)
@@ -242,6 +257,18 @@ def _drawn(
     _ = picture.shapes
     _made[id(icon)] = picture
     return picture
+
+
+def _coverage(outline: QPainterPath, side: int) -> NDArray[np.uint8]:
+    """Draw an outline in canvas units, (side, side) uint8, 255 = ink."""
+    image = QImage(side, side, QImage.Format.Format_Alpha8)
+    image.fill(Qt.GlobalColor.transparent)
+    with QPainter(image) as painter:
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.scale(side / CANVAS, side / CANVAS)
+        painter.fillPath(outline, _BLACK)
+    rows = np.frombuffer(image.constBits(), np.uint8).reshape(side, image.bytesPerLine())
+    return rows[:, :side].copy()
 
 
 def rgba_image(pixels: NDArray[np.uint8]) -> QImage:

@@ -1,0 +1,66 @@
+"""Results tidied, and as they were before, in the real window."""
+
+import numpy as np
+import pytest
+from hands import press, trace, type_keyword
+from PySide6.QtCore import Qt
+
+from iconstudio.gui.gallery import tidiness
+from iconstudio.gui.preferences import preferred
+
+
+@pytest.fixture
+def results(sketching, qtbot):
+    """A window whose grid is full."""
+    trace(sketching)
+    type_keyword(sketching, "motorcycle")
+    press(sketching, Qt.Key.Key_Return, Qt.KeyboardModifier.ControlModifier)
+    qtbot.waitUntil(lambda: sketching.browser.results.finished == 24, timeout=20000)
+    qtbot.waitUntil(lambda: not sketching.runner.running, timeout=20000)
+    yield sketching
+    tidiness.setting.choose(True)
+
+
+def test_the_switch_shows_what_was_before_and_back(results, qtbot, session):
+    panel, detail = results.browser.results, results.detail
+    calls, tidy = list(session.calls), {id(one): one for one in panel.pictures}
+    large = detail.picture
+    qtbot.mouseClick(panel.tidy_switch.button, Qt.MouseButton.LeftButton)
+    assert detail.picture.icon.path == large.icon.drawing.untidied != large.icon.path
+    assert {one.icon.path for one in panel.pictures} == {
+        one.icon.drawing.untidied for one in tidy.values()
+    }
+    assert not preferred("tidy", True), "remembered"
+    assert session.calls == calls, "nothing is solved again"
+    assert panel.finished == 24
+    qtbot.mouseClick(panel.tidy_switch.button, Qt.MouseButton.LeftButton)
+    assert {id(one) for one in panel.pictures} == set(tidy)
+    assert detail.picture is large
+
+
+def test_what_is_shown_is_what_is_picked_kept_and_saved(results, qtbot):
+    panel = results.browser.results
+    panel.tidy_switch.button.click()
+    kept = []
+    results.browser.kept.connect(kept.append)
+    cell = panel.cell("light", panel.grid.lambdas[2])
+    qtbot.mouseClick(cell, Qt.MouseButton.LeftButton)
+    (one,) = kept
+    assert one.icon.path == cell.picture.tidied.icon.drawing.untidied
+    assert results.picture is one
+    assert one.icon.drawing.path == one.icon.path
+    drawn = one.icon.drawing.coverage > 127
+    hole = ~drawn[128]
+    wide = ~(cell.picture.tidied.icon.drawing.coverage > 127)[128]
+    assert drawn.shape == cell.picture.tidied.icon.drawing.coverage.shape
+    assert np.flatnonzero(hole).size != np.flatnonzero(wide).size
+
+
+def test_results_that_come_while_it_is_off_are_not_tidied(results, qtbot):
+    panel = results.browser.results
+    panel.tidy_switch.button.click()
+    type_keyword(results, "car")
+    press(results, Qt.Key.Key_Return, Qt.KeyboardModifier.ControlModifier)
+    qtbot.waitUntil(lambda: not results.runner.running, timeout=20000)
+    qtbot.waitUntil(lambda: panel.finished == 24, timeout=20000)
+    assert all(one.tidied is not None for one in panel.pictures)
