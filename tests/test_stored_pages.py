@@ -28,7 +28,7 @@ from iconstudio.model import (
 from iconstudio.project import archive
 from iconstudio.project.archive import Index, Project
 from iconstudio.project.contents import Contents, Formats, reading
-from iconstudio.workflows.editing.page import Area, Kind
+from iconstudio.workflows.areas import Area, Kind
 from iconstudio.workflows.hybrids.page import PickRequest
 from iconstudio.workflows.modelling.page import SketchPage
 from iconstudio.workflows.pattern.page import PatternPage

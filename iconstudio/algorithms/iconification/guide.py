@@ -53,8 +53,7 @@ class Channel(Enum):
 
     def field(self, pictures: Bitmap) -> NDArray[np.float32]:
         """Return the field of ``pictures`` (..., m, m); in a stroke all distances are 0."""
-        field = distance_field(pictures)
-        return field if self is Channel.INK else np.maximum(field, np.float32(0))
+        return distance_field(pictures, outside_only=self is Channel.STROKES)
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,7 +103,8 @@ def inner_aims(inner: Inner, side: int = CANVAS) -> tuple[Aim, ...]:
     aims = [Aim(Channel.STROKES, np.zeros_like(weight), weight)]
     if inner.holes:  # a line in one is ink, though the hole is paper
         hole = filled_polygons(inner.holes, side)
-        aims.append(Aim(Channel.INK, distance_field(~hole), HOLES * hole * (1 - lines)))
+        paper = np.where(hole, np.float32(HOLES) * (1 - lines), np.float32(0))
+        aims.append(Aim(Channel.INK, distance_field(~hole), paper))
     return tuple(aims)
 
 

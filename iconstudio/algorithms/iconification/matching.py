@@ -8,7 +8,7 @@ place, so that the errors that rank them are equation 4 to the letter.
 import math
 import os
 import threading
-from collections import OrderedDict
+from collections import OrderedDict, defaultdict
 from collections.abc import Generator, Iterable, Sequence
 from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
 from dataclasses import dataclass
@@ -29,6 +29,8 @@ from iconstudio.model import CANVAS, MARGIN, Exemplar, Placement, Source
 MATCHES = 3
 """How many different pictograms each region keeps."""
 SCALES = (0.9, 1.0, 1.1)
+LARGER_SCALES = (0.8, *SCALES, 1.25)
+"""Those of the tandem bicycle (section 6), which sometimes yield implausible results."""
 FAR = np.float32(D_MAX / CANVAS)
 """The field's value far outside: fields are matched less this, so that they vanish there."""
 DOUBT = 0.02, 0.025
@@ -103,7 +105,7 @@ class InnerFields:
         self._channel, self._exemplars = channel, exemplars
         self._pictures: dict[int, list[Bitmap]] = {}
         self._spectra: dict[int, NDArray[np.complex64]] = {}
-        self._lock = threading.Lock()
+        self._locks: defaultdict[int, threading.Lock] = defaultdict(threading.Lock)
 
     def field(self, number: int, scale: int) -> NDArray[np.float32]:
         """Return the field of an exemplar at the scale of this number, less ``FAR``, (n, n)."""
@@ -111,7 +113,7 @@ class InnerFields:
 
     def spectra(self, chunk: int) -> NDArray[np.complex64]:
         """Return the spectra of a chunk of exemplars, as those of ``PreparedExemplar``."""
-        with self._lock:
+        with self._locks[chunk]:
             if chunk not in self._spectra:
                 numbers = range(len(self._exemplars))[chunk * CHUNK : (chunk + 1) * CHUNK]
                 self._spectra[chunk] = np.concatenate(list(map(self._spectra_of, numbers)), axis=1)
@@ -193,6 +195,9 @@ class Matcher:
         ]
         region_errors = [RegionError(terms, region, self._waves) for region in regions]
         with ThreadPoolExecutor(self._threads, "match") as threads:
+            for channel in run.channels:  # each region needs all chunks
+                for chunk in run.chunks:
+                    threads.submit(self._inner_fields(channel).spectra, chunk)
             futures = [
                 threads.submit(self._matches, region_error, run) for region_error in region_errors
             ]
@@ -209,7 +214,7 @@ class Matcher:
     def _matches(self, region_error: RegionError, run: "_Search") -> list[Match]:
         """Return the best matches of one region; nothing once the run is stopped."""
         found = self._recall(region_error.key)
-        for chunk in sorted({int(index) // CHUNK for index in run.chosen} - found.chunks):
+        for chunk in sorted(run.chunks - found.chunks):
             if run.stopped:
                 return []
             hits = found.hits[chunk * CHUNK : (chunk + 1) * CHUNK]
@@ -294,6 +299,11 @@ class _Search:
     fields: _Fields = made_by(default_factory=dict)
     """Those that were needed so far."""
     stopped: bool = False
+
+    @property
+    def chunks(self) -> set[int]:
+        """Which chunks these exemplars are in."""
+        return {int(index) // CHUNK for index in self.chosen}
 
 
 @dataclass(frozen=True, eq=False)
