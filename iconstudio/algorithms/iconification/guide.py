@@ -51,9 +51,14 @@ class Channel(Enum):
         """Return of what the distances are, for ink (m, m)."""
         return ink if self is Channel.INK else strokes(ink)
 
-    def field(self, pictures: Bitmap) -> NDArray[np.float32]:
-        """Return the field of ``pictures`` (..., m, m); in a stroke all distances are 0."""
-        return distance_field(pictures, outside_only=self is Channel.STROKES)
+    @property
+    def outside_only(self) -> bool:
+        """Whether all distances in what the pictures show are 0."""
+        return self is Channel.STROKES
+
+    def field(self, ink: Bitmap) -> NDArray[np.float32]:
+        """Return the field of ink on a canvas of any side m, (m, m)."""
+        return distance_field(self.pictures(ink), self.outside_only)
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,7 +82,7 @@ class Guide:
         """Return the data cost of a problem, (K, m, m), when this counts, too."""
         data = problem.data if self.weight is None else problem.data * self.weight
         for aim in self.aims:
-            fields = (aim.channel.field(aim.channel.pictures(ink)) for ink in problem.ink)
+            fields = (aim.channel.field(ink) for ink in problem.ink)
             data = data + np.stack([aim.weight * np.abs(aim.field - field) for field in fields])
         return data
 
@@ -182,7 +187,8 @@ def check_inner(inner: Inner, outline: Bitmap) -> None:
 
 def _outside(points: Sequence[Point], away: NDArray[np.float64]) -> Bitmap:
     """Return which points along a line are beyond an outline, ``away`` (m, m) from it."""
-    along = points_on(Stroke(0, tuple(points)))
+    near = np.clip(points, -CANVAS, 2 * CANVAS)  # what is farther away is outside, too
+    along = points_on(Stroke(0, tuple(map(tuple, near.tolist()))))
     x, y = np.floor(along.T * len(away) / CANVAS).astype(int)
     inside = (np.minimum(x, y) >= 0) & (np.maximum(x, y) < len(away))
     outside: Bitmap = ~inside

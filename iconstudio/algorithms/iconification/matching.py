@@ -22,7 +22,7 @@ from iconstudio.algorithms.iconification.region_error import ESTIMATE, RegionErr
 from iconstudio.algorithms.iconification.saliency import Region
 from iconstudio.algorithms.iconification.sliding import Waves, spectra_of
 from iconstudio.algorithms.iconification.style import blackness
-from iconstudio.algorithms.iconification.tsdf import D_MAX, distances, squared_distances
+from iconstudio.algorithms.iconification.tsdf import D_MAX, distances, squared_distances, tsdf
 from iconstudio.algorithms.raster import Bitmap, scaled_ink, solid
 from iconstudio.model import CANVAS, MARGIN, Exemplar, Placement, Source
 
@@ -109,7 +109,7 @@ class InnerFields:
 
     def field(self, number: int, scale: int) -> NDArray[np.float32]:
         """Return the field of an exemplar at the scale of this number, less ``FAR``, (n, n)."""
-        return self._channel.field(self._scaled(number)[scale]) - FAR
+        return self._field(self._scaled(number)[scale])
 
     def spectra(self, chunk: int) -> NDArray[np.complex64]:
         """Return the spectra of a chunk of exemplars, as those of ``PreparedExemplar``."""
@@ -119,8 +119,11 @@ class InnerFields:
                 self._spectra[chunk] = np.concatenate(list(map(self._spectra_of, numbers)), axis=1)
             return self._spectra[chunk]
 
+    def _field(self, pictures: Bitmap) -> NDArray[np.float32]:
+        return tsdf(pictures, outside_only=self._channel.outside_only) - FAR
+
     def _spectra_of(self, number: int) -> NDArray[np.complex64]:
-        fields = self._channel.field(np.stack(self._scaled(number))) - FAR
+        fields = self._field(np.stack(self._scaled(number)))
         return spectra_of(Waves(fields.shape[-1]), fields)
 
     def _scaled(self, number: int) -> list[Bitmap]:

@@ -27,10 +27,10 @@ class OptionsButton(QToolButton):
         super().__init__()
         self._scales = scales
         tip = (
-            "Small parts of the outline at sharp turns, as a nose or an ear, count more. "
-            "At 0% they count as all else does"
+            "Fine details: small parts of the outline at sharp turns, as a nose or an ear, count "
+            "more. At 0% they count as all else does"
         )
-        self.detail = PercentSlider("Fine detail", tip, 0.0, 1.0, weight)
+        self.detail = PercentSlider("Details", tip, 0.0, 1.0, weight)
         self.larger = QCheckBox("Larger scales (0.8 to 1.25)")
         self.larger.setToolTip(scales.toolTip())
         self.larger.clicked.connect(scales.trigger)
@@ -57,6 +57,6 @@ class OptionsButton(QToolButton):
         larger, weight = self._scales.isChecked(), self.detail.slider.value()
         self.larger.setChecked(larger)
         self.setIcon(icons.icon("options", "accent" if larger or weight else "text"))
-        told = f"fine detail {weight}%, {'larger' if larger else 'usual'} scales"
+        told = f"fine details {weight}%, {'larger' if larger else 'usual'} scales"
         self.setToolTip(f"How the sketch is matched: {told}")
         self.setAccessibleName(f"Matching: {told}")

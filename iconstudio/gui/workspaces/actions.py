@@ -234,6 +234,6 @@ def _describe(entry: Entry, action: QAction) -> None:
 
 INNER = (
     tool("hole", "Draw a &hole", "Hole: draw where paper should show inside", "O", "hole"),
-    tool("line", "Draw a l&ine", "Line: draw a line inside the outline", "I", "line"),
+    tool("line", "Dra&w a line", "Line: draw a line inside the outline", "I", "line"),
 )
 """The tools for what is inside an outline."""

@@ -64,7 +64,7 @@ class EditWorkspace(RemixWorkspace):
         self.start_panel = StartPanel(self.document, self.view, chooser, self.examples)
         chooser.chosen.connect(self._begin_with)
         self.opener.opened.connect(self._begin)
-        self.lay_out("icon", "undo redo", "remove add hole line select pan fit clear")
+        self.lay_out("icon", "undo redo", "remove add hole|line select pan fit clear")
 
     # -- what the window asks for --------------------------------------------------------------
 

@@ -23,7 +23,7 @@ ENTRIES = (
     Entry("run", "Remi&x", "Make new icons in four styles", "Ctrl+Return"),
     tool("trace", "&Trace outline", "Trace the outline", "P", "polygon"),
     *INNER,
-    tool("select", "Correct h&oles and lines", "Select, move and correct holes and lines", "V",
+    tool("select", "Correct ho&les and lines", "Select, move and correct holes and lines", "V",
          "select"),
     Entry("regions", "&Salient regions", "Show the regions that are matched", "R", "regions",
           do="show_regions", checkable=True, menu="&View"),

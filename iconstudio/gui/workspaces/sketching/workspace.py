@@ -74,9 +74,10 @@ class SketchWorkspace(RemixWorkspace):
         self.alternatives.changed.connect(self._remix_pinned)
         self.make_actions()
         self.options = OptionsButton(self.actions_by_name["scales"], self._weight_details)
+        self.keyword_panel.put_beside(self.options)
         self.start_buttons = StartButtons(self.view, self.actions_by_name["photo"], self.examples)
-        bar = "photo examples", "undo redo", "trace hole line select pan fit regions clear"
-        self.lay_out(*bar, trailing=[self.dim, self.options])
+        bar = "photo examples", "undo redo", "trace hole|line|select pan fit clear"
+        self.lay_out(*bar, trailing=[self.dim])
 
     # -- what the window asks for --------------------------------------------------------------
 
