@@ -40,7 +40,7 @@ class SketchFile(File[Sketch], frozen=True):
     def of(cls, sketch: Sketch, refer: Refer) -> Self:
         """Return the file of a sketch."""
         holes, lines = rows(sketch.inner)
-        return cls(
+        file = cls(
             polygon=rounded(sketch.polygon.vertices),
             keyword=sketch.keyword,
             exclude=sketch.exclude,
@@ -49,8 +49,9 @@ class SketchFile(File[Sketch], frozen=True):
             pins=tuple(LayerFile.of(pin, refer) for pin in sketch.pins),
             holes=holes,
             lines=lines,
-            detail=sketch.detail,
         )
+        # A field of another version is refused: of what is not used, nothing is written.
+        return replace(file, detail=sketch.detail) if sketch.detail else file
 
     def resolved(self, find: Find) -> Sketch:
         """Return the sketch, the icons of its pins found by ``find``."""
