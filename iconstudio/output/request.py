@@ -12,7 +12,7 @@ from iconstudio.algorithms.iconification.guide import (
     guide_of,
 )
 from iconstudio.algorithms.raster import Bitmap, fill_polygon
-from iconstudio.model import CANVAS, Axis, Edit, Sketch
+from iconstudio.model import CANVAS, Axis, Edit, Sketch, Stroke
 from iconstudio.output.figure import INK, MUTED, RGB
 from iconstudio.workflows.editing.editing import PlacedEdit, place_edit
 
@@ -57,7 +57,7 @@ def sketch_request(sketch: Sketch, side: int = CANVAS) -> Request:
         sketch.keyword,
         sketch.symmetry,
         "sketch and keyword",
-        ((outline & ~holes, MUTED), (lines, INK)),
+        ((outline & ~holes, MUTED), *([(lines, INK)] if lines.any() else ())),
         outline,
         guide=guide_of(fitted, side),
         posed=partial(sketch_request, sketch),
@@ -80,5 +80,6 @@ def edit_request(edit: Edit, change: PlacedEdit) -> Request:
         layers,
         change.silhouette,
         change,
-        lambda side: edit_request(edit, place_edit(edit, change.base.exemplar, side)),
+        guide=change.guide,
+        posed=lambda side: edit_request(edit, place_edit(edit, change.base.exemplar, side)),
     )

@@ -28,6 +28,14 @@ from iconstudio.workflows.criteria import CriteriaPage
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.grid import GridSettings
 
+
+def _set_scales(place: "RemixWorkspace", on: bool) -> None:
+    """Try larger scales, too, or not."""
+    place.runner.set_larger(on)
+    place.actions_by_name.refresh()
+    place.show_page()
+
+
 GRID = (
     Entry("live", "Li&ve", "Live: results follow while you draw", "Ctrl+L", "live",
           do="set_live", checked=lambda place: place.runner.live),
@@ -37,7 +45,7 @@ GRID = (
     Entry("scales", "Lar&ger scales",
           "Also try icons at 0.8 and 1.25 of their size: fits unusual proportions, but takes "
           "longer, and results may be less plausible",
-          do="set_scales", checked=lambda place: place.runner.larger),
+          do=_set_scales, checked=lambda place: place.runner.larger),
     *CANVAS,
 )  # fmt: skip
 """What every workspace with a grid of results does."""
@@ -79,7 +87,7 @@ class RemixWorkspace(Workspace):
         if self.runner.fine != preferred(FINE, False):
             self.set_fine(not self.runner.fine)
         if self.runner.larger != preferred(LARGER, False):
-            self.set_scales(not self.runner.larger)
+            _set_scales(self, not self.runner.larger)
         self.view.setFocus()
 
     def run(self) -> None:
@@ -216,12 +224,6 @@ class RemixWorkspace(Workspace):
     def set_fine(self, on: bool) -> None:
         """Join results on a finer canvas, or not."""
         self.runner.set_fine(on)
-        self.actions_by_name.refresh()
-        self.show_page()
-
-    def set_scales(self, on: bool) -> None:
-        """Try larger scales, too, or not."""
-        self.runner.set_larger(on)
         self.actions_by_name.refresh()
         self.show_page()
 
