@@ -14,6 +14,7 @@ from iconstudio.model import (
     Correction,
     Icon,
     IconstudioError,
+    Inner,
     Layer,
     Motif,
     Patterning,
@@ -28,7 +29,7 @@ from iconstudio.model import (
 from iconstudio.project import archive
 from iconstudio.project.archive import Index, Project
 from iconstudio.project.contents import Contents, Formats, reading
-from iconstudio.workflows.editing.page import Area, Kind
+from iconstudio.workflows.areas import Area, Kind
 from iconstudio.workflows.hybrids.page import PickRequest
 from iconstudio.workflows.modelling.page import SketchPage
 from iconstudio.workflows.pattern.page import PatternPage
@@ -144,6 +145,15 @@ def test_the_pins_of_a_sketch_are_read_back_and_one_without_its_icon_is_told(for
     assert again.pages["model"] == page
     (complaint,) = again.complaints
     assert "pinned part" in complaint and "mdi:lost" in complaint
+
+
+def test_what_is_inside_a_sketch_is_read_back_finished_or_not(formats):
+    inner = Inner((Polygon(POINTS),), (POINTS[:2], POINTS))
+    draft = Area(Kind.HOLE, POINTS[:2], closed=False)
+    page = SketchPage(Sketch(Polygon(POINTS), "cat", inner=inner, detail=0.4), True, draft=draft)
+    project = Contents("model", {"model": page}).project(formats)
+    again = contents(archive.unpacked(archive.packed(project)), formats)
+    assert again.pages["model"] == page
 
 
 @pytest.mark.parametrize("with_image", [False, True])

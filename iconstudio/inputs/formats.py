@@ -15,6 +15,8 @@ LARGEST = 1e9
 """Coordinates beyond it are a mistake."""
 MOST_POINTS = 200_000
 """Points of a line or an outline."""
+MOST_INNER = 200
+"""Holes, or lines, inside an outline."""
 MOST_IN_LIST = 10_000
 """Entries of any other list."""
 LONGEST_TEXT = 4096
@@ -32,6 +34,9 @@ TextSet = Annotated[frozenset[Text], Meta(max_length=MOST_IN_LIST)]
 Coordinate = Annotated[float, Meta(ge=-LARGEST, le=LARGEST)]
 Points = Annotated[tuple[tuple[Coordinate, Coordinate], ...], Meta(max_length=MOST_POINTS)]
 Polygons = Many[Annotated[Points, Meta(title="polygon")]]
+Holes = Annotated[tuple[Annotated[Points, Meta(title="hole")], ...], Meta(max_length=MOST_INNER)]
+Lines = Annotated[tuple[Annotated[Points, Meta(title="line")], ...], Meta(max_length=MOST_INNER)]
+Share = Annotated[float, Meta(ge=0, le=1)]
 
 
 class Reference(str):

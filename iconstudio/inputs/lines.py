@@ -1,7 +1,9 @@
 """Points in files: those of very many are simplified once read, and few digits are written."""
 
 from iconstudio.algorithms.geometry import simplified, simplified_line
-from iconstudio.model import CANVAS, MARGIN, IconstudioError, Point, Polygon
+from iconstudio.model import CANVAS, MARGIN, IconstudioError, Inner, Point, Polygon
+
+Rows = tuple[tuple[Point, ...], ...]
 
 STRAY = 0.2
 """How far, in canvas units, lines of more than ``MANY`` points may stray to have fewer."""
@@ -20,14 +22,17 @@ def outline(points: tuple[Point, ...]) -> Polygon:
         If more than ``MOST`` are left.
     """
     polygon = Polygon.of(points)
-    if len(polygon.vertices) <= MANY:
-        return polygon
+    return _simpler(polygon, stray_of(polygon)) if len(polygon.vertices) > MANY else polygon
+
+
+def stray_of(polygon: Polygon) -> float:
+    """Return ``STRAY`` in the unit of a polygon that will be fitted to the canvas."""
     left, top, right, bottom = polygon.bounds
-    return _simpler(polygon, STRAY * max(right - left, bottom - top) / (CANVAS - 2 * MARGIN))
+    return STRAY * max(right - left, bottom - top) / (CANVAS - 2 * MARGIN)
 
 
-def area(points: tuple[Point, ...]) -> Polygon:
-    """Return a polygon in canvas units, simplified if it has many points.
+def area(points: tuple[Point, ...], stray: float = STRAY) -> Polygon:
+    """Return a polygon, simplified within ``stray`` of its units if it has many points.
 
     Raises
     ------
@@ -35,7 +40,20 @@ def area(points: tuple[Point, ...]) -> Polygon:
         If more than ``MOST`` are left.
     """
     polygon = Polygon.of(points)
-    return _simpler(polygon, STRAY) if len(polygon.vertices) > MANY else polygon
+    return _simpler(polygon, stray) if len(polygon.vertices) > MANY else polygon
+
+
+def inner(holes: Rows, lines: Rows, stray: float = STRAY) -> Inner:
+    """Return inner outlines, simplified as areas and lines are; errors as for ``area``."""
+    return Inner(
+        tuple(area(hole, stray) for hole in holes), tuple(line(one, stray) for one in lines)
+    )
+
+
+def rows(drawn: Inner) -> tuple[Rows, Rows]:
+    """Return holes and lines as they are written."""
+    holes = tuple(rounded(hole.vertices) for hole in drawn.holes)
+    return holes, tuple(map(rounded, drawn.lines))
 
 
 def _simpler(polygon: Polygon, stray: float) -> Polygon:
@@ -48,9 +66,9 @@ def _simpler(polygon: Polygon, stray: float) -> Polygon:
     return simplified(polygon, stray)
 
 
-def line(points: tuple[Point, ...]) -> tuple[Point, ...]:
-    """Return a line in canvas units, simplified if it has many points."""
-    return simplified_line(points, STRAY) if len(points) > MANY else points
+def line(points: tuple[Point, ...], stray: float = STRAY) -> tuple[Point, ...]:
+    """Return a line, simplified within ``stray`` of its units if it has many points."""
+    return simplified_line(points, stray) if len(points) > MANY else points
 
 
 def rounded(points: tuple[Point, ...]) -> tuple[Point, ...]:

@@ -7,6 +7,7 @@ from iconstudio.model.edit import Edit
 from iconstudio.model.errors import IconstudioError, SpriteError
 from iconstudio.model.exemplar import Exemplar, Frame
 from iconstudio.model.icon import ColouredLayer, Fill, Icon, Patterned, Remix, Restyled
+from iconstudio.model.inner import Inner
 from iconstudio.model.line import Line
 from iconstudio.model.line_style import LineStyle, StylePair
 from iconstudio.model.mix import Mix, Seeds
@@ -16,9 +17,10 @@ from iconstudio.model.patterning import Correction, Motif, Patterning, Separatio
 from iconstudio.model.photo import Photo
 from iconstudio.model.pictogram import Credit, Pictogram
 from iconstudio.model.placement import Placement, Source
+from iconstudio.model.polygon import Point, Polygon
 from iconstudio.model.restyling import Restyling
 from iconstudio.model.score import Score
-from iconstudio.model.sketch import Point, Polygon, Sketch
+from iconstudio.model.sketch import Sketch
 from iconstudio.model.symmetry import Axis
 
 __all__ = [
@@ -37,6 +39,7 @@ __all__ = [
     "Frame",
     "Icon",
     "IconstudioError",
+    "Inner",
     "Layer",
     "Line",
     "LineStyle",

@@ -1,9 +1,10 @@
 """The user's input for editing: an icon, and what to change on it (section 4.2)."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
+from iconstudio.model.inner import Inner
 from iconstudio.model.pictogram import Pictogram
-from iconstudio.model.sketch import Polygon
+from iconstudio.model.polygon import Polygon
 from iconstudio.model.symmetry import Axis
 
 
@@ -24,3 +25,5 @@ class Edit:
     """Identifiers of pictograms that must not be used."""
     include: frozenset[str] = frozenset()
     """Identifiers of those that may be used though they are less alike than others."""
+    inner: Inner = field(default_factory=Inner)
+    """What is drawn inside the outline that is wanted."""

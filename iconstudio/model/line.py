@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from iconstudio.model.sketch import Point
+from iconstudio.model.polygon import Point
 
 
 @dataclass(frozen=True, slots=True)

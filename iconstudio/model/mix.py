@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from iconstudio.model.pictogram import Pictogram
-from iconstudio.model.sketch import Point
+from iconstudio.model.polygon import Point
 from iconstudio.model.symmetry import Axis
 
 Seeds = tuple[tuple[Point, ...], ...]

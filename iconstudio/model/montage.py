@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 
 from iconstudio.model.pictogram import Pictogram
 from iconstudio.model.placement import Placement
-from iconstudio.model.sketch import Point
+from iconstudio.model.polygon import Point
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,7 @@ from typing import Protocol, cast
 from fontTools.misc.transform import Transform as Transform
 
 from iconstudio.model.canvas import CANVAS
-from iconstudio.model.sketch import Point
+from iconstudio.model.polygon import Point
 
 OVERHANG = 0.5
 """Canvas units by which the outline of what fills the canvas may reach out of it: rounding."""

@@ -149,6 +149,11 @@ class GridReport:
         if request.change is not None:
             arrays["change"] = request.change.mask == 0
             arrays["penalty"] = request.change.penalty(len(ink))
+        if request.guide.weight is not None:
+            arrays["weight"] = request.guide.weight
+        for aim in request.guide.aims:
+            channel = aim.channel.value
+            arrays |= {f"{channel}_field": aim.field, f"{channel}_weight": aim.weight}
         buffer = io.BytesIO()
         np.savez_compressed(buffer, **arrays)  # type: ignore[arg-type]  # none is `allow_pickle`
         self._folder.write(f"{style}.npz", buffer.getvalue())

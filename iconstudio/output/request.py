@@ -4,13 +4,24 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 
+from iconstudio.algorithms.iconification.guidance import scribble
+from iconstudio.algorithms.iconification.guide import (
+    UNGUIDED,
+    Guide,
+    filled_polygons,
+    guide_of,
+)
 from iconstudio.algorithms.raster import Bitmap, fill_polygon
-from iconstudio.model import CANVAS, Axis, Edit, Sketch
+from iconstudio.model import CANVAS, Axis, Edit, Sketch, Stroke
 from iconstudio.output.figure import INK, MUTED, RGB
 from iconstudio.workflows.editing.editing import PlacedEdit, place_edit
 
 ADDED, REMOVED = (46, 148, 84), (206, 58, 48)
 _ADDED_GROUND, _REMOVED_GROUND = (150, 214, 172), (246, 200, 195)
+
+
+_STROKE = 5.0
+"""Width of a sketch's lines in its picture, in canvas units."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -26,6 +37,8 @@ class Request:
     """(CANVAS, CANVAS): the outline that is wanted, filled."""
     change: PlacedEdit | None = None
     """Of an edit: the icon, and what is changed."""
+    guide: Guide = UNGUIDED
+    """What counts beside the outline."""
     posed: Callable[[int], "Request"] | None = None
     """Poses the same request on a canvas of another side m."""
 
@@ -36,13 +49,17 @@ class Request:
 
 def sketch_request(sketch: Sketch, side: int = CANVAS) -> Request:
     """Return the request of a sketch."""
-    outline = fill_polygon(sketch.polygon.fitted(), side)
+    fitted = sketch.fitted()
+    outline = fill_polygon(fitted.polygon, side)
+    holes = filled_polygons(fitted.inner.holes, side)
+    lines = scribble([Stroke(_STROKE, line) for line in fitted.inner.lines], side)
     return Request(
         sketch.keyword,
         sketch.symmetry,
         "sketch and keyword",
-        ((outline, MUTED),),
+        ((outline & ~holes, MUTED), *([(lines, INK)] if lines.any() else ())),
         outline,
+        guide=guide_of(fitted, side),
         posed=partial(sketch_request, sketch),
     )
 
@@ -63,5 +80,6 @@ def edit_request(edit: Edit, change: PlacedEdit) -> Request:
         layers,
         change.silhouette,
         change,
-        lambda side: edit_request(edit, place_edit(edit, change.base.exemplar, side)),
+        guide=change.guide,
+        posed=lambda side: edit_request(edit, place_edit(edit, change.base.exemplar, side)),
     )

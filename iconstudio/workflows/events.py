@@ -35,6 +35,8 @@ class RegionsFound(Event):
     """Centres of the salient regions in canvas pixels, most salient first (section 3.2)."""
 
     centres: tuple[Point, ...]
+    details: int = 0
+    """How many of them, the last ones, are small regions of details."""
 
 
 @dataclass(frozen=True, slots=True)

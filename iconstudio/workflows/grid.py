@@ -9,7 +9,13 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.iconification.matching import SCALES, Matcher, sources_of
+from iconstudio.algorithms.iconification.guide import UNGUIDED, Guide
+from iconstudio.algorithms.iconification.matching import (
+    SCALES,
+    Match,
+    Matcher,
+    sources_of,
+)
 from iconstudio.algorithms.iconification.plausibility import Plausibility
 from iconstudio.algorithms.iconification.saliency import WHOLE, Region
 from iconstudio.algorithms.iconification.style import STYLES, Style, blackness
@@ -105,6 +111,8 @@ def remix_styles(
     without: Set[str] = frozenset(),
     earlier: Composite | None = None,
     plausibility: Plausibility | None = None,
+    guide: Guide = UNGUIDED,
+    details: Sequence[Region] = (),
 ) -> Generator[Event]:
     """Match exemplars to the salient regions of an outline, and remix them in every style.
 
@@ -140,9 +148,13 @@ def remix_styles(
         A result of a similar run, for the preview to begin with.
     plausibility
         What judges results, if anything does.
+    guide
+        What counts beside the outline when exemplars are matched.
+    details
+        Small regions beside the others. Whether a style resembles the outline is not told by them.
     """
     styles = settings.chosen_styles()
-    yield RegionsFound(tuple(region.centre for region in regions))
+    yield RegionsFound(tuple(region.centre for region in (*regions, *details)), len(details))
     total = len(styles) * len(settings.lambdas)
     remixing = Remixing(workers, render, total, plausibility)
     recommending = Recommending(len(settings.lambdas))
@@ -150,7 +162,9 @@ def remix_styles(
     try:
         for style in styles:
             admitted = admitted_to(style, matcher, include, without)
-            matched = yield from _matched(style, field, regions, matcher, refusal, admitted)
+            matching = partial(matcher.match, field, (*regions, *details, WHOLE), admitted, guide)
+            refused = partial(_refused, refusal, style, len(admitted), len(regions))
+            matched = yield from _matched(style, matcher, admitted, matching, refused)
             if matched is None:
                 remixing.expect_fewer(len(settings.lambdas))
                 continue
@@ -176,24 +190,22 @@ def remix_styles(
 
 def _matched(
     style: Style,
-    field: NDArray[np.float32],
-    regions: Sequence[Region],
     matcher: Matcher,
-    refusal: Callable[[Style, int, Matches | None], str],
     admitted: Sequence[int],
+    matching: Callable[[], Generator[float, None, list[list[Match]]]],
+    refused: Callable[[Matches | None], str],
 ) -> Generator[Event, None, StyleMatched | None]:
-    """Return the matches of a style; None if it is skipped. The parameters are ``remix_styles``'s.
+    """Return the matches of a style; None if it is skipped.
 
     ``admitted`` are the numbers of the exemplars that may be used. Yields progress, and then
     ``StyleMatched`` or ``StyleSkipped``.
     """
     exemplars = matcher.exemplars
-    reason = refusal(style, len(admitted), None)
+    reason = refused(None)
     if not reason:
-        matching = matcher.match(field, (*regions, WHOLE), admitted)
-        found = yield from staged("match", "Matching parts", matching)
+        found = yield from staged("match", "Matching parts", matching())
         *rows, whole = sources_of(found, exemplars)
-        reason = refusal(style, len(admitted), tuple(rows))
+        reason = refused(tuple(rows))
     if reason:
         yield StyleSkipped(style.name, len(admitted), reason)
         return None
@@ -202,6 +214,17 @@ def _matched(
     matched = StyleMatched(style.name, chosen, tuple(rows), best)
     yield matched
     return matched
+
+
+def _refused(
+    refusal: Callable[[Style, int, Matches | None], str],
+    style: Style,
+    count: int,
+    regions: int,
+    rows: Matches | None,
+) -> str:
+    """Say why a style should be skipped, or nothing: only the regions of the paper count."""
+    return refusal(style, count, None if rows is None else rows[:regions])
 
 
 def admitted_to(

@@ -56,6 +56,16 @@ class Outline:
         """Whether the last vertex is joined to the first."""
         return self.document.page.closed
 
+    @property
+    def ring(self) -> bool:
+        """Whether an edge leads from the last vertex to the first."""
+        return self.closed
+
+    @property
+    def least(self) -> int:
+        """How many vertices there must be to finish it."""
+        return 3
+
     def put(
         self, text: str, vertices: tuple[Point, ...], closed: bool, gesture: object = None
     ) -> None:
@@ -78,12 +88,12 @@ class Outline:
         self.put("move point", vertices, self.closed, gesture)
 
     def delete(self, index: int) -> None:
-        """Remove vertex ``index``; with fewer than three left, the outline is open again."""
+        """Remove vertex ``index``; with too few left, the outline is open again."""
         vertices = self.vertices[:index] + self.vertices[index + 1 :]
-        self.put("delete point", vertices, self.closed and len(vertices) >= 3)
+        self.put("delete point", vertices, self.closed and len(vertices) >= self.least)
 
     def close(self) -> None:
-        """Join the last vertex to the first."""
+        """Finish the outline: join the last vertex to the first."""
         self.put("close outline", self.vertices, True)
 
     def clear(self) -> None:
@@ -101,8 +111,8 @@ class Outline:
             return Hit("vertex", nearest, self.vertices[nearest])
         feet = _feet(points, np.roll(points, -1, axis=0), spot)
         gaps = np.hypot(*(feet - spot).T)
-        if not self.closed:
-            gaps[-1] = np.inf  # the edge that would close it is not there yet
+        if not self.ring:
+            gaps[-1] = np.inf  # the edge that would close it is not there
         nearest = int(gaps.argmin())
         if gaps[nearest] > edge_grip:
             return None

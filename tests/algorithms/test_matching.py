@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from iconstudio.algorithms.iconification import matching
 from iconstudio.algorithms.iconification.matching import FAR, Matcher, prepare, sources_of
-from iconstudio.algorithms.iconification.region_error import RegionError, least
+from iconstudio.algorithms.iconification.region_error import RegionError, Term, least
 from iconstudio.algorithms.iconification.saliency import Region
 from iconstudio.algorithms.iconification.sliding import Waves
 from iconstudio.algorithms.iconification.tsdf import tsdf
@@ -95,10 +95,10 @@ def test_matches_are_those_of_the_exhaustive_search_at_full_resolution(matcher, 
 def test_errors_are_equation_4(collection, scale, flip, dx, dy, number):
     field = sketch_of(exemplar(blob(77)))
     region, one = regions_of_a_square()[number], collection[number]
-    region_error = RegionError(field - FAR, region, Waves(CANVAS))
+    region_error = RegionError([Term(field - FAR)], region, Waves(CANVAS))
     placement = Placement(one.scales[scale], flip, dx, dy)
     expected = direct(field, region, one.exemplar, placement)
-    assert region_error.error(one.field(scale), flip, dx, dy) == pytest.approx(expected, rel=1e-4)
+    assert region_error.error([one.field(scale)], flip, dx, dy) == pytest.approx(expected, rel=1e-4)
 
 
 def test_no_neighbouring_placement_is_better(matcher):

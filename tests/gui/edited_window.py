@@ -13,7 +13,8 @@ from PySide6.QtCore import QTimer
 
 from iconstudio.gui.app import application
 from iconstudio.gui.window.main_window import MainWindow
-from iconstudio.workflows.editing.page import Area, EditPage, Kind
+from iconstudio.workflows.areas import Area, Kind
+from iconstudio.workflows.editing.page import EditPage
 
 PAUSE = 90
 """Milliseconds between two edits: more of them than a hand makes."""

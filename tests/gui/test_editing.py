@@ -14,12 +14,13 @@ from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog
 
+from iconstudio.gui.canvas.tools.areas import DrawTool, SelectTool
 from iconstudio.gui.exchange.dragging import packed
-from iconstudio.gui.workspaces.editing.tools import DrawTool, SelectTool
 from iconstudio.gui.workspaces.symmetry import PAUSE
 from iconstudio.model import Axis
+from iconstudio.workflows.areas import Kind
 from iconstudio.workflows.editing.file import read_edit
-from iconstudio.workflows.editing.page import EditPage, Kind
+from iconstudio.workflows.editing.page import EditPage
 from iconstudio.workflows.grid import GridSettings
 
 LAMBDAS = GridSettings().lambdas

@@ -36,7 +36,8 @@ from iconstudio.output.filenames import suffixed
 from iconstudio.project import archive
 from iconstudio.project.archive import SUFFIX
 from iconstudio.svg.reading import own_svg
-from iconstudio.workflows.editing.page import Area, EditPage, Kind
+from iconstudio.workflows.areas import Area, Kind
+from iconstudio.workflows.editing.page import EditPage
 from iconstudio.workflows.events import Progress
 from iconstudio.workflows.hybrids.page import HybridsPage, Ingredient, PickRequest
 from iconstudio.workflows.modelling.file import read_sketch

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from iconstudio.algorithms.iconification.matching import Matcher, prepare
-from iconstudio.model import CANVAS, Edit, IconstudioError, Polygon
+from iconstudio.model import CANVAS, Edit, IconstudioError, Inner, Polygon
 from iconstudio.svg.placed import render_placed
 from iconstudio.workflows.editing.editing import SAME, edit_icon, lookalikes, own_styles, place_edit
 from iconstudio.workflows.events import Recommended, StyleMatched
@@ -75,6 +75,29 @@ def test_another_file_of_the_same_drawing_is_left_out_too():
         "test:body",
         "test:twin",
     }
+
+
+def test_a_hole_is_cut_where_another_icon_has_one(workers):
+    """In the window of the edit the icon itself has ink, and its outline stays."""
+    window = box(90, 130, 150, 170)
+    other = exemplar(BODY & ~window, "body-with-window")
+    prepared = Matcher([prepare(exemplar(blob(seed), f"blob-{seed}")) for seed in (0, 1)])
+    prepared = Matcher([prepare(other), *prepared.exemplars])
+    edit = Edit(ICON.pictogram, "body", inner=Inner((rectangle(90, 130, 150, 170),)))
+    settings = GridSettings(styles=("dark",), lambdas=(0.1,))
+    change = place_edit(edit, ICON)
+    (result,) = icons(edit_icon(edit, change, prepared, settings, workers, render_placed))
+    ink = result.drawing.coverage.reshape(CANVAS, 2, CANVAS, 2).mean(axis=(1, 3)) > 127
+    assert (ink ^ (BODY & ~window)).sum() < 0.01 * BODY.sum()
+
+
+def test_holes_and_lines_move_with_an_icon_that_is_made_smaller():
+    edit = replace(EDIT, add=(rectangle(60, -100, 110, 100),))
+    edit = replace(edit, inner=Inner(lines=(((60, -90), (110, -90)),)))
+    place_edit(edit, ICON)  # inside of what is added, which lies beyond the canvas
+    outside = replace(edit, inner=Inner(lines=(((160, -90), (200, -90)),)))
+    with pytest.raises(IconstudioError, match="The line 1 lies outside the outline"):
+        place_edit(outside, ICON)
 
 
 def test_the_row_ends_with_the_recommended_result(events):

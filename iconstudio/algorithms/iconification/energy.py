@@ -140,14 +140,15 @@ def patch_words(ink: NDArray[np.bool_]) -> NDArray[np.uint64]:
     return words
 
 
-def distance_field(filled: NDArray[np.bool_]) -> NDArray[np.float32]:
+def distance_field(filled: NDArray[np.bool_], outside_only: bool = False) -> NDArray[np.float32]:
     """Return the TSDF of filled shapes (..., m, m) bool on a canvas of any side m.
 
     Distances are clamped at the same part of the canvas, and counted in canvases, whatever m is.
+    ``outside_only``: inside they are 0.
     """
     side = filled.shape[-1]
     unit = np.float32(CANVAS / side)
-    return tsdf(filled, max(1, round(D_MAX / unit))) * unit
+    return tsdf(filled, max(1, round(D_MAX / unit)), outside_only) * unit
 
 
 def data_cost(sketch_field: NDArray[np.float32], filled: NDArray[np.bool_]) -> NDArray[np.float32]:

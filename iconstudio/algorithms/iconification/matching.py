@@ -8,7 +8,7 @@ place, so that the errors that rank them are equation 4 to the letter.
 import math
 import os
 import threading
-from collections import OrderedDict
+from collections import OrderedDict, defaultdict
 from collections.abc import Generator, Iterable, Sequence
 from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
 from dataclasses import dataclass
@@ -17,17 +17,20 @@ from dataclasses import field as made_by
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.iconification.region_error import ESTIMATE, RegionError
+from iconstudio.algorithms.iconification.guide import UNGUIDED, Channel, Guide
+from iconstudio.algorithms.iconification.region_error import ESTIMATE, RegionError, Term
 from iconstudio.algorithms.iconification.saliency import Region
 from iconstudio.algorithms.iconification.sliding import Waves, spectra_of
 from iconstudio.algorithms.iconification.style import blackness
-from iconstudio.algorithms.iconification.tsdf import D_MAX, distances, squared_distances
-from iconstudio.algorithms.raster import scaled_ink, solid
+from iconstudio.algorithms.iconification.tsdf import D_MAX, distances, squared_distances, tsdf
+from iconstudio.algorithms.raster import Bitmap, scaled_ink, solid
 from iconstudio.model import CANVAS, MARGIN, Exemplar, Placement, Source
 
 MATCHES = 3
 """How many different pictograms each region keeps."""
 SCALES = (0.9, 1.0, 1.1)
+LARGER_SCALES = (0.8, *SCALES, 1.25)
+"""Those of the tandem bicycle (section 6), which sometimes yield implausible results."""
 FAR = np.float32(D_MAX / CANVAS)
 """The field's value far outside: fields are matched less this, so that they vanish there."""
 DOUBT = 0.02, 0.025
@@ -91,6 +94,47 @@ def prepare(exemplar: Exemplar, scales: Sequence[float] = SCALES) -> PreparedExe
     return PreparedExemplar(exemplar, blackness(exemplar.ink), tuple(scales), squared, spectra)
 
 
+class InnerFields:
+    """The fields of a channel, of exemplars of which the outlines are prepared.
+
+    Few sketches need any, so they are made when they are asked for: the spectra of whole chunks at
+    a time. These are kept, and the pictures of which the fields hold the distances.
+    """
+
+    def __init__(self, channel: Channel, exemplars: Sequence[PreparedExemplar]) -> None:
+        self._channel, self._exemplars = channel, exemplars
+        self._pictures: dict[int, list[Bitmap]] = {}
+        self._spectra: dict[int, NDArray[np.complex64]] = {}
+        self._locks: defaultdict[int, threading.Lock] = defaultdict(threading.Lock)
+
+    def field(self, number: int, scale: int) -> NDArray[np.float32]:
+        """Return the field of an exemplar at the scale of this number, less ``FAR``, (n, n)."""
+        return self._field(self._scaled(number)[scale])
+
+    def spectra(self, chunk: int) -> NDArray[np.complex64]:
+        """Return the spectra of a chunk of exemplars, as those of ``PreparedExemplar``."""
+        with self._locks[chunk]:
+            if chunk not in self._spectra:
+                numbers = range(len(self._exemplars))[chunk * CHUNK : (chunk + 1) * CHUNK]
+                self._spectra[chunk] = np.concatenate(list(map(self._spectra_of, numbers)), axis=1)
+            return self._spectra[chunk]
+
+    def _field(self, pictures: Bitmap) -> NDArray[np.float32]:
+        return tsdf(pictures, outside_only=self._channel.outside_only) - FAR
+
+    def _spectra_of(self, number: int) -> NDArray[np.complex64]:
+        fields = self._field(np.stack(self._scaled(number)))
+        return spectra_of(Waves(fields.shape[-1]), fields)
+
+    def _scaled(self, number: int) -> list[Bitmap]:
+        if number not in self._pictures:
+            one = self._exemplars[number]
+            picture = np.where(self._channel.pictures(one.exemplar.ink), np.uint8(255), np.uint8(0))
+            pad = padding(one.scales)
+            self._pictures[number] = [scaled_ink(picture, scale, pad) for scale in one.scales]
+        return self._pictures[number]
+
+
 class Matcher:
     """The exemplars of a keyword, and what was found in regions that have not changed since.
 
@@ -119,9 +163,14 @@ class Matcher:
         self._waves = Waves(self.exemplars[0].squared.shape[-1] if self.exemplars else CANVAS)
         self._memory: OrderedDict[bytes, _Found] = OrderedDict()
         self._lock = threading.Lock()
+        self._inner: dict[Channel, InnerFields] = {}
 
     def match(
-        self, field: NDArray[np.float32], regions: Sequence[Region], admitted: Sequence[int]
+        self,
+        field: NDArray[np.float32],
+        regions: Sequence[Region],
+        admitted: Sequence[int],
+        guide: Guide = UNGUIDED,
     ) -> Generator[float, None, list[list[Match]]]:
         """Find the ``MATCHES`` best exemplars of each region; yield the part that is done.
 
@@ -133,15 +182,25 @@ class Matcher:
             The sketch's TSDF, (CANVAS, CANVAS) float32.
         admitted
             Numbers of the exemplars that may be used.
+        guide
+            What counts beside the outline.
 
         Returns
         -------
         list
             ``matches[region]``: the best placements of different exemplars, by rising error.
         """
-        run = _Search(np.array(sorted(set(admitted)), dtype=int))
-        region_errors = [RegionError(field - FAR, region, self._waves) for region in regions]
+        channels = tuple(aim.channel for aim in guide.aims)
+        run = _Search(np.array(sorted(set(admitted)), dtype=int), channels)
+        terms = [
+            Term(field - FAR, guide.weight),
+            *(Term(aim.field - FAR, aim.weight) for aim in guide.aims),
+        ]
+        region_errors = [RegionError(terms, region, self._waves) for region in regions]
         with ThreadPoolExecutor(self._threads, "match") as threads:
+            for channel in run.channels:  # each region needs all chunks
+                for chunk in run.chunks:
+                    threads.submit(self._inner_fields(channel).spectra, chunk)
             futures = [
                 threads.submit(self._matches, region_error, run) for region_error in region_errors
             ]
@@ -158,13 +217,19 @@ class Matcher:
     def _matches(self, region_error: RegionError, run: "_Search") -> list[Match]:
         """Return the best matches of one region; nothing once the run is stopped."""
         found = self._recall(region_error.key)
-        for chunk in sorted({int(index) // CHUNK for index in run.chosen} - found.chunks):
+        for chunk in sorted(run.chunks - found.chunks):
             if run.stopped:
                 return []
             hits = found.hits[chunk * CHUNK : (chunk + 1) * CHUNK]
-            hits[:] = region_error.estimates(self._chunks[chunk]).reshape(hits.shape)
+            spectra = [self._chunks[chunk]]
+            spectra += [self._inner_fields(one).spectra(chunk) for one in run.channels]
+            hits[:] = region_error.estimates(spectra).reshape(hits.shape)
             found.chunks.add(chunk)
         return self._best(region_error, found, run)
+
+    def _inner_fields(self, channel: Channel) -> "InnerFields":
+        with self._lock:
+            return self._inner.setdefault(channel, InnerFields(channel, self.exemplars))
 
     def _recall(self, key: bytes) -> "_Found":
         """Return what is known of a region: at first nothing."""
@@ -188,19 +253,21 @@ class Matcher:
                 break
             match = found.followed.get((index, variant))
             if match is None:
-                match = self._followed(region_error, index, variant, hit, run.fields)
+                match = self._followed(region_error, index, variant, hit, run)
                 found.followed[index, variant] = match
             known = best.get(index, match)
             best[index] = min(known, match, key=lambda m: (m.error, m.placement))
         return sorted(best.values(), key=lambda m: (m.error, m.index))[:MATCHES]
 
     def _followed(
-        self, region_error: RegionError, index: int, variant: int, hit: np.void, fields: "_Fields"
+        self, region_error: RegionError, index: int, variant: int, hit: np.void, run: "_Search"
     ) -> Match:
         """Return the exact match of an estimate."""
+        fields = run.fields
         (scale, flip), one = divmod(variant, 2), self.exemplars[index]
         if (index, scale) not in fields:
-            fields[index, scale] = one.field(scale)
+            inner = (self._inner_fields(channel) for channel in run.channels)
+            fields[index, scale] = [one.field(scale), *(some.field(index, scale) for some in inner)]
         error, dx, dy = region_error.follow(
             fields[index, scale], bool(flip), int(hit["dx"]), int(hit["dy"])
         )
@@ -220,8 +287,8 @@ def _hopeless(best: Iterable[Match]) -> float:
     return errors[MATCHES - 1] * (1 + DOUBT[0]) + DOUBT[1] if len(errors) >= MATCHES else math.inf
 
 
-_Fields = dict[tuple[int, int], NDArray[np.float32]]
-"""Distance fields by exemplar and scale."""
+_Fields = dict[tuple[int, int], list[NDArray[np.float32]]]
+"""Distance fields by exemplar and scale: the outline's, and those of the channels of the guide."""
 
 
 @dataclass(eq=False)
@@ -230,9 +297,16 @@ class _Search:
 
     chosen: NDArray[np.int64]
     """Numbers of the exemplars that may be used."""
+    channels: tuple[Channel, ...]
+    """What counts beside the outline."""
     fields: _Fields = made_by(default_factory=dict)
     """Those that were needed so far."""
     stopped: bool = False
+
+    @property
+    def chunks(self) -> set[int]:
+        """Which chunks these exemplars are in."""
+        return {int(index) // CHUNK for index in self.chosen}
 
 
 @dataclass(frozen=True, eq=False)

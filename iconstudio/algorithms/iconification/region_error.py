@@ -1,7 +1,9 @@
 """The error of exemplars in a salient region of the sketch (section 3.3, equation 4)."""
 
 import hashlib
-from functools import cached_property
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property, reduce
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,37 +16,66 @@ ESTIMATE = np.dtype([("error", "f4"), ("dx", "i2"), ("dy", "i2")])
 """Least error of an exemplar at one scale, mirrored or not, and the translation it is at."""
 
 
+@dataclass(frozen=True, eq=False)
+class Term:
+    """A field of the sketch that exemplars are compared with, and how much it counts where."""
+
+    field: NDArray[np.float32]
+    """(CANVAS, CANVAS), less ``FAR``."""
+    weight: NDArray[np.float32] | None = None
+    """(CANVAS, CANVAS); 1 everywhere if None."""
+
+    @cached_property
+    def mirrored(self) -> "Term":
+        """The mirror image."""
+        weight = None if self.weight is None else np.ascontiguousarray(self.weight[:, ::-1])
+        return Term(np.ascontiguousarray(self.field[:, ::-1]), weight)
+
+
 class RegionError:
     """How far exemplars differ from the sketch in one region.
 
     Parameters
     ----------
-    field
-        The sketch's TSDF less ``FAR``.
+    terms
+        What is compared: the outline, and what counts beside it. Errors are added up.
     waves
         Those of the exemplars' spectra.
     """
 
-    def __init__(self, field: NDArray[np.float32], region: Region, waves: Waves) -> None:
+    def __init__(self, terms: Sequence[Term], region: Region, waves: Waves) -> None:
         self._waves = waves
-        self._field = field
-        self._mirrored = np.ascontiguousarray(field[:, ::-1])
+        self._terms = tuple(terms)
         self._down, self._across = region.down, region.across
 
     @cached_property
     def key(self) -> bytes:
-        """Equal for equal masks and equal fields, as far as the mask is above 0."""
-        seen = self._field[self._down > 0][:, self._across > 0]
-        parts = self._down, self._across, seen
-        return hashlib.sha256(b"".join(part.tobytes() for part in parts)).digest()
+        """Equal for equal masks, and equal fields and weights as far as the mask is above 0."""
+        pictures = (one for term in self._terms for one in (term.field, term.weight))
+        seen = (
+            one[self._down > 0][:, self._across > 0].tobytes() if one is not None else b""
+            for one in pictures
+        )
+        parts = self._down.tobytes(), self._across.tobytes(), *seen
+        return hashlib.sha256(b"".join(parts)).digest()
 
     @cached_property
-    def _window(self) -> SlidingWindow:
-        return SlidingWindow(self._waves, self._field, np.outer(self._down, self._across))
+    def _windows(self) -> list[SlidingWindow]:
+        mask = np.outer(self._down, self._across)
+        return [
+            SlidingWindow(
+                self._waves, term.field, mask if term.weight is None else mask * term.weight
+            )
+            for term in self._terms
+        ]
 
-    def estimates(self, spectra: NDArray[np.complex64]) -> NDArray[np.void]:
-        """Return the least error of each exemplar, by its spectra: (v, 2) of ``ESTIMATE``."""
-        error, dy, dx = least(self._window.errors(spectra))
+    def estimates(self, spectra: Sequence[NDArray[np.complex64]]) -> NDArray[np.void]:
+        """Return the least error of each exemplar, (v, 2) of ``ESTIMATE``.
+
+        ``spectra`` are those of each term's fields.
+        """
+        errors = (window.errors(one) for window, one in zip(self._windows, spectra, strict=True))
+        error, dy, dx = least(reduce(np.add, errors))
         hits = np.zeros(error.shape, ESTIMATE)
         hits["error"] = error
         hits["dy"] = np.rint(dy * STEP - REACH)
@@ -52,20 +83,24 @@ class RegionError:
         hits["dx"][:, 1] *= -1
         return hits
 
-    def error(self, exemplar: NDArray[np.float32], flip: bool, dx: int, dy: int) -> float:
-        """Return equation 4 for a placement of an exemplar's field (n, n) less ``FAR``."""
-        field, across = self._field, self._across
-        if flip:  # the sketch instead, which is the same
-            field, across, dx = self._mirrored, across[::-1], -dx
-        difference = field.copy()
-        border = (exemplar.shape[0] - CANVAS) // 2
-        (here_y, there_y), (here_x, there_x) = (_common(border, d) for d in (dy, dx))
-        difference[here_y, here_x] -= exemplar[there_y, there_x]
-        difference *= difference
-        return float(self._down @ difference @ across)
+    def error(self, exemplar: Sequence[NDArray[np.float32]], flip: bool, dx: int, dy: int) -> float:
+        """Return equation 4 for a placement of an exemplar's fields (n, n) less ``FAR``."""
+        total, across = 0.0, self._across[::-1] if flip else self._across
+        for term, theirs in zip(self._terms, exemplar, strict=True):
+            ours = term.mirrored if flip else term  # instead of the exemplar, which is the same
+            difference = ours.field.copy()
+            border = (theirs.shape[0] - CANVAS) // 2
+            shifts = dy, -dx if flip else dx
+            (here_y, there_y), (here_x, there_x) = (_common(border, d) for d in shifts)
+            difference[here_y, here_x] -= theirs[there_y, there_x]
+            difference *= difference
+            if ours.weight is not None:
+                difference *= ours.weight
+            total += float(self._down @ difference @ across)
+        return total
 
     def follow(
-        self, exemplar: NDArray[np.float32], flip: bool, dx: int, dy: int
+        self, exemplar: Sequence[NDArray[np.float32]], flip: bool, dx: int, dy: int
     ) -> tuple[float, int, int]:
         """Return the least error near a translation, and where it is: go downhill until at home."""
         known: dict[tuple[int, int], float] = {}

@@ -19,7 +19,25 @@ LAMBDA_D = 100.0
 """Weight of the changed area in equation 10."""
 SQUARE, SIGMA = 100, 40
 """The mask M: a square of this side, smoothed by a Gaussian of this deviation, in pixels."""
-_REACH = SQUARE // 2 + 3 * SIGMA
+
+
+@dataclass(frozen=True, slots=True)
+class Extent:
+    """How large salient regions are, in canvas pixels."""
+
+    square: float = SQUARE
+    sigma: float = SIGMA
+    spacing: float = SPACING
+
+    @property
+    def reach(self) -> int:
+        """How far from its centre the mask ends: three standard deviations outside the square."""
+        return math.floor(self.square / 2 + 3 * self.sigma)
+
+
+PAPER = Extent()
+SMALL = Extent(SQUARE * 0.4, SIGMA * 0.4, SPACING * 0.4)
+"""That of regions of fine details, which the paper does not have."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,7 +62,9 @@ WHOLE = Region((CANVAS // 2, CANVAS // 2), _EVERYWHERE, _EVERYWHERE)
 """The whole canvas, every pixel of which counts alike."""
 
 
-def profile(offsets: NDArray[np.signedinteger | np.floating]) -> NDArray[np.float64]:
+def profile(
+    offsets: NDArray[np.signedinteger | np.floating], extent: Extent = PAPER
+) -> NDArray[np.float64]:
     """Return the mask's cross-section at ``offsets`` pixels from its centre.
 
     The mask M is separable: M(x, y) = profile(x) profile(y), 1 for an infinitely large square.
@@ -53,10 +73,10 @@ def profile(offsets: NDArray[np.signedinteger | np.floating]) -> NDArray[np.floa
     >>> profile(np.array([0, 50, 100, 200])).round(2)  # the square ends at 50
     array([0.79, 0.49, 0.11, 0.  ])
     """
-    half, root = SQUARE / 2, SIGMA * math.sqrt(2)
+    half, root = extent.square / 2, extent.sigma * math.sqrt(2)
     upper, lower = (scipy.special.erf((offsets + end) / root) for end in (half, -half))
     value = (upper - lower) / 2
-    return np.where(np.abs(offsets) <= _REACH, value, 0.0)
+    return np.where(np.abs(offsets) <= extent.reach, value, 0.0)
 
 
 def exterior_angles(polygon: Polygon) -> NDArray[np.float64]:
@@ -76,6 +96,7 @@ def saliency(
     outlines: Sequence[Polygon],
     filled: NDArray[np.bool_],
     change: NDArray[np.float32] | None = None,
+    extent: Extent = PAPER,
 ) -> NDArray[np.float64]:
     """Return the saliency map S of a shape, (CANVAS, CANVAS) (equation 3).
 
@@ -91,24 +112,28 @@ def saliency(
     change
         (CANVAS, CANVAS): D_E of an edit, 0 inside the changed area. It draws the regions there
         (equation 10).
+    extent
+        How large the regions will be.
     """
     theta = np.zeros((CANVAS, CANVAS))
     for outline in outlines:
         xs, ys = np.clip(np.array(outline.vertices).T.astype(int), 0, CANVAS - 1)
         np.add.at(theta, (ys, xs), exterior_angles(outline))
-    turning = _smooth(theta, 0.0)
+    turning = _smooth(theta, 0.0, extent)
     turning /= turning.max() or 1.0
-    balance = np.abs(_smooth(0.5 - filled, 0.5))
+    balance = np.abs(_smooth(0.5 - filled, 0.5, extent))
     score = turning - LAMBDA_B * balance
     if change is not None:
-        score += LAMBDA_D * _smooth(1.0 - change, 0.0)
+        score += LAMBDA_D * _smooth(1.0 - change, 0.0, extent)
     return score
 
 
-def salient_regions(score: NDArray[np.float64], count: int = REGIONS) -> tuple[Region, ...]:
+def salient_regions(
+    score: NDArray[np.float64], count: int = REGIONS, extent: Extent = PAPER
+) -> tuple[Region, ...]:
     """Return the most salient regions of a saliency map (CANVAS, CANVAS), most salient first.
 
-    Greedily: the pixel of highest saliency, then all within ``SPACING`` of it are invalid. There
+    Greedily: the pixel of highest saliency, then all within the spacing of it are invalid. There
     are fewer than ``count`` if no valid pixel is left.
     """
     score = score.copy()
@@ -119,15 +144,16 @@ def salient_regions(score: NDArray[np.float64], count: int = REGIONS) -> tuple[R
         y, x = np.unravel_index(np.argmax(score), score.shape)
         if score[y, x] == -np.inf:
             break
-        down, across = (profile(along - at).astype(np.float32) for at in (y, x))
+        down, across = (profile(along - at, extent).astype(np.float32) for at in (y, x))
         regions.append(Region((int(x), int(y)), down, across))
-        score[(xs - x) ** 2 + (ys - y) ** 2 < SPACING**2] = -np.inf
+        score[(xs - x) ** 2 + (ys - y) ** 2 < extent.spacing**2] = -np.inf
     return tuple(regions)
 
 
-def _smooth(picture: NDArray[np.floating], outside: float) -> NDArray[np.float64]:
+def _smooth(picture: NDArray[np.floating], outside: float, extent: Extent) -> NDArray[np.float64]:
     """Convolve with M; the picture goes on as ``outside`` beyond its borders."""
     across = np.arange(CANVAS, dtype=float)
-    kernel = profile(across[:, None] - across) / profile(np.arange(-_REACH, _REACH + 1.0)).sum()
+    sum_of_all = profile(np.arange(-extent.reach, extent.reach + 1.0), extent).sum()
+    kernel = profile(across[:, None] - across, extent) / sum_of_all
     smooth: NDArray[np.float64] = kernel @ (picture - outside) @ kernel + outside
     return smooth

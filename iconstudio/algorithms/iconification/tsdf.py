@@ -9,7 +9,9 @@ D_MAX = 6
 """Distances are clamped to [-D_MAX, D_MAX] pixels of the canvas."""
 
 
-def tsdf(filled: NDArray[np.bool_], d_max: int = D_MAX) -> NDArray[np.float32]:
+def tsdf(
+    filled: NDArray[np.bool_], d_max: int = D_MAX, outside_only: bool = False
+) -> NDArray[np.float32]:
     """Return the normalised truncated signed distance field of a filled shape.
 
     Positive outside, negative inside: the Euclidean distance in pixels to the nearest pixel of the
@@ -21,7 +23,7 @@ def tsdf(filled: NDArray[np.bool_], d_max: int = D_MAX) -> NDArray[np.float32]:
         (..., h, w) bool, the solid shape; beyond its borders nothing is known, so a contour lies
         only between pixels of the picture.
     """
-    return distances(squared_distances(filled, d_max))
+    return distances(squared_distances(filled, d_max, outside_only))
 
 
 def distances(squared: NDArray[np.signedinteger]) -> NDArray[np.float32]:
@@ -31,7 +33,9 @@ def distances(squared: NDArray[np.signedinteger]) -> NDArray[np.float32]:
     return pixels / np.float32(CANVAS)
 
 
-def squared_distances(filled: NDArray[np.bool_], d_max: int = D_MAX) -> NDArray[np.int8 | np.int16]:
+def squared_distances(
+    filled: NDArray[np.bool_], d_max: int = D_MAX, outside_only: bool = False
+) -> NDArray[np.int8 | np.int16]:
     """Return the TSDF of ``filled`` (..., h, w) in a quarter of the room, or half of it.
 
     Each value is the square of the distance in pixels, negative inside: int8 up to a ``d_max`` of
@@ -47,8 +51,11 @@ def squared_distances(filled: NDArray[np.bool_], d_max: int = D_MAX) -> NDArray[
     >>> squared_distances(np.array([[False, False, False, True, True]]))
     array([[ 9,  4,  1, -1, -4]], dtype=int8)
     """
-    outside, inside = _squared_distance(filled, d_max), _squared_distance(~filled, d_max)
     small = np.int8 if d_max <= 11 else np.int16
+    outside = _squared_distance(filled, d_max)
+    if outside_only:
+        return outside.astype(small)
+    inside = _squared_distance(~filled, d_max)
     # One of the two is 0 everywhere.
     signed: NDArray[np.int8 | np.int16] = outside.astype(small) - inside.astype(small)
     return signed

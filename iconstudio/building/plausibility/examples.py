@@ -1,16 +1,16 @@
 """Examples of plausible and implausible pictures, made of the results of sketches."""
 
 from collections.abc import Generator, Iterable, Iterator, Mapping
+from dataclasses import replace
 from zlib import crc32
 
 import numpy as np
 
 from iconstudio.algorithms.iconification import ranking
 from iconstudio.algorithms.iconification.features import features
-from iconstudio.algorithms.raster import fill_polygon
 from iconstudio.building.plausibility.degrading import cheapest, degraded
 from iconstudio.building.plausibility.judged import Cell, Example, JudgedSketch
-from iconstudio.model import Remix, Source
+from iconstudio.model import CANVAS, Remix, Source
 from iconstudio.model.progress import Progress
 from iconstudio.workflows.drawing import PREVIEW, Render, draw
 from iconstudio.workflows.events import Result
@@ -45,7 +45,7 @@ def examples_of(
     sketch: JudgedSketch, icons: Iterable[Remix], grades: Mapping[Cell, int], render: Render
 ) -> Iterator[Example]:
     """Yield the examples that the results of a sketch give."""
-    silhouette = fill_polygon(sketch.sketch.polygon.fitted())
+    fitted = replace(sketch.sketch.fitted(), symmetry=None)
     styles: dict[str, list[Remix]] = {}
     for icon in icons:
         styles.setdefault(icon.composite.style, []).append(icon)
@@ -56,10 +56,10 @@ def examples_of(
         def example(kind: str, grade: int, found: dict[str, float]) -> Example:
             return Example(sketch.name, kind, grade, found, sketch.held_out)
 
-        posed = pose_sketch(silhouette, None, (), sources)
+        posed = pose_sketch(fitted, CANVAS, (), sources)
         for k, source in enumerate(sources):
             if source.region < 0:
-                labels = np.full(silhouette.shape, k, np.uint8)
+                labels = np.full((CANVAS, CANVAS), k, np.uint8)
                 yield example("whole", 1, _measured(posed, sources, labels, render))
         for number, icon in enumerate(sorted(row, key=lambda one: -one.composite.lambda_s)):
             composite = icon.composite
@@ -73,7 +73,7 @@ def examples_of(
                 for bad in degraded(composite.labels, posed.problem.ink, sources, random):
                     own = posed
                     if bad.sources != sources:
-                        own = pose_sketch(silhouette, None, (), bad.sources)
+                        own = pose_sketch(fitted, CANVAS, (), bad.sources)
                     yield example(bad.kind, 0, _measured(own, bad.sources, bad.labels, render))
         for bad in cheapest(posed.problem.data, sources):
             yield example(bad.kind, 0, _measured(posed, bad.sources, bad.labels, render))

@@ -28,6 +28,9 @@ MANY = 500
 REGION = 100.0
 """Side of a salient region in canvas pixels (section 3.2)."""
 
+DETAIL = 40.0
+"""The same of one of fine details."""
+
 _ALONG = {
     Axis.HORIZONTAL: (0.0, 1.0),
     Axis.VERTICAL: (1.0, 0.0),
@@ -114,9 +117,17 @@ def paint_axis(painter: QPainter, axis: Axis, box: QRectF, camera: Camera, theme
 
 
 def paint_regions(
-    painter: QPainter, box: QRectF, centres: Sequence[Point], camera: Camera, theme: Theme
+    painter: QPainter,
+    box: QRectF,
+    centres: Sequence[Point],
+    details: int,
+    camera: Camera,
+    theme: Theme,
 ) -> None:
-    """Draw the salient regions of the outline that fills ``box``, the most salient first."""
+    """Draw the salient regions of the outline that fills ``box``, the most salient first.
+
+    The last ``details`` of them are small ones.
+    """
     unit = max(box.width(), box.height()) / (CANVAS - 2 * MARGIN)
     middle = box.center().toTuple()
     painter.setFont(strong(_sized(11)))
@@ -124,7 +135,8 @@ def paint_regions(
         centre = camera.to_view(
             (middle[0] + (x - CANVAS / 2) * unit, middle[1] + (y - CANVAS / 2) * unit)
         )
-        radius = REGION / 2 * unit * camera.zoom
+        side = REGION if number <= len(centres) - details else DETAIL
+        radius = side / 2 * unit * camera.zoom
         painter.setPen(QPen(theme.color("accent", 0.55), 1, Qt.PenStyle.DashLine))
         painter.setBrush(theme.color("accent", 0.05))
         painter.drawEllipse(centre, radius, radius)

@@ -1,9 +1,10 @@
 """Looks up a keyword's icons while the user still draws."""
 
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
+from iconstudio.algorithms.iconification.matching import SCALES
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.session import Session
@@ -22,11 +23,14 @@ class Query:
 
     keyword: str = ""
     exclude: frozenset[str] = frozenset()
+    scales: tuple[float, ...] = SCALES
 
     @classmethod
-    def of(cls, keyword: str, exclude: frozenset[str]) -> "Query":
+    def of(
+        cls, keyword: str, exclude: frozenset[str], scales: tuple[float, ...] = SCALES
+    ) -> "Query":
         """Return the query; blanks around the keyword mean nothing."""
-        return cls(keyword.strip(), exclude)
+        return cls(keyword.strip(), exclude, scales)
 
 
 class Preparation(QObject):
@@ -109,7 +113,7 @@ class Preparation(QObject):
         if query in self._known:  # a run may keep the worker from saying so for long
             self.retrieved.emit(self._known[query])
         if query.keyword:
-            self.runner.start(lambda: self._session.prepare(query.keyword, query.exclude))
+            self.runner.start(lambda: self._session.prepare(*astuple(query)))
         else:
             self.runner.cancel()
 

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import QSize
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QFrame, QToolButton, QWidget
+from PySide6.QtWidgets import QFrame, QMenu, QToolButton, QWidget
 
 from iconstudio.gui.canvas.view import CanvasView
 from iconstudio.gui.theme.layout import column, row, with_role
@@ -47,3 +47,27 @@ def _button(action: QAction) -> QToolButton:
     if action.menu() is not None:
         button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
     return button
+
+
+class ToolsButton(QToolButton):
+    """One button for several tools, with a menu of them: it takes the one that was last in use."""
+
+    def __init__(self, tools: Sequence[QAction]) -> None:
+        super().__init__()
+        menu = QMenu(self)
+        menu.addActions(tools)
+        self.setMenu(menu)
+        self.setPopupMode(QToolButton.ToolButtonPopupMode.MenuButtonPopup)
+        self.setIconSize(QSize(20, 20))
+        for one in tools:
+            one.toggled.connect(lambda on, one=one: on and self._show(one))
+        self._show(tools[0])
+
+    def _show(self, tool: QAction) -> None:
+        self.setDefaultAction(tool)
+        self.setAccessibleName(tool.iconText())
+
+
+def together(tools: Sequence[QAction]) -> QAction | QWidget:
+    """Return what stands on a bar for some tools: of several, one button is made."""
+    return ToolsButton(tools) if len(tools) > 1 else tools[0]

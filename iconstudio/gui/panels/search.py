@@ -2,7 +2,7 @@
 
 from html import escape
 
-from PySide6.QtWidgets import QFrame, QPushButton
+from PySide6.QtWidgets import QFrame, QPushButton, QWidget
 
 from iconstudio.gui.gallery.sheet import Sheet
 from iconstudio.gui.panels.wordfield import WordField
@@ -33,8 +33,13 @@ class IconSearch(QFrame):
         self.caption = Caption()
         self._start = start
         field.setClearButtonEnabled(True)
-        column(row((field, 1), button), self.caption, (sheet, 1), of=self, margins=margins)
+        self._line = row((field, 1), button)
+        column(self._line, self.caption, (sheet, 1), of=self, margins=margins)
         self.tell_searching("")
+
+    def put_beside(self, widget: QWidget) -> None:
+        """Put a widget between the field and the button."""
+        self._line.insertWidget(1, widget)
 
     def tell_searching(self, keyword: str) -> None:
         """Say that a word is being looked up, or what to do if there is none."""

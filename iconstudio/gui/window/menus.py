@@ -42,7 +42,7 @@ MENUS: dict[str, tuple[str, ...]] = {
     ),
     "&Edit": (
         *("undo", "redo", "", "paste", "delete", "clear", OWN, ""),
-        *("run", "live", "fine", "cancel"),
+        *("run", "live", "fine", "scales", "cancel"),
     ),
     "&View": (
         *(MODES, "", OWN, "pan", "", "zoom_in", "zoom_out", "fit", ""),

@@ -230,3 +230,10 @@ def _describe(entry: Entry, action: QAction) -> None:
     keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
     tip = entry.tip or entry.text.replace("&", "")
     action.setToolTip(f"{tip} ({keys})" if keys else tip)
+
+
+INNER = (
+    tool("hole", "Draw a &hole", "Hole: draw where paper should show inside", "O", "hole"),
+    tool("line", "Dra&w a line", "Line: draw a line inside the outline", "I", "line"),
+)
+"""The tools for what is inside an outline."""

@@ -19,7 +19,7 @@ from iconstudio.gui.gallery import display
 from iconstudio.gui.gallery.sending import Destination
 from iconstudio.gui.jobs.runner import Runner
 from iconstudio.gui.jobs.worker import Worker
-from iconstudio.gui.panels.canvas import CanvasPanel
+from iconstudio.gui.panels.canvas import CanvasPanel, together
 from iconstudio.gui.workspaces.actions import (
     COMMON,
     EXAMPLES,
@@ -200,8 +200,15 @@ class Workspace(ResultsWidget):
     def canvas_panel_of(
         self, *groups: str, more: Sequence[QWidget | QAction] = (), trailing: Sequence[QWidget] = ()
     ) -> CanvasPanel:
-        """Return the canvas below its tool bar, whose ``groups`` name actions."""
-        bar = [[self.actions_by_name[name] for name in group.split()] for group in groups]
+        """Return the canvas below its tool bar, whose ``groups`` name actions.
+
+        Of some with bars between them, as ``hole|line``, one button is made.
+        """
+        named = self.actions_by_name
+        bar = [
+            [together([named[name] for name in names.split("|")]) for names in group.split()]
+            for group in groups
+        ]
         return CanvasPanel(self.view, [*bar, more] if more else bar, trailing)
 
     @cached_property

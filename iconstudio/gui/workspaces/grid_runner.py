@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, Signal
 
+from iconstudio.algorithms.iconification.matching import LARGER_SCALES, SCALES
 from iconstudio.gui.jobs.live import LiveRunner
 from iconstudio.gui.jobs.preparation import Preparation
 from iconstudio.gui.jobs.worker import Worker
@@ -20,8 +21,8 @@ from iconstudio.workflows.remixing import FINE as FINE_SIDE
 if TYPE_CHECKING:
     from iconstudio.gui.workspaces.remixing import RemixWorkspace
 
-LIVE, FINE = "live", "fine"
-"""Under which it is remembered whether live mode is on, and fine quality."""
+LIVE, FINE, LARGER = "live", "fine", "larger_scales"
+"""Under which it is remembered whether live mode is on, fine quality, and larger scales."""
 
 Place = tuple[str, float]
 """Style and lambda_S of a result."""
@@ -33,6 +34,7 @@ class _Request:
 
     inputs: object
     fine: bool
+    larger: bool
     page: CriteriaPage = field(compare=False)
     settings: GridSettings = field(compare=False)
     afresh: bool = field(compare=False)
@@ -75,6 +77,8 @@ class GridRunner(QObject):
         """Whether results follow by themselves."""
         self.fine = preferred(FINE, False)
         """Whether results are joined on a finer canvas."""
+        self.larger = preferred(LARGER, False)
+        """Whether icons are tried at larger scales, too."""
         self._ran: _Request | None = None
         self._focus: Place | None = None
         self._by_hand = False
@@ -96,8 +100,15 @@ class GridRunner(QObject):
     @property
     def stale(self) -> bool:
         """Whether the results are of something else than what is wanted."""
-        same = self.ran == self._page.inputs() and self._ran.fine == self.fine
-        return self.ran is not None and not same
+        if self._ran is None:
+            return False
+        wanted = self._page.inputs(), self.fine, self.larger
+        return (self._ran.inputs, self._ran.fine, self._ran.larger) != wanted
+
+    @property
+    def scales(self) -> tuple[float, ...]:
+        """The scales at which icons are tried."""
+        return LARGER_SCALES if self.larger else SCALES
 
     def set_live(self, on: bool) -> None:
         """Let results follow by themselves, or not; remember which."""
@@ -110,6 +121,12 @@ class GridRunner(QObject):
         """Join results on a finer canvas, or not; remember which."""
         self.fine = on
         prefer(FINE, on)
+        self.renew()
+
+    def set_larger(self, on: bool) -> None:
+        """Try icons at larger scales, too, or not; remember which."""
+        self.larger = on
+        prefer(LARGER, on)
         self.renew()
 
     def adopt(self) -> bool:
@@ -173,11 +190,13 @@ class GridRunner(QObject):
         focus = self._page.focus() if live and not afresh else None
         if focus is not None and focus[0] not in settings.styles:
             focus = None
+        settings = replace(settings, scales=self.scales)
         if self.fine:
             settings = replace(settings, side=FINE_SIDE)
         if live:
             settings = replace(settings, focus=focus or _middle(settings), previews=True)
-        return _Request(self._page.inputs(), self.fine, page, settings, afresh, focus)
+        inputs = self._page.inputs()
+        return _Request(inputs, self.fine, self.larger, page, settings, afresh, focus)
 
     def _made(self, request: _Request) -> Generator[Event | Picture]:
         title = request.page.criteria.keyword.strip()

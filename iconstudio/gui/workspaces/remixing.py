@@ -19,7 +19,7 @@ from iconstudio.gui.preferences import preferred
 from iconstudio.gui.theme.layout import row, splitter
 from iconstudio.gui.workspaces.actions import CANVAS, Entry
 from iconstudio.gui.workspaces.base import Workspace
-from iconstudio.gui.workspaces.grid_runner import FINE, LIVE, GridRunner, Place
+from iconstudio.gui.workspaces.grid_runner import FINE, LARGER, LIVE, GridRunner, Place
 from iconstudio.gui.workspaces.inner import INNER
 from iconstudio.gui.workspaces.symmetry import SymmetryDetection
 from iconstudio.inputs.together import counted
@@ -28,12 +28,24 @@ from iconstudio.workflows.criteria import CriteriaPage
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.grid import GridSettings
 
+
+def _set_scales(place: "RemixWorkspace", on: bool) -> None:
+    """Try larger scales, too, or not."""
+    place.runner.set_larger(on)
+    place.actions_by_name.refresh()
+    place.show_page()
+
+
 GRID = (
     Entry("live", "Li&ve", "Live: results follow while you draw", "Ctrl+L", "live",
           do="set_live", checked=lambda place: place.runner.live),
     Entry("fine", "F&ine quality", "Fine: smoother joins, five times as slow",
           do="set_fine", checked=lambda place: place.runner.fine),
     INNER,
+    Entry("scales", "Lar&ger scales",
+          "Also try icons at 0.8 and 1.25 of their size: fits unusual proportions, but takes "
+          "longer, and results may be less plausible",
+          do=_set_scales, checked=lambda place: place.runner.larger),
     *CANVAS,
 )  # fmt: skip
 """What every workspace with a grid of results does."""
@@ -74,6 +86,8 @@ class RemixWorkspace(Workspace):
             self.set_live(not self.runner.live)
         if self.runner.fine != preferred(FINE, False):
             self.set_fine(not self.runner.fine)
+        if self.runner.larger != preferred(LARGER, False):
+            _set_scales(self, not self.runner.larger)
         self.view.setFocus()
 
     def run(self) -> None:
@@ -185,7 +199,8 @@ class RemixWorkspace(Workspace):
         """Show the criteria of the page; results of another ``name`` of work are called so."""
         criteria = self.page.criteria
         self.keyword_panel.set_sketch(criteria.keyword, criteria.exclude, criteria.include)
-        self.preparation.request(Query.of(criteria.keyword, criteria.exclude))
+        query = Query.of(criteria.keyword, criteria.exclude, self.runner.scales)
+        self.preparation.request(query)
         self.symmetry.set_axis(criteria.symmetry)
         note = ""
         if self.runner.live:

@@ -12,7 +12,15 @@ from iconstudio.algorithms.iconification.energy import distance_field, remix_pro
 from iconstudio.algorithms.iconification.guidance import (
     EDIT_REACH,
     edit_penalty,
+    scribble,
     truncated_distance,
+)
+from iconstudio.algorithms.iconification.guide import (
+    UNGUIDED,
+    Guide,
+    check_inner,
+    filled_polygons,
+    inner_aims,
 )
 from iconstudio.algorithms.iconification.matching import Matcher
 from iconstudio.algorithms.iconification.overhang import seen
@@ -31,10 +39,12 @@ from iconstudio.model import (
     Exemplar,
     Frame,
     IconstudioError,
+    Inner,
     Placement,
     Polygon,
     Remix,
     Source,
+    Stroke,
 )
 from iconstudio.workers import Workers, answer
 from iconstudio.workflows.drawing import Render, draw_whole
@@ -68,6 +78,8 @@ class PlacedEdit:
     """(m, m): the outline that is wanted, filled."""
     mask: NDArray[np.float32]
     """D_E, (m, m): the distance from the changed area, from 0 to 1."""
+    guide: Guide = UNGUIDED
+    """What is drawn inside the outline."""
 
     @property
     def kept(self) -> NDArray[np.float32]:
@@ -82,7 +94,8 @@ class PlacedEdit:
     def pose(self, symmetry: Axis | None, sources: tuple[Source, ...]) -> Posed:
         """Pose the graph cut of ``sources``, the first of which is the icon itself."""
         problem = remix_problem(distance_field(self.silhouette), sources, symmetry)
-        problem = replace(problem, data=problem.data + self.penalty(len(sources)))
+        data = self.guide.guided(problem) + self.penalty(len(sources))
+        problem = replace(problem, data=data)
         # All but the change stays as it is.
         return Posed(problem, self.silhouette, near=self.mask < 1, heal=False)
 
@@ -102,7 +115,7 @@ def place_edit(edit: Edit, icon: Exemplar, side: int = CANVAS) -> PlacedEdit:
     IconstudioError
         If nothing is changed, or not on the icon.
     """
-    if not edit.remove and not edit.add:
+    if not (edit.remove or edit.add or edit.inner != Inner()):
         raise IconstudioError(
             "Nothing is changed. Enclose what should go (remove), "
             "or sketch what should come (add), or both."
@@ -124,8 +137,16 @@ def place_edit(edit: Edit, icon: Exemplar, side: int = CANVAS) -> PlacedEdit:
     silhouette = solid((filled & ~_taken_off(ink, filled, removed)) | added)
     if not silhouette.any():
         raise IconstudioError("Nothing of the icon would be left. Remove less, or add something.")
-    mask = truncated_distance(removed | added, EDIT_REACH * side / CANVAS)
-    return PlacedEdit(Source(icon, placement), ink, removed, added, silhouette, mask)
+    inner = edit.inner.moved(placement.transform.transformPoint)
+    inner.check()
+    check_inner(inner, silhouette)
+    drawn = filled_polygons(inner.holes, side) | scribble(
+        [Stroke(0, one) for one in inner.lines], side
+    )
+    mask = truncated_distance(removed | added | drawn, EDIT_REACH * side / CANVAS)
+    base = Source(icon, placement)
+    guide = Guide(aims=inner_aims(inner, side))
+    return PlacedEdit(base, ink, removed, added, silhouette, mask, guide)
 
 
 def paper(icon: Source) -> Source:
@@ -207,6 +228,7 @@ def edit_icon(
             always=(change.base, paper(change.base)) if edit.remove else (change.base,),
             pose=partial(posed.pose, edit.symmetry),
             finish=finish,
+            guide=change.guide,
             include=edit.include,
             without=lookalikes(change.base.exemplar, matcher),
             workers=workers,

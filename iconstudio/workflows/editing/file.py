@@ -3,8 +3,8 @@
 from pathlib import Path
 from typing import Self
 
-from iconstudio.inputs.formats import Polygons, Reference, Text, TextSet
-from iconstudio.inputs.lines import area, rounded
+from iconstudio.inputs.formats import Holes, Lines, Polygons, Reference, Text, TextSet
+from iconstudio.inputs.lines import area, inner, rounded, rows
 from iconstudio.model import Axis, Edit, IconstudioError, Polygon
 from iconstudio.workflows.files import open_file
 from iconstudio.workflows.workflow import File, Find, Refer
@@ -17,6 +17,10 @@ class EditFile(File[Edit], frozen=True):
     keyword: Text = ""
     remove: Polygons = ()
     add: Polygons = ()
+    holes: Holes = ()
+    """Areas of paper inside the outline that is wanted."""
+    lines: Lines = ()
+    """Strokes inside it."""
     symmetry: Axis | None = None
     exclude: TextSet = frozenset()
     include: TextSet = frozenset()
@@ -24,11 +28,14 @@ class EditFile(File[Edit], frozen=True):
     @classmethod
     def of(cls, edit: Edit, refer: Refer) -> Self:
         """Return the file of an edit."""
+        holes, lines = rows(edit.inner)
         return cls(
             icon=refer(edit.icon),
             keyword=edit.keyword,
             remove=tuple(rounded(polygon.vertices) for polygon in edit.remove),
             add=tuple(rounded(polygon.vertices) for polygon in edit.add),
+            holes=holes,
+            lines=lines,
             symmetry=edit.symmetry,
             exclude=edit.exclude,
             include=edit.include,
@@ -38,10 +45,12 @@ class EditFile(File[Edit], frozen=True):
         """Return the edit, its icon found by ``find``."""
         remove, add = tuple(map(area, self.remove)), tuple(map(area, self.add))
         criteria = self.symmetry, self.exclude, self.include
-        return Edit(find(self.icon), self.keyword, remove, add, *criteria)
+        drawn = inner(self.holes, self.lines)
+        return Edit(find(self.icon), self.keyword, remove, add, *criteria, drawn)
 
     def check(self) -> None:
-        """Refuse polygons that enclose nothing."""
+        """Refuse polygons that enclose nothing, and lines without length."""
+        inner(self.holes, self.lines).check()
         for key, polygons in (("remove", self.remove), ("add", self.add)):
             for number, points in enumerate(polygons, start=1):
                 try:

@@ -1,27 +1,11 @@
 """What lies on the canvas of an edit: an icon, areas to remove and to add, and the criteria."""
 
 from dataclasses import dataclass, replace
-from enum import Enum
 from typing import Any
 
-from iconstudio.model import Axis, Edit, Exemplar, IconstudioError, Point, Polygon
+from iconstudio.model import Axis, Edit, Exemplar, IconstudioError, Polygon
+from iconstudio.workflows.areas import Area, Kind, areas_of, inner_of
 from iconstudio.workflows.pages import Document
-
-
-class Kind(Enum):
-    """What an area is for."""
-
-    REMOVE = "remove"
-    ADD = "add"
-
-
-@dataclass(frozen=True, slots=True)
-class Area:
-    """A part of the canvas, in canvas units; it is finished once it is ``closed``."""
-
-    kind: Kind
-    vertices: tuple[Point, ...]
-    closed: bool = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,7 +51,8 @@ class EditPage:
             for k in (Kind.REMOVE, Kind.ADD)
         )
         criteria = self.symmetry, self.exclude, self.include
-        return Edit(self.icon.pictogram, self.keyword, remove, add, *criteria)
+        inner = inner_of(self.areas)
+        return Edit(self.icon.pictogram, self.keyword, remove, add, *criteria, inner)
 
     def elsewhere(self, before: "EditPage") -> bool:
         """Whether it is another icon."""
@@ -105,6 +90,7 @@ def load(document: EditDocument, edit: Edit, icon: Exemplar) -> None:
         for kind, polygons in ((Kind.REMOVE, edit.remove), (Kind.ADD, edit.add))
         for polygon in polygons
     )
+    areas += areas_of(edit.inner)
     page = EditPage(icon, edit.keyword, areas, edit.symmetry, edit.exclude, edit.include)
     document.change("open edit", page)
 

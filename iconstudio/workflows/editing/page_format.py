@@ -2,18 +2,11 @@
 
 from collections.abc import Generator
 
-from iconstudio.inputs.formats import Many, Points, Record, Text, TextSet, plain_text
+from iconstudio.inputs.formats import Many, Record, Text, TextSet, plain_text
 from iconstudio.model import Axis
-from iconstudio.workflows.editing.page import Area, EditPage, Kind
+from iconstudio.workflows.areas import StoredArea
+from iconstudio.workflows.editing.page import EditPage
 from iconstudio.workflows.pages import PageFormat, Parts, StoredParts
-
-
-class StoredArea(Record, frozen=True):
-    """An area, finished or not."""
-
-    kind: Kind
-    points: Points
-    closed: bool = False
 
 
 class StoredEdit(Record, frozen=True):
@@ -37,7 +30,7 @@ class EditPages(PageFormat[EditPage, StoredEdit]):
         return StoredEdit(
             None if page.icon is None else parts.icon(page.icon.pictogram),
             plain_text(page.keyword),
-            tuple(StoredArea(one.kind, one.vertices, one.closed) for one in page.areas),
+            tuple(map(StoredArea.of, page.areas)),
             page.symmetry,
             page.exclude,
             page.include,
@@ -47,6 +40,6 @@ class EditPages(PageFormat[EditPage, StoredEdit]):
         """Return the page that was written."""
         icon = None if stored.icon is None else parts.exemplar(parts.icon(stored.icon))
         yield
-        areas = tuple(Area(one.kind, one.points, one.closed) for one in stored.areas)
+        areas = tuple(one.area for one in stored.areas)
         criteria = stored.symmetry, stored.exclude, stored.include
         return EditPage(icon, stored.keyword, areas, *criteria)

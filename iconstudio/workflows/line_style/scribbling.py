@@ -1,7 +1,7 @@
 """New lines in a style, along nothing (*Curve Analogies*, sections 3.1 and 3.4)."""
 
 from iconstudio.model import Line, LineStyle
-from iconstudio.model.sketch import Point
+from iconstudio.model.polygon import Point
 
 SHORTEST, LONGEST = 20.0, 20_000.0
 WIDTH = 4.0

@@ -9,7 +9,7 @@ from functools import partial
 
 import scipy
 
-from iconstudio.algorithms.raster import Bitmap, fill_polygon, overlap, placed_ink
+from iconstudio.algorithms.raster import Bitmap, overlap, placed_ink
 from iconstudio.model import Composite, Remix, Sketch
 from iconstudio.workflows.events import Event, Result
 from iconstudio.workflows.modelling.modelling import pose_sketch
@@ -70,7 +70,7 @@ def trying(
 ) -> Generator[Event]:
     """Solve a sketch's composite again with each of the alternatives pinned; yield ``Tried``."""
     side = len(composite.labels)
-    silhouette = fill_polygon(sketch.polygon.fitted(), side)
+    fitted = sketch.fitted()
     remixing = Remixing(resources.workers, resources.render, total=len(choices))
     made: dict[int, Remix] = {}
 
@@ -82,7 +82,7 @@ def trying(
         for number, choice in enumerate(choices):
             pins = with_pin(sketch.pins, choice.pin, sketch.symmetry)
             held = pinned_parts(replace(sketch, pins=pins), resources.exemplar)
-            pose = partial(pose_sketch, silhouette, sketch.symmetry, held, composite.sources)
+            pose = partial(pose_sketch, fitted, side, held, composite.sources)
             series = CutSeries(composite.style, composite.sources, pose, (composite.lambda_s,))
             remixing.start(series, partial(note, number))
         while remixing.busy:

@@ -1,16 +1,24 @@
 """Sketch-based pictogram modelling (section 4.1): from a rough polygon to remixed icons."""
 
+import math
 from collections.abc import Generator
+from dataclasses import replace
 from functools import partial
 
 from iconstudio.algorithms.iconification.energy import distance_field, remix_problem
+from iconstudio.algorithms.iconification.guide import check_inner, guide_of
 from iconstudio.algorithms.iconification.matching import Matcher
 from iconstudio.algorithms.iconification.plausibility import Plausibility
-from iconstudio.algorithms.iconification.saliency import saliency, salient_regions
+from iconstudio.algorithms.iconification.saliency import (
+    SMALL,
+    Region,
+    saliency,
+    salient_regions,
+)
 from iconstudio.algorithms.iconification.style import Style
 from iconstudio.algorithms.iconification.tsdf import tsdf
-from iconstudio.algorithms.raster import Bitmap, fill_polygon
-from iconstudio.model import Axis, Composite, Sketch, Source
+from iconstudio.algorithms.raster import fill_polygon
+from iconstudio.model import Composite, Sketch, Source
 from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import Event, Remark
@@ -22,6 +30,8 @@ from iconstudio.workflows.solving import Posed
 FEWEST = 4
 """A style with fewer exemplars is skipped: all its regions would keep the same three."""
 FEW = 8
+DETAILS = 6
+"""Small regions of a sketch whose details are weighted by 1."""
 UNLIKE = 1.25
 """A style with fewer than FEW exemplars is skipped too if none of them resembles the sketch: if the
 least errors of equation 4, averaged over the regions, exceed UNLIKE. Chosen by eye over the styles
@@ -40,7 +50,7 @@ def run(
     """
     settings = settings or GridSettings()
     settings.chosen_styles()
-    sketch.polygon.fitted()
+    fitted_sketch(sketch)
     matcher = yield from resources.prepare(sketch.keyword, sketch.exclude, settings.scales)
     if idle := idle_pins(sketch):
         yield Remark(idle)
@@ -73,15 +83,17 @@ def model(
     The parts in ``pins`` belong to their sources, in the styles of their icons. The events, and the
     other parameters, are those of ``grid.remix_styles``.
     """
-    polygon = sketch.polygon.fitted()
-    silhouette = fill_polygon(polygon)
+    fitted = sketch.fitted()
+    silhouette = fill_polygon(fitted.polygon)
     yield from remix_styles(
         tsdf(silhouette),
-        salient_regions(saliency([polygon], silhouette)),
+        salient_regions(saliency([fitted.polygon], silhouette)),
         matcher,
         settings,
         refusal=refusal,
-        pose=partial(pose_sketch, fill_polygon(polygon, settings.side), sketch.symmetry, pins),
+        pose=partial(pose_sketch, fitted, settings.side, pins),
+        guide=guide_of(fitted),
+        details=details_of(fitted),
         workers=workers,
         render=render,
         pinned=tuple(pin.source for pin in pins),
@@ -91,14 +103,38 @@ def model(
     )
 
 
+def fitted_sketch(sketch: Sketch) -> Sketch:
+    """Return a sketch on the canvas, all of which makes sense.
+
+    Raises
+    ------
+    IconstudioError
+        If it does not; a sentence for the user.
+    """
+    fitted = sketch.fitted()
+    check_inner(fitted.inner, fill_polygon(fitted.polygon))
+    return fitted
+
+
+def details_of(sketch: Sketch) -> tuple[Region, ...]:
+    """Return small salient regions of a fitted sketch, the more the higher its weight of details.
+
+    An addition to the paper, as it wishes for (section 6).
+    """
+    count = math.ceil(DETAILS * sketch.detail)
+    if not count:
+        return ()
+    score = saliency([sketch.polygon], fill_polygon(sketch.polygon), extent=SMALL)
+    return salient_regions(score, count, SMALL)
+
+
 def pose_sketch(
-    silhouette: Bitmap,
-    symmetry: Axis | None,
-    pins: tuple[PinnedPart, ...],
-    sources: tuple[Source, ...],
+    sketch: Sketch, side: int, pins: tuple[PinnedPart, ...], sources: tuple[Source, ...]
 ) -> Posed:
-    """Pose the problem of joining sources in the shape of a sketch, ``silhouette`` (m, m)."""
-    problem = remix_problem(distance_field(silhouette), sources, symmetry)
+    """Pose the problem of joining sources in the shape of a fitted sketch, on a canvas of m."""
+    silhouette = fill_polygon(sketch.polygon, side)
+    problem = remix_problem(distance_field(silhouette), sources, sketch.symmetry)
+    problem = replace(problem, data=guide_of(sketch, side).guided(problem))
     return pinning(problem, sources, silhouette, pins)
 
 

@@ -5,6 +5,7 @@ from typing import Any
 
 from iconstudio.algorithms.raster import Bitmap
 from iconstudio.model import IconstudioError, Photo, Point, Polygon, Sketch
+from iconstudio.workflows.areas import Area, areas_of, inner_of
 from iconstudio.workflows.pages import Document
 from iconstudio.workflows.pinning import PinnedPart, with_pin, without_pins
 
@@ -20,6 +21,19 @@ class SketchPage:
     sketch: Sketch = field(default_factory=Sketch)
     closed: bool = False
     photo: Photo | None = None
+    draft: Area | None = None
+    """A hole or a line that is still being traced: the sketch has those that are finished."""
+
+    @property
+    def areas(self) -> tuple[Area, ...]:
+        """What is drawn inside the outline, first the holes; last what is not finished."""
+        done = areas_of(self.sketch.inner)
+        return done if self.draft is None else (*done, self.draft)
+
+    def with_areas(self, areas: tuple[Area, ...]) -> "SketchPage":
+        """Return the page with other things inside the outline."""
+        draft = areas[-1] if areas and not areas[-1].closed else None
+        return replace(self, sketch=replace(self.sketch, inner=inner_of(areas)), draft=draft)
 
     @property
     def vertices(self) -> tuple[Point, ...]:
@@ -41,9 +55,10 @@ class SketchPage:
         return replace(self, sketch=replace(self.sketch, **values))
 
     def with_outline(self, vertices: tuple[Point, ...], closed: bool) -> "SketchPage":
-        """Return the page with another outline."""
-        sketch = replace(self.sketch, polygon=Polygon(vertices))
-        return replace(self, sketch=sketch, closed=closed)
+        """Return the page with another outline; without one, there is nothing inside it."""
+        page = self if vertices else self.with_areas(())
+        sketch = replace(page.sketch, polygon=Polygon(vertices))
+        return replace(page, sketch=sketch, closed=closed)
 
     def elsewhere(self, before: "SketchPage") -> bool:
         """Whether the photo, or without one the whole outline, is another."""
@@ -56,10 +71,12 @@ SketchDocument = Document[SketchPage]
 
 def problem(page: SketchPage) -> str:
     """Return what is missing before a sketch can be remixed, as a sentence; else nothing."""
+    from iconstudio.workflows.modelling.modelling import fitted_sketch
+
     if not page.vertices:
         return "There is no outline yet. Click around the object on the canvas to trace it."
     try:
-        page.sketch.polygon.fitted()
+        fitted_sketch(page.sketch)
     except IconstudioError as error:
         return str(error)
     if not page.closed:
@@ -85,6 +102,12 @@ def load_sketch(
     """Start from another sketch: an example, a file, or nothing at all."""
     closed = len(sketch.polygon.vertices) >= 3
     document.change(text, SketchPage(sketch, closed, photo))
+
+
+def set_detail(document: SketchDocument, detail: float, gesture: object = None) -> None:
+    """Say how much fine details count. Changes of one ``gesture`` are undone together."""
+    page = document.page.with_criteria(detail=detail)
+    document.change("weight fine details", page, gesture)
 
 
 def pin_part(document: SketchDocument, part: PinnedPart) -> None:

@@ -3,8 +3,9 @@
 from collections.abc import Generator, Sequence
 from dataclasses import asdict
 
-from iconstudio.inputs.formats import Many, Points, Record, Text, TextSet, plain_text
+from iconstudio.inputs.formats import Many, Points, Record, Share, Text, TextSet, plain_text
 from iconstudio.model import Axis, IconstudioError, Layer, Polygon, Sketch
+from iconstudio.workflows.areas import StoredArea
 from iconstudio.workflows.modelling.page import SketchPage
 from iconstudio.workflows.montage.page_format import StoredStroke
 from iconstudio.workflows.pages import (
@@ -34,6 +35,8 @@ class StoredSketch(Record, frozen=True):
     photo: StoredPhoto | None = None
     pins: Many[StoredPin] = ()
     include: TextSet = frozenset()
+    areas: Many[StoredArea] = ()
+    detail: Share = 0.0
 
 
 class SketchPages(PageFormat[SketchPage, StoredSketch]):
@@ -53,6 +56,8 @@ class SketchPages(PageFormat[SketchPage, StoredSketch]):
             None if page.photo is None else parts.photo(page.photo),
             tuple(_stored(pin, parts) for pin in sketch.pins),
             sketch.include,
+            tuple(map(StoredArea.of, page.areas)),
+            sketch.detail,
         )
 
     def read(self, stored: StoredSketch, parts: StoredParts) -> Generator[None, None, SketchPage]:
@@ -60,14 +65,15 @@ class SketchPages(PageFormat[SketchPage, StoredSketch]):
         polygon = Polygon(stored.polygon)
         pins = tuple(_pins(stored.pins, parts))
         criteria = stored.keyword, stored.exclude, stored.symmetry, pins, stored.include
-        sketch = Sketch(polygon, *criteria)
+        sketch = Sketch(polygon, *criteria, detail=stored.detail)
         photo = None
         if stored.photo is not None:
             try:
                 photo = yield from parts.photo(stored.photo)
             except IconstudioError as error:
                 parts.complaints.append(f"The sketch was opened without its photo: {error}")
-        return SketchPage(sketch, stored.closed, photo)
+        areas = tuple(one.area for one in stored.areas)
+        return SketchPage(sketch, stored.closed, photo).with_areas(areas)
 
 
 def _stored(pin: Layer, parts: Parts) -> StoredPin:

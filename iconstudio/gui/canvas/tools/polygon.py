@@ -194,7 +194,7 @@ class PolygonTool(Tool):
     def close_outline(self) -> bool:
         """Join the last vertex to the first, if there are enough."""
         outline = self.outline
-        if outline.closed or len(outline.vertices) < 3:
+        if outline.closed or len(outline.vertices) < outline.least:
             return False
         self.outline.close()
         self._hover = self._dragged = self.selected = None
@@ -221,7 +221,7 @@ class PolygonTool(Tool):
 
     def _closes(self, index: int) -> bool:
         outline = self.outline
-        return index == 0 and not outline.closed and len(outline.vertices) >= 3
+        return index == 0 and not outline.closed and len(outline.vertices) >= outline.least
 
     def _take(self, index: int) -> None:
         self._dragged = index

@@ -1,6 +1,6 @@
 """What can be done with an edit."""
 
-from iconstudio.gui.workspaces.actions import Entry, Key, tool, work_entries
+from iconstudio.gui.workspaces.actions import INNER, Entry, Key, tool, work_entries
 from iconstudio.gui.workspaces.remixing import GRID
 
 
@@ -19,6 +19,7 @@ ENTRIES = (
     Entry("run", "Remi&x", "Make the icon anew where it is marked", "Ctrl+Return"),
     tool("remove", "Mark what &goes", "Remove: mark what should go", "R", "remove"),
     tool("add", "Draw what &comes", "Add: draw what should come", "A", "add"),
+    *INNER,
     tool("select", "Correct &areas", "Select, move and correct areas", "V", "select"),
     Entry("styles", "Parts of a&ll styles", "Use parts of icons that are lighter or darker", "L",
           do="follow_styles", checkable=True, menu="&View"),

@@ -4,20 +4,19 @@ from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QPainter, QPainterPath, QPen
 
 from iconstudio.gui.canvas import painters
+from iconstudio.gui.canvas.areas import TOKENS, paint_inner
 from iconstudio.gui.canvas.camera import Camera
 from iconstudio.gui.canvas.outlines import IconOutlines
 from iconstudio.gui.canvas.scene import Scene
 from iconstudio.gui.pictures.picture import stencil
 from iconstudio.gui.theme.theme import UNIT, Theme
 from iconstudio.model import CANVAS, MARGIN, Exemplar
-from iconstudio.workflows.editing.page import Area, EditDocument, Kind
+from iconstudio.workflows.areas import Area, Kind
+from iconstudio.workflows.editing.page import EditDocument
 
 _SHEET = QRectF(0, 0, CANVAS, CANVAS)
 _BODY = _SHEET.adjusted(MARGIN, MARGIN, -MARGIN, -MARGIN)
 """Where the icon lies."""
-
-TOKENS = {Kind.REMOVE: "danger", Kind.ADD: "added"}
-"""The colours of areas in the theme."""
 
 
 class EditScene(Scene):
@@ -49,6 +48,7 @@ class EditScene(Scene):
             _paint_area(painter, area, camera, theme, Qt.PenStyle.DashLine, 0.07)
         for area in added:
             _paint_area(painter, area, camera, theme, Qt.PenStyle.SolidLine, 0.35)
+        paint_inner(painter, page.areas, camera, theme)
         if page.symmetry is not None:
             painters.paint_axis(painter, page.symmetry, _BODY, camera, theme)
 

@@ -3,23 +3,27 @@
 from collections.abc import Generator
 from typing import NamedTuple
 
+from iconstudio.gui.canvas.tools.areas import DrawTool, SelectTool
 from iconstudio.gui.canvas.view import CanvasView
 from iconstudio.gui.exchange.opening import Opener
 from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.workspaces.editing.actions import ENTRIES
 from iconstudio.gui.workspaces.editing.scene import EditScene
 from iconstudio.gui.workspaces.editing.start import StartPanel
-from iconstudio.gui.workspaces.editing.tools import DrawTool, edit_tools
 from iconstudio.gui.workspaces.remixing import RemixWorkspace
 from iconstudio.importing.edits import EditImporter
 from iconstudio.model import Edit, Exemplar, Pictogram
+from iconstudio.workflows.areas import AreaOutline, Kind
 from iconstudio.workflows.editing import page as edits
-from iconstudio.workflows.editing.areas import AreaOutline
 from iconstudio.workflows.editing.editing import own_styles, place_edit
 from iconstudio.workflows.editing.page import EditPage
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.grid import GridSettings
 
+_SELECT = (
+    "Click an area to correct it",
+    "There is nothing to select yet: draw with Remove or Add",
+)
 DESCRIPTION = "Mark what should go and what should come here"
 
 
@@ -49,7 +53,8 @@ class EditWorkspace(RemixWorkspace):
         self.importer = EditImporter(self.session, self.document)
         self.opener = Opener(self.importer, self.files, self)
         self.outline = AreaOutline(self.document)
-        self.tools = edit_tools(self.outline)
+        self.tools = {kind.value: DrawTool(self.outline, kind) for kind in Kind}
+        self.tools["select"] = SelectTool(self.outline, *_SELECT)
         self.tool = self.tools["remove"]
         self.scene = EditScene(self.document, self.outlines)
         self.view = CanvasView(self.scene, self.tool, DESCRIPTION)
@@ -59,7 +64,7 @@ class EditWorkspace(RemixWorkspace):
         self.start_panel = StartPanel(self.document, self.view, chooser, self.examples)
         chooser.chosen.connect(self._begin_with)
         self.opener.opened.connect(self._begin)
-        self.lay_out("icon", "undo redo", "remove add select pan fit clear")
+        self.lay_out("icon", "undo redo", "remove add hole|line select pan fit clear")
 
     # -- what the window asks for --------------------------------------------------------------
 
@@ -139,11 +144,7 @@ class EditWorkspace(RemixWorkspace):
     def use_tool(self, name: str) -> None:
         """Take another tool; what is traced for something else is finished."""
         tool = self.tool = self.tools[name]
-        drawing = isinstance(tool, DrawTool)
-        if not (drawing and self.outline.area and self.outline.area.kind is tool.kind):
-            self.outline.finish()
-        if drawing:
-            self.outline.select(None)
+        self.outline.turn_to(tool.kind if isinstance(tool, DrawTool) else None)
         super().use_tool(name)
 
     def clear(self) -> None:

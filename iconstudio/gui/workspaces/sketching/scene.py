@@ -6,6 +6,7 @@ from PySide6.QtCore import QRectF
 from PySide6.QtGui import QPainter
 
 from iconstudio.gui.canvas import painters
+from iconstudio.gui.canvas.areas import paint_inner
 from iconstudio.gui.canvas.camera import Camera
 from iconstudio.gui.canvas.scene import Scene
 from iconstudio.gui.theme.theme import Theme
@@ -26,6 +27,7 @@ class SketchScene(Scene):
         super().__init__(document)
         self._dim = 0.35
         self._regions: Sequence[Point] = ()
+        self._details = 0
 
     @property
     def empty(self) -> bool:
@@ -53,9 +55,12 @@ class SketchScene(Scene):
         self._dim = percent / 100
         self.changed.emit()
 
-    def set_regions(self, centres: Sequence[Point]) -> None:
-        """Show the salient regions at these centres (canvas pixels); none hides them."""
-        self._regions = centres
+    def set_regions(self, centres: Sequence[Point], details: int = 0) -> None:
+        """Show the salient regions at these centres (canvas pixels); none hides them.
+
+        The last ones, so many, are small ones of details.
+        """
+        self._regions, self._details = centres, details
         self.changed.emit()
 
     def paint(self, painter: QPainter, camera: Camera, ratio: float, theme: Theme) -> None:
@@ -64,6 +69,7 @@ class SketchScene(Scene):
         if page.photo is not None:
             painters.paint_photo(painter, page.photo, self._dim, camera, ratio, theme)
         painters.paint_outline(painter, page.vertices, page.closed, camera, theme)
+        paint_inner(painter, page.areas, camera, theme)
         if len(page.vertices) < 3:
             return
         left, top, right, bottom = page.sketch.polygon.bounds
@@ -71,4 +77,4 @@ class SketchScene(Scene):
         if page.sketch.symmetry is not None:
             painters.paint_axis(painter, page.sketch.symmetry, box, camera, theme)
         if self._regions and page.closed:
-            painters.paint_regions(painter, box, self._regions, camera, theme)
+            painters.paint_regions(painter, box, self._regions, self._details, camera, theme)

@@ -6,9 +6,11 @@ from PySide6.QtCore import Qt
 
 from iconstudio.algorithms.geometry import crosses_itself
 from iconstudio.gui.canvas.start import StartButtons
+from iconstudio.gui.canvas.tools.areas import DrawTool, SelectTool
 from iconstudio.gui.canvas.tools.polygon import PolygonTool
 from iconstudio.gui.canvas.view import CanvasView
 from iconstudio.gui.exchange.opening import Opener
+from iconstudio.gui.panels.options import OptionsButton
 from iconstudio.gui.panels.slider import IconSlider
 from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.workspaces.remixing import RemixWorkspace
@@ -17,12 +19,22 @@ from iconstudio.gui.workspaces.sketching.alternatives import PartAlternatives
 from iconstudio.gui.workspaces.sketching.scene import SketchScene
 from iconstudio.importing.sketches import PHOTOS, SketchImporter
 from iconstudio.model import Polygon, Sketch
+from iconstudio.workflows.areas import AreaOutline, Kind
 from iconstudio.workflows.events import Event, RegionsFound
 from iconstudio.workflows.modelling.file import SketchFile
-from iconstudio.workflows.modelling.page import SketchPage, problem, unpin_all
+from iconstudio.workflows.modelling.page import (
+    SketchPage,
+    problem,
+    set_detail,
+    unpin_all,
+)
 from iconstudio.workflows.outline import Outline
 from iconstudio.workflows.pinning import idle_pins
 
+_SELECT = (
+    "Click a hole or a line to correct it",
+    "There is nothing inside the outline yet: draw a hole (O) or a line (I)",
+)
 DESCRIPTION = "Trace the outline of an object here"
 
 
@@ -44,11 +56,14 @@ class SketchWorkspace(RemixWorkspace):
         super().build()
         self.importer = SketchImporter(self.session, self.document)
         self.opener = Opener(self.importer, self.files, self)
-        self._regions: tuple = ()
+        self._regions: RegionsFound | None = None
         self.scene = SketchScene(self.document)
         self.outline = Outline(self.document)
         self.tool = PolygonTool(self.outline)
-        self.tools = {"trace": self.tool}
+        self.inner = AreaOutline(self.document)
+        self.tools = {"trace": self.tool, "select": SelectTool(self.inner, *_SELECT)}
+        for kind in (Kind.HOLE, Kind.LINE):
+            self.tools[kind.value] = DrawTool(self.inner, kind)
         self.view = CanvasView(self.scene, self.tool, DESCRIPTION)
         self.dim = IconSlider("dim", "Dim the photo", (0, 100), 35, self.scene.set_dim)
         self.offer_symmetry(lambda page: page.sketch.polygon if page.closed else None, _filled)
@@ -58,8 +73,10 @@ class SketchWorkspace(RemixWorkspace):
         self.alternatives.runner.failed.connect(self.failed)
         self.alternatives.changed.connect(self._remix_pinned)
         self.make_actions()
+        self.options = OptionsButton(self.actions_by_name["scales"], self._weight_details)
+        self.keyword_panel.put_beside(self.options)
         self.start_buttons = StartButtons(self.view, self.actions_by_name["photo"], self.examples)
-        bar = "photo examples", "undo redo", "trace pan fit regions clear"
+        bar = "photo examples", "undo redo", "trace hole|line|select pan fit clear"
         self.lay_out(*bar, trailing=[self.dim])
 
     # -- what the window asks for --------------------------------------------------------------
@@ -89,7 +106,8 @@ class SketchWorkspace(RemixWorkspace):
         return self.page.sketch
 
     def complete(self) -> None:
-        """Close an outline that is still open."""
+        """Close an outline that is still open, and end what is drawn inside it."""
+        self.inner.finish()
         page = self.page
         if not page.closed and len(page.vertices) >= 3:
             self.outline.close()
@@ -113,7 +131,7 @@ class SketchWorkspace(RemixWorkspace):
     def show_event(self, event: Event | Picture) -> None:
         """Show what a run has come to."""
         if isinstance(event, RegionsFound):
-            self._regions = event.centres
+            self._regions = event
             self.show_regions()
         super().show_event(event)
 
@@ -134,9 +152,10 @@ class SketchWorkspace(RemixWorkspace):
         page = self.page
         self.show_criteria("sketch")
         self.dim.setVisible(page.photo is not None)
+        self.options.show_detail(page.sketch.detail)
         self.detail.large.show_pins(page.sketch.pins)
         if not page.vertices:
-            self._regions = ()
+            self._regions = None
         self.show_regions()
 
     def show_regions(self, on: bool = True) -> None:
@@ -145,7 +164,20 @@ class SketchWorkspace(RemixWorkspace):
         same = ran is not None and ran.polygon == self.page.sketch.polygon
         # In live mode those of a moment ago stay until the new ones come.
         wanted = self.actions_by_name["regions"].isChecked() and (same or self.runner.live)
-        self.scene.set_regions(self._regions if wanted else ())
+        found = self._regions if wanted else None
+        if found is None:
+            self.scene.set_regions(())
+        else:
+            self.scene.set_regions(found.centres, found.details)
+
+    def use_tool(self, name: str) -> None:
+        """Take another tool; what is drawn inside with another one is finished."""
+        tool = self.tool = self.tools[name]
+        self.inner.turn_to(tool.kind if isinstance(tool, DrawTool) else None)
+        super().use_tool(name)
+
+    def _weight_details(self, detail: float, gesture: object) -> None:
+        set_detail(self.document, detail, gesture)
 
     def save(self) -> None:
         """Write the sketch into a file, beside its photo."""

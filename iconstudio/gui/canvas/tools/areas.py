@@ -1,21 +1,21 @@
-"""The tools of an edit: enclose what to remove, sketch what to add, correct both."""
+"""Tools for areas and lines on a page: draw some of a kind, select and correct them."""
 
 import math
 
+import numpy as np
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QKeyEvent, QPainter, QPen, QPolygonF
 
-from iconstudio.algorithms.geometry import simplified
+from iconstudio.algorithms.geometry import near, simplified, simplified_line
 from iconstudio.gui.canvas import painters
+from iconstudio.gui.canvas.areas import TOKENS
 from iconstudio.gui.canvas.camera import Camera
 from iconstudio.gui.canvas.tools.base import Pointer, nudge
-from iconstudio.gui.canvas.tools.polygon import PolygonTool
+from iconstudio.gui.canvas.tools.polygon import GRIP, PolygonTool
 from iconstudio.gui.document.document import new_gesture
 from iconstudio.gui.theme.theme import Theme
-from iconstudio.gui.workspaces.editing.scene import TOKENS
 from iconstudio.model import IconstudioError, Point, Polygon
-from iconstudio.workflows.editing.areas import AreaOutline
-from iconstudio.workflows.editing.page import Area, Kind
+from iconstudio.workflows.areas import Area, AreaOutline, Kind
 
 FREEHAND = 5.0
 """Pixels that the pointer must be dragged to draw freehand: less is a click."""
@@ -27,11 +27,19 @@ STRAY = 2.5
 _BEFORE = {
     Kind.REMOVE: "Remove: drag around what should go, or click its corners",
     Kind.ADD: "Add: drag the outline of what should come, or click its corners",
+    Kind.HOLE: "Hole: drag around where paper should show, or click its corners",
+    Kind.LINE: "Line: drag a line inside the outline, or click its points",
 }
 _AFTER = {
     Kind.REMOVE: "Now add what should come (A) · drag points to correct",
     Kind.ADD: "Mark more, or drag points to correct",
+    Kind.HOLE: "Draw more holes, or drag points to correct",
+    Kind.LINE: "Draw more lines, or drag points to correct",
 }
+_MISSED = (
+    "That encloses nothing: drag all the way around, or click corners",
+    "That is too short for a line: drag on, or click its points",
+)
 _MARKED = "Mark more · V selects areas to correct them"
 """What a tool says before an area is drawn, after that, and if there are others only."""
 
@@ -62,6 +70,14 @@ class AreaTool(PolygonTool):
         selected = self.outline.index is not None
         self.outline.remove()
         return selected
+
+    def _closes(self, index: int) -> bool:
+        """Whether a click on a vertex finishes the area: a line, on its last one."""
+        area = self.outline.area
+        if area is None or area.kind is not Kind.LINE:
+            return super()._closes(index)
+        count = len(area.vertices)
+        return not area.closed and count >= area.least and index == count - 1
 
     def _press_nowhere(self, pointer: Pointer) -> None:
         if self.outline.closed:
@@ -99,14 +115,22 @@ class DrawTool(AreaTool):
     def hint(self) -> str:
         """What can be done now."""
         if self._stroke:
-            return "Let go to finish the area"
+            return f"Let go to finish the {_noun(self.kind)}"
         if not self.outline.closed:
-            return super().hint
+            return self._hint_while_tracing
         if self._missed:
-            return "That encloses nothing: drag all the way around, or click corners"
+            return _MISSED[self.kind is Kind.LINE]
         if self.outline.area is not None:
             return _AFTER[self.kind]
         return _MARKED if self.outline.document.page.areas else _BEFORE[self.kind]
+
+    @property
+    def _hint_while_tracing(self) -> str:
+        if self.kind is not Kind.LINE:
+            return super().hint
+        enough = len(self.outline.vertices) >= self.outline.least
+        end = "double-click or press Enter to end" if enough else "Esc gives up"
+        return f"Click the next point · {end}"
 
     def move(self, pointer: Pointer) -> None:
         """Draw on, or do what is done with any outline."""
@@ -143,8 +167,10 @@ class DrawTool(AreaTool):
         super().paint(painter, camera, theme)
         if self._stroke:
             painter.setPen(QPen(theme.color(TOKENS[self.kind]), 2))
-            painter.setBrush(theme.color(TOKENS[self.kind], 0.15))
-            painter.drawPath(painters.outline_path(self._stroke, True, camera))
+            ring = self.kind is not Kind.LINE
+            if ring:
+                painter.setBrush(theme.color(TOKENS[self.kind], 0.15))
+            painter.drawPath(painters.outline_path(self._stroke, ring, camera))
 
     def begin(self, pointer: Pointer) -> None:
         """Begin another area."""
@@ -153,27 +179,31 @@ class DrawTool(AreaTool):
         self._missed = False
 
     def _draw(self, stroke: list[Point], camera: Camera) -> None:
-        polygon = simplified(Polygon.of(stroke), STRAY / camera.zoom)
-        try:
-            polygon.fitted()
-        except IconstudioError:  # a stroke to and fro
-            self._missed = True
+        stray = STRAY / camera.zoom
+        if self.kind is Kind.LINE:
+            vertices = simplified_line(stroke, stray)
+            self._missed = len(vertices) < 2
         else:
-            self.outline.draw(self.kind, polygon.vertices)
+            polygon = simplified(Polygon.of(stroke), stray)
+            vertices, self._missed = polygon.vertices, not _encloses(polygon)
+        if not self._missed:
+            self.outline.draw(self.kind, vertices)
 
 
 class SelectTool(AreaTool):
     """Selects areas, moves them, and corrects their outlines."""
 
-    def __init__(self, outline: AreaOutline) -> None:
+    def __init__(self, outline: AreaOutline, click: str, nothing: str) -> None:
+        """``click`` is said where something can be selected, and ``nothing`` where not."""
         super().__init__(outline)
+        self._click, self._nothing = click, nothing
         self._held: Point | None = None
 
     @property
     def cursor(self) -> Qt.CursorShape:
         """An arrow, but for what can be moved."""
         shape = super().cursor
-        above = self._pointer is not None and self._area_at(self._pointer.page) is not None
+        above = self._pointer is not None and self._area_at(self._pointer) is not None
         free = shape == Qt.CursorShape.ArrowCursor
         return Qt.CursorShape.SizeAllCursor if free and above else shape
 
@@ -183,10 +213,10 @@ class SelectTool(AreaTool):
         if not self.outline.closed:
             return super().hint
         if self.outline.area is not None:
-            return "Drag the area or its points · Backspace removes it"
+            return f"Drag the {_noun(self.outline.area.kind)} or its points · Backspace removes it"
         if self.outline.document.page.areas:
-            return "Click an area to correct it"
-        return "There is nothing to select yet: draw with Remove or Add"
+            return self._click
+        return self._nothing
 
     def move(self, pointer: Pointer) -> None:
         """Take the area along, or do what is done with any outline."""
@@ -215,27 +245,34 @@ class SelectTool(AreaTool):
 
     def begin(self, pointer: Pointer) -> None:
         """Select the area there, and take hold of it."""
-        self.outline.select(self._area_at(pointer.page))
+        self.outline.select(self._area_at(pointer))
         if self.outline.area is not None:
             self._held = pointer.page
             self._gesture = new_gesture()
 
-    def _area_at(self, point: Point) -> int | None:
-        """Return the area that is seen at a point: what is added lies above what is removed."""
+    def _area_at(self, pointer: Pointer) -> int | None:
+        """Return the area that is seen there: what is removed lies below the others."""
         areas = self.outline.document.page.areas
-        order = sorted(range(len(areas)), key=lambda i: (areas[i].kind is Kind.ADD, i))
-        return next((i for i in reversed(order) if _contains(areas[i], point)), None)
+        order = sorted(range(len(areas)), key=lambda i: (areas[i].kind is not Kind.REMOVE, i))
+        return next((i for i in reversed(order) if _holds(areas[i], pointer)), None)
 
 
-def edit_tools(outline: AreaOutline) -> dict[str, DrawTool | SelectTool]:
-    """Return the tools of an edit by the names of the actions that take them."""
-    return {
-        "remove": DrawTool(outline, Kind.REMOVE),
-        "add": DrawTool(outline, Kind.ADD),
-        "select": SelectTool(outline),
-    }
+def _noun(kind: Kind) -> str:
+    return "area" if kind in (Kind.REMOVE, Kind.ADD) else kind.noun
 
 
-def _contains(area: Area, point: Point) -> bool:
+def _holds(area: Area, pointer: Pointer) -> bool:
+    if area.kind is Kind.LINE:
+        reach = GRIP / pointer.camera.zoom
+        return bool(near(np.array([pointer.page]), area.vertices, reach)[0])
     shape = QPolygonF([QPointF(*vertex) for vertex in area.vertices])
-    return shape.containsPoint(QPointF(*point), Qt.FillRule.WindingFill)
+    return shape.containsPoint(QPointF(*pointer.page), Qt.FillRule.WindingFill)
+
+
+def _encloses(polygon: Polygon) -> bool:
+    """Whether a polygon is more than a stroke to and fro."""
+    try:
+        polygon.fitted()
+    except IconstudioError:
+        return False
+    return True
