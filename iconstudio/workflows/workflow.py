@@ -120,7 +120,7 @@ class Workflow(Generic[W]):
     functions below, and shows results."""
     page_format: str = "iconstudio.workflows.plain:WorkPages"
     """``module:name`` of the ``PageFormat`` that keeps its pages in projects."""
-    inner: str = ""
+    inner_pictures: str = ""
     """``module:name`` of what returns the inner pictures of a page and its picked icon, if any."""
     work: Callable[[], W] | None = None
     """Returns the work to begin with."""

@@ -8,7 +8,7 @@ from fake_session import exemplar
 from hands import action, go_to, trace
 
 from iconstudio.gui.gallery.inner_pictures import InnerPicturesWindow
-from iconstudio.gui.workspaces.inner import NOTHING
+from iconstudio.gui.workspaces.inner_pictures import NOTHING
 from iconstudio.model import CANVAS, Placement, Stroke
 from iconstudio.workflows.editing.page import Area, Kind
 from iconstudio.workflows.montage.page import IconShape, MontagePage, PlacedIcon
@@ -20,7 +20,7 @@ def opened(window, qtbot):
 
     def open_in(title):
         place = go_to(window, title)
-        action(window, "inner").trigger()
+        action(window, "inner_pictures").trigger()
         inner = place.findChild(InnerPicturesWindow)
         assert inner.isVisible()
         return place, inner

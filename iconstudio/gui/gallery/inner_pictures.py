@@ -11,7 +11,7 @@ from iconstudio.gui.theme.layout import column, label, scrolled
 from iconstudio.gui.theme.painting import smooth_painter
 from iconstudio.gui.theme.theme import UNIT, strong
 from iconstudio.model import CANVAS
-from iconstudio.workflows.inner import InnerPicture
+from iconstudio.workflows.inner_pictures import InnerPicture
 
 _ACROSS = 3
 _SIDE = 208

@@ -20,7 +20,7 @@ from iconstudio.gui.theme.layout import row, splitter
 from iconstudio.gui.workspaces.actions import CANVAS, Entry
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.gui.workspaces.grid_runner import FINE, LARGER, LIVE, GridRunner, Place
-from iconstudio.gui.workspaces.inner import INNER
+from iconstudio.gui.workspaces.inner_pictures import INNER_PICTURES
 from iconstudio.gui.workspaces.symmetry import SymmetryDetection
 from iconstudio.inputs.together import counted
 from iconstudio.workflows import criteria as edits
@@ -41,7 +41,7 @@ GRID = (
           do="set_live", checked=lambda place: place.runner.live),
     Entry("fine", "F&ine quality", "Fine: smoother joins, five times as slow",
           do="set_fine", checked=lambda place: place.runner.fine),
-    INNER,
+    INNER_PICTURES,
     Entry("scales", "Lar&ger scales",
           "Also try icons at 0.8 and 1.25 of their size: fits unusual proportions, but takes "
           "longer, and results may be less plausible",

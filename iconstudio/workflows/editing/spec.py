@@ -15,5 +15,5 @@ EDITING = Workflow(
     command="iconstudio.cli.edit:command",
     workspace="iconstudio.gui.workspaces.editing.workspace:EditWorkspace",
     page_format="iconstudio.workflows.editing.page_format:EditPages",
-    inner="iconstudio.workflows.editing.inner:inner_pictures",
+    inner_pictures="iconstudio.workflows.editing.inner_pictures:inner_pictures",
 )

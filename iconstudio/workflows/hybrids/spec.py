@@ -15,5 +15,5 @@ HYBRIDS = Workflow(
     command="iconstudio.cli.hybrids:command",
     workspace="iconstudio.gui.workspaces.hybrids.workspace:HybridsWorkspace",
     page_format="iconstudio.workflows.hybrids.page_format:HybridsPages",
-    inner="iconstudio.workflows.hybrids.inner:inner_pictures",
+    inner_pictures="iconstudio.workflows.hybrids.inner_pictures:inner_pictures",
 )

@@ -14,5 +14,5 @@ MODELLING = Workflow(
     command="iconstudio.cli.model:command",
     workspace="iconstudio.gui.workspaces.sketching.workspace:SketchWorkspace",
     page_format="iconstudio.workflows.modelling.page_format:SketchPages",
-    inner="iconstudio.workflows.modelling.inner:inner_pictures",
+    inner_pictures="iconstudio.workflows.modelling.inner_pictures:inner_pictures",
 )

@@ -16,5 +16,5 @@ MONTAGE = Workflow(
     command="iconstudio.cli.montage:command",
     workspace="iconstudio.gui.workspaces.montage.workspace:MontageWorkspace",
     page_format="iconstudio.workflows.montage.page_format:MontagePages",
-    inner="iconstudio.workflows.montage.inner:inner_pictures",
+    inner_pictures="iconstudio.workflows.montage.inner_pictures:inner_pictures",
 )

@@ -1,7 +1,7 @@
 """What can be done with a mix and its hybrids."""
 
 from iconstudio.gui.workspaces.actions import Entry, Key, work_entries
-from iconstudio.gui.workspaces.inner import INNER
+from iconstudio.gui.workspaces.inner_pictures import INNER_PICTURES
 
 
 def _has_icons(place) -> bool:
@@ -26,6 +26,6 @@ ENTRIES = (
     Entry("like", "More &like this", "Draw hybrids like the picked one", "L", menu="&Edit",
           do=lambda place: place.draw_like(place.picture), enabled=_picked),
     Entry("run", "&Mix", "Draw hybrids of the icons", "Ctrl+Return"),
-    INNER,
+    INNER_PICTURES,
     *work_entries("mix", _has_icons),
 )  # fmt: skip

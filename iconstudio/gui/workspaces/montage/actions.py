@@ -1,7 +1,7 @@
 """What can be done with a montage."""
 
 from iconstudio.gui.workspaces.actions import CANVAS, Entry, Key, tool, work_entries
-from iconstudio.gui.workspaces.inner import INNER
+from iconstudio.gui.workspaces.inner_pictures import INNER_PICTURES
 from iconstudio.workflows.montage import edits
 
 
@@ -28,7 +28,7 @@ ENTRIES = (
     tool("brush", "&Keep brush", "Scribble over the parts to keep", "B", "brush"),
     tool("arrange", "&Arrange icons", "Choose, move and scale icons", "V", "arrow"),
     tool("eraser", "&Eraser", "Rub scribbles out", "E", "eraser"),
-    INNER,
+    INNER_PICTURES,
     *work_entries("montage", _holds_icons),
     *CANVAS,
 )  # fmt: skip

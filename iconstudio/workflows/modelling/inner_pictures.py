@@ -6,7 +6,7 @@ from iconstudio.algorithms.iconification.energy import distance_field
 from iconstudio.algorithms.iconification.saliency import saliency, salient_regions
 from iconstudio.algorithms.raster import fill_polygon
 from iconstudio.model import Icon
-from iconstudio.workflows.inner import InnerPicture, scaled
+from iconstudio.workflows.inner_pictures import InnerPicture, scaled
 from iconstudio.workflows.modelling.page import SketchPage
 
 

@@ -5,7 +5,7 @@ import numpy as np
 from iconstudio.model import Icon
 from iconstudio.workflows.editing.editing import place_edit
 from iconstudio.workflows.editing.page import EditPage
-from iconstudio.workflows.inner import InnerPicture
+from iconstudio.workflows.inner_pictures import InnerPicture
 
 
 def inner_pictures(page: EditPage, icon: Icon | None = None) -> tuple[InnerPicture, ...]:

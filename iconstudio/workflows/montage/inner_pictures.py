@@ -6,7 +6,7 @@ from iconstudio.algorithms.iconification.guidance import (
     truncated_distance,
 )
 from iconstudio.model import Icon
-from iconstudio.workflows.inner import InnerPicture
+from iconstudio.workflows.inner_pictures import InnerPicture
 from iconstudio.workflows.montage.page import MontagePage
 
 

@@ -3,7 +3,7 @@
 from iconstudio.algorithms.iconification.guidance import seed_cost
 from iconstudio.model import Icon, Remix
 from iconstudio.workflows.hybrids.page import HybridsPage
-from iconstudio.workflows.inner import InnerPicture
+from iconstudio.workflows.inner_pictures import InnerPicture
 
 
 def inner_pictures(page: HybridsPage, icon: Icon | None = None) -> tuple[InnerPicture, ...]:

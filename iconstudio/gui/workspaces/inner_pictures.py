@@ -14,7 +14,7 @@ NOTHING = "Nothing guides a cut yet: finish an outline, an area or a scribble, o
 def show_inner_pictures(place: Workspace) -> InnerPicturesWindow:
     """Open a window that follows the page."""
     window = InnerPicturesWindow(place)
-    inner_pictures = load_object(place.workflow.inner)
+    inner_pictures = load_object(place.workflow.inner_pictures)
 
     def show(*_: Any) -> None:
         missing = NOTHING
@@ -38,7 +38,7 @@ def show_inner_pictures(place: Workspace) -> InnerPicturesWindow:
     return window
 
 
-INNER = Entry(
-    "inner", "Inner &pictures…", "Show the masks, positions and regions that guide a cut", "Ctrl+I",
+INNER_PICTURES = Entry(
+    "inner_pictures", "Inner &pictures…", "Show the masks and positions that guide a cut", "Ctrl+I",
     do=show_inner_pictures, menu="&View",
 )  # fmt: skip
