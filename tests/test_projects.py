@@ -18,6 +18,7 @@ from hypothesis import strategies as st
 from iconstudio.files import read_bytes
 from iconstudio.model import (
     CANVAS,
+    Axis,
     ColouredLayer,
     Composite,
     Contour,
@@ -196,7 +197,9 @@ def remix(seeds=()):
     )
     labels = np.zeros((CANVAS, CANVAS), np.uint8)
     labels[100:] = 2
-    composite = Composite("dark", 0.3, sources, labels, 3.5, 2.0, 5.0, (0.25, 0.0, 0.75), 0.8)
+    composite = Composite(
+        "dark", 0.3, sources, labels, 3.5, 2.0, 5.0, (0.25, 0.0, 0.75), 0.8, Axis.DIAGONAL
+    )
     drawing = Drawing(SQUARE, np.zeros((512, 512), np.uint8), labels[:250, :250].copy())
     icon = Remix.of(composite, drawing, Score(0.1, 0.2, 0.3, 0.4, 0.5), "dog")
     return Remix(**{**vars(icon), "seeds": seeds, "draw": 7, "unchanged": 0.9})
@@ -210,7 +213,15 @@ def test_how_a_result_was_made_is_kept():
         found = result(again(parts), name)
         assert isinstance(found, Remix)
         one, copy = icon.composite, found.composite
-        for attribute in ("style", "lambda_s", "energy", "data_cost", "smoothness_cost", "iou"):
+        for attribute in (
+            "style",
+            "lambda_s",
+            "energy",
+            "data_cost",
+            "smoothness_cost",
+            "iou",
+            "symmetry",
+        ):
             assert getattr(copy, attribute) == getattr(one, attribute)
         assert (found.seeds, found.draw, found.unchanged) == (seeds, 7, 0.9)
         assert found.score == icon.score

@@ -79,4 +79,6 @@ def command(sketches: Path | None, out: Path, profile: bool) -> None:
 
 def _settings(choice: Choice) -> GridSettings:
     """Return the chosen style, and the lambda_S down to the chosen one: each starts the next."""
-    return GridSettings(styles=(choice.style,), lambdas=LAMBDAS[choice.column - 1 :])
+    return GridSettings(
+        styles=(choice.style,), lambdas=LAMBDAS[choice.column - 1 :], symmetric=False
+    )

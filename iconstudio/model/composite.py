@@ -10,6 +10,7 @@ from iconstudio.model.exemplar import Frame
 from iconstudio.model.path import Path
 from iconstudio.model.pictogram import Credit, Pictogram
 from iconstudio.model.placement import Source
+from iconstudio.model.symmetry import Axis
 
 WHOLE = Frame(0, 0, CANVAS)
 """The canvas itself."""
@@ -37,6 +38,8 @@ class Composite:
     iou: float | None
     """Intersection over union of the filled drawing and the outline that was wanted; None if none
     was."""
+    symmetry: Axis | None = None
+    """What it was held to beside what the page says: it takes the place of one that was not."""
 
     def owners(self, least: float = 0.0) -> tuple[int, ...]:
         """Return the labels that own ink, and at least the share ``least``, by falling share."""

@@ -31,6 +31,7 @@ def of_remix(name: str, icon: Remix) -> dict[str, Any]:
         "energy": float(composite.energy),
         "data_cost": float(composite.data_cost),
         "smoothness_cost": float(composite.smoothness_cost),
+        "symmetry": composite.symmetry,
         "iou": None if composite.iou is None else float(composite.iou),
         "frame": _of_frame(icon.drawing.frame),
         "rank_score": float(icon.score.total),

@@ -50,7 +50,7 @@ class GridReport:
         self._retrieved: tuple[Exemplar, ...] = ()
         self._centres: tuple[Point, ...] = ()
         self._styles: dict[str, StyleMatched | StyleSkipped] = {}
-        self._remixes: list[Remix] = []
+        self._remixes: dict[tuple[str, float], Remix] = {}
         self._recommended: dict[str, float] = {}
 
     def add(self, event: Event) -> None:
@@ -65,7 +65,8 @@ class GridReport:
             case Result(icon=Remix() as icon):
                 icon = replace(icon, title=f"{self._request.keyword} ({icon.composite.style})")
                 self._folder.write_icon(self._name(icon.composite), icon)
-                self._remixes.append(icon)
+                one = icon.composite  # a symmetric one takes the place of another
+                self._remixes[one.style, one.lambda_s] = icon
             case Recommended():
                 if event.lambda_s is not None:
                     self._recommended[event.style] = event.lambda_s
@@ -87,7 +88,7 @@ class GridReport:
 
     def _of(self, style: str) -> list[Remix]:
         """Return the icons of a style by rising lambda_S."""
-        found = [icon for icon in self._remixes if icon.composite.style == style]
+        found = [icon for icon in self._remixes.values() if icon.composite.style == style]
         return sorted(found, key=lambda icon: icon.composite.lambda_s)
 
     def _row(self, style: str) -> Row:

@@ -15,6 +15,7 @@ from iconstudio.inputs import json
 from iconstudio.inputs.formats import Many, Points, Record, Text, plain_text
 from iconstudio.model import (
     CANVAS,
+    Axis,
     Composite,
     Drawing,
     Exemplar,
@@ -77,6 +78,7 @@ class StoredRemix(Record, frozen=True, kw_only=True):
     data_cost: _Huge = 0.0
     smoothness_cost: _Huge = 0.0
     iou: Unit | None = None
+    symmetry: Axis | None = None
     score: StoredScore = StoredScore()
     seeds: Many[Points] = ()
     draw: Annotated[int, Meta(ge=-1, le=1 << 60)] = -1
@@ -228,6 +230,7 @@ def _made(
         data_cost=float(composite.data_cost),
         smoothness_cost=float(composite.smoothness_cost),
         iou=None if composite.iou is None else float(composite.iou),
+        symmetry=composite.symmetry,
         score=StoredScore(**_known(icon.score)),
         seeds=icon.seeds,
         draw=icon.draw,
@@ -278,6 +281,7 @@ def _remix(
         stored.smoothness_cost,
         tuple(one.share for one in stored.sources),
         stored.iou,
+        stored.symmetry,
     )
     frame = Frame(**structs.asdict(stored.frame))
     return Remix(

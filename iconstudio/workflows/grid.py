@@ -61,6 +61,8 @@ class GridSettings(CutSettings):
     """Style and lambda_S of the result that is wanted first; then come others of its style."""
     previews: bool = False
     """Whether coarse results go ahead of the finished ones, for whoever waits."""
+    symmetric: bool = True
+    """Whether symmetric results are made, too, of an outline that is nearly so."""
 
     @property
     def explored(self) -> tuple[float, ...]:
@@ -252,7 +254,7 @@ def focused(
     with closing(events):
         for event in events:
             match event:
-                case Result(icon=Remix(composite=one)):
+                case Result(icon=Remix(composite=one)) if one.symmetry is None:
                     if (one.style, one.lambda_s) == settings.focus:
                         resources.earlier.clear()
                         resources.earlier[subject] = one
@@ -280,11 +282,11 @@ class Recommending:
                     row = self._remixes.setdefault(style, [])
                     row.append(icon)
                     if len(row) == self._count:
-                        best = _best(row)
+                        best = best_of(row)
                         yield Recommended(style, None if best is None else best.composite.lambda_s)
 
 
-def _best(row: Sequence[Remix]) -> Remix | None:
+def best_of(row: Sequence[Remix]) -> Remix | None:
     """Return the best remix of a row, or an icon as it went in if that must stand for one.
 
     Of equals, that of the highest lambda_S: a row comes in any order.

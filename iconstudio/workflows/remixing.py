@@ -193,5 +193,6 @@ def remix_of(series: CutSeries, step: Step, solved: Solved) -> Remix:
         smoothness_cost=smoothness_cost,
         shares=solved.shares,
         iou=solved.iou,
+        symmetry=series.symmetry,
     )
     return Remix.of(composite, solved.drawing, solved.score)

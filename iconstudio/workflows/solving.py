@@ -22,7 +22,7 @@ from iconstudio.algorithms.iconification.redraw import SCALE
 from iconstudio.algorithms.iconification.warm_start import transferred
 from iconstudio.algorithms.raster import Bitmap, overlap, solid
 from iconstudio.limits import limited
-from iconstudio.model import CANVAS, Composite, Drawing, Frame, Placement, Score, Source
+from iconstudio.model import CANVAS, Axis, Composite, Drawing, Frame, Placement, Score, Source
 from iconstudio.tasks import forget, remembered, stopped
 from iconstudio.workflows.drawing import MEMORY, PREVIEW, SECONDS, Render, draw
 
@@ -87,6 +87,8 @@ class CutSeries:
     """Whether a coarse result for the first lambda_S goes ahead."""
     earlier: Composite | None = None
     """A result of a similar problem, for the preview to begin with."""
+    symmetry: Axis | None = None
+    """What the problem holds to beside what the page says."""
     sharing: bool = False
     """Whether a good result has its ink from several sources."""
 

@@ -22,7 +22,7 @@ first, count = None, 0
 if __name__ == "__main__":
     with Session() as session:
         for event in session.run(MODELLING, example("motorbike").sketch):
-            if isinstance(event, Result):
+            if isinstance(event, Result) and event.icon.composite.symmetry is None:
                 first = first or time.perf_counter() - began
                 count += 1
     print(first, count)

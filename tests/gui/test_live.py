@@ -11,6 +11,7 @@ from PySide6.QtCore import QSettings, Qt
 from PySide6.QtTest import QTest
 
 from iconstudio.gui.gallery.cell import CellState
+from iconstudio.gui.pictures.picture import picture_of
 from iconstudio.gui.preferences import preferred
 from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.model import CANVAS, Axis, Polygon, Sketch
@@ -715,6 +716,28 @@ def test_the_pick_stays_while_a_run_goes_on_and_is_the_best_in_the_end(drawn, qt
     }
     board.end()
     assert board.detail.picture is scored[-1]
+
+
+def test_a_switch_says_whether_symmetric_results_stand_in_the_places_of_others(drawn):
+    results = drawn.browser.results
+    button, before = results.symmetric, results.pictures[0]
+    assert not button.isVisible()
+    one = replace(before.icon.composite, symmetry=Axis.HORIZONTAL)
+    symmetric = picture_of(replace(before.icon, composite=one))
+    cell = results.cell(one.style, one.lambda_s)
+    cell.click()
+    drawn.show_event(symmetric)
+    assert button.isVisible()
+    for _ in range(2):
+        assert cell.picture is drawn.detail.picture is symmetric
+        assert "symmetric" in cell.accessibleName()
+        button.click()
+        assert cell.picture is drawn.detail.picture is before
+        assert "symmetric" not in cell.accessibleName()
+        assert preferred("symmetric", True) is False
+        button.click()
+    drawn.browser.clear()
+    assert not button.isVisible()
 
 
 def test_nothing_is_starred_where_nothing_was_made(drawn):

@@ -255,3 +255,15 @@ def test_sources_of_a_source_are_thanked(tmp_path, result):
     assert [one["icon"] for one in first["made_of"]] == ["test:ring", "test:disc"]
     assert first["made_of"][0]["author"] == "A. Artist"
     assert "made_of" not in next(one for one in written["sources"] if one["label"] == 1)
+
+
+def test_a_symmetric_result_takes_the_place_of_another(tmp_path, results):
+    report = GridReport(tmp_path, REQUEST, (0.75, 0.05))
+    report.add(StyleMatched("light", (RING, BLOCK), (SOURCES[:3],) * 9))
+    for one in results:
+        report.add(Result(one))
+    symmetric = replace(results[0].composite, symmetry=Axis.HORIZONTAL)
+    report.add(Result(replace(results[0], composite=symmetric)))
+    report.finish(TIMINGS)
+    found = json.loads((tmp_path / "results.json").read_text())["results"]
+    assert [one["symmetry"] for one in found] == [None, "horizontal"]

@@ -101,6 +101,8 @@ class ResultsBrowser(QSplitter):
         if not self.results.add(picture):
             return
         self.counted.emit(self.results.finished)
+        if self._best is not None and _place(picture) == _place(self._best):
+            self._best = picture  # a symmetric one is in its place
         if self.detail.picture is None:
             self._pick(picture)
         if self._owed and picture is self.detail.picture:
@@ -115,8 +117,7 @@ class ResultsBrowser(QSplitter):
             self._best = picture
 
     def _pick(self, picture: Picture) -> None:
-        composite = picture.icon.composite
-        self.results.pick(composite.style, composite.lambda_s)
+        self.results.pick(*_place(picture))
 
     def _choose(self, picture: Picture) -> None:
         self._settled = True
@@ -126,6 +127,10 @@ class ResultsBrowser(QSplitter):
         self._owed = picture.preview
         if not self._owed:
             self.kept.emit(picture)
+
+
+def _place(picture: Picture) -> tuple[str, float]:
+    return picture.icon.composite.style, picture.icon.composite.lambda_s
 
 
 def _score(picture: Picture) -> float:

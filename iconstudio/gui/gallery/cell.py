@@ -118,10 +118,16 @@ class ResultCell(QAbstractButton):
         self._paling.set_stale(state is CellState.OLD)
         remark = _REMARKS.get(CellState.OLD if self._stale and self.picture else state)
         first = "recommended" if self.recommended else ""
-        self.setAccessibleName(", ".join(part for part in (self._name, remark, first) if part))
+        symmetric = "symmetric" if self._is_symmetric else ""
+        names = self._name, symmetric, remark, first
+        self.setAccessibleName(", ".join(part for part in names if part))
         advice = f"Look here first: {self.recommended}" if self.recommended else ""
-        self.setToolTip("\n".join(part for part in (self._name, advice) if part))
+        self.setToolTip("\n".join(part for part in (self._name, symmetric, advice) if part))
         self.update()
+
+    @property
+    def _is_symmetric(self) -> bool:
+        return self.picture is not None and self.picture.icon.composite.symmetry is not None
 
     def _paint_mark(self, painter: QPainter, scheme: theme.Theme, icon: QRectF) -> None:
         painter.setPen(Qt.PenStyle.NoPen)

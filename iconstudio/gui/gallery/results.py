@@ -18,6 +18,7 @@ from iconstudio.gui.canvas.tools.base import NUDGES
 from iconstudio.gui.gallery.axes import HEAD, RowHead, Scale
 from iconstudio.gui.gallery.cell import CellState, ResultCell
 from iconstudio.gui.gallery.display import DisplaySwitch
+from iconstudio.gui.gallery.symmetric import SymmetricButton
 from iconstudio.gui.gallery.tidiness import TidySwitch, setting
 from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.theme.layout import column, label, row, with_role
@@ -116,8 +117,14 @@ class ResultsPanel(QFrame):
         self._nearer = nearer
         self.grid = ResultsGrid((), (), nearer)
         self.switch, self.tidy_switch = DisplaySwitch(), TidySwitch()
+        self.symmetric = SymmetricButton()
+        self.symmetric.toggled.connect(self._choose_symmetric)
+        self._own: dict[tuple[str, float], Picture] = {}
+        self._symmetric: dict[tuple[str, float], Picture] = {}
+        """Results as they were cut, and what may stand in their places."""
         self.note = label(wordWrap=True)
-        top = row(label("Results", "title"), (self.note, 1), self.tidy_switch, self.switch)
+        switches = self.symmetric, self.tidy_switch, self.switch
+        top = row(label("Results", "title"), (self.note, 1), *switches)
         below = QWidget()
         # Nothing is left for what is below it until it is full.
         self._place = column((self.grid, 1000), (None, 1), of=below, spacing=0)
@@ -162,12 +169,14 @@ class ResultsPanel(QFrame):
         shape = tuple(styles), tuple(lambdas)
         if shape != (self.grid.styles, self.grid.lambdas):
             self._show(ResultsGrid(*shape, self._nearer))
+        self._forget_symmetric()
         for cell in self.grid.cells.values():
             cell.renew()
         self._stack.setCurrentIndex(1)
 
     def clear(self) -> None:
         """Let go of all results."""
+        self._forget_symmetric()
         self._show(ResultsGrid((), (), self._nearer))
         self._stack.setCurrentIndex(0)
 
@@ -189,11 +198,16 @@ class ResultsPanel(QFrame):
     def add(self, picture: Picture) -> bool:
         """Put a result into its cell, and return whether it belongs there.
 
-        A preview does not once the finished result is there.
+        A preview does not once the finished result is there, nor a symmetric one if none is wanted.
         """
         composite = picture.icon.composite
-        cell = self.cell(composite.style, composite.lambda_s)
+        place = composite.style, composite.lambda_s
+        cell = self.cell(*place)
         if picture.preview and cell.state is CellState.READY:
+            return False
+        (self._symmetric if composite.symmetry else self._own)[place] = picture
+        self.symmetric.setVisible(bool(self._symmetric))
+        if composite.symmetry and not self.symmetric.isChecked():
             return False
         cell.show_picture(picture)
         if cell.isChecked():
@@ -226,6 +240,18 @@ class ResultsPanel(QFrame):
         cell = self.cell(style, lambda_s)
         cell.setChecked(True)
         self.picked.emit(cell.picture)
+
+    def _choose_symmetric(self, on: bool) -> None:
+        """Show symmetric results in the places of others, or these."""
+        for place, symmetric in self._symmetric.items():
+            cell = self.cell(*place)
+            cell.show_picture(symmetric if on else self._own[place])
+            if cell.isChecked():
+                self.picked.emit(cell.picture)
+
+    def _forget_symmetric(self) -> None:
+        self._own, self._symmetric = {}, {}
+        self.symmetric.hide()
 
     def _show(self, grid: ResultsGrid) -> None:
         """Put another grid in place; what is shown in both is taken over."""

@@ -70,7 +70,7 @@ def trying(
 ) -> Generator[Event]:
     """Solve a sketch's composite again with each of the alternatives pinned; yield ``Tried``."""
     side = len(composite.labels)
-    fitted = sketch.fitted()
+    fitted = replace(sketch.fitted(), symmetry=sketch.symmetry or composite.symmetry)
     remixing = Remixing(resources.workers, resources.render, total=len(choices))
     made: dict[int, Remix] = {}
 
@@ -83,7 +83,13 @@ def trying(
             pins = with_pin(sketch.pins, choice.pin, sketch.symmetry)
             held = pinned_parts(replace(sketch, pins=pins), resources.exemplar)
             pose = partial(pose_sketch, fitted, side, held, composite.sources)
-            series = CutSeries(composite.style, composite.sources, pose, (composite.lambda_s,))
+            series = CutSeries(
+                composite.style,
+                composite.sources,
+                pose,
+                (composite.lambda_s,),
+                symmetry=composite.symmetry,
+            )
             remixing.start(series, partial(note, number))
         while remixing.busy:
             for event in remixing.ready(wanted=True):

@@ -16,6 +16,7 @@ from iconstudio.algorithms.iconification.saliency import (
     salient_regions,
 )
 from iconstudio.algorithms.iconification.style import Style
+from iconstudio.algorithms.iconification.symmetry import propose
 from iconstudio.algorithms.iconification.tsdf import tsdf
 from iconstudio.algorithms.raster import fill_polygon
 from iconstudio.model import Composite, Sketch, Source
@@ -23,8 +24,9 @@ from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import Event, Remark
 from iconstudio.workflows.grid import GridSettings, Matches, focused, remix_styles
+from iconstudio.workflows.modelling.symmetric import with_symmetric
 from iconstudio.workflows.pinning import PinnedPart, idle_pins, pinned_parts, pinning
-from iconstudio.workflows.remixing import RemixResources
+from iconstudio.workflows.remixing import Remixing, RemixResources
 from iconstudio.workflows.solving import Posed
 
 FEWEST = 4
@@ -85,13 +87,14 @@ def model(
     """
     fitted = sketch.fitted()
     silhouette = fill_polygon(fitted.polygon)
-    yield from remix_styles(
+    pose = partial(pose_sketch, fitted, settings.side, pins)
+    events = remix_styles(
         tsdf(silhouette),
         salient_regions(saliency([fitted.polygon], silhouette)),
         matcher,
         settings,
         refusal=refusal,
-        pose=partial(pose_sketch, fitted, settings.side, pins),
+        pose=pose,
         guide=guide_of(fitted),
         details=details_of(fitted),
         workers=workers,
@@ -101,6 +104,11 @@ def model(
         earlier=earlier,
         plausibility=plausibility,
     )
+    if not settings.symmetric or pins:  # what is pinned says what the user wants
+        yield from events
+        return
+    axis = propose(silhouette) if sketch.symmetry is None else None
+    yield from with_symmetric(events, axis, pose, Remixing(workers, render, 1, plausibility))
 
 
 def fitted_sketch(sketch: Sketch) -> Sketch:
