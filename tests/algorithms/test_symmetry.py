@@ -112,4 +112,5 @@ def test_nearly_symmetric_shapes_are_proposed_their_axis():
     assert propose(wedge[:, ::-1]) is Axis.ANTIDIAGONAL
     flag = (abs(xs + 60) < 10) | ((abs(ys + 50) < 30) & (xs > -60) & (xs < 80))
     assert propose(flag) is None
+    assert propose(flag, likeness(flag, Axis.HORIZONTAL)) is not None
     assert likeness(np.zeros((4, 4), dtype=bool), Axis.VERTICAL) == 1

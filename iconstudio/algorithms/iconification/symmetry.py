@@ -41,10 +41,11 @@ def likeness(shape: NDArray[np.bool_], axis: Axis) -> float:
     return overlap(shape, reflected(shape, axis))
 
 
-def propose(shape: NDArray[np.bool_]) -> Axis | None:
+def propose(shape: NDArray[np.bool_], least: float = NEARLY) -> Axis | None:
     """Return the axis about which a filled shape (n, n) bool is nearly symmetric, if any.
 
+    It overlaps its mirror image by ``least`` or more.
     Of several (a disc has all) the most symmetric; of equals the first in the order of ``Axis``.
     """
     best = max(Axis, key=lambda axis: round(likeness(shape, axis), 2))
-    return best if likeness(shape, best) >= NEARLY else None
+    return best if likeness(shape, best) >= least else None
