@@ -371,11 +371,11 @@ def test_a_body_that_shows_through_the_holes_of_what_is_on_it_stays_one():
     "colours", [("#e53935", "#1e88e5", "#43a047", "#fdd835"), ("#c33", "#339")]
 )
 def test_the_midst_of_a_mosaic_is_as_the_rest_of_it(colours):
-    count = len(colours)
     squares = "".join(
-        f'<rect x="{6 * x}" y="{6 * y}" width="6" height="6" fill="{colours[(x + 3 * y) % count]}"/>'
+        f'<rect x="{6 * x}" y="{6 * y}" width="6" height="6" fill="{colour}"/>'
         for x in range(4)
         for y in range(4)
+        for colour in [colours[(x + 3 * y) % len(colours)]]
     )
     pieces, _ = scipy.ndimage.label(pictogram(rgba(squares)) > 127)
     sizes = np.bincount(pieces.ravel())[1:]
