@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from iconstudio.algorithms.iconification.energy import placed_sources
+from iconstudio.algorithms.iconification.energy import distance_field, joining, placed_sources
 from iconstudio.algorithms.raster import interior, solid
 from iconstudio.model import CANVAS, Composite, Exemplar, Point, Remix
 from iconstudio.output import record
@@ -149,7 +149,9 @@ class GridReport:
         }
         if request.change is not None:
             arrays["change"] = request.change.mask == 0
-            arrays["penalty"] = request.change.penalty(len(ink))
+            problem = joining(distance_field(request.outline), ink, filled)
+            data = request.guide.guided(problem)
+            arrays["penalty"] = request.change.penalty(data, results[0].sources)
         if request.guide.weight is not None:
             arrays["weight"] = request.guide.weight
         for aim in request.guide.aims:

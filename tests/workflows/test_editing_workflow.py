@@ -156,6 +156,24 @@ def test_where_something_is_only_taken_off_the_icon_itself_stays(workers):
         assert (ink ^ CUP).sum() < 0.01 * CUP.sum()
 
 
+def test_what_is_taken_out_of_the_middle_stays_out(workers):
+    """Other icons have something there, too."""
+    dot = box(110, 130, 130, 150)
+    shell = box(30, 60, 210, 220) & ~box(50, 80, 190, 200)
+    own = exemplar(shell | dot, "own")
+    bars = exemplar(shell | box(90, 110, 150, 170), "bars")
+    others = [exemplar(blob(seed), f"blob-{seed}") for seed in range(3)]
+    prepared = Matcher([prepare(one) for one in (bars, *others)])
+    edit = Edit(own.pictogram, "x", (rectangle(104, 124, 138, 157),))
+    settings = GridSettings(styles=("light", "medium"), lambdas=(0.05, 0.3))
+    change = place_edit(edit, own)
+    events = list(edit_icon(edit, change, prepared, settings, workers, render_placed))
+    assert icons(events)
+    for result in icons(events):
+        ink = result.drawing.coverage.reshape(CANVAS, 2, CANVAS, 2).mean(axis=(1, 3)) > 127
+        assert (ink ^ shell).sum() < 0.01 * shell.sum()
+
+
 def test_the_unchanged_part_by_hand():
     change = place_edit(EDIT, ICON)
     own = of_drawing(BODY)

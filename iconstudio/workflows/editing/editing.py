@@ -55,6 +55,8 @@ from iconstudio.workflows.solving import Posed
 
 SAME = 0.97
 """Overlap of ink from which two icons on the canvas are one drawing."""
+OFF_CANVAS = Placement(dx=4 * CANVAS)
+"""Where an icon shows nothing."""
 _ROUGH, _STUB = 8, 32
 """Canvas units by which an outline may miss the end of what is removed, and the width of the widest
 stubs that this leaves."""
@@ -87,15 +89,21 @@ class PlacedEdit:
         reach = EDIT_REACH * len(self.mask) / CANVAS
         return np.where(self.removed, 0, truncated_distance(self.added, reach)).astype(np.float32)
 
-    def penalty(self, count: int) -> NDArray[np.float32]:
-        """P_E of ``count`` labels, (count, m, m)."""
-        return edit_penalty(self.mask, self.kept, count)
+    def penalty(self, data: NDArray[np.float32], sources: Sequence[Source]) -> NDArray[np.float32]:
+        """Return P_E of labels, (K, m, m), given their data cost F_D, (K, m, m)."""
+        penalty = edit_penalty(self.mask, self.kept, len(data))
+        for number, source in enumerate(sources):
+            if source.placement == OFF_CANVAS:
+                # Within the outline, nothing fits what is removed as well as the icon did.
+                within = self.removed & self.silhouette
+                penalty[number, within] = np.minimum(data[0] - data[number], 0)[within]
+        return penalty
 
     def pose(self, symmetry: Axis | None, sources: tuple[Source, ...]) -> Posed:
         """Pose the graph cut of ``sources``, the first of which is the icon itself."""
         problem = remix_problem(distance_field(self.silhouette), sources, symmetry)
-        data = self.guide.guided(problem) + self.penalty(len(sources))
-        problem = replace(problem, data=data)
+        data = self.guide.guided(problem)
+        problem = replace(problem, data=data + self.penalty(data, sources))
         # All but the change stays as it is.
         return Posed(problem, self.silhouette, near=self.mask < 1, heal=False)
 
@@ -154,7 +162,7 @@ def paper(icon: Source) -> Source:
 
     With it, what is taken off needs no other icon that happens to be white there.
     """
-    return Source(icon.exemplar, Placement(dx=4 * CANVAS))
+    return Source(icon.exemplar, OFF_CANVAS)
 
 
 def own_styles(icon: Exemplar) -> tuple[str, ...]:
