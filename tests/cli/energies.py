@@ -17,7 +17,10 @@ def prove_energies(dump, results):
     assert {array.shape[-2:] for array in (ink, solid, dump["sketch"], dump["labels"])} == {(m, m)}
     data = abs(tsdf(dump["sketch"]) - np.stack([tsdf(one) for one in solid]))
     if "change" in dump:
-        data += penalty(dump["change"], len(ink))
+        # Those of the icon, and of what shows nothing, tell what is removed and what is added.
+        others = penalty(dump["change"], len(ink))[2:]
+        assert dump["penalty"][2:] == pytest.approx(others, abs=1e-6)
+        data += dump["penalty"]
     for labels, lambda_s, energy, result in zip(
         dump["labels"], dump["lambda_s"], dump["energy"], results, strict=True
     ):

@@ -188,6 +188,7 @@ def test_a_part_is_pinned_with_the_real_session(qtbot, monkeypatch):
         type_keyword(place, "anvil")
         place.run()
         qtbot.waitUntil(lambda: place.picture is not None, timeout=60000)
+        qtbot.waitUntil(lambda: not place.runner.running, timeout=60000)  # a symmetric one, too
         before, large = place.picture, place.detail.large
         parts = large._parts
         ys, xs = np.nonzero(parts._pieces)

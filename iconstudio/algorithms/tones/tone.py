@@ -302,7 +302,7 @@ def _among_others(found: Regions) -> Mask:
             one, other = found.colours[beside]
             middle[number] = np.linalg.norm(one - other) > ALIKE
     several = (found.lengths > 0).sum(axis=1) >= _SEVERAL
-    middle |= several & (found.lengths.max(axis=1) < _MOST_BESIDE * found.around)
+    middle |= several & (found.lengths.max(axis=1) < _MOST_BESIDE * found.around) & ~outer
     middle[0] = False
     return middle
 
