@@ -33,9 +33,9 @@ class Inner:
             try:
                 hole.check_area()
             except IconstudioError as error:
-                raise IconstudioError(f"The hole {number} is no good. {error}") from None
+                raise IconstudioError(f"Hole {number} is no good. {error}") from None
         for number, line in enumerate(self.lines, start=1):
             if len(set(line)) < 2:
                 raise IconstudioError(
-                    f"The line {number} has no length: draw at least 2 different points."
+                    f"Line {number} has no length: draw at least 2 different points."
                 )

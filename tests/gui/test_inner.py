@@ -104,7 +104,7 @@ def test_what_lies_outside_is_told_and_stays(traced):
     said = []
     traced.hinted.connect(said.append)
     traced.run()
-    assert said == ["The hole 1 lies outside the outline. Move it inside, or remove it."]
+    assert said == ["Hole 1 lies outside the outline. Move it inside, or remove it."]
     assert len(traced.page.sketch.inner.holes) == 1
 
 

@@ -96,7 +96,7 @@ def test_holes_and_lines_move_with_an_icon_that_is_made_smaller():
     edit = replace(edit, inner=Inner(lines=(((60, -90), (110, -90)),)))
     place_edit(edit, ICON)  # inside of what is added, which lies beyond the canvas
     outside = replace(edit, inner=Inner(lines=(((160, -90), (200, -90)),)))
-    with pytest.raises(IconstudioError, match="The line 1 lies outside the outline"):
+    with pytest.raises(IconstudioError, match="Line 1 lies outside the outline"):
         place_edit(outside, ICON)
 
 

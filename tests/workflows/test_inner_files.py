@@ -60,13 +60,13 @@ def test_an_edit_in_a_file_has_holes_and_lines(tmp_path):
     [
         (
             {"holes": [[[1, 1], [2, 2]]]},
-            "The hole 1 is no good. The polygon has 2 different points",
+            "Hole 1 is no good. The polygon has 2 different points",
         ),
-        ({"holes": [HOLE, [[1, 1], [2, 2], [3, 3]]]}, "The hole 2 is no good.*encloses no area"),
-        ({"lines": [[[1, 1]]]}, "The line 1 has no length"),
-        ({"lines": [LINE, [[1, 1], [1, 1]]]}, "The line 2 has no length"),
+        ({"holes": [HOLE, [[1, 1], [2, 2], [3, 3]]]}, "Hole 2 is no good.*encloses no area"),
+        ({"lines": [[[1, 1]]]}, "Line 1 has no length"),
+        ({"lines": [LINE, [[1, 1], [1, 1]]]}, "Line 2 has no length"),
         ({"holes": 3}, '"holes" must be a list of holes'),
-        ({"lines": [[[1, "x"]]]}, 'Point 1 of The line 1 of "lines"|Point 1 of line 1 of "lines"'),
+        ({"lines": [[[1, "x"]]]}, 'Point 1 of Line 1 of "lines"|Point 1 of line 1 of "lines"'),
         ({"holes": [[[1, 1], [math.inf, 2], [3, 1]]]}, "is not a number, or too large"),
         ({"holes": [[[0, 0]] * 200_001]}, "200,001 points; at most 200,000 are read"),
         ({"holes": [HOLE] * 201}, '"holes" has 201 entries; at most 200 are read'),
@@ -92,8 +92,8 @@ def test_what_crosses_the_outline_is_read_and_told_by_the_page(tmp_path):
     sketch = read_sketch(write(tmp_path, holes=[HOLE, outside])).sketch
     assert len(sketch.inner.holes) == 2
     said = problem(SketchPage(sketch, closed=True))
-    assert said == "The hole 2 lies outside the outline. Move it inside, or remove it."
-    with pytest.raises(IconstudioError, match="The hole 2 lies outside the outline"):
+    assert said == "Hole 2 lies outside the outline. Move it inside, or remove it."
+    with pytest.raises(IconstudioError, match="Hole 2 lies outside the outline"):
         fitted_sketch(sketch)
 
 
@@ -116,3 +116,10 @@ def test_a_page_keeps_what_is_drawn_inside_in_order():
     hole = Area(Kind.HOLE, ((1.0, 1.0), (2.0, 1.0), (2.0, 2.0)))
     more = page.with_areas((*page.areas, hole))
     assert [area.kind for area in more.areas] == [Kind.HOLE, Kind.HOLE, Kind.LINE]
+
+
+def test_a_hole_that_covers_the_outline_is_called_so():
+    around = Polygon(((-10.0, -10.0), (210.0, -10.0), (210.0, 210.0), (-10.0, 210.0)))
+    sketch = Sketch(Polygon.of(SQUARE), "dog", inner=Inner((around,), ()))
+    with pytest.raises(IconstudioError, match="Hole 1 covers the outline"):
+        fitted_sketch(sketch)

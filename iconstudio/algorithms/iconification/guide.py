@@ -168,20 +168,22 @@ def check_inner(inner: Inner, outline: Bitmap) -> None:
     side = len(outline)
     away = scipy.ndimage.distance_transform_edt(~outline) * CANVAS / side
     for name, shapes in (
-        ("hole", [(*hole.vertices, hole.vertices[0]) for hole in inner.holes]),
-        ("line", inner.lines),
+        ("Hole", [(*hole.vertices, hole.vertices[0]) for hole in inner.holes]),
+        ("Line", inner.lines),
     ):
         for number, points in enumerate(shapes, start=1):
             outside = _outside(points, away)
             if outside.any():
                 where = "lies outside" if outside.all() else "crosses"
+                if name == "Hole" and not (outline & ~fill_polygon(Polygon(points), side)).any():
+                    where = "covers"
                 raise IconstudioError(
-                    f"The {name} {number} {where} the outline. Move it inside, or remove it."
+                    f"{name} {number} {where} the outline. Move it inside, or remove it."
                 )
     for number, hole in enumerate(inner.holes, start=1):
         if not fill_polygon(hole, side).any():
             raise IconstudioError(
-                f"The hole {number} is too small to be seen. Draw it larger, or remove it."
+                f"Hole {number} is too small to be seen. Draw it larger, or remove it."
             )
 
 
