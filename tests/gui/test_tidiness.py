@@ -1,12 +1,16 @@
 """Results tidied, and as they were before, in the real window."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hands import press, trace, type_keyword
 from PySide6.QtCore import Qt
 
 from iconstudio.gui.gallery import tidiness
+from iconstudio.gui.pictures.picture import picture_of
 from iconstudio.gui.preferences import preferred
+from iconstudio.model import Axis
 
 
 @pytest.fixture
@@ -64,3 +68,15 @@ def test_results_that_come_while_it_is_off_are_not_tidied(results, qtbot):
     qtbot.waitUntil(lambda: not results.runner.running, timeout=20000)
     qtbot.waitUntil(lambda: panel.finished == 24, timeout=20000)
     assert all(one.tidied is not None for one in panel.pictures)
+
+
+def test_symmetric_results_follow_the_switch_too(results):
+    """Whichever stands in a place, and whenever the switch was turned."""
+    panel = results.browser.results
+    before = panel.pictures[0]
+    symmetric = replace(before.icon.composite, symmetry=Axis.HORIZONTAL)
+    results.browser.show_event(picture_of(replace(before.icon, composite=symmetric)))
+    cell = panel.cell(symmetric.style, symmetric.lambda_s)
+    for button in (panel.tidy_switch.button, panel.symmetric, panel.symmetric):
+        button.click()
+        assert cell.picture.tidied is not None, "shown as it was joined"

@@ -26,16 +26,20 @@ BODY = box(16, 100, 240, 200)
 KNOB = box(60, 60, 110, 100)
 ICON = exemplar(BODY, "body")
 WITH_KNOB = exemplar(BODY | KNOB, "body-with-knob")
+BLOBS = [exemplar(blob(seed), f"blob-{seed}") for seed in range(3)]
 EDIT = Edit(ICON.pictogram, "body", add=(rectangle(60, 60, 110, 100),))
 
 
 @pytest.fixture(scope="module")
 def events(workers):
-    others = [exemplar(blob(seed), f"blob-{seed}") for seed in range(3)]
-    prepared = Matcher([prepare(one) for one in (ICON, WITH_KNOB, *others)])
+    prepared = Matcher([prepare(one) for one in (ICON, WITH_KNOB, *BLOBS)])
     settings = GridSettings(styles=("dark",), lambdas=(0.05, 0.3))
     change = place_edit(EDIT, ICON)
     return list(edit_icon(EDIT, change, prepared, settings, workers, render_placed))
+
+
+def inked(result):
+    return result.drawing.coverage.reshape(CANVAS, 2, CANVAS, 2).mean(axis=(1, 3)) > 127
 
 
 def of(kind, events):
@@ -44,8 +48,7 @@ def of(kind, events):
 
 def test_a_part_that_another_icon_has_is_added(events):
     for result in icons(events):
-        ink = result.drawing.coverage.reshape(CANVAS, 2, CANVAS, 2).mean(axis=(1, 3)) > 127
-        assert (ink ^ (BODY | KNOB)).sum() < 0.01 * BODY.sum()
+        assert (inked(result) ^ (BODY | KNOB)).sum() < 0.01 * BODY.sum()
         assert result.composite.iou > 0.98
         assert result.score.likeness > 0.9
 
@@ -139,20 +142,24 @@ def test_a_corner_that_is_removed_does_not_open_the_body():
     assert np.array_equal(change.silhouette, box(30, 60, 170, 220) & ~box(130, 180, 180, 230))
 
 
+def without(removed, own, other, styles, workers):
+    """The inks of an icon without a part, where another icon, and blobs, have some."""
+    prepared = Matcher([prepare(one) for one in (other, *BLOBS)])
+    edit = Edit(own.pictogram, "x", (removed,))
+    settings = GridSettings(styles=styles, lambdas=(0.05, 0.3))
+    change = place_edit(edit, own)
+    events = list(edit_icon(edit, change, prepared, settings, workers, render_placed))
+    found = [inked(result) for result in icons(events)]
+    assert found
+    return found
+
+
 def test_where_something_is_only_taken_off_the_icon_itself_stays(workers):
     """Another icon's wall would leave a bulge."""
     cup = exemplar(CUP | HANDLE, "cup")
     thick = box(24, 60, 178, 220) & ~box(46, 76, 150, 204)
-    others = [exemplar(blob(seed), f"blob-{seed}") for seed in range(3)]
-    prepared = Matcher([prepare(one) for one in (exemplar(thick, "thick"), *others)])
     rough = Polygon.of([(172, 80), (240, 82), (238, 200), (173, 196)])
-    edit = Edit(cup.pictogram, "x", (rough,))
-    settings = GridSettings(styles=("light",), lambdas=(0.05, 0.3))
-    change = place_edit(edit, cup)
-    events = list(edit_icon(edit, change, prepared, settings, workers, render_placed))
-    assert icons(events)
-    for result in icons(events):
-        ink = result.drawing.coverage.reshape(CANVAS, 2, CANVAS, 2).mean(axis=(1, 3)) > 127
+    for ink in without(rough, cup, exemplar(thick, "thick"), ("light",), workers):
         assert (ink ^ CUP).sum() < 0.01 * CUP.sum()
 
 
@@ -162,15 +169,8 @@ def test_what_is_taken_out_of_the_middle_stays_out(workers):
     shell = box(30, 60, 210, 220) & ~box(50, 80, 190, 200)
     own = exemplar(shell | dot, "own")
     bars = exemplar(shell | box(90, 110, 150, 170), "bars")
-    others = [exemplar(blob(seed), f"blob-{seed}") for seed in range(3)]
-    prepared = Matcher([prepare(one) for one in (bars, *others)])
-    edit = Edit(own.pictogram, "x", (rectangle(104, 124, 138, 157),))
-    settings = GridSettings(styles=("light", "medium"), lambdas=(0.05, 0.3))
-    change = place_edit(edit, own)
-    events = list(edit_icon(edit, change, prepared, settings, workers, render_placed))
-    assert icons(events)
-    for result in icons(events):
-        ink = result.drawing.coverage.reshape(CANVAS, 2, CANVAS, 2).mean(axis=(1, 3)) > 127
+    dotted = rectangle(104, 124, 138, 157)
+    for ink in without(dotted, own, bars, ("light", "medium"), workers):
         assert (ink ^ shell).sum() < 0.01 * shell.sum()
 
 

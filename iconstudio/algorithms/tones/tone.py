@@ -138,10 +138,11 @@ def _in_colours(rgba: NDArray[np.uint8], rgb: NDArray[np.uint8], inside: Mask) -
     drawn = separating(rgb, found, tones.lines)
     if tones.lines.any() or not tones.ink[1:].all() or tones.over.any():
         soft = _soft(rgb, found, tones, drawn)
-    soft = _enlarged(soft, len(rgba))
-    at_lines = _repeated(scipy.ndimage.maximum_filter(drawn, 5) > 0, len(rgba))
-    detailed = _with_details(soft, rgba, inside, found, tones)
-    soft = np.where(at_lines, soft, detailed)
+    plain = _enlarged(soft, len(rgba))
+    soft = _with_details(plain, rgba, inside, found, tones)
+    if tones.lines.any():  # beside which nothing is a detail
+        at_lines = _repeated(scipy.ndimage.maximum_filter(drawn, 5) > 0, len(rgba))
+        soft = np.where(at_lines, plain, soft)
     omissions = tones.omissions | ({Omission.SHADES} if hidden else set())
     return _Share(soft, omissions)
 

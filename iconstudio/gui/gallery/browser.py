@@ -5,7 +5,7 @@ from PySide6.QtWidgets import QSplitter
 
 from iconstudio.gui.gallery.detail import DetailPanel
 from iconstudio.gui.gallery.results import ResultsPanel
-from iconstudio.gui.gallery.tidiness import setting
+from iconstudio.gui.gallery.tidiness import setting, shown
 from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.workflows.events import Event, Recommended, StyleMatched, StyleSkipped
@@ -78,7 +78,7 @@ class ResultsBrowser(QSplitter):
             case Recommended():
                 self._recommend(event)
             case Picture():
-                self._add(setting.shown(event))
+                self._add(shown(event))
 
     def end(self, whole: bool = True, keep: bool = True) -> None:
         """Nothing more is to come; ``keep`` the best result in sight."""
@@ -94,7 +94,7 @@ class ResultsBrowser(QSplitter):
 
     def _renew_tidiness(self) -> None:
         if self._best is not None:
-            self._best = setting.shown(self._best)
+            self._best = shown(self._best)
         self.results.renew_tidiness()
 
     def _add(self, picture: Picture) -> None:

@@ -1,14 +1,10 @@
 """How results are shown: as icons, coded by source, or both; and the switch for it."""
 
-from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QButtonGroup, QFrame, QToolButton
 
+from iconstudio.gui.gallery.setting import Setting
 from iconstudio.gui.pictures.picture import Display
-from iconstudio.gui.preferences import prefer, preferred
 from iconstudio.gui.theme.layout import segments
-
-_NAME = "display"
-"""Under which it is remembered."""
 
 _WORDS = {
     Display.PLAIN: ("Icon", "The icons as they are"),
@@ -20,37 +16,8 @@ _WORDS = {
 }
 
 
-class DisplaySetting(QObject):
-    """How all results are shown, in all workspaces; remembered.
-
-    Signals
-    -------
-    changed()
-    """
-
-    changed = Signal()
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.value = Display.BOTH
-
-    def choose(self, display: Display) -> None:
-        """Show results in another way from now on."""
-        prefer(_NAME, display.value)
-        self._show(display)
-
-    def recall(self) -> None:
-        """Show results as they were shown the last time."""
-        known = {one.value: one for one in Display}
-        self._show(known.get(preferred(_NAME, ""), Display.BOTH))
-
-    def _show(self, display: Display) -> None:
-        if display is not self.value:
-            self.value = display
-            self.changed.emit()
-
-
-setting = DisplaySetting()
+setting = Setting("display", {one: one.value for one in Display}, Display.BOTH)
+"""How all results are shown."""
 
 
 class DisplaySwitch(QFrame):

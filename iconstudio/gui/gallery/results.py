@@ -19,7 +19,7 @@ from iconstudio.gui.gallery.axes import HEAD, RowHead, Scale
 from iconstudio.gui.gallery.cell import CellState, ResultCell
 from iconstudio.gui.gallery.display import DisplaySwitch
 from iconstudio.gui.gallery.symmetric import SymmetricButton
-from iconstudio.gui.gallery.tidiness import TidySwitch, setting
+from iconstudio.gui.gallery.tidiness import TidySwitch, shown
 from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.theme.layout import column, label, row, with_role
 from iconstudio.gui.theme.theme import UNIT
@@ -218,7 +218,7 @@ class ResultsPanel(QFrame):
         """Show all results tidied or not, as the setting says."""
         for cell in self.grid.cells.values():
             if cell.picture is not None:
-                cell.picture = setting.shown(cell.picture)
+                cell.picture = shown(cell.picture)
                 cell.update()
                 if cell.isChecked():
                     self.picked.emit(cell.picture)
@@ -245,7 +245,7 @@ class ResultsPanel(QFrame):
         """Show symmetric results in the places of others, or these."""
         for place, symmetric in self._symmetric.items():
             cell = self.cell(*place)
-            cell.show_picture(symmetric if on else self._own[place])
+            cell.show_picture(shown(symmetric if on else self._own[place]))
             if cell.isChecked():
                 self.picked.emit(cell.picture)
 

@@ -1,50 +1,18 @@
 """Whether results are shown tidied, or as they were before; and the switch for it."""
 
-from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QFrame, QToolButton
 
+from iconstudio.gui.gallery.setting import Setting
 from iconstudio.gui.pictures.picture import Picture
-from iconstudio.gui.preferences import prefer, preferred
 from iconstudio.gui.theme.layout import segments
 
-_NAME = "tidy"
-"""Under which it is remembered."""
+setting = Setting("tidy", {on: on for on in (True, False)}, usual=True)
+"""Whether results are tidied."""
 
 
-class TidySetting(QObject):
-    """Whether results are tidied; remembered.
-
-    Signals
-    -------
-    changed()
-    """
-
-    changed = Signal()
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.value = True
-
-    def choose(self, on: bool) -> None:
-        """Show results tidied from now on, or not."""
-        prefer(_NAME, on)
-        self._show(on)
-
-    def recall(self) -> None:
-        """Show results as they were shown the last time."""
-        self._show(preferred(_NAME, True))
-
-    def shown(self, picture: Picture) -> Picture:
-        """Return a result as it is to be shown."""
-        return (picture.tidied if self.value else picture.untidied) or picture
-
-    def _show(self, on: bool) -> None:
-        if on != self.value:
-            self.value = on
-            self.changed.emit()
-
-
-setting = TidySetting()
+def shown(picture: Picture) -> Picture:
+    """Return a result as it is to be shown."""
+    return (picture.tidied if setting.value else picture.untidied) or picture
 
 
 class TidySwitch(QFrame):

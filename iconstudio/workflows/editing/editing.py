@@ -28,7 +28,7 @@ from iconstudio.algorithms.iconification.plausibility import Plausibility
 from iconstudio.algorithms.iconification.saliency import saliency, salient_regions
 from iconstudio.algorithms.iconification.style import STYLES, Style, blackness
 from iconstudio.algorithms.iconification.tsdf import tsdf
-from iconstudio.algorithms.raster import Bitmap, fill_polygon, outlines, overlap, placed_ink, solid
+from iconstudio.algorithms.raster import Bitmap, outlines, overlap, placed_ink, solid
 from iconstudio.model import (
     CANVAS,
     MARGIN,
@@ -334,9 +334,5 @@ def _taken_off(ink: Bitmap, filled: Bitmap, removed: Bitmap) -> Bitmap:
 
 def _union(polygons: Sequence[Polygon], placement: Placement, side: int) -> Bitmap:
     """Return what polygons enclose once they are moved with the icon, (side, side) bool."""
-    transform = placement.transform
-    inside = np.zeros((side, side), dtype=bool)
-    for polygon in polygons:
-        moved = tuple(map(transform.transformPoint, polygon.vertices))
-        inside |= fill_polygon(Polygon(moved), side)
-    return inside
+    move = placement.transform.transformPoint
+    return filled_polygons([Polygon(tuple(map(move, one.vertices))) for one in polygons], side)

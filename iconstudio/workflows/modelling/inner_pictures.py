@@ -7,6 +7,7 @@ from iconstudio.algorithms.iconification.saliency import saliency, salient_regio
 from iconstudio.algorithms.raster import fill_polygon
 from iconstudio.model import Icon
 from iconstudio.workflows.inner_pictures import InnerPicture, scaled
+from iconstudio.workflows.modelling.modelling import details_of
 from iconstudio.workflows.modelling.page import SketchPage
 
 
@@ -20,10 +21,10 @@ def inner_pictures(page: SketchPage, icon: Icon | None = None) -> tuple[InnerPic
     """
     if not page.closed:
         return ()
-    polygon = page.sketch.polygon.fitted()
-    filled = fill_polygon(polygon)
-    salience = saliency([polygon], filled)
-    regions = salient_regions(salience)
+    fitted = page.sketch.fitted()
+    filled = fill_polygon(fitted.polygon)
+    salience = saliency([fitted.polygon], filled)
+    regions = (*salient_regions(salience), *details_of(fitted))
     weights = np.max([region.mask for region in regions], axis=0)
     centres = tuple((float(x), float(y)) for x, y in (region.centre for region in regions))
     return (
