@@ -5,12 +5,10 @@ The command line and the window both talk to a ``Session``; neither composes alg
 
 import gc
 import threading
-import time
 from collections import OrderedDict
 from collections.abc import Generator, Iterator
 from contextlib import AbstractContextManager
 from functools import lru_cache, partial
-from importlib import import_module
 from pathlib import Path as File
 from typing import TypeVar
 
@@ -27,6 +25,7 @@ from iconstudio.caches.samples import SampleCache
 from iconstudio.files import remove_abandoned
 from iconstudio.inputs.plausibility import read_plausibility
 from iconstudio.library.collection import Collection, cache_folder
+from iconstudio.loading import load_module
 from iconstudio.model import (
     Axis,
     Composite,
@@ -75,28 +74,9 @@ _SLOW_TO_LOAD = (
 """Libraries that are not loaded before their first use, so that the window opens soon; SciPy loads
 its parts when they are first named."""
 
-_LOADINGS = 3
-"""How often a library is tried to be loaded."""
-
 T = TypeVar("T")
 W = TypeVar("W")
 _Key = tuple[str, frozenset[str], tuple[float, ...]]
-
-
-def load_library(name: str) -> None:
-    """Import a library, though another thread may be importing a part of it.
-
-    Packages that import each other's parts then wait for each other, which Python ends by showing
-    one thread a half-loaded module: an ImportError that a moment later does not happen.
-    """
-    for attempt in range(1, _LOADINGS + 1):
-        try:
-            import_module(name)
-            return
-        except ImportError:
-            if attempt == _LOADINGS:
-                raise
-            time.sleep(0.1)
 
 
 class Session(FileReader, AbstractContextManager["Session"]):
@@ -144,7 +124,7 @@ class Session(FileReader, AbstractContextManager["Session"]):
             for cache in ("rasters", "prepared", "samples"):
                 self.workers.submit(remove_abandoned, self._cache / cache)
             for name in _SLOW_TO_LOAD:
-                load_library(name)
+                load_module(name)
             gc.freeze()  # They stay: they need not be looked through for garbage.
 
     @property

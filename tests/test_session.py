@@ -9,7 +9,7 @@ import pytest
 
 from iconstudio.algorithms.curves.outline import path_of
 from iconstudio.model import CANVAS, Credit, IconstudioError, Pictogram
-from iconstudio.session import Session, load_library
+from iconstudio.session import Session
 from iconstudio.workflows.events import Progress, Retrieved
 from iconstudio.workflows.line_style.restyling import said_of
 
@@ -160,18 +160,3 @@ def test_what_is_small_on_its_page_is_said_to_be(session, page, width, said):
     )
     icon = Pictogram(f"small:{page}-{width}", svg, Credit("corner", "", "", "", ""))
     assert ("small on its page" in said_of(session, icon)) == said
-
-
-def test_a_library_that_another_thread_is_loading_is_tried_again(tmp_path, monkeypatch):
-    """What Python shows of it for a moment is half of it."""
-    source = "import pathlib\nat = pathlib.Path(__file__).with_name('tries')\n"
-    source += "at.write_text(at.read_text() + 'x')\nif at.read_text() != 'x' * {}:\n"
-    source += "    raise ImportError('half')\n"
-    for name, tries in (("loaded_late", 2), ("never_loaded", 9)):
-        (tmp_path / name).mkdir()
-        (tmp_path / name / "tries").write_text("")
-        (tmp_path / name / "__init__.py").write_text(source.format(tries))
-    monkeypatch.syspath_prepend(tmp_path)
-    load_library("loaded_late")
-    with pytest.raises(ImportError, match="half"):
-        load_library("never_loaded")

@@ -2,11 +2,11 @@
 
 from collections.abc import Callable, Generator
 from dataclasses import dataclass
-from importlib import import_module
 from pathlib import Path
 from typing import Any, Concatenate, Generic, Protocol, Self, TypeVar
 
 from iconstudio.inputs.formats import Reference, StrictRecord, Text
+from iconstudio.loading import load_module
 from iconstudio.model import Axis, Drawing, Exemplar, Line, Pictogram, Separation
 from iconstudio.workers import Workers
 from iconstudio.workflows.events import Event
@@ -141,7 +141,7 @@ def load_object(reference: str) -> Any:
     5.0
     """
     module, _, name = reference.partition(":")
-    return getattr(import_module(module), name)
+    return getattr(load_module(module), name)
 
 
 def lazily(reference: str) -> Callable[..., Any]:
