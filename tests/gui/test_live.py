@@ -720,7 +720,7 @@ def test_the_pick_stays_while_a_run_goes_on_and_is_the_best_in_the_end(drawn, qt
 
 def test_a_switch_says_whether_symmetric_results_stand_in_the_places_of_others(drawn):
     results = drawn.browser.results
-    button, before = results.symmetric, results.pictures[0]
+    button, before = results.symmetric_switch.button, results.pictures[0]
     assert not button.isVisible()
     one = replace(before.icon.composite, symmetry=Axis.HORIZONTAL)
     symmetric = picture_of(replace(before.icon, composite=one))

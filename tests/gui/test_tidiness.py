@@ -77,6 +77,6 @@ def test_symmetric_results_follow_the_switch_too(results):
     symmetric = replace(before.icon.composite, symmetry=Axis.HORIZONTAL)
     results.browser.show_event(picture_of(replace(before.icon, composite=symmetric)))
     cell = panel.cell(symmetric.style, symmetric.lambda_s)
-    for button in (panel.tidy_switch.button, panel.symmetric, panel.symmetric):
+    for button in (panel.tidy_switch.button, *2 * [panel.symmetric_switch.button]):
         button.click()
         assert cell.picture.tidied is not None, "shown as it was joined"

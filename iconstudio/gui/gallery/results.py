@@ -15,11 +15,12 @@ from PySide6.QtWidgets import (
 )
 
 from iconstudio.gui.canvas.tools.base import NUDGES
+from iconstudio.gui.gallery import symmetric
 from iconstudio.gui.gallery.axes import HEAD, RowHead, Scale
 from iconstudio.gui.gallery.cell import CellState, ResultCell
 from iconstudio.gui.gallery.display import DisplaySwitch
-from iconstudio.gui.gallery.symmetric import SymmetricButton
-from iconstudio.gui.gallery.tidiness import TidySwitch, shown
+from iconstudio.gui.gallery.symmetric import symmetric_switch
+from iconstudio.gui.gallery.tidiness import shown, tidy_switch
 from iconstudio.gui.pictures.picture import Picture
 from iconstudio.gui.theme.layout import column, label, row, with_role
 from iconstudio.gui.theme.theme import UNIT
@@ -116,14 +117,15 @@ class ResultsPanel(QFrame):
         with_role(self, "card")
         self._nearer = nearer
         self.grid = ResultsGrid((), (), nearer)
-        self.switch, self.tidy_switch = DisplaySwitch(), TidySwitch()
-        self.symmetric = SymmetricButton()
-        self.symmetric.toggled.connect(self._choose_symmetric)
+        self.switch, self.tidy_switch = DisplaySwitch(), tidy_switch()
+        self.symmetric_switch = symmetric_switch()
+        self.symmetric_switch.hide()
+        symmetric.setting.changed.connect(self._renew_symmetric)
         self._own: dict[tuple[str, float], Picture] = {}
         self._symmetric: dict[tuple[str, float], Picture] = {}
         """Results as they were cut, and what may stand in their places."""
         self.note = label(wordWrap=True)
-        switches = self.symmetric, self.tidy_switch, self.switch
+        switches = self.symmetric_switch, self.tidy_switch, self.switch
         top = row(label("Results", "title"), (self.note, 1), *switches)
         below = QWidget()
         # Nothing is left for what is below it until it is full.
@@ -206,8 +208,8 @@ class ResultsPanel(QFrame):
         if picture.preview and cell.state is CellState.READY:
             return False
         (self._symmetric if composite.symmetry else self._own)[place] = picture
-        self.symmetric.setVisible(bool(self._symmetric))
-        if composite.symmetry and not self.symmetric.isChecked():
+        self.symmetric_switch.setVisible(bool(self._symmetric))
+        if composite.symmetry and not symmetric.setting.value:
             return False
         cell.show_picture(picture)
         if cell.isChecked():
@@ -241,17 +243,18 @@ class ResultsPanel(QFrame):
         cell.setChecked(True)
         self.picked.emit(cell.picture)
 
-    def _choose_symmetric(self, on: bool) -> None:
-        """Show symmetric results in the places of others, or these."""
-        for place, symmetric in self._symmetric.items():
+    def _renew_symmetric(self) -> None:
+        """Show symmetric results in the places of others, or these, as the setting says."""
+        pictures = self._symmetric if symmetric.setting.value else self._own
+        for place in self._symmetric:
             cell = self.cell(*place)
-            cell.show_picture(shown(symmetric if on else self._own[place]))
+            cell.show_picture(shown(pictures[place]))
             if cell.isChecked():
                 self.picked.emit(cell.picture)
 
     def _forget_symmetric(self) -> None:
         self._own, self._symmetric = {}, {}
-        self.symmetric.hide()
+        self.symmetric_switch.hide()
 
     def _show(self, grid: ResultsGrid) -> None:
         """Put another grid in place; what is shown in both is taken over."""

@@ -3,8 +3,10 @@
 from typing import Generic, TypeVar
 
 from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QFrame, QToolButton
 
 from iconstudio.gui.preferences import prefer, preferred
+from iconstudio.gui.theme.layout import segments
 
 T = TypeVar("T")
 
@@ -47,3 +49,24 @@ class Setting(QObject, Generic[T]):
         if value != self.value:
             self.value = value
             self.changed.emit()
+
+
+def on_or_off(name: str) -> Setting[bool]:
+    """Return a setting that is on until it is switched off."""
+    return Setting(name, {on: on for on in (True, False)}, usual=True)
+
+
+class OnOffSwitch(QFrame):
+    """One segment: on, or off."""
+
+    def __init__(self, setting: Setting[bool], text: str, tip: str) -> None:
+        super().__init__()
+        self._setting = setting
+        self.button = QToolButton(text=text, toolTip=tip, checkable=True)
+        self.button.clicked.connect(setting.choose)
+        segments(self, self.button)
+        setting.changed.connect(self._show)
+        self._show()
+
+    def _show(self) -> None:
+        self.button.setChecked(self._setting.value)

@@ -1,22 +1,12 @@
-"""The switch that says whether symmetric results stand in the places of others."""
+"""Whether symmetric results stand in the places of others; and the switch for it."""
 
-from PySide6.QtWidgets import QPushButton
+from iconstudio.gui.gallery.setting import OnOffSwitch, on_or_off
 
-from iconstudio.gui.preferences import prefer, preferred
-
-_NAME = "symmetric"
-"""Under which it is remembered."""
+setting = on_or_off("symmetric")
+"""Whether symmetric results are shown where there are any."""
 
 
-class SymmetricButton(QPushButton):
-    """On: symmetric results are shown where there are any. It is hidden until then."""
-
-    def __init__(self) -> None:
-        super().__init__("Symmetric")
-        self.setCheckable(True)
-        self.setChecked(preferred(_NAME, True))
-        self.setToolTip(
-            "The outline is nearly symmetric: show symmetric results where they look better"
-        )
-        self.toggled.connect(lambda on: prefer(_NAME, on))
-        self.hide()
+def symmetric_switch() -> OnOffSwitch:
+    """Return the switch for it."""
+    tip = "The outline is nearly symmetric: show symmetric results where they look better"
+    return OnOffSwitch(setting, "Symmetric", tip)

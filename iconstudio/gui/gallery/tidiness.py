@@ -1,12 +1,9 @@
 """Whether results are shown tidied, or as they were before; and the switch for it."""
 
-from PySide6.QtWidgets import QFrame, QToolButton
-
-from iconstudio.gui.gallery.setting import Setting
+from iconstudio.gui.gallery.setting import OnOffSwitch, on_or_off
 from iconstudio.gui.pictures.picture import Picture
-from iconstudio.gui.theme.layout import segments
 
-setting = Setting("tidy", {on: on for on in (True, False)}, usual=True)
+setting = on_or_off("tidy")
 """Whether results are tidied."""
 
 
@@ -15,17 +12,7 @@ def shown(picture: Picture) -> Picture:
     return (picture.tidied if setting.value else picture.untidied) or picture
 
 
-class TidySwitch(QFrame):
-    """One segment: on, or off."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        tip = "Lines, circles, widths and symmetry put right where parts meet; off: as joined"
-        self.button = QToolButton(text="Tidy", toolTip=tip, checkable=True)
-        self.button.clicked.connect(setting.choose)
-        segments(self, self.button)
-        setting.changed.connect(self._show)
-        self._show()
-
-    def _show(self) -> None:
-        self.button.setChecked(setting.value)
+def tidy_switch() -> OnOffSwitch:
+    """Return the switch for it."""
+    tip = "Lines, circles, widths and symmetry put right where parts meet; off: as joined"
+    return OnOffSwitch(setting, "Tidy", tip)

@@ -8,7 +8,7 @@ from PySide6.QtGui import QCloseEvent, QGuiApplication
 from PySide6.QtWidgets import QMainWindow, QMenu, QStackedWidget, QWidget
 
 from iconstudio.gui.exchange.saving import Saver
-from iconstudio.gui.gallery import display, tidiness
+from iconstudio.gui.gallery import display, symmetric, tidiness
 from iconstudio.gui.gallery.recent import RecentResults
 from iconstudio.gui.gallery.sending import Destination
 from iconstudio.gui.jobs.worker import Worker
@@ -49,8 +49,8 @@ class MainWindow(QMainWindow):
 
     def __init__(self, session: Session, workflows: Sequence[Workflow] | None = None) -> None:
         super().__init__()
-        display.setting.recall()
-        tidiness.setting.recall()
+        for setting in (display.setting, tidiness.setting, symmetric.setting):
+            setting.recall()
         self._session = session
         self._workflows = tuple(registry.workflows() if workflows is None else workflows)
         self._made: dict[int, WorkspacePane] = {}
