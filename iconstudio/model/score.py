@@ -18,6 +18,8 @@ class Score:
     """Ink that comes from several sources; 1 where that is not asked for."""
     likeness: float
     """Overlap with the outline that was wanted; 1 if none was."""
+    inside: float = 1.0
+    """How much of the holes and lines that were drawn inside is there; 1 if none were."""
     plausible: float | None = None
     """The learned probability that the picture is plausible; None if it was not asked."""
 
@@ -30,4 +32,4 @@ class Score:
         looks = self.seam * self.whole
         if self.plausible is not None:
             looks = math.sqrt(looks) * self.plausible
-        return looks * self.symmetry * self.sharing * self.likeness
+        return looks * self.symmetry * self.sharing * self.likeness * self.inside

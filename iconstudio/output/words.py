@@ -43,15 +43,17 @@ def _about(icon: Remix, preview: bool) -> list[str]:
 
 def _merits(icon: Remix) -> list[str]:
     """Return how well an icon does what was wanted."""
+    inside = [f"what is inside by {icon.score.inside:.0%}"] if icon.score.inside < 1 else []
     if icon.unchanged is not None:
         return [
             f"fits the change by {icon.score.likeness:.0%}",
+            *inside,
             f"unchanged elsewhere {_floor(100 * icon.unchanged)}%",
         ]
     if icon.draw >= 0:
         return [f"rank score {icon.score.total:.2f}"]
     iou = icon.composite.iou
-    return [] if iou is None else [f"fits the sketch by {iou:.0%}"]
+    return [] if iou is None else [f"fits the sketch by {iou:.0%}", *inside]
 
 
 def _thanks_together(icon: Icon) -> list[str]:

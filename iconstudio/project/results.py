@@ -57,6 +57,7 @@ class StoredScore(Record, frozen=True):
     symmetry: Unit = 1.0
     sharing: Unit = 1.0
     likeness: Unit = 1.0
+    inside: Unit = 1.0
     plausible: Unit | None = None
 
 

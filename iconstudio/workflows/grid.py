@@ -19,13 +19,14 @@ from iconstudio.algorithms.iconification.matching import (
 from iconstudio.algorithms.iconification.plausibility import Plausibility
 from iconstudio.algorithms.iconification.saliency import WHOLE, Region
 from iconstudio.algorithms.iconification.style import STYLES, Style, blackness
-from iconstudio.model import Composite, IconstudioError, Placement, Remix, Source
+from iconstudio.model import Composite, IconstudioError, Inner, Placement, Remix, Source
 from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import (
     Event,
     Recommended,
     RegionsFound,
+    Remark,
     Result,
     StyleMatched,
     StyleSkipped,
@@ -45,6 +46,14 @@ PLAUSIBLE = 0.5
 
 ENOUGH = 8
 """With fewer exemplars of a style, those that are less alike serve, too."""
+
+SHOWN = 0.6
+"""What shows more of what was drawn inside has it."""
+
+UNMET = (
+    "None of the recommended results shows all that you drew inside the outline, {:.0%} at most: "
+    "the icons have little of it there. Look through their rows, or draw it where an icon has it."
+)
 
 Matches = tuple[tuple[Source, ...], ...]
 
@@ -186,6 +195,8 @@ def remix_styles(
             yield from recommending.after(remixing.ready())
         while remixing.busy:
             yield from recommending.after(remixing.ready(wanted=True))
+        if guide.inner != Inner() and recommending.inside < SHOWN:
+            yield Remark(UNMET.format(recommending.inside))
     finally:
         remixing.cancel()
 
@@ -271,6 +282,8 @@ class Recommending:
     def __init__(self, count: int) -> None:
         self._count = count
         self._remixes: dict[str, list[Remix]] = {}
+        self.inside = 0.0
+        """How much the best of what was named shows of what was drawn inside."""
 
     def after(self, events: Iterable[Event]) -> Generator[Event]:
         """Pass events on, with a ``Recommended`` after the last result of a style."""
@@ -283,6 +296,7 @@ class Recommending:
                     row.append(icon)
                     if len(row) == self._count:
                         best = best_of(row)
+                        self.inside = max(self.inside, best.score.inside if best else 0.0)
                         yield Recommended(style, None if best is None else best.composite.lambda_s)
 
 

@@ -15,6 +15,7 @@ import numpy as np
 from iconstudio.algorithms.iconification import ranking
 from iconstudio.algorithms.iconification.energy import Labels, RemixProblem, joined_ink
 from iconstudio.algorithms.iconification.features import Remixed, features
+from iconstudio.algorithms.iconification.inner_likeness import inner_likeness
 from iconstudio.algorithms.iconification.looks import Looks
 from iconstudio.algorithms.iconification.overhang import on_canvas, seen
 from iconstudio.algorithms.iconification.plausibility import Plausibility
@@ -22,7 +23,17 @@ from iconstudio.algorithms.iconification.redraw import SCALE
 from iconstudio.algorithms.iconification.warm_start import transferred
 from iconstudio.algorithms.raster import Bitmap, overlap, solid
 from iconstudio.limits import limited
-from iconstudio.model import CANVAS, Axis, Composite, Drawing, Frame, Placement, Score, Source
+from iconstudio.model import (
+    CANVAS,
+    Axis,
+    Composite,
+    Drawing,
+    Frame,
+    Inner,
+    Placement,
+    Score,
+    Source,
+)
 from iconstudio.tasks import forget, remembered, stopped
 from iconstudio.workflows.drawing import MEMORY, PREVIEW, SECONDS, Render, draw
 
@@ -39,6 +50,8 @@ class Posed:
     """(m, m): the filled outline that is wanted, if there is one."""
     near: Bitmap | None = None
     """(m, m): where the likeness to it counts; everywhere if None."""
+    inner: Inner = field(default_factory=Inner)
+    """What is drawn inside it, in canvas units."""
     marked: Bitmap | None = None
     """(K, m, m): what the user wants to keep of each source; nothing if None."""
     heal: bool = True
@@ -193,7 +206,11 @@ def finished(
     shares = _shares(drawing, labels, len(series.sources))
     data_cost, smoothness_cost = problem.costs(labels)
     iou, likeness = _compared(posed, drawing)
-    score = ranking.score(problem, labels, marked=kept)
+    score = replace(
+        ranking.score(problem, labels, marked=kept),
+        likeness=likeness,
+        inside=inner_likeness(posed.inner, on_canvas(drawing.coverage > 127, drawing.frame)),
+    )
     sharing = ranking.evenness(shares) if series.sharing else 1.0
     plausible = None
     if plausibility is not None and not step.preview:
@@ -205,7 +222,7 @@ def finished(
         data_cost + posed.weight(step.lambda_s) * smoothness_cost,
         shares,
         iou,
-        replace(score, likeness=likeness, sharing=sharing, plausible=plausible),
+        replace(score, sharing=sharing, plausible=plausible),
         drawing,
     )
 

@@ -183,9 +183,8 @@ def test_results_come_in_rank_order(runs):
     for rank, result in enumerate(report["results"], start=1):
         assert result["rank"] == rank
         terms = result["rank_terms"]
-        others = np.prod([terms[name] for name in ("plausible", "symmetry", "sharing", "likeness")])
-        looks = np.sqrt(terms["seam"] * terms["whole"])
-        assert result["rank_score"] == pytest.approx(looks * others)
+        looks = np.sqrt(terms.pop("seam") * terms.pop("whole"))
+        assert result["rank_score"] == pytest.approx(looks * np.prod(list(terms.values())))
         assert {source["icon"] for source in result["sources"]} <= set(LAMPS)
         for points in result["seeds"]:
             assert {(CANVAS - x, y) for x, y in points} == {(x, y) for x, y in points}

@@ -7,6 +7,7 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QToolButton
 
 from iconstudio.algorithms.iconification.matching import LARGER_SCALES, SCALES
+from iconstudio.workflows.events import Remark
 
 HOLE = [(150.0, 150.0), (250.0, 150.0), (250.0, 250.0)]
 LINE = [(300.0, 200.0), (350.0, 300.0), (300.0, 350.0)]
@@ -106,6 +107,13 @@ def test_what_lies_outside_is_told_and_stays(traced):
     traced.run()
     assert said == ["Hole 1 lies outside the outline. Move it inside, or remove it."]
     assert len(traced.page.sketch.inner.holes) == 1
+
+
+def test_it_is_told_that_no_result_shows_what_is_inside(traced):
+    said = []
+    traced.hinted.connect(said.append)
+    traced.show_event(Remark("Nothing shows it."))
+    assert said == ["Nothing shows it."]
 
 
 def test_without_an_outline_there_is_nothing_inside(traced):

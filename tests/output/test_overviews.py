@@ -75,7 +75,7 @@ def test_the_report_of_hybrids(folder):
     entry = report["results"][0]
     assert entry["seeds"][1] == [[11.5, 20.5], [30.5, 40.5]]
     assert entry["rank_terms"] == {
-        "seam": 0.7, "whole": 1.0, "symmetry": 1.0, "sharing": 1.0, "likeness": 1.0,
+        "seam": 0.7, "whole": 1.0, "symmetry": 1.0, "sharing": 1.0, "likeness": 1.0, "inside": 1.0,
     }  # fmt: skip
     assert entry["iou"] is None and entry["lambda_s"] == 3.0
     assert {"icon", "share", "author", "license"} <= set(entry["sources"][0])

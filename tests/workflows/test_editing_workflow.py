@@ -7,8 +7,8 @@ from iconstudio.algorithms.iconification.matching import Matcher, prepare
 from iconstudio.model import CANVAS, Edit, IconstudioError, Inner, Polygon
 from iconstudio.svg.placed import render_placed
 from iconstudio.workflows.editing.editing import SAME, edit_icon, lookalikes, own_styles, place_edit
-from iconstudio.workflows.events import Recommended, StyleMatched
-from iconstudio.workflows.grid import GridSettings
+from iconstudio.workflows.events import Recommended, Remark, StyleMatched
+from iconstudio.workflows.grid import SHOWN, GridSettings
 from tests.shapes import blob, exemplar, icons
 
 YS, XS = np.mgrid[:CANVAS, :CANVAS] + 0.5
@@ -92,6 +92,20 @@ def test_a_hole_is_cut_where_another_icon_has_one(workers):
     (result,) = icons(edit_icon(edit, change, prepared, settings, workers, render_placed))
     ink = result.drawing.coverage.reshape(CANVAS, 2, CANVAS, 2).mean(axis=(1, 3)) > 127
     assert (ink ^ (BODY & ~window)).sum() < 0.01 * BODY.sum()
+    assert result.score.inside > 0.9
+
+
+def test_it_is_told_if_no_icon_has_a_hole_where_one_is_drawn(workers):
+    matcher = Matcher([prepare(one) for one in (WITH_KNOB, *BLOBS)])
+    edit = Edit(ICON.pictogram, "body", inner=Inner((rectangle(90, 130, 150, 170),)))
+    settings = GridSettings(styles=("dark",), lambdas=(0.3,))
+    events = list(
+        edit_icon(edit, place_edit(edit, ICON), matcher, settings, workers, render_placed)
+    )
+    (result,) = icons(events)
+    (remark,) = of(Remark, events)
+    assert result.score.inside < SHOWN
+    assert f"{result.score.inside:.0%} at most" in remark.sentence
 
 
 def test_holes_and_lines_move_with_an_icon_that_is_made_smaller():

@@ -22,6 +22,15 @@ def test_what_is_plausible_is_recommended_rather_than_what_is_like_the_outline()
     assert recommended(icons) == Recommended("light", 0.1)
 
 
+def test_what_shows_the_holes_and_lines_is_recommended_rather_than_what_is_more_like_the_outline():
+    there, lost = (judged(made(quarters(), value), 0.8, 0.85) for value in (0.05, 0.1))
+    there, lost = (
+        replace(icon, score=replace(icon.score, inside=inside))
+        for icon, inside in ((there, 0.9), (judged(lost, 0.9, 0.95), 0.4))
+    )
+    assert recommended([lost, there]) == Recommended("light", 0.05)
+
+
 def test_an_icon_as_it_went_in_stands_for_remixes_of_which_none_is_plausible():
     whole, joined = made(0 * quarters(), 0.75), made(quarters(), 0.05)
     assert recommended([judged(whole, 0.9), judged(joined, 0.6)]) == Recommended("light", 0.05)

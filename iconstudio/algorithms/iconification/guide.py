@@ -5,7 +5,7 @@ and 6 as the outline does: by a distance field of its own, weighted by where som
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import Enum
 
 import numpy as np
@@ -74,9 +74,12 @@ class Aim:
 class Guide:
     """All that counts beside the outline, on a canvas of any side m."""
 
+    inner: Inner = field(default_factory=Inner)
+    """What is drawn inside the outline, in canvas units."""
     weight: NDArray[np.float32] | None = None
     """(m, m): how much the outline counts; 1 everywhere if None."""
     aims: tuple[Aim, ...] = ()
+    """What it asks for."""
 
     def guided(self, problem: RemixProblem) -> NDArray[np.float32]:
         """Return the data cost of a problem, (K, m, m), when this counts, too."""
@@ -95,7 +98,7 @@ def guide_of(sketch: Sketch, side: int = CANVAS) -> Guide:
     weight = None
     if sketch.detail:
         weight = 1 + np.float32(DETAIL * sketch.detail) * sharpness(sketch.polygon, side)
-    return Guide(weight, inner_aims(sketch.inner, side))
+    return Guide(sketch.inner, weight, inner_aims(sketch.inner, side))
 
 
 def inner_aims(inner: Inner, side: int = CANVAS) -> tuple[Aim, ...]:

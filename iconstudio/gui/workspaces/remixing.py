@@ -25,7 +25,7 @@ from iconstudio.gui.workspaces.symmetry import SymmetryDetection
 from iconstudio.inputs.together import counted
 from iconstudio.workflows import criteria as edits
 from iconstudio.workflows.criteria import CriteriaPage
-from iconstudio.workflows.events import Event
+from iconstudio.workflows.events import Event, Remark
 from iconstudio.workflows.grid import GridSettings
 
 
@@ -194,6 +194,8 @@ class RemixWorkspace(Workspace):
     def show_event(self, event: Event | Picture) -> None:
         """Show what a run has come to."""
         self.browser.show_event(event)
+        if isinstance(event, Remark) and event.sentence not in self.remarks:
+            self.hinted.emit(event.sentence)
 
     def show_criteria(self, name: str) -> None:
         """Show the criteria of the page; results of another ``name`` of work are called so."""

@@ -105,7 +105,9 @@ class PlacedEdit:
         data = self.guide.guided(problem)
         problem = replace(problem, data=data + self.penalty(data, sources))
         # All but the change stays as it is.
-        return Posed(problem, self.silhouette, near=self.mask < 1, heal=False)
+        return Posed(
+            problem, self.silhouette, near=self.mask < 1, inner=self.guide.inner, heal=False
+        )
 
     def unchanged(self, edited: Drawing, own: Drawing) -> float:
         """Return the part of the pixels beyond the reach of the change that equal the icon's."""
@@ -153,7 +155,7 @@ def place_edit(edit: Edit, icon: Exemplar, side: int = CANVAS) -> PlacedEdit:
     )
     mask = truncated_distance(removed | added | drawn, EDIT_REACH * side / CANVAS)
     base = Source(icon, placement)
-    guide = Guide(aims=inner_aims(inner, side))
+    guide = Guide(inner, aims=inner_aims(inner, side))
     return PlacedEdit(base, ink, removed, added, silhouette, mask, guide)
 
 

@@ -146,7 +146,7 @@ def pose_sketch(
     silhouette = fill_polygon(sketch.polygon, side)
     problem = remix_problem(distance_field(silhouette), sources, sketch.symmetry)
     problem = replace(problem, data=guide_of(sketch, side).guided(problem))
-    return pinning(problem, sources, silhouette, pins)
+    return replace(pinning(problem, sources, silhouette, pins), inner=sketch.inner)
 
 
 def refusal(style: Style, count: int, rows: Matches | None) -> str:
