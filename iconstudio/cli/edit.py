@@ -6,6 +6,7 @@ from iconstudio.output.request import edit_request
 from iconstudio.session import Session
 from iconstudio.workflows.editing.editing import own_styles, place_edit
 from iconstudio.workflows.editing.file import read_edit
+from iconstudio.workflows.editing.page import doubts
 from iconstudio.workflows.editing.spec import EDITING
 
 
@@ -21,5 +22,7 @@ def command(options: grid.GridOptions) -> None:
         settings = options.settings(own_styles(icon))
         settings.chosen_styles()
         grid.need_keyword(edit.keyword)
+        if doubt := doubts(edit):
+            running.tell(doubt)
         events = session.run(EDITING, edit, settings)
         grid.run(session, events, request, settings, options.folder, stopwatch, dump=options.dump)

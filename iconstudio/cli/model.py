@@ -2,16 +2,14 @@
 
 from pathlib import Path
 
-import click
-
-from iconstudio.algorithms.geometry import crosses_itself
-from iconstudio.cli import grid
+from iconstudio.cli import grid, running
 from iconstudio.cli.timing import Stopwatch, profiled
 from iconstudio.model import Sketch
 from iconstudio.output.request import sketch_request
 from iconstudio.session import Session
 from iconstudio.workflows.grid import GridSettings
 from iconstudio.workflows.modelling.file import read_sketch
+from iconstudio.workflows.modelling.page import doubts
 from iconstudio.workflows.modelling.spec import MODELLING
 
 
@@ -40,7 +38,7 @@ def run(
     settings.chosen_styles()
     request = sketch_request(sketch)
     grid.need_keyword(sketch.keyword)
-    if crosses_itself(sketch.polygon):
-        click.echo("The outline crosses itself: all that it encloses counts as inside.", err=True)
+    if doubt := doubts(sketch):
+        running.tell(doubt)
     events = session.run(MODELLING, sketch, settings)
     grid.run(session, events, request, settings, folder, stopwatch, dump=dump, tidy=tidy)

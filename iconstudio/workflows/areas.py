@@ -1,10 +1,11 @@
 """Areas and lines on a page, and the edits of the one that the tools work on."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from enum import Enum
 from typing import Any, Protocol, Self, cast
 
+from iconstudio.algorithms.geometry import crosses_itself
 from iconstudio.inputs.formats import Points, Record
 from iconstudio.model import Inner, Point, Polygon
 from iconstudio.workflows.outline import Outline
@@ -82,6 +83,21 @@ def areas_of(inner: Inner) -> tuple[Area, ...]:
     """Return holes and lines as areas."""
     holes = (Area(Kind.HOLE, hole.vertices) for hole in inner.holes)
     return *holes, *(Area(Kind.LINE, line) for line in inner.lines)
+
+
+def crossings(inner: Inner, others: Mapping[str, Polygon]) -> str:
+    """Return the sentence that says which holes, and which others by name, cross themselves.
+
+    If none does, nothing.
+    """
+    holes = {f"hole {number}": hole for number, hole in enumerate(inner.holes, start=1)}
+    found = [name for name, outline in {**others, **holes}.items() if crosses_itself(outline)]
+    if not found:
+        return ""
+    names = " and ".join(filter(None, (", ".join(found[:-1]), found[-1])))
+    if len(found) == 1:
+        return f"{names.capitalize()} crosses itself: all that it encloses counts as inside."
+    return f"{names.capitalize()} cross themselves: all that they enclose counts as inside."
 
 
 class AreasPage(Page, Protocol):

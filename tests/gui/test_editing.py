@@ -205,6 +205,16 @@ def test_what_should_come_is_drawn_over_what_goes(editing):
     near(edit.add[1].vertices, GREEN)
 
 
+def test_an_area_that_crosses_itself_is_taken_and_told(editing, qtbot):
+    for point in ((100, 60), (200, 160), (200, 60), (100, 150)):
+        click(editing, point)
+    press(editing, Qt.Key.Key_Return)
+    type_keyword(editing, "cup")
+    editing.run()
+    said = editing.window().pane.notice.label.text()
+    assert said == "Removed area 1 crosses itself: all that it encloses counts as inside."
+
+
 def test_a_line_to_and_fro_encloses_nothing(editing):
     lasso(editing, [(40.0, 40.0), (120.0, 40.0)])
     assert areas(editing) == ()

@@ -36,11 +36,18 @@ def _set_scales(place: "RemixWorkspace", on: bool) -> None:
     place.show_page()
 
 
+def _set_fine(place: "RemixWorkspace", on: bool) -> None:
+    """Join results on a finer canvas, or not."""
+    place.runner.set_fine(on)
+    place.actions_by_name.refresh()
+    place.show_page()
+
+
 GRID = (
     Entry("live", "Li&ve", "Live: results follow while you draw", "Ctrl+L", "live",
           do="set_live", checked=lambda place: place.runner.live),
     Entry("fine", "F&ine quality", "Fine: smoother joins, five times as slow",
-          do="set_fine", checked=lambda place: place.runner.fine),
+          do=_set_fine, checked=lambda place: place.runner.fine),
     INNER_PICTURES,
     Entry("scales", "Lar&ger scales",
           "Also try icons at 0.8 and 1.25 of their size: fits unusual proportions, but takes "
@@ -85,7 +92,7 @@ class RemixWorkspace(Workspace):
         if self.runner.live != preferred(LIVE, True):
             self.set_live(not self.runner.live)
         if self.runner.fine != preferred(FINE, False):
-            self.set_fine(not self.runner.fine)
+            _set_fine(self, not self.runner.fine)
         if self.runner.larger != preferred(LARGER, False):
             _set_scales(self, not self.runner.larger)
         self.view.setFocus()
@@ -101,6 +108,8 @@ class RemixWorkspace(Workspace):
             self.help_out()
         else:
             self.runner.run()
+            if doubt := self.doubts():
+                self.hinted.emit(doubt)
 
     def cancel(self) -> None:
         """Stop the run and the search, and what is being opened; finished results stay."""
@@ -116,6 +125,10 @@ class RemixWorkspace(Workspace):
 
     def problem(self) -> str:
         """Return what is missing before the page can be remixed, as a sentence; else nothing."""
+        raise NotImplementedError
+
+    def doubts(self) -> str:
+        """Return what the user should know of how the page is read, as a sentence, or nothing."""
         raise NotImplementedError
 
     def settings(self) -> GridSettings:
@@ -222,12 +235,6 @@ class RemixWorkspace(Workspace):
         self.actions_by_name.refresh()
         self.show_page()
         self.rest()
-
-    def set_fine(self, on: bool) -> None:
-        """Join results on a finer canvas, or not."""
-        self.runner.set_fine(on)
-        self.actions_by_name.refresh()
-        self.show_page()
 
     def rest(self) -> None:
         """Tell what came out, unless something is still under way."""

@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from iconstudio.model import Axis, Edit, Exemplar, IconstudioError, Polygon
-from iconstudio.workflows.areas import Area, Kind, areas_of, inner_of
+from iconstudio.workflows.areas import Area, Kind, areas_of, crossings, inner_of
 from iconstudio.workflows.pages import Document
 
 
@@ -98,3 +98,14 @@ def load(document: EditDocument, edit: Edit, icon: Exemplar) -> None:
 def clear(document: EditDocument) -> None:
     """Remove all areas; the icon stays."""
     document.change("clear areas", document.page.with_areas(()))
+
+
+def doubts(edit: Edit) -> str:
+    """Return what the user should know of how an edit is read, as a sentence, or nothing."""
+    kinds = {"removed area": edit.remove, "added area": edit.add}
+    outlines = {
+        f"{noun} {number}": outline
+        for noun, some in kinds.items()
+        for number, outline in enumerate(some, start=1)
+    }
+    return crossings(edit.inner, outlines)

@@ -5,7 +5,7 @@ from typing import Any
 
 from iconstudio.algorithms.raster import Bitmap
 from iconstudio.model import IconstudioError, Photo, Point, Polygon, Sketch
-from iconstudio.workflows.areas import Area, areas_of, inner_of
+from iconstudio.workflows.areas import Area, areas_of, crossings, inner_of
 from iconstudio.workflows.pages import Document
 from iconstudio.workflows.pinning import PinnedPart, with_pin, without_pins
 
@@ -127,3 +127,8 @@ def unpin_part(document: SketchDocument, place: Bitmap) -> None:
 def unpin_all(document: SketchDocument) -> None:
     """Remove all pins."""
     document.change("unpin all parts", document.page.with_criteria(pins=()))
+
+
+def doubts(sketch: Sketch) -> str:
+    """Return what the user should know of how a sketch is read, as a sentence, or nothing."""
+    return crossings(sketch.inner, {"the outline": sketch.polygon})

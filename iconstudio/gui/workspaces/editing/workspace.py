@@ -107,6 +107,10 @@ class EditWorkspace(RemixWorkspace):
         """Return what is missing before the icon can be remixed."""
         return edits.problem(self.page)
 
+    def doubts(self) -> str:
+        """Return which outlines cross themselves."""
+        return edits.doubts(self.page.edit())
+
     def help_out(self) -> None:
         """Put the focus where an icon can be chosen or named."""
         if self.page.icon is None:

@@ -4,7 +4,6 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import Qt
 
-from iconstudio.algorithms.geometry import crosses_itself
 from iconstudio.gui.canvas.start import StartButtons
 from iconstudio.gui.canvas.tools.areas import DrawTool, SelectTool
 from iconstudio.gui.canvas.tools.polygon import PolygonTool
@@ -24,6 +23,7 @@ from iconstudio.workflows.events import Event, RegionsFound
 from iconstudio.workflows.modelling.file import SketchFile
 from iconstudio.workflows.modelling.page import (
     SketchPage,
+    doubts,
     problem,
     set_detail,
     unpin_all,
@@ -112,14 +112,6 @@ class SketchWorkspace(RemixWorkspace):
         if not page.closed and len(page.vertices) >= 3:
             self.outline.close()
 
-    def run(self) -> None:
-        """Remix for the sketch; an outline that is still open is closed first."""
-        super().run()
-        if self.runner.running and crosses_itself(self.page.sketch.polygon):
-            self.hinted.emit(
-                "The outline crosses itself; everything that it encloses counts as inside."
-            )
-
     def finished(self) -> bool:
         """Whether the outline is closed and has a name."""
         return super().finished() and self.page.closed
@@ -127,6 +119,10 @@ class SketchWorkspace(RemixWorkspace):
     def problem(self) -> str:
         """Return what is missing before the sketch can be remixed."""
         return problem(self.page)
+
+    def doubts(self) -> str:
+        """Return which outlines cross themselves."""
+        return doubts(self.page.sketch)
 
     def show_event(self, event: Event | Picture) -> None:
         """Show what a run has come to."""
