@@ -80,5 +80,5 @@ def command(sketches: Path | None, out: Path, profile: bool) -> None:
 def _settings(choice: Choice) -> GridSettings:
     """Return the chosen style, and the lambda_S down to the chosen one: each starts the next."""
     return GridSettings(
-        styles=(choice.style,), lambdas=LAMBDAS[choice.column - 1 :], symmetric=False
+        styles=(choice.style,), lambdas=LAMBDAS[choice.column - 1 :], variants=False
     )

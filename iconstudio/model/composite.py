@@ -40,6 +40,8 @@ class Composite:
     was."""
     symmetry: Axis | None = None
     """What it was held to beside what the page says: it takes the place of one that was not."""
+    without: tuple[str, ...] = ()
+    """Identifiers of icons that were left out, so that it differs: it takes the place of a copy."""
 
     def owners(self, least: float = 0.0) -> tuple[int, ...]:
         """Return the labels that own ink, and at least the share ``least``, by falling share."""

@@ -32,6 +32,7 @@ def of_remix(name: str, icon: Remix) -> dict[str, Any]:
         "data_cost": float(composite.data_cost),
         "smoothness_cost": float(composite.smoothness_cost),
         "symmetry": composite.symmetry,
+        "without": list(composite.without),
         "iou": None if composite.iou is None else float(composite.iou),
         "frame": _of_frame(icon.drawing.frame),
         "rank_score": float(icon.score.total),

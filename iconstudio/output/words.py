@@ -37,8 +37,9 @@ def _about(icon: Remix, preview: bool) -> list[str]:
     made = f"{counted(len(owners), 'part')} of {counted(icons, 'icon')}"
     # Of hybrids and montages, λ is always the same.
     weight = [] if composite.iou is None else [f"λ {composite.lambda_s:.2f}"]
-    symmetric = ["symmetric"] if composite.symmetry is not None else []
-    return [*weight, "preview" if preview else made, *symmetric, *_merits(icon)]
+    held = ["symmetric"] if composite.symmetry is not None else []
+    held += ["in place of a near-copy"] if composite.without else []
+    return [*weight, "preview" if preview else made, *held, *_merits(icon)]
 
 
 def _merits(icon: Remix) -> list[str]:

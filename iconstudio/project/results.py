@@ -80,6 +80,7 @@ class StoredRemix(Record, frozen=True, kw_only=True):
     smoothness_cost: _Huge = 0.0
     iou: Unit | None = None
     symmetry: Axis | None = None
+    without: Many[Text] = ()
     score: StoredScore = StoredScore()
     seeds: Many[Points] = ()
     draw: Annotated[int, Meta(ge=-1, le=1 << 60)] = -1
@@ -232,6 +233,7 @@ def _made(
         smoothness_cost=float(composite.smoothness_cost),
         iou=None if composite.iou is None else float(composite.iou),
         symmetry=composite.symmetry,
+        without=composite.without,
         score=StoredScore(**_known(icon.score)),
         seeds=icon.seeds,
         draw=icon.draw,
@@ -283,6 +285,7 @@ def _remix(
         tuple(one.share for one in stored.sources),
         stored.iou,
         stored.symmetry,
+        stored.without,
     )
     frame = Frame(**structs.asdict(stored.frame))
     return Remix(

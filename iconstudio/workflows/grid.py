@@ -70,8 +70,9 @@ class GridSettings(CutSettings):
     """Style and lambda_S of the result that is wanted first; then come others of its style."""
     previews: bool = False
     """Whether coarse results go ahead of the finished ones, for whoever waits."""
-    symmetric: bool = True
-    """Whether symmetric results are made, too, of an outline that is nearly so."""
+    variants: bool = True
+    """Whether symmetric results are made, too, of an outline that is nearly so, and others in the
+    places of near-copies."""
 
     @property
     def explored(self) -> tuple[float, ...]:

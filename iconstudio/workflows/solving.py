@@ -169,7 +169,7 @@ def solve(
     CancelledError
         As soon as the result is no longer wanted.
     """
-    from iconstudio.algorithms.iconification.alpha_expansion import Stopped
+    from iconstudio.algorithms.iconification.block_expansion import Stopped
 
     began = perf_counter()
     try:
@@ -272,14 +272,14 @@ def _cut(
     if step.preview:
         return state.expansion.preview(weight)
     if state.row:
-        worth = None
+        chosen = None
         if plausibility is not None:
-            worth = partial(_worth, state.posed, series.sources, plausibility)
-        return state.expansion.find(weight, state.row, worth)
+            chosen = partial(worth, state.posed, series.sources, plausibility)
+        return state.expansion.find(weight, state.row, chosen)
     return state.expansion.solve(weight)
 
 
-def _worth(
+def worth(
     posed: Posed, sources: tuple[Source, ...], plausibility: Plausibility, labels: Labels
 ) -> float:
     """Return how plausible a labelling (m, m) is before it is drawn."""

@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from iconstudio.algorithms.iconification.alpha_expansion import (
-    AlphaExpansion,
+from iconstudio.algorithms.iconification.alpha_expansion import AlphaExpansion
+from iconstudio.algorithms.iconification.block_expansion import (
     BlockExpansion,
     Stopped,
     plane_words,
@@ -115,6 +115,18 @@ def test_it_is_about_as_good_as_plain_expansion(symmetry):
         assert found <= 1.01 * energy(one, plain.full(cold), lambda_s)
         if symmetry is not None:
             assert is_symmetric(labels, symmetry)
+
+
+@pytest.mark.parametrize("symmetry", [None, Axis.HORIZONTAL])
+def test_labels_that_are_left_out_are_as_if_they_were_not_there(symmetry):
+    one = busy_problem(3, count=6, symmetry=symmetry)
+    left = np.array([0, 2, 3, 5])
+    fewer = RemixProblem(one.data[left], one.ink[left], one.solid[left], symmetry)
+    search = AlphaExpansion(one, check=True)
+    search.find(0.1, (0.05, 0.1))
+    found = search.find_without(0.1, (1, 4))
+    assert np.array_equal(found, left[AlphaExpansion(fewer).find_without(0.1, ())])
+    assert energy(one, found, 0.1) >= search.energy(0.1)
 
 
 def test_the_same_calls_give_the_same_labels():

@@ -50,7 +50,7 @@ def test_the_report_says_all(report):
     for result in report["results"]:
         assert {
             "style", "lambda_s", "energy", "data_cost", "smoothness_cost", "iou", "svg", "png",
-            "sources_png", "sources", "rank_score", "rank_terms", "recommended",
+            "sources_png", "sources", "rank_score", "rank_terms", "recommended", "without",
             "frame", "m", "symmetry",
         } == set(result)  # fmt: skip
         assert math.isclose(sum(source["share"] for source in result["sources"]), 1, abs_tol=1e-6)

@@ -718,6 +718,20 @@ def test_the_pick_stays_while_a_run_goes_on_and_is_the_best_in_the_end(drawn, qt
     assert board.detail.picture is scored[-1]
 
 
+def test_what_is_picked_gives_way_to_nothing_that_differs(drawn):
+    results = drawn.browser.results
+    picked, other = results.pictures[:2]
+    results.pick(picked.icon.composite.style, picked.icon.composite.lambda_s)
+    for before in (picked, other):
+        composite = replace(before.icon.composite, without=("set:name",))
+        drawn.show_event(picture_of(replace(before.icon, composite=composite)))
+    assert drawn.detail.picture is picked
+    assert results.pictures[0] is picked
+    assert results.pictures[1].icon.composite.without == ("set:name",)
+    results.pick(other.icon.composite.style, other.icon.composite.lambda_s)
+    assert "in place of a near-copy" in drawn.detail._about.text()
+
+
 def test_a_switch_says_whether_symmetric_results_stand_in_the_places_of_others(drawn):
     results = drawn.browser.results
     button, before = results.symmetric_switch.button, results.pictures[0]

@@ -200,12 +200,15 @@ class ResultsPanel(QFrame):
     def add(self, picture: Picture) -> bool:
         """Put a result into its cell, and return whether it belongs there.
 
-        A preview does not once the finished result is there, nor a symmetric one if none is wanted.
+        A preview does not once the finished result is there, nor a symmetric one if none is wanted,
+        nor another one in place of what is picked.
         """
         composite = picture.icon.composite
         place = composite.style, composite.lambda_s
         cell = self.cell(*place)
         if picture.preview and cell.state is CellState.READY:
+            return False
+        if composite.without and cell.isChecked():
             return False
         (self._symmetric if composite.symmetry else self._own)[place] = picture
         self.symmetric_switch.setVisible(bool(self._symmetric))

@@ -25,6 +25,7 @@ from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import Event, Remark
 from iconstudio.workflows.grid import GridSettings, Matches, focused, remix_styles
 from iconstudio.workflows.modelling.symmetric import with_symmetric
+from iconstudio.workflows.modelling.variety import with_variety
 from iconstudio.workflows.pinning import PinnedPart, idle_pins, pinned_parts, pinning
 from iconstudio.workflows.remixing import Remixing, RemixResources
 from iconstudio.workflows.solving import Posed
@@ -107,11 +108,12 @@ def model(
         earlier=earlier,
         plausibility=plausibility,
     )
-    if not settings.symmetric or pins:  # what is pinned says what the user wants
+    if pins or not settings.variants:  # what is pinned says what the user wants
         yield from events
         return
     axis = propose(silhouette, MIRRORED) if sketch.symmetry is None else None
-    yield from with_symmetric(events, axis, pose, Remixing(workers, render, 1, plausibility))
+    events = with_symmetric(events, axis, pose, Remixing(workers, render, 1, plausibility))
+    yield from with_variety(events, pose, workers, render, plausibility)
 
 
 def fitted_sketch(sketch: Sketch) -> Sketch:

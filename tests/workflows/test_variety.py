@@ -1,0 +1,96 @@
+"""Other results in the places of near-copies."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from iconstudio.algorithms.iconification.ranking import Gallery
+from iconstudio.model import CANVAS, Placement, Remix, Source
+from iconstudio.svg.placed import render_placed
+from iconstudio.workflows.events import Recommended, Result
+from iconstudio.workflows.modelling.modelling import pose_sketch
+from iconstudio.workflows.modelling.variety import DIFFERENT, repetitive, with_variety
+from tests.output.made import BLOCK, DISC, RADIUS, RING, SKETCH, made
+from tests.shapes import exemplar
+from tests.workflows.test_symmetric import Fixed
+
+THICK = exemplar((RADIUS < 100) & (RADIUS > 20), "thick")
+SOURCES = tuple(Source(one, Placement(), 1.0, 0) for one in (BLOCK, RING, DISC, THICK))
+LAMBDAS = (0.05, 0.1, 0.2, 0.3, 0.4, 0.5)
+
+
+def pose(sources):
+    return pose_sketch(SKETCH.fitted(), CANVAS, (), sources)
+
+
+def whole(label, lambda_s, plausible=0.8):
+    labels = np.full((CANVAS, CANVAS), label, np.uint8)
+    icon = made(labels, lambda_s, sources=SOURCES)
+    return replace(icon, score=replace(icon.score, plausible=plausible))
+
+
+def row(*labels):
+    return [whole(label, value) for label, value in zip(labels, LAMBDAS, strict=True)]
+
+
+def run(workers, icons, plausible, best=0.5):
+    """Return the results that take the places of others."""
+    events = iter([*map(Result, icons), Recommended("light", best)])
+    found = with_variety((one for one in events), pose, workers, render_placed, Fixed(plausible))
+    results = [event.icon for event in found if isinstance(event, Result)]
+    assert results[: len(icons)] == icons
+    return results[len(icons) :]
+
+
+def pictures(icons):
+    gallery = Gallery()
+    return sum(gallery.add(icon.drawing.coverage[::2, ::2] > 127) for icon in icons)
+
+
+def test_what_differs_takes_the_places_of_copies_but_not_of_what_is_recommended(workers):
+    icons = row(0, 0, 0, 0, 0, 0)
+    assert pictures(icons) == 1
+    others = run(workers, icons, 0.9)
+    assert others
+    assert pictures([icons[-1], *others]) == 1 + len(others)
+    assert {one.composite.lambda_s for one in others} <= set(LAMBDAS) - {0.5}
+    for one in others:
+        used = {one.composite.sources[k].exemplar.id for k in one.composite.owners()}
+        assert one.composite.without
+        assert not used & set(one.composite.without)
+        problem = pose(SOURCES).problem
+        data, smoothness = problem.costs(one.composite.labels)
+        assert one.composite.energy == pytest.approx(data + one.composite.lambda_s * smoothness)
+
+
+def test_a_row_that_differs_stays_and_so_does_one_without_a_judge(workers):
+    many = [0, 1, 2, 3, 0, 0]
+    assert repetitive(row(*many), 0.5, pose).wanted == 1
+    few = row(0, 0, 0, 0, 0, 0)
+    assert repetitive(few[:DIFFERENT], 0.5, pose) is None
+    events = iter([*map(Result, few), Recommended("light", 0.5)])
+    found = with_variety((one for one in events), pose, workers, render_placed, None)
+    assert len([event for event in found if isinstance(event, Result)]) == len(few)
+
+
+def test_what_is_not_plausible_takes_no_place(workers):
+    assert run(workers, row(0, 0, 0, 0, 0, 0), 0.4) == []
+
+
+def test_copies_are_told_from_the_recommended_one_on():
+    found = repetitive(row(1, 0, 1, 1, 0, 1), 0.2, pose)
+    assert found.series.lambdas == (0.5, 0.3, 0.1, 0.05)
+    assert len(found.seen) == 2
+    (first, *_) = found.without
+    assert first == {RING.id}
+
+
+def test_a_symmetric_result_is_no_part_of_the_row(workers):
+    icons = row(0, 0, 0, 0, 0, 0)
+    symmetric = replace(icons[-1].composite, symmetry="horizontal")
+    extra: Remix = replace(icons[-1], composite=symmetric)
+    events = iter([*map(Result, icons), Recommended("light", 0.5), Result(extra)])
+    found = with_variety((one for one in events), pose, workers, render_placed, Fixed(0.9))
+    places = [e.icon.composite.lambda_s for e in found if isinstance(e, Result)][len(icons) + 1 :]
+    assert len(places) == len(set(places))
