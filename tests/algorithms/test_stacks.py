@@ -98,8 +98,13 @@ def test_neighbours_that_are_paper_are_parted_by_ink():
 
 
 def test_two_walls_of_one_house_are_alike():
-    walls = path("M4 12l6-8 10 8v9H4z", "#ffe8b6") + path("M9.500 6h1v15h-1z", "#ffcc4d")
-    roof = '<path d="M2 14L10 4l12 9M10 14l6-5" fill="none" stroke="#66757f" stroke-width="1.500"/>'
-    drawn = pictogram(rgba(walls + roof + path("M1 20.500h22V23H1z", "#5c913b"))) > 127
-    left, right = drawn[360:400, 130:180], drawn[360:400, 280:330]
+    body = path("M5 16L18 3l13 13v17H5z", "#ffe8b6") + path("M18 16h1v16h-1z", "#ffcc4d")
+    body += (
+        '<path d="M5 16L18 3.700l13 12.300M18 16l6.500-6.500" fill="none" stroke="#66757f"'
+        ' stroke-width="2" stroke-linecap="round"/>'
+    )
+    body += path("M10 17h4v4h-4zm12.500 0h4v4h-4zm0 9h4v4h-4z", "#55acee")
+    body += path("M10 26h4v6h-4z", "#c1694f") + path("M2.500 32h31v3h-31z", "#5c913b")
+    drawn = pictogram(rgba(body, box="0 0 36 36")) > 127
+    left, right = drawn[330:360, 215:245], drawn[330:360, 280:310]
     assert left.mean() == right.mean()
