@@ -96,20 +96,21 @@ def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ..
     remarks = list(drawing.remarks)
     fonts, said_of_fonts = fonts_of(drawing.texts)
     remarks += said_of_fonts
-    if drawing.bounds is None or not max(drawing.bounds[2:]):
+    bounds = drawing.bounds
+    if bounds is None or not max(bounds[2:]):
         raise _nothing(remarks)
-    if drawing.page is not None and _are_apart(drawing.page, drawing.bounds):
+    if drawing.page is not None and _are_apart(drawing.page, bounds):
         drawing = replace(drawing, page=None)
         remarks.append(OFF_PAGE)
     black = _as_it_is(drawing, rdf)
     if black is not None:
         return black, tuple(dict.fromkeys(remarks))
-    shown = drawing.page or drawing.bounds
-    content, matrix = brought_near(drawing.content, drawing.page, drawing.bounds)
+    shown = drawing.page or bounds
+    content, matrix = brought_near(drawing.content, drawing.page, bounds)
     shown = mapped(matrix, shown)
     content, fine = coarsened(content, max(shown[2:]), shown)
     remarks += fine
-    drawn = mapped(matrix, drawing.bounds)
+    drawn = mapped(matrix, bounds)
     box = drawn if drawing.page is None else mapped(matrix, drawing.page)
     frame = fitted(document(content, box), _common(box, drawn), fonts)
     if frame is None and drawing.page is not None:

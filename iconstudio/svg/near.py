@@ -30,7 +30,7 @@ from iconstudio.svg.lengths import (
 )
 from iconstudio.svg.styles import INITIAL
 
-_LEAST, _MOST = 0.01, 300.0
+_LEAST, _MOST = 0.001, 300.0
 """Canvas units that a unit measures where renderers are at ease."""
 _FAR = 100.0 * CANVAS
 """Canvas units that the origin may lie away."""
@@ -44,6 +44,7 @@ _OF_SHAPES = (
 )  # fmt: skip
 _STROKES = ("stroke-width", "stroke-dasharray", "stroke-dashoffset")
 """Lengths that elements may inherit from where units are others."""
+_INITIAL = tuple(INITIAL[name] for name in _STROKES)
 _EFFECT = {"x": "-10%", "y": "-10%", "width": "120%", "height": "120%"}
 _LENGTHS = {
     "linearGradient": ("gradientUnits", {"x1": "0", "y1": "0", "x2": "100%", "y2": "0"}),
@@ -80,7 +81,7 @@ def brought_near(content: ET.Element, page: Box | None, drawn: Box) -> tuple[ET.
     scale = CANVAS / (max(width, height) or 1.0)
     matrix = scale, 0.0, 0.0, scale, -x * scale, -y * scale
     mover = _Mover(shown, content)
-    if mover.is_near(content, matrix):
+    if _is_usual(matrix) and mover.is_near(content, matrix):
         return content, IDENTITY
     return mover.all_of(content, matrix), matrix
 
@@ -92,7 +93,7 @@ class _Space(NamedTuple):
     """From there to the canvas, as it was."""
     near: Matrix
     """From there to where it is now."""
-    strokes: tuple[str, ...] = tuple(INITIAL[name] for name in _STROKES)
+    strokes: tuple[str, ...] = _INITIAL
     """What it inherits."""
 
     def at(self, x: float, y: float) -> "_Space":
@@ -114,8 +115,7 @@ class _Mover:
         """Whether a renderer is at ease with all that an element shows."""
         matrix = multiplied(outer, _transform(element))
         if element.tag in (*SHAPES, "text"):
-            scale, _, _, _, x, y = even_part(matrix)
-            return _LEAST <= scale <= _MOST and max(abs(x), abs(y)) <= _FAR
+            return _is_usual(matrix)
         if element.tag == "use":
             target = self._target(element)
             placed = multiplied(matrix, (1, 0, 0, 1, *self._corner(element)))
@@ -368,6 +368,11 @@ def _origin(text: ET.Element) -> Matrix:
         return IDENTITY
     x, y = (next(iter(numbers(places[name])), 0.0) for name in ("x", "y"))
     return 1.0, 0.0, 0.0, 1.0, -x, -y
+
+
+def _is_usual(matrix: Matrix) -> bool:
+    scale, _, _, _, x, y = even_part(matrix)
+    return _LEAST <= scale <= _MOST and max(abs(x), abs(y)) <= _FAR
 
 
 def _transform(element: ET.Element) -> Matrix:

@@ -42,7 +42,7 @@ def _layers(found: Regions, outer: Mask) -> Mask:
     layers, thinner = np.zeros((2, len(outer)), bool)
     for number in np.flatnonzero(outer & (found.widths > _THICK)):
         meet = found.lengths > 0
-        meet[[0, number]] = meet[:, [0, number]] = False
+        meet[0] = meet[:, 0] = meet[number] = meet[:, number] = False
         _, piece = scipy.sparse.csgraph.connected_components(meet)
         beside = np.where(outer, found.lengths[number], 0)
         first, *others = np.argsort(-beside)
