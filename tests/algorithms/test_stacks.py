@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 import scipy
 
+from iconstudio.algorithms.tones import tone
 from tests.algorithms.test_tone import path, pictogram, rgba
 
 BUN = "M3 9a9 6 0 0 1 18 0z"
@@ -108,3 +109,31 @@ def test_two_walls_of_one_house_are_alike():
     drawn = pictogram(rgba(body, box="0 0 36 36")) > 127
     left, right = drawn[330:360, 215:245], drawn[330:360, 280:310]
     assert left.mean() == right.mean()
+
+
+def test_the_sole_of_a_shoe_is_within_an_outline():
+    shoe, sole = "M2 10l6-1 5 5 7 2q2 1 1 3H2z", "M1.500 19h20v2.500h-20z"
+    drawn = pictogram(rgba(path(shoe, "#36c") + path(sole, "#fff"))) > 127
+    filled = scipy.ndimage.binary_fill_holes(drawn)
+    whole = rgba(path(sole))[..., 3] > 127
+    assert filled[whole].mean() > 0.98
+    assert not drawn[430, 100:400].any()
+
+
+@pytest.mark.parametrize("colours", ["#222222 #cc3333", "#b58863 #f0d9b5", "#ffffff #1e6fd9"])
+def test_the_darker_squares_of_a_board_are_ink_within_a_frame(colours):
+    one, other = colours.split()
+    squares = "".join(
+        path(f"M{2 + 5 * x} {2 + 5 * y}h5v5h-5z", one if (x + y) % 2 else other)
+        for x in range(4)
+        for y in range(4)
+    )
+    inked, omissions = tone.pictogram(rgba(squares))
+    dark = one if one < other else other
+    for x in range(4):
+        for y in range(4):
+            row, column = (round((4.500 + 5 * at) * 512 / 24) for at in (y, x))
+            assert (inked[row, column] > 127) == ((one if (x + y) % 2 else other) == dark)
+    filled = scipy.ndimage.binary_fill_holes(inked > 127)
+    assert filled[50:460, 50:460].all()
+    assert not omissions

@@ -16,7 +16,7 @@ into regions of even colour (``regions``). Of these,
 5. of the others, what mainly borders on the outside is ink; what mainly borders on ink is paper
    (eyes in a face, the door of a house), and what mainly borders on paper is ink; but thick layers
    of different colours, as of a burger or a flag, and the midst of a mosaic, are ink as what is
-   beside them (``stacks``);
+   beside them (``stacks``); of a board in two colours, the darker squares are ink;
 6. between two regions of ink runs a line of paper; between two of paper that differ strongly, one
    of ink. Where paper is a part of the silhouette, a line of ink runs along the contour (a cloud
    before the sun, a flag's white half), unless it is narrow, or pure white that takes a bite out of
@@ -46,7 +46,7 @@ from iconstudio.algorithms.tones.linework import STRIKING, line_drawing, outline
 from iconstudio.algorithms.tones.regions import Mask, Regions, cielab
 from iconstudio.algorithms.tones.separation import LINE, blend, separating
 from iconstudio.algorithms.tones.shades import shades
-from iconstudio.algorithms.tones.stacks import stacked
+from iconstudio.algorithms.tones.stacks import checkered, stacked
 from iconstudio.algorithms.tones.tiles import is_sheet, tile
 from iconstudio.algorithms.tones.whites import whites
 
@@ -249,6 +249,11 @@ def _hides_grey(found: Regions, lab: NDArray[np.float32]) -> bool:
 
 
 def _tones(found: Regions) -> Tones:
+    board = checkered(found)
+    if board is not None:
+        pale = ~board & (found.lengths[0] > 0)
+        pale[0] = False
+        return Tones(board, found.lengths < 0, np.zeros_like(board), pale)
     line = outline(found)
     if line is not None:
         return line_drawing(found, line)

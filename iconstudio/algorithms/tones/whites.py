@@ -3,7 +3,8 @@
 1. White that is all around a piece of the drawing, as of an egg or a ghost, is the piece's body,
    and ink. If it makes a sharp rectangle, it is a *page*, and paper.
 2. Other white that reaches the outside is paper. A line of ink goes along the contour there (a
-   cloud before the sun, a panda's head, the white half of a flag, the snowy tip of a mountain),
+   cloud before the sun, a panda's head, the white half of a flag, the snowy tip of a mountain,
+   the sole of a shoe),
    alike along all of one paint; not along a narrow band, which sets off what is beside it, nor
    along a *bite*.
 3. White within the drawing is paper if it is on what reaches the outside (eyes in a face), else it
@@ -24,8 +25,9 @@ from iconstudio.algorithms.tones.tiles import SHARP, rectangularity
 
 _AROUND = 0.9
 """How much of the contour of a white body is white."""
-_OUTSIDE, _COMPACT = 0.45, 6.0
-"""How much of its contour a tip has on the outside; and how large it is, in squares as wide."""
+_OUTSIDE, _COMPACT, _ONE_SIDE = 0.45, 6.0, 0.6
+"""How much of its contour a tip has on the outside; how large it is, in squares as wide; and how
+much of the drawing's contour a band has that is on one side of it, as the sole of a shoe."""
 _BAND = 28.0
 """Width in pixels from which white that is of one paint with an outlined part is outlined, too."""
 _PURE = 99.0
@@ -68,8 +70,9 @@ def whites(found: Regions) -> Whites:
     wide = (found.widths > THICK) | (outer > _AROUND * found.around)
     body = at_outside & wide & _is_white_around(found)
     # A narrow band sets other colours off.
-    tip = (outer > _OUTSIDE * found.around) & (found.areas < _COMPACT * found.widths**2)
-    tip &= found.widths > _BAND / 2
+    compact = (found.areas < _COMPACT * found.widths**2) & (found.widths > _BAND / 2)
+    on_one_side = (found.widths > _BAND) & (outer < _ONE_SIDE * outer.sum())
+    tip = (outer > _OUTSIDE * found.around) & (compact | on_one_side)
     part = at_outside & ~body & ((wide & (found.areas > 0.05 * total)) | tip)
     for number in np.flatnonzero(part):
         part[number] = not _is_bite(found, int(number), sharp)
