@@ -26,10 +26,13 @@ _NO_SCALE = re.compile(
 )
 _SMALL = 4
 """How many times larger something becomes that begins far too small."""
+_LONG = 0.25
+"""How much of a line a dash and its gap are that run along it, and are no dashes to see."""
 _MOMENTS = (0.5, 0.25, 0.75, 0.1, 0.9, 0.0, 1.0)
 """Parts of the time that an animation takes, the best first."""
 MOVING = "The drawing moves; it is taken as it stands before it does."
 MIDWAY = "The drawing moves; it is taken as it stands in the middle."
+RUNNING = "Lines that run along without end were drawn whole."
 IN_PARTS = "The drawing moves; some of it is taken as it stands before it does, some in the middle."
 
 
@@ -62,7 +65,10 @@ def finish(root: ET.Element, midway: bool = False) -> list[str]:
         going_on = [one for one in animations if not _end(one, target)]
         chained = any(_CHAINED.search(one.get("begin", "")) for one in animations)
         nothing = (going_on or chained or midway) and vanishes(_state(target, animations))
-        if nothing or _is_best_midway(target, [one for one in going_on if _is_endless(one)]):
+        if any(_runs(one, target) for one in going_on):
+            target.set("style", f"{target.get('style', '').rstrip('; ')};stroke-dasharray:none")
+            remarks.append(RUNNING)
+        elif nothing or _is_best_midway(target, [one for one in going_on if _is_endless(one)]):
             _show_midway(target, animations)
             remarks.append(MIDWAY)
         elif going_on:
@@ -152,6 +158,19 @@ def _is_best_midway(target: ET.Element, endless: Sequence[ET.Element]) -> bool:
     for one in endless:
         _apply(one, last, 1.0)
     return len(names) > 1 and vanishes(_state(last, endless))
+
+
+def _runs(animation: ET.Element, target: ET.Element) -> bool:
+    """Whether a long dash runs along an open line without end, as of wind."""
+    if not _is_endless(animation) or animation.get("attributeName") != "stroke-dashoffset":
+        return False
+    if target.tag not in ("path", "line", "polyline") or "z" in target.get("d", "").lower():
+        return False
+    from iconstudio.svg.geometry import data_length  # loads fontTools
+
+    dashes = numbers(target.get("stroke-dasharray", ""))
+    period = sum(dashes) * (1 + len(dashes) % 2)
+    return period > _LONG * data_length(_outline(target))
 
 
 def _grows(animation: ET.Element) -> bool:

@@ -58,9 +58,9 @@ def artwork(
     if drawing.bounds is None or not max(drawing.bounds[2:]):
         raise IconstudioError(" ".join(["There is nothing to be seen in it.", *remarks]))
     page = drawing.page or drawing.bounds
-    content, fine = coarsened(drawing.content, max(page[2:]), page)
-    content, matrix = brought_near(content, page, drawing.bounds)
+    content, matrix = brought_near(drawing.content, page, drawing.bounds)
     page, bounds = mapped(matrix, page), mapped(matrix, drawing.bounds)
+    content, fine = coarsened(content, max(page[2:]), page)
     pixels = _drawn(content, page, SIDE, fonts)
     outside = _outside(content, page, bounds, fonts)
     if (pixels[..., 3] < _FAINT).all():

@@ -86,7 +86,8 @@ def _rectangle(x: float, y: float, width: float, height: float, rx: float, ry: f
 def _ellipse(cx: float, cy: float, rx: float, ry: float) -> str:
     if rx <= 0 or ry <= 0:
         return ""
-    return f"M{cx - rx} {cy}a{rx} {ry} 0 1 0 {2 * rx} 0a{rx} {ry} 0 1 0 {-2 * rx} 0Z"
+    # From the right clockwise, as SVG says for the sake of dashes.
+    return f"M{cx + rx} {cy}a{rx} {ry} 0 1 1 {-2 * rx} 0a{rx} {ry} 0 1 1 {2 * rx} 0Z"
 
 
 def moved(data: str, matrix: Matrix) -> str:

@@ -18,6 +18,8 @@ _PIXELS = {
 }  # fmt: skip
 _ANGLES = {"": 1.0, "deg": 1.0, "rad": 180 / math.pi, "grad": 0.9, "turn": 360.0}
 _ARGUMENT = re.compile(rf"{NUMBER.pattern}(?:[a-zA-Z]+|%)?")
+_FLAT = 1e-15
+"""Part of the square of its largest number that the determinant of a flat matrix has at most."""
 _FUNCTION = re.compile(r"([a-zA-Z0-9]+)\s*\(([^()]*)\)")
 
 
@@ -85,7 +87,7 @@ def inverse(matrix: Matrix) -> Matrix | None:
     """Return the inverse of a matrix; None if it has none."""
     a, b, c, d, e, f = matrix
     det = a * d - b * c
-    if not math.isfinite(det) or abs(det) < 1e-18:
+    if not math.isfinite(det) or abs(det) <= _FLAT * max(map(abs, matrix[:4])) ** 2:
         return None
     return (
         d / det,
@@ -101,6 +103,26 @@ def scale_of(matrix: Matrix) -> float:
     """Return by how much a matrix enlarges, in the mean over all directions."""
     a, b, c, d, _, _ = matrix
     return math.sqrt(abs(a * d - b * c))
+
+
+def even_part(matrix: Matrix) -> Matrix:
+    """Return what of a matrix moves and enlarges: it turns and shears the outcome no further.
+
+    A matrix that is flat, and shows nothing, has none.
+    """
+    a, b, c, d, e, f = matrix
+    scale = scale_of(matrix)
+    rest = inverse((a / scale, b / scale, c / scale, d / scale, 0, 0)) if scale else None
+    if rest is None or not math.isfinite(scale):
+        return IDENTITY
+    x, y = multiplied(rest, (1, 0, 0, 1, e, f))[4:]
+    return scale, 0.0, 0.0, scale, x, y
+
+
+def between(outer: Matrix, matrix: Matrix, inner: Matrix) -> Matrix:
+    """Return what becomes of a matrix if the space it leads from, and to, are mapped so."""
+    back = inverse(inner)
+    return IDENTITY if back is None else multiplied(multiplied(outer, matrix), back)
 
 
 def mapped(matrix: Matrix, box: Box) -> Box:

@@ -10,6 +10,7 @@ import copy
 import re
 import xml.etree.ElementTree as ET
 from collections.abc import Sequence
+from dataclasses import replace
 from string import whitespace
 from time import process_time
 from typing import NamedTuple
@@ -95,16 +96,21 @@ def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ..
     remarks = list(drawing.remarks)
     fonts, said_of_fonts = fonts_of(drawing.texts)
     remarks += said_of_fonts
-    if drawing.bounds is None or not max(drawing.bounds[2:]):
+    bounds = drawing.bounds
+    if bounds is None or not max(bounds[2:]):
         raise _nothing(remarks)
+    if drawing.page is not None and _are_apart(drawing.page, bounds):
+        drawing = replace(drawing, page=None)
+        remarks.append(OFF_PAGE)
     black = _as_it_is(drawing, rdf)
     if black is not None:
         return black, tuple(dict.fromkeys(remarks))
-    shown = drawing.page or drawing.bounds
-    content, fine = coarsened(drawing.content, max(shown[2:]), shown)
+    shown = drawing.page or bounds
+    content, matrix = brought_near(drawing.content, drawing.page, bounds)
+    shown = mapped(matrix, shown)
+    content, fine = coarsened(content, max(shown[2:]), shown)
     remarks += fine
-    content, matrix = brought_near(content, drawing.page, drawing.bounds)
-    drawn = mapped(matrix, drawing.bounds)
+    drawn = mapped(matrix, bounds)
     box = drawn if drawing.page is None else mapped(matrix, drawing.page)
     frame = fitted(document(content, box), _common(box, drawn), fonts)
     if frame is None and drawing.page is not None:
@@ -176,6 +182,13 @@ def _nothing(remarks: Sequence[str]) -> EmptyError:
         )
     said = " ".join(dict.fromkeys(remarks))
     return EmptyError(f"There is nothing to be seen in it. {said}")
+
+
+def _are_apart(one: Box, other: Box) -> bool:
+    return any(
+        one[axis] + one[axis + 2] < other[axis] or other[axis] + other[axis + 2] < one[axis]
+        for axis in (0, 1)
+    )
 
 
 def _common(page: Box, drawn: Box) -> Box:

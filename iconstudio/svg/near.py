@@ -1,91 +1,393 @@
-"""Drawings at far or huge coordinates, brought near: a renderer counts in 24 bits."""
+"""Drawings in coordinates that are far, huge or tiny, brought near: a renderer counts in 24 bits.
 
-import copy
+The space of each element is mapped, evenly and without turning, so that its unit is one of the
+canvas. What is left of its transform turns and shears, but neither moves nor enlarges. What it
+refers to comes along: in each space where it is needed, there is a copy.
+"""
+
+import math
+import re
 import xml.etree.ElementTree as ET
+from typing import NamedTuple
 
-from iconstudio.model import CANVAS
+from iconstudio.model import CANVAS, IconstudioError
+from iconstudio.svg.bounds import viewport
+from iconstudio.svg.check import MAX_EXPANSION
 from iconstudio.svg.geometry import SHAPES, moved, path_data
 from iconstudio.svg.lengths import (
     IDENTITY,
     Box,
     Matrix,
-    inverse,
+    between,
+    even_part,
     length,
+    mapped,
     multiplied,
     numbers,
-    scale_of,
     transform,
+    whole_of,
     written,
 )
+from iconstudio.svg.styles import INITIAL
 
-_SMALLEST, _LARGEST = 0.1, 20_000.0
-"""Sizes of user space with which renderers are at ease."""
-_FAR = 100.0
-"""How many times its size a drawing may lie away from the origin."""
+_LEAST, _MOST = 0.001, 300.0
+"""Canvas units that a unit measures where renderers are at ease."""
+_FAR = 100.0 * CANVAS
+"""Canvas units that the origin may lie away."""
+_DEFINITIONS = (
+    "defs", "symbol", "clipPath", "mask", "pattern", "marker", "linearGradient", "radialGradient",
+    "filter",
+)  # fmt: skip
+_VIEWS = ("svg", "symbol")
 _OF_SHAPES = (
     "d", "x", "y", "x1", "y1", "x2", "y2", "cx", "cy", "r", "rx", "ry", "width", "height", "points",
-    "transform",
 )  # fmt: skip
-_TRANSFORMED = ("gradientTransform", "patternTransform")
+_STROKES = ("stroke-width", "stroke-dasharray", "stroke-dashoffset")
+"""Lengths that elements may inherit from where units are others."""
+_INITIAL = tuple(INITIAL[name] for name in _STROKES)
+_EFFECT = {"x": "-10%", "y": "-10%", "width": "120%", "height": "120%"}
+_LENGTHS = {
+    "linearGradient": ("gradientUnits", {"x1": "0", "y1": "0", "x2": "100%", "y2": "0"}),
+    "radialGradient": ("gradientUnits", {"cx": "50%", "cy": "50%", "r": "50%"}),
+    "pattern": ("patternUnits", {"x": "0", "y": "0", "width": "0", "height": "0"}),
+    "mask": ("maskUnits", _EFFECT),
+    "filter": ("filterUnits", _EFFECT),
+}
+"""Which attribute says whether lengths are in user space, and what they are by default."""
+_CONTENT_UNITS = {
+    "clipPath": "clipPathUnits", "mask": "maskContentUnits", "pattern": "patternContentUnits",
+}  # fmt: skip
+_USER_SPACE = "userSpaceOnUse"
+_OF_SERVERS = ("gradientTransform", "patternTransform")
+_ACROSS, _DOWN = ("x", "x1", "x2", "cx", "fx"), ("y", "y1", "y2", "cy", "fy")
+_ALONG = ("width", "height", "r", "fr", "dx", "dy", "stdDeviation", "radius")
+_RELATIVE = re.compile(r"em|ex|ch|%")
+_URL = re.compile(r"url\(#([^)]*)\)")
+_BLUR = re.compile(r"(?<=blur\()\s*([\d.]+(?:e[+-]?\d+)?)")
 
 
 def brought_near(content: ET.Element, page: Box | None, drawn: Box) -> tuple[ET.Element, Matrix]:
     """Return a drawing in coordinates of a usual size, and how it came there.
 
     ``drawn`` is the box around its shapes, and ``page`` what is seen of them.
+
+    Raises
+    ------
+    IconstudioError
+        If it repeats too much.
     """
-    x, y, width, height = page or drawn
-    size = max(width, height) or 1.0
-    far = max(abs(x), abs(y), abs(drawn[0]), abs(drawn[1])) > _FAR * size
-    if _SMALLEST <= size <= _LARGEST and not far:
-        return content, IDENTITY
-    scale = CANVAS / size
+    shown = page or drawn
+    x, y, width, height = shown
+    scale = CANVAS / (max(width, height) or 1.0)
     matrix = scale, 0.0, 0.0, scale, -x * scale, -y * scale
-    if not far:
-        outer = ET.Element("g", transform=f"matrix({written(matrix)})")
-        outer.append(content)
-        return outer, matrix
-    content = copy.deepcopy(content)
-    _move(content, IDENTITY, matrix, 1.0, page or drawn)
-    return content, matrix
+    mover = _Mover(shown, content)
+    if _is_usual(matrix) and mover.is_near(content, matrix):
+        return content, IDENTITY
+    return mover.all_of(content, matrix), matrix
 
 
-def _move(element: ET.Element, outer: Matrix, matrix: Matrix, stroke: float, page: Box) -> None:
-    """Map the coordinates of an element and all below; ``outer`` is where these were before."""
-    here = multiplied(outer, transform(element.attrib.pop("transform", None)) or IDENTITY)
-    whole = multiplied(matrix, here)
-    scale = scale_of(whole)
-    stroke = length(element.attrib.pop("stroke-width", None), page[2], stroke)
-    if element.tag in SHAPES:
-        data = moved(path_data(element, page), whole)
-        for name in _OF_SHAPES:
-            element.attrib.pop(name, None)
-        element.tag = "path"
-        element.set("d", data)
-        element.set("stroke-width", f"{stroke * scale:.9g}")
-        for name in ("stroke-dasharray", "stroke-dashoffset"):
-            if numbers(element.get(name, "")):
-                mapped = (one * scale for one in numbers(element.get(name, "")))
-                element.set(name, " ".join(f"{one:.9g}" for one in mapped))
-        return
-    for name in _TRANSFORMED:
-        before = transform(element.get(name)) or IDENTITY
-        units = "patternUnits" if name == "patternTransform" else "gradientUnits"
-        if element.get(units) == "userSpaceOnUse":
-            element.set(name, f"matrix({written(multiplied(whole, before))})")
-    if element.tag in ("use", "text", "svg", "image"):
-        back = inverse(matrix)
-        if back is not None and element.tag != "use":
-            element.set("transform", f"matrix({written(whole)})")
-        elif back is not None:
-            # What it repeats has been mapped already.
-            shift = length(element.get("x"), page[2]), length(element.get("y"), page[3])
-            placed = multiplied(here, (1, 0, 0, 1, *shift))
-            element.attrib.pop("x", None)
-            element.attrib.pop("y", None)
-            element.set(
-                "transform", f"matrix({written(multiplied(multiplied(matrix, placed), back))})"
+class _Space(NamedTuple):
+    """Where an element is."""
+
+    matrix: Matrix
+    """From there to the canvas, as it was."""
+    near: Matrix
+    """From there to where it is now."""
+    strokes: tuple[str, ...] = _INITIAL
+    """What it inherits."""
+
+    def at(self, x: float, y: float) -> "_Space":
+        """Return a space whose origin is there."""
+        matrix = multiplied(self.matrix, (1, 0, 0, 1, x, y))
+        return self._replace(matrix=matrix, near=(self.near[0], 0, 0, self.near[0], 0, 0))
+
+
+class _Mover:
+    def __init__(self, page: Box, content: ET.Element) -> None:
+        self._page = page
+        self._ids = {one.attrib["id"]: one for one in content.iter() if "id" in one.attrib}
+        self._parents = {child: parent for parent in content.iter() for child in parent}
+        self._names: dict[tuple[str, _Space], str] = {}
+        self._defs = ET.Element("defs")
+        self._count = 0
+
+    def is_near(self, element: ET.Element, outer: Matrix) -> bool:
+        """Whether a renderer is at ease with all that an element shows."""
+        matrix = multiplied(outer, _transform(element))
+        if element.tag in (*SHAPES, "text"):
+            return _is_usual(matrix)
+        if element.tag == "use":
+            target = self._target(element)
+            placed = multiplied(matrix, (1, 0, 0, 1, *self._corner(element)))
+            return target is None or self.is_near(target, placed)
+        if element.tag in _VIEWS:
+            matrix = multiplied(matrix, self._viewport(element, element))
+        return all(self.is_near(one, matrix) for one in element if one.tag not in _DEFINITIONS)
+
+    def all_of(self, content: ET.Element, matrix: Matrix) -> ET.Element:
+        """Return a content in coordinates of the canvas, to which the matrix leads."""
+        root = ET.Element("g")
+        root.append(self._moved(content, _Space(matrix, matrix)))
+        root.append(self._defs)
+        return root
+
+    def _moved(self, element: ET.Element, outer: _Space) -> ET.Element:
+        """Return what an element shows, in a space that is near."""
+        own = _transform(element)
+        matrix = multiplied(outer.matrix, own)
+        near = _origin(element) if element.tag == "text" else even_part(matrix)
+        space = _Space(matrix, near, _strokes(element, outer.strokes))
+        new = self._copy(element, near)
+        _set_matrix(new, "transform", between(outer.near, own, near))
+        if element.tag in (*SHAPES, "text"):
+            for name, value in zip(_STROKES, space.strokes, strict=True):
+                new.set(name, self._placed(name, value, near))
+        if element.tag in SHAPES:
+            new.tag = "path"
+            new.set("d", moved(path_data(element, self._page), near))
+            for name in _OF_SHAPES[1:]:
+                new.attrib.pop(name, None)
+        elif element.tag == "text":
+            self._write(new, element, near)
+        elif element.tag == "use":
+            self._use(new, element, space)
+        elif element.tag == "svg":
+            corner = self._corner(element)
+            self._frame(new, element, mapped(near, (*corner, 0, 0))[:2], near[0])
+            self._view(new, element, space.at(*corner), element)
+        else:
+            new[:] = self._shown(element, space)
+        return new
+
+    def _write(self, new: ET.Element, element: ET.Element, near: Matrix) -> None:
+        """Place letters, which keep their size."""
+        new.text, new.tail = element.text, element.tail
+        for name in ("x", "y"):
+            if name in element.attrib or element.tag == "text":
+                new.set(name, self._placed(name, element.get(name, "0"), near))
+        for child in element:
+            inner = self._as_it_is(child)
+            self._write(inner, child, near)
+            new.append(inner)
+
+    def _shown(self, element: ET.Element, space: _Space) -> list[ET.Element]:
+        return [self._moved(one, space) for one in element if one.tag not in _DEFINITIONS]
+
+    def _use(self, new: ET.Element, element: ET.Element, space: _Space) -> None:
+        target, corner = self._target(element), self._corner(element)
+        if target is None:
+            return
+        x, y = (one * space.near[0] for one in corner)
+        if target.tag in _VIEWS:
+            x, y = mapped(space.near, (*corner, 0, 0))[:2]
+            self._frame(new, element, (x, y), space.near[0])
+            inner = space.at(*corner)
+        else:
+            matrix = multiplied(space.matrix, (1, 0, 0, 1, *corner))
+            inner = space._replace(matrix=matrix)
+        new.set("x", f"{x:.9g}")
+        new.set("y", f"{y:.9g}")
+        name = self._names.get((element.attrib["href"], inner))
+        if name is None:
+            name = self._new_name(element.attrib["href"], inner)
+            if target.tag == "symbol":
+                shown = self._copy(target, inner.near)
+                self._view(shown, target, inner, element)
+            else:
+                shown = self._moved(target, inner)
+            shown.set("id", name)
+            self._defs.append(shown)
+        new.set("href", f"#{name}")
+
+    def _frame(
+        self, new: ET.Element, element: ET.Element, corner: tuple[float, ...], scale: float
+    ) -> None:
+        """Say where a viewport is."""
+        sizes = (
+            length(element.get(name), whole, whole) * scale
+            for name, whole in zip(("width", "height"), self._page[2:], strict=True)
+        )
+        for name, value in zip(("x", "y", "width", "height"), (*corner, *sizes), strict=True):
+            new.set(name, f"{value:.9g}")
+
+    def _view(self, new: ET.Element, element: ET.Element, space: _Space, use: ET.Element) -> None:
+        """Let a viewport show what is in it; it is as large as ``use`` says."""
+        box = numbers(element.get("viewBox", ""))
+        if len(box) == 4:
+            matrix = multiplied(space.matrix, self._viewport(element, use))
+            space = space._replace(matrix=matrix, near=even_part(matrix))
+            new.set("viewBox", written(mapped(space.near, (box[0], box[1], box[2], box[3]))))
+        new[:] = self._shown(element, space)
+
+    def _copy(self, element: ET.Element, near: Matrix) -> ET.Element:
+        """Return an element without children, which refers to what is near, too."""
+        self._count += 1
+        if self._count > MAX_EXPANSION:
+            raise IconstudioError(
+                f"The SVG repeats its elements more than {MAX_EXPANSION:,} times. Simplify it."
             )
-        return
-    for child in element:
-        _move(child, here, matrix, stroke, page)
+        new = ET.Element(element.tag)
+        for name, value in element.attrib.items():
+            if name not in ("id", *_STROKES):
+                value = _BLUR.sub(lambda found: f"{float(found[1]) * near[0]:.9g}", value)
+                new.set(
+                    name, _URL.sub(lambda found: f"url(#{self._defined(found[1], near)})", value)
+                )
+        return new
+
+    def _as_it_is(self, element: ET.Element) -> ET.Element:
+        """Return an element in a space that stays."""
+        new = self._copy(element, IDENTITY)
+        new.attrib |= {name: element.attrib[name] for name in _STROKES if name in element.attrib}
+        new.text, new.tail = element.text, element.tail
+        new[:] = map(self._as_it_is, element)
+        if "href" in element.attrib:
+            new.set("href", f"#{self._defined(element.attrib['href'][1:], IDENTITY)}")
+        return new
+
+    def _defined(self, name: str, near: Matrix) -> str:
+        """Return what a paint, a clip or the like is called that serves a space which is near."""
+        element, space = self._ids.get(name), _Space(near, near)
+        found = self._names.get((name, space))
+        if element is None:
+            return name
+        if found is None:
+            found = self._new_name(name, space)
+            new = self._server(element, near)
+            new.set("id", found)
+            for key, value in self._inherited(element).items():
+                new.attrib.setdefault(key, value)
+            self._defs.append(new)
+        return found
+
+    def _new_name(self, name: str, space: _Space) -> str:
+        return self._names.setdefault((name, space), f"n{len(self._names)}")
+
+    def _server(self, element: ET.Element, near: Matrix) -> ET.Element:
+        """Return a definition for a space that is near."""
+        if element.tag not in (*_LENGTHS, *_CONTENT_UNITS):
+            return self._marker(element, near)
+        new = self._copy(element, near)
+        if "href" in element.attrib:
+            new.set("href", f"#{self._defined(element.attrib['href'][1:], near)}")
+        units, defaults = _LENGTHS.get(element.tag, ("", {}))
+        in_user_space = self._said(element, units) == _USER_SPACE
+        if in_user_space:
+            for name in (*_ACROSS, *_DOWN, *_ALONG):
+                value = self._said(element, name) or defaults.get(name)
+                if value is not None:
+                    new.set(name, self._placed(name, value, near))
+        if element.tag == "pattern" and in_user_space:
+            for name, side in (("x", "width"), ("y", "height")):
+                period = float(new.attrib[side]) or 1.0
+                new.set(name, f"{math.remainder(float(new.attrib[name]), period):.9g}")
+        for name in _OF_SERVERS:
+            own = transform(element.get(name))
+            if own is not None and (in_user_space or element.tag == "pattern"):
+                _set_matrix(new, name, between(near, own, near))
+        if element.tag == "filter":
+            new[:] = [self._effect(one, element, near) for one in element]
+        elif element.get(_CONTENT_UNITS.get(element.tag, ""), _USER_SPACE) == _USER_SPACE and (
+            element.tag in _CONTENT_UNITS and "viewBox" not in element.attrib
+        ):
+            own = _transform(element)
+            inner = even_part(multiplied(near, own))
+            _set_matrix(new, "transform", between(near, own, inner))
+            if element.tag == "pattern":  # whose origin is a corner of its tile
+                inner = inner[0], 0.0, 0.0, inner[0], 0.0, 0.0
+            inherited = self._inherited(element)
+            strokes = tuple(inherited.get(name, INITIAL[name]) for name in _STROKES)
+            new[:] = self._shown(element, _Space(inner, inner, strokes))
+        else:
+            new[:] = map(self._as_it_is, element)
+        return new
+
+    def _marker(self, element: ET.Element, near: Matrix) -> ET.Element:
+        """Return a marker, or what else is measured by itself."""
+        new = self._as_it_is(element)
+        if element.get("markerUnits") == _USER_SPACE:
+            sides = [
+                length(element.get(name), 0.0, 3.0) for name in ("markerWidth", "markerHeight")
+            ]
+            new.attrib.setdefault("viewBox", written((0.0, 0.0, *sides)))
+            for name, side in zip(("markerWidth", "markerHeight"), sides, strict=True):
+                new.set(name, f"{side * near[0]:.9g}")
+        return new
+
+    def _effect(self, element: ET.Element, described: ET.Element, near: Matrix) -> ET.Element:
+        """Return a part of a filter."""
+        new = self._as_it_is(element)
+        if described.get("primitiveUnits", _USER_SPACE) == _USER_SPACE:
+            for name in (*_ACROSS[:1], *_DOWN[:1], *_ALONG):
+                if name in new.attrib:
+                    new.set(name, self._placed(name, new.attrib[name], near))
+        return new
+
+    def _inherited(self, element: ET.Element) -> dict[str, str]:
+        """Return what elements around a definition say that holds for it, too."""
+        said: dict[str, str] = {}
+        here: ET.Element | None = element
+        while here is not None:
+            said = {name: here.attrib[name] for name in INITIAL if name in here.attrib} | said
+            here = self._parents.get(here)
+        return said
+
+    def _said(self, element: ET.Element, name: str) -> str | None:
+        """Return an attribute of a definition, or of the one that it takes over."""
+        here: ET.Element | None = element
+        for _ in range(MAX_EXPANSION):
+            if here is None or name in here.attrib:
+                break
+            here = self._target(here)
+        return None if here is None else here.get(name)
+
+    def _target(self, element: ET.Element) -> ET.Element | None:
+        return self._ids.get(element.get("href", "").removeprefix("#"))
+
+    def _corner(self, element: ET.Element) -> tuple[float, float]:
+        return length(element.get("x"), self._page[2]), length(element.get("y"), self._page[3])
+
+    def _viewport(self, element: ET.Element, use: ET.Element) -> Matrix:
+        width, height = (use.get(name, element.get(name)) for name in ("width", "height"))
+        return viewport(element, self._page, (width, height))
+
+    def _placed(self, name: str, value: str, near: Matrix) -> str:
+        """Return a length, or several, where it is near; coordinates are moved, too."""
+        shift = near[4] if name in _ACROSS else near[5] if name in _DOWN else 0.0
+        parts = value.replace(",", " ").split()
+        if value == "none":
+            return value
+        whole = whole_of(name, self._page)
+        return " ".join(f"{length(one, whole) * near[0] + shift:.9g}" for one in parts)
+
+
+def _origin(text: ET.Element) -> Matrix:
+    """Return what brings a text's first letter to the origin, if its place is given in numbers."""
+    places = {name: " ".join(one.get(name, "") for one in text.iter()) for name in ("x", "y")}
+    if _RELATIVE.search(places["x"] + places["y"]) or text.find(".//textPath") is not None:
+        return IDENTITY
+    x, y = (next(iter(numbers(places[name])), 0.0) for name in ("x", "y"))
+    return 1.0, 0.0, 0.0, 1.0, -x, -y
+
+
+def _is_usual(matrix: Matrix) -> bool:
+    scale, _, _, _, x, y = even_part(matrix)
+    return _LEAST <= scale <= _MOST and max(abs(x), abs(y)) <= _FAR
+
+
+def _transform(element: ET.Element) -> Matrix:
+    return transform(element.get("transform")) or IDENTITY
+
+
+def _set_matrix(element: ET.Element, name: str, matrix: Matrix) -> None:
+    if matrix == IDENTITY:
+        element.attrib.pop(name, None)
+    else:
+        element.set(name, f"matrix({written(matrix)})")
+
+
+def _strokes(element: ET.Element, outer: tuple[str, ...]) -> tuple[str, ...]:
+    said = (element.get(name, "inherit") for name in _STROKES)
+    return tuple(
+        before if one == "inherit" else one for one, before in zip(said, outer, strict=True)
+    )

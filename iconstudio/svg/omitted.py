@@ -7,9 +7,9 @@ THIN = "Its lines are too thin to be seen at the size of an icon; they were draw
 OMITTED = {
     Omission.TILE: "The ground behind the drawing, such as a tile, was left out.",
     Omission.PAGE: "The white, or nearly white, behind the drawing was left out.",
-    Omission.SHADES: "Shades that differ too little to be told apart were drawn as one.",
+    Omission.SHADES: "Neighbouring shades that differ little were drawn as one.",
     Omission.FAINT: "Parts that are hardly opaque, such as shadows, were left out.",
     Omission.DESK: "What lies around the sheet of paper was left out.",
-    Omission.DECORATION: "Colour that lies behind or beside its lines was left out.",
+    Omission.DECORATION: "Paler colour behind or beside what is dark was left out.",
 }
 """Of what was left out."""

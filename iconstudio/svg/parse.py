@@ -10,6 +10,7 @@ from html.entities import html5
 from xml.parsers import expat
 
 from iconstudio.model import IconstudioError
+from iconstudio.svg.entities import OF_XML, written_out
 from iconstudio.svg.lenient import parse_leniently
 from iconstudio.svg.mark import ATTRIBUTE
 from iconstudio.svg.names import attribute_name, tag_name
@@ -22,12 +23,9 @@ MAX_DEPTH = 250
 SVG = "http://www.w3.org/2000/svg"
 _XLINK = "http://www.w3.org/1999/xlink"
 _RDF = "http://www.w3.org/1999/02/22-rdf-syntax-ns#"
-_MAX_ENTITIES, _LONGEST_ENTITY = 200, 5_000
-_ENTITY = re.compile(r"&([A-Za-z][A-Za-z0-9]*);")
-_DECLARED_ENTITY = re.compile(r"<!ENTITY\s+([A-Za-z_][\w.-]*)")
+_ENTITY = re.compile(r"&([A-Za-z_]\w*);")
 _AMPERSAND = re.compile(r"&(?!#?\w+;)")
 _VERBATIM = re.compile(r"(<!\[CDATA\[.*?\]\]>|<!DOCTYPE[^>\[]*\[.*?\]\s*>)", re.DOTALL)
-_OF_XML = ("amp", "lt", "gt", "quot", "apos")
 SHEET_ELSEWHERE = (
     "A style sheet outside of the file was not read. If colours are wrong, save the "
     "drawing with its styles embedded."
@@ -46,11 +44,11 @@ def parse(text: str) -> tuple[ET.Element, list[str]]:
     Raises
     ------
     IconstudioError
-        If the document has external or nested entities, is no SVG, or is too large.
+        If the document has external entities, or too many, is no SVG, or is too large.
     """
     if _CONTROL.search(text):
         raise IconstudioError("It holds characters that are no text: the file is damaged.")
-    text = _without_html_entities(text)
+    text = _without_html_entities(written_out(text))
     builder = _Builder()
     try:
         _parse_strictly(text, builder)
@@ -71,8 +69,6 @@ def _parse_strictly(text: str, builder: "_Builder") -> None:
     parser.StartElementHandler = builder.start
     parser.EndElementHandler = builder.end
     parser.CharacterDataHandler = builder.characters
-    parser.EntityDeclHandler = builder.entity
-    parser.SkippedEntityHandler = builder.skipped
     parser.ProcessingInstructionHandler = builder.instruction
     parser.Parse(text.encode(), True)
 
@@ -83,14 +79,12 @@ def _reason(error: expat.ExpatError) -> str:
 
 
 def _without_html_entities(text: str) -> str:
-    """Replace HTML's names of characters, which pages' drawings use, and write single & rightly."""
+    """Replace HTML's names of characters, which pages' drawings use, and write other & rightly."""
     if "&" not in text:
         return text
-    declared = {*_OF_XML, *_DECLARED_ENTITY.findall(text)}
 
     def replaced(match: re.Match[str]) -> str:
-        name = match[1]
-        return match[0] if name in declared else html5.get(f"{name};", match[0])
+        return match[0] if match[1] in OF_XML else html5.get(f"{match[1]};", f"&amp;{match[1]};")
 
     parts = _VERBATIM.split(text)
     parts[::2] = [_ENTITY.sub(replaced, _AMPERSAND.sub("&amp;", part)) for part in parts[::2]]
@@ -109,25 +103,8 @@ class _Builder:
         """Elements that are open and not kept."""
         self._foreign = False
         """Whether the elements that are open are those of metadata."""
-        self._elements = self._characters = self._entities = 0
+        self._elements = self._characters = 0
         self._svg = SVG
-
-    def entity(
-        self, name: str, parameter: int, value: str | None, _base: object, system: str | None,
-        public: str | None, _notation: object,
-    ) -> None:  # fmt: skip
-        """Refuse what is not a short text within the document."""
-        self._entities += 1
-        if parameter or value is None or system or public:
-            raise IconstudioError(
-                f"It takes the entity {name!r} from outside itself. Save it as plain SVG."
-            )
-        if "&" in value or self._entities > _MAX_ENTITIES or len(value) > _LONGEST_ENTITY:
-            raise IconstudioError("Its entities are nested or too large. Save it as plain SVG.")
-
-    def skipped(self, name: str, _parameter: int) -> None:
-        """Refuse what has no known meaning."""
-        raise IconstudioError(f"The entity &{name}; is not defined. Remove it.")
 
     def instruction(self, target: str, data: str) -> None:
         """Say that a style sheet lies elsewhere."""

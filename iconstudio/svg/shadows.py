@@ -4,6 +4,8 @@ import re
 import xml.etree.ElementTree as ET
 from collections.abc import Collection
 
+from iconstudio.svg.lengths import numbers
+
 LEFT_OUT = "A shadow was left out."
 
 _DROP_SHADOW = re.compile(r"drop-shadow\((?:[^()]|\([^()]*\))*\)")
@@ -35,6 +37,8 @@ def _is_shadow(described: ET.Element) -> bool:
     tags = {one.tag for one in described}
     if tags == {"feDropShadow"}:
         return True
+    if any(_sharpens(one) for one in described.iter("feColorMatrix")):
+        return False
     inputs = {one.get("in") for one in described.iter()}
     merged = any(
         "SourceGraphic" in (one.get("in"), one.get("in2"))
@@ -43,3 +47,9 @@ def _is_shadow(described: ET.Element) -> bool:
     )
     from_alpha = "SourceAlpha" in inputs and "feOffset" in tags
     return merged and (from_alpha or bool(tags & {"feGaussianBlur", "feDropShadow"}))
+
+
+def _sharpens(effect: ET.Element) -> bool:
+    """Whether an effect makes what is blurred sharp again, as where drops run into each other."""
+    values = numbers(effect.get("values", ""))
+    return len(values) == 20 and values[18] > 1

@@ -114,3 +114,15 @@ def test_a_small_pale_dot_is_ink():
 def test_the_faint_layer_of_a_duotone_is_left_out_and_told():
     document = svg(f'{BAR}<g opacity=".15">{DOT}</g>')
     assert_shows(document, BAR, remarks=["hardly opaque"])
+
+
+def test_drops_that_run_into_each_other_are_no_shadow():
+    sharpened = (
+        '<filter id="g"><feGaussianBlur in="SourceGraphic" stdDeviation="1.500" result="a"/>'
+        '<feColorMatrix in="a" values="1 0 0 0 0 0 1 0 0 0 0 0 1 0 0 0 0 0 18 -7" result="b"/>'
+        '<feBlend in="SourceGraphic" in2="b"/></filter>'
+    )
+    drops = '<circle cx="7.200" cy="12" r="4.500"/><circle cx="16.800" cy="12" r="4.500"/>'
+    own = read(svg(f'{sharpened}<g filter="url(#g)">{drops}</g>'))
+    assert not own.remarks
+    assert rasterise(own.svg)[1][128, 128] > 127

@@ -4,7 +4,7 @@ import pytest
 
 from iconstudio.model import IconstudioError, SpriteError
 from iconstudio.session import Session
-from iconstudio.svg.animation import IN_PARTS, MIDWAY
+from iconstudio.svg.animation import IN_PARTS, MIDWAY, RUNNING
 from iconstudio.svg.rasterise import rasterise
 from iconstudio.svg.reading import file_and_symbol, own_svg
 from tests.svg.pictures import HOUSE, PATH, assert_shows, ink, overlap, read, svg
@@ -162,3 +162,21 @@ def test_what_moves_in_parts_is_told_in_one_sentence():
     )
     both = SEEN["pulse"].replace("</svg>", f"{still}</svg>")
     assert read(both).remarks == (IN_PARTS,)
+
+
+def test_a_line_along_which_a_long_dash_runs_is_drawn_whole():
+    def running(shape, values, dashes):
+        return svg(
+            f'<g fill="none" stroke="#000" stroke-width="2"><{shape} stroke-dasharray="{dashes}">'
+            f'<animate attributeName="stroke-dashoffset" values="{values}" dur="6s"'
+            f' repeatCount="indefinite"/></{shape.split()[0]}></g>'
+        )
+
+    wind = 'path d="M3 10h13a3.500 3.500 0 1 0-3.500-3.500"'
+    whole = f'<g fill="none" stroke="#000" stroke-width="2"><{wind}/></g>'
+    for dashes in ("10", "10 6", "40"):
+        assert_shows(running(wind, "0;160", dashes), whole, remarks=[RUNNING])
+    ring = 'circle cx="12" cy="12" r="9"'
+    for shape, dashes in ((wind, "2 1"), (ring, "20 37")):
+        still = whole.replace(wind, f'{shape} stroke-dasharray="{dashes}"')
+        assert_shows(running(shape, "0;160", dashes), still, remarks=["before it does"])

@@ -8,6 +8,9 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.tones.regions import Mask, Regions
 
+_LARGE, _ALIKE = 0.18, 7.0
+"""How much of a drawing each of two walls of one house has; by how much they differ in colour."""
+
 
 class Omission(Enum):
     """What of a drawing is no part of its pictogram, though a part of its silhouette."""
@@ -43,10 +46,15 @@ def decide(
     the regions that the others do not heed.
     """
     around = np.maximum(found.lengths[:, ~last].sum(axis=1), 1)
+    difference = np.linalg.norm(found.colours[:, None] - found.colours, axis=2)
+    walls = (found.lengths[0] > 0) & (found.areas > _LARGE * found.areas[1:].sum())
+    alike = walls & walls[:, None] & (difference < _ALIKE)
+    alike |= np.eye(len(tone), dtype=bool)
     while not tone.all():
         # Next is the region whose neighbours are known best; of several, the largest.
         known = (found.lengths[:, (tone != 0) & ~last].sum(axis=1) / around).round(2)
         number = max(
             np.flatnonzero(tone == 0), key=lambda r: (not last[r], known[r], found.areas[r])
         )
-        tone[number] = -1 if weights[number] @ tone > 0 else 1
+        together = alike[number] & (tone == 0)
+        tone[together] = -1 if weights[together].sum(axis=0) @ tone > 0 else 1

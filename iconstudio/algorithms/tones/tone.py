@@ -12,14 +12,15 @@ into regions of even colour (``regions``). Of these,
    a badge or a face, and a tile only if it is near white. A bare sign, such as a triangle, keeps
    its tile, for that is a button; and a paler shade of all that is on it is no tile but the body
    of a thing in two tones. Gloss goes with its tile (``tiles``);
-4. *near white* on other colours is paper, unless it is all around; where it makes a part of the
-   silhouette, a line of ink runs along the contour (a cloud before the sun, a flag's white half),
-   but not if it is pure white and takes a bite out of a colour (a crescent, ``whites``);
+4. *near white* on other colours is paper, unless it is all around;
 5. of the others, what mainly borders on the outside is ink; what mainly borders on ink is paper
-   (eyes in a face, the door of a house), and what mainly borders on paper is ink; but the middle
-   of three stripes in three colours, and the midst of a mosaic, are ink as the others are;
-6. between two regions of ink runs a line of paper; in a line drawing, between fills that differ
-   strongly, one of ink;
+   (eyes in a face, the door of a house), and what mainly borders on paper is ink; but thick layers
+   of different colours, as of a burger or a flag, and the midst of a mosaic, are ink as what is
+   beside them (``stacks``); of a board in two colours, the darker squares are ink;
+6. between two regions of ink runs a line of paper; between two of paper that differ strongly, one
+   of ink. Where paper is a part of the silhouette, a line of ink runs along the contour (a cloud
+   before the sun, a flag's white half), unless it is narrow, or pure white that takes a bite out of
+   a colour (a crescent, ``whites``);
 7. colours that differ little are shades of one, but a figure on its ground is told from it if
    there is nothing else (``shades``);
 8. letters and lines that are too fine for regions stand out from what is around them (``details``).
@@ -42,10 +43,11 @@ from iconstudio.algorithms.tones.alternation import Omission, Tones, decide
 from iconstudio.algorithms.tones.duotone import dark_is_ink, separated, two_tones
 from iconstudio.algorithms.tones.layers import without_faint
 from iconstudio.algorithms.tones.linework import STRIKING, line_drawing, outline
-from iconstudio.algorithms.tones.regions import ALIKE, Mask, Regions, cielab
+from iconstudio.algorithms.tones.regions import Mask, Regions, cielab
 from iconstudio.algorithms.tones.separation import LINE, blend, separating
 from iconstudio.algorithms.tones.shades import shades
-from iconstudio.algorithms.tones.tiles import SHARP, is_sheet, rectangularity, tile
+from iconstudio.algorithms.tones.stacks import checkered, stacked
+from iconstudio.algorithms.tones.tiles import is_sheet, tile
 from iconstudio.algorithms.tones.whites import whites
 
 SIDE = 512
@@ -66,11 +68,12 @@ _FINE = 5
 """Half the width, in pixels, of the thickest lines that may have no even colour."""
 _ROUNDING = 3
 """Levels of sRGB by which pixels of one colour may differ."""
+_SEAM = 2
+"""Pixels on either side of an edge that are not all ink or paper."""
+_CLOSED = 28.0
+"""Width in pixels of the narrowest paper in colour that has a line along the contour."""
 _NARROW = 2 * LINE
 """Width of regions that no line sets off, unless their colour is striking."""
-
-_SEVERAL, _MOST_BESIDE = 4, 0.4
-"""Neighbours that a piece of a mosaic has, and how much of its contour one of them has at most."""
 
 
 class Paints(Enum):
@@ -135,13 +138,14 @@ def _in_colours(rgba: NDArray[np.uint8], rgb: NDArray[np.uint8], inside: Mask) -
     found, hidden = shades(rgb, inside, _regions(rgb, inside), SMALLEST)
     tones = _tones(found)
     soft = np.ones(inside.shape, np.float32)
-    drawn = separating(rgb, found, tones.lines)
+    drawn, rim = separating(rgb, found, tones.lines), _rim(found, tones.outlined)
     if tones.lines.any() or not tones.ink[1:].all() or tones.over.any():
-        soft = _soft(rgb, found, tones, drawn)
+        soft = _soft(rgb, found, tones, drawn, rim)
     plain = _enlarged(soft, len(rgba))
     soft = _with_details(plain, rgba, inside, found, tones)
-    if tones.lines.any():  # beside which nothing is a detail
-        at_lines = _repeated(scipy.ndimage.maximum_filter(drawn, 5) > 0, len(rgba))
+    lines = np.maximum(drawn, rim)
+    if lines.any():  # beside which nothing is a detail
+        at_lines = _repeated(scipy.ndimage.maximum_filter(lines, 5) > 0, len(rgba))
         soft = np.where(at_lines, plain, soft)
     omissions = tones.omissions | ({Omission.SHADES} if hidden else set())
     return _Share(soft, omissions)
@@ -245,6 +249,11 @@ def _hides_grey(found: Regions, lab: NDArray[np.float32]) -> bool:
 
 
 def _tones(found: Regions) -> Tones:
+    board = checkered(found)
+    if board is not None:
+        pale = ~board & (found.lengths[0] > 0)
+        pale[0] = False
+        return Tones(board, found.lengths < 0, np.zeros_like(board), pale)
     line = outline(found)
     if line is not None:
         return line_drawing(found, line)
@@ -255,11 +264,18 @@ def _tones(found: Regions) -> Tones:
     # A line would leave little of a narrow region.
     narrow = found.widths < _NARROW
     narrow = (narrow | narrow[:, None]) & (found.contrasts < STRIKING)
+    closed = ~ink & ~found.white & (found.lengths[0] > 0) & (found.widths > _CLOSED)
+    closed[0] = False
+    outlined = ((white.outlined & ~ink) | closed) & ~behind.any()
+    # White at the outside without an outline is none of the drawing's shapes.
+    shapes = ~ink & ~behind & ~(white.paper & (found.lengths[0] > 0) & ~white.outlined)
+    shapes[0] = False
+    apart = shapes & shapes[:, None] & (found.contrasts > STRIKING)
     return Tones(
         ink,
-        ink & ink[:, None] & (found.lengths > 0) & ~narrow,
+        (ink & ink[:, None] & (found.lengths > 0) & ~narrow) | apart,
         np.zeros_like(ink),
-        white.outlined & ~ink & ~behind.any(),
+        outlined,
         frozenset(what for what, some in omissions.items() if some.any()),
     )
 
@@ -274,7 +290,7 @@ def _alternating(found: Regions, behind: Mask, white: Mask) -> Mask:
     tone = np.where(paper, -1, 0)
     if not behind.any():
         tone[white] = -1
-        tone[_among_others(found) & ~white] = 1
+        tone[stacked(found) & ~white] = 1
     # The shade along a contour is no outline of what it is the shade of.
     inner = found.contrasts[:, 1:].max(axis=1)
     shade = (tone == 0) & (found.widths < _NARROW) & (inner > 0) & (inner < STRIKING)
@@ -288,32 +304,26 @@ def _alternating(found: Regions, behind: Mask, white: Mask) -> Mask:
     return tone > 0
 
 
-def _among_others(found: Regions) -> Mask:
-    """Return the regions (k + 1,) of rectangles that are as those of other colours beside them.
-
-    These are the middle stripes of flags, and what lies in the midst of a mosaic.
-    """
-    outer = found.lengths[0] > 0
-    middle: Mask = np.zeros(outer.shape, bool)
-    if rectangularity(found) < SHARP:
-        return middle
-    for number in np.flatnonzero(outer):
-        beside = np.flatnonzero(outer & (found.lengths[number] > 0))
-        if len(beside) == 2:
-            one, other = found.colours[beside]
-            middle[number] = np.linalg.norm(one - other) > ALIKE
-    several = (found.lengths > 0).sum(axis=1) >= _SEVERAL
-    middle |= several & (found.lengths.max(axis=1) < _MOST_BESIDE * found.around) & ~outer
-    middle[0] = False
-    return middle
+def _rim(found: Regions, outlined: Mask) -> NDArray[np.float32]:
+    """Return how much of each pixel, (SIDE, SIDE) from 0 to 1, belongs to lines of the contour."""
+    if not outlined.any():
+        return np.zeros(found.labels.shape, np.float32)
+    depth = scipy.ndimage.distance_transform_edt(np.pad(found.labels > 0, 1))[1:-1, 1:-1]
+    # Ink beside such a line is joined without a seam.
+    at = scipy.ndimage.binary_dilation(outlined[found.extended], np.ones((3, 3)), _SEAM)
+    return np.where(at, np.clip(OUTLINE + 0.5 - _smooth(depth, LINE / 4), 0, 1), 0)
 
 
 def _soft(
-    rgb: NDArray[np.uint8], found: Regions, tones: Tones, drawn: NDArray[np.float32]
+    rgb: NDArray[np.uint8],
+    found: Regions,
+    tones: Tones,
+    drawn: NDArray[np.float32],
+    rim: NDArray[np.float32],
 ) -> NDArray[np.float32]:
     """Return how much of each pixel is ink, (SIDE, SIDE) from 0 to 1, were all inside.
 
-    ``drawn`` is how much of it belongs to lines between regions.
+    ``drawn`` is how much of it belongs to lines between regions, and ``rim`` to the contour's.
     """
     soft = _blended(rgb, found, tones.ink)
     labels = found.extended
@@ -323,11 +333,7 @@ def _soft(
         away = _smooth(scipy.ndimage.distance_transform_edt(~over), LINE / 4)
         others = tones.ink[labels] & ~over
         soft = np.where(others, np.minimum(soft, np.clip(away - LINE + 0.5, 0, 1)), soft)
-    if tones.outlined.any():
-        depth = scipy.ndimage.distance_transform_edt(np.pad(found.labels > 0, 1))[1:-1, 1:-1]
-        drawn = np.clip(OUTLINE + 0.5 - _smooth(depth, LINE / 4), 0, 1)
-        soft = np.where(tones.outlined[labels], np.maximum(soft, drawn), soft)
-    return _without_crumbs(soft, found.labels > 0)
+    return _without_crumbs(np.maximum(soft, rim), found.labels > 0)
 
 
 def _blended(rgb: NDArray[np.uint8], found: Regions, ink: Mask) -> NDArray[np.float32]:

@@ -3,8 +3,10 @@
 1. White that is all around a piece of the drawing, as of an egg or a ghost, is the piece's body,
    and ink. If it makes a sharp rectangle, it is a *page*, and paper.
 2. Other white that reaches the outside is paper. A line of ink goes along the contour there (a
-   cloud before the sun, a panda's head, the white half of a flag), alike along all of one paint;
-   not along a narrow band, which sets off what is beside it, nor along a *bite*.
+   cloud before the sun, a panda's head, the white half of a flag, the snowy tip of a mountain,
+   the sole of a shoe),
+   alike along all of one paint; not along a narrow band, which sets off what is beside it, nor
+   along a *bite*.
 3. White within the drawing is paper if it is on what reaches the outside (eyes in a face), else it
    differs from what is around it, as all colours do (teeth in a mouth).
 
@@ -23,6 +25,9 @@ from iconstudio.algorithms.tones.tiles import SHARP, rectangularity
 
 _AROUND = 0.9
 """How much of the contour of a white body is white."""
+_OUTSIDE, _COMPACT, _ONE_SIDE = 0.45, 6.0, 0.6
+"""How much of its contour a tip has on the outside; how large it is, in squares as wide; and how
+much of the drawing's contour a band has that is on one side of it, as the sole of a shoe."""
 _BAND = 28.0
 """Width in pixels from which white that is of one paint with an outlined part is outlined, too."""
 _PURE = 99.0
@@ -65,11 +70,14 @@ def whites(found: Regions) -> Whites:
     wide = (found.widths > THICK) | (outer > _AROUND * found.around)
     body = at_outside & wide & _is_white_around(found)
     # A narrow band sets other colours off.
-    part = at_outside & wide & ~body & (found.areas > 0.05 * total)
+    compact = (found.areas < _COMPACT * found.widths**2) & (found.widths > _BAND / 2)
+    on_one_side = (found.widths > _BAND) & (outer < _ONE_SIDE * outer.sum())
+    tip = (outer > _OUTSIDE * found.around) & (compact | on_one_side)
+    part = at_outside & ~body & ((wide & (found.areas > 0.05 * total)) | tip)
     for number in np.flatnonzero(part):
         part[number] = not _is_bite(found, int(number), sharp)
     alike = np.linalg.norm(found.colours[:, None] - found.colours, axis=2) < ALIKE
-    outlined = at_outside & ~body & (found.widths > _BAND) & (part & alike).any(axis=1)
+    outlined = at_outside & ~body & (found.widths > _BAND) & (part & alike & wide).any(axis=1)
     paper = white & ~body & (at_outside | _on_ink(found))
     return Whites(paper, part | outlined, none)
 

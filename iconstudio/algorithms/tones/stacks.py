@@ -1,0 +1,76 @@
+"""Regions that are ink as their neighbours are, though these are ink on both sides of them.
+
+1. The middle stripe of a flag in three colours, and what lies in the midst of a mosaic.
+2. A *layer*, as of a burger: thick, it reaches from one side of the drawing to the other, so that
+   the drawing would fall apart without it, and what it parts differs in colour. But the bands of
+   a rainbow, which are as thick as the first and the last, alternate.
+"""
+
+import numpy as np
+import scipy
+
+from iconstudio.algorithms.tones.regions import ALIKE, Mask, Regions
+from iconstudio.algorithms.tones.tiles import SHARP, rectangularity
+
+_SEVERAL, _MOST_BESIDE = 4, 0.4
+"""Neighbours that a piece of a mosaic has, and how much of its contour one of them has at most."""
+_SQUARES = 8
+"""Of a board, at least."""
+_THICK = 28.0
+"""Width in pixels of the thinnest layer; a thinner one reads as a line of paper."""
+_THICKER, _FEW = 1.3, 3
+"""By how much what is on either side is thicker, unless there are no more layers than that."""
+_SHARE = 0.15
+"""How much of a layer's contour it shares with what is on either side, at least."""
+
+
+def stacked(found: Regions) -> Mask:
+    """Return the regions (k + 1,) that are as those of other colours beside them."""
+    outer = found.lengths[0] > 0
+    outer[0] = False
+    if rectangularity(found) < SHARP:
+        return _layers(found, outer)
+    middle: Mask = np.zeros(outer.shape, bool)
+    for number in np.flatnonzero(outer):
+        beside = np.flatnonzero(outer & (found.lengths[number] > 0))
+        middle[number] = len(beside) == 2 and not _are_alike(found, *beside)
+    several = (found.lengths > 0).sum(axis=1) >= _SEVERAL
+    middle |= several & (found.lengths.max(axis=1) < _MOST_BESIDE * found.around) & ~outer
+    middle[0] = False
+    return middle
+
+
+def checkered(found: Regions) -> Mask | None:
+    """Return the darker of all regions (k + 1,) of a board in two colours; None if it is none."""
+    lightness = found.colours[1:, 0]
+    dark = np.append(False, lightness < (lightness.min() + lightness.max()) / 2)
+    if len(lightness) < _SQUARES or rectangularity(found) < SHARP:
+        return None
+    for tone in (dark, ~dark):
+        tone[0] = False
+        colours = found.colours[tone]
+        if np.linalg.norm(colours - colours[0], axis=1).max() > ALIKE:
+            return None
+        if found.lengths[np.ix_(tone, tone)].any():
+            return None
+    return dark
+
+
+def _layers(found: Regions, outer: Mask) -> Mask:
+    layers, thinner = np.zeros((2, len(outer)), bool)
+    for number in np.flatnonzero(outer & (found.widths > _THICK)):
+        meet = found.lengths > 0
+        meet[0] = meet[:, 0] = meet[number] = meet[:, number] = False
+        _, piece = scipy.sparse.csgraph.connected_components(meet)
+        beside = np.where(outer, found.lengths[number], 0)
+        first, *others = np.argsort(-beside)
+        second = next((one for one in others if piece[one] != piece[first]), 0)
+        wide = beside[second] > _SHARE * found.around[number]
+        layers[number] = wide and not _are_alike(found, first, second)
+        thickest = [found.widths[piece == piece[one]].max() for one in (first, second)]
+        thinner[number] = min(thickest) > _THICKER * found.widths[number]
+    return layers if layers.sum() <= _FEW else layers & thinner
+
+
+def _are_alike(found: Regions, one: int, other: int) -> bool:
+    return bool(np.linalg.norm(found.colours[one] - found.colours[other]) <= ALIKE)
