@@ -7,34 +7,40 @@ from numpy.typing import NDArray
 from iconstudio.algorithms.scanning.pieces import pieces_alike
 
 _BLENDS = 2
-"""Pixels beside the ground that may blend it."""
+"""Pixels beside the ground that may blend it, in most files."""
 _ALIKE = 6.0
 """Levels by which colours differ that are one."""
-_NEAR = 5
-"""Pixels across, of where the colour is that they blend with it."""
+_NEAR, _FARTHER = 5, 9
+"""Pixels across, of where the colour is that they blend with it; where noise of lossy files is
+beside it, the colour is farther away."""
 
 
 def cut_out(
-    pixels: NDArray[np.uint8], ground: NDArray[np.floating], mask: NDArray[np.bool_]
+    pixels: NDArray[np.uint8],
+    ground: NDArray[np.floating],
+    mask: NDArray[np.bool_],
+    blends: int = _BLENDS,
 ) -> NDArray[np.uint8]:
     """Return a picture (h, w, 3) with transparency, (h, w, 4), where it shows its ground.
 
     ``ground`` is (h, w) of greys or (h, w, 3), or a colour (3,); ``mask`` is where it shows. Beside
-    it, a pixel blends the ground with what differs from that most near by.
+    it, a pixel blends the ground with what differs from that most near by; as far as ``blends``.
     """
     levels = pixels.astype(np.float32)
     ground = ground[..., None] if ground.ndim == 2 else ground
     ground = np.broadcast_to(ground, levels.shape).astype(np.float32)
     away = np.linalg.norm(levels - ground, axis=2)
     away[mask] = 0
-    edge = scipy.ndimage.binary_dilation(mask, np.ones((3, 3)), iterations=_BLENDS) & ~mask
+    edge = scipy.ndimage.binary_dilation(mask, np.ones((3, 3)), iterations=blends) & ~mask
     # What goes on beyond is of its own colour.
     number = pieces_alike(levels, ~mask, _ALIKE)
     goes_on = np.zeros(mask.size, bool)
     goes_on[number[~mask & ~edge]] = True
     pure = ~mask & goes_on[number]
-    farthest = scipy.ndimage.maximum_filter(np.where(pure, away, 0), 3)
-    farthest = np.where(farthest > 0, farthest, scipy.ndimage.maximum_filter(away, _NEAR))
+    farthest = np.zeros_like(away)
+    for known, near in ((pure, 3), (pure, _FARTHER), (~mask, _NEAR)):
+        found = scipy.ndimage.maximum_filter(np.where(known, away, 0), near)
+        farthest = np.where(farthest > 0, farthest, found)
     share = np.where(pure | mask, pure, np.minimum(away / np.maximum(farthest, 1), 1))
     colours = np.where(
         edge[..., None], ground + (levels - ground) / np.maximum(share, 0.1)[..., None], levels
