@@ -10,9 +10,8 @@ _BLENDS = 2
 """Pixels beside the ground that may blend it, in most files."""
 _ALIKE = 6.0
 """Levels by which colours differ that are one."""
-_NEAR, _FARTHER = 5, 9
-"""Pixels across, of where the colour is that they blend with it; where noise of lossy files is
-beside it, the colour is farther away."""
+_NEAR = 5
+"""Pixels across, of where the colour is that they blend with it."""
 
 
 def cut_out(
@@ -37,10 +36,8 @@ def cut_out(
     goes_on = np.zeros(mask.size, bool)
     goes_on[number[~mask & ~edge]] = True
     pure = ~mask & goes_on[number]
-    farthest = np.zeros_like(away)
-    for known, near in ((pure, 3), (pure, _FARTHER), (~mask, _NEAR)):
-        found = scipy.ndimage.maximum_filter(np.where(known, away, 0), near)
-        farthest = np.where(farthest > 0, farthest, found)
+    farthest = scipy.ndimage.maximum_filter(np.where(pure, away, 0), 3)
+    farthest = np.where(farthest > 0, farthest, scipy.ndimage.maximum_filter(away, _NEAR))
     share = np.where(pure | mask, pure, np.minimum(away / np.maximum(farthest, 1), 1))
     colours = np.where(
         edge[..., None], ground + (levels - ground) / np.maximum(share, 0.1)[..., None], levels
