@@ -1,15 +1,16 @@
 """Scans of real icons become icons again: by files, in works that name them, without a window."""
 
+import io
 import json
 from concurrent.futures import Future
 
 import numpy as np
 import pytest
-from PIL import Image
+from PIL import Image, ImageDraw
 from skimage.data import chelsea
 
 from iconstudio.algorithms.iconification.style import has_pale_areas
-from iconstudio.images.reading import awaited
+from iconstudio.images.reading import awaited, decode_image
 from iconstudio.model import IconstudioError
 from iconstudio.svg.resvg import render_coverage
 from iconstudio.workflows.editing.file import read_edit
@@ -168,6 +169,42 @@ def test_what_a_scan_lacks_is_told(session, tmp_path):
     Image.fromarray(paper).save(half)
     half.write_bytes(half.read_bytes()[: half.stat().st_size * 9 // 10])
     assert "cut short" in session.icon(str(half)).remarks[0]
+
+
+def roof_of_a_house(ground="white", roof="#a22", walls="#a22"):
+    picture = Image.new("RGB", (200, 200), ground)
+    draw = ImageDraw.Draw(picture)
+    draw.polygon([(100, 24), (30, 80), (170, 80)], fill=roof)
+    draw.rectangle([50, 84, 150, 180], fill=walls)
+    return picture
+
+
+@pytest.mark.parametrize(
+    ("kind", "options"), [("JPEG", {"quality": 90}), ("PNG", {}), ("GIF", {"interlace": 0})]
+)
+@pytest.mark.parametrize("colours", [(), ("#111", "#eee", "#e33"), ("white", "#222", "#28c")])
+def test_what_a_file_lacks_that_is_cut_short_is_no_ink(session, tmp_path, kind, options, colours):
+    whole = roof_of_a_house(*colours)
+    file = io.BytesIO()
+    whole.save(file, kind, **options)
+    cut = (file.getvalue()[:size] for size in range(file.tell() - 20, 0, -20))
+    data, height = next(
+        (one, height) for one in cut if 80 < (height := len(decode_image(one).was_read)) < 170
+    )
+    path, cropped = tmp_path / "house", tmp_path / "cropped.png"
+    path.write_bytes(data)
+    whole.crop((0, 0, 200, height)).save(cropped)
+    found, right = session.icon(str(path)), session.icon(str(cropped))
+    assert "cut short" in found.remarks[0]
+    assert scans.iou(session.exemplar(found).ink, session.exemplar(right).ink) > 0.95
+
+
+def test_a_file_of_which_nothing_can_be_read_is_refused(session, tmp_path):
+    path = tmp_path / "house.webp"
+    roof_of_a_house().save(path)
+    path.write_bytes(path.read_bytes()[:-100])
+    with pytest.raises(IconstudioError, match=r"cut short.*Save or copy it again"):
+        session.icon(str(path))
 
 
 @pytest.mark.parametrize("shape", [(10, 3000), (3000, 10)])

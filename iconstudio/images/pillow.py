@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.images.truncated import coarser, completed
+from iconstudio.images.truncated import coarser, without_missing
 from iconstudio.model import IconstudioError
 from iconstudio.svg import signatures
 
@@ -44,10 +44,12 @@ _TURNED = {2: 0, 3: 3, 4: 1, 5: 5, 6: 4, 7: 6, 8: 2}
 """For each orientation that EXIF knows, Pillow's number of the transposition that undoes it."""
 _PREVIEW = 1
 """Bit of TIFF's NewSubfileType: a smaller version of another picture in the file."""
+_BLOCK = 16
+"""Rows that JPEG decodes at a time."""
 _ONE_PICTURE = ("MPO", "PSD", "ICO", "ICNS")
 """Formats whose further pictures are layers, sizes or views of the same."""
 
-_CUT_SHORT = "The file is cut short or damaged; what can be read of it is shown."
+CUT_SHORT = "The file is cut short or damaged; what can be read of it is shown."
 _UNREADABLE = "It is cut short or damaged: nothing of it can be shown. Save or copy it again."
 
 
@@ -80,7 +82,7 @@ def decode(data: bytes, longest: int) -> tuple[NDArray[np.uint8], tuple[int, int
             pixels, size = _what_is_there(data, longest)
     if (pixels == pixels[:1, :1]).all():
         raise IconstudioError(_UNREADABLE)
-    return pixels, size, _CUT_SHORT
+    return pixels, size, CUT_SHORT
 
 
 def _what_is_there(data: bytes, longest: int) -> tuple[NDArray[np.uint8], tuple[int, int]]:
@@ -119,8 +121,10 @@ def _decoded(
         image = _smaller(_coarser(file) if interlaced else file, longest)
         image = _in_srgb(image, file.info.get("icc_profile"))
         if damaged:
-            upwards = file.format == "BMP"
-            image = Image.fromarray(completed(np.asarray(image), upwards), image.mode)
+            block = _BLOCK if file.format in ("JPEG", "MPO") else 1
+            image = Image.fromarray(
+                without_missing(np.asarray(image), block, upwards=file.format == "BMP")
+            )
     if turned is not None:
         image = image.transpose(Image.Transpose(turned))
         if turned in (2, 4, 5, 6):

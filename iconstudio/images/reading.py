@@ -12,7 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.files import read_bytes
-from iconstudio.images.pillow import decode, is_image
+from iconstudio.images.pillow import CUT_SHORT, decode, is_image
+from iconstudio.images.truncated import what_was_read
 from iconstudio.model import IconstudioError
 from iconstudio.workers import Workers, answer
 
@@ -54,6 +55,11 @@ class Image:
     height: int
     remark: str = ""
     """A sentence about what could not be read, or is not shown."""
+
+    @property
+    def was_read(self) -> NDArray[np.uint8]:
+        """``pixels`` without the rows that a file lacks that is cut short."""
+        return what_was_read(self.pixels) if self.remark == CUT_SHORT else self.pixels
 
 
 def is_image_file(path: Path) -> bool:

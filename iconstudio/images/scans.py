@@ -119,7 +119,7 @@ def read_scan(path: Path, workers: Workers) -> Generator[None, None, Pictogram]:
 
 
 def _scan(image: Image, inverted: bool | None) -> Scan:
-    return recognised(image.pixels, inverted)
+    return recognised(image.was_read, inverted)
 
 
 def _trace(scan: Scan, threshold: int | None) -> tuple[Outline, tuple[int, int], bool]:

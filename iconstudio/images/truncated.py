@@ -1,37 +1,48 @@
-"""What is missing of an image whose file is cut short becomes paper, not a black or grey slab."""
+"""What is missing of an image whose file is cut short is not there: no black or grey slab."""
 
 import numpy as np
 from numpy.typing import NDArray
 
-_BLOCK = 16
-"""Rows that JPEG decodes at a time: the last of them may be there in part."""
 _FEW = 1 / 16
 """Part of the rows that may look as if they were missing, below the edges of a drawing."""
-_NEAR = 1 / 8
-"""Part of the height of an image that tells, above what is missing, how the paper looks there."""
+_BLENDS = 2
+"""Rows that may blend what was read with what was not, where a format or we make them smaller."""
 
 
-def completed(pixels: NDArray[np.uint8], upwards: bool) -> NDArray[np.uint8]:
-    """Return an image (h, w, c) with paper in place of the rows that were never read.
+def without_missing(pixels: NDArray[np.uint8], block: int, upwards: bool) -> NDArray[np.uint8]:
+    """Return an image (h, w, 3 or 4) as (h, w, 4), transparent where its rows were never read.
 
-    Decoders leave them all in one colour. Paper is what most pixels beside them are like.
-    ``upwards`` says that the file begins with the lowest row.
+    Decoders leave all of those in one colour. It is as it is if there are none.
+
+    Parameters
+    ----------
+    block
+        Rows that are decoded at a time: the last of them may be there in part, and are not shown.
+    upwards
+        Whether the file begins with the lowest row.
     """
-    pixels = pixels.copy()
     rows = pixels[::-1] if upwards else pixels
     same = (rows == rows[-1, -1]).all(axis=2)
     read = np.flatnonzero(~same.all(axis=1))
     if not len(read) or read[-1] == len(rows) - 1:
         return pixels
-    first = read[-1] + 1
-    above = rows[max(0, first - _BLOCK - round(_NEAR * len(rows))) : max(1, first - _BLOCK)]
-    paper = np.median(above.reshape(-1, above.shape[2]), axis=0).astype(np.uint8)
-    # A row of blocks that ends in the middle.
-    for row in range(max(0, first - _BLOCK), first):
-        missing = same.shape[1] - 1 - np.max(np.flatnonzero(~same[row]), initial=-1)
-        rows[row, same.shape[1] - missing :] = paper
-    rows[max(0, first - 1) :] = paper  # one more: made smaller, it is a blend
-    return pixels
+    end = int(read[-1]) + 1
+    for _ in range(block):
+        end -= bool(end and same[end - 1, -1])
+    alpha = np.full_like(rows[..., :1], 255)
+    shown = np.concatenate([rows, alpha], axis=2)[..., :4]
+    shown[max(0, end - _BLENDS) :] = 0
+    return shown[::-1] if upwards else shown
+
+
+def what_was_read(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """Return the part of an image that ``without_missing`` left, without transparency if it can."""
+    if pixels.shape[2] == 3:
+        return pixels
+    there = pixels[..., 3] > 0
+    rows, columns = np.flatnonzero(there.any(axis=1)), np.flatnonzero(there.any(axis=0))
+    part = pixels[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
+    return part[..., :3] if (part[..., 3] == 255).all() else part
 
 
 def coarser(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:

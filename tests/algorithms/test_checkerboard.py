@@ -4,6 +4,7 @@ import io
 
 import numpy as np
 import pytest
+import scipy
 from PIL import Image
 
 from iconstudio.algorithms.scanning.binarisation import ink_of, recognised
@@ -60,3 +61,18 @@ def test_other_pictures_stay_as_they_are(seed):
     chess, bare = np.asarray(board(64, 8, (250, 30))), np.asarray(board(64, 8, (255, 204)))
     for pixels in (noise, stripes, np.full((40, 40, 3), 255, np.uint8), chess, bare):
         assert without_checkerboard(pixels) is pixels
+
+
+@pytest.mark.parametrize(("colour", "quality"), [("#393", 75), ("#e1e", 60), ("#fe3", 80)])
+def test_no_specks_are_left_of_a_lossy_checkerboard(colour, quality):
+    page = board(400, 20, (204, 255))
+    picture = Image.fromarray(
+        rgba(f'<circle cx="50" cy="50" r="28" fill="{colour}"/>', 400, "0 0 100 100")
+    )
+    page.paste(picture, (0, 0), picture)
+    file = io.BytesIO()
+    page.save(file, "JPEG", quality=quality)
+    ink = ink_of(recognised(np.asarray(Image.open(file))))
+    assert scipy.ndimage.label(ink)[1] == 1
+    right = scans.fitted(np.asarray(picture)[..., 3] / 255)
+    assert scans.iou(scans.fitted(ink.astype(float)), right) > 0.98

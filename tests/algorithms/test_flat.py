@@ -383,3 +383,23 @@ def test_three_stripes_in_three_colours_are_three(upright):
     if upright:
         pixels = pixels[:, :180].swapaxes(0, 1)
     assert ndimage.label(ink_of(recognised(pixels)))[1] == 3
+
+
+BAR = '<path d="M0 0h100v8H0z" fill="{}"/><path d="M30 34h40v40H30z" fill="{}"/>'
+LIGHTS = "".join(
+    f'<circle cx="{4 * n + 5}" cy="4" r="1.1" fill="{colour}"/>'
+    for n, colour in enumerate(["#ff5f57", "#28c840", "#a0f"])
+)
+
+
+@pytest.mark.parametrize("kind", ["PNG", "JPEG"])
+@pytest.mark.parametrize("colours", [("#ddd", "#06f"), ("#455a64", "#fb0"), ("#fff", "#0a7")])
+def test_small_dots_in_other_colours_do_not_vanish(colours, kind):
+    page = Image.new("RGB", (800, 800), "#f3f3f3")
+    picture = Image.fromarray(rgba(BAR.format(*colours) + LIGHTS, 800, "0 0 100 100"))
+    page.paste(picture, (0, 0), picture)
+    file = io.BytesIO()
+    page.save(file, kind, quality=92)
+    ink = ink_of(recognised(np.asarray(Image.open(file))))
+    sizes = np.concatenate([np.bincount(ndimage.label(one)[0].ravel())[1:] for one in (ink, ~ink)])
+    assert (sizes < 200).sum() == 3

@@ -2,6 +2,7 @@
 
 import re
 
+import numpy as np
 import pytest
 
 from iconstudio.algorithms.tones.alternation import Omission
@@ -152,3 +153,25 @@ def test_greys_that_lie_free_on_a_screen_are_ink(screen, bars):
     assert coverage[expected].mean() > 0.9
     frame = rgba('<path d="M7.3 3.3h9.4v17.4h-9.4z"/>')[..., 3] > 127
     assert not coverage[frame & ~expected].mean() > 0.1
+
+
+@pytest.mark.parametrize(
+    ("frame", "dark", "light"),
+    [
+        ("#5d4037", "#b58863", "#f0d9b5"),
+        ("#0d2b52", "#4a90d9", "#dde8f4"),
+        ("#222", "#888", "#eee"),
+    ],
+)
+def test_the_squares_of_a_board_with_a_frame_stay(frame, dark, light):
+    places = [(x, y) for x in range(8) for y in range(8)]
+    squares = "".join(
+        f'<path d="M{2.4 * x + 2.4} {2.4 * y + 2.4}h2.4v2.4h-2.4z" fill="{colour}"/>'
+        for x, y in places
+        for colour in [(light, dark)[(x + y) % 2]]
+    )
+    edge = f'<path d="M2 2h20v20H2z" fill="none" stroke="{frame}" stroke-width=".8"/>'
+    coverage = pictogram(rgba(squares + edge, SIDE)).coverage
+    middles = ((2.4 * np.array(places) + 3.6) * SIDE / 24).astype(int)
+    shown = coverage[middles[:, 1], middles[:, 0]] > 127
+    assert (shown == [(x + y) % 2 for x, y in places]).all()

@@ -74,3 +74,10 @@ def test_a_shadow_may_be_black_and_cut_off(side, kind):
 )
 def test_what_casts_no_shadow_on_nothing_is_as_it_is(shape):
     assert without_shadow(rgba(shape + SIGN, 200, "0 0 100 100")) is None
+
+
+def test_what_is_drawn_beside_a_tile_is_no_shadow_of_it():
+    icon = app_icon("#a22", 200, 0.03).copy()
+    icon[4:14, 60:140] = 200, 30, 30, 255
+    lit = without_shadow(saved(icon, "on white"))
+    assert lit is not None and (lit[6:12, 62:138] == (200, 30, 30)).all()

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from PIL import Image
 from scipy import ndimage
+from skimage import measure
 
 from iconstudio.algorithms.scanning.binarisation import ink_of, recognised
 from iconstudio.algorithms.scanning.blending import unblended
@@ -167,3 +168,26 @@ def test_white_behind_the_corners_of_a_pale_tile_is_no_ink(side):
     drawing = '<path d="M50 22 82 76H18z"/>'
     right = scans.fitted(rgba(drawing, 512, VIEW)[..., 3] / 255)
     assert scans.iou(found(bitmap(tile + drawing, side, True)), right) > 0.85
+
+
+@pytest.mark.parametrize(("side", "most"), [(16, 0.55), (24, 0.3), (32, 0.24)])
+@pytest.mark.parametrize("white", [True, False])
+def test_a_small_disc_is_round(side, most, white):
+    """Within so many units of the canvas of 256, in the mean; a pixel is 13 units at 24 pixels."""
+    away = []
+    for middle, radius in ((50, 38), (51.3, 41), (50.7, 35)):
+        disc = f'<circle cx="{middle}" cy="{100 - middle}" r="{radius}"/>'
+        away.append(straying(ink_of(recognised(bitmap(disc, side, white)))))
+    assert np.mean(away) < most
+
+
+def straying(ink):
+    """Return by how much the outline of a disc strays from a circle, in units of the canvas."""
+    (contour,) = measure.find_contours(
+        ndimage.gaussian_filter(np.pad(ink, 4).astype(float), 1), 0.5
+    )
+    terms = np.c_[2 * contour, np.ones(len(contour))]
+    y, x, rest = np.linalg.lstsq(terms, (contour**2).sum(axis=1), rcond=None)[0]
+    radius = np.sqrt(rest + y**2 + x**2)
+    away = np.hypot(*(contour - (y, x)).T) - radius
+    return 120 / radius * np.sqrt((away**2).mean())

@@ -20,11 +20,12 @@ from iconstudio.algorithms.scanning.doubts import (
     has_fainter_lines,
     is_noise,
     shading,
+    without_crumbs,
     without_dirt,
     without_specks,
 )
-from iconstudio.algorithms.scanning.flat import flat_drawing, on_nothing
-from iconstudio.algorithms.scanning.free import LARGE, free_drawing
+from iconstudio.algorithms.scanning.flat import flat_drawing
+from iconstudio.algorithms.scanning.free import LARGE, free_drawing, on_nothing
 from iconstudio.algorithms.scanning.margin import box_of, rim_of, with_margin, without_half_lines
 from iconstudio.algorithms.scanning.noise import without_noise
 from iconstudio.algorithms.scanning.paper import lighting, page, trend
@@ -247,8 +248,10 @@ def ink_of(scan: Scan, threshold: int | None = None) -> NDArray[np.bool_]:
     level = scan.threshold if threshold is None else threshold
     ink = scan.at(level)
     by_colours = scan.coloured is not None and level == scan.threshold
-    ink = without_specks(ink, SPECK) if by_colours else without_dirt(ink, scan.darkness)
-    ink = ~without_specks(~ink, SPECK)
+    if by_colours:
+        ink = ~without_crumbs(~without_crumbs(ink))
+    else:
+        ink = ~without_specks(~without_dirt(ink, scan.darkness), SPECK)
     if ink.any():
         return ink
     if threshold is None:

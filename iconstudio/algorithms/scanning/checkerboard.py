@@ -20,10 +20,14 @@ _BLUR = 8
 """Levels on either side of the one grey that are not the other."""
 _NOISE = 14.0
 """Levels by which lossy files change a grey, at most."""
+_BLOCK, _STRAYS = 64, 64.0
+"""Pixels of a block, in which lossy files leave noise beside edges, and levels of that, at most."""
 _ON_RIM, _MATCHING = 0.5, 0.9
 """How much of the rim the two greys have at least, and how much of them is where the grid says."""
 _FEWEST = 4
 """Squares along the edges of a picture from which a grid is told."""
+_BLENDS = 4
+"""Pixels beside it that may blend it: most such files are lossy."""
 _ACROSS = 3
 """Pixels across, of a line between squares where the greys blend."""
 _BOTH = 0.1
@@ -65,7 +69,9 @@ def without_checkerboard(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
     board = odd if same > 0.5 else 1 - odd
     between = (levels > greys[0] - _NOISE).all(axis=2) & (levels < greys[1] + _NOISE).all(axis=2)
     ground = _ground(number == board, between, board, rows.step * columns.step)
-    return pixels if ground.all() else cut_out(pixels, greys[board], ground)
+    off = abs(levels - greys[board][..., None]).max(axis=2)
+    ground |= _noise(off, ~ground)
+    return pixels if ground.all() else cut_out(pixels, greys[board], ground, _BLENDS)
 
 
 def _greys(rim: NDArray[np.float32]) -> NDArray[np.float32] | None:
@@ -120,3 +126,18 @@ def _ground(
     both[0] = False
     ground: NDArray[np.bool_] = both[pieces]
     return ground
+
+
+def _noise(off: NDArray[np.float32], drawn: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return what lossy files leave beside what is drawn: slim or small, and nearly as the ground.
+
+    ``off`` is by how many levels a pixel differs from that.
+    """
+    strong = drawn & (off > _STRAYS)
+    wide = strong | scipy.ndimage.binary_opening(drawn, np.ones((_ACROSS, _ACROSS)))
+    pieces, _ = scipy.ndimage.label(wide)
+    kept = np.bincount(pieces.ravel()) >= _BLOCK
+    kept[pieces[strong]] = True
+    kept[0] = False
+    noise: NDArray[np.bool_] = drawn & ~kept[pieces]
+    return noise

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 from iconstudio.algorithms.scanning.pieces import pieces_alike
 
 _BLENDS = 2
-"""Pixels beside the ground that may blend it."""
+"""Pixels beside the ground that may blend it, in most files."""
 _ALIKE = 6.0
 """Levels by which colours differ that are one."""
 _NEAR = 5
@@ -15,19 +15,22 @@ _NEAR = 5
 
 
 def cut_out(
-    pixels: NDArray[np.uint8], ground: NDArray[np.floating], mask: NDArray[np.bool_]
+    pixels: NDArray[np.uint8],
+    ground: NDArray[np.floating],
+    mask: NDArray[np.bool_],
+    blends: int = _BLENDS,
 ) -> NDArray[np.uint8]:
     """Return a picture (h, w, 3) with transparency, (h, w, 4), where it shows its ground.
 
     ``ground`` is (h, w) of greys or (h, w, 3), or a colour (3,); ``mask`` is where it shows. Beside
-    it, a pixel blends the ground with what differs from that most near by.
+    it, a pixel blends the ground with what differs from that most near by; as far as ``blends``.
     """
     levels = pixels.astype(np.float32)
     ground = ground[..., None] if ground.ndim == 2 else ground
     ground = np.broadcast_to(ground, levels.shape).astype(np.float32)
     away = np.linalg.norm(levels - ground, axis=2)
     away[mask] = 0
-    edge = scipy.ndimage.binary_dilation(mask, np.ones((3, 3)), iterations=_BLENDS) & ~mask
+    edge = scipy.ndimage.binary_dilation(mask, np.ones((3, 3)), iterations=blends) & ~mask
     # What goes on beyond is of its own colour.
     number = pieces_alike(levels, ~mask, _ALIKE)
     goes_on = np.zeros(mask.size, bool)

@@ -12,6 +12,8 @@ SPECK = 72
 """Most pixels of what is taken for dirt, on the paper or in the ink."""
 SPOT = 8
 """Most pixels of what is dirt, however thin the lines are."""
+_ROUND, _OBLONG = 0.65, 1.5
+"""How much of its bounding box a dot fills at least, and how oblong that is at most."""
 _AS_WIDE, _AS_DARK = 0.8, 0.85
 """What is no dirt has so much of the width of a drawing's lines, and of their darkness, at least:
 the pen touched the paper there."""
@@ -150,6 +152,17 @@ def without_dirt(ink: NDArray[np.bool_], dark: NDArray[np.number]) -> NDArray[np
     drawn[0] = False
     cleaned: NDArray[np.bool_] = clean | drawn[labels]
     return cleaned
+
+
+def without_crumbs(shape: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return a shape that was told by its colours without its smallest parts, but for dots."""
+    clean = without_specks(shape, SPECK)
+    spots, _ = scipy.ndimage.label(without_specks(shape & ~clean, SPOT))
+    for number, box in enumerate(scipy.ndimage.find_objects(spots), 1):
+        spot = spots[box] == number
+        if spot.mean() > _ROUND and max(spot.shape) < _OBLONG * min(spot.shape):
+            clean[box] |= spot
+    return clean
 
 
 def without_specks(shape: NDArray[np.bool_], speck: int) -> NDArray[np.bool_]:

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from iconstudio.algorithms.scanning.blending import unblended
 from iconstudio.algorithms.scanning.free import (
     FILLED,
+    SPARSE,
     cut_drawing,
     has_colours,
     on_square,
@@ -29,8 +30,21 @@ from iconstudio.algorithms.scanning.ground import (
     ground_of,
     is_gradient,
 )
-from iconstudio.algorithms.scanning.margin import PAPER, box_of, corners_of, has_stripes, rim_of
-from iconstudio.algorithms.scanning.palette import SMALL, Palette, is_in_one_colour, palette_of
+from iconstudio.algorithms.scanning.margin import (
+    PAPER,
+    TINGE,
+    box_of,
+    corners_of,
+    has_stripes,
+    rim_of,
+)
+from iconstudio.algorithms.scanning.palette import (
+    SMALL,
+    Palette,
+    evenly_painted,
+    is_in_one_colour,
+    palette_of,
+)
 from iconstudio.algorithms.scanning.resampling import (
     numbered,
     premultiplied,
@@ -46,8 +60,8 @@ _LONGEST = 384
 _MISSED, _MISSED_SMALL, _LOSSY = 0.04, 0.08, 0.15
 """Part of the drawing that may be of other colours than those of the palette and their blends; in
 small bitmaps, more lies where colours meet; in lossy files, edges do."""
-_LACKING = 4
-"""Colours of lines and dots that are added to a palette, at most."""
+_LACKING, _DOTS = 4, 12
+"""Colours of lines and dots that are added to a palette, at most; and those of dots alone."""
 _ABSENT = 20.0
 """Levels that it costs to blend a colour that no even area near has."""
 _GROUND = 0.9
@@ -65,8 +79,6 @@ _PAINT, _PAPER_AND_INK = 0.02, 2
 """How much of a sheet a colour has to count, and how many a sheet has with what is drawn on it."""
 _ALL_ALONG = 0.98
 """How much of the lines beside a stripe has another colour, if that is a stripe, too."""
-_TINGE = 70.0
-"""Levels by which the channels of paper differ, at most."""
 _IN_SHADOW = 0.1
 """How much of the rim has shades, where what has not is no ground."""
 _FADING, _NEARER = 0.9, 0.7
@@ -80,8 +92,6 @@ _GRAIN = 1.8
 """Levels that its pixels stray from those around, in the mean, at most."""
 _LINES = 0.08
 """Half the width of the thickest lines, as part of the drawing."""
-_SPARSE = 0.6
-"""How much of its bounding box a drawing in lines fills at most."""
 _WINDOWS, _RECTANGULAR = 0.75, 0.9
 """How much of a frame its windows span, at least, and of their bounding boxes they fill; a sign
 spans less of the tile that it is on, or is no rectangle."""
@@ -136,31 +146,6 @@ def flat_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
     return _painted(parts, palette, ground, around < AROUND)
 
 
-def on_nothing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """Return lines in one colour on white, on a small bitmap (h, w, 3), as the same on nothing.
-
-    What is given is (h, w, 4); any other bitmap is as it is.
-    """
-    if pixels.shape[2] == 4 or not 8 <= min(pixels.shape[:2]) <= max(pixels.shape[:2]) <= SMALL:
-        return pixels
-    blended = premultiplied(pixels.astype(np.float32))
-    if not _is_sparse(blended) or not is_in_one_colour(blended):
-        return pixels
-    coloured = (np.ptp(pixels, axis=2) > _TINGE).any()
-    if coloured and has_stripes(blended.min(axis=2) > PAPER):
-        return pixels  # a flag
-    away = (255 - blended[..., :3]).max(axis=2)
-    alpha = np.rint(np.clip((away - away.min()) / np.ptp(away), 0, 1) * 255).astype(np.uint8)
-    return np.dstack([np.zeros_like(pixels), alpha])
-
-
-def _is_sparse(blended: NDArray[np.float32]) -> bool:
-    """Whether what is on white paper fills so little of its bounding box as lines do."""
-    ink = blended.min(axis=2) <= PAPER
-    box = box_of(ink)
-    return box is not None and bool(ink[box].mean() < _SPARSE)
-
-
 def _completed(
     blended: NDArray[np.float32], palette: Palette
 ) -> tuple[Palette, NDArray[np.float32] | None]:
@@ -172,14 +157,15 @@ def _completed(
     exact = _MISSED_SMALL if small else _MISSED
     most = exact if palette.is_exact(blended) else _LOSSY
     few = most / 4 if small else most
-    parts, amiss, lacking = _parts(blended, palette)
-    for _ in range(_LACKING):
-        if lacking is None or amiss <= few:
+    even = evenly_painted(blended, 3) & (not small and not palette.shades)
+    parts, amiss, lacking, is_dot = _parts(blended, palette, even)
+    for added in range(_DOTS):
+        if lacking is None or not (is_dot or (amiss > few and added < _LACKING)):
             break
         palette = palette.with_colour(lacking)
         if small:
             palette = palette.without_blends(blended)
-        parts, amiss, lacking = _parts(blended, palette)
+        parts, amiss, lacking, is_dot = _parts(blended, palette, even)
     free = small and bool((palette.colours[:, 3] < CLEAR).any())
     if amiss > most or (free and _change_by_degrees(parts)):
         return palette, None
@@ -200,7 +186,7 @@ def _is_full_bleed(
 
     Paper has no strong colour, wherever it lies in the shadow, and its picture has grain.
     """
-    coloured = np.ptp(palette.colours[:, :3], axis=1) > _TINGE
+    coloured = np.ptp(palette.colours[:, :3], axis=1) > TINGE
     if ground is not None and palette.colours[ground].min() > PAPER:
         # Stripes of white, as on flags: more of a page was added around.
         corners = corners_of(blended) - palette.colours[ground]
@@ -244,7 +230,7 @@ def _on_a_desk(small: NDArray[np.float32], ground: NDArray[np.float32]) -> NDArr
     if small.shape[2] == 4 or ground.min() > PAPER:
         return None
     sheet = sheet_on_desk(small / np.float32(255))
-    return None if sheet is None or np.ptp(np.median(small[sheet], axis=0)) > _TINGE else sheet
+    return None if sheet is None or np.ptp(np.median(small[sheet], axis=0)) > TINGE else sheet
 
 
 def _is_painted(
@@ -285,12 +271,13 @@ def _fading(palette: Palette, ground: int, blended: NDArray[np.float32]) -> list
 
 
 def _parts(
-    blended: NDArray[np.float32], palette: Palette
-) -> tuple[NDArray[np.float32], float, NDArray[np.float32] | None]:
+    blended: NDArray[np.float32], palette: Palette, even: NDArray[np.bool_]
+) -> tuple[NDArray[np.float32], float, NDArray[np.float32] | None, bool]:
     """Return how much of each pixel has each colour, (k, h, w).
 
-    Also how much of the drawing is no blend of two of them, or, if it is small, of three; and the
-    colour of its pixel that is farthest from any.
+    Also how much of the drawing is no blend of two of them, or, if it is small, of three; the
+    colour of its pixel that is farthest from any; and whether that lies in a dot, where colours
+    are ``even``.
     """
     count = len(palette.colours)
     parts = (np.arange(count)[:, None, None] == palette.number).astype(np.float32)
@@ -316,7 +303,10 @@ def _parts(
     parts[:, mixed] = values
     drawn = (palette.number != palette.counts.argmax()).sum()
     amiss = float((missed > ASTRAY**2).sum() / max(drawn, 1))
-    return parts, amiss, pixels[missed.argmax()] if amiss else None
+    in_dots = np.where(even[mixed], missed, 0)
+    is_dot = bool(in_dots.max(initial=0) > ASTRAY**2)
+    lacking = pixels[(in_dots if is_dot else missed).argmax()] if amiss else None
+    return parts, amiss, lacking, is_dot
 
 
 def _painted(
@@ -340,7 +330,7 @@ def _painted(
         return None
     ink = inside & (labels != ground)
     depth = scipy.ndimage.distance_transform_edt(np.pad(ink, 1))
-    if not own and depth.max() < _LINES * max(labels.shape) and ink.mean() < _SPARSE:
+    if not own and depth.max() < _LINES * max(labels.shape) and ink.mean() < SPARSE:
         # The frame of a drawing in lines is no tile, nor a desk with sheets on it.
         return on_square(np.where(ink[..., None], colours, 0))
     if not own and _has_windows(ink, inside & ~ink):

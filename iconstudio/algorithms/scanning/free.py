@@ -5,8 +5,8 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.scanning.cutting import cut_out
 from iconstudio.algorithms.scanning.ground import CLEAR, ground_of
-from iconstudio.algorithms.scanning.margin import box_of, rim_of
-from iconstudio.algorithms.scanning.palette import evenly_painted
+from iconstudio.algorithms.scanning.margin import PAPER, TINGE, box_of, has_stripes, rim_of
+from iconstudio.algorithms.scanning.palette import SMALL, evenly_painted, is_in_one_colour
 from iconstudio.algorithms.scanning.resampling import (
     premultiplied,
     reconstructed,
@@ -25,6 +25,8 @@ _SMALL, _PAINTED = 64, 0.5
 """Of a drawing that is longer than the one, so much is evenly painted at least; photos are not."""
 _OPAQUE = 243.0
 """Levels of alpha of what is opaque."""
+SPARSE = 0.6
+"""How much of its bounding box a drawing in lines fills at most."""
 _CLEAN = 0.9
 """How much of what has the colour of a ground has just that, if no camera saw it."""
 _APART, _PART = 30.0, 0.015
@@ -68,6 +70,31 @@ def _with_edges(larger: NDArray[np.float32], alpha: NDArray[np.float32]) -> NDAr
     straight = larger * (np.float32(255) / np.maximum(larger[..., 3:], 1))
     sharp: NDArray[np.float32] = np.where(inside[..., None], straight, np.float32(0))
     return sharp
+
+
+def on_nothing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """Return lines in one colour on white, on a small bitmap (h, w, 3), as the same on nothing.
+
+    What is given is (h, w, 4); any other bitmap is as it is.
+    """
+    if pixels.shape[2] == 4 or not 8 <= min(pixels.shape[:2]) <= max(pixels.shape[:2]) <= SMALL:
+        return pixels
+    blended = premultiplied(pixels.astype(np.float32))
+    if not _is_sparse(blended) or not is_in_one_colour(blended):
+        return pixels
+    coloured = (np.ptp(pixels, axis=2) > TINGE).any()
+    if coloured and has_stripes(blended.min(axis=2) > PAPER):
+        return pixels  # a flag
+    away = (255 - blended[..., :3]).max(axis=2)
+    alpha = np.rint(np.clip((away - away.min()) / np.ptp(away), 0, 1) * 255).astype(np.uint8)
+    return np.dstack([np.zeros_like(pixels), alpha])
+
+
+def _is_sparse(blended: NDArray[np.float32]) -> bool:
+    """Whether what is on white paper fills so little of its bounding box as lines do."""
+    ink = blended.min(axis=2) <= PAPER
+    box = box_of(ink)
+    return box is not None and bool(ink[box].mean() < SPARSE)
 
 
 def cut_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:

@@ -10,6 +10,8 @@ T = TypeVar("T", bound=np.generic)
 
 PAPER = 225.0
 """Levels from which a colour is that of white paper."""
+TINGE = 70.0
+"""Levels by which the channels of paper differ, at most."""
 _LEAST, _ALL = 0.2, 0.995
 """How much of the rim shows the page, at least; a page that shows nearly all along is margin."""
 _CLEAN = 2.5

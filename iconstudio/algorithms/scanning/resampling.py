@@ -12,6 +12,11 @@ _ROUNDS, _WIDTH, _STEEP = 12, 0.3, 3.0
 """How often shapes are smoothed and corrected; by how much, in pixels; how steep edges are then."""
 _GAIN, _KEPT = 1.5, 0.7
 """What of an error is added each time, and what of it is kept."""
+_SOFT, _FULL, _BROAD, _NEAR = 0.5, 0.9, 4, 5
+"""Pixels by which edges between wide shapes are smoothed in the end; how much of a pixel such a
+shape takes, how many of these it is wide, and within how many across it lies."""
+_CORNER = 0.16
+"""How much less or more than half is inside a contour, seen so, where it has a corner."""
 _SLACK = 0.25
 """What part of a pixel may be amiss where there are no greys."""
 _PURE, _FEW = 0.95, 0.2
@@ -66,7 +71,32 @@ def reconstructed(parts: NDArray[np.float32], shape: tuple[int, ...]) -> NDArray
         if jagged:
             amiss -= np.clip(amiss, -_SLACK, _SLACK)
         error = _KEPT * error + _GAIN * amiss
+    if count == 2:
+        softer = scipy.ndimage.gaussian_filter(smooth, (0, _SOFT * finer, _SOFT * finer))
+        between = _between_wide_shapes(parts).repeat(finer, 0).repeat(finer, 1)
+        smooth = np.where(between & ~_at_corners(smooth[0], softer[0], finer), softer, smooth)
     return np.stack([resized(np.clip(one, 0, 1), shape) for one in smooth])
+
+
+def _between_wide_shapes(parts: NDArray[np.float32]) -> NDArray[np.bool_]:
+    """Return which pixels (h, w) lie where two shapes meet that are no lines.
+
+    There, what is left of steps can be smoothed away without making anything thinner.
+    """
+    wide = scipy.ndimage.binary_opening(parts > _FULL, np.ones((1, _BROAD, _BROAD)))
+    between: NDArray[np.bool_] = scipy.ndimage.maximum_filter(wide, (1, _NEAR, _NEAR)).all(axis=0)
+    return between
+
+
+def _at_corners(
+    part: NDArray[np.float32], softer: NDArray[np.float32], pixel: int
+) -> NDArray[np.bool_]:
+    """Return where within a pixel of a contour there is a corner of it, which would be lost."""
+    inside = part > 0.5
+    contour = inside & ~scipy.ndimage.binary_erosion(inside, border_value=1)
+    corners = contour & (abs(softer - 0.5) > _CORNER)
+    near: NDArray[np.bool_] = scipy.ndimage.maximum_filter(corners, 2 * pixel + 1)
+    return near
 
 
 def numbered(

@@ -11,8 +11,8 @@ from iconstudio.algorithms.tones.regions import Mask
 _GENTLE = 48.0
 """Levels by which a soft shadow differs within three pixels at most."""
 _SEEN, _LEAST, _WIDE = 8.0, 0.02, 5
-"""Levels from which a shadow is seen, how large what is seen of it is, as part of the tile, and how
-many pixels wide: the noise of lossy files is slimmer."""
+"""Levels from which a shadow is seen, how large what is seen of it is at least, and what else is
+drawn at most, as part of the tile; how many pixels wide it is: noise of lossy files is slimmer."""
 _FADES, _NEARLY = 0.9, 16.0
 """How much of where a shadow meets its ground is nearly of its colour, and by how many levels."""
 _CUT, _CUT_SIDES = 3, 2
@@ -44,7 +44,8 @@ def shadow_of_tile(
         return None
     tile = pieces == 1 + int(np.argmax(np.bincount(pieces.ravel())[1:]))
     seen = scipy.ndimage.binary_opening(shadow & (away > _SEEN), np.ones((_WIDE, _WIDE)))
-    if not _is_tile(tile) or seen.sum() < _LEAST * tile.sum():
+    least = _LEAST * tile.sum()
+    if not _is_tile(tile) or seen.sum() < least or (body & ~tile).sum() > least:
         return None
     meets = scipy.ndimage.binary_dilation(ground.mask, np.ones((3, 3))) & shadow
     if not _fades(meets, away < _NEARLY, ~ground.mask):

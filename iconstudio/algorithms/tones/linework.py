@@ -25,6 +25,9 @@ from numpy.typing import NDArray
 from iconstudio.algorithms.tones.alternation import Omission, Tones, decide
 from iconstudio.algorithms.tones.regions import ALIKE, GREY, Mask, Regions, nearest, pale, sums
 
+_SQUARES, _ASTRAY = 6, 0.1
+"""Squares of each colour that a board to play on has at least; how much of where they meet may lie
+between two of one colour."""
 STRIKING = 35.0
 """Fills of a line drawing, and narrow regions, that differ by more are told apart."""
 THICK = 512 / 10
@@ -154,6 +157,8 @@ def line_drawing(found: Regions, line: Mask) -> Tones:
     at_line = found.lengths[:, line].sum(axis=1) > found.around / 3
     tone[(tone == 0) & ~within & (beside | at_line | (apart & shady))] = -1
     tone[_marks(found) & (tone == 0)] = 1
+    for squares, of_tone in zip(_chequered(found, line), (1, -1), strict=True):
+        tone[squares] = of_tone
     tone[0] = -1
     striking = found.contrasts > STRIKING
     # What differs little is as its neighbours are.
@@ -179,6 +184,28 @@ def _marks(found: Regions) -> Mask:
     darker = found.colours[:, 0] < found.colours[around, 0] - _DARKER
     marks: Mask = grey & free & ground & darker
     return marks
+
+
+def _chequered(found: Regions, line: Mask) -> tuple[Mask, Mask]:
+    """Return the darker and the lighter squares of a board to play on, if the lines are around one.
+
+    Many of each meet the others alone.
+    """
+    rest = ~line
+    rest[0] = False
+    of_either: list[tuple[float, Mask]] = []
+    for _ in range(2):
+        largest = int(np.argmax(np.where(rest, found.areas, 0)))
+        alike = rest & (np.linalg.norm(found.colours - found.colours[largest], axis=1) < ALIKE)
+        of_either.append((float(found.colours[largest, 0]), alike))
+        rest &= ~alike
+    darker, lighter = (alike for _, alike in sorted(of_either, key=lambda one: one[0]))
+    meet = found.lengths[darker][:, lighter].sum()
+    own = (found.lengths[some][:, some].sum() for some in (darker, lighter))
+    alone = max(own) < _ASTRAY * meet
+    if min(darker.sum(), lighter.sum()) < _SQUARES or not alone:
+        return np.zeros_like(line), np.zeros_like(line)
+    return darker, lighter
 
 
 def _shapes(found: Regions, line: Mask) -> _Shapes:
