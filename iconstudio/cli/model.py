@@ -15,7 +15,11 @@ from iconstudio.workflows.modelling.spec import MODELLING
 
 @grid.grid_command("model", "SKETCH.json", "all four", tidies=True)
 def command(options: grid.GridOptions) -> None:
-    """Make icons in the shape of the polygon in SKETCH.json out of parts of real ones."""
+    """Make icons in the shape of the polygon in SKETCH.json out of parts of real ones.
+
+    The file may have "holes" and "lines" inside the polygon, and a weight of fine
+    details, "detail".
+    """
     file = read_sketch(options.file)
     settings = options.settings(GridSettings().styles)
     with profiled(options.profile) as stopwatch, Session() as session:

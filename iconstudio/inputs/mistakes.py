@@ -3,6 +3,7 @@
 import json
 import re
 import sys
+from collections.abc import Sequence
 from difflib import get_close_matches
 from typing import Any
 
@@ -75,16 +76,26 @@ def _in_object(kind: StructType, data: Any) -> str:
         return f"A{_OBJECT} is needed."
     known = [field.encode_name for field in kind.fields]
     unknown = [key for key in data if key not in known] if kind.forbid_unknown_fields else []
+    missing = [one for one in kind.fields if one.required and one.encode_name not in data]
     if unknown:
+        lists = [one.encode_name for one in missing if isinstance(_plain(one.type), CollectionType)]
+        some = lists if isinstance(data[unknown[0]], list) else []
+        near = _meant(unknown[0].lower(), known, some)
         return f"{json.dumps(unknown[0][:60], ensure_ascii=False)} is not known here. " + (
-            f"Write {json.dumps(near[0])} if you mean that."
-            if (near := get_close_matches(unknown[0].lower(), known, n=1))
+            f"Write {json.dumps(near)} if you mean that."
+            if near
             else f"There are {', '.join(map(json.dumps, known))}. Remove it, or mend its name."
         )
-    missing = [one for one in kind.fields if one.required and one.encode_name not in data]
     if missing:
         return f"{json.dumps(missing[0].encode_name)} is missing: {_needed(missing[0])}."
     return ""
+
+
+def _meant(name: str, known: Sequence[str], missing: Sequence[str]) -> str:
+    """Return which field an unknown name stands for, if any: of unlike ones the missing one."""
+    very = get_close_matches(name, known, n=1, cutoff=0.85)
+    near = very or list(missing) or get_close_matches(name, known, n=1)
+    return near[0] if near else ""
 
 
 def _needed(field: Field) -> str:

@@ -313,6 +313,7 @@ MISTAKES = [
     (read_montage, stroke(points=[[9, 9], [9, 1e8]]), "out of all scale"),
     (read_montage, stroke(points=[[-50, 9], [-20, 200]]), "outside the canvas"),
     (read_montage, stroke(points=[[9, 270], [90, 300]]), "outside the canvas"),
+    (read_sketch, {"points": SQUARE}, '"points" is not known here. Write "polygon" if you mean'),
     (read_sketch, {"polygn": SQUARE}, '"polygn" is not known here. Write "polygon" if you mean'),
     (read_sketch, {"polygon": SQUARE, "Keyword": "dog"}, 'Write "keyword" if you mean that.'),
     (read_sketch, {"polygon": SQUARE, "mirror": True}, '"symmetry"'),
