@@ -4,7 +4,7 @@ from iconstudio.cli import grid, running
 from iconstudio.cli.timing import profiled
 from iconstudio.output.request import edit_request
 from iconstudio.session import Session
-from iconstudio.workflows.editing.editing import own_styles, place_edit
+from iconstudio.workflows.editing.editing import own_styles, place_edited
 from iconstudio.workflows.editing.file import read_edit
 from iconstudio.workflows.editing.page import doubts
 from iconstudio.workflows.editing.spec import EDITING
@@ -18,7 +18,7 @@ def command(options: grid.GridOptions) -> None:
         edit = options.of(read.resolved(session.icon), session)
         running.tell_remarks([edit.icon])
         icon = session.exemplar(edit.icon)
-        request = edit_request(edit, place_edit(edit, icon))
+        request = edit_request(place_edited(edit, icon, session.workers, session.render))
         settings = options.settings(own_styles(icon))
         settings.chosen_styles()
         grid.need_keyword(edit.keyword)

@@ -12,9 +12,9 @@ from iconstudio.algorithms.iconification.guide import (
     guide_of,
 )
 from iconstudio.algorithms.raster import Bitmap, fill_polygon
-from iconstudio.model import CANVAS, Axis, Edit, Sketch, Stroke
+from iconstudio.model import CANVAS, Axis, Sketch, Stroke
 from iconstudio.output.figure import INK, MUTED, RGB
-from iconstudio.workflows.editing.editing import PlacedEdit, place_edit
+from iconstudio.workflows.editing.editing import PlacedEdit
 
 ADDED, REMOVED = (46, 148, 84), (206, 58, 48)
 _ADDED_GROUND, _REMOVED_GROUND = (150, 214, 172), (246, 200, 195)
@@ -64,7 +64,7 @@ def sketch_request(sketch: Sketch, side: int = CANVAS) -> Request:
     )
 
 
-def edit_request(edit: Edit, change: PlacedEdit) -> Request:
+def edit_request(change: PlacedEdit) -> Request:
     """Return the request of an edit: red goes, green comes."""
     layers = (
         (change.removed, _REMOVED_GROUND),
@@ -74,12 +74,12 @@ def edit_request(edit: Edit, change: PlacedEdit) -> Request:
         (change.ink & change.added, ADDED),
     )
     return Request(
-        edit.keyword,
-        edit.symmetry,
-        f"{change.base.exemplar.name}, less red, plus green",
+        change.edit.keyword,
+        change.edit.symmetry,
+        f"{change.icon.name}, less red, plus green",
         layers,
         change.silhouette,
         change,
         guide=change.guide,
-        posed=lambda side: edit_request(edit, place_edit(edit, change.base.exemplar, side)),
+        posed=lambda side: edit_request(change.at(side)),
     )

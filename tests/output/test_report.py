@@ -211,7 +211,7 @@ def edited(tmp_path_factory, results):
     out = tmp_path_factory.mktemp("edit")
     edit = Edit(BLOCK.pictogram, "dog", remove=(REMOVED,), symmetry=Axis.VERTICAL)
     change = place_edit(edit, BLOCK)
-    report = GridReport(out, edit_request(edit, change), (0.05,), dump=True)
+    report = GridReport(out, edit_request(change), (0.05,), dump=True)
     report.add(StyleMatched("light", (RING,), (SOURCES[:3],) * 9))
     report.add(Result(replace(results[1], unchanged=0.9975)))
     report.finish({})

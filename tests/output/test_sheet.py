@@ -148,7 +148,7 @@ def test_an_edit_is_shown_as_red_and_green_on_its_icon(rows):
         remove=(Polygon.of([(48, 48), (128, 48), (128, 208), (48, 208)]),),
         add=(Polygon.of([(208, 100), (250, 100), (250, 150), (208, 150)]),),
     )
-    sheet = pixels(grid_sheet(edit_request(edit, place_edit(edit, BLOCK)), LAMBDAS, rows))
+    sheet = pixels(grid_sheet(edit_request(place_edit(edit, BLOCK)), LAMBDAS, rows))
 
     def at(x, y):
         return tuple(sheet[24 + y * 150 // 256, 32 + x * 150 // 256])
@@ -163,7 +163,7 @@ def test_what_is_added_beyond_the_canvas_is_still_on_the_sheet():
     beyond = Polygon.of([(208, 100), (400, 100), (400, 150), (208, 150)])
     edit = Edit(BLOCK.pictogram, "dog", add=(beyond,))
     change = place_edit(edit, BLOCK)
-    asked = edit_request(edit, change)
+    asked = edit_request(change)
     (_, (added, _), *_) = asked.layers
     assert np.array_equal(added, asked.change.mask == 0)
     assert not added[:, -1].any()

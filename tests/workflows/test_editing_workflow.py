@@ -35,7 +35,7 @@ def events(workers):
     prepared = Matcher([prepare(one) for one in (ICON, WITH_KNOB, *BLOBS)])
     settings = GridSettings(styles=("dark",), lambdas=(0.05, 0.3))
     change = place_edit(EDIT, ICON)
-    return list(edit_icon(EDIT, change, prepared, settings, workers, render_placed))
+    return list(edit_icon(change, prepared, settings, workers, render_placed))
 
 
 def inked(result):
@@ -89,7 +89,7 @@ def test_a_hole_is_cut_where_another_icon_has_one(workers):
     edit = Edit(ICON.pictogram, "body", inner=Inner((rectangle(90, 130, 150, 170),)))
     settings = GridSettings(styles=("dark",), lambdas=(0.1,))
     change = place_edit(edit, ICON)
-    (result,) = icons(edit_icon(edit, change, prepared, settings, workers, render_placed))
+    (result,) = icons(edit_icon(change, prepared, settings, workers, render_placed))
     ink = result.drawing.coverage.reshape(CANVAS, 2, CANVAS, 2).mean(axis=(1, 3)) > 127
     assert (ink ^ (BODY & ~window)).sum() < 0.01 * BODY.sum()
     assert result.score.inside > 0.9
@@ -99,9 +99,7 @@ def test_it_is_told_if_no_icon_has_a_hole_where_one_is_drawn(workers):
     matcher = Matcher([prepare(one) for one in (WITH_KNOB, *BLOBS)])
     edit = Edit(ICON.pictogram, "body", inner=Inner((rectangle(90, 130, 150, 170),)))
     settings = GridSettings(styles=("dark",), lambdas=(0.3,))
-    events = list(
-        edit_icon(edit, place_edit(edit, ICON), matcher, settings, workers, render_placed)
-    )
+    events = list(edit_icon(place_edit(edit, ICON), matcher, settings, workers, render_placed))
     (result,) = icons(events)
     (remark,) = of(Remark, events)
     assert result.score.inside < SHOWN
@@ -162,7 +160,7 @@ def without(removed, own, other, styles, workers):
     edit = Edit(own.pictogram, "x", (removed,))
     settings = GridSettings(styles=styles, lambdas=(0.05, 0.3))
     change = place_edit(edit, own)
-    events = list(edit_icon(edit, change, prepared, settings, workers, render_placed))
+    events = list(edit_icon(change, prepared, settings, workers, render_placed))
     found = [inked(result) for result in icons(events)]
     assert found
     return found

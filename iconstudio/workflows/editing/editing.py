@@ -48,6 +48,7 @@ from iconstudio.model import (
 )
 from iconstudio.workers import Workers, answer
 from iconstudio.workflows.drawing import Render, draw_whole
+from iconstudio.workflows.editing.emptying import Emptied, begin_emptying
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.grid import GridSettings, Matches, focused, remix_styles
 from iconstudio.workflows.remixing import RemixResources
@@ -69,25 +70,35 @@ class PlacedEdit:
     If something is added beyond the canvas, all is made smaller so that it fits.
     """
 
+    edit: Edit
+    icon: Exemplar
+    """The icon E_0."""
     base: Source
-    """The icon E_0: label 0 of the graph cut."""
+    """It without what was emptied: label 0 of the graph cut."""
     ink: Bitmap
-    """(m, m): the icon's own drawing."""
+    """(m, m): its own drawing."""
     removed: Bitmap
     added: Bitmap
     """(m, m): the red and the green areas."""
+    left: Bitmap
+    """(m, m): the red areas without those that are emptied."""
     silhouette: Bitmap
     """(m, m): the outline that is wanted, filled."""
     mask: NDArray[np.float32]
     """D_E, (m, m): the distance from the changed area, from 0 to 1."""
     guide: Guide = UNGUIDED
     """What is drawn inside the outline."""
+    emptied: Emptied | None = None
+
+    def at(self, side: int) -> "PlacedEdit":
+        """Return the same on a canvas of another side."""
+        return place_edit(self.edit, self.icon, side, self.emptied)
 
     @property
     def kept(self) -> NDArray[np.float32]:
         """D_E of what is added, and 0 where something is removed, (m, m)."""
         reach = EDIT_REACH * len(self.mask) / CANVAS
-        return np.where(self.removed, 0, truncated_distance(self.added, reach)).astype(np.float32)
+        return np.where(self.left, 0, truncated_distance(self.added, reach)).astype(np.float32)
 
     def penalty(self, data: NDArray[np.float32], sources: Sequence[Source]) -> NDArray[np.float32]:
         """Return P_E of labels, (K, m, m), given their data cost F_D, (K, m, m)."""
@@ -95,7 +106,7 @@ class PlacedEdit:
         for number, source in enumerate(sources):
             if source.placement == OFF_CANVAS:
                 # Within the outline, nothing fits what is removed as well as the icon did.
-                within = self.removed & self.silhouette
+                within = self.left & self.silhouette
                 penalty[number, within] = np.minimum(data[0] - data[number], 0)[within]
         return penalty
 
@@ -117,8 +128,10 @@ class PlacedEdit:
         return float(same[far].mean()) if far.any() else 1.0
 
 
-def place_edit(edit: Edit, icon: Exemplar, side: int = CANVAS) -> PlacedEdit:
-    """Put an edit of ``icon`` on a canvas of that side.
+def place_edit(
+    edit: Edit, icon: Exemplar, side: int = CANVAS, emptied: Emptied | None = None
+) -> PlacedEdit:
+    """Put an edit of ``icon`` on a canvas of that side; what is ``emptied`` is done already.
 
     Raises
     ------
@@ -154,9 +167,27 @@ def place_edit(edit: Edit, icon: Exemplar, side: int = CANVAS) -> PlacedEdit:
         [Stroke(0, one) for one in inner.lines], side
     )
     mask = truncated_distance(removed | added | drawn, EDIT_REACH * side / CANVAS)
-    base = Source(icon, placement)
     guide = Guide(inner, aims=inner_aims(inner, side))
-    return PlacedEdit(base, ink, removed, added, silhouette, mask, guide)
+    base, left = Source(icon, placement), removed
+    if emptied is not None:
+        some = [one for one in edit.remove if one not in emptied.areas]
+        base, left = Source(emptied.icon, placement), _union(some, placement, side)
+    return PlacedEdit(edit, icon, base, ink, removed, added, left, silhouette, mask, guide, emptied)
+
+
+def place_edited(edit: Edit, icon: Exemplar, workers: Workers, render: Render) -> PlacedEdit:
+    """Put an edit of ``icon`` on the canvas, what its areas enclose inside the icon taken out.
+
+    Raises
+    ------
+    IconstudioError
+        As ``place_edit``.
+    """
+    change = place_edit(edit, icon)
+    if not edit.remove:
+        return change
+    emptying = begin_emptying(edit.remove, icon, workers, render)
+    return replace(change, emptied=answer(emptying, f"Drawing “{icon.name}”")).at(CANVAS)
 
 
 def paper(icon: Source) -> Source:
@@ -185,12 +216,11 @@ def run(
         If the edit or the keyword is no good; before any work is done.
     """
     icon = resources.exemplar(edit.icon)
-    change = place_edit(edit, icon)
+    change = place_edited(edit, icon, resources.workers, resources.render)
     settings = settings or GridSettings(styles=own_styles(icon))
     settings.chosen_styles()
     matcher = yield from resources.prepare(edit.keyword, edit.exclude, settings.scales)
     events = edit_icon(
-        edit,
         change,
         matcher,
         settings,
@@ -203,7 +233,6 @@ def run(
 
 
 def edit_icon(
-    edit: Edit,
     change: PlacedEdit,
     matcher: Matcher,
     settings: GridSettings,
@@ -218,11 +247,11 @@ def edit_icon(
     parameters, are those of ``grid.remix_styles``. The icon itself, and other files of the same
     drawing, are left out of matching.
     """
+    edit = change.edit
     score = saliency(outlines(change.silhouette), change.silhouette, change.mask)
-    posed = change
-    if settings.side != CANVAS:
-        posed = place_edit(edit, change.base.exemplar, settings.side)
-    own = draw_whole(change.base, change.ink, workers, render)  # what results are compared with
+    posed = change if settings.side == CANVAS else change.at(settings.side)
+    before = Source(change.icon, change.base.placement)  # what results are compared with
+    own = draw_whole(before, change.ink, workers, render)
 
     def finish(icon: Remix) -> Remix:
         drawn = answer(own, f"Drawing “{edit.icon.name}”")
@@ -235,12 +264,12 @@ def edit_icon(
             matcher,
             settings,
             refusal=_refusal,
-            always=(change.base, paper(change.base)) if edit.remove else (change.base,),
+            always=(change.base, paper(change.base)) if change.left.any() else (change.base,),
             pose=partial(posed.pose, edit.symmetry),
             finish=finish,
             guide=change.guide,
             include=edit.include,
-            without=lookalikes(change.base.exemplar, matcher),
+            without=lookalikes(change.icon, matcher),
             workers=workers,
             render=render,
             earlier=earlier,
