@@ -9,7 +9,10 @@ from iconstudio.algorithms.flattening import flattened
 from iconstudio.algorithms.iconification.healing import Examples
 from iconstudio.algorithms.iconification.joined_path import joined_path
 from iconstudio.algorithms.regions import doubled
-from iconstudio.algorithms.tracing.vectorize import trace
+from iconstudio.algorithms.tracing.exact import Followed
+from iconstudio.algorithms.tracing.pieces import pieces_of
+from iconstudio.algorithms.tracing.source_curve import SourceCurve
+from iconstudio.algorithms.tracing.vectorize import outlines, trace
 from iconstudio.model import CANVAS, Frame, Path
 from iconstudio.model.path import Contour
 from iconstudio.svg.resvg import render_coverage
@@ -70,6 +73,16 @@ def test_away_from_a_seam_curves_are_exact():
         assert abs(away[right] - 82).max() < 0.03
         assert away.min() > 79.8
         assert away.max() < 82.2
+
+
+def test_a_row_that_ends_at_the_node_where_it_begins_is_no_run():
+    (contour,) = circle(128, 128, 80).contours
+    curve = SourceCurve.of(contour, 0.25)
+    ends = np.array([curve.length - 0.2, curve.length + 0.2])
+    (outline,) = outlines(picture(circle(128, 128, 80)))
+    run = Followed(curve, 0, ends).run()
+    assert run.pieces == []
+    assert pieces_of(outline.even(), 1.0, 1, [run]) == pieces_of(outline.even(), 1.0, 1)
 
 
 def test_a_corner_that_was_cut_off_does_not_come_back_as_a_spike():

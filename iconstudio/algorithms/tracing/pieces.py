@@ -138,6 +138,7 @@ def owned_pieces_of(
     outline: Outline, tolerance: float, blur: int, runs: Sequence[Run] = ()
 ) -> list[tuple[Piece, int]]:
     """Return the same, each with its owner: that of its run, or nobody."""
+    runs = [one for one in runs if one.pieces]  # one that was cut back to a node is none
     if runs and runs[0].whole:
         return [(piece, runs[0].owner) for piece in runs[0].pieces]
     corners = _corners(outline, blur)
