@@ -87,7 +87,8 @@ class _Compared(NamedTuple):
         """Return how far each is from the nearest example: root mean square, in canvas units."""
         means = self.rows.mean(axis=1, keepdims=True)
         squares = self.errors.min(axis=1) + (abs(self.rows - means) ** 2).sum(axis=1)
-        return np.sqrt(np.maximum(squares, 0) / self.rows.shape[1])
+        found: NDArray[np.float32] = np.sqrt(np.maximum(squares, 0) / self.rows.shape[1])
+        return found
 
     def unlike(self) -> float:
         """Return how far they are from their nearest examples, all together."""
