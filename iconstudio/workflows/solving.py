@@ -19,7 +19,7 @@ from iconstudio.algorithms.iconification.inner_likeness import inner_likeness
 from iconstudio.algorithms.iconification.looks import Looks
 from iconstudio.algorithms.iconification.overhang import on_canvas, seen
 from iconstudio.algorithms.iconification.plausibility import Plausibility
-from iconstudio.algorithms.iconification.redraw import SCALE
+from iconstudio.algorithms.iconification.redraw import SCALE, redraw
 from iconstudio.algorithms.iconification.warm_start import transferred
 from iconstudio.algorithms.raster import Bitmap, overlap, solid
 from iconstudio.limits import limited
@@ -249,7 +249,10 @@ def warm_up(render: Render) -> None:
     expansion.find(1.0, [1.0])
     dot = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 8 8"><path d="M2 2h4v4H2z"/></svg>'
     frame = Frame(0, 0, 8)
-    joined_path(render(dot, frame, Placement(), CANVAS), [render.outline(dot, frame)])
+    drawn = render(dot, frame, Placement(), CANVAS)
+    joined_path(drawn, [render.outline(dot, frame)])
+    halves = np.repeat(np.arange(CANVAS) % 2 == 0, CANVAS).reshape(CANVAS, -1).astype(np.uint8)
+    redraw(halves, {0: drawn, 1: np.zeros_like(drawn)})
 
 
 def _begin(series: CutSeries) -> _SeriesState:

@@ -128,13 +128,12 @@ def test_the_likely_examples_of_a_seam_are_those_nearest_to_it():
     rows = (random.normal(size=(3000, 21)) + 1j * random.normal(size=(3000, 21))).astype(complex)
     rows[1000:2000] = rows[:1000]  # as of an icon that lies at two places
     rows -= rows.mean(axis=1, keepdims=True)
-    few = Examples(rows.astype(np.complex64)).likely(rows[::600])
-    away, _ = few.nearest(rows[::600])
-    assert abs(away).max() < 1e-2
+    few = Examples(rows.astype(np.complex64)).compared(rows[::600]).likely()
+    assert few.compared(rows[::600]).away().max() < 1e-2
     kept = [Examples(rows[k : k + 1].astype(np.complex64)) for k in range(3000)]
-    errors = np.array([one.nearest(rows[:1])[0][0] for one in kept])
+    errors = np.array([one.compared(rows[:1]).away()[0] for one in kept])
     wanted = rows[np.argsort(errors)[:20]]
-    assert few.nearest(wanted)[0].max() < 1e-2
+    assert few.compared(wanted).away().max() < 1e-2
 
 
 def test_a_path_that_covers_itself_is_told_by_the_area_that_it_covers_twice():

@@ -12,11 +12,11 @@ from iconstudio.algorithms.iconification.redraw import (
     FAR,
     REACH,
     SCALE,
-    SignedDistance,
     binarised,
     erase,
     redraw,
 )
+from iconstudio.algorithms.iconification.signed_distance import SignedDistance
 from iconstudio.algorithms.tracing.vectorize import trace
 from iconstudio.model import CANVAS, Frame
 from iconstudio.svg.resvg import render_coverage
@@ -161,21 +161,20 @@ def test_signed_distance_equals_the_distance_transform(seed):
     ink[0, 0] = False
     coverage = np.where(ink, 255, 0).astype(np.uint8)
     points = np.argwhere(np.ones_like(ink))[::37]
-    distance = SignedDistance(coverage, points, 0).at(points)
+    far = FAR * len(ink) / CANVAS
+    distance = SignedDistance(coverage, points, 0, far).at(points)
     outside = ndimage.distance_transform_edt(~ink)
     inside = ndimage.distance_transform_edt(ink)
     # The contour runs half a pixel before the nearest pixel of the other side.
     expected = np.where(ink, 0.5 - inside, outside - 0.5)[tuple(points.T)]
-    far = FAR * len(ink) / CANVAS
     assert np.abs(distance - np.clip(expected, -far, far)).max() < 0.75
     assert ((distance < 0) == ink[tuple(points.T)]).all()
 
 
 def test_distance_in_a_picture_without_contour():
-    blank, points = np.zeros((8, 8), np.uint8), np.array([[1, 1]])
-    far = FAR * 8 / CANVAS
-    assert (SignedDistance(blank, points, 0).at(points) == far).all()
-    assert (SignedDistance(blank + 255, points, 0).at(points) == -far).all()
+    blank, points, far = np.zeros((8, 8), np.uint8), np.array([[1, 1]]), 0.25
+    assert (SignedDistance(blank, points, 0, far).at(points) == far).all()
+    assert (SignedDistance(blank + 255, points, 0, far).at(points) == -far).all()
 
 
 def test_a_trace_redraws_its_bitmap():

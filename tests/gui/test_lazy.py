@@ -15,6 +15,9 @@ from iconstudio.workflows.registry import workflows
 _LOADED = """
 import sys
 import iconstudio.gui.app
+from iconstudio.workflows.registry import workflows
+from iconstudio.workflows.workflow import load_object
+load_object(workflows()[0].workspace)  # the one that the window shows first
 print(*sys.modules)
 """
 

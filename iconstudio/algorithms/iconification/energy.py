@@ -5,7 +5,7 @@ Their sum for a lambda_S, F(L) of equation 5, is ``alpha_expansion.Found.energy`
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -102,6 +102,7 @@ def joined_ink(ink: NDArray[np.bool_], labels: Labels) -> NDArray[np.bool_]:
     return joined
 
 
+@lru_cache(maxsize=2)
 def lattice_edges(
     side: int = CANVAS,
 ) -> tuple[tuple[NDArray[np.int64], NDArray[np.int64]], ...]:
@@ -111,10 +112,10 @@ def lattice_edges(
     [([0, 2], [1, 3]), ([0, 1], [2, 3])]
     """
     site = np.arange(side * side).reshape(side, side)
-    return (
-        (site[:, :-1].ravel(), site[:, 1:].ravel()),
-        (site[:-1].ravel(), site[1:].ravel()),
-    )
+    ends = site[:, :-1].ravel(), site[:, 1:].ravel(), site[:-1].ravel(), site[1:].ravel()
+    for one in ends:
+        one.flags.writeable = False
+    return ends[:2], ends[2:]
 
 
 def patch_words(ink: NDArray[np.bool_]) -> NDArray[np.uint64]:

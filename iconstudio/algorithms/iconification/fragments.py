@@ -4,6 +4,9 @@ A cut may leave a small piece of a source floating where the rest of its shape w
 piece is a fragment; an eye or a spoke, which its source also draws apart, is not.
 """
 
+from collections.abc import Callable
+from functools import lru_cache
+
 import numpy as np
 import scipy
 from numpy.typing import NDArray
@@ -43,21 +46,32 @@ def fragments(
     wanted = np.zeros(count + 1, dtype=bool)
     if marked is not None:
         wanted[pieces[marked]] = True
+    shapes = lru_cache(maxsize=None)(lambda owner: _shapes(ink[owner]))
+    most = small * joined.sum()
     for piece in range(1, count + 1):
-        if sizes[piece] <= small * joined.sum() and not wanted[piece]:
+        if sizes[piece] <= most and not wanted[piece]:
             here = pieces == piece
-            if not _shows_much(labels, ink, here):
+            if not _shows_much(labels, shapes, here):
                 found |= here
     return found
 
 
-def _shows_much(labels: Labels, ink: NDArray[np.bool_], here: NDArray[np.bool_]) -> bool:
+def _shapes(ink: NDArray[np.bool_]) -> tuple[NDArray[np.int32], NDArray[np.intp]]:
+    """Return which shape each pixel of a source is of, 0 for paper, and the pixels of each."""
+    shapes, _ = scipy.ndimage.label(ink, _EIGHT)
+    return shapes, np.bincount(shapes.ravel())
+
+
+def _shows_much(
+    labels: Labels,
+    shapes_of: Callable[[int], tuple[NDArray[np.int32], NDArray[np.intp]]],
+    here: NDArray[np.bool_],
+) -> bool:
     """Whether a piece shows more than WHOLE of its sources' shapes; two halves make a whole."""
     part = 0.0
     for owner in np.flatnonzero(np.bincount(labels[here])):
         own = here & (labels == owner)
-        shapes, _ = scipy.ndimage.label(ink[owner], _EIGHT)
-        sizes = np.bincount(shapes.ravel())
+        shapes, sizes = shapes_of(int(owner))
         shown = np.bincount(shapes[own], minlength=len(sizes)) > 0
         part += float(own.sum() / sizes[1:][shown[1:]].sum())
         if part > WHOLE:

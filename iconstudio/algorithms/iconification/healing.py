@@ -50,6 +50,7 @@ class Examples:
     def __init__(self, rows: NDArray[np.complex64]) -> None:
         """Take neighbourhoods (n, k) whose means are 0."""
         self._rows = rows
+        self._factors = np.ascontiguousarray(rows.conj().T)
         self._energies = (abs(rows) ** 2).sum(axis=1)
 
     @classmethod
@@ -65,37 +66,46 @@ class Examples:
     def __bool__(self) -> bool:
         return len(self._rows) > 0
 
-    def likely(self, rows: Points) -> "Examples":
-        """Return those of them that neighbourhoods (n, k), or others like these, are near to."""
-        if len(self._rows) <= _LIKELY:
-            return self
-        errors, _ = self._errors(rows)
-        return Examples(self._rows[_least(errors, _LIKELY)])
-
-    def nearest(self, rows: Points) -> tuple[NDArray[np.float32], Points]:
-        """Return how far neighbourhoods (n, k) are from their nearest examples, and these.
-
-        Distances are root mean squares in canvas units, after the best rotation and translation in
-        closed form; the examples are turned and moved so that they lie on the neighbourhoods.
-        """
-        errors, products = self._errors(rows)
-        best = errors.argmin(axis=1)
-        numbers = np.arange(len(rows))
-        turns = products[numbers, best]
-        turns = turns / np.maximum(abs(turns), 1e-12)
-        means = rows.mean(axis=1, keepdims=True)
-        squares = errors[numbers, best] + (abs(rows - means) ** 2).sum(axis=1)
-        away = np.sqrt(np.maximum(squares, 0) / rows.shape[1])
-        return away, self._rows[best] * turns[:, None] + means
-
-    def _errors(self, rows: Points) -> tuple[NDArray[np.float32], NDArray[np.complex64]]:
-        """Return sums of squares for each neighbourhood and example, but for the former's own part.
-
-        Their products come with them; how these turn is the best rotation.
-        """
+    def compared(self, rows: Points) -> "_Compared":
+        """Compare neighbourhoods (n, k) with all of them, after the best rotation and move."""
         centred = (rows - rows.mean(axis=1, keepdims=True)).astype(np.complex64)
-        products = centred @ self._rows.conj().T
-        return self._energies - 2 * abs(products), products
+        products = centred @ self._factors
+        return _Compared(self._rows, rows, self._energies - 2 * abs(products), products)
+
+
+class _Compared(NamedTuple):
+    """Examples (m, k), and neighbourhoods (n, k) that are compared with them."""
+
+    examples: NDArray[np.complex64]
+    rows: Points
+    errors: NDArray[np.float32]
+    """(n, m): sums of squares for each neighbourhood and example, but for the former's own part."""
+    products: NDArray[np.complex64]
+    """(n, m): how they turn is the best rotation."""
+
+    def away(self) -> NDArray[np.float32]:
+        """Return how far each is from the nearest example: root mean square, in canvas units."""
+        means = self.rows.mean(axis=1, keepdims=True)
+        squares = self.errors.min(axis=1) + (abs(self.rows - means) ** 2).sum(axis=1)
+        found: NDArray[np.float32] = np.sqrt(np.maximum(squares, 0) / self.rows.shape[1])
+        return found
+
+    def unlike(self) -> float:
+        """Return how far they are from their nearest examples, all together."""
+        return float(np.sqrt((self.away() ** 2).mean()))
+
+    def nearest(self) -> Points:
+        """Return the nearest example to each, so turned and moved that it lies on it, (n, k)."""
+        best = self.errors.argmin(axis=1)
+        turns = self.products[np.arange(len(self.rows)), best]
+        turns = turns / np.maximum(abs(turns), 1e-12)
+        found: Points = self.examples[best] * turns[:, None] + self.rows.mean(axis=1, keepdims=True)
+        return found
+
+    def likely(self) -> Examples:
+        """Return those examples that the neighbourhoods, or others like these, are near to."""
+        few = len(self.examples) <= _LIKELY
+        return Examples(self.examples if few else self.examples[_least(self.errors, _LIKELY)])
 
 
 @lru_cache(maxsize=256)
@@ -115,22 +125,20 @@ def _neighbourhoods(curve: SourceCurve, backwards: bool, unit: float) -> NDArray
 
 
 def _least(errors: NDArray[np.float32], count: int) -> NDArray[np.intp]:
-    """Return in which columns rows of errors (n, m) have one of their ``count`` least.
+    """Return in which columns rows of errors (n, m) have one of their ``count`` least, or equal.
 
-    The least of some stretches of a row tell how large those can be, so that few are left to sort;
-    but of equal ones, those are taken that sorting all finds first.
+    The least of some stretches of a row tell how large those can be, so that few are left to sort.
     """
     stretch = max(1, errors.shape[1] // (8 * count))
     heads = errors[:, : errors.shape[1] // stretch * stretch]
     heads = heads.reshape(len(errors), -1, stretch).min(axis=2)
     bounds = np.partition(heads, count - 1, axis=1)[:, count - 1]
-    found = []
+    found = np.zeros(errors.shape[1], dtype=bool)
     for row, bound in zip(errors, bounds, strict=True):
         few = np.flatnonzero(row <= bound)
         last = np.partition(row[few], count - 1)[count - 1]
-        best = few[row[few] <= last]
-        found.append(best if len(best) == count else np.argpartition(row, count)[:count])
-    return np.unique(np.concatenate(found))
+        found[few[row[few] <= last]] = True
+    return np.flatnonzero(found)
 
 
 def healed(
@@ -179,15 +187,16 @@ class _Seam:
         best = self._before, self._after
         if not 1 < len(self.points) * self._unit < _LONGEST:
             return best
-        least = self._unlike(self._drawn) * _BETTER
+        drawn = self._examples.compared(self._drawn.neighbourhoods)
+        least = drawn.unlike() * _BETTER
         if least < _ALIKE * _BETTER:
             return best
-        self._examples = self._examples.likely(self._drawn.neighbourhoods)
+        self._examples = drawn.likely()
         for before, after, points in self._candidates():
             row = self._row(before, after, points)
             if row.strays(self._drawn) > _FAR:
                 continue
-            unlike = self._unlike(row)
+            unlike = self._examples.compared(row.neighbourhoods).unlike()
             if unlike < least:
                 least, best, self.points = unlike, (before, after), points
         return best
@@ -214,16 +223,10 @@ class _Seam:
         end = np.concatenate([after.points, self._later])
         return _Row.of(start, points, end, self._unit)
 
-    def _unlike(self, row: "_Row") -> float:
-        """Return how far a seam's neighbourhoods are from the nearest ones of the sources."""
-        away, _ = self._examples.nearest(row.neighbourhoods)
-        return float(np.sqrt((away**2).mean()))
-
     def _refined(self, row: "_Row") -> Points:
         """Return a seam's points after some passes of refinement (section 3.1)."""
         for _ in range(_PASSES):
-            _, found = self._examples.nearest(row.neighbourhoods)
-            row = row.drawn_to(found)
+            row = row.drawn_to(self._examples.compared(row.neighbourhoods).nearest())
         return row.seam(self._unit)
 
 

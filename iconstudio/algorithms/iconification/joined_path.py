@@ -48,7 +48,7 @@ def joined_sides(
     unit = CANVAS / len(coverage)
     drawn = [one.even() for one in outlines(coverage)]
     curves = SourceCurves(sources, unit)
-    followed = [curves.followed(one) for one in drawn]
+    followed = curves.followed(drawn)
     moves = np.zeros(len(sources), dtype=np.complex128)
     if heal:
         moves = alignment(drawn, followed, len(sources), unit)

@@ -136,6 +136,8 @@ def _faded(
     It is exact wherever it is within a pixel of 0. Elsewhere it has the right sign: it is estimated
     from the distance of one pixel of each block.
     """
+    from iconstudio.algorithms.iconification.signed_distance import SignedDistance
+
     s = disagreed.shape[1]
     middle = s // 2
     mean = np.zeros(disagreed.shape, dtype=np.float32)
@@ -146,7 +148,7 @@ def _faded(
         rows, weights = one.rows[here], one.weights[here]
         if len(rows):
             corners = blocks[rows] * s
-            field = SignedDistance(one.coverage, corners, s)
+            field = SignedDistance(one.coverage, corners, s, FAR * len(one.coverage) / CANVAS)
             mean[rows] += weights * field.at(corners + middle)[:, None, None]
             fields.append((field, rows, weights))
     close = disagreed & (abs(mean) < 1 + _ROUGH + np.sqrt(2) * middle)
@@ -158,68 +160,6 @@ def _faded(
         own[exact] = weights[exact] * field.at(blocks[rows[block]] * s + np.column_stack([y, x]))
         mean[rows] += own
     return mean
-
-
-class SignedDistance:
-    """The distances in pixels from a drawing's contour, negative inside, at most FAR.
-
-    The contour is where the coverage, interpolated, is one half.
-
-    Parameters
-    ----------
-    coverage
-        (n, n) uint8, 255 = ink: the canvas.
-    corners
-        (p, 2): rows of (y, x). Distances can be asked for at all pixels between these.
-    within
-        Pixels by which these may lie below or to the right of the corners.
-    """
-
-    def __init__(self, coverage: NDArray[np.uint8], corners: NDArray[np.intp], within: int) -> None:
-        self._ink = coverage > 127
-        self._far = FAR * len(coverage) / CANVAS
-        margin = int(np.ceil(self._far)) + 1
-        top, left = np.maximum(corners.min(axis=0) - margin, 0)
-        bottom, right = corners.max(axis=0) + within + margin
-        contour = _contour(coverage[top:bottom, left:right]) + np.array([top, left])
-        contour = contour[_within(corners, margin + within, contour)]
-        self._contour = scipy.spatial.KDTree(contour, balanced_tree=False, compact_nodes=False)
-
-    def at(self, points: NDArray[np.intp]) -> NDArray[np.float64]:
-        """Return the distances at ``points`` (p, 2), rows of (y, x)."""
-        away: NDArray[np.float64]
-        away, _ = self._contour.query(points, distance_upper_bound=self._far)
-        away = np.minimum(away, self._far)
-        inside: NDArray[np.bool_] = self._ink[points[:, 0], points[:, 1]]
-        return np.where(inside, -away, away)
-
-
-def _within(
-    corners: NDArray[np.intp], reach: int, points: NDArray[np.float64]
-) -> NDArray[np.bool_]:
-    """Return which points (p, 2) may be within ``reach`` pixels of a corner: all that are."""
-    first = (corners.min(axis=0) - 2 * reach) // reach
-    cells = corners // reach - first
-    near = np.zeros(cells.max(axis=0) + 3, dtype=bool)
-    near[tuple(cells.T)] = True
-    near = scipy.ndimage.maximum_filter(near, 3)
-    y, x = (points.astype(np.intp) // reach - first).T
-    found: NDArray[np.bool_] = near[y, x]
-    return found
-
-
-def _contour(coverage: NDArray[np.uint8]) -> NDArray[np.float64]:
-    """Return points (p, 2) where the coverage crosses one half between neighbouring pixels."""
-    ink = coverage > 127
-    found = []
-    for dy, dx in ((1, 0), (0, 1)):
-        height, width = len(ink) - dy, ink.shape[1] - dx
-        crossed = np.flatnonzero(ink[:height, :width] != ink[dy:, dx:])
-        y, x = np.divmod(crossed, width)
-        first, second = coverage[y, x].astype(float), coverage[y + dy, x + dx].astype(float)
-        part = (127.5 - first) / (second - first)
-        found.append(np.column_stack([y + dy * part, x + dx * part]))
-    return np.concatenate(found)
 
 
 def binarised(coverage: NDArray[np.uint8]) -> NDArray[np.uint8]:

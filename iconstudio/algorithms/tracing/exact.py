@@ -11,9 +11,9 @@ from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 
 import numpy as np
-import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.nearby import Nearby
 from iconstudio.algorithms.tracing.bezier import Points
 from iconstudio.algorithms.tracing.pieces import Outline, Run
 from iconstudio.algorithms.tracing.source_curve import STEP, SourceCurve
@@ -31,8 +31,6 @@ _PACE = 0.3, 2.5
 """How far along the curve, in pixels, a step from point to point may lead."""
 _ROOM = 12
 """Points between two rows from which what is between is fitted."""
-_CELL = 4.0
-"""Side in pixels of the cells by which it is told what is far from a curve."""
 _CROSSES = 0.05
 """Sine of the least angle at which curves cross."""
 
@@ -191,29 +189,38 @@ class SourceCurves:
             for curve in source.curves
         ]
 
-    def followed(self, outline: Outline) -> list[Followed]:
-        """Return where a closed outline follows a curve, in order, and none over another."""
-        count = len(outline)
-        found = [
-            replace(row, source=number)
-            for number, source in self._sources.items()
-            for row in source.followed(outline.points)
-        ]
-        taken = np.zeros(count, dtype=bool)
-        chosen: list[Followed] = []
-        while found:
-            best = max(found, key=lambda one: one.count)
-            found.remove(best)
-            free = best.longest(~taken[best.indices % count])
-            if free.count < _SHORTEST:
-                continue
-            if free.count < best.count:
-                found.append(free)
-                continue
-            taken[best.indices % count] = True
-            chosen.append(best)
-        chosen.sort(key=lambda one: one.first)
-        return chosen
+    def followed(self, outlines: Sequence[Outline]) -> list[list[Followed]]:
+        """Return where closed outlines follow a curve: for each in order, and none over another."""
+        if not outlines:
+            return []
+        points = np.concatenate([one.points for one in outlines])
+        ends = np.cumsum([len(one) for one in outlines])[:-1]
+        found: list[list[Followed]] = [[] for _ in outlines]
+        for number, source in self._sources.items():
+            for rows, *places in zip(
+                found, *(np.split(some, ends) for some in source.places(points)), strict=True
+            ):
+                rows += (replace(row, source=number) for row in source.rows(*places))
+        return [_chosen(rows, len(outline)) for rows, outline in zip(found, outlines, strict=True)]
+
+
+def _chosen(found: list[Followed], count: int) -> list[Followed]:
+    """Return the longest rows of an outline's ``count`` points, none over another, in order."""
+    taken = np.zeros(count, dtype=bool)
+    chosen: list[Followed] = []
+    while found:
+        best = max(found, key=lambda one: one.count)
+        found.remove(best)
+        free = best.longest(~taken[best.indices % count])
+        if free.count < _SHORTEST:
+            continue
+        if free.count < best.count:
+            found.append(free)
+            continue
+        taken[best.indices % count] = True
+        chosen.append(best)
+    chosen.sort(key=lambda one: one.first)
+    return chosen
 
 
 class _Source:
@@ -223,9 +230,7 @@ class _Source:
         self._points = points
         self._along = np.concatenate([curve.along for curve in curves])
         self._number = np.repeat(np.arange(len(curves)), [len(one.points) for one in curves])
-        pairs = np.column_stack([points.real, points.imag])
-        self._near = _Cells(pairs)
-        self._tree = scipy.spatial.KDTree(pairs, balanced_tree=False, compact_nodes=False)
+        self._nearby = Nearby(_pairs(points))
 
     @cached_property
     def is_backwards(self) -> bool:
@@ -233,26 +238,28 @@ class _Source:
         rows = [curve.points for curve in self.curves]
         return bool(sum((row[:-1].conj() * row[1:]).imag.sum() for row in rows) < 0)
 
-    def followed(self, points: Points) -> Iterator[Followed]:
-        """Yield the rows of a closed outline's points (n,) that follow one of its curves."""
-        count = len(points)
-        pairs = np.column_stack([points.real, points.imag])
-        some = np.flatnonzero(self._near.hold(pairs))
-        if len(some) < _SHORTEST:
+    def places(self, points: Points) -> tuple[NDArray[np.intp], NDArray[np.float64]]:
+        """Return which of its curves is next to each of some points (n,), and where on it.
+
+        Where none is so near that it may be followed, its number is -1.
+        """
+        number, along = np.full(len(points), -1), np.zeros(len(points))
+        _, nearest = self._nearby.nearest(_pairs(points), _NEAR + STEP)
+        some = np.flatnonzero(nearest >= 0)
+        away, place = self._projected(points[some], nearest[some])
+        close = some[away < _NEAR]
+        number[close] = self._number[nearest[close]]
+        along[close] = place[away < _NEAR]
+        return number, along
+
+    def rows(self, number: NDArray[np.intp], along: NDArray[np.float64]) -> Iterator[Followed]:
+        """Yield the rows of a closed outline's points, of these ``places``, that follow a curve."""
+        close = np.flatnonzero(number >= 0)
+        if len(close) < _SHORTEST:
             return
-        away, nearest = self._tree.query(pairs[some], distance_upper_bound=_NEAR + STEP)
-        near = away < np.inf
-        some, nearest = some[near], nearest[near]
-        if len(some) < _SHORTEST:
-            return
-        number, along = np.full(count, -1), np.zeros(count)
-        away, place = self._projected(points[some], nearest)
-        close = away < _NEAR
-        number[some[close]] = self._number[nearest[close]]
-        along[some[close]] = place[close]
-        for curve_number in np.unique(number[number >= 0]):
-            near = np.flatnonzero(number == curve_number)
-            yield from _rows(self.curves[int(curve_number)], near, along[near], count)
+        for curve in np.unique(number[close]):
+            near = close[number[close] == curve]
+            yield from _rows(self.curves[int(curve)], near, along[near], len(number))
 
     def _projected(
         self, points: Points, nearest: NDArray[np.intp]
@@ -269,24 +276,8 @@ class _Source:
         return abs(offset.imag), self._along[nearest] + np.clip(offset.real, -STEP, STEP)
 
 
-class _Cells:
-    """Where points are near to others, by cells: few are left to be looked for among them."""
-
-    def __init__(self, points: NDArray[np.float64]) -> None:
-        """Take rows of x and y."""
-        cells = np.floor(points / _CELL).astype(int)
-        self._corner = cells.min(axis=0) - 2
-        places = cells - self._corner
-        held = np.zeros(places.max(axis=0) + 3, dtype=bool)
-        held[tuple(places.T)] = True
-        self._held = scipy.ndimage.maximum_filter(held, 3)
-
-    def hold(self, points: NDArray[np.float64]) -> NDArray[np.bool_]:
-        """Return which points (n, 2) may be less than a cell from any: all that are."""
-        places = np.floor(points / _CELL).astype(int) - self._corner
-        x, y = np.clip(places, 0, np.array(self._held.shape) - 1).T
-        held: NDArray[np.bool_] = self._held[x, y]
-        return held
+def _pairs(points: Points) -> NDArray[np.float64]:
+    return np.column_stack([points.real, points.imag])
 
 
 @lru_cache(maxsize=64)

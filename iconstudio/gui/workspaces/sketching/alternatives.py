@@ -7,7 +7,6 @@ import numpy as np
 from PySide6.QtCore import QObject, QPoint, Signal
 
 from iconstudio.algorithms.raster import placed_ink
-from iconstudio.algorithms.tracing.vectorize import trace
 from iconstudio.gui.gallery.alternatives import AlternativesPopup
 from iconstudio.gui.gallery.large import LargePicture
 from iconstudio.gui.jobs.runner import Runner
@@ -103,6 +102,8 @@ def _offering(session: Session, sketch: Sketch, part: Part) -> Generator[Event |
 
 def _placed(choice: PinnedPart) -> Picture:
     """Return the picture of a whole icon where it lies."""
+    from iconstudio.algorithms.tracing.vectorize import trace  # with SciPy: the window opens sooner
+
     ink, _ = placed_ink(choice.source.exemplar, choice.source.placement)
     path = trace(np.where(ink, np.uint8(255), np.uint8(0)))
     return picture_of(Icon(path, choice.source.exemplar.name))
