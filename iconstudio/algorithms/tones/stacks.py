@@ -14,8 +14,8 @@ from iconstudio.algorithms.tones.tiles import SHARP, rectangularity
 
 _SEVERAL, _MOST_BESIDE = 4, 0.4
 """Neighbours that a piece of a mosaic has, and how much of its contour one of them has at most."""
-_SQUARES = 8
-"""Of a board, at least."""
+_SQUARES = 4
+"""Of either colour of a board, at least: a page with dots has one of paper."""
 _THICK = 28.0
 """Width in pixels of the thinnest layer; a thinner one reads as a line of paper."""
 _THICKER, _FEW = 1.3, 3
@@ -44,10 +44,12 @@ def checkered(found: Regions) -> Mask | None:
     """Return the darker of all regions (k + 1,) of a board in two colours; None if it is none."""
     lightness = found.colours[1:, 0]
     dark = np.append(False, lightness < (lightness.min() + lightness.max()) / 2)
-    if len(lightness) < _SQUARES or rectangularity(found) < SHARP:
+    if len(lightness) < 2 * _SQUARES or rectangularity(found) < SHARP:
         return None
     for tone in (dark, ~dark):
         tone[0] = False
+        if tone.sum() < _SQUARES:
+            return None
         colours = found.colours[tone]
         if np.linalg.norm(colours - colours[0], axis=1).max() > ALIKE:
             return None
