@@ -16,6 +16,8 @@ _SEVERAL, _MOST_BESIDE = 4, 0.4
 """Neighbours that a piece of a mosaic has, and how much of its contour one of them has at most."""
 _SQUARES = 4
 """Of either colour of a board, at least: a page with dots has one of paper."""
+_UNLIKE = 3.0
+"""How many times as large as usual a square of a board is at most."""
 _THICK = 28.0
 """Width in pixels of the thinnest layer; a thinner one reads as a line of paper."""
 _THICKER, _FEW = 1.3, 3
@@ -45,6 +47,8 @@ def checkered(found: Regions) -> Mask | None:
     lightness = found.colours[1:, 0]
     dark = np.append(False, lightness < (lightness.min() + lightness.max()) / 2)
     if len(lightness) < 2 * _SQUARES or rectangularity(found) < SHARP:
+        return None
+    if found.areas[1:].max() > _UNLIKE * np.median(found.areas[1:]):
         return None
     for tone in (dark, ~dark):
         tone[0] = False
