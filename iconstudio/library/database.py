@@ -144,7 +144,7 @@ def _fill(archive: Archive, path: Path) -> Iterator[Progress]:
             pool.submit(archive.read, name)
             for name in ("bodies.txt.xz", "index.json.xz", "shapes.bin.xz")
         )
-        columns = json.loads(index.result())
+        columns = _columns(index.result().decode())
         yield Progress("search", 0.3, "Unpacking the icon collection: the words")
         with closing(sqlite3.connect(path, isolation_level=None)) as database:
             database.executescript(
@@ -161,6 +161,19 @@ def _fill(archive: Archive, path: Path) -> Iterator[Progress]:
             database.execute("INSERT INTO shapes VALUES (?, ?)", (cells[:-count], cells[-count:]))
             database.execute("COMMIT")
     yield Progress("search", 1.0, "The icon collection is unpacked")
+
+
+def _columns(index: str) -> dict[str, Any]:
+    """Return what an index holds, one column after another.
+
+    No other thread runs while JSON is decoded: all of it at once would hold up the window.
+    """
+    decoder, columns, at = json.JSONDecoder(), {}, 1
+    while index[at : at + 1] == '"':
+        name, at = decoder.raw_decode(index, at)
+        columns[name], at = decoder.raw_decode(index, at + 1)
+        at += 1
+    return columns
 
 
 def _insert_words(database: sqlite3.Connection, columns: dict[str, Any]) -> None:

@@ -26,6 +26,12 @@ def folder(make):
     return make(icon_set("a", {"dog": shape(1), "horse": shape(2), "bowl": shape(3)}))
 
 
+@pytest.mark.parametrize("index", [{}, {"a": []}, {"names": ["x", "ü"], "sets": {"y": [1, {}]}}])
+def test_an_index_is_read_column_by_column(index):
+    text = json.dumps(index, separators=(",", ":"), ensure_ascii=False)
+    assert database._columns(text) == index
+
+
 def test_first_opening_shows_progress_and_later_ones_have_none(folder, tmp_path):
     cache = tmp_path / "cache"
     steps = list(Collection.opening(folder, cache))
