@@ -81,7 +81,12 @@ def quoted_list(things: Sequence[Item | str]) -> str:
     names = [f"“{one if isinstance(one, str) else one.name}”" for one in things]
     if len(names) > _NAMED + 1:
         names[_NAMED:] = [f"{len(names) - _NAMED} more"]
-    return " and ".join(filter(None, (", ".join(names[:-1]), names[-1])))
+    return joined(names)
+
+
+def joined(words: Sequence[str]) -> str:
+    """Return some words, one at least, as a sentence has them: “a, b and c”."""
+    return " and ".join(filter(None, (", ".join(words[:-1]), words[-1])))
 
 
 def counted(count: int, noun: str) -> str:

@@ -7,6 +7,7 @@ from typing import Any, Protocol, Self, cast
 
 from iconstudio.algorithms.geometry import crosses_itself
 from iconstudio.inputs.formats import Points, Record
+from iconstudio.inputs.together import joined
 from iconstudio.model import Inner, Point, Polygon
 from iconstudio.workflows.outline import Outline
 from iconstudio.workflows.pages import Document, Page
@@ -94,10 +95,10 @@ def crossings(inner: Inner, others: Mapping[str, Polygon]) -> str:
     found = [name for name, outline in {**others, **holes}.items() if crosses_itself(outline)]
     if not found:
         return ""
-    names = " and ".join(filter(None, (", ".join(found[:-1]), found[-1])))
+    names = joined(found).capitalize()
     if len(found) == 1:
-        return f"{names.capitalize()} crosses itself: all that it encloses counts as inside."
-    return f"{names.capitalize()} cross themselves: all that they enclose counts as inside."
+        return f"{names} crosses itself: all that it encloses counts as inside."
+    return f"{names} cross themselves: all that they enclose counts as inside."
 
 
 class AreasPage(Page, Protocol):

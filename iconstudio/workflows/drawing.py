@@ -334,10 +334,14 @@ def _is_plain(path: Path, drawn: NDArray[np.uint8], render: Render) -> bool:
 
 def _picture(path: Path, rule: str, render: Render) -> NDArray[np.uint8]:
     """Draw a path, filled by a rule, as results are drawn."""
+    return render(svg_of(path, rule), WHOLE, Placement(), _COVERAGE)
+
+
+def svg_of(path: Path, rule: str = "nonzero") -> str:
+    """Return a document that shows a path, filled by a rule, on the canvas."""
     box = f"0 0 {CANVAS} {CANVAS}"
     shape = f'<path d="{path.svg()}" fill-rule="{rule}"/>'
-    svg = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{box}">{shape}</svg>'
-    return render(svg, Frame(0, 0, CANVAS), Placement(), _COVERAGE)
+    return f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{box}">{shape}</svg>'
 
 
 def _outline(source: Source, frame: Frame, render: Render) -> Path:

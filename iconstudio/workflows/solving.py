@@ -17,7 +17,7 @@ from iconstudio.algorithms.iconification.energy import Labels, RemixProblem, joi
 from iconstudio.algorithms.iconification.features import Remixed, features
 from iconstudio.algorithms.iconification.inner_likeness import inner_likeness
 from iconstudio.algorithms.iconification.looks import Looks
-from iconstudio.algorithms.iconification.overhang import on_canvas, seen
+from iconstudio.algorithms.iconification.overhang import drawn_ink, seen
 from iconstudio.algorithms.iconification.plausibility import Plausibility
 from iconstudio.algorithms.iconification.redraw import SCALE, redraw
 from iconstudio.algorithms.iconification.warm_start import transferred
@@ -209,7 +209,7 @@ def finished(
     score = replace(
         ranking.score(problem, labels, marked=kept),
         likeness=likeness,
-        inside=inner_likeness(posed.inner, on_canvas(drawing.coverage > 127, drawing.frame)),
+        inside=inner_likeness(posed.inner, drawn_ink(drawing)),
     )
     sharing = ranking.evenness(shares) if series.sharing else 1.0
     plausible = None
@@ -235,7 +235,7 @@ def remixed(
     score: Score,
 ) -> Remixed:
     """Return a labelling (m, m) and its drawing as they are judged."""
-    drawn = on_canvas(drawing.coverage > 127, drawing.frame)
+    drawn = drawn_ink(drawing)
     return Remixed(posed.problem, labels, drawn, score, sources, posed.looks, posed.outline)
 
 

@@ -114,10 +114,7 @@ class AlphaExpansion:
         """Return a good labelling soon, (m, m); what is known already is improved, too."""
         if self._known:
             self._descend(COARSE, lambda_s, self.best(lambda_s))
-        labels = None
-        lowest = LOWEST * self._problem.side / CANVAS
-        for value in np.geomspace(min(lowest, lambda_s), lambda_s, RISES):
-            labels = self._descend(COARSE, value, labels).labels
+        self._rise(lambda_s)
         self._descend(BLOCK, lambda_s, self.best(lambda_s))
         return self.best(lambda_s)
 
@@ -167,13 +164,9 @@ class AlphaExpansion:
 
         At least one label must be left. Nothing else that is known plays a part.
         """
-        labels = None
-        lowest = LOWEST * self._problem.side / CANVAS
-        for value in np.geomspace(min(lowest, lambda_s), lambda_s, RISES):
-            labels = self._descend(COARSE, value, labels, without).labels
+        labels = self._rise(lambda_s, without)
         for block in (BLOCK, 1):
             labels = self._descend(block, lambda_s, labels, without).labels
-        assert labels is not None
         return labels
 
     def solve(self, lambda_s: float) -> Labels:
@@ -182,6 +175,15 @@ class AlphaExpansion:
             self._descend(BLOCK, lambda_s, None)
         self._descend(1, lambda_s, self.best(lambda_s))
         return self.best(lambda_s)
+
+    def _rise(self, lambda_s: float, without: Collection[int] = ()) -> Labels:
+        """Return what is found on coarse blocks on the way up to a lambda_S."""
+        lowest = LOWEST * self._problem.side / CANVAS
+        first, *others = np.geomspace(min(lowest, lambda_s), lambda_s, RISES)
+        labels = self._descend(COARSE, first, None, without).labels
+        for value in others:
+            labels = self._descend(COARSE, value, labels, without).labels
+        return labels
 
     def _chain(self, values: tuple[float, ...]) -> list["Found"]:
         """Return what is found for values one after another, each from the last."""

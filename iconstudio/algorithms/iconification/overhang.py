@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from iconstudio.algorithms.iconification.blending import spread
 from iconstudio.algorithms.iconification.energy import Labels, joined_ink
 from iconstudio.algorithms.raster import Bitmap, Scalar
-from iconstudio.model import CANVAS, MARGIN, Frame, Source
+from iconstudio.model import CANVAS, MARGIN, Drawing, Frame, Source
 
 FARTHEST = 384
 """Canvas units around the canvas beyond which nothing is drawn."""
@@ -146,6 +146,11 @@ def on_canvas(picture: NDArray[Scalar], frame: Frame) -> NDArray[Scalar]:
     )
     shown: NDArray[Scalar] = picture[ys[:, None], xs]
     return shown
+
+
+def drawn_ink(drawing: Drawing) -> Bitmap:
+    """Return the ink of a drawing on the canvas, (CANVAS, CANVAS)."""
+    return on_canvas(drawing.coverage > 127, drawing.frame)
 
 
 def _border(side: int) -> Bitmap:

@@ -187,7 +187,8 @@ def place_edited(edit: Edit, icon: Exemplar, workers: Workers, render: Render) -
     if not edit.remove:
         return change
     emptying = begin_emptying(edit.remove, icon, workers, render)
-    return replace(change, emptied=answer(emptying, f"Drawing “{icon.name}”")).at(CANVAS)
+    emptied = answer(emptying, f"Drawing “{icon.name}”")
+    return change if emptied is None else place_edit(edit, icon, CANVAS, emptied)
 
 
 def paper(icon: Source) -> Source:

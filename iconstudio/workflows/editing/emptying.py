@@ -13,11 +13,11 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.flattening import flattened
 from iconstudio.algorithms.raster import Bitmap, fill_polygon, placed_ink
-from iconstudio.limits import limited
-from iconstudio.model import CANVAS, Exemplar, Frame, Placement, Polygon
+from iconstudio.model import CANVAS, Exemplar, Placement, Polygon
+from iconstudio.model.composite import WHOLE
 from iconstudio.model.path import Path
 from iconstudio.workers import Workers
-from iconstudio.workflows.drawing import MEMORY, SECONDS, Render
+from iconstudio.workflows.drawing import MEMORY, SECONDS, Render, svg_of
 
 _FINE = 4 * CANVAS
 
@@ -45,8 +45,7 @@ def emptied(areas: Sequence[Polygon], icon: Exemplar, render: Render) -> Emptied
 
     All are in canvas units. Runs in a worker process.
     """
-    with limited(SECONDS, MEMORY):
-        outline = render.outline(icon.pictogram.svg, icon.frame)
+    outline = render.outline(icon.pictogram.svg, icon.frame)
     rows = [points for points, _ in flattened(outline)]
     _, filled = placed_ink(icon, Placement(), CANVAS)
     inside = [one for one in areas if not (fill_polygon(one) & ~filled).any()]
@@ -73,10 +72,6 @@ def _hits(points: NDArray[np.float64], mask: Bitmap) -> NDArray[np.bool_]:
 
 def _drawn(outline: Path, icon: Exemplar, render: Render) -> Exemplar:
     """Return an icon that has an outline, with the name and the credit of another."""
-    frame = Frame(0, 0, CANVAS)
-    svg = (
-        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {CANVAS} {CANVAS}">'
-        f'<path d="{outline.svg()}"/></svg>'
-    )
-    coverage = render(svg, frame, Placement(), CANVAS)
-    return Exemplar(replace(icon.pictogram, svg=svg), frame, coverage)
+    svg = svg_of(outline)
+    coverage = render(svg, WHOLE, Placement(), CANVAS)
+    return Exemplar(replace(icon.pictogram, svg=svg), WHOLE, coverage)

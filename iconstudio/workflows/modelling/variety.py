@@ -15,7 +15,7 @@ from functools import partial
 from statistics import median
 
 from iconstudio.algorithms.iconification.energy import joined_ink
-from iconstudio.algorithms.iconification.overhang import on_canvas
+from iconstudio.algorithms.iconification.overhang import drawn_ink
 from iconstudio.algorithms.iconification.plausibility import Plausibility
 from iconstudio.algorithms.iconification.ranking import Gallery
 from iconstudio.algorithms.raster import Bitmap
@@ -119,7 +119,7 @@ def repetitive(row: Sequence[Remix], best: float | None, pose: Pose) -> Repetiti
     if len(row) <= DIFFERENT:
         return None
     gallery, copies = Gallery(), []
-    inks = {one.composite.lambda_s: _drawn(one) for one in row}
+    inks = {one.composite.lambda_s: drawn_ink(one.drawing) for one in row}
     for value in sorted(inks, key=lambda value: (value != best, -value)):
         if not gallery.add(inks[value]):
             copies.append(value)
@@ -183,11 +183,6 @@ def varied(
 def _remix(series: CutSeries, lambda_s: float, without: frozenset[str], solved: Solved) -> Remix:
     icon = remix_of(series, Step(lambda_s), solved)
     return replace(icon, composite=replace(icon.composite, without=tuple(sorted(without))))
-
-
-def _drawn(icon: Remix) -> Bitmap:
-    """Return the ink of a result's drawing, (CANVAS, CANVAS)."""
-    return on_canvas(icon.drawing.coverage > 127, icon.drawing.frame)
 
 
 def _by_share(row: Iterable[Remix]) -> list[str]:

@@ -16,6 +16,7 @@ from iconstudio.algorithms.patterns.periods import period
 from iconstudio.algorithms.patterns.separation import Layers, Separated, separated
 from iconstudio.algorithms.patterns.shapes import element_shapes
 from iconstudio.algorithms.patterns.thickening import thickened
+from iconstudio.inputs.together import joined
 from iconstudio.model import (
     CANVAS,
     Correction,
@@ -197,7 +198,7 @@ def unheeded(work: Patterning) -> str:
     names = [name for name, was in asked.items() if was]
     if not names:
         return ""
-    own = " and ".join(filter(None, [", ".join(names[:-1]), names[-1]]))
+    own = joined(names)
     return f"An image keeps its own {own}; what was asked for is passed over."
 
 
