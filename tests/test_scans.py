@@ -199,6 +199,17 @@ def test_what_a_file_lacks_that_is_cut_short_is_no_ink(session, tmp_path, kind, 
     assert scans.iou(session.exemplar(found).ink, session.exemplar(right).ink) > 0.95
 
 
+def test_a_file_cut_short_of_which_only_what_is_transparent_was_read_is_told(session, tmp_path):
+    levels = np.random.default_rng(0).integers(0, 255, (200, 200, 4), np.uint8)
+    levels[:150, :, 3] = 0
+    whole = io.BytesIO()
+    Image.fromarray(levels).save(whole, "PNG")
+    file = tmp_path / "clear.png"
+    file.write_bytes(whole.getvalue()[: len(whole.getvalue()) // 2])
+    with pytest.raises(IconstudioError, match=r"cut short.*transparent all over"):
+        session.icon(str(file))
+
+
 def test_a_file_of_which_nothing_can_be_read_is_refused(session, tmp_path):
     path = tmp_path / "house.webp"
     roof_of_a_house().save(path)

@@ -37,7 +37,7 @@ def without_missing(pixels: NDArray[np.uint8], block: int, upwards: bool) -> NDA
 
 def what_was_read(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
     """Return the part of an image that ``without_missing`` left, without transparency if it can."""
-    if pixels.shape[2] == 3:
+    if pixels.shape[2] == 3 or not pixels[..., 3].any():
         return pixels
     there = pixels[..., 3] > 0
     rows, columns = np.flatnonzero(there.any(axis=1)), np.flatnonzero(there.any(axis=0))
