@@ -10,7 +10,7 @@ import click
 
 from iconstudio.cli.progress import ProgressBar
 from iconstudio.cli.timing import Stopwatch
-from iconstudio.model import CANVAS, IconstudioError, Pictogram
+from iconstudio.model import CANVAS, IconstudioError, Pictogram, Remix
 from iconstudio.output.folder import check_folder
 from iconstudio.output.png import untidied
 from iconstudio.session import Session
@@ -58,8 +58,8 @@ def run(
                         bar.say(event.remark)
                 case Remark():
                     bar.say(event.sentence)
-                case Result(preview=False):
-                    results += 1
+                case Result(preview=False, icon=icon):
+                    results += not (isinstance(icon, Remix) and icon.composite.stands_in)
         bar.show(1.0, "Drawing the contact sheet")
         report.finish(stopwatch.timings())
         stopwatch.wrote()

@@ -43,6 +43,11 @@ class Composite:
     without: tuple[str, ...] = ()
     """Identifiers of icons that were left out, so that it differs: it takes the place of a copy."""
 
+    @property
+    def stands_in(self) -> bool:
+        """Whether it takes the place of another result."""
+        return self.symmetry is not None or bool(self.without)
+
     def owners(self, least: float = 0.0) -> tuple[int, ...]:
         """Return the labels that own ink, and at least the share ``least``, by falling share."""
         some = [k for k, share in enumerate(self.shares) if share > 0 and share >= least]

@@ -11,7 +11,7 @@ from iconstudio.svg.placed import render_placed
 from iconstudio.workflows.events import Result
 from iconstudio.workflows.grid import Recommending
 from iconstudio.workflows.modelling.modelling import pose_sketch
-from iconstudio.workflows.modelling.symmetric import with_symmetric
+from iconstudio.workflows.modelling.symmetric import _plausible, with_symmetric
 from iconstudio.workflows.remixing import Remixing
 from tests.output.made import SKETCH, made, quarters
 
@@ -55,6 +55,13 @@ def test_a_symmetric_result_takes_the_place_of_a_less_plausible_one(workers):
     problem = pose(one.sources).problem
     data, smoothness = problem.costs(other.labels)
     assert other.energy == pytest.approx(data + one.lambda_s * smoothness)
+
+
+def test_a_symmetric_result_that_loses_what_is_inside_takes_no_place():
+    shown = made(quarters())
+    shown = replace(shown, score=replace(shown.score, plausible=0.5, inside=0.9))
+    lost = replace(shown, score=replace(shown.score, plausible=0.8, inside=0.3))
+    assert _plausible(lost) < _plausible(shown)
 
 
 @pytest.mark.parametrize(("before", "after", "axis"), [(0.5, 0.5, AXIS), (0.3, 0.6, None)])

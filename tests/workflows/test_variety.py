@@ -58,6 +58,7 @@ def test_what_differs_takes_the_places_of_copies_but_not_of_what_is_recommended(
     for one in others:
         used = {one.composite.sources[k].exemplar.id for k in one.composite.owners()}
         assert one.composite.without
+        assert one.composite.stands_in
         assert not used & set(one.composite.without)
         problem = pose(SOURCES).problem
         data, smoothness = problem.costs(one.composite.labels)

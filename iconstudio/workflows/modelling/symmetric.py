@@ -70,5 +70,6 @@ def pose_symmetric(pose: Pose, axis: Axis, sources: tuple[Source, ...]) -> Posed
 
 
 def _plausible(icon: Remix) -> float:
-    """Return how plausible a result is; if nothing judges, how good in all."""
-    return icon.score.total if icon.score.plausible is None else icon.score.plausible
+    """Return how plausible a result that shows what is inside is; if nothing judges, how good."""
+    score = icon.score
+    return score.total if score.plausible is None else score.plausible * score.inside
