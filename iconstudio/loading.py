@@ -1,12 +1,18 @@
 """Loads modules that are not imported before their first use, in whatever thread that is."""
 
+import threading
 import time
+from collections.abc import Iterator
 from importlib import import_module
+from importlib.util import find_spec
+from pathlib import Path
 from types import ModuleType
 
 _ATTEMPTS = 3
 _PAUSE = 0.1
 """Seconds until a module is tried again."""
+_CHUNK = 1 << 20
+_COMPILED = ("*.so", "*.so.*", "*.dylib", "*.pyd", "*.dll")
 
 
 def load_module(name: str) -> ModuleType:
@@ -29,3 +35,49 @@ def load_module(name: str) -> ModuleType:
         except ImportError:
             time.sleep(_PAUSE)
     return import_module(name)
+
+
+class Libraries:
+    """Packages whose compiled parts are read from disk before they are loaded.
+
+    While one is loaded no other thread runs, the window's neither: from a cold disk for seconds.
+    While one is read all go on.
+
+    Parameters
+    ----------
+    packages
+        Their names. None is imported, and what is not there is passed over.
+    """
+
+    def __init__(self, *packages: str) -> None:
+        self._packages = packages
+        self._lock = threading.Lock()
+        self._size: int | None = None
+
+    def read(self) -> int:
+        """Read them once, and return their size in bytes; who comes later waits for the first."""
+        with self._lock:
+            if self._size is None:
+                parts = (part for name in self._packages for part in _compiled_parts(name))
+                self._size = sum(map(_read, parts))
+            return self._size
+
+
+def _compiled_parts(package: str) -> Iterator[Path]:
+    spec = find_spec(package)
+    for place in (spec and spec.submodule_search_locations) or ():
+        # What wheels bring along lies in a folder of its own, beside the package.
+        for folder in (Path(place), Path(place).with_name(f"{package.lower()}.libs")):
+            for pattern in _COMPILED:
+                yield from folder.rglob(pattern)
+
+
+def _read(path: Path) -> int:
+    buffer, size = bytearray(_CHUNK), 0
+    try:
+        with path.open("rb", buffering=0) as file:
+            while count := file.readinto(buffer):
+                size += count
+    except OSError:
+        pass  # Then loading it says what is wrong.
+    return size

@@ -25,7 +25,7 @@ from iconstudio.caches.samples import SampleCache
 from iconstudio.files import remove_abandoned
 from iconstudio.inputs.plausibility import read_plausibility
 from iconstudio.library.collection import Collection, cache_folder
-from iconstudio.loading import load_module
+from iconstudio.loading import Libraries, load_module
 from iconstudio.model import (
     Axis,
     Composite,
@@ -73,6 +73,8 @@ _SLOW_TO_LOAD = (
 )
 """Libraries that are not loaded before their first use, so that the window opens soon; SciPy loads
 its parts when they are first named."""
+_COMPILED = ("numpy", "scipy", "shapely", "PIL", "skimage", "numba", "llvmlite")
+"""What is read before it is loaded, some 300 MB."""
 
 T = TypeVar("T")
 W = TypeVar("W")
@@ -90,6 +92,7 @@ class Session(FileReader, AbstractContextManager["Session"]):
         super().__init__()
         self._cache = cache or cache_folder()
         self.workers = Workers()
+        self.libraries = Libraries(*_COMPILED)
         self.render = render_placed
         self._rasters = RasterCache(self._cache / "rasters", self.workers)
         self._single = RasterCache(self._cache / "rasters", self._readers)
@@ -123,6 +126,7 @@ class Session(FileReader, AbstractContextManager["Session"]):
             self.workers.everywhere(warm_up, render_placed)
             for cache in ("rasters", "prepared", "samples"):
                 self.workers.submit(remove_abandoned, self._cache / cache)
+            self.libraries.read()
             for name in _SLOW_TO_LOAD:
                 load_module(name)
             gc.freeze()  # They stay: they need not be looked through for garbage.

@@ -17,6 +17,7 @@ from iconstudio.images.photo import photo_of
 from iconstudio.images.pillow import decode
 from iconstudio.images.reading import LONGEST, Image, is_image_file
 from iconstudio.images.scans import Tracing
+from iconstudio.loading import Libraries
 from iconstudio.model import (
     CANVAS,
     ColouredLayer,
@@ -173,6 +174,7 @@ class FakeSession:
             ticket=lambda: SimpleNamespace(stop=lambda: None),
             submit=_answered,
         )
+        self.libraries = Libraries()
         self.generators_closed = 0
         self.thread_ids: set[int] = set()
 

@@ -149,6 +149,7 @@ class MainWindow(QMainWindow):
 
     def _load_workspaces(self) -> Generator[None]:
         """Load all workspaces, so that the first visit need not wait for it."""
+        self._session.libraries.read()
         for workflow in self._workflows:
             load_object(workflow.workspace or _PLAIN).get_ready()
             yield
