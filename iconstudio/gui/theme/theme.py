@@ -16,6 +16,8 @@ UNIT = 8
 
 STRONG = "Inter Semi Bold"
 """Family of the headings: the bundled files name each weight as a family of its own."""
+_NEXT_TURN = 1
+"""Milliseconds. With none, Qt goes on before it looks at what else has come."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,7 +97,7 @@ def apply(application: QApplication, theme: Theme) -> None:
 
 
 def change(application: QApplication, theme: Theme) -> None:
-    """Give a running application another look, in two turns of its loop: it answers in between.
+    """Give a running application another look, in three turns of its loop: it answers in between.
 
     Until it has all of it, its windows show the old one.
     """
@@ -106,11 +108,14 @@ def change(application: QApplication, theme: Theme) -> None:
 
     def dress() -> None:
         application.setStyleSheet(_style_sheet(theme))
+        QTimer.singleShot(_NEXT_TURN, application, show)
+
+    def show() -> None:
         for one in windows:
             if isValid(one):
                 one.setUpdatesEnabled(True)
 
-    QTimer.singleShot(0, application, dress)
+    QTimer.singleShot(_NEXT_TURN, application, dress)
 
 
 def _undress(application: QApplication, theme: Theme) -> None:
