@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 from iconstudio.algorithms.iconification.guide import UNGUIDED, Guide
 from iconstudio.algorithms.iconification.matching import (
     SCALES,
-    Match,
     Matcher,
     sources_of,
 )
@@ -106,25 +105,48 @@ class GridSettings(CutSettings):
         return tuple(sorted(chosen, key=lambda style: style.name != first))
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class GridTask:
+    """The outline that results shall have, what they are made of, and how."""
+
+    field: NDArray[np.float32]
+    """D_P, the TSDF of the outline, (CANVAS, CANVAS)."""
+    regions: Sequence[Region]
+    """Its salient regions, for each of which exemplars are matched."""
+    details: Sequence[Region] = ()
+    """Small ones beside them. Whether a style resembles the outline is not told by them."""
+    guide: Guide = UNGUIDED
+    """What counts beside the outline when exemplars are matched."""
+    refusal: Callable[[Style, int, Matches | None], str]
+    """Says why a style with so many exemplars should be skipped, or nothing; asked before
+    matching without matches, and again with those of ``regions``."""
+    pose: Callable[[tuple[Source, ...]], Posed]
+    """Makes of a style's sources the problem that is to be solved; must be picklable."""
+    finish: Finish = lambda icon: icon
+    """What to add to each icon."""
+    always: tuple[Source, ...] = ()
+    """Sources that every style has, before those that are matched."""
+    pinned: tuple[Source, ...] = ()
+    """More sources, each of the styles that admit it."""
+    include: Set[str] = frozenset()
+    """Identifiers of strangers that are used as the other exemplars are."""
+    without: Set[str] = frozenset()
+    """Identifiers of exemplars that are left out."""
+
+    def sources(self, style: Style, matched: StyleMatched) -> tuple[Source, ...]:
+        """Return the sources of a style: those it always has first, pinned ones last."""
+        own = [one for one in self.pinned if style.admits(blackness(one.exemplar.ink))]
+        return (*self.always, *distinct((*matched.matches, matched.whole, own)))
+
+
 def remix_styles(
-    field: NDArray[np.float32],
-    regions: Sequence[Region],
+    task: GridTask,
     matcher: Matcher,
     settings: GridSettings,
-    *,
-    refusal: Callable[[Style, int, Matches | None], str],
-    pose: Callable[[tuple[Source, ...]], Posed],
     workers: Workers,
     render: Render,
-    always: tuple[Source, ...] = (),
-    pinned: tuple[Source, ...] = (),
-    finish: Finish = lambda icon: icon,
-    include: Set[str] = frozenset(),
-    without: Set[str] = frozenset(),
     earlier: Composite | None = None,
     plausibility: Plausibility | None = None,
-    guide: Guide = UNGUIDED,
-    details: Sequence[Region] = (),
 ) -> Generator[Event]:
     """Match exemplars to the salient regions of an outline, and remix them in every style.
 
@@ -135,91 +157,64 @@ def remix_styles(
 
     Parameters
     ----------
-    field
-        D_P, the TSDF of the outline that is wanted, (CANVAS, CANVAS).
     matcher
         Exemplars prepared with ``settings.scales``.
-    refusal
-        Says why a style with so many exemplars should be skipped, or nothing; asked before
-        matching without matches, and again with them.
-    pose
-        Makes of a style's sources the problem that is to be solved; must be picklable.
     render
         Draws a source at its placement; must be picklable.
-    always
-        Sources that every style has, before those that are matched.
-    pinned
-        More sources, each of the styles that admit it.
-    finish
-        What to add to each icon.
-    include
-        Identifiers of strangers of the ``matcher`` that are used as the others are.
-    without
-        Identifiers of exemplars that are left out.
     earlier
         A result of a similar run, for the preview to begin with.
     plausibility
         What judges results, if anything does.
-    guide
-        What counts beside the outline when exemplars are matched.
-    details
-        Small regions beside the others. Whether a style resembles the outline is not told by them.
     """
-    styles = settings.chosen_styles()
-    yield RegionsFound(tuple(region.centre for region in (*regions, *details)), len(details))
-    total = len(styles) * len(settings.lambdas)
-    remixing = Remixing(workers, render, total, plausibility)
-    recommending = Recommending(len(settings.lambdas))
+    styles, count = settings.chosen_styles(), len(settings.lambdas)
+    regions = (*task.regions, *task.details)
+    yield RegionsFound(tuple(region.centre for region in regions), len(task.details))
+    remixing = Remixing(workers, render, len(styles) * count, plausibility)
+    recommending = Recommending(count)
     preview = settings.previews
     try:
         for style in styles:
-            admitted = admitted_to(style, matcher, include, without)
-            matching = partial(matcher.match, field, (*regions, *details, WHOLE), admitted, guide)
-            refused = partial(_refused, refusal, style, len(admitted), len(regions))
-            matched = yield from _matched(style, matcher, admitted, matching, refused)
+            matched = yield from _matched(style, matcher, task)
             if matched is None:
-                remixing.expect_fewer(len(settings.lambdas))
+                remixing.expect_fewer(count)
                 continue
-            own = [one for one in pinned if style.admits(blackness(one.exemplar.ink))]
-            sources = (*always, *distinct((*matched.matches, matched.whole, own)))
+            sources = task.sources(style, matched)
             series = CutSeries(
                 style.name,
                 sources,
-                partial(pose, sources),
+                partial(task.pose, sources),
                 settings.wanted_lambdas,
                 settings.explored,
                 preview,
                 earlier if preview and earlier and earlier.style == style.name else None,
             )
             preview = False
-            remixing.start(series, finish)
+            remixing.start(series, task.finish)
             yield from recommending.after(remixing.ready())
         while remixing.busy:
             yield from recommending.after(remixing.ready(wanted=True))
-        if guide.inner != Inner() and recommending.inside < SHOWN:
+        if task.guide.inner != Inner() and recommending.inside < SHOWN:
             yield Remark(UNMET.format(recommending.inside))
     finally:
         remixing.cancel()
 
 
 def _matched(
-    style: Style,
-    matcher: Matcher,
-    admitted: Sequence[int],
-    matching: Callable[[], Generator[float, None, list[list[Match]]]],
-    refused: Callable[[Matches | None], str],
+    style: Style, matcher: Matcher, task: GridTask
 ) -> Generator[Event, None, StyleMatched | None]:
     """Return the matches of a style; None if it is skipped.
 
-    ``admitted`` are the numbers of the exemplars that may be used. Yields progress, and then
-    ``StyleMatched`` or ``StyleSkipped``.
+    Yields progress, and then ``StyleMatched`` or ``StyleSkipped``.
     """
-    exemplars = matcher.exemplars
-    reason = refused(None)
+    exemplars, count = matcher.exemplars, len(task.regions)
+    admitted = admitted_to(style, matcher, task.include, task.without)
+    reason = task.refusal(style, len(admitted), None)
     if not reason:
-        found = yield from staged("match", "Matching parts", matching())
+        regions = (*task.regions, *task.details, WHOLE)
+        matching = matcher.match(task.field, regions, admitted, task.guide)
+        found = yield from staged("match", "Matching parts", matching)
         *rows, whole = sources_of(found, exemplars)
-        reason = refused(tuple(rows))
+        reason = task.refusal(style, len(admitted), tuple(rows[:count]))
     if reason:
         yield StyleSkipped(style.name, len(admitted), reason)
         return None
@@ -230,24 +225,13 @@ def _matched(
     return matched
 
 
-def _refused(
-    refusal: Callable[[Style, int, Matches | None], str],
-    style: Style,
-    count: int,
-    regions: int,
-    rows: Matches | None,
-) -> str:
-    """Say why a style should be skipped, or nothing: only the regions of the paper count."""
-    return refusal(style, count, None if rows is None else rows[:regions])
-
-
 def admitted_to(
     style: Style, matcher: Matcher, include: Set[str] = frozenset(), without: Set[str] = frozenset()
 ) -> list[int]:
     """Return the numbers of the exemplars that a style may use.
 
     Strangers serve only if there are fewer than ``ENOUGH`` others. The parameters are those of
-    ``remix_styles``.
+    ``GridTask``.
     """
     every = [
         number

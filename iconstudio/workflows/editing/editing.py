@@ -50,7 +50,7 @@ from iconstudio.workers import Workers, answer
 from iconstudio.workflows.drawing import Render, draw_whole
 from iconstudio.workflows.editing.emptying import Emptied, begin_emptying
 from iconstudio.workflows.events import Event
-from iconstudio.workflows.grid import GridSettings, Matches, focused, remix_styles
+from iconstudio.workflows.grid import GridSettings, GridTask, Matches, focused, remix_styles
 from iconstudio.workflows.remixing import RemixResources
 from iconstudio.workflows.solving import Posed
 
@@ -258,24 +258,19 @@ def edit_icon(
         drawn = answer(own, f"Drawing “{edit.icon.name}”")
         return replace(icon, unchanged=change.unchanged(icon.drawing, drawn))
 
+    task = GridTask(
+        field=tsdf(change.silhouette),
+        regions=salient_regions(score),
+        guide=change.guide,
+        refusal=_refusal,
+        pose=partial(posed.pose, edit.symmetry),
+        finish=finish,
+        always=(change.base, paper(change.base)) if change.left.any() else (change.base,),
+        include=edit.include,
+        without=lookalikes(change.icon, matcher),
+    )
     try:
-        yield from remix_styles(
-            tsdf(change.silhouette),
-            salient_regions(score),
-            matcher,
-            settings,
-            refusal=_refusal,
-            always=(change.base, paper(change.base)) if change.left.any() else (change.base,),
-            pose=partial(posed.pose, edit.symmetry),
-            finish=finish,
-            guide=change.guide,
-            include=edit.include,
-            without=lookalikes(change.icon, matcher),
-            workers=workers,
-            render=render,
-            earlier=earlier,
-            plausibility=plausibility,
-        )
+        yield from remix_styles(task, matcher, settings, workers, render, earlier, plausibility)
     finally:
         own.cancel()
 

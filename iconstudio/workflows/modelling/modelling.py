@@ -23,7 +23,7 @@ from iconstudio.model import Composite, Sketch, Source
 from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import Event, Remark
-from iconstudio.workflows.grid import GridSettings, Matches, focused, remix_styles
+from iconstudio.workflows.grid import GridSettings, GridTask, Matches, focused, remix_styles
 from iconstudio.workflows.modelling.symmetric import with_symmetric
 from iconstudio.workflows.modelling.variety import with_variety
 from iconstudio.workflows.pinning import PinnedPart, idle_pins, pinned_parts, pinning
@@ -92,22 +92,17 @@ def model(
     fitted = sketch.fitted()
     silhouette = fill_polygon(fitted.polygon)
     pose = partial(pose_sketch, fitted, settings.side, pins)
-    events = remix_styles(
-        tsdf(silhouette),
-        salient_regions(saliency([fitted.polygon], silhouette)),
-        matcher,
-        settings,
+    task = GridTask(
+        field=tsdf(silhouette),
+        regions=salient_regions(saliency([fitted.polygon], silhouette)),
+        details=details_of(fitted),
+        guide=guide_of(fitted),
         refusal=refusal,
         pose=pose,
-        guide=guide_of(fitted),
-        details=details_of(fitted),
-        workers=workers,
-        render=render,
         pinned=tuple(pin.source for pin in pins),
         include=sketch.include,
-        earlier=earlier,
-        plausibility=plausibility,
     )
+    events = remix_styles(task, matcher, settings, workers, render, earlier, plausibility)
     if pins or not settings.variants:  # what is pinned says what the user wants
         yield from events
         return
