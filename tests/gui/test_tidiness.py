@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hands import press, trace, type_keyword
+from hands import press, search, trace, type_keyword, workspaces
 from PySide6.QtCore import Qt
 
 from iconstudio.gui.gallery import tidiness
@@ -80,3 +80,38 @@ def test_symmetric_results_follow_the_switch_too(results):
     for button in (panel.tidy_switch.button, *2 * [panel.symmetric_switch.button]):
         button.click()
         assert cell.picture.tidied is not None, "shown as it was joined"
+
+
+@pytest.fixture
+def hybrids(window, qtbot):
+    """The workspace of hybrids with its first batch, the best of which is picked."""
+    place = window.workspace_of("Hybrids")
+    window.show_workspace(workspaces(window).index(place))
+    search(place.column.chooser, "lamp")
+    place.column.count.setValue(4)
+    place.column.pick.click()
+    qtbot.waitUntil(lambda: not place.opener.runner.running, timeout=20000)
+    place.column.run.click()
+    qtbot.waitUntil(lambda: not place.draws.runner.running, timeout=20000)
+    place.sheet.setCurrentIndex(place.sheet.model().index(0))
+    yield place
+    tidiness.setting.choose(True)
+
+
+def test_hybrids_are_shown_and_saved_as_the_switch_says(hybrids, qtbot):
+    tidy, many = hybrids.picture, hybrids.sections.pictures
+    hybrids.keep(tidy)
+    qtbot.mouseClick(hybrids.panel.tidy_switch.button, Qt.MouseButton.LeftButton)
+    shown = hybrids.picture
+    assert shown.tidied is tidy
+    assert hybrids.detail.picture is shown
+    assert shown.icon.path == tidy.icon.drawing.untidied != tidy.icon.path
+    assert hybrids.sections.pictures == many, "nothing is drawn again"
+    model = hybrids.sheet.model()
+    assert model.is_marked(model.entry(model.index(0))), "it is a favourite either way"
+    hybrids.draw_like(shown)
+    qtbot.waitUntil(lambda: not hybrids.draws.runner.running, timeout=20000)
+    hybrids.keep(shown)
+    assert not hybrids.page.favourites
+    qtbot.mouseClick(hybrids.panel.tidy_switch.button, Qt.MouseButton.LeftButton)
+    assert hybrids.picture is tidy

@@ -14,7 +14,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QListView
 
 from iconstudio.gui.exchange.dragging import drag
-from iconstudio.gui.gallery.display import setting
+from iconstudio.gui.gallery import display, tidiness
 from iconstudio.gui.gallery.sheet_delegate import Look, SheetDelegate
 from iconstudio.gui.gallery.sheet_model import (
     Describe,
@@ -100,10 +100,13 @@ class Sheet(QListView):
         self.setAccessibleDescription(hint)
         self.clicked.connect(self._choose)
         self.verticalScrollBar().valueChanged.connect(self._scrolled)
-        setting.changed.connect(self.viewport().update)
+        display.setting.changed.connect(self.viewport().update)
         if look.picks:
             self.selectionModel().currentChanged.connect(self._pick)
             self._model.modelReset.connect(self._pick_again)
+        if look.tidies:
+            self._model.shown = tidiness.shown
+            tidiness.setting.changed.connect(self._model.renew)
 
     def _arrange(self) -> None:
         policies, never = Qt.ScrollBarPolicy, Qt.ScrollBarPolicy.ScrollBarAlwaysOff

@@ -43,6 +43,8 @@ class Look:
     """Whether as many as fit in a row share its width, and rules go across."""
     coded: bool = False
     """Whether they are shown by their colour code, too, as the user wants it."""
+    tidies: bool = False
+    """Whether they are shown tidied or not, as the user wants it."""
 
 
 def framed(side: int, coded: bool = False) -> Look:

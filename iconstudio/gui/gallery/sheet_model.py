@@ -60,6 +60,8 @@ class SheetModel(QAbstractListModel):
         super().__init__(parent)
         self.entries: list[Entry] = []
         self.is_marked: Callable[[Entry], bool] = lambda entry: False
+        self.shown: Callable[[Entry], Entry] = lambda entry: entry
+        """Returns an entry as it is to be seen."""
         self._describe = describe
         self._draggable = draggable
 
@@ -91,13 +93,14 @@ class SheetModel(QAbstractListModel):
         return packed(pictogram_of(self.entry(indexes[0])))
 
     def entry(self, index: Index) -> Entry | None:
-        """Return what is at ``index``."""
+        """Return what is seen at ``index``."""
         inside = index.isValid() and index.row() < len(self.entries)
-        return self.entries[index.row()] if inside else None
+        return self.shown(self.entries[index.row()]) if inside else None
 
     def index_of(self, entry: Entry) -> QModelIndex:
         """Return where an entry is, if it is there."""
-        row = next((row for row, one in enumerate(self.entries) if one is entry), -1)
+        entries = enumerate(self.entries)
+        row = next((row for row, one in entries if one is entry or self.shown(one) is entry), -1)
         return self.index(row) if row >= 0 else QModelIndex()
 
     def show(self, entries: Sequence[Entry]) -> None:
@@ -132,5 +135,9 @@ class SheetModel(QAbstractListModel):
     def mark(self, is_marked: Callable[[Entry], bool]) -> None:
         """Say which icons are marked."""
         self.is_marked = is_marked
+        self.renew()
+
+    def renew(self) -> None:
+        """Have all entries drawn anew."""
         if self.entries:
             self.dataChanged.emit(self.index(0), self.index(len(self.entries) - 1))

@@ -79,6 +79,10 @@ class Picture:
         icon = self.icon.drawn(replace(drawing, path=path, coverage=coverage, untidied=None))
         return Picture(icon, outline, self.colours, self.coded_side, self.preview, self)
 
+    def shows(self, icon: Icon) -> bool:
+        """Return whether it looks like an icon, as it is or tidied."""
+        return any(one is not None and icon.looks_like(one.icon) for one in (self, self.tidied))
+
     @cached_property
     def coded(self) -> Mipmap | None:
         """The picture coded by source, made when it is first asked for: this takes some 15 ms.

@@ -125,7 +125,8 @@ class Draws(QObject):
         IconstudioError
             If it is none of those on the sheet.
         """
-        if not any(one is picture for one in self._sections.pictures):
+        drawn = picture.tidied or picture
+        if not any(one is drawn for one in self._sections.pictures):
             raise IconstudioError(
                 "This hybrid is of an earlier sheet. Mix its icons again to draw more like it."
             )

@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QFrame, QSpinBox, QStackedWidget, QWidget
 from iconstudio.gui.gallery.display import DisplaySwitch
 from iconstudio.gui.gallery.sheet import Sheet
 from iconstudio.gui.gallery.sheet_delegate import Look, Mark
+from iconstudio.gui.gallery.tidiness import tidy_switch
 from iconstudio.gui.jobs.worker import Worker
 from iconstudio.gui.panels.chooser import IconChooser
 from iconstudio.gui.panels.seed import SeedField
@@ -36,7 +37,7 @@ from iconstudio.workflows.hybrids.page import HybridsDocument, HybridsPage
 WIDTH = COLUMNS * SIDE + (COLUMNS - 1) * UNIT // 2 + 4 * UNIT + 2
 """Of the column of icons: as many cards as stand in a row."""
 
-_LOOK = Look(12 * UNIT, mark=Mark.STAR, picks=True, fills=True, coded=True)
+_LOOK = Look(12 * UNIT, mark=Mark.STAR, picks=True, fills=True, coded=True, tidies=True)
 
 
 class IconsColumn(QWidget):
@@ -118,7 +119,8 @@ class SheetPanel(QFrame):
         self._stack.addWidget(self._welcome())
         self._stack.addWidget(self.sheet)
         title = label("Hybrids", "title")
-        parts = title, (self.note, 1), self.button, DisplaySwitch()
+        self.tidy_switch = tidy_switch()
+        parts = title, (self.note, 1), self.button, self.tidy_switch, DisplaySwitch()
         top = row(*parts, margins=(UNIT // 2, 0, UNIT, 0))
         half = UNIT // 2
         column(top, (self._stack, 1), of=self, spacing=half, margins=(UNIT, UNIT, half, half))

@@ -6,6 +6,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMenu, QWidget
 
 from iconstudio.gui.exchange.opening import Opener
+from iconstudio.gui.gallery import tidiness
 from iconstudio.gui.gallery.detail import DetailPanel
 from iconstudio.gui.gallery.favourites import FavouritesPanel
 from iconstudio.gui.pictures.picture import Picture, picture_of
@@ -55,6 +56,7 @@ class HybridsWorkspace(Workspace):
         self.follow(self.draws.runner, self.draws.show)
         self.follow(self.opener.runner)
         self.draws.counted.connect(self.counted)
+        tidiness.setting.changed.connect(self._renew_tidiness)
         self.draws.section_changed.connect(self.rest)
         self.pick_from(self.sheet)
         self.pick_from(self.favourites_panel.icon_list)
@@ -131,7 +133,7 @@ class HybridsWorkspace(Workspace):
     def keep(self, picture: Picture) -> None:
         """Make a hybrid a favourite, or no longer."""
         favourites = self.page.favourites
-        left = tuple(one for one in favourites if not one.looks_like(picture.icon))
+        left = tuple(one for one in favourites if not picture.shows(one))
         added = left == favourites
         edits.set_favourites(self.document, (*left, picture.icon) if added else left)
         if added:
@@ -142,6 +144,10 @@ class HybridsWorkspace(Workspace):
         if picture is not None:
             self.detail.explain(edits.terms(picture.icon.score))
         super().look_at(picture)
+
+    def _renew_tidiness(self) -> None:
+        if self.picture is not None:
+            self.look_at(tidiness.shown(self.picture))
 
     def fill_result_menu(self, menu: QMenu, picture: Picture) -> None:
         """Say what can be done with a hybrid."""
@@ -164,7 +170,7 @@ class HybridsWorkspace(Workspace):
         if self.favourites_panel.pictures != favourites:
             self.favourites_panel.icon_list.show_entries(favourites)
         kept = page.favourites
-        self.sheet.model().mark(lambda one: any(icon.looks_like(one.icon) for icon in kept))
+        self.sheet.model().mark(lambda one: any(map(one.shows, kept)))
         mix = page.mix
         stale = self.draws.ran is not None and self.draws.ran != mix
         self.panel.note.setText("of an earlier mix – press Mix to renew" if stale else "")
