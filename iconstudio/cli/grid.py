@@ -40,6 +40,7 @@ class GridOptions:
     fine: bool
     profile: bool
     tidy: bool = True
+    variants: bool = True
 
     def of(self, request: _Work, session: Session) -> _Work:
         """Return the request in the file, as the options change it.
@@ -67,7 +68,19 @@ class GridOptions:
             styles=self.styles or styles,
             lambdas=self.lambdas,
             scales=self.scales,
+            variants=self.variants,
         )
+
+
+_variants_option = click.option(
+    "--no-variants",
+    "variants",
+    is_flag=True,
+    flag_value=False,
+    default=True,
+    help="Keep every result as it was joined: no symmetric one and none that differs more takes"
+    " its place.",
+)
 
 
 def grid_command(
@@ -80,7 +93,7 @@ def grid_command(
     styles
         Which styles there are if none is named, for the help.
     tidies
-        Whether what seams bring about is put right.
+        Whether what seams bring about is put right, and variants take places.
     """
     options: tuple[Callable[..., Any], ...] = (
         running.input_file(metavar),
@@ -128,7 +141,7 @@ def grid_command(
         profile_option,
     )
     if tidies:
-        options = (*options, running.tidy_option)
+        options = (*options, running.tidy_option, _variants_option)
     goes_on = {"--styles": _STYLES.__contains__, "--lambdas": is_number, "--scales": is_number}
 
     def decorate(function: Callable[[GridOptions], None]) -> click.Command:

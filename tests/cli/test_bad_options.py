@@ -85,7 +85,9 @@ def test_bad_options_are_told(tmp_path, capsys, command, data):
         words.append(data.draw(values.filter(str.isalpha).map("xqzvw{}".format)))
     for option in data.draw(st.lists(st.sampled_from(OPTIONS[command] or ["--x"]), max_size=3)):
         value = (
-            None if option in ("--dump", "--fine", "--no-tidy", "--strokes") else data.draw(values)
+            None
+            if option in ("--dump", "--fine", "--no-tidy", "--no-variants", "--strokes")
+            else data.draw(values)
         )
         if option == "--keyword" and value and value.strip():
             # Else there may be icons of it: of a word or an emoji in it.

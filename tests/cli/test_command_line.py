@@ -8,6 +8,7 @@ from types import SimpleNamespace
 
 import pytest
 
+from iconstudio.cli import grid
 from iconstudio.cli.app import run
 from iconstudio.cli.grid import GridOptions
 from iconstudio.model import Polygon, Sketch
@@ -302,3 +303,19 @@ def test_a_project_is_opened_in_the_window(tmp_path, capsys):
     path.touch()
     assert run([str(path)], window) == 7
     assert window.opened == str(path)
+
+
+@pytest.mark.parametrize("option", ("", "--no-variants"))
+def test_variants_are_made_unless_they_are_not_wanted(option, tmp_path):
+    asked = []
+
+    @grid.grid_command("model", "SKETCH.json", "all", tidies=True)
+    def command(options):
+        """Note what is asked for."""
+        asked.append(options.settings(("light",)))
+
+    path = tmp_path / "sketch.json"
+    path.write_text("{}")
+    arguments = [path, "--out", tmp_path / "out", option]
+    command.main([str(one) for one in arguments if one], standalone_mode=False)
+    assert [one.variants for one in asked] == [not option]
