@@ -332,15 +332,12 @@ class Collection:
         found = search.in_order(icons, values, self._blackness)
         if not style.words:
             return found
-        identifiers = self._lookup.identifiers(known)
-        names = [identifiers[icon] for icon in found.tolist()]
-        return search.nearest_style(
-            found,
-            np.array([known[icon] for icon in found.tolist()]),
-            np.array([style.distance(name) for name in names]),
-            search.seen_style(self._blackness[found], style.solid),
-            np.array([len(take_apart(_name(name)).words) for name in names]),
-        )
+        names, order = self._lookup.identifiers(known), found.tolist()
+        said = np.array([style.distance(names[icon]) for icon in order])
+        words = np.array([len(take_apart(_name(names[icon])).words) for icon in order])
+        seen = search.seen_style(self._blackness[found], style.solid)
+        ranks = np.array([known[icon] for icon in order])
+        return search.nearest_style(found, ranks, said, seen, words)
 
     def _nothing(self, keyword: str, excluded: bool) -> str:
         if excluded and self._answer(keyword).scores:
