@@ -35,6 +35,8 @@ _URL = re.compile(r"url\(\s*[\"']?([^)\"']*)[\"']?\s*\)\s*(.*)", re.DOTALL)
 _EACH_URL = re.compile(r"url\(\s*[\"']?([^)\"']*)[\"']?\s*\)")
 _OWN_URL = re.compile(r"url\(#([^)]*)\)")
 
+CIRCLE = "A reference that leads back to where it is was left out."
+
 Ids = Mapping[str, list[ET.Element]]
 
 
@@ -106,6 +108,46 @@ def _resolve_filters(
     left = " ".join(_EACH_URL.sub(resolved, element.attrib.pop("filter")).split())
     if left:
         element.set("filter", left)
+
+
+def without_circles(root: ET.Element, ids: Mapping[str, ET.Element]) -> list[str]:
+    """Take out every reference that leads back to where it is, in place; return what to say of it.
+
+    Browsers draw nothing in its place.
+    """
+    remarks: list[str] = []
+    open_: dict[ET.Element, bool] = {root: True}
+    """Elements that were come to, and whether they are still being gone through."""
+    way = [(root, _next(root, ids))]
+    while way:
+        element, following = way[-1]
+        attribute, target = next(following, ("", None))
+        if target is None:
+            open_[element] = False
+            way.pop()
+        elif target not in open_:
+            open_[target] = True
+            way.append((target, _next(target, ids)))
+        elif open_[target] and attribute in ("fill", "stroke"):
+            element.set(attribute, "none")
+            remarks.append(CIRCLE)
+        elif open_[target]:
+            element.attrib.pop(attribute, None)
+            remarks.append(CIRCLE)
+    return remarks
+
+
+def _next(
+    element: ET.Element, ids: Mapping[str, ET.Element]
+) -> Iterator[tuple[str, ET.Element | None]]:
+    """Yield what is in an element, and what each attribute of it refers to."""
+    for child in list(element):
+        yield "", child
+    for attribute in ("href", *_KINDS):
+        value = element.get(attribute, "")
+        names = [value[1:]] if attribute == "href" else _OWN_URL.findall(value)
+        for target in (ids[name] for name in names if name in ids):
+            yield attribute, target
 
 
 def referred(element: ET.Element) -> Iterator[str]:
