@@ -1,4 +1,4 @@
-"""Which elements selectors match, within a bound of work: an adapter of cssselect2.
+"""Which elements selectors match, within a bound of work: the adapter of cssselect2.
 
 Selectors look for what is around an element in every way there is: eight that may stand anywhere
 above one another look more often than any machine can.
@@ -16,6 +16,15 @@ MAX_MATCHES = 300_000
 """How often rules may apply to elements."""
 MAX_TESTS = 2_000_000
 """How often selectors may be tried, and look around: some two seconds."""
+
+SelectorError: type[Exception] = cssselect2.SelectorError
+"""Raised of a selector that is not understood."""
+
+
+def compiled(selectors: str) -> list[Any]:
+    """Return selectors for a ``Matcher``; each knows its ``pseudo_element``."""
+    found: list[Any] = cssselect2.compile_selector_list(selectors)
+    return found
 
 
 class Matcher(cssselect2.Matcher):  # type: ignore[misc]

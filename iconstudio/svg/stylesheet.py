@@ -1,4 +1,4 @@
-"""Style sheets and ``style`` attributes (CSS): the adapter of tinycss2 and cssselect2.
+"""Style sheets and ``style`` attributes (CSS): the adapter of tinycss2.
 
 Says which declarations apply to each element, and in which order; ``styles`` says what they mean.
 """
@@ -10,11 +10,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-import cssselect2
 import tinycss2
 
 from iconstudio.model import IconstudioError
-from iconstudio.svg.matching import Matcher
+from iconstudio.svg.matching import Matcher, SelectorError, compiled
 from iconstudio.svg.parse import SHEET_ELSEWHERE
 from iconstudio.svg.supports import supported
 
@@ -160,13 +159,13 @@ class StyleSheet:
         parts = tinycss2.parse_blocks_contents(content, skip_comments=True, skip_whitespace=True)
         declarations = list(_declarations(parts))
         try:
-            compiled = cssselect2.compile_selector_list(selector) if declarations else ()
-        except cssselect2.SelectorError:
+            selectors = compiled(selector) if declarations else ()
+        except SelectorError:
             self.remarks.append(
                 f"The style rule for “{selector[:40]}” was not understood and left out."
             )
             return
-        for one in compiled:
+        for one in selectors:
             self._matcher.add_selector(one, ((*layer, *_OUTSIDE), declarations))
         for part in parts:
             if part.type == "qualified-rule":
@@ -214,8 +213,8 @@ def _within(name: str, value: str) -> bool:
 def _is_selector(said: str) -> bool:
     """Whether browsers may know a selector."""
     try:
-        found = cssselect2.compile_selector_list(said)
-    except cssselect2.SelectorError:
+        found = compiled(said)
+    except SelectorError:
         return False
     return all(one.pseudo_element in _PSEUDO_ELEMENTS for one in found)
 
