@@ -113,7 +113,7 @@ def plain(
     symbols = sprites.symbols(root)
     if symbol is not None:
         sprites.choose(root, symbol)
-    ids, outside = references.resolve(root)
+    ids, outside, missing = references.resolve(root)
     remarks += references.without_circles(root, ids)
     kept = references.drawn(root, ids)
     page, stretch = _page(root)
@@ -125,6 +125,7 @@ def plain(
             page, stretch = _page(root)
             kept = references.drawn(root, ids)
     remarks += outside if kept else []
+    remarks += [sentence for element, sentence in missing if element in kept]
     without = shadows.leave_out(kept)
     if without:
         remarks += without

@@ -40,12 +40,15 @@ CIRCLE = "A reference that leads back to where it is was left out."
 Ids = Mapping[str, list[ET.Element]]
 
 
-def resolve(root: ET.Element) -> tuple[dict[str, ET.Element], list[str]]:
+def resolve(
+    root: ET.Element,
+) -> tuple[dict[str, ET.Element], list[str], list[tuple[ET.Element, str]]]:
     """Give every element that is referred to an id of its own, and take out other references.
 
     Returns
     -------
-    The elements by their new ids, and sentences about what lies outside the document.
+    The elements by their new ids, sentences about what lies outside the document, and about what is
+    nowhere, each with the element that refers to it.
     """
     ids: dict[str, list[ET.Element]] = {}
     for element in root.iter():
@@ -64,11 +67,27 @@ def resolve(root: ET.Element) -> tuple[dict[str, ET.Element], list[str]]:
         found = next((one for one in ids.get(address[1:], ()) if one.tag in kinds), None)
         return None if found is None else named.setdefault(found, f"r{len(named)}")
 
+    missing = [(one, sentence) for one in root.iter() for sentence in _missing(one, ids)]
     for element in root.iter():
         _resolve(element, name_of)
     for element, name in named.items():
         element.set("id", name)
-    return {name: element for element, name in named.items()}, remarks
+    return {name: element for element, name in named.items()}, remarks, missing
+
+
+def _missing(element: ET.Element, ids: Ids) -> Iterator[str]:
+    """Yield what to say of what an element shows, or is filled with, that is nowhere."""
+    shown = [element.get("href", "").strip()] if element.tag == "use" else []
+    for attribute in ("fill", "stroke"):
+        match = _URL.match(element.get(attribute, ""))
+        if match is not None and not match[2].strip():
+            shown.append(match[1].strip())
+    for address in shown:
+        if address.startswith("#") and address[1:] not in ids:
+            yield (
+                f"“{address[:60]}” is not in the file, so what refers to it was left out. Save the "
+                "whole drawing in one file."
+            )
 
 
 def _resolve(element: ET.Element, name_of: Callable[[str, tuple[str, ...]], str | None]) -> None:

@@ -1,4 +1,4 @@
-"""What would take the renderer minutes is refused at once; what leads in a circle is left out."""
+"""What would take minutes is refused at once; what leads in a circle, or nowhere, is left out."""
 
 import pytest
 
@@ -82,3 +82,29 @@ def test_letters_that_fall_off_their_path_are_told(attributes, words, cut):
     path = '<path id="p" d="M15 60a35 35 0 0 1 70 0" fill="none"/>'
     text = f'<text font-size="12"><textPath href="#p" {attributes}>{words}</textPath></text>'
     assert (CUT_OFF in read(svg(path + text, 'viewBox="0 0 100 100"')).remarks) == cut
+
+
+@pytest.mark.parametrize(
+    "body", ['<use href="#no"/>', '<path fill="url(#no)" d="M0 0h9v9z"/>', '<g stroke="url(#no)"/>']
+)
+def test_what_refers_to_nothing_is_told_where_it_is_drawn(body):
+    told = ["“#no” is not in the file, so what refers to it was left out."]
+    shown = body if "<g" not in body else f"{body[:-2]}>{PATH}</g>"
+    assert_shows(svg(shown + PATH), PATH, remarks=told)
+    assert_shows(svg(f"<defs>{body}</defs>{PATH}"), PATH)
+
+
+@pytest.mark.parametrize(
+    ("document", "told"),
+    [
+        (bytes(1000), "nothing but zeros: it is damaged"),
+        (b"  \n", "The file is empty"),
+        (
+            svg('<path d="M1 1L9 9" stroke="#000" stroke-width="1e9"/>').encode(),
+            r"out of all scale: 1e\+09 by .* Correct the shape, the width of a stroke",
+        ),
+    ],
+)
+def test_why_a_drawing_cannot_be_read(document, told):
+    with pytest.raises(IconstudioError, match=told):
+        read(document)
