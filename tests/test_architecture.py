@@ -24,7 +24,7 @@ ADAPTERS = {
     "tree_sitter": {"svg/syntax.py"},
     "tree_sitter_typescript": {"svg/syntax.py"},
     "tinycss2": {"svg/stylesheet.py"},
-    "cssselect2": {"svg/stylesheet.py"},
+    "cssselect2": {"svg/matching.py"},
     "coloraide": {"svg/colours.py"},
     "shapely": {"algorithms/areas.py", "algorithms/geometry.py"},
     "pillow_heif": {"images/pillow.py"},

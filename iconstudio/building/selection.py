@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from iconstudio.library.iconify import IconSet, RawIcon, read_set
+from iconstudio.library.words.logos import LOGOS
 from iconstudio.library.words.naming import Name, is_negated, take_apart
 from iconstudio.library.words.vocabulary import words
 from iconstudio.library.words.wordnet import WordNet
@@ -162,6 +163,7 @@ def _is_pictogram(icon: RawIcon, name: Name, logos: frozenset[str]) -> bool:
         or is_negated(name.words)
         or spoken & (_LOGO_WORDS | _COMPANIES)
         or name.phrase in logos
+        or icon.id in LOGOS
         or _FLAGS.match(icon.name)
         or _PIXEL_ART.search(icon.name)
         or _is_among_logos(icon)

@@ -42,7 +42,7 @@ class _Commands(click.Group):
     others: ClassVar[dict[str, str]] = {
         "demo": "Remix an example sketch, in the window if one can open.",
         "gallery": "Draw sketches with their chosen results in one picture.",
-        "library": "Build the collection of icons.",
+        "library": "For developers: build the collection of icons anew.",
         "scribble": "Draw a new line in a line style.",
         "search": "List the icons that a word retrieves.",
         "show": "Say whose an icon is, and draw it on its canvas.",

@@ -11,7 +11,10 @@ _FOLDER = click.Path(exists=True, file_okay=False, path_type=Path)
 
 @click.group("library")
 def command() -> None:
-    """Build the collection of icons."""
+    """Build the collection of icons anew: for developers.
+
+    The collection comes with the program: nobody needs this to use it. CONTRIBUTING.md tells how.
+    """
 
 
 @command.command()

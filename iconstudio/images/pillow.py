@@ -111,8 +111,8 @@ def _decoded(
             file.draft(None, (longest, longest))  # JPEG can be decoded smaller
         if file.width * file.height > MAX_PIXELS:
             raise IconstudioError(
-                f"It is too large ({width:,} × {height:,} pixels). "
-                f"Scale it down to {longest:,} pixels a side or fewer."
+                f"It is too large ({width:,} × {height:,} pixels): at most {MAX_PIXELS:,} pixels "
+                f"are read. Scale it down, for example to {longest:,} a side: more are not used."
             )
         remark = _remark(file)
         interlaced = damaged and _interlaced(file)

@@ -328,17 +328,16 @@ class Collection:
     def _in_order(self, scores: dict[int, int], worst: int, style: Style) -> NDArray[np.int64]:
         """Return the icons that score at most ``worst``, the best and those of a style first."""
         known = {icon: score for icon, score in scores.items() if score <= worst}
-        icons = np.fromiter(known.keys(), dtype=np.int64, count=len(known))
-        values = np.fromiter(known.values(), dtype=np.int64, count=len(known))
+        icons, values = np.array(list(known.items()), dtype=np.int64).reshape(-1, 2).T
         found = search.in_order(icons, values, self._blackness)
         if not style.words:
             return found
-        identifiers = self._lookup.identifiers(known)
-        return search.nearest_style(
-            found,
-            np.array([known[icon] for icon in found.tolist()]),
-            np.array([style.distance(identifiers[icon]) for icon in found.tolist()]),
-        )
+        names, order = self._lookup.identifiers(known), found.tolist()
+        said = np.array([style.distance(names[icon]) for icon in order])
+        words = np.array([len(take_apart(_name(names[icon])).words) for icon in order])
+        seen = search.seen_style(self._blackness[found], style.solid)
+        ranks = np.array([known[icon] for icon in order])
+        return search.nearest_style(found, ranks, said, seen, words)
 
     def _nothing(self, keyword: str, excluded: bool) -> str:
         if excluded and self._answer(keyword).scores:
@@ -348,6 +347,8 @@ class Collection:
         words = query.plain(keyword)
         if is_insult(words) or PREPOSITIONS.issuperset(words.split()):
             return f"{none} {messages.THING}"
+        if symbols.is_flag(keyword.strip()):
+            return f"{none} {messages.FLAGS} {messages.THING}"
         if beside := self._lookup.beside(_name(keyword)):
             return f"{none} Of its kind there are: {', '.join(beside)}."
         negated = is_negated(tuple(words.split()))

@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 from dataclasses import replace
 
-from iconstudio.library.phrases import Answer, Phrases
+from iconstudio.library.phrases import Answer, Phrases, at_least
 from iconstudio.library.terms import FEW, Rows, Scores, Terms
 from iconstudio.library.words import query, symbols
 from iconstudio.library.words.decency import is_insult
@@ -55,10 +55,16 @@ class Lookup:
         if symbols.is_flag(keyword):  # a country is no kind of anything
             return found
         core = query.without_framing(words)
-        for name in (" ".join(core), *symbols.other_names(keyword)):
+        if symbols.is_joined(keyword):
+            core = query.without_people(core)
+        called, core = core, query.spelt_out(core)
+        names = dict.fromkeys((" ".join(called), " ".join(core), *symbols.other_names(keyword)))
+        for name in names:
             found = self.plainly(name) | found
+        if not found:
+            found = self._phrases.whole(core) or self.plainly(query.headed(core))
         if len(found) < FEW and not PREPOSITIONS.intersection(core):
-            found = self._last(core) | found
+            found = at_least(1 + max(found.values(), default=-1), self._last(core)) | found
         return found or self._phrases.answer(core).scores
 
     def _last(self, words: tuple[str, ...]) -> Scores:
@@ -86,7 +92,7 @@ class Lookup:
         words = query.plain(keyword)
         if is_insult(words) or words in BRANDS:
             return ()
-        return nearest(words, self._terms.proposals())
+        return tuple(filter(self._terms.plainly, nearest(words, self._terms.proposals())))
 
     def spelling(self, keyword: str) -> tuple[str, ...]:
         """Return the words that a keyword is a misspelling of, though few icons are called so."""
@@ -102,6 +108,7 @@ class Lookup:
         found = {
             number: identifier.endswith(f":{name}")
             for number, identifier in self._rows(ask, (name.replace("-", ""),))
+            if number not in self._terms.logos
         }
         exactly = {number: True for number, so in found.items() if so}
         return exactly or found

@@ -4,6 +4,7 @@ from collections.abc import Iterable
 
 from iconstudio.library.phrases import Answer
 from iconstudio.library.words import query, symbols
+from iconstudio.library.words.naming import is_negated
 
 THING = "Name the thing to draw, such as 'dog'."
 ENGLISH = (
@@ -11,6 +12,9 @@ ENGLISH = (
     "try another English word for the thing."
 )
 FORBIDDING = "Signs of what is forbidden, or switched off, are left out."
+FLAGS = "Flags of countries are left out: in one colour, they are not told apart."
+NO_SIGNS = "the collection has no signs of what is forbidden, or switched off."
+ALL_WORDS = "No icon has all of these words"
 _LONGEST = 60
 """Most characters of a keyword that a message repeats."""
 
@@ -37,13 +41,19 @@ def remark(answer: Answer, near: tuple[str, ...]) -> str:
         return ""
     sentences = [corrected(answer.read_as)] if answer.read_as else []
     if answer.left_out:
-        *before, last = (f"“{word}”" for word in answer.left_out)
-        words = f"{', '.join(before)} and {last}" if before else last
         were = "was" if len(answer.left_out) == 1 else "were"
-        sentences.append(f"No icon has all of these words: {words} {were} left out.")
+        words = f"{named(answer.left_out)} {were} left out"
+        negated = is_negated(answer.left_out)
+        sentences.append(f"{words}: {NO_SIGNS}" if negated else f"{ALL_WORDS}: {words}.")
     if answer.looked_up:
         sentences.append(only(answer))
     return (" ".join(sentences) + hint(near)).strip()
+
+
+def named(words: tuple[str, ...]) -> str:
+    """Return words in a sentence."""
+    *before, last = (f"“{word}”" for word in words)
+    return f"{', '.join(before)} and {last}" if before else last
 
 
 def corrected(read_as: Iterable[tuple[str, str]]) -> str:

@@ -70,12 +70,12 @@ class Phrases:
 
     def answer(self, words: Words) -> Answer:
         """Return the icons that answer plain words, however they are spelt, or what is near."""
-        if found := self._whole(words):
+        if found := self.whole(words):
             return Answer(found)
         if is_insult(" ".join(words)):
             return Answer()
         rightly = self._rightly(words)
-        if all_of_them := self._best(one.answer(self._whole(one.words)) for one in rightly):
+        if all_of_them := self._best(one.answer(self.whole(one.words)) for one in rightly):
             return all_of_them
         surely = list(filter(self._is_sure, rightly))
         if not surely:
@@ -114,7 +114,7 @@ class Phrases:
             start = end
         return tuple(found)
 
-    def _whole(self, words: Words) -> Scores:
+    def whole(self, words: Words) -> Scores:
         """Return the icons that answer all words.
 
         What is called as it is typed comes first, and what informal words stand for last.
@@ -125,9 +125,9 @@ class Phrases:
         return merged(
             (
                 self._together(words),
-                *(_at_least(0, self._together(one)) for one in others),
-                *(_at_least(1, self._together(one)) for one in self._spellings.same(words)),
-                *(_at_least(1, self._together(one)) for one in meant),
+                *(at_least(0, self._together(one)) for one in others),
+                *(at_least(1, self._together(one)) for one in self._spellings.same(words)),
+                *(at_least(1, self._together(one)) for one in meant),
             )
         )
 
@@ -185,7 +185,7 @@ class Phrases:
         rest = tuple(word for word in words if word not in PEOPLE)
         if rest == words or not rest or not all(map(self._terms.is_activity, rest)):
             return Answer()
-        return _leaving(set(words).difference(rest), words, Answer(self._whole(rest)))
+        return _leaving(set(words).difference(rest), words, Answer(self.whole(rest)))
 
     def _without_attribute(self, words: Words) -> Answer:
         """Return the things of the words before one for a view, say: a swing set is swings.
@@ -249,7 +249,8 @@ def _leaving(some: Set[str], words: Words, answer: Answer) -> Answer:
     return replace(answer, left_out=told) if answer else answer
 
 
-def _at_least(least: int, scores: Scores) -> Scores:
+def at_least(least: int, scores: Scores) -> Scores:
+    """Return icons with none better than a score."""
     return {icon: max(score, least) for icon, score in scores.items()}
 
 

@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.library.fingerprint import unlikeness
+from iconstudio.library.words.query import SILENT
 
 ALIKE = 0.25
 """Drawings that differ by less look the same to somebody who looks for parts."""
@@ -24,6 +25,9 @@ what is broader."""
 
 PLENTY = 120
 """With so many relevant drawings, those that differ little are left out."""
+
+LINES, SOLID = 41, 60
+"""Drawings of less ink than the first, in percent, are of lines; from the second on, solid."""
 
 _BLOCK = 64
 """So many drawings are compared at once."""
@@ -51,13 +55,31 @@ def in_order(
 
 
 def nearest_style(
-    icons: NDArray[np.int64], scores: NDArray[np.int64], distances: NDArray[np.int64]
+    icons: NDArray[np.int64],
+    scores: NDArray[np.int64],
+    said: NDArray[np.int64],
+    seen: NDArray[np.int64],
+    words: NDArray[np.int64],
 ) -> NDArray[np.int64]:
     """Return ``icons`` in the same order but those of the nearest style first.
 
-    What is no drawing of the thing itself stays behind what is, whatever its style.
+    How far each is from it, its name has ``said``; where that is ``SILENT``, it is ``seen``.
+    Of equals, that with fewer ``words`` in its name comes first: a heart before a cracked one. What
+    is no drawing of the thing itself stays behind what is, whatever its style.
     """
-    return icons[np.lexsort((distances, scores > ITSELF))]
+    distances = np.where(said == SILENT, seen, said)
+    return icons[np.lexsort((said, words, scores, distances, scores > ITSELF))]
+
+
+def seen_style(blackness: NDArray[np.uint8], solid: bool | None) -> NDArray[np.int64]:
+    """Return 0 for drawings that are solid as is asked for, or of lines; 2 for others; 1 between.
+
+    ``blackness`` is in percent. What is between may be either: section 3.5 counts it to both.
+    """
+    if solid is None:
+        return np.ones(len(blackness), dtype=np.int64)
+    lines = np.digitize(blackness, (LINES, SOLID))
+    return 2 - lines if solid else lines
 
 
 def different(cells: NDArray[np.uint64], limit: int, alike: float = ALIKE) -> list[int]:

@@ -10,6 +10,7 @@ from typing import Any
 from iconstudio.library.words import query
 from iconstudio.library.words.decency import is_insult
 from iconstudio.library.words.inflections import is_irregular, singulars
+from iconstudio.library.words.logos import LOGOS
 from iconstudio.library.words.naming import take_apart
 from iconstudio.library.words.readings import COMPOUND, EXACT, MENTION, POSED
 from iconstudio.library.words.relations import BESIDE, BROADER, FORM, KIND, SPELLING
@@ -76,6 +77,10 @@ class Terms:
 
     def __init__(self, rows: Rows) -> None:
         self._rows = rows
+        marks = ",".join("?" * len(LOGOS))
+        ask = f"SELECT number FROM icon WHERE id IN ({marks})"
+        self.logos = frozenset(row[0] for row in rows(ask, tuple(LOGOS)))
+        """The icons that nobody means who looks for the thing that they are called as."""
 
     def plainly(self, words: str) -> Scores:
         """Return the icons that answer plain words taken together, in the plural or not."""
@@ -93,7 +98,10 @@ class Terms:
                 found[icon] = min(tier, found.get(icon, NEVER))
             if answers and form in singles:
                 break
-        return self._own_names_first(words, found | called)
+        found |= called
+        for logo in self.logos.intersection(found):
+            del found[logo]
+        return self._own_names_first(words, found)
 
     def _own_names_first(self, words: str, found: Scores) -> Scores:
         """Return icons with those behind that only an alias calls so, if few are called so."""
@@ -181,8 +189,12 @@ class Terms:
         return tuple(row[0] for row in self._rows(sql, (word,)))
 
     def proposals(self) -> list[str]:
-        """Return the words that may be proposed to somebody who has misspelt one."""
-        return [row[0] for row in self._rows("SELECT word FROM proposal", ())]
+        """Return the words that may be proposed to somebody who has misspelt one.
+
+        What has a number in it names one of several drawings: *electricity2x*.
+        """
+        ask = "SELECT word FROM proposal WHERE word NOT GLOB '*[0-9]*'"
+        return [row[0] for row in self._rows(ask, ())]
 
     def identifiers(self, icons: Iterable[int]) -> dict[int, str]:
         """Return the identifiers of icons."""

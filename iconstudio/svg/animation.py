@@ -31,9 +31,10 @@ _LONG = 0.25
 _MOMENTS = (0.5, 0.25, 0.75, 0.1, 0.9, 0.0, 1.0)
 """Parts of the time that an animation takes, the best first."""
 MOVING = "The drawing moves; it is taken as it stands before it does."
+ENDED = "The drawing moves; it is taken as it stands at the end."
 MIDWAY = "The drawing moves; it is taken as it stands in the middle."
 RUNNING = "Lines that run along without end were drawn whole."
-IN_PARTS = "The drawing moves; some of it is taken as it stands before it does, some in the middle."
+IN_PARTS = "The drawing moves; parts of it are taken before they do, in the middle or at the end."
 
 
 def moves(markup: str) -> bool:
@@ -43,10 +44,9 @@ def moves(markup: str) -> bool:
 
 def as_one(remarks: Sequence[str]) -> list[str]:
     """Return remarks, each once; what is said of parts that stand otherwise is one sentence."""
-    both = {MOVING, MIDWAY} <= set(remarks)
-    return list(
-        dict.fromkeys(IN_PARTS if both and one in (MOVING, MIDWAY) else one for one in remarks)
-    )
+    moments = {MOVING, MIDWAY, ENDED}
+    several = len(moments.intersection(remarks)) > 1
+    return list(dict.fromkeys(IN_PARTS if several and one in moments else one for one in remarks))
 
 
 def finish(root: ET.Element, midway: bool = False) -> list[str]:
@@ -58,7 +58,7 @@ def finish(root: ET.Element, midway: bool = False) -> list[str]:
 
     Returns
     -------
-    A sentence if there are some of these.
+    Sentences that say which moment is shown.
     """
     remarks = []
     for target, animations in _animated(root).items():
@@ -73,6 +73,8 @@ def finish(root: ET.Element, midway: bool = False) -> list[str]:
             remarks.append(MIDWAY)
         elif going_on:
             remarks.append(MOVING)
+        elif not all(_waits(one) or one.tag == "set" for one in animations):
+            remarks.append(ENDED)
     return remarks
 
 
@@ -131,14 +133,19 @@ def _state(target: ET.Element, animations: Sequence[ET.Element]) -> dict[str, st
 
 def _end(animation: ET.Element, target: ET.Element) -> bool:
     """Apply an animation's end to its target; false if it has none."""
-    if _BY_HAND.search(animation.get("begin", "")):
-        return True  # until someone does so, it stands still
+    if _waits(animation):
+        return True  # until someone does something, it stands still
     stays = animation.get("fill") == "freeze" or (
         animation.tag == "set" and not animation.get("dur") and not animation.get("end")
     )
     if _is_endless(animation) or not stays:
         return False
     return _apply(animation, target, 1.0)
+
+
+def _waits(animation: ET.Element) -> bool:
+    """Whether an animation begins only when somebody does something."""
+    return _BY_HAND.search(animation.get("begin", "")) is not None
 
 
 def _is_endless(animation: ET.Element) -> bool:
@@ -191,7 +198,7 @@ def _show_midway(target: ET.Element, animations: Sequence[ET.Element]) -> None:
         if before is not None:
             target.set("transform", before)
         for animation in animations:
-            if not _BY_HAND.search(animation.get("begin", "")):
+            if not _waits(animation):
                 _apply(animation, target, moment)
         if not vanishes(_state(target, animations)):
             return

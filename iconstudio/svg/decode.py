@@ -58,8 +58,12 @@ def decode(data: bytes) -> str:
             data = _unpacked(data)
     if len(data) > MAX_BYTES:
         raise _too_large()
-    if not data.strip(b"\0 \t\r\n"):
+    if not data.strip():
         raise IconstudioError("The file is empty. Save the drawing again.")
+    if not data.strip(b"\0 \t\r\n"):
+        raise IconstudioError(
+            "The file holds nothing but zeros: it is damaged. Save, copy or download it again."
+        )
     what = signatures.binary(data)
     if what is not None:
         raise IconstudioError(what)

@@ -172,6 +172,11 @@ def _flattened(data: str) -> list[tuple[float, float]]:
     return points
 
 
+def corners(data: str) -> list[tuple[float, float]]:
+    """Return the ends of all segments of a path, in their order."""
+    return [points[-1] for _, points in _recorded(data).value if points and points[-1] is not None]
+
+
 @lru_cache(maxsize=512)
 def data_bounds(data: str) -> Box | None:
     """Return the bounding box of the control points; None if there are none."""

@@ -132,11 +132,13 @@ class Lettering(NamedTuple):
             self.off or any(name in element.attrib for name in _OFF_BASELINE),
         )
 
-    def advance(self, text: str) -> float:
-        """Return how far a text moves the pen, at most."""
+    def advance(self, text: str, at_least: bool = False) -> float:
+        """Return how far a text moves the pen, at most, or else at least."""
         fonts = [advances(resource(f"fonts/Inter-{one}.otf")) for one in ("Regular", "SemiBold")]
         least = 1.0 if self.vertical else 0.0
-        em = sum(max(least, *(font.get(ord(one), 1.0) for font in fonts)) for one in text)
+        extreme, unknown = (min, 0.0) if at_least else (max, 1.0)
+        widths = (extreme(font.get(ord(one), unknown) for font in fonts) for one in text)
+        em = sum(max(least, width) for width in widths)
         blanks = sum(map(str.isspace, text)) * max(self.word_spacing, 0.0)
         return em * self.size + len(text) * max(self.letter_spacing, 0.0) + blanks
 

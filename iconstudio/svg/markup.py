@@ -3,7 +3,7 @@
 import re
 
 from iconstudio.model import IconstudioError
-from iconstudio.svg import android, quoting, signatures
+from iconstudio.svg import android, pages, quoting, signatures
 
 _ROOT = re.compile(r"<([\w.-]+:)?svg[\s>/]", re.IGNORECASE)
 _PROLOG = re.compile(
@@ -43,22 +43,24 @@ def markup_of(text: str) -> tuple[str, list[str]]:
         return text, remarks
     from iconstudio.svg import components  # loads tree-sitter
 
-    markup = _cut_out(text)
+    before, markup, after = _cut_out(text)
+    around = f"{before} {after}"
     if components.is_code(markup):
         markup, said = components.without_code(markup, text)
         remarks += said
-    return markup, remarks
+    return pages.with_sheets(markup, around), remarks
 
 
-def _cut_out(text: str) -> str:
-    """Return the document from its prolog, or its root, to its end."""
+def _cut_out(text: str) -> tuple[str, str, str]:
+    """Return the document, from its prolog or its root to its end, between what is around it."""
     place = 0
     while match := _PROLOG.match(text, place):
         place = match.end()
     if _ROOT.match(text[place:].lstrip()):
-        return text
+        return "", text, ""
     root = _ROOT.search(text)
     assert root is not None
     end = f"</{root[1] or ''}svg>".lower()
     closing = text.lower().rfind(end)
-    return text[root.start() : closing + len(end) if closing > root.start() else len(text)]
+    close = closing + len(end) if closing > root.start() else len(text)
+    return text[: root.start()], text[root.start() : close], text[close:]

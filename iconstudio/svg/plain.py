@@ -22,7 +22,9 @@ from iconstudio.svg.lettering import TEXTS, set_type
 from iconstudio.svg.mark import ATTRIBUTE, PAGE
 from iconstudio.svg.pathdata import cut_off_mistakes
 from iconstudio.svg.placing import place
+from iconstudio.svg.scribbles import refuse_scribbles
 from iconstudio.svg.styles import ONLY_IN_STYLE, apply_styles
+from iconstudio.svg.textpaths import letters_beyond
 
 _GROUPS = ("svg", "g", "a", "switch", "symbol", "defs", "use")
 _SERVERS = ("clipPath", "mask", "pattern", "marker", "stop", *references.GRADIENTS)
@@ -111,7 +113,8 @@ def plain(
     symbols = sprites.symbols(root)
     if symbol is not None:
         sprites.choose(root, symbol)
-    ids, outside = references.resolve(root)
+    ids, outside, missing = references.resolve(root)
+    remarks += references.without_circles(root, ids)
     kept = references.drawn(root, ids)
     page, stretch = _page(root)
     if not any(element.tag in SHAPES or element.tag in TEXTS for element in kept):
@@ -122,6 +125,7 @@ def plain(
             page, stretch = _page(root)
             kept = references.drawn(root, ids)
     remarks += outside if kept else []
+    remarks += [sentence for element, sentence in missing if element in kept]
     without = shadows.leave_out(kept)
     if without:
         remarks += without
@@ -132,8 +136,10 @@ def plain(
     texts = tuple(_texts(kept))
     references.prune(root, kept)
     check(ET.tostring(root, encoding="unicode"))  # before anything follows its references
+    refuse_scribbles(kept)
     remarks += place(root, page, ids)
     remarks += clip(root, page, ids)
+    remarks += letters_beyond(root, page, ids)
     _without_contexts(root, False)
     set_type(root)
     content = _content(root, stretch)

@@ -35,15 +35,20 @@ _URL = re.compile(r"url\(\s*[\"']?([^)\"']*)[\"']?\s*\)\s*(.*)", re.DOTALL)
 _EACH_URL = re.compile(r"url\(\s*[\"']?([^)\"']*)[\"']?\s*\)")
 _OWN_URL = re.compile(r"url\(#([^)]*)\)")
 
+CIRCLE = "A reference that leads back to where it is was left out."
+
 Ids = Mapping[str, list[ET.Element]]
 
 
-def resolve(root: ET.Element) -> tuple[dict[str, ET.Element], list[str]]:
+def resolve(
+    root: ET.Element,
+) -> tuple[dict[str, ET.Element], list[str], list[tuple[ET.Element, str]]]:
     """Give every element that is referred to an id of its own, and take out other references.
 
     Returns
     -------
-    The elements by their new ids, and sentences about what lies outside the document.
+    The elements by their new ids, sentences about what lies outside the document, and about what is
+    nowhere, each with the element that refers to it.
     """
     ids: dict[str, list[ET.Element]] = {}
     for element in root.iter():
@@ -62,11 +67,27 @@ def resolve(root: ET.Element) -> tuple[dict[str, ET.Element], list[str]]:
         found = next((one for one in ids.get(address[1:], ()) if one.tag in kinds), None)
         return None if found is None else named.setdefault(found, f"r{len(named)}")
 
+    missing = [(one, sentence) for one in root.iter() for sentence in _missing(one, ids)]
     for element in root.iter():
         _resolve(element, name_of)
     for element, name in named.items():
         element.set("id", name)
-    return {name: element for element, name in named.items()}, remarks
+    return {name: element for element, name in named.items()}, remarks, missing
+
+
+def _missing(element: ET.Element, ids: Ids) -> Iterator[str]:
+    """Yield what to say of what an element shows, or is filled with, that is nowhere."""
+    shown = [element.get("href", "").strip()] if element.tag == "use" else []
+    for attribute in ("fill", "stroke"):
+        match = _URL.match(element.get(attribute, ""))
+        if match is not None and not match[2].strip():
+            shown.append(match[1].strip())
+    for address in shown:
+        if address.startswith("#") and address[1:] not in ids:
+            yield (
+                f"“{address[:60]}” is not in the file, so what refers to it was left out. Save the "
+                "whole drawing in one file."
+            )
 
 
 def _resolve(element: ET.Element, name_of: Callable[[str, tuple[str, ...]], str | None]) -> None:
@@ -106,6 +127,46 @@ def _resolve_filters(
     left = " ".join(_EACH_URL.sub(resolved, element.attrib.pop("filter")).split())
     if left:
         element.set("filter", left)
+
+
+def without_circles(root: ET.Element, ids: Mapping[str, ET.Element]) -> list[str]:
+    """Take out every reference that leads back to where it is, in place; return what to say of it.
+
+    Browsers draw nothing in its place.
+    """
+    remarks: list[str] = []
+    open_: dict[ET.Element, bool] = {root: True}
+    """Elements that were come to, and whether they are still being gone through."""
+    way = [(root, _next(root, ids))]
+    while way:
+        element, following = way[-1]
+        attribute, target = next(following, ("", None))
+        if target is None:
+            open_[element] = False
+            way.pop()
+        elif target not in open_:
+            open_[target] = True
+            way.append((target, _next(target, ids)))
+        elif open_[target] and attribute in ("fill", "stroke"):
+            element.set(attribute, "none")
+            remarks.append(CIRCLE)
+        elif open_[target]:
+            element.attrib.pop(attribute, None)
+            remarks.append(CIRCLE)
+    return remarks
+
+
+def _next(
+    element: ET.Element, ids: Mapping[str, ET.Element]
+) -> Iterator[tuple[str, ET.Element | None]]:
+    """Yield what is in an element, and what each attribute of it refers to."""
+    for child in list(element):
+        yield "", child
+    for attribute in ("href", *_KINDS):
+        value = element.get(attribute, "")
+        names = [value[1:]] if attribute == "href" else _OWN_URL.findall(value)
+        for target in (ids[name] for name in names if name in ids):
+            yield attribute, target
 
 
 def referred(element: ET.Element) -> Iterator[str]:

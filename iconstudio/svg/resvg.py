@@ -199,7 +199,8 @@ def _view_box(root: ET.Element) -> Box:
         raise IconstudioError("The SVG has no size: give its root a viewBox.")
     if not _is_in_scale((x, y, width, height)):
         raise IconstudioError(
-            f"The SVG's size of {width:g} by {height:g} at ({x:g}, {y:g}) is out of all scale."
+            f"It is out of all scale: {width:g} by {height:g} units at ({x:g}, {y:g}). Correct the "
+            "shape, the width of a stroke or the viewBox that is so large, or so small."
         )
     return x, y, width, height
 

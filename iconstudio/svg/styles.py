@@ -9,7 +9,7 @@ import xml.etree.ElementTree as ET
 from collections.abc import Sequence
 
 from iconstudio.svg import filters
-from iconstudio.svg.animation import MIDWAY, MOVING, vanishes
+from iconstudio.svg.animation import ENDED, MIDWAY, MOVING, vanishes
 from iconstudio.svg.calculation import calculated
 from iconstudio.svg.clipping import is_basic_shape
 from iconstudio.svg.colours import colour
@@ -135,8 +135,7 @@ def _ends(
     dashed = {one[0] for _, frame in frames for one in frame} & {"stroke-dasharray"}
     whole = not ends and dashed and "stroke-dasharray" not in {one[0] for one in declared}
     if (ends and not midway) or not (whole or vanishes(_animated([*declared, *end], frames))):
-        if not ends:
-            remarks.append(MOVING)
+        remarks.append(ENDED if ends else MOVING)
         return end
     remarks.append(MIDWAY)
     frames.sort(key=lambda frame: abs(frame[0] - 0.5))

@@ -1,4 +1,4 @@
-"""Style sheets and ``style`` attributes (CSS): the adapter of tinycss2 and cssselect2.
+"""Style sheets and ``style`` attributes (CSS): the adapter of tinycss2.
 
 Says which declarations apply to each element, and in which order; ``styles`` says what they mean.
 """
@@ -10,10 +10,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-import cssselect2
 import tinycss2
 
 from iconstudio.model import IconstudioError
+from iconstudio.svg.matching import Matcher, SelectorError, compiled
 from iconstudio.svg.parse import SHEET_ELSEWHERE
 from iconstudio.svg.supports import supported
 
@@ -23,8 +23,6 @@ Frame = tuple[float, list[Declared]]
 Layer = tuple[float, ...]
 """The place of a cascade layer: its number in the layer around it, after all that are around."""
 MAX_RULES = 5_000
-MAX_MATCHES = 300_000
-"""How often rules may apply to elements."""
 _LONGEST_SELECTOR = 2_000
 _SCREEN = 512.0
 _FEATURES = {
@@ -65,7 +63,7 @@ class StyleSheet:
 
     keyframes: dict[str, list[Frame]] = field(default_factory=dict)
     remarks: list[str] = field(default_factory=list)
-    _matcher: Any = field(default_factory=cssselect2.Matcher)
+    _matcher: Matcher = field(default_factory=Matcher)
     _rules: int = 0
     _layers: dict[Layer, dict[str, float]] = field(default_factory=dict)
     """The numbers of the layers in each, by name."""
@@ -90,17 +88,8 @@ class StyleSheet:
         IconstudioError
             If rules apply too often.
         """
-        count = 0
-        for wrapped in cssselect2.ElementWrapper.from_xml_root(root).iter_subtree():
-            element = wrapped.etree_element
+        for element, layered in self._matcher.matches(root):
             declared = [(name, value, False) for name, value in element.items() if name != "style"]
-            layered: list[tuple[Layer, list[Declared]]] = []
-            if self._rules:
-                found = self._matcher.match(wrapped)
-                count += len(found)
-                if count > MAX_MATCHES:
-                    raise IconstudioError("Its style rules apply too often. Simplify it.")
-                layered = [payload for *_, pseudo, payload in found if pseudo is None]
             declared += _cascaded(layered)
             declared += declarations_of(element.get("style", ""))
             declared.sort(key=lambda one: one[2])
@@ -170,13 +159,13 @@ class StyleSheet:
         parts = tinycss2.parse_blocks_contents(content, skip_comments=True, skip_whitespace=True)
         declarations = list(_declarations(parts))
         try:
-            compiled = cssselect2.compile_selector_list(selector) if declarations else ()
-        except cssselect2.SelectorError:
+            selectors = compiled(selector) if declarations else ()
+        except SelectorError:
             self.remarks.append(
                 f"The style rule for “{selector[:40]}” was not understood and left out."
             )
             return
-        for one in compiled:
+        for one in selectors:
             self._matcher.add_selector(one, ((*layer, *_OUTSIDE), declarations))
         for part in parts:
             if part.type == "qualified-rule":
@@ -224,8 +213,8 @@ def _within(name: str, value: str) -> bool:
 def _is_selector(said: str) -> bool:
     """Whether browsers may know a selector."""
     try:
-        found = cssselect2.compile_selector_list(said)
-    except cssselect2.SelectorError:
+        found = compiled(said)
+    except SelectorError:
         return False
     return all(one.pseudo_element in _PSEUDO_ELEMENTS for one in found)
 

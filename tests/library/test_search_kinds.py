@@ -6,7 +6,7 @@ import pytest
 from small_world import icon_set, shape
 
 from iconstudio.library.search import RELEVANT
-from iconstudio.library.words import symbols
+from iconstudio.library.words import query, symbols
 from iconstudio.model import IconstudioError
 
 
@@ -75,6 +75,21 @@ def test_drawings_of_the_style_that_is_asked_for_come_first(world, keyword, orde
     assert [name for name in ids(world, keyword) if name in order] == order
 
 
+@pytest.mark.parametrize("keyword", ["heart", "house", "cat", "star"])
+def test_the_ink_tells_the_style_of_drawings_whose_names_do_not(bundled, keyword):
+    def ink(style):
+        found = [one.id for one in bundled.search(f"{style} {keyword}")[:20]]
+        silent = (one for one in found if query.style((style, keyword)).distance(one) == 3)
+        return bundled._blackness[bundled._numbers(silent)]
+
+    assert all(ink("solid") >= 41) and all(ink("outline") < 60)
+
+
+@pytest.mark.parametrize(("keyword", "first"), [("solid heart", "heart-solid")])
+def test_of_a_style_the_thing_alone_comes_first(bundled, keyword, first):
+    assert ids(bundled, keyword)[0] == first
+
+
 def test_an_unknown_icon_whose_name_is_a_word_is_told_by_icons_of_the_word(world):
     with pytest.raises(IconstudioError) as caught:
         world.get("b:dog")
@@ -141,6 +156,35 @@ def test_an_emoji_finds_what_its_word_finds(bundled, symbol, word):
 
 
 @pytest.mark.parametrize(
+    ("symbol", "first", "never"),
+    [
+        ("\U0001f3f3\ufe0f\u200d\U0001f308", "flag", "rainbow"),
+        ("\U0001f3f3\ufe0f\u200d\u26a7\ufe0f", "flag", "transgender"),
+        ("\U0001f3f4\u200d\u2620\ufe0f", "pirate-flag|black-flag", "rainbow"),
+        ("\U0001f3c1", "flag-chequered", "checkbox"),
+        ("\U0001f6a9", "triangular-flag", "ruler"),
+        ("\U0001f469\u200d\U0001f692", "firefighter", "miss"),
+        ("\U0001f468\u200d\U0001f469\u200d\U0001f467", "family", "miss"),
+        ("\U0001f469\u200d\u2764\ufe0f\u200d\U0001f468", "couple", "miss"),
+        ("\U0001f468\u200d\U0001f9bd", "wheelchair", "hand"),
+        ("\U0001f469\u200d\u2695\ufe0f", "doctor|health-worker", "domestic"),
+        ("\U0001f9d1\u200d\U0001f384", "father-christmas", "socket"),
+        ("\U0001f9d8\u200d\u2642\ufe0f", "yoga", "position"),
+    ],
+)
+def test_emoji_joined_of_several_find_what_they_show_together(bundled, symbol, first, never):
+    found = ids(bundled, symbol)
+    assert all(re.search(first, name) for name in found[:2])
+    assert not [name for name in found if never in name]
+
+
+@pytest.mark.parametrize("flag", ["\U0001f1e9\U0001f1ea", "\U0001f1f2\U0001f1e8"])
+def test_of_the_flag_of_a_country_it_is_told_that_there_are_none(bundled, flag):
+    with pytest.raises(IconstudioError, match=r"\)\. Flags of countries are left out: in one"):
+        bundled.search(flag)
+
+
+@pytest.mark.parametrize(
     ("keyword", "name"),
     [
         ("crocodile", "reptile"), ("toe", "foot"), ("bulldog", "dog"), ("puffin", "bird"),
@@ -167,6 +211,12 @@ def test_nothing_far_fetched(bundled, keyword, never):
     except IconstudioError:
         found = []
     assert not [name for name in found if never in name]
+
+
+@pytest.mark.parametrize("typed", ["\xe9lectricit\xe9", "microskope", "heart2y"])
+def test_hints_are_plain_words(bundled, typed):
+    hints = bundled.suggest(typed)
+    assert hints and all(one.replace(" ", "").isalpha() for one in hints)
 
 
 def test_no_hint_hurts(bundled):
@@ -242,6 +292,29 @@ def test_what_names_nothing_leads_to_no_guess(bundled, keyword):
 )
 def test_a_misspelt_word_is_told(bundled, typed, meant):
     assert bundled.suggest(typed)[0] == meant
+
+
+@pytest.mark.parametrize(
+    ("keyword", "logos"),
+    [
+        ("apple", {"si:apple-line", "streamline:apple", "jam:apple-circle", "iconoir:apple-mac"}),
+        ("windows", {"streamline:windows", "raphael:windows", "teenyicons:windows-outline"}),
+        ("opera", {"tdesign:opera", "jam:opera-square", "la:opera", "teenyicons:opera-outline"}),
+        ("edge", {"teenyicons:edge-outline", "bi:browser-edge"}),
+        ("pocket", {"iconoir:pocket", "mynaui:pocket"}),
+        ("yarn", {"la:yarn"}),
+    ],
+)
+def test_a_thing_that_a_brand_is_called_by_is_no_logo(bundled, keyword, logos):
+    found = [one.id for one in bundled.search(keyword)]
+    assert found and logos.isdisjoint(found)
+    assert all(bundled.get(logo).id == logo for logo in logos)  # who names one means it
+
+
+@pytest.mark.parametrize("brand", ["safari", "Telegram", "mastodon"])
+def test_of_what_only_logos_are_called_it_is_told_that_they_are_left_out(bundled, brand):
+    with pytest.raises(IconstudioError, match=rf"'{brand}'\. Icons have.* logos of brands"):
+        bundled.search(brand)
 
 
 @pytest.mark.parametrize("brand", ["github", "Instagram", "twitter", "paypal"])

@@ -3,6 +3,7 @@
 import pytest
 from small_world import icon_set, shape
 
+from iconstudio.library import messages
 from iconstudio.library.words import query
 from iconstudio.library.words.regional import other_spellings
 from iconstudio.library.words.usage import INFORMAL, STAND_INS
@@ -217,6 +218,6 @@ def test_what_no_icon_is_switched_off_of_is_told(bundled):
     for keyword in ("spin off", "bell off mute slash", "dog off"):
         assert "“x”" not in bundled.remark(keyword)
     for word in ("off", "slash", "muted"):
-        left_out = f"No icon has all of these words: “{word}” was left out."
+        left_out = f"“{word}” was left out: {messages.NO_SIGNS}"
         assert bundled.remark(f"teapot {word}") == left_out
         assert bundled.remark(f"wifi {word}") == left_out

@@ -92,7 +92,7 @@ MOVED = {
     "to its end": (
         f'<circle r="3"><animateMotion path="M0 0L9 9" dur="1s" fill="freeze"/></circle>{PATH}',
         f'<circle cx="9" cy="9" r="3"/>{PATH}',
-        (),
+        ("at the end",),
     ),
     "along a shape": (
         f'<path id="p" fill="none" d="M4 4H20"/><circle r="3"><animateMotion {ENDLESS}>'

@@ -101,6 +101,41 @@ AS_THE_HOUSE = {
 }
 
 
+def styled(before, after="", attributes='class="ico"'):
+    return (
+        f"<!DOCTYPE html><html><head>{before}</head><body><p>Hi &nbsp;<br><svg {attributes} {BOX}>"
+        f'<path d="{BODY}"/><path class=d d="{WINDOW}" /></svg>{after}</body></html>'
+    )
+
+
+IN_PAGES = {
+    "in its head": styled("<style>.ico{fill:#ff6b6b}.ico .d{fill:#fff}</style>"),
+    "in its body": styled("", "<style media=screen>p{color:red} svg .d{fill:#fff}</style>"),
+    "marked as a comment": styled("<style><!-- .d{fill:#fff} --></style>"),
+    "within a rule for a width": styled("<style>@media(min-width:9px){.d{fill:#fff}}</style>"),
+    "by variables": styled("<style>:root{--c:#fff}</style>").replace("class=d", "fill='var(--c)'"),
+    "of a component": f'<template><svg {BOX}><path d="{BODY}"/><path class="d" d="{WINDOW}"/></svg>'
+    "</template><style scoped>.d{fill:white}</style>",
+}
+
+
+@pytest.mark.parametrize("kind", IN_PAGES)
+def test_style_sheets_of_a_page_paint_its_drawing(kind):
+    assert_shows(IN_PAGES[kind], PATH)
+
+
+@pytest.mark.parametrize(
+    "sheet",
+    [
+        "<!-- <style>.d{fill:#fff}</style> -->",
+        "<style media=print>.d{fill:#fff}</style>",
+        "<style>.nav ::-webkit-thing{x}.e{fill:#fff} @nonsense{</style>",
+    ],
+)
+def test_style_sheets_that_say_nothing_of_a_drawing_are_left_alone(sheet):
+    assert_shows(styled(sheet), f'<path d="{BODY}"/>')
+
+
 @pytest.mark.parametrize("kind", AS_THE_HOUSE)
 def test_what_browsers_forgive_is_read(kind):
     assert_shows(AS_THE_HOUSE[kind], PATH)

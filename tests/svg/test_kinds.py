@@ -233,9 +233,16 @@ AS_THE_HOUSE = {
 }
 
 
+MOVING = {"fades in", "grows", "fades in by CSS", "one that is drawn as one looks on"}
+
+
+def moment_of(kind):
+    return ["moves; it is taken as it stands at the end"] if kind in MOVING else ()
+
+
 @pytest.mark.parametrize("kind", AS_THE_HOUSE)
 def test_the_house_is_drawn(kind):
-    assert_shows(AS_THE_HOUSE[kind], PATH)
+    assert_shows(AS_THE_HOUSE[kind], PATH, remarks=moment_of(kind))
 
 
 def test_the_tile_behind_a_house_is_left_out_with_a_remark():
@@ -296,7 +303,7 @@ AS_THE_OUTLINE = {
 
 @pytest.mark.parametrize("kind", AS_THE_OUTLINE)
 def test_the_outline_is_drawn_and_stays_a_line(kind):
-    assert_shows(AS_THE_OUTLINE[kind], OUTLINE)
+    assert_shows(AS_THE_OUTLINE[kind], OUTLINE, remarks=moment_of(kind))
     assert "stroke" in read(AS_THE_OUTLINE[kind]).svg
 
 

@@ -7,12 +7,13 @@ import re
 import unicodedata
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import takewhile
 
 from iconstudio.library.words import symbols
 from iconstudio.library.words.inflections import singulars, verbs
 from iconstudio.library.words.naming import take_apart
 from iconstudio.library.words.usage import INFORMAL
-from iconstudio.library.words.vocabulary import PREPOSITIONS, STYLE_GROUPS, STYLES
+from iconstudio.library.words.vocabulary import LINES, PREPOSITIONS, SOLID, STYLE_GROUPS, STYLES
 
 _LETTERS = str.maketrans(
     {"ß": "ss", "æ": "ae", "œ": "oe", "ø": "o", "đ": "d", "ð": "d", "þ": "th", "ł": "l", "ı": "i"}
@@ -41,9 +42,14 @@ _PARTICLES = {"off", "out", "in", "up", "down", "over", "back"}
 """What verbs are joined with to nouns: *plane taking off*, *takeoff*."""
 _FRAMING = {
     "black", "white", "heavy", "red", "blue", "green", "orange", "yellow", "purple", "brown",
-    "grey", "pink", "suit", "sign", "symbol", "building", "face", "button", "flag",
+    "grey", "pink", "suit", "sign", "symbol", "building", "face", "button",
 }  # fmt: skip
 """Words of the names of symbols that say nothing of the thing: "black heart suit"."""
+_FOLK = {
+    "man", "men", "woman", "women", "person", "people", "adult", "boy", "girl", "child", "mx",
+}  # fmt: skip
+_FACING = {"facing", "right"}
+"""Where such people look to."""
 
 
 def plain(keyword: str) -> str:
@@ -142,6 +148,10 @@ def without_style(words: tuple[str, ...]) -> tuple[str, ...]:
     return core
 
 
+SILENT = 3
+"""What a name says of a style that it does not mention."""
+
+
 @dataclass(frozen=True, slots=True)
 class Style:
     """A style that a keyword asks for."""
@@ -150,11 +160,17 @@ class Style:
     """What it is called."""
     others: frozenset[str] = frozenset()
     """What other styles are called: a filled drawing is no outline."""
+    solid: bool | None = None
+    """Whether the drawing is to be solid, or else of lines; None if either will do."""
 
     def distance(self, name: str) -> int:
-        """Return 0 if a name says that the drawing has the style, 2 if another, else 1."""
+        """Return 0 if a name says that the drawing has the style, 2 if another, 1 if both.
+
+        ``SILENT`` if it says neither.
+        """
         tokens = set(re.split("[^a-z0-9]+", name))
-        return 1 + bool(tokens & self.others) - bool(tokens & self.words)
+        own, other = not tokens.isdisjoint(self.words), not tokens.isdisjoint(self.others)
+        return 1 + other - own if own or other else SILENT
 
 
 def style(words: tuple[str, ...]) -> Style:
@@ -167,7 +183,9 @@ def style(words: tuple[str, ...]) -> Style:
         if asked & frozenset().union(*groups):
             same.update(*(group for group in groups if group & asked))
             others.update(*groups)
-    return Style(frozenset(same), frozenset(others - same))
+    solid = bool(asked & SOLID)
+    either = solid == bool(asked & LINES)
+    return Style(frozenset(same), frozenset(others - same), None if either else solid)
 
 
 def without_framing(words: tuple[str, ...]) -> tuple[str, ...]:
@@ -177,6 +195,25 @@ def without_framing(words: tuple[str, ...]) -> tuple[str, ...]:
     while len(words) > 1 and words[-1] in _FRAMING:
         words = words[:-1]
     return words
+
+
+def without_people(words: tuple[str, ...]) -> tuple[str, ...]:
+    """Return words without whom the names of joined symbols show, unless there are no others.
+
+    *woman firefighter* as *firefighter*, *family man woman girl* as *family*, *man in tuxedo* as
+    *tuxedo*.
+    """
+    left = words
+    while left and left[0] in _FOLK | PREPOSITIONS:
+        left = left[1:]
+    while left and left[-1] in _FOLK | _FACING:
+        left = left[:-1]
+    return left or words
+
+
+def headed(words: tuple[str, ...]) -> str:
+    """Return what words name up to the first preposition: *couple with heart* as *couple*."""
+    return " ".join(takewhile(lambda word: word not in PREPOSITIONS, words))
 
 
 def telling(words: tuple[str, ...]) -> tuple[str, ...]:

@@ -12,6 +12,7 @@ from iconstudio.library.words.usage import EVERYDAY
 
 _SKINS = dict.fromkeys(range(0x1F3FB, 0x1F400))
 _KEYCAP = "\u20e3"
+_JOINER = "\u200d"
 
 
 def has_symbols(text: str) -> bool:
@@ -23,8 +24,14 @@ def has_symbols(text: str) -> bool:
 
 
 def is_flag(text: str) -> bool:
-    """Whether a text is the flag of a country or of a part of one."""
-    return text[:1] == "\U0001f3f4" or "\U0001f1e6" <= text[:1] <= "\U0001f1ff"
+    """Whether a text is the flag of a country or of a part of one, which tags name."""
+    is_part = text[:1] == "\U0001f3f4" and "\U000e0020" <= text[1:2] <= "\U000e007f"
+    return is_part or "\U0001f1e6" <= text[:1] <= "\U0001f1ff"
+
+
+def is_joined(text: str) -> bool:
+    """Whether a text holds emoji that several are joined to: a woman and a fire engine."""
+    return _JOINER in text
 
 
 def spoken(text: str) -> str:

@@ -91,7 +91,8 @@ INFORMAL = _listed(
     caff: cafe, calc: calculator, cam: camera, cardi: cardigan, catsup: ketchup, cclamp: clamp,
     champers: champagne, chem: chemistry, chimp: chimpanzee, chinesenewyear: firecracker,
     choc: chocolate, choccy: chocolate, choochoo: train, chook: chicken, cig: cigarette,
-    ciggie: cigarette, ciggy: cigarette, cny: yuan, comp: computer, condo: apartment,
+    ciggie: cigarette, ciggy: cigarette, claus: father christmas, cny: yuan, comp: computer,
+    condo: apartment,
     config: settings, copter: helicopter, cornflakes: cereal, cossie: swimsuit, cozzie: swimsuit,
     croc: crocodile, culdesac: dead end, cuppa: tea cup, cv: resume, daddylonglegs: spider,
     db: database, del: delete, dev: developer, dict: dictionary, dingdong: bell, dino: dinosaur,
@@ -104,11 +105,13 @@ INFORMAL = _listed(
     gbp: pound, gclamp: clamp, geegee: horse, gocart: go kart, gov: government, govt: government,
     grad: graduate, grandad: grandparent, granddad: grandparent, guac: avocado,
     gumboot: rubber boot, haha: laughing, hankie: handkerchief, hanky: handkerchief,
-    hanukkah: menorah, happynewyear: fireworks, hbomb: atomic bomb, heli: helicopter, hgv: truck,
+    hanukkah: menorah, happynewyear: fireworks, hbomb: atomic bomb, healthworker: doctor,
+    heli: helicopter, hgv: truck,
     hifive: high five, hivis: vest, hols: holiday, hoolahoop: hula hoop, hoover: vacuum cleaner,
     horsey: horse, horsie: horse, hosp: hospital, hq: headquarters, hwy: highway, img: image,
     inr: rupee, ipad: tablet, jab: syringe, jackolantern: pumpkin, jpy: yen, k9: dog, kittycat: cat,
-    lappy: laptop, lashes: eyelash, lcd: screen, loco: locomotive, lp: vinyl record, maths: math,
+    lappy: laptop, lashes: eyelash, lcd: screen, loco: locomotive, lotusposition: yoga,
+    lp: vinyl record, maths: math,
     meds: medicine, mgr: manager, moggie: cat, moggy: cat, mozzie: mosquito, msg: message,
     mtg: meeting, mtn: mountain, mum: mother, mushie: mushroom, nan: grandparent, nana: grandparent,
     nanna: grandparent, newyear: fireworks, newyearseve: fireworks, notif: notification,
@@ -118,6 +121,7 @@ INFORMAL = _listed(
     roach: cockroach, roo: kangaroo, rubbish: trash, rugger: rugby, sammie: sandwich,
     santa: father christmas, santaclaus: father christmas, sarnie: sandwich, shades: sunglasses,
     shroom: mushroom, sneaks: sneaker, spag: spaghetti, spagbol: spaghetti, spud: potato,
+    steamyroom: sauna,
     sub: submarine, sunnies: sunglasses, synth: synthesizer, tater: potato, tbone: steak,
     tech: technology, tee: t shirt, teeshirt: t shirt, tel: telephone, tele: television,
     telly: television, temp: temperature, thanksgiving: turkey, ticktacktoe: tic tac toe,
@@ -162,9 +166,10 @@ OTHER_IN_PLURAL = frozenset({"boxers", "glasses", "greens", "news"})
 
 BRANDS = words(
     """
-    adobe airbnb bluesky discord facebook flickr huawei instagram jira lenovo linkedin mastodon
-    netflix nvidia paypal pinterest reddit shopify skype slack snapchat spotify threads tiktok
-    trello tumblr twitter uber vimeo wechat weibo whatsapp xiaomi youtube zoom
+    adobe airbnb bluesky discord docker facebook firefox flickr huawei instagram jira lenovo
+    linkedin mastodon netflix nvidia paypal pinterest reddit safari shopify skype slack snapchat
+    spotify telegram threads tiktok trello tumblr twitter uber vimeo wechat weibo whatsapp xiaomi
+    youtube zoom
     """
 )
 """Brands: another word that is spelt like one is no hint."""

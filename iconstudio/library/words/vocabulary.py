@@ -20,11 +20,15 @@ STYLE_GROUPS = tuple(
     tuple(words(group) for group in groups.split(","))
     for groups in (
         "fill filled solid glyph flat, outline outlined line linear lineal stroke,"
-        "duotone duo tone twotone, bold fat, thin light",
+        "duotone duo tone twotone, bold fat, thin light, broken",
         "round rounded, sharp",
     )
 )
 """Words for the same style; and beside them those for the styles that a drawing then has not."""
+
+SOLID = STYLE_GROUPS[0][0]
+LINES = STYLE_GROUPS[0][1]
+"""Words for drawings that are mostly ink, and for those that are mostly paper."""
 
 LEADING_STYLES = words(
     """
