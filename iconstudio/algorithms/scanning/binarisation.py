@@ -15,10 +15,12 @@ from iconstudio.algorithms.scanning.behind import left_behind
 from iconstudio.algorithms.scanning.checkerboard import without_checkerboard
 from iconstudio.algorithms.scanning.doubts import (
     LEAST,
+    PLAIN,
     SPECK,
     drawing_in_faint_lines,
     has_fainter_lines,
     is_noise,
+    is_plain,
     shading,
     without_crumbs,
     without_dirt,
@@ -170,7 +172,14 @@ def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
     """Find the drawing on a picture as ``scanned`` does, or by its colours if it has flat ones.
 
     These tell only if nobody says whether it is lighter than its ground.
+
+    Raises
+    ------
+    IconstudioError
+        If there is nothing to be seen.
     """
+    if is_plain(pixels):
+        raise IconstudioError(PLAIN)
     if is_noise(pixels):
         return replace(scanned(pixels, inverted), found=False)
     opaque = pixels.shape[2] == 3

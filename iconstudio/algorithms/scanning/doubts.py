@@ -36,6 +36,9 @@ _DOTS = 0.25
 _UNLIKE, _FEWEST = 0.82, 16
 """How much neighbours differ in noise, as part of any two pixels, at least; pixels to a side of the
 coarsest picture that is asked."""
+_SAME = 3
+"""Levels by which a single colour varies in lossy files."""
+PLAIN = "No drawing can be made out on it: it is one plain area of a single colour."
 LEAST = 0.12
 """A drawing is darker than its paper by so much at least, of all the way to black: what is so much
 darker is no noise."""
@@ -76,6 +79,12 @@ def drawing_in_faint_lines(dark: NDArray[np.float32], threshold: float) -> NDArr
     if ink is None or around is None or dark[ink].size > _DOTS * dark[around].size:
         return None
     return lines
+
+
+def is_plain(pixels: NDArray[np.uint8]) -> bool:
+    """Whether a picture (h, w, c) shows one colour, all over."""
+    seen = pixels.shape[2] == 3 or pixels[..., 3].any()
+    return bool(seen and np.ptp(pixels, axis=(0, 1)).max() <= _SAME)
 
 
 def is_noise(pixels: NDArray[np.uint8]) -> bool:
