@@ -117,6 +117,8 @@ def flat_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
         return None
     found = ground_of(blended)
     palette = palette_of(blended, found)
+    if palette is not None and not free:
+        palette = palette._replace(lossy=not palette.is_exact(blended))
     if found is not None and found.around > _DESK:
         sheet = _on_a_desk(small, found.colour)
         if sheet is not None and not _is_painted(palette, blended, sheet):
@@ -378,7 +380,7 @@ def _at(
 ) -> tuple[NDArray[np.intp], NDArray[np.float32]]:
     """Return the number (h, w) of each pixel's colour at another resolution, and it (h, w, 4)."""
     free = ground is not None and not palette.has_blends_of(ground)
-    labels = numbered(np.stack(parts), shape, ground if free else None)
+    labels = numbered(np.stack(parts), shape, ground if free else None, palette.lossy)
     colours = palette.colours[labels]
     for number, shade in shades.items():
         at = labels == number
