@@ -73,6 +73,8 @@ _NEAR = 7
 """Pixels across, of what is near."""
 _BLEEDS = 0.5
 """How much of the rim a coloured ground has, at least; less is what shows beside an app icon."""
+_DARK = 105.0
+"""Levels below which a ground is dark, whatever its colour."""
 _DESK = 0.75
 """How much of the rim a desk has at least around a sheet of paper, whose corners are sharp."""
 _PAINT, _PAPER_AND_INK = 0.02, 2
@@ -197,7 +199,9 @@ def _is_full_bleed(
         full = around < AROUND and (striped or not at_corners.all())
         full = full and coloured.any() and not palette.shades
     elif ground is not None:
-        full = around > _BLEEDS and coloured[ground]
+        # Letters in two colours on a dark banner are a flag, as in an SVG.
+        dark = palette.colours[ground, :3].max() < _DARK and not palette.shades and coloured.any()
+        full = (around > _BLEEDS and coloured[ground]) or (around >= AROUND and dark)
     elif palette.shades:
         full = coloured[list(palette.shades)].all()
     else:
