@@ -19,8 +19,23 @@ _CORNER = 0.16
 """How much less or more than half is inside a contour, seen so, where it has a corner."""
 _SLACK, _NOISY = 0.25, 0.15
 """What part of a pixel may be amiss where there are no greys, and in lossy files."""
+_TINY, _PAINTS, _CLEAR = 12, 4, 32
+"""Pixels of the longer side of tiny pixel art, and its colours, at most; pixels by which it is told
+as what it is."""
 _PURE, _FEW = 0.95, 0.2
 """How much of a pixel a shape takes that has it all; how many greys a corner has at least."""
+
+
+def in_squares(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """Return tiny pixel art (h, w, c) with larger squares: of so few pixels, none is an edge.
+
+    Anything else, as what has the greys of edges, is as it is.
+    """
+    longest = max(pixels.shape[:2])
+    if longest > _TINY or len(np.unique(pixels.reshape(-1, pixels.shape[2]), axis=0)) > _PAINTS:
+        return pixels
+    times = -(-_CLEAR // longest)
+    return pixels.repeat(times, axis=0).repeat(times, axis=1)
 
 
 def shrunk(pixels: NDArray[np.uint8], step: int) -> NDArray[np.float32]:
