@@ -12,6 +12,8 @@ SPECK = 72
 """Most pixels of what is taken for dirt, on the paper or in the ink."""
 SPOT = 8
 """Most pixels of what is dirt, however thin the lines are."""
+_GRAIN = 3
+"""Most pixels of what is no dot, whoever made it."""
 _ROUND, _OBLONG = 0.65, 1.5
 """How much of its bounding box a dot fills at least, and how oblong that is at most."""
 _AS_WIDE, _AS_DARK = 0.8, 0.85
@@ -166,12 +168,18 @@ def without_dirt(ink: NDArray[np.bool_], dark: NDArray[np.number]) -> NDArray[np
 def without_crumbs(shape: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Return a shape that was told by its colours without its smallest parts, but for dots."""
     clean = without_specks(shape, SPECK)
-    spots, _ = scipy.ndimage.label(without_specks(shape & ~clean, SPOT))
+    return clean | dots(shape & ~clean, SPOT)
+
+
+def dots(shape: NDArray[np.bool_], speck: int = _GRAIN) -> NDArray[np.bool_]:
+    """Return what of a shape (h, w) is as round as dots are, and of more than ``speck`` pixels."""
+    found = np.zeros_like(shape)
+    spots, _ = scipy.ndimage.label(without_specks(shape, speck))
     for number, box in enumerate(scipy.ndimage.find_objects(spots), 1):
         spot = spots[box] == number
         if spot.mean() > _ROUND and max(spot.shape) < _OBLONG * min(spot.shape):
-            clean[box] |= spot
-    return clean
+            found[box] |= spot
+    return found
 
 
 def without_specks(shape: NDArray[np.bool_], speck: int) -> NDArray[np.bool_]:
