@@ -171,6 +171,30 @@ def test_what_a_scan_lacks_is_told(session, tmp_path):
     assert "cut short" in session.icon(str(half)).remarks[0]
 
 
+@pytest.mark.parametrize(("radius", "told"), [(3, True), (12, False), (0, False)])
+def test_small_dots_that_are_left_out_are_told(session, tmp_path, radius, told):
+    picture = Image.new("RGB", (600, 600), "white")
+    draw = ImageDraw.Draw(picture)
+    draw.ellipse([100, 100, 400, 400], outline="black", width=24)
+    if radius:
+        draw.ellipse([500 - radius, 250 - radius, 500 + radius, 250 + radius], fill="black")
+    path = tmp_path / "ring.png"
+    picture.save(path)
+    assert any("Specks" in remark for remark in session.icon(str(path)).remarks) == told
+
+
+@pytest.mark.parametrize("colour", ["white", "black", "#123456"])
+@pytest.mark.parametrize(("side", "kind"), [(1, "PNG"), (200, "PNG"), (200, "JPEG")])
+def test_of_a_plain_area_it_is_told_that_it_is_one_and_nothing_of_pens(
+    session, tmp_path, colour, side, kind
+):
+    path = tmp_path / "plain"
+    Image.new("RGB", (side, side), colour).save(path, kind)
+    with pytest.raises(IconstudioError, match="one plain area of a single colour") as told:
+        session.icon(str(path))
+    assert "pen" not in str(told.value)
+
+
 def roof_of_a_house(ground="white", roof="#a22", walls="#a22"):
     picture = Image.new("RGB", (200, 200), ground)
     draw = ImageDraw.Draw(picture)

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from iconstudio.algorithms.scanning.binarisation import Scan, ink_of, recognised
+from iconstudio.algorithms.scanning.doubts import dots
 from iconstudio.algorithms.scanning.thickening import thickened
 from iconstudio.algorithms.tracing.potrace import traced
 from iconstudio.images.reading import Image, awaited, read_image
@@ -33,6 +34,10 @@ _FAINT = (
 _FAINTER = (
     "Lines that are much fainter than the rest were left out. Draw them with a darker pen, or "
     "choose the threshold in the window."
+)
+_DOTS = (
+    "Specks of a few pixels were left out. If they are dots of the drawing, draw them larger, or "
+    "crop the picture to the drawing."
 )
 _THIN = 1.5
 """Canvas units that the thickest lines must measure."""
@@ -83,11 +88,11 @@ def trace(
     if threshold is None and not scan.found:
         raise IconstudioError(f"{doubts(scan)} {_DARKER}")
     future = workers.submit(_trace, scan, threshold, timeout=_SECONDS, memory=_MEMORY)
-    path, (height, width), thin = yield from awaited(future)
+    path, (height, width), thin, dotted = yield from awaited(future)
     svg = _document(path, width, height)
     digest = hashlib.sha256(svg.encode()).hexdigest()[:8]
     credit = Credit(name, UNNAMED, UNLICENSED, "", "")
-    said = [remark, _PHOTO if scan.shaded else "", THIN if thin else ""]
+    said = [remark, _PHOTO if scan.shaded else "", THIN if thin else "", _DOTS if dotted else ""]
     said += [one for what, one in OMITTED.items() if what in scan.omissions]
     if scan.coloured is not None and threshold in (None, scan.threshold):
         pass  # its colours were told apart, however pale
@@ -122,11 +127,14 @@ def _scan(image: Image, inverted: bool | None) -> Scan:
     return recognised(image.was_read, inverted)
 
 
-def _trace(scan: Scan, threshold: int | None) -> tuple[Outline, tuple[int, int], bool]:
+def _trace(scan: Scan, threshold: int | None) -> tuple[Outline, tuple[int, int], bool, bool]:
+    """Return the outline, height and width, and whether lines were too thin, and dots too small."""
     ink = ink_of(scan, threshold)
+    seen = scan.at(scan.threshold if threshold is None else threshold)
+    dotted = bool(dots(seen & ~ink).any())
     thick = thickened(ink, round(_THIN * max(ink.shape) / CANVAS))
     height, width = thick.shape
-    return traced(thick), (height, width), thick is not ink
+    return traced(thick), (height, width), thick is not ink, dotted
 
 
 def _document(path: Outline, width: int, height: int) -> str:

@@ -239,6 +239,16 @@ FLAGS = {
     'h12z" fill="#fff"/>',
 }
 
+BANNERS = {
+    "two colours on navy": '<path d="M0 0h100v60H0z" fill="#0b1f3a"/>'
+    '<path d="M6 50L22 10l16 40z" fill="#ffd400"/><g fill="none" stroke="#fff" stroke-width="5">'
+    '<circle cx="54" cy="38" r="9"/><path d="M66 38a9 9 0 1 0 18 0a9 9 0 1 0-18 0M84 8v42"/></g>',
+    "two colours on black": '<path d="M0 0h100v60H0z"/><path d="M6 50L22 10l16 40z" fill="#0af"/>'
+    '<circle cx="68" cy="30" r="17" fill="none" stroke="#fff" stroke-width="9"/>',
+}
+"""Letters keep their counters."""
+FLAGS |= BANNERS
+
 
 @cache
 def flag_as_svg(drawing):

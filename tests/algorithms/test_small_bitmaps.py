@@ -109,6 +109,21 @@ def test_the_squares_of_pixel_art_stay_squares(white):
     assert scans.iou(found(pixels), right) > 0.95
 
 
+TINY = {
+    "heart": [".RR.RR", "RRRRRR", "RRRRRR", ".RRRR.", "..RR.."],
+    "smile": ["..RRRR..", ".RRRRRR.", "RR.RR.RR", "RRRRRRRR", "RR....RR", ".RR..RR.", "..RRRR.."],
+}
+
+
+@pytest.mark.parametrize("margin", [0, 1])
+@pytest.mark.parametrize("name", TINY)
+def test_the_squares_of_tiny_pixel_art_stay_squares(name, margin):
+    squares = np.pad([[one == "R" for one in row] for row in TINY[name]], margin)
+    pixels = np.where(squares[..., None], (220, 30, 50), 255).astype(np.uint8)
+    right = scans.fitted(np.kron(squares.astype(float), np.ones((40, 40))))
+    assert scans.iou(found(pixels), right) > 0.95
+
+
 def test_what_three_colours_blend_is_told():
     random = np.random.default_rng(0)
     colours = random.uniform(0, 255, (3, 4)).astype(np.float32)

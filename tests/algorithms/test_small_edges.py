@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from PIL import Image
 from scipy import ndimage
+from skimage import measure
 
 from iconstudio.algorithms.scanning.cutting import cut_out
 from tests import scans
@@ -55,3 +56,25 @@ def test_the_pale_body_of_a_small_lossy_picture_is_drawn():
     disc = contour(found(np.asarray(Image.open(file))))
     right = scans.fitted(rgba('<circle cx="50" cy="50" r="45"/>', 512, "0 0 100 100")[..., 3] / 255)
     assert scans.iou(disc, right) > 0.93
+
+
+FACE = (
+    '<path d="M10 8l24 18q16-5 32 0L90 8v48q-6 34-40 38Q16 90 10 56z" fill="#f5a340"/>'
+    '<path d="M16 20l14 10-12 10zM84 20L70 30l12 10z" fill="#f9c79f"/>'
+    '<circle cx="34" cy="52" r="7" fill="#2d3436"/><circle cx="66" cy="52" r="7" fill="#2d3436"/>'
+    '<path d="M40 74q10 8 20 0" fill="none" stroke="#2d3436" stroke-width="3"/>'
+)
+
+
+@pytest.mark.parametrize(
+    ("side", "quality", "alike"), [(48, 85, 0.96), (64, 60, 0.92), (100, 60, 0.97), (128, 75, 0.97)]
+)
+def test_a_small_lossy_picture_in_colours_is_as_clean_as_one_that_lost_nothing(
+    side, quality, alike
+):
+    """Such files keep colours at half the resolution, so that they bleed beyond their edges."""
+    file, page = io.BytesIO(), bitmap(FACE, side, True)
+    Image.fromarray(page).save(file, "JPEG", quality=quality)
+    lossy, exact = (found(np.asarray(one)) for one in (Image.open(file), page))
+    assert scans.iou(lossy, exact) > alike
+    assert measure.perimeter(contour(lossy)) < 1.015 * measure.perimeter(contour(exact))

@@ -15,21 +15,29 @@ from iconstudio.algorithms.scanning.behind import left_behind
 from iconstudio.algorithms.scanning.checkerboard import without_checkerboard
 from iconstudio.algorithms.scanning.doubts import (
     LEAST,
+    PLAIN,
     SPECK,
     drawing_in_faint_lines,
     has_fainter_lines,
     is_noise,
+    is_plain,
     shading,
     without_crumbs,
     without_dirt,
     without_specks,
 )
 from iconstudio.algorithms.scanning.flat import flat_drawing
-from iconstudio.algorithms.scanning.free import LARGE, free_drawing, on_nothing
+from iconstudio.algorithms.scanning.free import LARGE, free_drawing, on_nothing, veil
 from iconstudio.algorithms.scanning.margin import box_of, rim_of, with_margin, without_half_lines
 from iconstudio.algorithms.scanning.noise import without_noise
 from iconstudio.algorithms.scanning.paper import lighting, page, trend
-from iconstudio.algorithms.scanning.resampling import COARSE, reconstructed, resized, shrunk
+from iconstudio.algorithms.scanning.resampling import (
+    COARSE,
+    in_squares,
+    reconstructed,
+    resized,
+    shrunk,
+)
 from iconstudio.algorithms.scanning.shadow import without_shadow
 from iconstudio.algorithms.scanning.sheet import photographed_sheet
 from iconstudio.algorithms.tones.alternation import Omission
@@ -43,8 +51,6 @@ _COARSE = 512
 """Pixels of the longer side at which paper and drawing are told apart."""
 _MARGIN = 0.04
 """Air around a drawing, as part of its longer side."""
-_OPAQUE = 0.95
-"""Opacity of ink, as part of the most that there is."""
 _FAINTEST = 0.02
 """Less contrast than this is not made more."""
 _SHADED = 0.04
@@ -170,7 +176,15 @@ def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
     """Find the drawing on a picture as ``scanned`` does, or by its colours if it has flat ones.
 
     These tell only if nobody says whether it is lighter than its ground.
+
+    Raises
+    ------
+    IconstudioError
+        If there is nothing to be seen.
     """
+    if is_plain(pixels):
+        raise IconstudioError(PLAIN)
+    pixels = in_squares(pixels)
     if is_noise(pixels):
         return replace(scanned(pixels, inverted), found=False)
     opaque = pixels.shape[2] == 3
@@ -262,7 +276,7 @@ def ink_of(scan: Scan, threshold: int | None = None) -> NDArray[np.bool_]:
 def _seen_through(small: NDArray[np.float32], inverted: bool | None) -> tuple[_Seeing, bool]:
     """Return how dark a transparent picture is as a function of its colours, and if inverted."""
     alpha = small[..., 3]
-    solid = (alpha > max(alpha.max(), LEAST) / 2) & ~_veil(alpha)
+    solid = (alpha > max(alpha.max(), LEAST) / 2) & ~veil(alpha)
     if not solid.any():
         raise IconstudioError("It is transparent all over.")
     inner = scipy.ndimage.binary_erosion(solid, border_value=1)
@@ -278,23 +292,10 @@ def _seen_through(small: NDArray[np.float32], inverted: bool | None) -> tuple[_S
         # As on paper: a bright colour is as good as black.
         colours, alpha = picture[..., :3], picture[..., 3]
         ink = colours.max(axis=2) if inverted else 1 - colours.min(axis=2)
-        dark: NDArray[np.float32] = np.where(_veil(alpha), 0, alpha) * ink
+        dark: NDArray[np.float32] = np.where(veil(alpha), 0, alpha) * ink
         return dark
 
     return see, inverted
-
-
-def _veil(alpha: NDArray[np.float32]) -> NDArray[np.bool_]:
-    """Return which pixels are paper as one sees through them, whatever colour they hide.
-
-    An edge between ink and nothing is no such area: its opacity is uneven.
-    """
-    most = np.quantile(alpha, 0.99)
-    clear = (alpha > 0.05) & (alpha < _OPAQUE * most)
-    high, low = scipy.ndimage.maximum_filter(alpha, 3), scipy.ndimage.minimum_filter(alpha, 3)
-    even = clear & (high - low < 0.05)
-    veil: NDArray[np.bool_] = clear & scipy.ndimage.binary_dilation(even, np.ones((3, 3)))
-    return veil
 
 
 def _ground(

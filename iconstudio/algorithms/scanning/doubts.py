@@ -12,6 +12,8 @@ SPECK = 72
 """Most pixels of what is taken for dirt, on the paper or in the ink."""
 SPOT = 8
 """Most pixels of what is dirt, however thin the lines are."""
+_GRAIN = 3
+"""Most pixels of what is no dot, whoever made it."""
 _ROUND, _OBLONG = 0.65, 1.5
 """How much of its bounding box a dot fills at least, and how oblong that is at most."""
 _AS_WIDE, _AS_DARK = 0.8, 0.85
@@ -36,6 +38,9 @@ _DOTS = 0.25
 _UNLIKE, _FEWEST = 0.82, 16
 """How much neighbours differ in noise, as part of any two pixels, at least; pixels to a side of the
 coarsest picture that is asked."""
+_SAME = 3
+"""Levels by which a single colour varies in lossy files."""
+PLAIN = "No drawing can be made out on it: it is one plain area of a single colour."
 LEAST = 0.12
 """A drawing is darker than its paper by so much at least, of all the way to black: what is so much
 darker is no noise."""
@@ -76,6 +81,12 @@ def drawing_in_faint_lines(dark: NDArray[np.float32], threshold: float) -> NDArr
     if ink is None or around is None or dark[ink].size > _DOTS * dark[around].size:
         return None
     return lines
+
+
+def is_plain(pixels: NDArray[np.uint8]) -> bool:
+    """Whether a picture (h, w, c) shows one colour, all over."""
+    seen = pixels.shape[2] == 3 or pixels[..., 3].any()
+    return bool(seen and np.ptp(pixels, axis=(0, 1)).max() <= _SAME)
 
 
 def is_noise(pixels: NDArray[np.uint8]) -> bool:
@@ -157,12 +168,18 @@ def without_dirt(ink: NDArray[np.bool_], dark: NDArray[np.number]) -> NDArray[np
 def without_crumbs(shape: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Return a shape that was told by its colours without its smallest parts, but for dots."""
     clean = without_specks(shape, SPECK)
-    spots, _ = scipy.ndimage.label(without_specks(shape & ~clean, SPOT))
+    return clean | dots(shape & ~clean, SPOT)
+
+
+def dots(shape: NDArray[np.bool_], speck: int = _GRAIN) -> NDArray[np.bool_]:
+    """Return what of a shape (h, w) is as round as dots are, and of more than ``speck`` pixels."""
+    found = np.zeros_like(shape)
+    spots, _ = scipy.ndimage.label(without_specks(shape, speck))
     for number, box in enumerate(scipy.ndimage.find_objects(spots), 1):
         spot = spots[box] == number
         if spot.mean() > _ROUND and max(spot.shape) < _OBLONG * min(spot.shape):
-            clean[box] |= spot
-    return clean
+            found[box] |= spot
+    return found
 
 
 def without_specks(shape: NDArray[np.bool_], speck: int) -> NDArray[np.bool_]:

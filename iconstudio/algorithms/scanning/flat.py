@@ -73,6 +73,8 @@ _NEAR = 7
 """Pixels across, of what is near."""
 _BLEEDS = 0.5
 """How much of the rim a coloured ground has, at least; less is what shows beside an app icon."""
+_DARK = 105.0
+"""Levels below which a ground is dark, whatever its colour."""
 _DESK = 0.75
 """How much of the rim a desk has at least around a sheet of paper, whose corners are sharp."""
 _PAINT, _PAPER_AND_INK = 0.02, 2
@@ -117,6 +119,8 @@ def flat_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
         return None
     found = ground_of(blended)
     palette = palette_of(blended, found)
+    if palette is not None and not free:
+        palette = palette._replace(lossy=not palette.is_exact(blended))
     if found is not None and found.around > _DESK:
         sheet = _on_a_desk(small, found.colour)
         if sheet is not None and not _is_painted(palette, blended, sheet):
@@ -195,7 +199,9 @@ def _is_full_bleed(
         full = around < AROUND and (striped or not at_corners.all())
         full = full and coloured.any() and not palette.shades
     elif ground is not None:
-        full = around > _BLEEDS and coloured[ground]
+        # Letters in two colours on a dark banner are a flag, as in an SVG.
+        dark = palette.colours[ground, :3].max() < _DARK and not palette.shades and coloured.any()
+        full = (around > _BLEEDS and coloured[ground]) or (around >= AROUND and dark)
     elif palette.shades:
         full = coloured[list(palette.shades)].all()
     else:
@@ -378,7 +384,7 @@ def _at(
 ) -> tuple[NDArray[np.intp], NDArray[np.float32]]:
     """Return the number (h, w) of each pixel's colour at another resolution, and it (h, w, 4)."""
     free = ground is not None and not palette.has_blends_of(ground)
-    labels = numbered(np.stack(parts), shape, ground if free else None)
+    labels = numbered(np.stack(parts), shape, ground if free else None, palette.lossy)
     colours = palette.colours[labels]
     for number, shade in shades.items():
         at = labels == number

@@ -1,6 +1,7 @@
 """Coloured bitmaps on nothing: the transparent pixels tell what belongs to the drawing."""
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.scanning.cutting import cut_out
@@ -25,6 +26,8 @@ _SMALL, _PAINTED = 64, 0.5
 """Of a drawing that is longer than the one, so much is evenly painted at least; photos are not."""
 _OPAQUE = 243.0
 """Levels of alpha of what is opaque."""
+_INK = 0.95
+"""Opacity of ink, as part of the most that there is."""
 SPARSE = 0.6
 """How much of its bounding box a drawing in lines fills at most."""
 _CLEAN = 0.9
@@ -95,6 +98,19 @@ def _is_sparse(blended: NDArray[np.float32]) -> bool:
     ink = blended.min(axis=2) <= PAPER
     box = box_of(ink)
     return box is not None and bool(ink[box].mean() < SPARSE)
+
+
+def veil(alpha: NDArray[np.float32]) -> NDArray[np.bool_]:
+    """Return which pixels are paper as one sees through them, whatever colour they hide.
+
+    An edge between ink and nothing is no such area: its opacity is uneven.
+    """
+    most = np.quantile(alpha, 0.99)
+    clear = (alpha > 0.05) & (alpha < _INK * most)
+    high, low = scipy.ndimage.maximum_filter(alpha, 3), scipy.ndimage.minimum_filter(alpha, 3)
+    even = clear & (high - low < 0.05)
+    seen_through: NDArray[np.bool_] = clear & scipy.ndimage.binary_dilation(even, np.ones((3, 3)))
+    return seen_through
 
 
 def cut_drawing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:

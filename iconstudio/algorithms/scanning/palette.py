@@ -56,6 +56,8 @@ class Palette(NamedTuple):
     """(h, w): the number of each evenly painted pixel's colour, else -1."""
     shades: dict[int, NDArray[np.float32]]
     """Of the colours that are no flat ones, (h, w, 4) what each is everywhere."""
+    lossy: bool = False
+    """Whether pixels stray from their colours, as in lossy files."""
 
     def at(self, one: int, mask: NDArray[np.bool_]) -> NDArray[np.float32]:
         """Return a colour where the mask says: (n, 4), or (1, 4) if it is flat."""
@@ -101,7 +103,9 @@ class Palette(NamedTuple):
         renamed = np.full(len(self.colours) + 1, -1)
         renamed[kept] = np.arange(len(kept))
         shades = {int(renamed[one]): shade for one, shade in self.shades.items()}
-        return Palette(self.colours[kept], self.counts[kept], renamed[self.number], shades)
+        return Palette(
+            self.colours[kept], self.counts[kept], renamed[self.number], shades, self.lossy
+        )
 
     def noise(self, one: int, blended: NDArray[np.float32]) -> float:
         """Return by how many levels the pixels of a colour stray, but for those beside edges."""

@@ -17,10 +17,25 @@ _SOFT, _FULL, _BROAD, _NEAR = 0.5, 0.9, 4, 5
 shape takes, how many of these it is wide, and within how many across it lies."""
 _CORNER = 0.16
 """How much less or more than half is inside a contour, seen so, where it has a corner."""
-_SLACK = 0.25
-"""What part of a pixel may be amiss where there are no greys."""
+_SLACK, _NOISY = 0.25, 0.15
+"""What part of a pixel may be amiss where there are no greys, and in lossy files."""
+_TINY, _PAINTS, _CLEAR = 12, 4, 32
+"""Pixels of the longer side of tiny pixel art, and its colours, at most; pixels by which it is told
+as what it is."""
 _PURE, _FEW = 0.95, 0.2
 """How much of a pixel a shape takes that has it all; how many greys a corner has at least."""
+
+
+def in_squares(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """Return tiny pixel art (h, w, c) with larger squares: of so few pixels, none is an edge.
+
+    Anything else, as what has the greys of edges, is as it is.
+    """
+    longest = max(pixels.shape[:2])
+    if longest > _TINY or len(np.unique(pixels.reshape(-1, pixels.shape[2]), axis=0)) > _PAINTS:
+        return pixels
+    times = -(-_CLEAR // longest)
+    return pixels.repeat(times, axis=0).repeat(times, axis=1)
 
 
 def shrunk(pixels: NDArray[np.uint8], step: int) -> NDArray[np.float32]:
@@ -39,14 +54,17 @@ def shrunk(pixels: NDArray[np.uint8], step: int) -> NDArray[np.float32]:
     return np.concatenate([colours, total / step**2], axis=2, dtype=np.float32) / np.float32(255)
 
 
-def reconstructed(parts: NDArray[np.float32], shape: tuple[int, ...]) -> NDArray[np.float32]:
+def reconstructed(
+    parts: NDArray[np.float32], shape: tuple[int, ...], slack: float = 0.0
+) -> NDArray[np.float32]:
     """Return how much of each pixel each of k shapes covers, at a higher resolution.
 
     ``parts`` (k, h, w) add up to 1. Of a small bitmap, the shapes have short, smooth contours and
     cover as much of each of its pixels as is given: by turns they are smoothed, made sharp, and
     corrected by what is amiss (threshold dynamics: B. Merriman, J. Bence, S. Osher, 1992; S.
     Esedoglu, F. Otto, 2015). So lines of a pixel are straight, and keep their width. Where there
-    are no greys, squares are squares, but steps of one pixel are contours that run aslant.
+    are no greys, squares are squares, but steps of one pixel are contours that run aslant. So much
+    as ``slack`` of a pixel may be amiss.
     """
     count, height, width = parts.shape
     if shape[0] < COARSE * height:
@@ -57,6 +75,7 @@ def reconstructed(parts: NDArray[np.float32], shape: tuple[int, ...]) -> NDArray
             np.arange(n) * old // n for n, old in zip(shape, parts.shape[1:], strict=True)
         )
         return parts[:, rows[:, None], columns]
+    slack = max(slack, _SLACK if jagged else 0)
     finer = max(2, min(_FINER, _FINEST // max(height, width)))
     block = np.ones((1, finer, finer), np.float32)
     sharp = _sharpened(np.stack([resized(one, (height * finer, width * finer)) for one in parts]))
@@ -68,8 +87,8 @@ def reconstructed(parts: NDArray[np.float32], shape: tuple[int, ...]) -> NDArray
         sharp = _sharpened(smooth)
         covered = sharp.reshape(count, height, finer, width, finer).mean(axis=(2, 4))
         amiss = parts - covered
-        if jagged:
-            amiss -= np.clip(amiss, -_SLACK, _SLACK)
+        if slack:
+            amiss -= np.clip(amiss, -slack, slack)
         error = _KEPT * error + _GAIN * amiss
     if count == 2:
         softer = scipy.ndimage.gaussian_filter(smooth, (0, _SOFT * finer, _SOFT * finer))
@@ -100,15 +119,17 @@ def _at_corners(
 
 
 def numbered(
-    parts: NDArray[np.float32], shape: tuple[int, ...], ground: int | None
+    parts: NDArray[np.float32], shape: tuple[int, ...], ground: int | None, lossy: bool = False
 ) -> NDArray[np.intp]:
     """Return the number of the shape (k, h, w) that each pixel at a higher resolution is of.
 
     Where the ``ground`` is, if one is given, is told by its own part alone, whatever meets there.
+    ``lossy`` files tell how much of a pixel a shape takes but nearly.
     """
-    larger = reconstructed(parts, shape)
+    slack = _NOISY if lossy else 0.0
+    larger = reconstructed(parts, shape, slack)
     if ground is not None and not _has_no_greys(parts):
-        outside = reconstructed(np.stack([parts[ground], 1 - parts[ground]]), shape)[0] > 0.5
+        outside = reconstructed(np.stack([parts[ground], 1 - parts[ground]]), shape, slack)[0] > 0.5
         larger[ground] = np.where(outside, 2, -1)
     number: NDArray[np.intp] = larger.argmax(axis=0)
     return number
