@@ -220,7 +220,7 @@ def test_picked_results_and_favourites_are_read_back(window, another, qtbot, tmp
         assert copy.seeds == one.seeds
     assert other.workspace is other.workspace_of("Hybrids")
     other.workspace.run()
-    other.workspace.draw_like(kept[0])
+    other.workspace.draw_like(other.workspace.favourites_panel.pictures[0])
     qtbot.waitUntil(lambda: not other.workspace.draws.runner.running, timeout=20000)
 
 

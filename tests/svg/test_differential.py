@@ -15,7 +15,7 @@ from tests.svg.pictures import overlap
 
 SETS = ("lucide", "mdi", "tabler", "ph", "carbon", "fluent", "material-symbols", "solar", "bi",
         "game-icons")  # fmt: skip
-EACH = 20
+EACH = 30
 
 
 def compared(pictogram, alone):
