@@ -16,7 +16,7 @@ from iconstudio.model import Edit, IconstudioError, Sketch
 from iconstudio.output.report import GridReport
 from iconstudio.output.request import Request
 from iconstudio.session import Session
-from iconstudio.workflows.criteria import left_out
+from iconstudio.workflows.criteria import with_known_icons
 from iconstudio.workflows.events import Event
 from iconstudio.workflows.grid import LAMBDAS, GridSettings
 
@@ -50,13 +50,13 @@ class GridOptions:
         IconstudioError
             If an option names an icon that the collection does not have.
         """
-        here, remarks = left_out(request.exclude, session.collection.get)
+        request, remarks = with_known_icons(request, session.collection.get)
         for remark in remarks:
             running.tell(f"In “{self.file.name}”: {remark}")
         return replace(
             request,
             keyword=request.keyword if self.keyword is None else self.keyword,
-            exclude=here | running.icons_of("--exclude", session, self.exclude),
+            exclude=request.exclude | running.icons_of("--exclude", session, self.exclude),
             include=request.include | running.icons_of("--include", session, self.include),
         )
 

@@ -1,14 +1,13 @@
 """Brings icons and edits onto the page of an edit."""
 
 from collections.abc import Generator
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from iconstudio.importing.importer import IconImporter, Opened
 from iconstudio.inputs.together import ReadTogether
 from iconstudio.model import Exemplar, Pictogram
-from iconstudio.workflows.criteria import left_out
+from iconstudio.workflows.criteria import with_known_icons
 from iconstudio.workflows.editing import page
 from iconstudio.workflows.editing.page import EditPage
 from iconstudio.workflows.editing.spec import EDITING
@@ -25,8 +24,7 @@ class EditImporter(IconImporter[EditPage]):
     def opening(self, path: Path) -> Generator[Any]:
         """Yield the edit in a file."""
         edit = yield from read_file(path, EDITING, self.session)
-        exclude, remarks = left_out(edit.exclude, self.session.icon)
-        edit = replace(edit, exclude=exclude)
+        edit, remarks = with_known_icons(edit, self.session.icon)
         icon = self.session.exemplar(edit.icon)
         words = " ".join([_about(icon), *remarks])
         yield Opened(words, lambda document: page.load(document, edit, icon))

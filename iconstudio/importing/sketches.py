@@ -1,7 +1,6 @@
 """Brings photos and sketches onto the page of a sketch."""
 
 from collections.abc import Generator
-from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
@@ -11,7 +10,7 @@ from iconstudio.importing.importer import Importer, Opened
 from iconstudio.inputs.items import Drawing, File, Image, Item
 from iconstudio.inputs.together import ReadTogether
 from iconstudio.model import IconstudioError, Photo
-from iconstudio.workflows.criteria import left_out
+from iconstudio.workflows.criteria import with_known_icons
 from iconstudio.workflows.modelling import page
 from iconstudio.workflows.modelling.file import SketchFile, read_sketch
 from iconstudio.workflows.modelling.page import SketchPage
@@ -43,8 +42,7 @@ class SketchImporter(Importer[SketchPage]):
             except IconstudioError as error:
                 trouble = error
         sketch, step = file.resolved(self.session.icon), "open sketch"
-        exclude, remarks = left_out(sketch.exclude, self.session.icon)
-        sketch = replace(sketch, exclude=exclude)
+        sketch, remarks = with_known_icons(sketch, self.session.icon)
         put = partial(page.load_sketch, sketch=sketch, photo=photo, text=step)
         yield Opened(" ".join([f"Opened “{file.title}”.", *remarks]), put)
         if trouble is not None:

@@ -1,10 +1,13 @@
 """The edits of what is wanted beside an outline: keyword, icons left out, symmetry."""
 
-from typing import Any, Protocol, Self
+from dataclasses import replace
+from typing import Any, Protocol, Self, TypeVar
 
-from iconstudio.model import Axis, IconstudioError
+from iconstudio.model import Axis, Edit, IconstudioError, Sketch
 from iconstudio.workflows.pages import Document, Page
 from iconstudio.workflows.workflow import Find
+
+_Request = TypeVar("_Request", Sketch, Edit)
 
 
 class Criteria(Protocol):
@@ -47,19 +50,24 @@ class CriteriaPage(Page, Protocol):
 CriteriaDocument = Document[CriteriaPage]
 
 
-def left_out(exclude: frozenset[str], find: Find) -> tuple[frozenset[str], tuple[str, ...]]:
-    """Return what a file leaves out, as the collection calls it, and remarks on what is not there.
+def with_known_icons(request: _Request, find: Find) -> tuple[_Request, tuple[str, ...]]:
+    """Return what a file asks for with the icons' identifiers, and remarks on what is not there.
 
     An icon that is not there stays among them: another version of the collection may have it.
     """
-    found, remarks = set(), []
-    for one in sorted(exclude):
-        try:
-            found.add(find(one).id)
-        except IconstudioError as error:
-            found.add(one)
-            remarks.append(f'"exclude" leaves out nothing by “{one}”. {error}')
-    return frozenset(found), tuple(remarks)
+    known: dict[str, frozenset[str]] = {}
+    remarks: list[str] = []
+    for field, words in (("exclude", "leaves out"), ("include", "brings in")):
+        found = set()
+        for name in sorted(getattr(request, field)):
+            try:
+                found.add(find(name).id)
+            except IconstudioError as error:
+                found.add(name)
+                remarks.append(f'"{field}" {words} nothing by “{name}”. {error}')
+        known[field] = frozenset(found)
+    request = replace(request, exclude=known["exclude"], include=known["include"])
+    return request, tuple(remarks)
 
 
 def set_keyword(document: CriteriaDocument, keyword: str, gesture: object = None) -> None:

@@ -193,8 +193,9 @@ def remix_styles(
             yield from recommending.after(remixing.ready())
         while remixing.busy:
             yield from recommending.after(remixing.ready(wanted=True))
-        if task.guide.inner != Inner() and recommending.inside < SHOWN:
-            yield Remark(UNMET.format(recommending.inside))
+        inside = recommending.inside
+        if task.guide.inner != Inner() and inside is not None and inside < SHOWN:
+            yield Remark(UNMET.format(inside))
     finally:
         remixing.cancel()
 
@@ -267,8 +268,8 @@ class Recommending:
     def __init__(self, count: int) -> None:
         self._count = count
         self._remixes: dict[str, list[Remix]] = {}
-        self.inside = 0.0
-        """How much the best of what was named shows of what was drawn inside."""
+        self.inside: float | None = None
+        """How much the best of what was named shows of what was drawn inside; None: of nothing."""
 
     def after(self, events: Iterable[Event]) -> Generator[Event]:
         """Pass events on, with a ``Recommended`` after the last result of a style."""
@@ -280,9 +281,14 @@ class Recommending:
                     row = self._remixes.setdefault(style, [])
                     row.append(icon)
                     if len(row) == self._count:
-                        best = best_of(row)
-                        self.inside = max(self.inside, best.score.inside if best else 0.0)
-                        yield Recommended(style, None if best is None else best.composite.lambda_s)
+                        yield Recommended(style, self._name(row))
+
+    def _name(self, row: Sequence[Remix]) -> float | None:
+        best = best_of(row)
+        if best is None:
+            return None
+        self.inside = max(self.inside or 0.0, best.score.inside)
+        return best.composite.lambda_s
 
 
 def best_of(row: Sequence[Remix]) -> Remix | None:

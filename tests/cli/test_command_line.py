@@ -156,7 +156,8 @@ def test_icons_that_are_less_alike_are_brought_in_by_name(tmp_path):
     given = GridOptions(
         tmp_path / "otter.json", tmp_path, None, (), ("a-dog",), (), (), (), False, False, False
     )
-    session = SimpleNamespace(collection=SimpleNamespace(get=lambda name: dog))
+    known = {"a-dog": dog, "a:otter": SimpleNamespace(id="a:otter")}
+    session = SimpleNamespace(collection=SimpleNamespace(get=known.__getitem__))
     asked = Sketch(Polygon.of(SQUARE), "otter", include=frozenset({"a:otter"}))
     assert given.of(asked, session).include == {"a:otter", "a:dog"}
 
@@ -169,11 +170,12 @@ def test_what_a_file_leaves_out_in_vain_is_told(tmp_path, capsys):
     }
     for command, data in files.items():
         for exclude in (["nope:nope"], ["mdi:dog"]):
-            file = write(tmp_path, data | {"exclude": exclude})
+            file = write(tmp_path, data | {"exclude": exclude, "include": exclude})
             assert run([command, file, "--out", str(tmp_path / "out")], NoWindow()) == 2
             told = capsys.readouterr().err
             remark = '"exclude" leaves out nothing by “nope:nope”. The collection has no icon'
             assert (remark in told) == (exclude == ["nope:nope"])
+            assert ('"include" brings in nothing by “nope:nope”' in told) == (remark in told)
 
 
 def test_several_words_need_no_quotation_marks(capsys):

@@ -4,6 +4,7 @@ import json
 import math
 import re
 import threading
+from dataclasses import replace
 
 import pytest
 from fake_session import RECOMMENDED, exemplar
@@ -18,7 +19,7 @@ from iconstudio.gui.canvas.tools.areas import DrawTool, SelectTool
 from iconstudio.gui.exchange.dragging import packed
 from iconstudio.gui.workspaces.symmetry import PAUSE
 from iconstudio.model import Axis
-from iconstudio.workflows.areas import Kind
+from iconstudio.workflows.areas import Area, Kind
 from iconstudio.workflows.editing.file import read_edit
 from iconstudio.workflows.editing.page import EditPage
 from iconstudio.workflows.grid import GridSettings
@@ -641,3 +642,13 @@ def test_a_broken_edit_is_told_and_nothing_is_lost(marked, qtbot, tmp_path, text
     marked.opener.open_work(str(path))
     qtbot.waitUntil(lambda: "broken.json" in notice(marked))
     assert marked.document.page == before
+
+
+def test_an_area_without_an_icon_has_no_symmetry(window, qtbot):
+    """As from events that come while the chooser covers the canvas."""
+    place = window.workspace_of("Edit")
+    window.show_workspace(workspaces(window).index(place))
+    areas = (Area(Kind.ADD, ((40.0, 40.0), (90.0, 40.0), (90.0, 90.0))),)
+    place.document.change("mark", replace(place.page, areas=areas))
+    qtbot.wait(2 * PAUSE)
+    assert place.page.criteria.symmetry is None

@@ -68,9 +68,12 @@ def test_many_messages_cover_nothing_to_click_and_show_whole_lines(window, qtbot
 def test_what_a_file_says_in_vain_is_told(window, qtbot, tmp_path, title, work, said):
     place = go_to(window, title)
     path = tmp_path / "work.json"
-    exclude = {} if title == "Montage" else {"exclude": ["a:b", "shapes:cross-2"]}
-    path.write_text(json.dumps(work | exclude))
+    one = {"exclude": ["a:b", "shapes:cross-2"], "include": ["c:d", "shapes:frame-1"]}
+    path.write_text(json.dumps(work | ({} if title == "Montage" else one)))
     place.opener.open_work(str(path))
     qtbot.waitUntil(lambda: place.page != place.blank)
-    assert said in window.pane.status.label.text()
-    assert "cross" not in window.pane.status.label.text()
+    told = window.pane.status.label.text()
+    assert said in told
+    assert ('"include" brings in nothing by “c:d”' in told) == (title != "Montage")
+    assert "cross" not in told
+    assert "frame" not in told

@@ -8,12 +8,13 @@ from hypothesis import strategies as st
 from iconstudio.algorithms.iconification.energy import joined_ink, placed_sources
 from iconstudio.algorithms.iconification.matching import Matcher, prepare
 from iconstudio.algorithms.iconification.style import STYLES
-from iconstudio.model import CANVAS, Frame, IconstudioError, Placement, Polygon, Sketch
+from iconstudio.model import CANVAS, Frame, IconstudioError, Inner, Placement, Polygon, Sketch
 from iconstudio.svg.placed import render_placed
 from iconstudio.svg.resvg import render_coverage
 from iconstudio.workflows.events import (
     Progress,
     RegionsFound,
+    Remark,
     Result,
     StyleMatched,
     StyleSkipped,
@@ -155,6 +156,16 @@ def test_few_exemplars_that_are_unlike_the_sketch_are_skipped(workers):
     )
     assert skipped.retrieved == FEWEST
     assert "none resembles" in skipped.reason
+
+
+def test_of_what_is_drawn_inside_nothing_is_told_if_there_are_no_results(prepared, workers):
+    inside = Inner((Polygon.of([(100, 150), (140, 150), (140, 190), (100, 190)]),))
+    settings = GridSettings(styles=("light",), lambdas=(0.1,), scales=(1.0,))
+    sketch = Sketch(HOUSE, "house", inner=inside)
+    events = list(model(sketch, prepared, settings, workers, render_placed))
+    assert of(StyleSkipped, events)
+    assert not of(Result, events)
+    assert not of(Remark, events)
 
 
 def squares(count):

@@ -167,5 +167,5 @@ class EditWorkspace(RemixWorkspace):
 
 def _outline(page: EditPage) -> EditPage | None:
     """Return what the outline that is wanted depends on; None if nothing is marked yet."""
-    marked = page.areas and page.open_area is None
+    marked = page.icon is not None and page.areas and page.open_area is None
     return EditPage(page.icon, areas=page.areas) if marked else None
