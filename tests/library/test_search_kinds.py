@@ -263,7 +263,19 @@ def test_the_things_of_the_last_words_still_do(bundled, keyword):
 
 
 @pytest.mark.parametrize(
-    "keyword", ["slut", "Retard", "bitches", "faggot", "fuck", "whore", "black bitch", "mdi:slut"]
+    "keyword",
+    [
+        "slut",
+        "Retard",
+        "bitches",
+        "faggot",
+        "fuck",
+        "whore",
+        "black bitch",
+        "mdi:slut",
+        "dick",
+        "tits",
+    ],
 )
 def test_for_a_word_that_offends_nothing_is_shown_or_proposed(bundled, keyword):
     with pytest.raises(IconstudioError, match=rf"called '{keyword}'\. Name the thing to draw"):

@@ -23,11 +23,11 @@ _BESIDES = frozenset(
 INSULTS = word_set(
     """
     arse arsehole asshole bastard bitch blowjob bollocks bugger bullshit chink coon cretin cum cunt
-    darkie darky dickhead dildo dumbass fag faggot fuck fucked fucker fucking gook halfwit
+    boobs darkie darky dick dickhead dildo dumbass fag faggot fuck fucked fucker fucking gook halfwit
     harlot honky hooker idiot imbecile jizz kike lesbo milf mongoloid moron
     motherfucker nazi negro negress nigga nigger nutter paki pedo pedophile pervert pimp piss
     porn porno rapist rape raper retard shemale shit shitty skank slut
-    spastic spic strumpet tosser tranny turd twat wank wanker wetback whore wog wop yid
+    spastic spic strumpet tits tosser tranny turd twat wank wanker wetback whore wog wop yid
     """
 )
 """Words that offend and name no thing to draw: nothing is shown, or proposed, in their place."""
