@@ -23,8 +23,8 @@ _BESIDES = frozenset(
 INSULTS = word_set(
     """
     arse arsehole asshole bastard bitch blowjob bollocks bugger bullshit chink coon cretin cum cunt
-    boobs darkie darky dick dickhead dildo dumbass fag faggot fuck fucked fucker fucking gook halfwit
-    harlot honky hooker idiot imbecile jizz kike lesbo milf mongoloid moron
+    boobs darkie darky dick dickhead dildo dumbass fag faggot fuck fucked fucker fucking gook
+    halfwit harlot honky hooker idiot imbecile jizz kike lesbo milf mongoloid moron
     motherfucker nazi negro negress nigga nigger nutter paki pedo pedophile pervert pimp piss
     porn porno rapist rape raper retard shemale shit shitty skank slut
     spastic spic strumpet tits tosser tranny turd twat wank wanker wetback whore wog wop yid
