@@ -1,5 +1,7 @@
 """Loads modules that are not imported before their first use, in whatever thread that is."""
 
+import os
+import re
 import threading
 import time
 from collections.abc import Iterator
@@ -11,8 +13,9 @@ from types import ModuleType
 _ATTEMPTS = 3
 _PAUSE = 0.1
 """Seconds until a module is tried again."""
-_CHUNK = 1 << 20
-_COMPILED = ("*.so", "*.so.*", "*.dylib", "*.pyd", "*.dll")
+_CHUNK = 1 << 17
+"""Bytes that the system reads at once, too."""
+_COMPILED = re.compile(r"\.(so(\.[\w.]+)?|dylib|pyd|dll)$")
 
 
 def load_module(name: str) -> ModuleType:
@@ -68,16 +71,29 @@ def _compiled_parts(package: str) -> Iterator[Path]:
     for place in (spec and spec.submodule_search_locations) or ():
         # What wheels bring along lies in a folder of its own, beside the package.
         for folder in (Path(place), Path(place).with_name(f"{package.lower()}.libs")):
-            for pattern in _COMPILED:
-                yield from folder.rglob(pattern)
+            for inside, _, names in os.walk(folder):
+                yield from (Path(inside, name) for name in names if _COMPILED.search(name))
 
 
 def _read(path: Path) -> int:
     buffer, size = bytearray(_CHUNK), 0
     try:
         with path.open("rb", buffering=0) as file:
-            while count := file.readinto(buffer):
-                size += count
+            size = os.fstat(file.fileno()).st_size
+            for start in range(0, size, _CHUNK):
+                if not _is_at_hand(file.fileno(), start):
+                    file.seek(start)
+                    file.readinto(buffer)
     except OSError:
         pass  # Then loading it says what is wrong.
     return size
+
+
+def _is_at_hand(file: int, start: int) -> bool:
+    """Whether what begins there was read already, if the system can tell."""
+    if not hasattr(os, "RWF_NOWAIT"):
+        return False
+    try:
+        return os.preadv(file, [bytearray(1)], start, os.RWF_NOWAIT) == 1
+    except OSError:
+        return False

@@ -106,6 +106,16 @@ def test_it_is_told_if_no_icon_has_a_hole_where_one_is_drawn(workers):
     assert f"{result.score.inside:.0%} at most" in remark.sentence
 
 
+def test_it_is_told_which_additions_lie_inside_the_outline():
+    """What is taken off makes room for one."""
+    inside, beyond = rectangle(100, 120, 150, 180), rectangle(60, 60, 110, 110)
+    edit = Edit(ICON.pictogram, "body", add=(inside, beyond))
+    assert place_edit(edit, ICON).enclosed == (1,)
+    edit = replace(edit, remove=(rectangle(0, 90, 256, 210),), add=(beyond, inside))
+    with_knob = exemplar(BODY | box(200, 40, 230, 100), "with-knob")
+    assert place_edit(edit, with_knob).enclosed == ()
+
+
 def test_holes_and_lines_move_with_an_icon_that_is_made_smaller():
     edit = replace(EDIT, add=(rectangle(60, -100, 110, 100),))
     edit = replace(edit, inner=Inner(lines=(((60, -90), (110, -90)),)))

@@ -49,7 +49,7 @@ from iconstudio.model import (
 from iconstudio.workers import Workers, answer
 from iconstudio.workflows.drawing import Render, draw_whole
 from iconstudio.workflows.editing.emptying import Emptied, begin_emptying
-from iconstudio.workflows.events import Event
+from iconstudio.workflows.events import Event, Remark
 from iconstudio.workflows.grid import GridSettings, GridTask, Matches, focused, remix_styles
 from iconstudio.workflows.remixing import RemixResources
 from iconstudio.workflows.solving import Posed
@@ -58,6 +58,13 @@ SAME = 0.97
 """Overlap of ink from which two icons on the canvas are one drawing."""
 OFF_CANVAS = Placement(dx=4 * CANVAS)
 """Where an icon shows nothing."""
+_ENCLOSED = 0.98
+"""So much of an added area lies inside the icon's outline at least where it adds nothing to it."""
+_INSIDE = (
+    "Added area {} lies inside the icon's outline, which it leaves as it is: only if parts of "
+    "other icons happen to show something there, results do. Draw a hole or lines for what is to "
+    "be seen inside."
+)
 _ROUGH, _STUB = 8, 32
 """Canvas units by which an outline may miss the end of what is removed, and the width of the widest
 stubs that this leaves."""
@@ -88,6 +95,8 @@ class PlacedEdit:
     """D_E, (m, m): the distance from the changed area, from 0 to 1."""
     guide: Guide = UNGUIDED
     """What is drawn inside the outline."""
+    enclosed: tuple[int, ...] = ()
+    """Which green areas, from 1, lie inside the outline of what the icon keeps."""
     emptied: Emptied | None = None
 
     def at(self, side: int) -> "PlacedEdit":
@@ -157,7 +166,8 @@ def place_edit(
             "What should be added is too small to be seen. Sketch it larger, in the "
             f"icon's canvas of {CANVAS} units."
         )
-    silhouette = solid((filled & ~_taken_off(ink, filled, removed)) | added)
+    keeps = filled & ~_taken_off(ink, filled, removed)
+    silhouette = solid(keeps | added)
     if not silhouette.any():
         raise IconstudioError("Nothing of the icon would be left. Remove less, or add something.")
     inner = edit.inner.moved(placement.transform.transformPoint)
@@ -172,7 +182,16 @@ def place_edit(
     if emptied is not None:
         some = [one for one in edit.remove if one not in emptied.areas]
         base, left = Source(emptied.icon, placement), _union(some, placement, side)
-    return PlacedEdit(edit, icon, base, ink, removed, added, left, silhouette, mask, guide, emptied)
+    greens = (_union([one], placement, side) for one in edit.add)
+    whole = solid(keeps)
+    enclosed = tuple(
+        number
+        for number, green in enumerate(greens, start=1)
+        if green.any() and whole[green].mean() > _ENCLOSED
+    )
+    return PlacedEdit(
+        edit, icon, base, ink, removed, added, left, silhouette, mask, guide, enclosed, emptied
+    )
 
 
 def place_edited(edit: Edit, icon: Exemplar, workers: Workers, render: Render) -> PlacedEdit:
@@ -218,6 +237,8 @@ def run(
     """
     icon = resources.exemplar(edit.icon)
     change = place_edited(edit, icon, resources.workers, resources.render)
+    for number in change.enclosed:
+        yield Remark(_INSIDE.format(number))
     settings = settings or GridSettings(styles=own_styles(icon))
     settings.chosen_styles()
     matcher = yield from resources.prepare(edit.keyword, edit.exclude, settings.scales)
