@@ -13,7 +13,7 @@ from iconstudio.session import Session
 from iconstudio.workflows.events import Result
 from iconstudio.workflows.montage.spec import MONTAGE
 
-ICONS = ("glyphs:house", "bi:houses", "lucide:houses", "reicon:house-duotone")
+ICONS = ("glyphs:house-bold", "bi:houses", "lucide:houses", "reicon:house-duotone")
 ROUNDS = 15
 
 
