@@ -10,6 +10,7 @@ from html.entities import html5
 from xml.parsers import expat
 
 from iconstudio.model import IconstudioError
+from iconstudio.svg.check import MAX_DEPTH as MAX_DRAWN
 from iconstudio.svg.entities import OF_XML, written_out
 from iconstudio.svg.lenient import parse_leniently
 from iconstudio.svg.mark import ATTRIBUTE
@@ -19,6 +20,7 @@ MAX_CHARACTERS = 2_000_000
 """Of attributes and text that are kept."""
 MAX_ELEMENTS = 20_000
 MAX_DEPTH = 250
+"""Of all elements, before it is known which are drawn: of those there is ``check.MAX_DEPTH``."""
 
 SVG = "http://www.w3.org/2000/svg"
 _XLINK = "http://www.w3.org/1999/xlink"
@@ -122,7 +124,7 @@ class _Builder:
         space, local = self._resolved(name, spaces)
         if len(self._namespaces) > MAX_DEPTH + 1:
             raise IconstudioError(
-                f"It nests its elements more than {MAX_DEPTH} deep. Ungroup some of them."
+                f"The SVG nests its elements more than {MAX_DRAWN} deep. Ungroup some of them."
             )
         if self.root is None:
             if local.lower() != "svg":
