@@ -32,6 +32,15 @@ SHEET_ELSEWHERE = (
     "A style sheet outside of the file was not read. If colours are wrong, save the "
     "drawing with its styles embedded."
 )
+_ANDROID_LAYERS = "It only names its layers: open the drawings that it names instead."
+_XAML = "It may be XAML: save the drawing as SVG in the program that made it."
+_OTHERS = {
+    **dict.fromkeys(
+        ("adaptive-icon", "layer-list", "selector", "animated-vector"), _ANDROID_LAYERS
+    ),
+    **dict.fromkeys(("Viewbox", "Canvas", "DrawingImage", "ResourceDictionary", "Page"), _XAML),
+}
+"""What to do with files of other kinds, by their root."""
 _NAME = re.compile(r"[A-Za-z_][\w.-]*", re.ASCII)
 _CONTROL = re.compile("[\0-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff\ud800-\udfff]")
 
@@ -128,7 +137,8 @@ class _Builder:
             )
         if self.root is None:
             if local.lower() != "svg":
-                raise IconstudioError(f"It is not an SVG drawing: its root element is <{local}>.")
+                said = f"It is not an SVG drawing: its root element is <{local}>."
+                raise IconstudioError(" ".join(filter(None, [said, _OTHERS.get(local)])))
             self._svg, local = space, "svg"
         else:
             local = tag_name(local)

@@ -237,3 +237,12 @@ def test_what_has_no_number_for_a_size_is_out_of_all_scale(box):
     body = '<circle cx="5" cy="5" r="1e300"/><path d="M1e308 0L-1e308 5"/>'
     with pytest.raises(IconstudioError, match="out of all scale"):
         read(svg(body).replace("0 0 24 24", box))
+
+
+@pytest.mark.parametrize(
+    ("root", "advice"),
+    [("adaptive-icon", "open the drawings that it names"), ("Viewbox", "save the drawing as SVG")],
+)
+def test_of_files_of_other_kinds_it_is_told_what_to_do(root, advice):
+    with pytest.raises(IconstudioError, match=f"<{root}>.*{advice}"):
+        read(f'<{root} xmlns="http://example.org/a"><a/></{root}>')
