@@ -16,7 +16,7 @@ from iconstudio.svg.rasterise import rasterise
 from iconstudio.svg.resvg import VERSION
 from iconstudio.workers import Workers, loss
 
-FORMAT = 1
+FORMAT = 2
 """To be raised when the drawing or the files change; older files are then left alone."""
 
 _CHUNK = 8

@@ -9,7 +9,8 @@ from html.parser import HTMLParser
 from typing import Protocol
 
 CUT_SHORT = (
-    "The file is cut short, and only what is there was read. Save, copy or download it again."
+    "It ends before its elements do, and what is there was read. If the file is cut short, save, "
+    "copy or download it again."
 )
 SEVERAL = "There are several drawings in the file, of which the first was read."
 

@@ -20,7 +20,7 @@ import scipy
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.tones.alternation import Omission
-from iconstudio.algorithms.tones.layers import flattened
+from iconstudio.algorithms.tones.layers import flattened, left_out
 from iconstudio.algorithms.tones.tone import Paints, near_white, paints, pictogram
 from iconstudio.algorithms.tracing.vectorize import trace
 from iconstudio.model import CANVAS, Frame, IconstudioError
@@ -218,8 +218,11 @@ def _picture(
         start = process_time()
         render_colours(svg, frame, CANVAS, fonts)
         size = CANVAS if process_time() - start > _SLOW else 2 * CANVAS
-    colours = flattened(render_colours(svg, frame, size, fonts))
+    drawn = render_colours(svg, frame, size, fonts)
+    colours = flattened(drawn)
     coverage, omissions = pictogram(colours)
+    if left_out(drawn, colours, coverage):
+        omissions |= {Omission.DECORATION}
     return _Picture(colours, coverage, omissions, _is_thin(coverage))
 
 

@@ -10,6 +10,7 @@ from html.entities import html5
 from xml.parsers import expat
 
 from iconstudio.model import IconstudioError
+from iconstudio.svg.check import MAX_DEPTH as MAX_DRAWN
 from iconstudio.svg.entities import OF_XML, written_out
 from iconstudio.svg.lenient import parse_leniently
 from iconstudio.svg.mark import ATTRIBUTE
@@ -19,6 +20,7 @@ MAX_CHARACTERS = 2_000_000
 """Of attributes and text that are kept."""
 MAX_ELEMENTS = 20_000
 MAX_DEPTH = 250
+"""Of all elements, before it is known which are drawn: of those there is ``check.MAX_DEPTH``."""
 
 SVG = "http://www.w3.org/2000/svg"
 _XLINK = "http://www.w3.org/1999/xlink"
@@ -30,6 +32,15 @@ SHEET_ELSEWHERE = (
     "A style sheet outside of the file was not read. If colours are wrong, save the "
     "drawing with its styles embedded."
 )
+_ANDROID_LAYERS = "It only names its layers: open the drawings that it names instead."
+_XAML = "It may be XAML: save the drawing as SVG in the program that made it."
+_OTHERS = {
+    **dict.fromkeys(
+        ("adaptive-icon", "layer-list", "selector", "animated-vector"), _ANDROID_LAYERS
+    ),
+    **dict.fromkeys(("Viewbox", "Canvas", "DrawingImage", "ResourceDictionary", "Page"), _XAML),
+}
+"""What to do with files of other kinds, by their root."""
 _NAME = re.compile(r"[A-Za-z_][\w.-]*", re.ASCII)
 _CONTROL = re.compile("[\0-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff\ud800-\udfff]")
 
@@ -122,11 +133,12 @@ class _Builder:
         space, local = self._resolved(name, spaces)
         if len(self._namespaces) > MAX_DEPTH + 1:
             raise IconstudioError(
-                f"It nests its elements more than {MAX_DEPTH} deep. Ungroup some of them."
+                f"The SVG nests its elements more than {MAX_DRAWN} deep. Ungroup some of them."
             )
         if self.root is None:
             if local.lower() != "svg":
-                raise IconstudioError(f"It is not an SVG drawing: its root element is <{local}>.")
+                said = f"It is not an SVG drawing: its root element is <{local}>."
+                raise IconstudioError(" ".join(filter(None, [said, _OTHERS.get(local)])))
             self._svg, local = space, "svg"
         else:
             local = tag_name(local)

@@ -24,6 +24,7 @@ _ORIGINS = {"left": "0%", "top": "0%", "center": "50%", "right": "100%", "bottom
 _OF_SERVERS = ("gradientTransform", "patternTransform")
 _TRANSLATION = re.compile(r"(translate(?:[xy]|3d)?)\(([^()]*%[^()]*)\)", re.IGNORECASE)
 _DASHES = ("stroke-dasharray", "stroke-dashoffset")
+_VIEWPORTS = ("svg", "symbol")
 _OF_CSS = ("transform-origin", "transform-box", "translate", "rotate", "scale")
 
 
@@ -37,8 +38,7 @@ def place(root: ET.Element, page: Box | None, ids: Mapping[str, ET.Element]) -> 
     remarks: list[str] = []
     _scale_dashes(root, {}, page or (0.0, 0.0, 100.0, 100.0))
     shown = page or (0.0, 0.0, 100.0, 100.0)
-    for element in root.iter():
-        _place(element, shown, ids, remarks)
+    _place_all(root, shown, ids, remarks)
     if any(one.get("vector-effect") == "non-scaling-stroke" for one in root.iter()):
         width, height = pixels(root.get("width")), pixels(root.get("height"))
         outer = IDENTITY
@@ -47,6 +47,26 @@ def place(root: ET.Element, page: Box | None, ids: Mapping[str, ET.Element]) -> 
         for child in root:
             _keep_strokes(child, outer, shown)
     return remarks
+
+
+def _place_all(
+    element: ET.Element, page: Box, ids: Mapping[str, ET.Element], remarks: list[str]
+) -> None:
+    """Place an element and all within. ``page`` is that of the nearest viewport."""
+    _place(element, page, ids, remarks)
+    if element.tag in _VIEWPORTS:
+        page = _page_within(element, page)
+    for child in element:
+        _place_all(child, page, ids, remarks)
+
+
+def _page_within(element: ET.Element, page: Box) -> Box:
+    """Return the box that percentages refer to within a viewport."""
+    box = numbers(element.get("viewBox", ""))
+    if len(box) == 4 and box[2] > 0 and box[3] > 0:
+        return box[0], box[1], box[2], box[3]
+    width, height = element.get("width"), element.get("height")
+    return 0.0, 0.0, length(width, page[2], page[2]), length(height, page[3], page[3])
 
 
 def _place(

@@ -9,6 +9,12 @@ from iconstudio.svg.lengths import Box
 from iconstudio.svg.resvg import page_of, render_coverage, view_box
 
 _COARSE = 128
+_FINE = 4 * CANVAS
+"""Side of a picture that shows all lines of at least a quarter of a canvas pixel."""
+_TRACE = 12
+"""Darkness of a pixel of the coarse picture that such a line may cross."""
+_BEYOND = 3
+"""Pixels of the coarse picture that the point of a thick shape may reach beyond its ink."""
 _TOLERANCE = 1 / 5
 """How far the bounding box may be off, in canvas pixels."""
 _ROUNDS = 4
@@ -31,24 +37,32 @@ def rasterise(svg: str) -> tuple[Frame, NDArray[np.uint8]]:
         If the document is refused, cannot be drawn, or has no ink.
     """
     check(svg)
-    frame = _square(view_box(svg))
-    bounds = ink_bounds(render_coverage(svg, frame, _COARSE))
-    if bounds is not None:
-        frame = _zoom(frame, bounds, _COARSE)
-    # At the final resolution, thin parts may show that the coarse one missed.
+    frame, side, looked = _square(view_box(svg)), _COARSE, False
     rounds = 0
     while True:
-        rounds += 1
-        coverage = render_coverage(svg, frame, CANVAS)
+        coverage = render_coverage(svg, frame, side)
         bounds = ink_bounds(coverage)
-        if bounds is None:
+        if bounds is None and side != _COARSE:
             raise IconstudioError(
                 "It has no dark ink: it is empty, white, or pale all over. "
                 "Fill its shapes with a dark colour; turn text into shapes."
             )
-        if _fits(bounds) or rounds == _ROUNDS:
-            return frame, coverage
-        frame = _zoom(frame, bounds, CANVAS)
+        if bounds is not None and not looked and _leaves_traces(coverage, bounds):
+            looked = True
+            fine = ink_bounds(render_coverage(svg, frame, _FINE))
+            if fine is not None and _differ(_scaled(fine, side / _FINE), bounds):
+                side, bounds = _FINE, fine
+        elif (
+            bounds is not None
+            and side != _COARSE
+            and (rounds == _ROUNDS or _fits(_scaled(bounds, CANVAS / side)))
+        ):
+            return frame, coverage if side == CANVAS else render_coverage(svg, frame, CANVAS)
+        if bounds is not None:
+            frame = _zoom(frame, bounds, side)
+        # At the final resolution, thin parts may show that the coarse one missed.
+        side = max(side, CANVAS)
+        rounds += 1
 
 
 def rasterise_page(svg: str) -> tuple[Frame, NDArray[np.uint8]]:
@@ -97,6 +111,24 @@ def _reach(profile: NDArray[np.uint8], end: int, step: int) -> float:
     # What lies two pixels out is no part of the edge but a paler layer.
     pale = at(end + 2 * step)
     return at(end) + max(0.0, at(end + step) - pale)
+
+
+def _leaves_traces(coverage: NDArray[np.uint8], bounds: Box) -> bool:
+    """Whether something lies beyond the ink that is pale, or too thin to be dark."""
+    rows, columns = (np.flatnonzero((coverage >= _TRACE).any(axis=axis)) for axis in (1, 0))
+    left, top, right, bottom = bounds
+    beyond = (left - columns[0], top - rows[0], columns[-1] + 1 - right, rows[-1] + 1 - bottom)
+    return float(max(beyond)) > _BEYOND
+
+
+def _differ(one: Box, other: Box) -> bool:
+    """Whether two bounds are others, but for the points of thick shapes."""
+    return max(abs(a - b) for a, b in zip(one, other, strict=True)) > _BEYOND
+
+
+def _scaled(bounds: Box, factor: float) -> Box:
+    left, top, right, bottom = bounds
+    return left * factor, top * factor, right * factor, bottom * factor
 
 
 def _fits(bounds: tuple[float, float, float, float]) -> bool:

@@ -195,6 +195,11 @@ def _view_box(root: ET.Element) -> Box:
             height = width * down / across
     elif across is not None and down is not None:
         x, y, width, height = 0.0, 0.0, across, down
+    elif "viewBox" in root.attrib:
+        raise IconstudioError(
+            "It is out of all scale: its size is no number. Correct the shape, the width of a "
+            "stroke or the viewBox that is so large."
+        )
     else:
         raise IconstudioError("The SVG has no size: give its root a viewBox.")
     if not _is_in_scale((x, y, width, height)):

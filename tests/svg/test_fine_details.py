@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 import scipy
 
+from iconstudio.algorithms.tones.alternation import Omission
 from iconstudio.svg.monochrome import OMITTED
 from iconstudio.svg.rasterise import rasterise
 from iconstudio.svg.reading import own_svg
@@ -107,3 +108,12 @@ def test_a_layer_of_a_fifth_is_a_part_of_the_drawing():
     icon = read(layer.format('opacity=".2"') + body)
     assert not icon.remarks
     assert abs(rasterise(icon.svg)[1].astype(int) - drawn(layer.format("") + body)).max() < 64
+
+
+@pytest.mark.parametrize("name", ["opacity", "fill-opacity"])
+def test_a_fainter_layer_within_lines_that_is_no_ink_is_told(name):
+    layer = f'<path {name}=".35" d="M16 16h64v48H16z"/>'
+    screen = '<path fill="none" stroke="#000" stroke-width="6" d="M16 16h64v48H16zM36 80h24"/>'
+    assert read(layer + screen).remarks == (OMITTED[Omission.DECORATION],)
+    assert not read(screen).remarks
+    assert not read(layer + '<path d="M36 64h24v16H36z"/>').remarks

@@ -148,6 +148,10 @@ AS_THE_HOUSE = {
     "transform in CSS": svg(
         f'<g style="transform:translate(6px,0) scale(.5);transform-origin:50% 0">{PATH}</g>'
     ),
+    "turned about the middle of a view within": svg(
+        '<svg viewBox="0 0 48 48"><g style="transform:scale(2) rotate(90deg);'
+        f'transform-origin:50% 50%"><g transform="matrix(0 -1 1 0 12 36)">{PATH}</g></g></svg>'
+    ),
     "turned about its middle": svg(
         f'<g style="transform:rotate(.5turn);transform-box:fill-box;transform-origin:center">'
         f'<g transform="rotate(180 12 11.5)">{PATH}</g></g>'

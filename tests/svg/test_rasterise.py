@@ -45,6 +45,7 @@ SHAPES = {
     "clipped": '<clipPath id="c"><circle cx="9" cy="9" r="3"/></clipPath>'
     '<path d="M0 0h24v24H0z" clip-path="url(#c)"/>',
     "covered by white": '<path d="M2 2h20v20H2z"/><path fill="#fff" d="M8 0h16v24H8z"/>',
+    "a shaft that is thin for its head": '<path d="M0 11.9h23v.17H0zM22.6 11.6l1.4.4-1.4.4z"/>',
     "a pale layer": '<path opacity=".3" d="M1 1h22v22H1z"/><circle cx="8" cy="9" r="4"/>',
 }
 
@@ -52,6 +53,14 @@ SHAPES = {
 @pytest.mark.parametrize("kind", SHAPES)
 def test_the_ink_fills_the_canvas_but_for_its_margin(kind):
     assert_fits(svg(SHAPES[kind]))
+
+
+@pytest.mark.parametrize("width", [0.05, 0.06, 0.08, 0.1, 0.14])
+@pytest.mark.parametrize("y", [12, 12.1])
+def test_thin_rules_beside_a_dot_are_on_the_canvas(width, y):
+    rules = f'<path d="M0 {y}H10.8M13.2 {y}H24" stroke="#000" stroke-width="{width}"/>'
+    frame, _ = rasterise(svg(f'{rules}<circle cx="12" cy="{y}" r=".5"/>'))
+    assert frame.size == pytest.approx(24 * CANVAS / (CANVAS - 2 * MARGIN), rel=0.005)
 
 
 @given(

@@ -7,7 +7,7 @@ import pytest
 
 from iconstudio.model import Credit, IconstudioError, Pictogram
 from iconstudio.output.svg import credits_text, svg_document
-from iconstudio.svg.check import check
+from iconstudio.svg.check import MAX_DEPTH, check
 from iconstudio.svg.credits import UNLICENSED, UNNAMED
 from tests.output.made import BLOCK, RING, SOURCES, credited, made, quarters, titled, with_shares
 from tests.svg.pictures import ink, read
@@ -224,3 +224,25 @@ def test_a_hostile_drawing_ends_in_a_sentence_and_leaves_the_session_at_work(ses
     with pytest.raises(IconstudioError, match="cannot be used"):
         session.icon(str(path))
     assert session.icon(str(file(svg(SQUARE), "good.svg"))).id.startswith("own:good-")
+
+
+@pytest.mark.parametrize("depth", [100, 240, 400])
+def test_all_that_is_too_deep_is_refused_at_one_limit(depth):
+    with pytest.raises(IconstudioError, match=f"more than {MAX_DEPTH} deep"):
+        read(svg("<g>" * depth + SQUARE + "</g>" * depth))
+
+
+@pytest.mark.parametrize("box", ["0 0 1e400 NaN", "none"])
+def test_what_has_no_number_for_a_size_is_out_of_all_scale(box):
+    body = '<circle cx="5" cy="5" r="1e300"/><path d="M1e308 0L-1e308 5"/>'
+    with pytest.raises(IconstudioError, match="out of all scale"):
+        read(svg(body).replace("0 0 24 24", box))
+
+
+@pytest.mark.parametrize(
+    ("root", "advice"),
+    [("adaptive-icon", "open the drawings that it names"), ("Viewbox", "save the drawing as SVG")],
+)
+def test_of_files_of_other_kinds_it_is_told_what_to_do(root, advice):
+    with pytest.raises(IconstudioError, match=f"<{root}>.*{advice}"):
+        read(f'<{root} xmlns="http://example.org/a"><a/></{root}>')

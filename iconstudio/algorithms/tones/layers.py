@@ -53,6 +53,16 @@ def flattened(rgba: NDArray[np.uint8]) -> NDArray[np.uint8]:
     return flat
 
 
+def left_out(rgba: NDArray[np.uint8], flat: NDArray[np.uint8], coverage: NDArray[np.uint8]) -> bool:
+    """Whether much of the pale layers of a drawing is no ink in its pictogram ``coverage`` (n, n).
+
+    ``flat`` is the drawing as ``flattened`` gives it.
+    """
+    visible = rgba[..., 3] > _VISIBLE
+    tinted = visible & (rgba[..., 3] < flat[..., 3]) & (rgba[..., :3] != flat[..., :3]).any(axis=2)
+    return bool(_opened(tinted & (coverage <= 127)).sum() >= _SHARE * visible.sum())
+
+
 def _palest(alpha: NDArray[np.float32], visible: Mask, body: float) -> float | None:
     """Return the opacity, as part of the body's, from which layers show; None if all are opaque."""
     pale = (alpha > _FAINT * body - _ROUNDING) & (alpha < body - _EVEN)
