@@ -1,6 +1,7 @@
 """Rasterising (section 3.4): a pictogram becomes an exemplar on the canvas of side m = 256."""
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 
 from iconstudio.model import CANVAS, MARGIN, Frame, IconstudioError
@@ -15,6 +16,8 @@ _TRACE = 12
 """Darkness of a pixel of the coarse picture that such a line may cross."""
 _BEYOND = 3
 """Pixels of the coarse picture that the point of a thick shape may reach beyond its ink."""
+_BLOCK = np.ones((3, 3), bool)
+"""Thin lines are narrower there."""
 _TOLERANCE = 1 / 5
 """How far the bounding box may be off, in canvas pixels."""
 _ROUNDS = 4
@@ -114,8 +117,18 @@ def _reach(profile: NDArray[np.uint8], end: int, step: int) -> float:
 
 
 def _leaves_traces(coverage: NDArray[np.uint8], bounds: Box) -> bool:
-    """Whether something lies beyond the ink that is pale, or too thin to be dark."""
-    rows, columns = (np.flatnonzero((coverage >= _TRACE).any(axis=axis)) for axis in (1, 0))
+    """Whether something lies beyond the ink that may be too thin to be dark, and no paler area."""
+    faint = coverage >= _TRACE
+    if not _is_beyond(faint, bounds):
+        return False
+    areas = scipy.ndimage.binary_dilation(scipy.ndimage.binary_erosion(faint, _BLOCK), _BLOCK, 2)
+    return _is_beyond(faint & ~areas, bounds)
+
+
+def _is_beyond(faint: NDArray[np.bool_], bounds: Box) -> bool:
+    rows, columns = (np.flatnonzero(faint.any(axis=axis)) for axis in (1, 0))
+    if not len(rows):
+        return False
     left, top, right, bottom = bounds
     beyond = (left - columns[0], top - rows[0], columns[-1] + 1 - right, rows[-1] + 1 - bottom)
     return float(max(beyond)) > _BEYOND
