@@ -31,6 +31,7 @@ from iconstudio.algorithms.scanning.free import LARGE, free_drawing, on_nothing,
 from iconstudio.algorithms.scanning.margin import box_of, rim_of, with_margin, without_half_lines
 from iconstudio.algorithms.scanning.noise import without_noise
 from iconstudio.algorithms.scanning.paper import lighting, page, trend
+from iconstudio.algorithms.scanning.printed import without_print
 from iconstudio.algorithms.scanning.resampling import (
     COARSE,
     in_squares,
@@ -189,6 +190,10 @@ def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
         return replace(scanned(pixels, inverted), found=False)
     opaque = pixels.shape[2] == 3
     if opaque and not inverted:
+        blank = without_print(pixels)
+        if blank is not None:
+            found = scanned(blank.pixels, inverted, _all_of(blank.pixels) if blank.whole else None)
+            return replace(found, omissions=found.omissions | {Omission.PRINT})
         sheet = photographed_sheet(shrunk(pixels, _step(pixels)))
         if sheet is not None:
             return scanned(pixels, inverted, sheet)
@@ -222,6 +227,11 @@ def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
 def _step(pixels: NDArray[np.uint8]) -> int:
     longest: int = max(pixels.shape[:2])
     return -(-longest // _COARSE)
+
+
+def _all_of(pixels: NDArray[np.uint8]) -> NDArray[np.bool_]:
+    """Return a sheet that is all of a picture."""
+    return np.ones(shrunk(pixels, _step(pixels)).shape[:2], bool)
 
 
 def _is_on_paper(scan: Scan) -> bool:
