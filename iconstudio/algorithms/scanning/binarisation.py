@@ -41,6 +41,7 @@ from iconstudio.algorithms.scanning.resampling import (
 )
 from iconstudio.algorithms.scanning.shadow import without_shadow
 from iconstudio.algorithms.scanning.sheet import photographed_sheet
+from iconstudio.algorithms.scanning.uneven import is_unevenly_lit
 from iconstudio.algorithms.tones.alternation import Omission
 from iconstudio.algorithms.tones.tone import Inked, pictogram
 from iconstudio.model import IconstudioError
@@ -192,10 +193,13 @@ def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
     if opaque and not inverted:
         blank = without_print(pixels)
         if blank is not None:
-            found = scanned(blank.pixels, inverted, _all_of(blank.pixels) if blank.whole else None)
+            coarse = shrunk(blank.pixels, _step(blank.pixels)).shape[:2]
+            whole = np.ones(coarse, bool) if blank.whole else None
+            found = scanned(blank.pixels, inverted, whole)
             return replace(found, omissions=found.omissions | {Omission.PRINT})
-        sheet = photographed_sheet(shrunk(pixels, _step(pixels)))
-        if sheet is not None:
+        small = shrunk(pixels, _step(pixels))
+        sheet = photographed_sheet(small)
+        if sheet is not None or is_unevenly_lit(small):
             return scanned(pixels, inverted, sheet)
     picture = without_checkerboard(without_half_lines(pixels))
     pixels = without_noise(picture)
@@ -227,11 +231,6 @@ def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
 def _step(pixels: NDArray[np.uint8]) -> int:
     longest: int = max(pixels.shape[:2])
     return -(-longest // _COARSE)
-
-
-def _all_of(pixels: NDArray[np.uint8]) -> NDArray[np.bool_]:
-    """Return a sheet that is all of a picture."""
-    return np.ones(shrunk(pixels, _step(pixels)).shape[:2], bool)
 
 
 def _is_on_paper(scan: Scan) -> bool:
