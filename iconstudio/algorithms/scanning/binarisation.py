@@ -26,6 +26,7 @@ from iconstudio.algorithms.scanning.doubts import (
     without_dirt,
     without_specks,
 )
+from iconstudio.algorithms.scanning.enlarged import at_own_resolution
 from iconstudio.algorithms.scanning.flat import flat_drawing
 from iconstudio.algorithms.scanning.free import LARGE, free_drawing, on_nothing, veil
 from iconstudio.algorithms.scanning.margin import box_of, rim_of, with_margin, without_half_lines
@@ -186,7 +187,7 @@ def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
     """
     if is_plain(pixels):
         raise IconstudioError(PLAIN)
-    pixels = in_squares(pixels)
+    pixels = at_own_resolution(in_squares(pixels))
     if is_noise(pixels):
         return replace(scanned(pixels, inverted), found=False)
     opaque = pixels.shape[2] == 3
