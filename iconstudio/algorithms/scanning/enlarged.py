@@ -21,17 +21,23 @@ def at_own_resolution(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
     Enlarged again, it is what is given: linearly, or by cubic curves.
     """
     height, width = pixels.shape[:2]
+    possible = [
+        times
+        for times in _TIMES
+        if (height % times, width % times) == (0, 0)
+        and max(height, width) <= _SMALL * times
+        and min(height, width) >= _LEAST * times
+    ]
+    if not possible:
+        return pixels
     blended = premultiplied(pixels.astype(np.float32))
-    edges: NDArray[np.bool_] | None = None
-    for times in _TIMES:
-        shape = (height // times, width // times)
-        whole = (height % times, width % times) == (0, 0)
-        if not (whole and max(shape) <= _SMALL and min(shape) >= _LEAST):
-            continue
-        if edges is None:
-            edges = unevenness(blended, 3) > _EDGE
+    edges: NDArray[np.bool_] = np.asarray(unevenness(blended, 3) > _EDGE)
+    # What is too sharp to have been enlarged a little, was not enlarged much.
+    if not edges.any() or not _gives(_centres(blended, possible[-1]), blended, edges):
+        return pixels
+    for times in possible:
         small = _centres(blended, times)
-        if edges.any() and _gives(small, blended, edges):
+        if _gives(small, blended, edges):
             alpha = small[..., 3:]
             straight = small[..., :3] * (255 / np.maximum(alpha, 1))
             both = np.concatenate([straight, alpha], axis=2)[..., : pixels.shape[2]]
@@ -43,9 +49,9 @@ def at_own_resolution(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
 def _centres(blended: NDArray[np.float32], times: int) -> NDArray[np.float32]:
     """Return the middle of every ``times`` x ``times`` pixels."""
     before, after = (times - 1) // 2, times // 2
-    rows = (blended[before::times] + blended[after::times]) / 2
-    centres: NDArray[np.float32] = (rows[:, before::times] + rows[:, after::times]) / 2
-    return centres
+    rows = blended[before::times] + blended[after::times]
+    centres = rows[:, before::times] + rows[:, after::times]
+    return (centres / 4).astype(np.float32)
 
 
 def _gives(
