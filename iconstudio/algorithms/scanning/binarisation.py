@@ -26,11 +26,13 @@ from iconstudio.algorithms.scanning.doubts import (
     without_dirt,
     without_specks,
 )
+from iconstudio.algorithms.scanning.enlarged import at_own_resolution
 from iconstudio.algorithms.scanning.flat import flat_drawing
 from iconstudio.algorithms.scanning.free import LARGE, free_drawing, on_nothing, veil
 from iconstudio.algorithms.scanning.margin import box_of, rim_of, with_margin, without_half_lines
 from iconstudio.algorithms.scanning.noise import without_noise
 from iconstudio.algorithms.scanning.paper import lighting, page, trend
+from iconstudio.algorithms.scanning.printed import without_print
 from iconstudio.algorithms.scanning.resampling import (
     COARSE,
     in_squares,
@@ -40,6 +42,7 @@ from iconstudio.algorithms.scanning.resampling import (
 )
 from iconstudio.algorithms.scanning.shadow import without_shadow
 from iconstudio.algorithms.scanning.sheet import photographed_sheet
+from iconstudio.algorithms.scanning.uneven import is_unevenly_lit
 from iconstudio.algorithms.tones.alternation import Omission
 from iconstudio.algorithms.tones.tone import Inked, pictogram
 from iconstudio.model import IconstudioError
@@ -184,13 +187,20 @@ def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
     """
     if is_plain(pixels):
         raise IconstudioError(PLAIN)
-    pixels = in_squares(pixels)
+    pixels = at_own_resolution(in_squares(pixels))
     if is_noise(pixels):
         return replace(scanned(pixels, inverted), found=False)
     opaque = pixels.shape[2] == 3
     if opaque and not inverted:
-        sheet = photographed_sheet(shrunk(pixels, _step(pixels)))
-        if sheet is not None:
+        blank = without_print(pixels)
+        if blank is not None:
+            coarse = shrunk(blank.pixels, _step(blank.pixels)).shape[:2]
+            whole = np.ones(coarse, bool) if blank.whole else None
+            found = scanned(blank.pixels, inverted, whole)
+            return replace(found, omissions=found.omissions | {Omission.PRINT})
+        small = shrunk(pixels, _step(pixels))
+        sheet = photographed_sheet(small)
+        if sheet is not None or is_unevenly_lit(small):
             return scanned(pixels, inverted, sheet)
     picture = without_checkerboard(without_half_lines(pixels))
     pixels = without_noise(picture)

@@ -21,6 +21,7 @@ class Omission(Enum):
     FAINT = "what is less than half as opaque as the drawing"
     DECORATION = "colour behind or beside the lines of a drawing"
     DESK = "what lies around the sheet that is drawn upon"
+    PRINT = "the lines or dots that the paper is printed with"
 
 
 class Tones(NamedTuple):

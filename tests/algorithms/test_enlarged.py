@@ -1,0 +1,43 @@
+"""Small coloured bitmaps that were enlarged softly become what their drawings become."""
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from iconstudio.algorithms.scanning.binarisation import ink_of, recognised
+from iconstudio.algorithms.scanning.enlarged import at_own_resolution
+from tests import scans
+from tests.algorithms.test_tone import as_svg, rgba
+
+BADGE = (
+    '<circle cx="12" cy="12" r="11.5" fill="#1d9bf0"/>'
+    '<path d="M6 12.5l4 4 8-8.5" fill="none" stroke="#fff" stroke-width="2.4"/>'
+)
+
+
+def enlarged(times: int, white: bool, way: Image.Resampling) -> np.ndarray:
+    small = Image.fromarray(rgba(BADGE, 24, "0 0 24 24"))
+    if white:
+        page = Image.new("RGB", small.size, "white")
+        page.paste(small, (0, 0), small)
+        small = page
+    return np.asarray(small.resize((24 * times, 24 * times), way))
+
+
+@pytest.mark.parametrize("white", [False, True])
+@pytest.mark.parametrize(
+    ("times", "way"),
+    [(4, Image.Resampling.BICUBIC), (10, Image.Resampling.BICUBIC), (8, Image.Resampling.BILINEAR)],
+)
+def test_what_was_enlarged_softly_is_as_the_drawing(times, way, white):
+    right = scans.fitted(as_svg(BADGE, "0 0 24 24").coverage / 255)
+    pixels = enlarged(times, white, way)
+    assert at_own_resolution(pixels).shape[:2] == (24, 24)
+    found = scans.fitted(ink_of(recognised(pixels)).astype(float))
+    assert scans.iou(found, right) > 0.9
+
+
+@pytest.mark.parametrize("side", [96, 240, 480])
+def test_what_is_sharp_has_its_own_resolution(side):
+    pixels = rgba(BADGE, side, "0 0 24 24")
+    assert at_own_resolution(pixels) is pixels
