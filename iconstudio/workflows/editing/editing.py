@@ -89,19 +89,30 @@ class PlacedEdit:
     """(m, m): the red and the green areas."""
     left: Bitmap
     """(m, m): the red areas without those that are emptied."""
+    keeps: Bitmap
+    """(m, m): what the icon keeps of its own outline, filled."""
     silhouette: Bitmap
     """(m, m): the outline that is wanted, filled."""
     mask: NDArray[np.float32]
     """D_E, (m, m): the distance from the changed area, from 0 to 1."""
     guide: Guide = UNGUIDED
     """What is drawn inside the outline."""
-    enclosed: tuple[int, ...] = ()
-    """Which green areas, from 1, lie inside the outline of what the icon keeps."""
     emptied: Emptied | None = None
 
     def at(self, side: int) -> "PlacedEdit":
         """Return the same on a canvas of another side."""
         return place_edit(self.edit, self.icon, side, self.emptied)
+
+    @property
+    def enclosed(self) -> tuple[int, ...]:
+        """Which green areas, from 1, lie inside the outline of what the icon keeps."""
+        whole, side = solid(self.keeps), len(self.keeps)
+        areas = [_union([one], self.base.placement, side) for one in self.edit.add]
+        return tuple(
+            number
+            for number, area in enumerate(areas, start=1)
+            if area.any() and whole[area].mean() > _ENCLOSED
+        )
 
     @property
     def kept(self) -> NDArray[np.float32]:
@@ -182,15 +193,8 @@ def place_edit(
     if emptied is not None:
         some = [one for one in edit.remove if one not in emptied.areas]
         base, left = Source(emptied.icon, placement), _union(some, placement, side)
-    greens = (_union([one], placement, side) for one in edit.add)
-    whole = solid(keeps)
-    enclosed = tuple(
-        number
-        for number, green in enumerate(greens, start=1)
-        if green.any() and whole[green].mean() > _ENCLOSED
-    )
     return PlacedEdit(
-        edit, icon, base, ink, removed, added, left, silhouette, mask, guide, enclosed, emptied
+        edit, icon, base, ink, removed, added, left, keeps, silhouette, mask, guide, emptied
     )
 
 
