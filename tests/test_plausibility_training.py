@@ -30,8 +30,8 @@ from iconstudio.workflows.solving import Posed, remixed
 from tests.output.made import SOURCES, SQUARE, made, quarters
 
 JUDGED = File(__file__).parent.parent / "resources" / "judged"
-AREA, AGREEMENT = 0.75, 0.6
-"""What was measured is 0.79 and 0.65: what is printed by ``iconstudio library plausibility``."""
+AREA, AGREEMENT = 0.82, 0.7
+"""What was measured is 0.85 and 0.76: what is printed by ``iconstudio library plausibility``."""
 
 
 @pytest.fixture(scope="module")
@@ -48,7 +48,10 @@ def asked(every):
 def test_examples_are_made_of_results():
     sketch = JudgedSketch(name="square", keyword="dog", polygon=SQUARE.vertices, held_out=True)
     icons = [made(quarters(), 0.05), made(0 * quarters(), 0.1)]
-    grades = {("square", "light", 0.05): 2}
+    grades = {
+        ("square", "light", 0.05, ""): 2,
+        ("square", "light", 0.15, "test:block test:disc"): 1,
+    }
     found = list(examples_of(sketch, icons, grades, render_placed))
     kinds = [one.kind for one in found]
     assert kinds.count("judged") == kinds.count("one") == 1
@@ -98,8 +101,8 @@ def test_the_weights_that_come_with_the_program_are_those_of_its_examples(every)
 def test_judgements_are_of_sketches_that_are_there(every):
     names = {sketch.name: sketch.held_out for sketch in read_sketches(JUDGED)}
     grades = read_grades(JUDGED)
-    assert len(grades) >= 200
-    assert {name for name, _, _ in grades} <= set(names)
+    assert len(grades) >= 1000
+    assert {name for name, *_ in grades} <= set(names)
     assert sum(one.kind == "judged" for one in every) == len(grades)
     assert all(one.held_out == names[one.sketch] for one in every)
     keywords = {sketch.keyword: set() for sketch in read_sketches(JUDGED)}
@@ -111,7 +114,7 @@ def test_judgements_are_of_sketches_that_are_there(every):
 def test_judgements_are_met_on_keywords_never_fitted_to(every, asked):
     pytest.importorskip("sklearn")
     model = read_plausibility()
-    assert len(asked) >= 100
+    assert len(asked) >= 500
     assert area_under_curve(model, asked) > AREA
     assert agreement(model, asked) > AGREEMENT
     others = [one for one in every if one.held_out and one.kind != "judged"]

@@ -66,7 +66,6 @@ def examples(judged: Path) -> None:
 
     found = []
     with Session() as session, ProgressBar() as bar:
-        session.plausibility = None  # so were those made that were judged
         for step in examples_of(session, read_sketches(judged), read_grades(judged)):
             if isinstance(step, Progress):
                 bar.show(step.done, step.message)
@@ -87,7 +86,7 @@ def examples(judged: Path) -> None:
 def plausibility(judged: Path, out: Path) -> None:
     """Fit the weights by which plausible results are told from others, and measure them."""
     from iconstudio.building.plausibility.fitting import agreement, area_under_curve, fit
-    from iconstudio.building.plausibility.judged import read_examples
+    from iconstudio.building.plausibility.judged import FIT, read_examples
     from iconstudio.files import write_bytes
     from iconstudio.inputs import json
     from iconstudio.inputs.plausibility import PlausibilityFile
@@ -99,5 +98,6 @@ def plausibility(judged: Path, out: Path) -> None:
     click.echo(
         f"On {len(asked)} results of keywords that were held out, judged by eye: "
         f"area under the curve {area_under_curve(model, asked):.3f}, "
+        f"of those fit to be handed over {area_under_curve(model, asked, FIT):.3f}, "
         f"agreement {agreement(model, asked):.0%}"
     )

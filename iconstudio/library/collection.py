@@ -222,7 +222,7 @@ class Collection:
     def remark(self, keyword: str) -> str:
         """Return how a keyword was read where it is not as typed, and what is near; else nothing.
 
-        That is which of its words were left out, and which were taken for others.
+        That is which words were left out or taken for others, and which answer more than together.
         """
         answer = self._answer(keyword)
         numbers = {word for word in answer.left_out if word.isdigit()}
@@ -230,7 +230,9 @@ class Collection:
         found = self._lookup.identifiers(answer.scores) if numbers else {}
         if any(style.distance(identifier) == 0 for identifier in found.values()):
             answer = replace(answer, left_out=tuple(w for w in answer.left_out if w not in numbers))
-        return messages.remark(answer, self._lookup.spelling(_name(keyword)))
+        name = _name(keyword)
+        wider = () if answer.left_out else self._lookup.wider(name, len(answer.scores))
+        return messages.remark(answer, self._lookup.spelling(name), wider)
 
     @_mended
     def get(self, identifier: str) -> Pictogram:

@@ -13,6 +13,8 @@ from iconstudio.library.words.query import Style
 from iconstudio.library.words.usage import BRANDS
 from iconstudio.library.words.vocabulary import ATTRIBUTES, PREPOSITIONS
 
+_FEWEST, _MORE = 8, 16
+"""If fewer icons answer several words together, those words are named that so many answer."""
 _MOST = 8
 """Of a keyword of more words, so many are looked up: what others cost grows much faster."""
 
@@ -123,6 +125,14 @@ class Lookup:
         right = dict(self.read_as(keyword))
         spelt = " ".join(right.get(word, word) for word in words).split()
         return self._phrases.parts(spelt) if len(words) > 1 else ()
+
+    def wider(self, keyword: str, count: int) -> tuple[str, ...]:
+        """Return two or more words of a keyword each of which far more than ``count`` answer."""
+        words = tuple(dict.fromkeys(query.plain(keyword).split()))[:_MOST]
+        if not 0 < count < _FEWEST:
+            return ()
+        found = tuple(word for word in words if len(self.plainly(word)) >= _MORE)
+        return found if len(found) > 1 else ()
 
     def read_as(self, keyword: str) -> tuple[tuple[str, str], ...]:
         """Return those of several words that are surely misspelt, each with the right one."""

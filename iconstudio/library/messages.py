@@ -35,8 +35,11 @@ def hint(near: tuple[str, ...]) -> str:
     return f" Did you mean {', '.join(near)}?" if near else ""
 
 
-def remark(answer: Answer, near: tuple[str, ...]) -> str:
-    """Return how words were read if not as typed, and what else may have been meant."""
+def remark(answer: Answer, near: tuple[str, ...], wider: tuple[str, ...] = ()) -> str:
+    """Return how words were read if not as typed, and what else may have been meant.
+
+    ``wider`` are those of them that more icons answer.
+    """
     if not answer:
         return ""
     sentences = [corrected(answer.read_as)] if answer.read_as else []
@@ -47,6 +50,8 @@ def remark(answer: Answer, near: tuple[str, ...]) -> str:
         sentences.append(f"{words}: {NO_SIGNS}" if negated else f"{ALL_WORDS}: {words}.")
     if answer.looked_up:
         sentences.append(only(answer))
+    if wider:
+        sentences.append(f"Few icons are of these words together; more are of {named(wider)}.")
     return (" ".join(sentences) + hint(near)).strip()
 
 

@@ -28,8 +28,10 @@ class Score:
         """The rank score: the product of the terms.
 
         What is plausible was told by ``seam`` and ``whole``, too: then these count by their roots.
+        It counts twice, as a good picture matters more than a near fit: so more of the first ones
+        are fit to be handed over, of those that were judged by eye.
         """
         looks = self.seam * self.whole
         if self.plausible is not None:
-            looks = math.sqrt(looks) * self.plausible
+            looks = math.sqrt(looks) * self.plausible**2
         return looks * self.symmetry * self.sharing * self.likeness * self.inside

@@ -38,7 +38,7 @@ def _about(icon: Remix, preview: bool) -> list[str]:
     # Of hybrids and montages, λ is always the same.
     weight = [] if composite.iou is None else [f"λ {composite.lambda_s:.2f}"]
     held = ["symmetric"] if composite.symmetry is not None else []
-    held += ["in place of a near-copy"] if composite.without else []
+    held += ["in place of another one"] if composite.without else []
     return [*weight, "preview" if preview else made, *held, *_merits(icon)]
 
 

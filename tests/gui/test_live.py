@@ -718,7 +718,7 @@ def test_the_pick_stays_while_a_run_goes_on_and_is_the_best_in_the_end(drawn, qt
     assert board.detail.picture is scored[-1]
 
 
-def test_what_is_picked_gives_way_to_nothing_that_differs(drawn):
+def test_what_differs_waits_for_the_place_of_what_is_picked(drawn):
     results = drawn.browser.results
     picked, other = results.pictures[:2]
     results.pick(picked.icon.composite.style, picked.icon.composite.lambda_s)
@@ -729,7 +729,24 @@ def test_what_is_picked_gives_way_to_nothing_that_differs(drawn):
     assert results.pictures[0] is picked
     assert results.pictures[1].icon.composite.without == ("set:name",)
     results.pick(other.icon.composite.style, other.icon.composite.lambda_s)
-    assert "in place of a near-copy" in drawn.detail._about.text()
+    assert "in place of another one" in drawn.detail._about.text()
+    assert results.pictures[0].icon.composite.without == ("set:name",)
+
+
+def test_the_best_that_waits_is_picked_in_the_end(drawn, qtbot):
+    from iconstudio.gui.gallery.browser import ResultsBrowser
+
+    board, (first, *_) = ResultsBrowser("Welcome", "Closer"), drawn.browser.results.pictures
+    qtbot.addWidget(board)
+    board.begin(GridSettings())
+    board.show_event(replace(first, preview=False))
+    composite = replace(first.icon.composite, without=("set:name",))
+    other = picture_of(replace(first.icon, composite=composite))
+    board.show_event(other)
+    assert board.detail.picture.icon.composite.without == ()
+    board.show_event(Recommended(composite.style, composite.lambda_s))
+    board.end()
+    assert board.detail.picture.icon.composite.without == ("set:name",)
 
 
 def test_a_switch_says_whether_symmetric_results_stand_in_the_places_of_others(drawn):

@@ -199,3 +199,15 @@ def test_words_that_are_not_looked_up_are_told(world):
     assert world.remark(f"{few} lamp house").endswith(cut)
     with pytest.raises(IconstudioError, match=cut):
         world.search(MANY)
+
+
+@pytest.mark.parametrize("keyword", ["tree house", "house tree"])
+def test_of_words_that_few_icons_answer_together_those_are_named_that_more_do(keyword, bundled):
+    first, second = keyword.split()
+    told = "Few icons are of these words together; more are of"
+    assert bundled.remark(keyword) == f"{told} “{first}” and “{second}”."
+
+
+@pytest.mark.parametrize("keyword", ["light bulb", "house", "police car", "autumn leaves"])
+def test_words_that_enough_icons_answer_are_not_taken_apart(keyword, bundled):
+    assert bundled.remark(keyword) == ""

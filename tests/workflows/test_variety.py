@@ -1,4 +1,4 @@
-"""Other results in the places of near-copies."""
+"""Other results in the places of near-copies, and of what is not plausible."""
 
 from dataclasses import replace
 
@@ -10,7 +10,7 @@ from iconstudio.model import CANVAS, Placement, Remix, Source
 from iconstudio.svg.placed import render_placed
 from iconstudio.workflows.events import Recommended, Result
 from iconstudio.workflows.modelling.modelling import pose_sketch
-from iconstudio.workflows.modelling.variety import DIFFERENT, repetitive, with_variety
+from iconstudio.workflows.modelling.variety import YIELDING, weak, with_variety
 from tests.output.made import BLOCK, DISC, RADIUS, RING, SKETCH, made
 from tests.shapes import exemplar
 from tests.workflows.test_symmetric import Fixed
@@ -30,8 +30,9 @@ def whole(label, lambda_s, plausible=0.8):
     return replace(icon, score=replace(icon.score, plausible=plausible))
 
 
-def row(*labels):
-    return [whole(label, value) for label, value in zip(labels, LAMBDAS, strict=True)]
+def row(*labels, plausible=0.9):
+    some = zip(labels, LAMBDAS, strict=True)
+    return [whole(label, value, plausible) for label, value in some]
 
 
 def run(workers, icons, plausible, best=0.5):
@@ -65,14 +66,33 @@ def test_what_differs_takes_the_places_of_copies_but_not_of_what_is_recommended(
         assert one.composite.energy == pytest.approx(data + one.composite.lambda_s * smoothness)
 
 
-def test_a_row_that_differs_stays_and_so_does_one_without_a_judge(workers):
-    many = [0, 1, 2, 3, 0, 0]
-    assert repetitive(row(*many), 0.5, pose).wanted == 1
+def test_copies_give_way_first_then_what_is_least_plausible():
+    many = row(0, 1, 2, 3, 0, 0)
+    places = weak(many, 0.5, pose).places
+    assert [place.lambda_s for place in places] == [0.4, 0.05, 0.1][:YIELDING]
+    assert [place.least for place in places] == [0.5, 0.9, 0.9]
+
+
+def test_what_is_least_plausible_gives_way_but_not_what_is_recommended():
+    many = [whole(k, value, 0.6 - value) for k, value in enumerate(LAMBDAS[:4])]
+    places = weak(many, 0.3, pose).places
+    assert [place.lambda_s for place in places] == [0.2, 0.1, 0.05]
+    assert [place.least for place in places] == [0.5, 0.5, pytest.approx(0.55)]
+
+
+def test_without_a_judge_a_row_stays(workers):
     few = row(0, 0, 0, 0, 0, 0)
-    assert repetitive(few[:DIFFERENT], 0.5, pose) is None
     events = iter([*map(Result, few), Recommended("light", 0.5)])
     found = with_variety((one for one in events), pose, workers, render_placed, None)
     assert len([event for event in found if isinstance(event, Result)]) == len(few)
+
+
+def test_others_come_from_two_icons_first(workers):
+    doubtful = [whole(k, value, 0.6) for k, value in enumerate(LAMBDAS[:4])]
+    composite = run(workers, doubtful, 0.9, best=0.3)[0].composite
+    assert composite.lambda_s == 0.05
+    assert len({composite.sources[k].exemplar.id for k in composite.owners()}) == 2
+    assert len(composite.without) == len(SOURCES) - 2
 
 
 def test_what_is_not_plausible_takes_no_place(workers):
@@ -80,9 +100,9 @@ def test_what_is_not_plausible_takes_no_place(workers):
 
 
 def test_copies_are_told_from_the_recommended_one_on():
-    found = repetitive(row(1, 0, 1, 1, 0, 1), 0.2, pose)
-    assert found.series.lambdas == (0.5, 0.3, 0.1, 0.05)
-    assert len(found.seen) == 2
+    found = weak(row(1, 0, 1, 1, 0, 1), 0.2, pose)
+    assert found.series.lambdas == (0.5, 0.3, 0.1)  # so that five differ
+    assert len(found.seen) == 3
     (first, *_) = found.without
     assert first == {RING.id}
 

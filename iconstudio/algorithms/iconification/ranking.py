@@ -50,7 +50,7 @@ def score(
         seam=float(np.exp(-seam_cost(problem, labels) / HARSH)),
         whole=_whole(problem, labels, ink, marked),
         symmetry=_symmetry(problem, labels, ink),
-        sharing=evenness(_owned(problem, labels, ink)) if sharing else 1.0,
+        sharing=evenness(shares(problem, labels)) if sharing else 1.0,
         likeness=1.0,
     )
 
@@ -83,12 +83,24 @@ class Gallery:
 
     def add(self, ink: NDArray[np.bool_]) -> bool:
         """Note a picture (m, m) bool; return whether it is new."""
-        around = 2 * (SAME * len(ink) // CANVAS) + 1
-        wide = scipy.ndimage.maximum_filter(ink.view(np.uint8), around).view(bool)
-        new = not any(_repeats(ink, wide, *other) for other in self._seen)
+        wide = _widened(ink)
+        new = self._is_new(ink, wide)
         if new:
             self._seen.append((ink, wide))
         return new
+
+    def is_new(self, ink: NDArray[np.bool_]) -> bool:
+        """Whether a picture (m, m) bool is unlike all that were noted."""
+        return self._is_new(ink, _widened(ink))
+
+    def _is_new(self, ink: NDArray[np.bool_], wide: NDArray[np.bool_]) -> bool:
+        return not any(_repeats(ink, wide, *other) for other in self._seen)
+
+
+def _widened(ink: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    around = 2 * (SAME * len(ink) // CANVAS) + 1
+    wide: NDArray[np.bool_] = scipy.ndimage.maximum_filter(ink.view(np.uint8), around).view(bool)
+    return wide
 
 
 def _repeats(
@@ -118,12 +130,13 @@ def _symmetry(problem: RemixProblem, labels: Labels, ink: NDArray[np.bool_]) -> 
     return min(1.0, likeness(ink, problem.symmetry) / max(float(expected), 1e-9))
 
 
-def evenness(shares: Sequence[float]) -> float:
+def shares(problem: RemixProblem, labels: Labels) -> list[float]:
+    """Return which part of the ink of a labelling (m, m) each source owns."""
+    owned = np.bincount(labels[joined_ink(problem.ink, labels)], minlength=len(problem.ink))
+    parts: list[float] = (owned / max(1, owned.sum())).tolist()
+    return parts
+
+
+def evenness(parts: Sequence[float]) -> float:
     """Return how far the ink comes from several sources, given each one's part of it."""
-    return min(1.0, (1 - max(shares)) / EVEN)
-
-
-def _owned(problem: RemixProblem, labels: Labels, ink: NDArray[np.bool_]) -> list[float]:
-    owned = np.bincount(labels[ink], minlength=len(problem.ink))
-    shares: list[float] = (owned / max(1, owned.sum())).tolist()
-    return shares
+    return min(1.0, (1 - max(parts)) / EVEN)

@@ -7,6 +7,7 @@ from zlib import crc32
 import numpy as np
 
 from iconstudio.algorithms.iconification import ranking
+from iconstudio.algorithms.iconification.energy import Labels
 from iconstudio.algorithms.iconification.features import features
 from iconstudio.building.plausibility.degrading import cheapest, degraded
 from iconstudio.building.plausibility.judged import Cell, Example, JudgedSketch
@@ -14,7 +15,9 @@ from iconstudio.model import CANVAS, Remix, Source
 from iconstudio.model.progress import Progress
 from iconstudio.workflows.drawing import PREVIEW, Render, draw
 from iconstudio.workflows.events import Result
+from iconstudio.workflows.grid import GridSettings
 from iconstudio.workflows.modelling.modelling import pose_sketch, run
+from iconstudio.workflows.modelling.variety import JOINED, joined_pairs
 from iconstudio.workflows.remixing import RemixResources
 from iconstudio.workflows.solving import Posed, remixed
 
@@ -35,7 +38,7 @@ def examples(
         yield Progress("prepare", done / len(some), sketch.name)
         icons = [
             event.icon
-            for event in run(resources, sketch.sketch)
+            for event in run(resources, sketch.sketch, GridSettings(variants=False))
             if isinstance(event, Result) and isinstance(event.icon, Remix) and not event.preview
         ]
         yield from examples_of(sketch, icons, grades, resources.render)
@@ -64,7 +67,7 @@ def examples_of(
         for number, icon in enumerate(sorted(row, key=lambda one: -one.composite.lambda_s)):
             composite = icon.composite
             found = features(remixed(posed, sources, composite.labels, icon.drawing, icon.score))
-            grade = grades.get((sketch.name, style, round(composite.lambda_s, 4)))
+            grade = grades.get((sketch.name, style, round(composite.lambda_s, 4), ""))
             if grade is not None:
                 yield example("judged", grade, found)
             elif max(composite.shares) >= ONE:
@@ -77,6 +80,18 @@ def examples_of(
                     yield example(bad.kind, 0, _measured(own, bad.sources, bad.labels, render))
         for bad in cheapest(posed.problem.data, sources):
             yield example(bad.kind, 0, _measured(posed, bad.sources, bad.labels, render))
+        for labels, pair in _pairs(posed, sources):
+            grade = grades.get((sketch.name, style, round(JOINED, 4), pair))
+            if grade is not None:
+                yield example("judged", grade, _measured(posed, sources, labels, render))
+
+
+def _pairs(posed: Posed, sources: tuple[Source, ...]) -> Iterator[tuple[Labels, str]]:
+    """Yield labellings (m, m) of two sources, and the numbers of these."""
+    from iconstudio.algorithms.iconification.alpha_expansion import AlphaExpansion
+
+    for cut in joined_pairs(posed, sources, AlphaExpansion(posed.problem)):
+        yield cut.labels, " ".join(map(str, np.unique(cut.labels)))
 
 
 def _measured(

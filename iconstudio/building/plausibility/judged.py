@@ -1,7 +1,8 @@
 """Sketches whose results were judged by eye, and the judgements.
 
-``sketches.json`` has the sketches, ``cells.csv`` what was said of results: 0 implausible,
-1 plausible, 2 fit to be handed over. ``examples.csv.xz`` has the features of these and of others.
+``sketches.json`` has the sketches, ``cells.csv`` what was said of their results as they were cut
+for a lambda_S, and of those of two sources, whose numbers it gives: 0 implausible, 1 plausible, 2
+fit to be handed over. ``examples.csv.xz`` has the features of these and of others.
 """
 
 import csv
@@ -21,6 +22,8 @@ from iconstudio.model import Polygon, Sketch
 
 PLAUSIBLE = 1
 """The least grade of a plausible result."""
+FIT = 2
+"""The grade of one that is fit to be handed over."""
 
 
 class JudgedSketch(Record, frozen=True, kw_only=True):
@@ -46,8 +49,8 @@ class SketchesFile(Record, frozen=True):
 
 
 Grade = Annotated[int, Meta(ge=0, le=2)]
-Cell = tuple[str, str, float]
-"""Name of the sketch, style, lambda_S."""
+Cell = tuple[str, str, float, str]
+"""Name of the sketch, style, lambda_S, and the numbers of the two sources if it is a pair's."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -82,7 +85,7 @@ def read_grades(folder: Path) -> dict[Cell, int]:
     """Return the judgements of a folder."""
     with (folder / "cells.csv").open(encoding="utf-8", newline="") as file:
         return {
-            (row["sketch"], row["style"], float(row["lambda_s"])): int(row["grade"])
+            (row["sketch"], row["style"], float(row["lambda_s"]), row["sources"]): int(row["grade"])
             for row in csv.DictReader(file)
         }
 

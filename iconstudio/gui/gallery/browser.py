@@ -36,7 +36,7 @@ class ResultsBrowser(QSplitter):
         self.detail = DetailPanel()
         self._settled = False
         self._owed = False  # the finished result of a preview that the user picked
-        self._best: Picture | None = None
+        self._recommended: dict[str, Picture] = {}
         self.addWidget(self.results)
         self.addWidget(self.detail)
         self.setSizes([400, 210])
@@ -55,7 +55,7 @@ class ResultsBrowser(QSplitter):
         ``afresh``: nothing that is there is of the same object. Otherwise it stays in sight until
         it is replaced.
         """
-        self._best = None
+        self._recommended = {}
         if afresh:
             self._settled = False
             self.results.clear()
@@ -63,7 +63,7 @@ class ResultsBrowser(QSplitter):
 
     def clear(self) -> None:
         """Let go of all results."""
-        self._best = None
+        self._recommended = {}
         self._settled = self._owed = False
         self.results.clear()
         self.counted.emit(0)
@@ -83,7 +83,7 @@ class ResultsBrowser(QSplitter):
     def end(self, whole: bool = True, keep: bool = True) -> None:
         """Nothing more is to come; ``keep`` the best result in sight."""
         self.results.end()
-        best = self._best
+        best = max(self._recommended.values(), key=_score, default=None)
         focus, first = self.results.focus, whole and not self._settled
         hidden = focus is not None and self.results.skipped(focus[0])
         if best is not None and (first or hidden):
@@ -93,16 +93,18 @@ class ResultsBrowser(QSplitter):
             self.kept.emit(best or self.detail.picture)
 
     def _renew_tidiness(self) -> None:
-        if self._best is not None:
-            self._best = shown(self._best)
+        self._recommended = {style: shown(one) for style, one in self._recommended.items()}
         self.results.renew_tidiness()
 
     def _add(self, picture: Picture) -> None:
         if not self.results.add(picture):
             return
         self.counted.emit(self.results.finished)
-        if self._best is not None and _place(picture) == _place(self._best):
-            self._best = picture  # a symmetric one is in its place
+        before = self._recommended.get(picture.icon.composite.style)
+        if before is not None and _place(picture) == _place(before):
+            self._recommended[before.icon.composite.style] = (
+                picture  # a symmetric one, in its place
+            )
         if self.detail.picture is None:
             self._pick(picture)
         if self._owed and picture is self.detail.picture:
@@ -110,11 +112,8 @@ class ResultsBrowser(QSplitter):
 
     def _recommend(self, event: Recommended) -> None:
         self.results.recommend(event.style, event.lambda_s)
-        if event.lambda_s is None:
-            return
-        picture = self.results.cell(event.style, event.lambda_s).picture
-        if self._best is None or _score(picture) > _score(self._best):
-            self._best = picture
+        if event.lambda_s is not None:
+            self._recommended[event.style] = self.results.coming(event.style, event.lambda_s)
 
     def _pick(self, picture: Picture) -> None:
         self.results.pick(*_place(picture))

@@ -124,6 +124,8 @@ class ResultsPanel(QFrame):
         self._own: dict[tuple[str, float], Picture] = {}
         self._symmetric: dict[tuple[str, float], Picture] = {}
         """Results as they were cut, and what may stand in their places."""
+        self._waiting: dict[tuple[str, float], Picture] = {}
+        """Other results, for the place of what is picked as long as it is."""
         self.note = label(wordWrap=True)
         switches = self.symmetric_switch, self.tidy_switch, self.switch
         top = row(label("Results", "title"), (self.note, 1), *switches)
@@ -171,14 +173,14 @@ class ResultsPanel(QFrame):
         shape = tuple(styles), tuple(lambdas)
         if shape != (self.grid.styles, self.grid.lambdas):
             self._show(ResultsGrid(*shape, self._nearer))
-        self._forget_symmetric()
+        self._forget_others()
         for cell in self.grid.cells.values():
             cell.renew()
         self._stack.setCurrentIndex(1)
 
     def clear(self) -> None:
         """Let go of all results."""
-        self._forget_symmetric()
+        self._forget_others()
         self._show(ResultsGrid((), (), self._nearer))
         self._stack.setCurrentIndex(0)
 
@@ -200,8 +202,8 @@ class ResultsPanel(QFrame):
     def add(self, picture: Picture) -> bool:
         """Put a result into its cell, and return whether it belongs there.
 
-        A preview does not once the finished result is there, nor a symmetric one if none is wanted,
-        nor another one in place of what is picked.
+        A preview does not once the finished result is there, nor a symmetric one if none is wanted.
+        Another one in place of what is picked waits until something else is.
         """
         composite = picture.icon.composite
         place = composite.style, composite.lambda_s
@@ -209,6 +211,7 @@ class ResultsPanel(QFrame):
         if picture.preview and cell.state is CellState.READY:
             return False
         if composite.without and cell.isChecked():
+            self._waiting[place] = picture
             return False
         (self._symmetric if composite.symmetry else self._own)[place] = picture
         self.symmetric_switch.setVisible(bool(self._symmetric))
@@ -218,6 +221,11 @@ class ResultsPanel(QFrame):
         if cell.isChecked():
             self.picked.emit(picture)
         return True
+
+    def coming(self, style: str, lambda_s: float) -> Picture:
+        """Return what is in a cell, or waits for its place."""
+        place = style, lambda_s
+        return self._waiting.get(place) or self.cell(*place).picture
 
     def renew_tidiness(self) -> None:
         """Show all results tidied or not, as the setting says."""
@@ -242,6 +250,7 @@ class ResultsPanel(QFrame):
 
     def pick(self, style: str, lambda_s: float) -> None:
         """Pick a result for the user to begin with."""
+        self._admit()
         cell = self.cell(style, lambda_s)
         cell.setChecked(True)
         self.picked.emit(cell.picture)
@@ -255,8 +264,14 @@ class ResultsPanel(QFrame):
             if cell.isChecked():
                 self.picked.emit(cell.picture)
 
-    def _forget_symmetric(self) -> None:
-        self._own, self._symmetric = {}, {}
+    def _admit(self, but: tuple[str, float] | None = None) -> None:
+        """Show what waits in its place, ``but`` for one."""
+        for place in self._waiting.keys() - {but}:
+            self._own[place] = self._waiting.pop(place)
+            self.cell(*place).show_picture(shown(self._own[place]))
+
+    def _forget_others(self) -> None:
+        self._own, self._symmetric, self._waiting = {}, {}, {}
         self.symmetric_switch.hide()
 
     def _show(self, grid: ResultsGrid) -> None:
@@ -276,6 +291,7 @@ class ResultsPanel(QFrame):
             self.picked.emit(None)
 
     def _pick(self, cell: ResultCell) -> None:
+        self._admit(but=self.focus)
         self.picked.emit(cell.picture)
         self.chosen.emit(cell.picture)
 

@@ -24,6 +24,7 @@ from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import Event, Remark
 from iconstudio.workflows.grid import GridSettings, GridTask, Matches, focused, remix_styles
+from iconstudio.workflows.modelling.best import with_best
 from iconstudio.workflows.modelling.symmetric import with_symmetric
 from iconstudio.workflows.modelling.variety import with_variety
 from iconstudio.workflows.pinning import PinnedPart, idle_pins, pinned_parts, pinning
@@ -108,7 +109,7 @@ def model(
         return
     axis = propose(silhouette, MIRRORED) if sketch.symmetry is None else None
     events = with_symmetric(events, axis, pose, Remixing(workers, render, 1, plausibility))
-    yield from with_variety(events, pose, workers, render, plausibility)
+    yield from with_best(with_variety(events, pose, workers, render, plausibility))
 
 
 def fitted_sketch(sketch: Sketch) -> Sketch:
