@@ -220,18 +220,15 @@ class Collection:
 
     @_mended
     def remark(self, keyword: str) -> str:
-        """Return how a keyword was read where it is not as typed, and what is near; else nothing.
-
-        That is which words were left out or taken for others, and which answer more than together.
-        """
+        """Return how a keyword was read where not as typed, and what is near, or finds more."""
         answer = self._answer(keyword)
         numbers = {word for word in answer.left_out if word.isdigit()}
         style = Style(frozenset(numbers))
         found = self._lookup.identifiers(answer.scores) if numbers else {}
         if any(style.distance(identifier) == 0 for identifier in found.values()):
             answer = replace(answer, left_out=tuple(w for w in answer.left_out if w not in numbers))
-        name = _name(keyword)
-        wider = () if answer.left_out else self._lookup.wider(name, len(answer.scores))
+        name, count = _name(keyword), len(answer.scores)
+        wider = self._lookup.wider(name, 0 if answer.left_out else count)
         return messages.remark(answer, self._lookup.spelling(name), wider)
 
     @_mended
