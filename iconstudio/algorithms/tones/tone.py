@@ -41,9 +41,10 @@ from numpy.typing import NDArray
 from iconstudio.algorithms.tones import details, regions
 from iconstudio.algorithms.tones.alternation import Omission, Tones, decide
 from iconstudio.algorithms.tones.duotone import dark_is_ink, separated, two_tones
+from iconstudio.algorithms.tones.glow import without_glow
 from iconstudio.algorithms.tones.layers import without_faint
-from iconstudio.algorithms.tones.linework import STRIKING, line_drawing, outline
-from iconstudio.algorithms.tones.regions import Mask, Regions, cielab
+from iconstudio.algorithms.tones.linework import line_drawing, outline
+from iconstudio.algorithms.tones.regions import STRIKING, Mask, Regions, cielab, nearest
 from iconstudio.algorithms.tones.separation import LINE, blend, separating
 from iconstudio.algorithms.tones.shades import shades
 from iconstudio.algorithms.tones.stacks import checkered, stacked
@@ -72,6 +73,8 @@ _SEAM = 2
 """Pixels on either side of an edge that are not all ink or paper."""
 _CLOSED = 28.0
 """Width in pixels of the narrowest paper in colour that has a line along the contour."""
+_THIN = 1.5 * LINE
+"""Width of regions that no line sets off, as of axes below bars."""
 _NARROW = 2 * LINE
 """Width of regions that no line sets off, unless their colour is striking."""
 
@@ -107,6 +110,13 @@ def pictogram(rgba: NDArray[np.uint8]) -> Inked:
     """
     rgb, alpha = _reduced(rgba)
     body = _body(alpha)
+    unlit = without_glow(rgb, alpha, body)
+    if unlit is not None:
+        share, own = unlit
+        at = nearest(_repeated(own, len(rgba)))
+        opacity = rgba[..., 3] * _enlarged(share, len(rgba)) + 0.5
+        rest = pictogram(np.dstack([rgba[..., :3][at], opacity.astype(np.uint8)]))
+        return Inked(rest.coverage, rest.omissions | {Omission.GLOW})
     opaque, faint = without_faint(rgba[..., 3].astype(np.float32), body)
     silhouette = np.minimum(opaque * (255 / body), 255)
     inside = alpha > body / 2
@@ -261,16 +271,16 @@ def _tones(found: Regions) -> Tones:
     page = behind & found.white if behind.any() else white.page
     omissions = {Omission.PAGE: page & ~is_sheet(found), Omission.TILE: behind & ~found.white}
     ink = _alternating(found, behind, white.paper)
-    # A line would leave little of a narrow region.
-    narrow = found.widths < _NARROW
-    narrow = (narrow | narrow[:, None]) & (found.contrasts < STRIKING)
+    # A line would leave little of a narrow region, and nothing of a thin one.
+    narrow, thin = found.widths < _NARROW, found.widths < _THIN
+    narrow = (narrow | narrow[:, None]) & (found.contrasts < STRIKING) | thin | thin[:, None]
     closed = ~ink & ~found.white & (found.lengths[0] > 0) & (found.widths > _CLOSED)
     closed[0] = False
     outlined = ((white.outlined & ~ink) | closed) & ~behind.any()
     # White at the outside without an outline is none of the drawing's shapes.
     shapes = ~ink & ~behind & ~(white.paper & (found.lengths[0] > 0) & ~white.outlined)
     shapes[0] = False
-    apart = shapes & shapes[:, None] & (found.contrasts > STRIKING)
+    apart = shapes & shapes[:, None] & found.striking
     return Tones(
         ink,
         (ink & ink[:, None] & (found.lengths > 0) & ~narrow) | apart,
