@@ -17,10 +17,10 @@ into regions of even colour (``regions``). Of these,
    (eyes in a face, the door of a house), and what mainly borders on paper is ink; but thick layers
    of different colours, as of a burger or a flag, and the midst of a mosaic, are ink as what is
    beside them (``stacks``); of a board in two colours, the darker squares are ink;
-6. between two regions of ink runs a line of paper; between two of paper that differ strongly, one
-   of ink. Where paper is a part of the silhouette, a line of ink runs along the contour (a cloud
-   before the sun, a flag's white half), unless it is narrow, or pure white that takes a bite out of
-   a colour (a crescent, ``whites``);
+6. between two regions of ink runs a line of paper; between two of paper that differ strongly, in
+   tone or in colour, one of ink. Where paper is a part of the silhouette, a line of ink runs along
+   the contour (a cloud before the sun, a flag's white half), unless it is narrow, or pure white
+   that takes a bite out of a colour (a crescent, ``whites``);
 7. colours that differ little are shades of one, but a figure on its ground is told from it if
    there is nothing else (``shades``);
 8. letters and lines that are too fine for regions stand out from what is around them (``details``).
@@ -73,8 +73,6 @@ _SEAM = 2
 """Pixels on either side of an edge that are not all ink or paper."""
 _CLOSED = 28.0
 """Width in pixels of the narrowest paper in colour that has a line along the contour."""
-_THIN = 1.5 * LINE
-"""Width of regions that no line sets off, as of axes below bars."""
 _NARROW = 2 * LINE
 """Width of regions that no line sets off, unless their colour is striking."""
 
@@ -271,9 +269,9 @@ def _tones(found: Regions) -> Tones:
     page = behind & found.white if behind.any() else white.page
     omissions = {Omission.PAGE: page & ~is_sheet(found), Omission.TILE: behind & ~found.white}
     ink = _alternating(found, behind, white.paper)
-    # A line would leave little of a narrow region, and nothing of a thin one.
-    narrow, thin = found.widths < _NARROW, found.widths < _THIN
-    narrow = (narrow | narrow[:, None]) & (found.contrasts < STRIKING) | thin | thin[:, None]
+    # A line would leave little of a narrow region.
+    narrow = found.widths < _NARROW
+    narrow = (narrow | narrow[:, None]) & (found.contrasts < STRIKING)
     closed = ~ink & ~found.white & (found.lengths[0] > 0) & (found.widths > _CLOSED)
     closed[0] = False
     outlined = ((white.outlined & ~ink) | closed) & ~behind.any()
