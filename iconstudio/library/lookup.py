@@ -42,8 +42,11 @@ class Lookup:
             cut = len(different) > _MOST
             return replace(answer, looked_up=_MOST) if cut else answer
         if symbols.has_symbols(keyword):
-            return Answer(self._named_by(keyword.strip(), words))
-        return self._phrases.answer(words)
+            return self._named_by(keyword.strip(), words)
+        if (answer := self._phrases.answer(words)) or is_insult(" ".join(words)):
+            return answer
+        symbol = symbols.called(" ".join(words))
+        return self._named_by(symbol, words) if symbol else answer
 
     def style(self, keyword: str) -> Style:
         """Return the style that a keyword asks for, unless the words together name a thing."""
@@ -51,11 +54,11 @@ class Lookup:
         asked = query.style(words)
         return Style() if asked.words and self.plainly(" ".join(words)) else asked
 
-    def _named_by(self, keyword: str, words: tuple[str, ...]) -> Scores:
+    def _named_by(self, keyword: str, words: tuple[str, ...]) -> Answer:
         """Return the icons that answer the names of a symbol, its own before all others."""
         found = self.plainly(" ".join(words))
         if symbols.is_flag(keyword):  # a country is no kind of anything
-            return found
+            return Answer(found)
         core = query.without_framing(words)
         if symbols.is_joined(keyword):
             core = query.without_people(core)
@@ -65,9 +68,12 @@ class Lookup:
             found = self.plainly(name) | found
         if not found:
             found = self._phrases.whole(core) or self.plainly(query.headed(core))
+        left_out: tuple[str, ...] = ()
         if len(found) < FEW and not PREPOSITIONS.intersection(core):
-            found = at_least(1 + max(found.values(), default=-1), self._last(core)) | found
-        return found or self._phrases.answer(core).scores
+            last = at_least(1 + max(found.values(), default=-1), self._last(core))
+            left_out = core[:-1] if last and not found else ()
+            found = last | found
+        return Answer(found, left_out) if found else self._phrases.answer(core)
 
     def _last(self, words: tuple[str, ...]) -> Scores:
         """Return the things of the last of several words, unless they together mean another.

@@ -12,6 +12,7 @@ from iconstudio.library.words import query
 from iconstudio.library.words.decency import is_insult
 from iconstudio.library.words.naming import is_negated, take_apart, without_number
 from iconstudio.library.words.readings import COMPOUND
+from iconstudio.library.words.relations import BROADER
 from iconstudio.library.words.usage import CROSSED_OUT
 from iconstudio.library.words.vocabulary import ATTRIBUTES, PEOPLE, STYLES
 
@@ -71,7 +72,7 @@ class Phrases:
     def answer(self, words: Words) -> Answer:
         """Return the icons that answer plain words, however they are spelt, or what is near."""
         if found := self.whole(words):
-            return Answer(found)
+            return Answer(found, read_as=self._taken_for(words, found))
         if is_insult(" ".join(words)):
             return Answer()
         rightly = self._rightly(words)
@@ -81,6 +82,13 @@ class Phrases:
         if not surely:
             return self._fewer(words)
         return self._best(one.near(self._fewer(one.words)) for one in surely)
+
+    def _taken_for(self, words: Words, found: Scores) -> tuple[tuple[str, str], ...]:
+        """Return words that only icons of something broader answer, with that."""
+        typed = " ".join(words)
+        if min(found.values()) < BROADER or self._terms.named(typed):
+            return ()
+        return tuple((typed, term) for term in self._terms.broader(typed)[:1])
 
     def read_as(self, words: Words) -> tuple[tuple[str, str], ...]:
         """Return those of several words that are surely misspelt, each with the right one."""

@@ -13,7 +13,7 @@ from iconstudio.library.words.inflections import is_irregular, singulars
 from iconstudio.library.words.logos import LOGOS
 from iconstudio.library.words.naming import take_apart
 from iconstudio.library.words.readings import COMPOUND, EXACT, MENTION, POSED
-from iconstudio.library.words.relations import BESIDE, BROADER, FORM, KIND, SPELLING
+from iconstudio.library.words.relations import BESIDE, BROADER, BROADEST, FORM, KIND, SPELLING
 from iconstudio.library.words.usage import OTHER_IN_PLURAL
 from iconstudio.library.words.vocabulary import ATTRIBUTES
 
@@ -180,6 +180,14 @@ class Terms:
         sql = f"SELECT term FROM relation WHERE word = ? AND rank = {BESIDE}"
         for form in query.forms(words):
             if found := self._rows(sql, (form,)):
+                return tuple(row[0] for row in found)
+        return ()
+
+    def broader(self, words: str) -> tuple[str, ...]:
+        """Return what the thing of the words is a kind of, the nearest first."""
+        sql = f"SELECT term FROM relation WHERE word = ? AND rank BETWEEN {BROADER} AND {BROADEST}"
+        for form in query.forms(words):
+            if found := self._rows(f"{sql} ORDER BY rank", (form,)):
                 return tuple(row[0] for row in found)
         return ()
 

@@ -49,11 +49,6 @@ ENOUGH = 8
 SHOWN = 0.6
 """What shows more of what was drawn inside has it."""
 
-UNMET = (
-    "None of the recommended results shows all that you drew inside the outline, {:.0%} at most: "
-    "the icons have little of it there. Look through their rows, or draw it where an icon has it."
-)
-
 Matches = tuple[tuple[Source, ...], ...]
 
 
@@ -122,6 +117,9 @@ class GridTask:
     matching without matches, and again with those of ``regions``."""
     pose: Callable[[tuple[Source, ...]], Posed]
     """Makes of a style's sources the problem that is to be solved; must be picklable."""
+    unmet: str
+    """Says that recommended results show no more than a share, ``{:.0%}``, of what was drawn
+    inside."""
     finish: Finish = lambda icon: icon
     """What to add to each icon."""
     always: tuple[Source, ...] = ()
@@ -195,7 +193,7 @@ def remix_styles(
             yield from recommending.after(remixing.ready(wanted=True))
         inside = recommending.inside
         if task.guide.inner != Inner() and inside is not None and inside < SHOWN:
-            yield Remark(UNMET.format(inside))
+            yield Remark(task.unmet.format(inside))
     finally:
         remixing.cancel()
 

@@ -85,6 +85,15 @@ def test_the_ink_tells_the_style_of_drawings_whose_names_do_not(bundled, keyword
     assert all(ink("solid") >= 41) and all(ink("outline") < 60)
 
 
+@pytest.mark.parametrize("keyword", ["heart", "house", "star"])
+def test_bold_and_thin_are_told_by_the_ink_where_names_are_silent(bundled, keyword):
+    def ink(style):
+        found = [one.id for one in bundled.search(f"{style} {keyword}")[:15]]
+        return bundled._blackness[bundled._numbers(found)].mean()
+
+    assert ink("bold") > 50 and ink("thin") < 35
+
+
 @pytest.mark.parametrize(("keyword", "first"), [("solid heart", "heart-solid")])
 def test_of_a_style_the_thing_alone_comes_first(bundled, keyword, first):
     assert ids(bundled, keyword)[0] == first
@@ -349,7 +358,16 @@ def test_of_an_unknown_icon_without_a_like_it_is_told_what_to_do(bundled):
 
 
 @pytest.mark.parametrize(
-    ("keyword", "told", "never"), [("telefone", "telephone", "zzz"), ("facebook", "", "macbook")]
+    ("keyword", "told", "never"),
+    [
+        ("telefone", "telephone", "zzz"),
+        ("facebook", "", "macbook"),
+        ("Nike", "", "mean"),
+        ("Sony", "", "mean"),
+        ("Audi", "", "mean"),
+        ("Levi's", "", "mean"),
+        ("hous", "hours, house", "zzz"),
+    ],
 )
 def test_a_hint_is_near_or_none(bundled, keyword, told, never):
     with pytest.raises(IconstudioError) as error:

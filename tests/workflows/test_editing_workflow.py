@@ -104,6 +104,7 @@ def test_it_is_told_if_no_icon_has_a_hole_where_one_is_drawn(workers):
     (remark,) = of(Remark, events)
     assert result.score.inside < SHOWN
     assert f"{result.score.inside:.0%} at most" in remark.sentence
+    assert "rows" not in remark.sentence and "the icon stays" in remark.sentence
 
 
 def test_it_is_told_which_additions_lie_inside_the_outline():

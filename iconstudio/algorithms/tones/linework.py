@@ -28,8 +28,6 @@ from iconstudio.algorithms.tones.regions import ALIKE, GREY, Mask, Regions, near
 _SQUARES, _ASTRAY = 6, 0.1
 """Squares of each colour that a board to play on has at least; how much of where they meet may lie
 between two of one colour."""
-STRIKING = 35.0
-"""Fills of a line drawing, and narrow regions, that differ by more are told apart."""
 THICK = 512 / 10
 """Width in pixels of the thickest lines of a line drawing, and bands of white."""
 _GAP = 20
@@ -160,7 +158,7 @@ def line_drawing(found: Regions, line: Mask) -> Tones:
     for squares, of_tone in zip(_chequered(found, line), (1, -1), strict=True):
         tone[squares] = of_tone
     tone[0] = -1
-    striking = found.contrasts > STRIKING
+    striking = found.striking
     # What differs little is as its neighbours are.
     decide(tone, found, np.where(striking, 1, -0.2) * found.lengths, tone > 1)
     paper = tone < 0

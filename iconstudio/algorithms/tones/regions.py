@@ -25,6 +25,12 @@ ALIKE = 14.0
 """Colours that differ by less, by their distance in CIELAB, are alike."""
 PALE, TINT = 85.0, 24.0
 """Pale paper is lighter than this, and has less chroma."""
+STRIKING = 35.0
+"""Neighbours that differ by more (CIEDE2000) are told apart where a line can do so."""
+VISIBLE, VIVID = 18.0, 50.0
+"""As STRIKING, for those whose distance in CIELAB is above the second."""
+ROOMY = 24.0
+"""Width in pixels of the narrowest of these."""
 MOST = 256
 """Regions that are told apart; where there are more, small ones join their neighbours."""
 _SMALLEST = 6
@@ -66,6 +72,19 @@ class Regions:
         """(k + 1,): the lengths of their contours, in pixel sides, at least 1."""
         around: NDArray[np.float64] = np.maximum(self.lengths.sum(axis=1), 1)
         return around
+
+    @property
+    def striking(self) -> Mask:
+        """(k + 1, k + 1): which neighbours differ strikingly, by CIEDE2000 or by colour alone.
+
+        CIEDE2000 weighs chroma little where it is high: a strong yellow is near white by it. What
+        is narrow, as the white of an eye, has no room for that difference.
+        """
+        apart = np.linalg.norm(self.colours[:, None] - self.colours, axis=2)
+        wide = self.widths > ROOMY
+        vivid = (self.contrasts > VISIBLE) & (apart > VIVID) & wide & wide[:, None]
+        striking: Mask = (self.contrasts > STRIKING) | vivid
+        return striking
 
     def pieces(self) -> NDArray[np.intp]:
         """Return which separate piece of the drawing each region belongs to; 0 is one, too."""

@@ -2,7 +2,8 @@
 
 Which of two is in front is told where their border ends, at T-junctions: the contour that goes
 straight on belongs to what is in front. If the other were, its corner would bite into that contour.
-If neither goes on, each gives way by half.
+If neither goes on, each gives way by half. What is so thin that nothing would be left does not give
+way.
 """
 
 from collections.abc import Iterator
@@ -19,6 +20,8 @@ _BLENDS = 4.0
 """Pixels on either side of an edge that may blend its colours."""
 _EATEN = 0.4
 """How much of a region may be lost to a line, if its neighbour can give way."""
+_THIN = 1.5 * LINE
+"""Width in pixels of regions that do not give way, as of an axis below bars."""
 _WIDER = 0.02
 """Part of a full turn by which the angles of two at their junctions differ, if one is in front."""
 
@@ -32,6 +35,8 @@ def separating(rgb: NDArray[np.uint8], found: Regions, lines: Mask) -> NDArray[n
     """
     drawn = np.zeros(found.labels.shape, np.float32)
     for front, back, window, width in _pairs(found, lines):
+        if found.widths[back] < _THIN:  # nothing of it would be left
+            continue
         labels, line = found.labels[window], drawn[window]
         away = scipy.ndimage.distance_transform_edt(labels != front)
         # Smoothing takes the staircase off the lines.

@@ -32,8 +32,8 @@ _PLAIN, _PAINTS = 0.93, 6
 """How much of a flat drawing has one of how many colours."""
 _AROUND, _FEW = 0.9, 3
 """How much of the contour has a pale line; how many more regions there may be with it."""
-_FREE = 0.95
-"""How much of its contour a mark on white shares with that."""
+_FREE, _ONE = 0.9, 2.0
+"""How much of their contour marks of one colour share with white, and by how much that varies."""
 _PALEST, _PLAIN_TO_SEE = 4.0, 15.0
 """How much pale marks differ from white; what differs by more is told from it anyway."""
 _BESIDE, _ALONG = 10, 0.25
@@ -104,11 +104,14 @@ def _has_pale_line(found: Regions) -> bool:
 
 def _with_marks(found: Regions, closer: Regions) -> Regions:
     """Return the regions found, and those of the closer ones that lie free on white as marks do."""
-    ground = closer.lengths.argmax(axis=1)
-    free = closer.lengths.max(axis=1) > _FREE * closer.around
-    contrast = closer.contrasts.max(axis=1)
-    mark = free & closer.white[ground] & (contrast > _PALEST) & (contrast < _PLAIN_TO_SEE)
-    mark &= closer.colours[:, 0] < closer.colours[ground, 0]
+    white = closer.white
+    on_white = closer.lengths[:, white].sum(axis=1)
+    # Lines of one colour, as of a grid, may end at what stands before them.
+    difference = np.linalg.norm(closer.colours[:, None] - closer.colours, axis=2)
+    alike = (difference < _ONE) & ~white & (on_white > 0.5 * closer.around)
+    free = (alike @ on_white > _FREE * (alike @ closer.around)) & alike.diagonal()
+    contrast = np.where(white, closer.contrasts, 0).max(axis=1)
+    mark = free & (contrast > _PALEST) & (contrast < _PLAIN_TO_SEE)
     new = mark[closer.labels] & found.white[found.labels]
     if not new.any():
         return found

@@ -17,10 +17,10 @@ into regions of even colour (``regions``). Of these,
    (eyes in a face, the door of a house), and what mainly borders on paper is ink; but thick layers
    of different colours, as of a burger or a flag, and the midst of a mosaic, are ink as what is
    beside them (``stacks``); of a board in two colours, the darker squares are ink;
-6. between two regions of ink runs a line of paper; between two of paper that differ strongly, one
-   of ink. Where paper is a part of the silhouette, a line of ink runs along the contour (a cloud
-   before the sun, a flag's white half), unless it is narrow, or pure white that takes a bite out of
-   a colour (a crescent, ``whites``);
+6. between two regions of ink runs a line of paper; between two of paper that differ strongly, in
+   tone or in colour, one of ink. Where paper is a part of the silhouette, a line of ink runs along
+   the contour (a cloud before the sun, a flag's white half), unless it is narrow, or pure white
+   that takes a bite out of a colour (a crescent, ``whites``);
 7. colours that differ little are shades of one, but a figure on its ground is told from it if
    there is nothing else (``shades``);
 8. letters and lines that are too fine for regions stand out from what is around them (``details``).
@@ -41,9 +41,10 @@ from numpy.typing import NDArray
 from iconstudio.algorithms.tones import details, regions
 from iconstudio.algorithms.tones.alternation import Omission, Tones, decide
 from iconstudio.algorithms.tones.duotone import dark_is_ink, separated, two_tones
+from iconstudio.algorithms.tones.glow import without_glow
 from iconstudio.algorithms.tones.layers import without_faint
-from iconstudio.algorithms.tones.linework import STRIKING, line_drawing, outline
-from iconstudio.algorithms.tones.regions import Mask, Regions, cielab
+from iconstudio.algorithms.tones.linework import line_drawing, outline
+from iconstudio.algorithms.tones.regions import STRIKING, Mask, Regions, cielab, nearest
 from iconstudio.algorithms.tones.separation import LINE, blend, separating
 from iconstudio.algorithms.tones.shades import shades
 from iconstudio.algorithms.tones.stacks import checkered, stacked
@@ -107,6 +108,13 @@ def pictogram(rgba: NDArray[np.uint8]) -> Inked:
     """
     rgb, alpha = _reduced(rgba)
     body = _body(alpha)
+    unlit = without_glow(rgb, alpha, body)
+    if unlit is not None:
+        share, own = unlit
+        at = nearest(_repeated(own, len(rgba)))
+        opacity = rgba[..., 3] * _enlarged(share, len(rgba)) + 0.5
+        rest = pictogram(np.dstack([rgba[..., :3][at], opacity.astype(np.uint8)]))
+        return Inked(rest.coverage, rest.omissions | {Omission.GLOW})
     opaque, faint = without_faint(rgba[..., 3].astype(np.float32), body)
     silhouette = np.minimum(opaque * (255 / body), 255)
     inside = alpha > body / 2
@@ -270,7 +278,7 @@ def _tones(found: Regions) -> Tones:
     # White at the outside without an outline is none of the drawing's shapes.
     shapes = ~ink & ~behind & ~(white.paper & (found.lengths[0] > 0) & ~white.outlined)
     shapes[0] = False
-    apart = shapes & shapes[:, None] & (found.contrasts > STRIKING)
+    apart = shapes & shapes[:, None] & found.striking
     return Tones(
         ink,
         (ink & ink[:, None] & (found.lengths > 0) & ~narrow) | apart,

@@ -13,7 +13,15 @@ from iconstudio.library.words import symbols
 from iconstudio.library.words.inflections import singulars, verbs
 from iconstudio.library.words.naming import take_apart
 from iconstudio.library.words.usage import INFORMAL
-from iconstudio.library.words.vocabulary import LINES, PREPOSITIONS, SOLID, STYLE_GROUPS, STYLES
+from iconstudio.library.words.vocabulary import (
+    HEAVY,
+    LINES,
+    PREPOSITIONS,
+    SOLID,
+    STYLE_GROUPS,
+    STYLES,
+    THIN,
+)
 
 _LETTERS = str.maketrans(
     {"ß": "ss", "æ": "ae", "œ": "oe", "ø": "o", "đ": "d", "ð": "d", "þ": "th", "ł": "l", "ı": "i"}
@@ -183,8 +191,8 @@ def style(words: tuple[str, ...]) -> Style:
         if asked & frozenset().union(*groups):
             same.update(*(group for group in groups if group & asked))
             others.update(*groups)
-    solid = bool(asked & SOLID)
-    either = solid == bool(asked & LINES)
+    solid = bool(asked & (SOLID | HEAVY))
+    either = solid == bool(asked & (LINES | THIN))
     return Style(frozenset(same), frozenset(others - same), None if either else solid)
 
 

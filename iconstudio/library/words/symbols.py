@@ -44,6 +44,15 @@ def spoken(text: str) -> str:
     return "".join(map(_spoken, named))
 
 
+def called(name: str) -> str:
+    """Return the emoji of a name in plain words; empty if there is none, or it is a country's."""
+    import emoji
+
+    code = f":{name.replace(' ', '_')}:"
+    symbol = emoji.emojize(code)
+    return "" if symbol == code else symbol
+
+
 def other_names(text: str) -> list[str]:
     """Return by what else the one emoji that a text consists of is known."""
     if not has_symbols(text):

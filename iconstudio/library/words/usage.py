@@ -166,10 +166,13 @@ OTHER_IN_PLURAL = frozenset({"boxers", "glasses", "greens", "news"})
 
 BRANDS = words(
     """
-    adobe airbnb bluesky discord docker facebook firefox flickr huawei instagram jira lenovo
-    linkedin mastodon netflix nvidia paypal pinterest reddit safari shopify skype slack snapchat
-    spotify telegram threads tiktok trello tumblr twitter uber vimeo wechat weibo whatsapp xiaomi
-    youtube zoom
+    acer adidas adobe airbnb aldi asus audi bluesky bmw bosch canon chanel citroen colgate discord
+    docker ebay etsy facebook fanta ferrari fiat firefox flickr gucci heineken honda huawei hulu
+    hyundai ikea instagram intel jira kia lenovo levis lidl linkedin mastodon mercedes nestle
+    netflix nike nikon nintendo nissan nokia nvidia opel paypal pepsi philips pinterest porsche
+    prada reddit renault rolex safari samsung shein shopify siemens skoda skype slack snapchat sony
+    spotify starbucks subaru telegram temu tesla threads tiktok toyota trello tumblr twitter
+    uber vimeo volkswagen volvo walmart wechat weibo whatsapp xiaomi youtube zara zoom
     """
 )
 """Brands: another word that is spelt like one is no hint."""

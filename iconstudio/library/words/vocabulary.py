@@ -26,9 +26,9 @@ STYLE_GROUPS = tuple(
 )
 """Words for the same style; and beside them those for the styles that a drawing then has not."""
 
-SOLID = STYLE_GROUPS[0][0]
-LINES = STYLE_GROUPS[0][1]
-"""Words for drawings that are mostly ink, and for those that are mostly paper."""
+SOLID, LINES, _, HEAVY, THIN, _ = STYLE_GROUPS[0]
+"""Words for drawings that are mostly ink, and for those that are mostly paper; for drawings with
+much ink, filled or not, and with little."""
 
 LEADING_STYLES = words(
     """

@@ -65,6 +65,11 @@ _INSIDE = (
     "other icons happen to show something there, results do. Draw a hole or lines for what is to "
     "be seen inside."
 )
+_UNMET = (
+    "None of the recommended results shows all that you drew inside the outline, {:.0%} at most: "
+    "other icons have little of it there, and where they have not, the icon stays as it is. Draw "
+    "it where one of them has it, or try another keyword."
+)
 _ROUGH, _STUB = 8, 32
 """Canvas units by which an outline may miss the end of what is removed, and the width of the widest
 stubs that this leaves."""
@@ -289,6 +294,7 @@ def edit_icon(
         guide=change.guide,
         refusal=_refusal,
         pose=partial(posed.pose, edit.symmetry),
+        unmet=_UNMET,
         finish=finish,
         always=(change.base, paper(change.base)) if change.left.any() else (change.base,),
         include=edit.include,

@@ -39,6 +39,10 @@ MIRRORED = 0.75
 hand, a hat has 0.77, a house 0.78, a bell 0.82. Only what is more plausible is taken of them."""
 DETAILS = 6
 """Small regions of a sketch whose details are weighted by 1."""
+_UNMET = (
+    "None of the recommended results shows all that you drew inside the outline, {:.0%} at most: "
+    "the icons have little of it there. Look through their rows, or draw it where an icon has it."
+)
 UNLIKE = 1.25
 """A style with fewer than FEW exemplars is skipped too if none of them resembles the sketch: if the
 least errors of equation 4, averaged over the regions, exceed UNLIKE. Chosen by eye over the styles
@@ -100,6 +104,7 @@ def model(
         guide=guide_of(fitted),
         refusal=refusal,
         pose=pose,
+        unmet=_UNMET,
         pinned=tuple(pin.source for pin in pins),
         include=sketch.include,
     )
