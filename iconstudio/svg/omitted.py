@@ -12,6 +12,7 @@ OMITTED = {
     Omission.DESK: "What lies around the sheet of paper was left out.",
     Omission.PRINT: "The lines or dots that the paper is printed with were left out.",
     Omission.GLOW: "The glow around the drawing was left out.",
+    Omission.SHADOW: "The shadow of the drawing was left out.",
     Omission.DECORATION: "Paler colour behind or beside what is dark was left out.",
 }
 """Of what was left out."""

@@ -20,6 +20,7 @@ class Omission(Enum):
     SHADES = "shades of a colour that is all there is"
     FAINT = "what is less than half as opaque as the drawing"
     GLOW = "what shines around the drawing, and fades"
+    SHADOW = "the flat shadow of a figure on its tile"
     DECORATION = "colour behind or beside the lines of a drawing"
     DESK = "what lies around the sheet that is drawn upon"
     PRINT = "the lines or dots that the paper is printed with"

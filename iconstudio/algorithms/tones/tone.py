@@ -23,7 +23,8 @@ into regions of even colour (``regions``). Of these,
    that takes a bite out of a colour (a crescent, ``whites``);
 7. colours that differ little are shades of one, but a figure on its ground is told from it if
    there is nothing else (``shades``);
-8. letters and lines that are too fine for regions stand out from what is around them (``details``).
+8. the flat shadow that a figure casts aslant on its tile or badge is a part of that (``cast``);
+9. letters and lines that are too fine for regions stand out from what is around them (``details``).
 
 Of a drawing in two tones, dark on pale, regions only tell which of them is ink; what is drawn is as
 fine as its pixels (``two_tones``). Even layers that are less opaque than the body, down to half of
@@ -40,6 +41,7 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.tones import details, regions
 from iconstudio.algorithms.tones.alternation import Omission, Tones, decide
+from iconstudio.algorithms.tones.cast import without_cast_shadow
 from iconstudio.algorithms.tones.duotone import dark_is_ink, separated, two_tones
 from iconstudio.algorithms.tones.glow import without_glow
 from iconstudio.algorithms.tones.layers import without_faint
@@ -143,7 +145,12 @@ def _in_two_tones(rgba: NDArray[np.uint8], rgb: NDArray[np.uint8], inside: Mask)
 
 def _in_colours(rgba: NDArray[np.uint8], rgb: NDArray[np.uint8], inside: Mask) -> _Share:
     """Return how much of each pixel (n, n) is ink."""
-    found, hidden = shades(rgb, inside, _regions(rgb, inside), SMALLEST)
+    divided = _regions(rgb, inside)
+    lit = without_cast_shadow(rgb, divided, SMALLEST)
+    if lit is not None:
+        share, omissions = _in_colours(_repainted(rgba, rgb, lit), lit, inside)
+        return _Share(share, omissions | {Omission.SHADOW})
+    found, hidden = shades(rgb, inside, divided, SMALLEST)
     tones = _tones(found)
     soft = np.ones(inside.shape, np.float32)
     drawn, rim = separating(rgb, found, tones.lines), _rim(found, tones.outlined)
@@ -157,6 +164,18 @@ def _in_colours(rgba: NDArray[np.uint8], rgb: NDArray[np.uint8], inside: Mask) -
         soft = np.where(at_lines, plain, soft)
     omissions = tones.omissions | ({Omission.SHADES} if hidden else set())
     return _Share(soft, omissions)
+
+
+def _repainted(
+    rgba: NDArray[np.uint8], rgb: NDArray[np.uint8], lit: NDArray[np.uint8]
+) -> NDArray[np.uint8]:
+    """Return a drawing (n, n, 4) with the colours of another (SIDE, SIDE, 3) where these differ."""
+    n = len(rgba)
+    at = _repeated((rgb != lit).any(axis=2), n)
+    rows = np.arange(n) * SIDE // n
+    painted = rgba.copy()
+    painted[at, :3] = lit[rows][:, rows][at]
+    return painted
 
 
 def _with_details(

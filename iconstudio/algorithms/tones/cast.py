@@ -1,0 +1,127 @@
+"""The flat shadow that a figure casts on the tile or the badge that it is on, to one side."""
+
+import numpy as np
+import scipy
+from numpy.typing import NDArray
+
+from iconstudio.algorithms.tones.regions import ALIKE, Mask, Regions, cielab, nearest, regions
+
+_DEEPEST, _FAINTEST = 0.45, 0.97
+"""How bright a shadow is at least and at most, as part of what it lies on."""
+_TINGE = 22.0
+"""Levels by which it misses the colour of that, made darker."""
+_MEET = 15
+"""Pixels across, of where they meet."""
+_PLATE = 0.95
+"""How much of its convex hull a tile or a badge fills, with all that is on it."""
+_BEHIND, _STRAY = 0.92, 0.012
+"""How much of a shadow lies behind the figure, seen aslant; and by how much it may be wider, as
+part of the picture's side."""
+_NEAR, _BEGINS = 0.06, 0.6
+"""So near to the figure, as part of the side, so much of what lies behind it is in shadow."""
+_SLIGHT, _LEAP = 4.0, 3.0
+"""Least difference between a shadow and what it lies on (CIEDE2000), and that of a channel of
+CIELAB at its edge."""
+_LEAST = 0.004
+"""Size of a shadow, as part of the picture, at least."""
+_DIRECTIONS = ((1, 1), (1, -1), (-1, 1), (-1, -1))
+
+
+def is_cast(shadow: Mask, figure: Mask, ground: Mask) -> bool:
+    """Whether a shadow (h, w) is what a figure hides of its ground, seen aslant from one corner."""
+    size = max(shadow.shape)
+    if shadow.sum() < _LEAST * shadow.size or not figure.any():
+        return False
+    stray = 2 * round(_STRAY * size) + 1
+    wide = scipy.ndimage.maximum_filter(figure, stray)
+    for down, across in _DIRECTIONS:
+        behind = _swept(wide, down, across, size)
+        if (behind & shadow).sum() < _BEHIND * shadow.sum():
+            continue
+        near = _swept(figure, down, across, round(_NEAR * size)) & (shadow | ground)
+        if (near & shadow).sum() > _BEGINS * near.sum():
+            return True
+    return False
+
+
+def without_cast_shadow(
+    rgb: NDArray[np.uint8], found: Regions, smallest: float
+) -> NDArray[np.uint8] | None:
+    """Return a drawing (n, n, 3), sRGB, of these regions with its shadow lit as its plate is.
+
+    The plate, a tile or a badge, is what is all around, but for the shadow. None if it has none.
+    """
+    from skimage.morphology import convex_hull_image
+
+    inside = found.labels > 0
+    if len(found.areas) < 3 or inside.sum() < _PLATE * convex_hull_image(inside).sum():
+        return None
+    # On a gradient, what differs little in places differs more elsewhere.
+    closer = regions(cielab(rgb), inside, _SLIGHT, smallest, leap=_LEAP)
+    shadow, bright = _shadow(closer, rgb)
+    if shadow is None:
+        return None
+    lit = rgb.copy()
+    lit[shadow] = np.minimum(np.rint(rgb[shadow] / bright), 255)
+    return lit
+
+
+def _shadow(found: Regions, rgb: NDArray[np.uint8]) -> tuple[Mask | None, float]:
+    """Return where the shadow (n, n) lies that the figure on a plate casts, or None.
+
+    Also how bright it is, as part of the plate.
+    """
+    ground = int(found.lengths[0].argmax())
+    shaded = np.zeros(len(found.areas), bool)
+    shares: list[float] = []
+    for one in np.flatnonzero(found.lengths[ground] > 0):
+        if one:
+            bright = _brightness(found, rgb, int(one), ground)
+            if bright is not None:
+                shaded[one] = True
+                shares.append(bright)
+    if not shaded.any():
+        return None, 1.0
+    # What of it the figure cuts off from its ground has the same colour.
+    apart = np.linalg.norm(found.colours[:, None] - found.colours[shaded], axis=2).min(axis=1)
+    shaded |= (apart < ALIKE) & (found.colours[:, 0] < found.colours[ground, 0])
+    shaded[[0, ground]] = False
+    plate = shaded.copy()
+    plate[ground] = True
+    rim = found.lengths[0]
+    figure = (found.labels > 0) & ~plate[found.labels]
+    shadow: Mask = shaded[found.labels]
+    on_plate = rim[plate].sum() > _PLATE * rim.sum()
+    cast = on_plate and is_cast(shadow, figure, found.labels == ground)
+    return (shadow, float(np.median(shares))) if cast else (None, 1.0)
+
+
+def _brightness(found: Regions, rgb: NDArray[np.uint8], one: int, ground: int) -> float | None:
+    """Return how bright a region is where it meets another one, as part of that; None if tinged."""
+    here, beside = (found.pure & (found.labels == number) for number in (one, ground))
+    here &= scipy.ndimage.maximum_filter(beside, _MEET)
+    if not here.any():
+        return None
+    shadow, lit = rgb[here].astype(float), rgb[nearest(beside)][here].astype(float)
+    bright = float((shadow * lit).sum() / max((lit * lit).sum(), 1))
+    amiss = np.median(abs(shadow - bright * lit).max(axis=1))
+    return bright if _DEEPEST < bright < _FAINTEST and amiss < _TINGE else None
+
+
+def _swept(mask: Mask, down: int, across: int, length: int) -> Mask:
+    """Return where a mask (h, w) comes as it is moved by so many steps aslant, or fewer."""
+    swept, moved = mask.copy(), 1
+    while moved <= length:
+        swept |= _moved(swept, down * moved, across * moved)
+        moved *= 2
+    return swept
+
+
+def _moved(mask: Mask, down: int, across: int) -> Mask:
+    height, width = mask.shape
+    moved = np.zeros_like(mask)
+    if abs(down) < height and abs(across) < width:
+        moved[max(0, down) : height + min(0, down), max(0, across) : width + min(0, across)] = mask[
+            max(0, -down) : height - max(0, down), max(0, -across) : width - max(0, across)
+        ]
+    return moved
