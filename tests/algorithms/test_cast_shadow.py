@@ -81,3 +81,10 @@ def test_what_lies_elsewhere_is_no_shadow():
         behind[60 + step : 120 + step, 60 + step : 120 + step] = True
     behind &= ~figure
     assert is_cast(behind, figure, ~figure & ~behind)
+
+
+def test_dark_lines_of_a_drawing_are_no_shadow():
+    rows, columns = np.indices((200, 200))
+    inside = (abs(rows - 100) < 50) & (abs(columns - 100) < 50)
+    lines = inside & ((rows // 5 % 4 == 2) | (columns // 5 % 4 == 2))
+    assert not is_cast(lines, inside & ~lines, ~inside)

@@ -14,9 +14,9 @@ _MEET = 15
 """Pixels across, of where they meet."""
 _PLATE = 0.95
 """How much of its convex hull a tile or a badge fills, with all that is on it."""
-_BEHIND, _STRAY = 0.92, 0.012
-"""How much of a shadow lies behind the figure, seen aslant; and by how much it may be wider, as
-part of the picture's side."""
+_BEHIND, _BEFORE, _STRAY = 0.92, 0.6, 0.012
+"""How much of a shadow lies behind the figure at least, seen aslant, and before it at most; and by
+how much it may be wider, as part of the picture's side."""
 _NEAR, _BEGINS = 0.06, 0.6
 """So near to the figure, as part of the side, so much of what lies behind it is in shadow."""
 _SLIGHT, _LEAP = 4.0, 3.0
@@ -35,8 +35,11 @@ def is_cast(shadow: Mask, figure: Mask, ground: Mask) -> bool:
     stray = 2 * round(_STRAY * size) + 1
     wide = scipy.ndimage.maximum_filter(figure, stray)
     for down, across in _DIRECTIONS:
-        behind = _swept(wide, down, across, size)
+        behind, before = (_swept(wide, side * down, side * across, size) for side in (1, -1))
         if (behind & shadow).sum() < _BEHIND * shadow.sum():
+            continue
+        # A line around a figure is on all sides of it.
+        if (before & shadow).sum() > _BEFORE * shadow.sum():
             continue
         near = _swept(figure, down, across, round(_NEAR * size)) & (shadow | ground)
         if (near & shadow).sum() > _BEGINS * near.sum():
@@ -45,11 +48,12 @@ def is_cast(shadow: Mask, figure: Mask, ground: Mask) -> bool:
 
 
 def without_cast_shadow(
-    rgb: NDArray[np.uint8], found: Regions, smallest: float
-) -> NDArray[np.uint8] | None:
-    """Return a drawing (n, n, 3), sRGB, of these regions with its shadow lit as its plate is.
+    rgba: NDArray[np.uint8], rgb: NDArray[np.uint8], found: Regions, smallest: float
+) -> tuple[NDArray[np.uint8], NDArray[np.uint8]] | None:
+    """Return a drawing (n, n, 4) with its shadow lit as its plate is, or None if it has none.
 
-    The plate, a tile or a badge, is what is all around, but for the shadow. None if it has none.
+    Also its colours (m, m, 3), sRGB, at the resolution of its regions, before and after. The
+    plate, a tile or a badge, is what is all around, but for the shadow.
     """
     from skimage.morphology import convex_hull_image
 
@@ -63,7 +67,11 @@ def without_cast_shadow(
         return None
     lit = rgb.copy()
     lit[shadow] = np.minimum(np.rint(rgb[shadow] / bright), 255)
-    return lit
+    at = np.arange(len(rgba)) * len(rgb) // len(rgba)
+    painted = rgba.copy()
+    changed = shadow[at][:, at]
+    painted[changed, :3] = lit[at][:, at][changed]
+    return painted, lit
 
 
 def _shadow(found: Regions, rgb: NDArray[np.uint8]) -> tuple[Mask | None, float]:

@@ -146,9 +146,9 @@ def _in_two_tones(rgba: NDArray[np.uint8], rgb: NDArray[np.uint8], inside: Mask)
 def _in_colours(rgba: NDArray[np.uint8], rgb: NDArray[np.uint8], inside: Mask) -> _Share:
     """Return how much of each pixel (n, n) is ink."""
     divided = _regions(rgb, inside)
-    lit = without_cast_shadow(rgb, divided, SMALLEST)
+    lit = without_cast_shadow(rgba, rgb, divided, SMALLEST)
     if lit is not None:
-        share, omissions = _in_colours(_repainted(rgba, rgb, lit), lit, inside)
+        share, omissions = _in_colours(*lit, inside)
         return _Share(share, omissions | {Omission.SHADOW})
     found, hidden = shades(rgb, inside, divided, SMALLEST)
     tones = _tones(found)
@@ -164,18 +164,6 @@ def _in_colours(rgba: NDArray[np.uint8], rgb: NDArray[np.uint8], inside: Mask) -
         soft = np.where(at_lines, plain, soft)
     omissions = tones.omissions | ({Omission.SHADES} if hidden else set())
     return _Share(soft, omissions)
-
-
-def _repainted(
-    rgba: NDArray[np.uint8], rgb: NDArray[np.uint8], lit: NDArray[np.uint8]
-) -> NDArray[np.uint8]:
-    """Return a drawing (n, n, 4) with the colours of another (SIDE, SIDE, 3) where these differ."""
-    n = len(rgba)
-    at = _repeated((rgb != lit).any(axis=2), n)
-    rows = np.arange(n) * SIDE // n
-    painted = rgba.copy()
-    painted[at, :3] = lit[rows][:, rows][at]
-    return painted
 
 
 def _with_details(
