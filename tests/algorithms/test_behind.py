@@ -126,9 +126,21 @@ def test_noise_is_no_fainter_line():
     dark[200:300, 100:400] = 1
     for n in range(40):
         dark[20 + 8 * (n % 5) :, 20 + 12 * n :][:6, :6] = 0.3
-    assert SPECK > 36 and not has_fainter_lines(dark, 0.5)
+    assert SPECK > 36 and not has_fainter_lines(dark, 1 - dark[..., None], 0.5)
     dark[400:406, 50:450] = 0.3
-    assert has_fainter_lines(dark, 0.5)
+    assert has_fainter_lines(dark, 1 - dark[..., None], 0.5)
+
+
+def test_the_edge_of_a_shadow_is_no_fainter_line():
+    light = np.full((512, 512, 3), 0.9, np.float32)
+    light[200:300, 100:400] = 0.1
+    light[400:] = 0.6
+    dark = np.zeros((512, 512), np.float32)
+    dark[200:300, 100:400] = 1
+    dark[400:406] = 0.2  # where the light is not divided out
+    assert not has_fainter_lines(dark, light, 0.5)
+    light[406:] = 0.9
+    assert has_fainter_lines(dark, light, 0.5)
 
 
 PALE = (

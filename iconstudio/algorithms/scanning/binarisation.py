@@ -160,7 +160,9 @@ def scanned(
         # Of lines as of ink, half the darkness.
         threshold = float(np.median(dark[lines & (dark < threshold)])) / 2
     if threshold is not None and scale < _ENLARGED:
-        fainter = has_fainter_lines(dark, threshold)
+        bright = 1 - fine if inverted else fine
+        light = 1 - dark[..., None] if fine.shape[2] == 4 else resized(bright, dark.shape)
+        fainter = has_fainter_lines(dark, light, threshold)
     if threshold is None:
         low, high = np.percentile(dark, (1, 99.9))
         dark = np.clip((dark - low) / max(high - low, _FAINTEST), 0, 1)

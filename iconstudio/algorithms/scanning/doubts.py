@@ -46,8 +46,14 @@ LEAST = 0.12
 darker is no noise."""
 
 
-def has_fainter_lines(dark: NDArray[np.float32], threshold: float) -> bool:
-    """Whether lines can be seen beside the ink that are too faint to be ink."""
+def has_fainter_lines(
+    dark: NDArray[np.float32], light: NDArray[np.float32], threshold: float
+) -> bool:
+    """Whether lines can be seen beside the ink that are too faint to be ink.
+
+    They are darker in ``light`` (h, w, c), the picture itself, than both of their sides. What is
+    darker than one of them is the edge of a shadow.
+    """
     ink = dark > threshold
     away = ~scipy.ndimage.binary_dilation(ink, iterations=_BESIDE)
     paper = dark[away]
@@ -55,7 +61,11 @@ def has_fainter_lines(dark: NDArray[np.float32], threshold: float) -> bool:
         return False
     grain = 1.48 * np.median(abs(paper - np.median(paper)))
     seen = without_specks((dark > np.median(paper) + max(_SEEN, 4 * grain)) & away, SPECK)
-    return bool(seen.sum() > _FAINTER * ink.sum())
+    if not seen.sum() > _FAINTER * ink.sum():
+        return False
+    around = (2 * _SLIM + 1, 2 * _SLIM + 1, 1)
+    groove = (scipy.ndimage.grey_closing(light, around) - light).max(axis=2)
+    return bool((seen & (groove > _SEEN / 2)).sum() > _FAINTER * ink.sum())
 
 
 def drawing_in_faint_lines(dark: NDArray[np.float32], threshold: float) -> NDArray[np.bool_] | None:
