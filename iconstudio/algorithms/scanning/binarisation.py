@@ -4,7 +4,6 @@ What lights the paper unevenly is divided out (flat-field correction), so that o
 (N. Otsu, 1979) serves all of it; it may be a coloured pen, chalk on a board, or transparent.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -13,6 +12,7 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.scanning.behind import left_behind
 from iconstudio.algorithms.scanning.checkerboard import without_checkerboard
+from iconstudio.algorithms.scanning.darkness import darkness, ground_of, seen_through
 from iconstudio.algorithms.scanning.doubts import (
     LEAST,
     PLAIN,
@@ -28,10 +28,10 @@ from iconstudio.algorithms.scanning.doubts import (
 )
 from iconstudio.algorithms.scanning.enlarged import at_own_resolution
 from iconstudio.algorithms.scanning.flat import flat_drawing
-from iconstudio.algorithms.scanning.free import LARGE, free_drawing, on_nothing, veil
+from iconstudio.algorithms.scanning.free import LARGE, free_drawing, on_nothing
 from iconstudio.algorithms.scanning.margin import box_of, rim_of, with_margin, without_half_lines
 from iconstudio.algorithms.scanning.noise import without_noise
-from iconstudio.algorithms.scanning.paper import lighting, page, trend
+from iconstudio.algorithms.scanning.paper import trend
 from iconstudio.algorithms.scanning.printed import without_print
 from iconstudio.algorithms.scanning.resampling import (
     COARSE,
@@ -60,18 +60,11 @@ _SHADED = 0.04
 """So much of what is not paper is shading on a photo, and not on a drawing."""
 _ENLARGED = 2.0
 """How many times a picture is enlarged at most in which lines are told from the edges of others."""
-_BLACK = 0.1
-"""A channel of the paper that is darker tells of noise alone."""
-_PLAIN = 0.25
-"""Colours that differ by no more are one."""
 
 _BEYOND = 2
 """Pixels beyond the edge of a small picture that are taken for paper."""
 _LITTLE = 0.25
 """How much ink the darkest pixel beside an edge has at least, and the brightest at most."""
-
-_Seeing = Callable[[NDArray[np.float32]], NDArray[np.float32]]
-"""Tells how dark a picture is, of its colours."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -127,11 +120,11 @@ def scanned(
     small = shrunk(pixels, step)
     left_out: frozenset[Omission] = frozenset()
     if small.shape[2] == 4:
-        see, inverted = _seen_through(small, inverted)
+        see, inverted = seen_through(small, inverted)
         coarse = see(small)
     else:
-        ground, valid, inverted = _ground(small, inverted, sheet)
-        coarse = np.where(valid, _darkness(small, ground, inverted), 0.0)
+        ground, valid, inverted = ground_of(small, inverted, sheet)
+        coarse = np.where(valid, darkness(small, ground, inverted), 0.0)
         left_out = frozenset(() if valid.all() else {Omission.DESK})
     bounds = _bounds(coarse)
     if bounds is None and small.shape[2] == 3:
@@ -148,7 +141,7 @@ def scanned(
     else:
         shape = fine.shape[:2]
         here = np.s_[top : min(bottom, height), left : min(right, width)]
-        dark = _darkness(fine, resized(ground[here], shape), inverted)
+        dark = darkness(fine, resized(ground[here], shape), inverted)
         dark = np.where(resized(valid[here].astype(np.float32), shape) > 0.5, dark, 0.0)
     scale = SIDE / max(dark.shape)
     dark = _enlarged(dark, tuple(max(1, round(side * scale)) for side in dark.shape))
@@ -285,57 +278,6 @@ def ink_of(scan: Scan, threshold: int | None = None) -> NDArray[np.bool_]:
     raise IconstudioError("Nothing is that dark. Lower the threshold.")
 
 
-def _seen_through(small: NDArray[np.float32], inverted: bool | None) -> tuple[_Seeing, bool]:
-    """Return how dark a transparent picture is as a function of its colours, and if inverted."""
-    alpha = small[..., 3]
-    solid = (alpha > max(alpha.max(), LEAST) / 2) & ~veil(alpha)
-    if not solid.any():
-        raise IconstudioError("It is transparent all over.")
-    inner = scipy.ndimage.binary_erosion(solid, border_value=1)
-    colours = small[inner if inner.any() else solid][:, :3]
-    if (np.ptp(np.percentile(colours, (4, 96), axis=0), axis=0) < _PLAIN).all():
-        # Of one colour: the shape is what counts.
-        inverted = bool(inverted)
-        return (lambda picture: abs(picture[..., 3] - inverted)), inverted
-    if inverted is None:
-        inverted = bool((colours.min(axis=1) < 0.5).mean() < 0.01)
-
-    def see(picture: NDArray[np.float32]) -> NDArray[np.float32]:
-        # As on paper: a bright colour is as good as black.
-        colours, alpha = picture[..., :3], picture[..., 3]
-        ink = colours.max(axis=2) if inverted else 1 - colours.min(axis=2)
-        dark: NDArray[np.float32] = np.where(veil(alpha), 0, alpha) * ink
-        return dark
-
-    return see, inverted
-
-
-def _ground(
-    small: NDArray[np.float32], inverted: bool | None, sheet: NDArray[np.bool_] | None
-) -> tuple[NDArray[np.float32], NDArray[np.bool_], bool]:
-    """Return the paper without the drawing, where there is paper, and whether it is dark."""
-    valid = page(small, sheet)
-    ground = lighting(small, valid)
-    if inverted is None:
-        off = _luminance(small - ground)[valid]
-        lighter, darker = (np.clip(side - LEAST, 0, None).sum() for side in (off, -off))
-        inverted = bool(lighter > darker)
-    return lighting(1 - small, valid) if inverted else ground, valid, inverted
-
-
-def _darkness(
-    picture: NDArray[np.float32], ground: NDArray[np.float32], inverted: bool
-) -> NDArray[np.float32]:
-    """Return how much darker than the paper each pixel is, in the channel where it is most so.
-
-    Where a channel of the paper is black already, nothing can be darker in it.
-    """
-    off = ground - (1 - picture if inverted else picture)
-    dark: NDArray[np.float32] = (off / np.maximum(ground, _BLACK)).max(axis=2)
-    paper = dark[dark < LEAST]
-    return np.clip(dark - np.median(paper) if paper.size else dark, 0, 1)
-
-
 def _enlarged(dark: NDArray[np.float32], shape: tuple[int, ...]) -> NDArray[np.float32]:
     """Return the darkness at another resolution; of few pixels, that of the shape they show."""
     threshold = _threshold(dark) if shape[0] >= COARSE * dark.shape[0] else None
@@ -394,7 +336,3 @@ def _threshold(dark: NDArray[np.float32]) -> float | None:
     if high - low < LEAST:
         return None
     return (low + high) / 2
-
-
-def _luminance(picture: NDArray[np.float32]) -> NDArray[np.float32]:
-    return picture[..., :3] @ np.array([0.2126, 0.7152, 0.0722], np.float32)
