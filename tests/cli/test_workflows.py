@@ -184,6 +184,7 @@ def test_results_come_in_rank_order(runs):
         assert result["rank"] == rank
         terms = result["rank_terms"]
         looks = np.sqrt(terms.pop("seam") * terms.pop("whole"))
+        looks *= terms["plausible"]  # it counts twice
         assert result["rank_score"] == pytest.approx(looks * np.prod(list(terms.values())))
         assert {source["icon"] for source in result["sources"]} <= set(LAMPS)
         for points in result["seeds"]:
