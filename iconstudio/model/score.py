@@ -4,6 +4,10 @@ import math
 from dataclasses import dataclass
 
 
+FAITHFUL = 0.7
+"""What overlaps the outline that was wanted by less is of another shape."""
+
+
 @dataclass(frozen=True, slots=True)
 class Score:
     """The terms of a rank score."""
@@ -25,7 +29,7 @@ class Score:
 
     @property
     def total(self) -> float:
-        """The rank score: the product of the terms.
+        """The rank score: the product of the terms; that of ``likeness`` falls soon below 0.7.
 
         What is plausible was told by ``seam`` and ``whole``, too: then these count by their roots.
         It counts twice, as a good picture matters more than a near fit: so more of the first ones
@@ -34,4 +38,5 @@ class Score:
         looks = self.seam * self.whole
         if self.plausible is not None:
             looks = math.sqrt(looks) * self.plausible**2
-        return looks * self.symmetry * self.sharing * self.likeness * self.inside
+        fit = self.likeness * min(1.0, self.likeness / FAITHFUL) ** 2
+        return looks * self.symmetry * self.sharing * fit * self.inside

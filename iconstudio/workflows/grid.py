@@ -294,10 +294,19 @@ def best_of(row: Sequence[Remix]) -> Remix | None:
 
     Of equals, that of the highest lambda_S: a row comes in any order.
     """
-    made = [one for one in row if max(one.composite.shares) < UNTOUCHED]
-    plausible = [one for one in row if (one.score.plausible or 0) >= PLAUSIBLE]
-    some = [one for one in made if one in plausible] or plausible or made
-    return max(some, key=lambda one: (one.score.total, one.composite.lambda_s), default=None)
+    best = _first(one for one in row if max(one.composite.shares) < UNTOUCHED)
+    if best is not None and _is_plausible(best):
+        return best
+    untouched = (one for one in row if max(one.composite.shares) >= UNTOUCHED)
+    return _first(filter(_is_plausible, untouched)) or best
+
+
+def _first(icons: Iterable[Remix]) -> Remix | None:
+    return max(icons, key=lambda one: (one.score.total, one.composite.lambda_s), default=None)
+
+
+def _is_plausible(icon: Remix) -> bool:
+    return (icon.score.plausible or 0) >= PLAUSIBLE
 
 
 def distinct(rows: Sequence[Sequence[Source]]) -> tuple[Source, ...]:

@@ -22,6 +22,12 @@ def test_what_is_plausible_is_recommended_rather_than_what_is_like_the_outline()
     assert recommended(icons) == Recommended("light", 0.1)
 
 
+def test_what_has_another_shape_is_not_recommended_for_being_plausible():
+    other, good = made(quarters(), 0.05), made(quarters(), 0.1)
+    icons = [judged(other, 0.6, likeness=0.45), judged(good, 0.45, likeness=0.8)]
+    assert recommended(icons) == Recommended("light", 0.1)
+
+
 def test_what_shows_the_holes_and_lines_is_recommended_rather_than_what_is_more_like_the_outline():
     there, lost = (judged(made(quarters(), value), 0.8, 0.85) for value in (0.05, 0.1))
     there, lost = (
