@@ -3,7 +3,6 @@
 import math
 from dataclasses import dataclass
 
-
 FAITHFUL = 0.7
 """What overlaps the outline that was wanted by less is of another shape."""
 
