@@ -21,6 +21,7 @@ _BLOCK = np.ones((3, 3), bool)
 _TOLERANCE = 1 / 5
 """How far the bounding box may be off, in canvas pixels."""
 _ROUNDS = 4
+"""Most pictures by which a frame is fitted."""
 
 
 def rasterise(svg: str) -> tuple[Frame, NDArray[np.uint8]]:
@@ -40,32 +41,58 @@ def rasterise(svg: str) -> tuple[Frame, NDArray[np.uint8]]:
         If the document is refused, cannot be drawn, or has no ink.
     """
     check(svg)
-    frame, side, looked = _square(view_box(svg)), _COARSE, False
-    rounds = 0
-    while True:
-        coverage = render_coverage(svg, frame, side)
+    frame, side = _around_ink(svg, _square(view_box(svg)))
+    coverage = render_coverage(svg, frame, side)
+    if side == CANVAS and (wider := _around_thin_lines(svg, frame, coverage)):
+        frame, coverage = wider, render_coverage(svg, wider, _FINE)
+    frame, coverage = _fitted(svg, frame, coverage)
+    if ink_bounds(coverage) is None:
+        raise IconstudioError(
+            "It has no dark ink: it is empty, white, or pale all over. "
+            "Fill its shapes with a dark colour; turn text into shapes."
+        )
+    return frame, coverage if len(coverage) == CANVAS else render_coverage(svg, frame, CANVAS)
+
+
+def _around_ink(svg: str, frame: Frame) -> tuple[Frame, int]:
+    """Return a frame roughly around the ink within a frame, and the side at which all of it shows.
+
+    If the coarse picture shows no ink, that is the frame itself: a finer one may.
+    """
+    coverage = render_coverage(svg, frame, _COARSE)
+    if wider := _around_thin_lines(svg, frame, coverage):
+        return wider, _FINE
+    bounds = ink_bounds(coverage)
+    return frame if bounds is None else _zoom(frame, bounds, _COARSE), CANVAS
+
+
+def _fitted(svg: str, frame: Frame, coverage: NDArray[np.uint8]) -> tuple[Frame, NDArray[np.uint8]]:
+    """Return the frame that the ink fits, and its picture; ``coverage`` is that of a rough frame.
+
+    All pictures are of one side. The first may show thin parts that a coarse one has missed.
+    """
+    side = len(coverage)
+    for _ in range(_ROUNDS - 1):
         bounds = ink_bounds(coverage)
-        if bounds is None and side != _COARSE:
-            raise IconstudioError(
-                "It has no dark ink: it is empty, white, or pale all over. "
-                "Fill its shapes with a dark colour; turn text into shapes."
-            )
-        if bounds is not None and not looked and _leaves_traces(coverage, bounds):
-            looked = True
-            fine = ink_bounds(render_coverage(svg, frame, _FINE))
-            if fine is not None and _differ(_scaled(fine, side / _FINE), bounds):
-                side, bounds = _FINE, fine
-        elif (
-            bounds is not None
-            and side != _COARSE
-            and (rounds == _ROUNDS or _fits(_scaled(bounds, CANVAS / side)))
-        ):
-            return frame, coverage if side == CANVAS else render_coverage(svg, frame, CANVAS)
-        if bounds is not None:
-            frame = _zoom(frame, bounds, side)
-        # At the final resolution, thin parts may show that the coarse one missed.
-        side = max(side, CANVAS)
-        rounds += 1
+        if bounds is None or _fits(_scaled(bounds, CANVAS / side)):
+            break
+        frame = _zoom(frame, bounds, side)
+        coverage = render_coverage(svg, frame, side)
+    return frame, coverage
+
+
+def _around_thin_lines(svg: str, frame: Frame, coverage: NDArray[np.uint8]) -> Frame | None:
+    """Return the frame around the ink as a fine picture shows it; None if it is as ``coverage`` is.
+
+    It is drawn only if something leaves traces beyond the ink.
+    """
+    bounds = ink_bounds(coverage)
+    if bounds is None or not _leaves_traces(coverage, bounds):
+        return None
+    fine = ink_bounds(render_coverage(svg, frame, _FINE))
+    if fine is None or not _differ(_scaled(fine, len(coverage) / _FINE), bounds):
+        return None
+    return _zoom(frame, fine, _FINE)
 
 
 def rasterise_page(svg: str) -> tuple[Frame, NDArray[np.uint8]]:

@@ -5,6 +5,8 @@ import pytest
 import scipy
 
 from iconstudio.algorithms.tones import tone
+from iconstudio.algorithms.tones.alternation import Omission
+from iconstudio.algorithms.tones.layers import flattened, left_out
 from tests.algorithms.test_tone import path, pictogram, rgba
 
 BUN = "M3 9a9 6 0 0 1 18 0z"
@@ -45,6 +47,19 @@ def test_each_layer_is_ink_between_lines_of_paper(kind):
         own = rgba(path(outline))[..., 3] > 127
         assert (drawn & own).sum() > 0.6 * own.sum(), number
         assert len(np.unique(pieces[drawn & own])) == 1, number
+
+
+def test_the_overlap_of_discs_is_no_layer_and_is_not_left_out():
+    """It touches what surrounds the drawing at single points, and is darker than the discs."""
+    discs = [(9, 8.4, "#00f"), (15, 8.4, "#f00"), (12, 13.6, "#0c0")]
+    circles = "".join(f'<circle cx="{x}" cy="{y}" r="6.4" fill="{c}"/>' for x, y, c in discs)
+    drawn = rgba(f'<g style="mix-blend-mode:multiply" fill-opacity=".6">{circles}</g>')
+    flat = flattened(drawn)
+    found = tone.pictogram(flat)
+    row = found.coverage[len(drawn) * 10 // 24]
+    assert row[len(drawn) // 2] <= 127 < row[len(drawn) // 4]
+    assert Omission.DECORATION not in found.omissions
+    assert not left_out(drawn, flat, found.coverage)
 
 
 def test_the_bands_of_a_rainbow_alternate():

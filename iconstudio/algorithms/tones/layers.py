@@ -56,11 +56,15 @@ def flattened(rgba: NDArray[np.uint8]) -> NDArray[np.uint8]:
 def left_out(rgba: NDArray[np.uint8], flat: NDArray[np.uint8], coverage: NDArray[np.uint8]) -> bool:
     """Whether much of the pale layers of a drawing is no ink in its pictogram ``coverage`` (n, n).
 
+    Where they overlap they are darker: what is no paler than the ink is parted from it as paper.
     ``flat`` is the drawing as ``flattened`` gives it.
     """
     visible = rgba[..., 3] > _VISIBLE
-    tinted = visible & (rgba[..., 3] < flat[..., 3]) & (rgba[..., :3] != flat[..., :3]).any(axis=2)
-    return bool(_opened(tinted & (coverage <= 127)).sum() >= _SHARE * visible.sum())
+    ink = coverage > 127
+    alpha, usual = rgba[..., 3], np.median(rgba[visible & ink, 3]) if ink.any() else 255
+    tinted = visible & (alpha < flat[..., 3]) & (rgba[..., :3] != flat[..., :3]).any(axis=2)
+    paler = tinted & ~ink & (alpha < usual - _EVEN)
+    return bool(_opened(paler).sum() >= _SHARE * visible.sum())
 
 
 def _palest(alpha: NDArray[np.float32], visible: Mask, body: float) -> float | None:

@@ -64,7 +64,8 @@ def checkered(found: Regions) -> Mask | None:
 
 def _layers(found: Regions, outer: Mask) -> Mask:
     layers, thinner = np.zeros((2, len(outer)), bool)
-    for number in np.flatnonzero(outer & (found.widths > _THICK)):
+    reaches = outer & (found.lengths[0] > _THICK)  # more than the points of an overlap
+    for number in np.flatnonzero(reaches & (found.widths > _THICK)):
         meet = found.lengths > 0
         meet[0] = meet[:, 0] = meet[number] = meet[:, number] = False
         _, piece = scipy.sparse.csgraph.connected_components(meet)
