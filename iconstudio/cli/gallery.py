@@ -16,7 +16,7 @@ from iconstudio.output import png
 from iconstudio.output.sheet import Subject, gallery_sheet
 from iconstudio.resources import resource
 from iconstudio.session import Session
-from iconstudio.workflows.events import Progress, Result
+from iconstudio.workflows.events import Progress, Recommended, Result
 from iconstudio.workflows.grid import LAMBDAS, GridSettings
 from iconstudio.workflows.modelling.file import read_sketch
 from iconstudio.workflows.modelling.spec import MODELLING
@@ -25,12 +25,12 @@ from iconstudio.workflows.modelling.spec import MODELLING
 class Choice(StrictRecord, frozen=True):
     """Which of a sketch's results a person found best, and what they think of it.
 
-    Stands in the sketch's file as ``"best"``; without it, the middle of the grid is shown.
+    Stands in the sketch's file as ``"best"``.
     """
 
     style: Text = "medium"
-    column: Annotated[int, Meta(ge=1, le=len(LAMBDAS))] = field(name="lambda", default=4)
-    """Of the grid, counted from 1."""
+    column: Annotated[int, Meta(ge=1, le=len(LAMBDAS))] | None = field(name="lambda", default=None)
+    """Of the grid, counted from 1; None: what the program recommends of the style."""
     remark: Text = ""
     failed: bool = False
 
@@ -59,16 +59,20 @@ def command(sketches: Path | None, out: Path, profile: bool) -> None:
     with profiled(profile) as stopwatch, Session() as session, ProgressBar() as bar:
         for number, path in enumerate(files):
             file = read_sketch(path)
-            best = {} if file.best is None else file.best
-            sketch, choice = file.sketch, json.converted(best, Choice, path, ", best")
-            remix = None
+            said = {} if file.best is None else file.best
+            sketch, choice = file.sketch, json.converted(said, Choice, path, ", best")
+            row: dict[float, Remix] = {}
+            best = None if choice.column is None else LAMBDAS[choice.column - 1]
             for event in session.run(MODELLING, sketch, _settings(choice)):
                 stopwatch.note(event)
                 match event:
                     case Result(icon=Remix() as icon):
-                        remix = icon  # the last one has the lambda_S that was chosen
+                        row[icon.composite.lambda_s] = icon
+                    case Recommended() if choice.column is None:
+                        best = event.lambda_s
                     case Progress():
                         bar.show((number + event.done) / len(files), file.title)
+            remix = None if best is None else row.get(best)
             subjects.append(
                 Subject(file.title, sketch.polygon, remix, choice.remark, choice.failed)
             )
@@ -79,6 +83,8 @@ def command(sketches: Path | None, out: Path, profile: bool) -> None:
 
 def _settings(choice: Choice) -> GridSettings:
     """Return the chosen style, and the lambda_S down to the chosen one: each starts the next."""
+    if choice.column is None:
+        return GridSettings(styles=(choice.style,))
     return GridSettings(
         styles=(choice.style,), lambdas=LAMBDAS[choice.column - 1 :], variants=False
     )
