@@ -14,8 +14,8 @@ from iconstudio.model import IconstudioError
 
 MAX_MATCHES = 300_000
 """How often rules may apply to elements."""
-MAX_TESTS = 2_000_000
-"""How often selectors may be tried, and look around: some two seconds."""
+MAX_TESTS = 1_000_000
+"""How often selectors may be tried, and look around: about a second."""
 
 SelectorError: type[Exception] = cssselect2.SelectorError
 """Raised of a selector that is not understood."""
