@@ -10,7 +10,7 @@ from iconstudio.model import CANVAS, Placement, Remix, Source
 from iconstudio.svg.placed import render_placed
 from iconstudio.workflows.events import Recommended, Result
 from iconstudio.workflows.modelling.modelling import pose_sketch
-from iconstudio.workflows.modelling.variety import YIELDING, weak, with_variety
+from iconstudio.workflows.modelling.variety import DIFFERENT, YIELDING, weak, with_variety
 from tests.output.made import BLOCK, DISC, RADIUS, RING, SKETCH, made
 from tests.shapes import exemplar
 from tests.workflows.test_symmetric import Fixed
@@ -33,6 +33,14 @@ def whole(label, lambda_s, plausible=0.8):
 def row(*labels, plausible=0.9):
     some = zip(labels, LAMBDAS, strict=True)
     return [whole(label, value, plausible) for label, value in some]
+
+
+def halves(number, lambda_s, plausible):
+    """A ring above a block, cut lower for each number."""
+    labels = np.zeros((CANVAS, CANVAS), np.uint8)
+    labels[: 75 + 20 * number] = 1
+    icon = made(labels, lambda_s, sources=SOURCES)
+    return replace(icon, score=replace(icon.score, plausible=plausible))
 
 
 def run(workers, icons, plausible, best=0.5):
@@ -74,10 +82,18 @@ def test_copies_give_way_first_then_what_is_least_plausible():
 
 
 def test_what_is_least_plausible_gives_way_but_not_what_is_recommended():
-    many = [whole(k, value, 0.6 - value) for k, value in enumerate(LAMBDAS[:4])]
-    places = weak(many, 0.3, pose).places
-    assert [place.lambda_s for place in places] == [0.2, 0.1, 0.05]
-    assert [place.least for place in places] == [0.5, 0.5, pytest.approx(0.55)]
+    many = [halves(k, value, 0.6 - value) for k, value in enumerate(LAMBDAS)]
+    places = weak(many, 0.5, pose).places
+    assert [place.lambda_s for place in places] == [0.4, 0.3, 0.2]
+    assert all(place.least == 0.5 for place in places)
+    places = weak(
+        [halves(k, value, 0.6 + value / 2) for k, value in enumerate(LAMBDAS)], 0.05, pose
+    )
+    assert [place.least for place in places.places] == pytest.approx([0.65, 0.7, 0.75])
+
+
+def test_of_a_few_results_each_was_asked_for():
+    assert weak(row(0, 0, 0, 0, 0, 0)[:DIFFERENT], 0.05, pose) is None
 
 
 def test_without_a_judge_a_row_stays(workers):
@@ -88,7 +104,7 @@ def test_without_a_judge_a_row_stays(workers):
 
 
 def test_others_come_from_two_icons_first(workers):
-    doubtful = [whole(k, value, 0.6) for k, value in enumerate(LAMBDAS[:4])]
+    doubtful = [halves(k, value, 0.6) for k, value in enumerate(LAMBDAS)]
     composite = run(workers, doubtful, 0.9, best=0.3)[0].composite
     assert composite.lambda_s == 0.05
     assert len({composite.sources[k].exemplar.id for k in composite.owners()}) == 2

@@ -153,17 +153,18 @@ def with_variety(
 def weak(row: Sequence[Remix], best: float | None, pose: Pose) -> Weak | None:
     """Return which results of a row may give way; None if there is nothing to join anew.
 
-    ``best`` is the lambda_S of the recommended result, which stays.
+    ``best`` is the lambda_S of the recommended result, which stays. So do all of a row of few: each
+    was asked for.
     """
     icons = {one.composite.lambda_s: one for one in row}
     others = sorted((value for value in icons if value != best), reverse=True)
-    if not others:
+    if len(row) <= DIFFERENT:
         return None
     gallery, copies = Gallery(), []
     for value in ([] if best is None else [best]) + others:
         if not gallery.add(drawn_ink(icons[value].drawing)):
             copies.append(value)
-    wanted = max(0, min(DIFFERENT, len(row)) - (len(row) - len(copies)))
+    wanted = max(0, DIFFERENT - (len(row) - len(copies)))
     enough = min(PLAUSIBLE, max(HOPELESS, median(map(_plausible, row))))
     places = [Place(value, enough) for value in copies[:wanted]]
     left = sorted(set(others) - set(copies[:wanted]), key=lambda v: (_plausible(icons[v]), v))
