@@ -134,9 +134,9 @@ class Lookup:
 
     def wider(self, keyword: str, count: int) -> tuple[str, ...]:
         """Return two or more words of a keyword each of which far more than ``count`` answer."""
-        words = tuple(dict.fromkeys(query.plain(keyword).split()))[:_MOST]
         if not 0 < count < _FEWEST:
             return ()
+        words = tuple(dict.fromkeys(query.plain(keyword).split()))[:_MOST]
         found = tuple(word for word in words if len(self.plainly(word)) >= _MORE)
         return found if len(found) > 1 else ()
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from iconstudio.algorithms.iconification import ranking
-from iconstudio.algorithms.iconification.energy import Labels, RemixProblem, joined_ink
+from iconstudio.algorithms.iconification.energy import Labels, RemixProblem, canvas_ink, joined_ink
 from iconstudio.algorithms.iconification.features import Remixed, features
 from iconstudio.algorithms.iconification.inner_likeness import inner_likeness
 from iconstudio.algorithms.iconification.looks import Looks
@@ -286,8 +286,8 @@ def worth(
     posed: Posed, sources: tuple[Source, ...], plausibility: Plausibility, labels: Labels
 ) -> float:
     """Return how plausible a labelling (m, m) is before it is drawn."""
-    problem, finer = posed.problem, posed.problem.side // CANVAS
-    drawn = joined_ink(problem.ink, labels)[::finer, ::finer]
+    problem = posed.problem
+    drawn = canvas_ink(problem.ink, labels)
     score = ranking.score(problem, labels, marked=posed.kept(labels))
     one = Remixed(problem, labels, drawn, score, sources, posed.looks, posed.outline)
     return plausibility.of(features(one))

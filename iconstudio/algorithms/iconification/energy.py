@@ -102,6 +102,12 @@ def joined_ink(ink: NDArray[np.bool_], labels: Labels) -> NDArray[np.bool_]:
     return joined
 
 
+def canvas_ink(ink: NDArray[np.bool_], labels: Labels) -> NDArray[np.bool_]:
+    """Return the ink of a labelling (m, m) at the canvas's resolution; ``ink`` is (K, m, m)."""
+    finer = len(labels) // CANVAS
+    return joined_ink(ink, labels)[::finer, ::finer]
+
+
 @lru_cache(maxsize=2)
 def lattice_edges(
     side: int = CANVAS,

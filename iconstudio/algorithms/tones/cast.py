@@ -4,7 +4,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.tones.regions import ALIKE, Mask, Regions, cielab, nearest, regions
+from iconstudio.algorithms.tones.regions import ALIKE, Mask, Regions, cielab, hull, nearest, regions
 
 _DEEPEST, _FAINTEST = 0.45, 0.97
 """How bright a shadow is at least and at most, as part of what it lies on."""
@@ -55,10 +55,8 @@ def without_cast_shadow(
     Also its colours (m, m, 3), sRGB, at the resolution of its regions, before and after. The
     plate, a tile or a badge, is what is all around, but for the shadow.
     """
-    from skimage.morphology import convex_hull_image
-
     inside = found.labels > 0
-    if len(found.areas) < 3 or inside.sum() < _PLATE * convex_hull_image(inside).sum():
+    if len(found.areas) < 3 or inside.sum() < _PLATE * hull(inside).sum():
         return None
     # On a gradient, what differs little in places differs more elsewhere.
     closer = regions(cielab(rgb), inside, _SLIGHT, smallest, leap=_LEAP)

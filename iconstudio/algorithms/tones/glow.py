@@ -9,7 +9,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.tones.regions import Mask, cielab, near_white, regions
+from iconstudio.algorithms.tones.regions import Mask, cielab, hull, near_white, regions
 from iconstudio.algorithms.tones.separation import blend
 
 _SOFT = 0.4
@@ -53,7 +53,7 @@ def without_glow(
     )
     rest = inside & ~fading[found.labels]
     seen = (alpha > _VISIBLE * body) & fading[found.extended]
-    if rest.sum() < _SHARE * inside.sum() or (_hull(seen) & rest).sum() < _WITHIN * rest.sum():
+    if rest.sum() < _SHARE * inside.sum() or (hull(seen) & rest).sum() < _WITHIN * rest.sum():
         return None
     if (rest & near_white(lab)).sum() > _WHITE * rest.sum():
         return None
@@ -64,10 +64,3 @@ def without_glow(
     mixed, of_rest, _ = blend(rgb, pure & rest, pure & ~rest, pure | ~inside)
     share[mixed] = of_rest
     return share, pure & rest
-
-
-def _hull(mask: Mask) -> Mask:
-    from skimage.morphology import convex_hull_image
-
-    hull: Mask = convex_hull_image(mask) if mask.any() else mask
-    return hull

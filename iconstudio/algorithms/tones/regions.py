@@ -231,6 +231,14 @@ def nearest(marked: Mask) -> Places:
     return rows, columns
 
 
+def hull(mask: Mask) -> Mask:
+    """Return the convex hull of a mask (h, w)."""
+    from skimage.morphology import convex_hull_image
+
+    whole: Mask = convex_hull_image(mask) if mask.any() else mask
+    return whole
+
+
 def _meetings(
     labels: NDArray[np.intp], lab: NDArray[np.float32]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

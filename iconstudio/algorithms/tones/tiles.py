@@ -3,7 +3,7 @@
 import numpy as np
 import scipy
 
-from iconstudio.algorithms.tones.regions import ALIKE, GREY, PALE, Mask, Regions, pale
+from iconstudio.algorithms.tones.regions import ALIKE, GREY, PALE, Mask, Regions, hull, pale
 
 SHARP, _ROUNDED, _ROUND = 0.985, 0.9, 0.76
 """How much of its bounding box a rectangle fills, a rounded square, a circle."""
@@ -68,11 +68,9 @@ def _is_tile(found: Regions, number: int) -> bool:
 
 def _is_bare_sign(found: Regions, content: Mask) -> bool:
     """Whether all that is on a tile is one convex shape: a button's, which says little alone."""
-    from skimage.morphology import convex_hull_image
-
     if len(found.areas) > 3:
         return False
-    return bool(content.sum() > _CONVEX * convex_hull_image(content).sum())
+    return bool(content.sum() > _CONVEX * hull(content).sum())
 
 
 def _is_body(found: Regions, number: int) -> bool:

@@ -20,7 +20,7 @@ from typing import NamedTuple
 import numpy as np
 
 from iconstudio.algorithms.tones.linework import THICK
-from iconstudio.algorithms.tones.regions import ALIKE, Mask, Regions, sums
+from iconstudio.algorithms.tones.regions import ALIKE, Mask, Regions, hull, sums
 from iconstudio.algorithms.tones.tiles import SHARP, rectangularity
 
 _AROUND = 0.9
@@ -114,21 +114,14 @@ def _is_bite(found: Regions, number: int, sharp: bool) -> bool:
     labels = found.labels[::_STEP, ::_STEP]
     white = labels == number
     filled = white | on_it[labels]
-    least = _BITING if filled.sum() > _CONVEX * _hull(filled).sum() else _HIDING
+    least = _BITING if filled.sum() > _CONVEX * hull(filled).sum() else _HIDING
     for one in behind:
-        if not sharp and (_hull(labels == one) & white).sum() > least * white.sum():
+        if not sharp and (hull(labels == one) & white).sum() > least * white.sum():
             return True
         parts = behind[alike[one, behind]]
         if len(parts) > 1:
-            hull = _hull(np.isin(labels, parts))
-            whole = np.isin(labels[hull], [*parts, number]).mean() > _WHOLE
-            if whole and (hull & white).sum() > _HIDING * white.sum():
+            around = hull(np.isin(labels, parts))
+            whole = np.isin(labels[around], [*parts, number]).mean() > _WHOLE
+            if whole and (around & white).sum() > _HIDING * white.sum():
                 return True
     return False
-
-
-def _hull(mask: Mask) -> Mask:
-    from skimage.morphology import convex_hull_image
-
-    hull: Mask = convex_hull_image(mask)
-    return hull

@@ -100,11 +100,9 @@ class ResultsBrowser(QSplitter):
         if not self.results.add(picture):
             return
         self.counted.emit(self.results.finished)
-        before = self._recommended.get(picture.icon.composite.style)
-        if before is not None and _place(picture) == _place(before):
-            self._recommended[before.icon.composite.style] = (
-                picture  # a symmetric one, in its place
-            )
+        style, _ = place = _place(picture)
+        if style in self._recommended and place == _place(self._recommended[style]):
+            self._recommended[style] = picture  # a symmetric one is in its place
         if self.detail.picture is None:
             self._pick(picture)
         if self._owed and picture is self.detail.picture:

@@ -10,7 +10,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.iconification.energy import RemixProblem, joined_ink, placed_sources
+from iconstudio.algorithms.iconification.energy import RemixProblem, canvas_ink, placed_sources
 from iconstudio.algorithms.iconification.guidance import (
     held,
     scribble,
@@ -124,7 +124,7 @@ def mix_icons(
     remixing = Remixing(workers, render, mix.draws, plausibility)
     numbers = iter(range(mix.first, mix.first + mix.draws))
     waiting: dict[int, tuple[Result, Remix]] = {}
-    turn, finer = mix.first, side // CANVAS
+    turn = mix.first
     try:
         while turn < mix.first + mix.draws:
             while remixing.hungry and (number := next(numbers, None)) is not None:
@@ -141,7 +141,7 @@ def mix_icons(
             while turn in waiting:
                 result, icon = waiting.pop(turn)
                 turn += 1
-                if seen.add(joined_ink(posed[0], icon.composite.labels)[::finer, ::finer]):
+                if seen.add(canvas_ink(posed[0], icon.composite.labels)):
                     yield result
     finally:
         remixing.cancel()

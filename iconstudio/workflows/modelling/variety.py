@@ -19,13 +19,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from iconstudio.algorithms.iconification.energy import Labels, joined_ink
+from iconstudio.algorithms.iconification.energy import Labels, canvas_ink
 from iconstudio.algorithms.iconification.overhang import drawn_ink
 from iconstudio.algorithms.iconification.plausibility import Plausibility
 from iconstudio.algorithms.iconification.ranking import Gallery, shares
 from iconstudio.algorithms.raster import Bitmap
 from iconstudio.limits import limited
-from iconstudio.model import CANVAS, Remix, Source
+from iconstudio.model import Remix, Source
 from iconstudio.tasks import stopped
 from iconstudio.workers import Workers, answer
 from iconstudio.workflows.drawing import MEMORY, SECONDS, Render
@@ -41,7 +41,8 @@ if TYPE_CHECKING:
 DIFFERENT = 5
 """So many results of a row shall differ to the eye."""
 YIELDING = 3
-"""So many results of a row give way to better ones at most: near-copies, the least plausible."""
+"""So many results of a row may give way to better ones: near-copies, as far as these are wanted to
+be others, though they be more, and then the least plausible."""
 WHOLES, PARTNERS = 3, 8
 """Icons that most resemble the outline, and sources that each of them is joined with."""
 JOINED = float(np.sqrt(LAMBDAS[0] * LAMBDAS[-1]))
@@ -156,20 +157,20 @@ def weak(row: Sequence[Remix], best: float | None, pose: Pose) -> Weak | None:
     ``best`` is the lambda_S of the recommended result, which stays. So do all of a row of few: each
     was asked for.
     """
-    icons = {one.composite.lambda_s: one for one in row}
-    others = sorted((value for value in icons if value != best), reverse=True)
     if len(row) <= DIFFERENT:
         return None
+    plausible = {one.composite.lambda_s: one.score.plausible or 0.0 for one in row}
+    inks = {one.composite.lambda_s: drawn_ink(one.drawing) for one in row}
     gallery, copies = Gallery(), []
-    for value in ([] if best is None else [best]) + others:
-        if not gallery.add(drawn_ink(icons[value].drawing)):
+    for value in sorted(inks, key=lambda value: (value != best, -value)):
+        if not gallery.add(inks[value]):
             copies.append(value)
     wanted = max(0, DIFFERENT - (len(row) - len(copies)))
-    enough = min(PLAUSIBLE, max(HOPELESS, median(map(_plausible, row))))
+    enough = min(PLAUSIBLE, max(HOPELESS, median(plausible.values())))
     places = [Place(value, enough) for value in copies[:wanted]]
-    left = sorted(set(others) - set(copies[:wanted]), key=lambda v: (_plausible(icons[v]), v))
+    left = sorted(inks.keys() - {best, *copies[:wanted]}, key=lambda v: (plausible[v], v))
     places += [
-        Place(value, max(PLAUSIBLE, _plausible(icons[value])))
+        Place(value, max(PLAUSIBLE, plausible[value]))
         for value in left[: max(0, YIELDING - len(places))]
     ]
     composite = row[0].composite
@@ -180,7 +181,7 @@ def weak(row: Sequence[Remix], best: float | None, pose: Pose) -> Weak | None:
     if len(names) < FEWEST:
         return None
     taken = {place.lambda_s for place in places}
-    seen = tuple(drawn_ink(one.drawing) for value, one in icons.items() if value not in taken)
+    seen = tuple(ink for value, ink in inks.items() if value not in taken)
     return Weak(composite.style, composite.sources, pose, tuple(places), seen, tuple(without))
 
 
@@ -205,9 +206,10 @@ def others(row: Weak, render: Render, plausibility: Plausibility) -> list[Other]
     left = list(row.places)
     judge = partial(worth, posed, row.sources, plausibility)
     try:
-        for cut in _cuts(row, posed, expansion, judge):
+        for promise, cut in _cuts(row, posed, expansion, judge):
             place = left[0]
-            if judge(cut.labels) < place.least or not gallery.add(_ink(posed, cut.labels)):
+            ink = canvas_ink(posed.problem.ink, cut.labels)
+            if promise < place.least or not gallery.add(ink):
                 continue
             with limited(SECONDS, MEMORY):
                 step = Step(place.lambda_s)
@@ -232,13 +234,14 @@ class Cut:
 
 def _cuts(
     row: Weak, posed: Posed, expansion: "AlphaExpansion", judge: Callable[[Labels], float]
-) -> Iterator[Cut]:
-    """Yield other labellings: those of two icons by falling plausibility, then the rest."""
-    pairs = list(joined_pairs(posed, row.sources, expansion))
-    yield from sorted(pairs, key=lambda cut: -judge(cut.labels))
+) -> Iterator[tuple[float, Cut]]:
+    """Yield how plausible other labellings are, and these: of two icons the best first, then more."""
+    pairs = [(judge(cut.labels), cut) for cut in joined_pairs(posed, row.sources, expansion)]
+    yield from sorted(pairs, key=lambda pair: -pair[0])
     for without in row.without:
         left_out = [k for k, one in enumerate(row.sources) if one.exemplar.id in without]
-        yield Cut(expansion.find_without(posed.weight(JOINED), left_out), without)
+        labels = expansion.find_without(posed.weight(JOINED), left_out)
+        yield judge(labels), Cut(labels, without)
 
 
 def joined_pairs(
@@ -272,20 +275,10 @@ def _pairs(data: NDArray[np.float32], names: Sequence[str]) -> Iterator[frozense
                 yield pair
 
 
-def _ink(posed: Posed, labels: Labels) -> Bitmap:
-    """Return the ink of a labelling (m, m) on the canvas."""
-    finer = posed.problem.side // CANVAS
-    return joined_ink(posed.problem.ink, labels)[::finer, ::finer]
-
-
 def _remix(series: CutSeries, other: Other) -> Remix:
     icon = remix_of(series, Step(other.lambda_s), other.solved)
     composite = replace(icon.composite, without=tuple(sorted(other.without)))
     return replace(icon, composite=composite)
-
-
-def _plausible(icon: Remix) -> float:
-    return icon.score.plausible or 0.0
 
 
 def _by_share(row: Iterable[Remix]) -> list[str]:
