@@ -235,7 +235,7 @@ class Cut:
 def _cuts(
     row: Weak, posed: Posed, expansion: "AlphaExpansion", judge: Callable[[Labels], float]
 ) -> Iterator[tuple[float, Cut]]:
-    """Yield how plausible other labellings are, and these: of two icons the best first, then more."""
+    """Yield other labellings, and how plausible each is: the best of two icons, then the rest."""
     pairs = [(judge(cut.labels), cut) for cut in joined_pairs(posed, row.sources, expansion)]
     yield from sorted(pairs, key=lambda pair: -pair[0])
     for without in row.without:
