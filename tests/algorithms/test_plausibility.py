@@ -69,10 +69,10 @@ def test_every_feature_is_measured():
 def test_nothing_is_wrong_with_a_drawing_itself():
     found = judged(WHEELS, WHEELS, outline=solid(WHEELS))
     for name in (
-        *("unlike_ink", "unlike_filled", "holes_of_nearest", "symmetry", "placed_ink", "gap"),
-        *("placed_filled", "patchwork_128", "patchwork_192", "foreign", "foreign_length", "seam"),
-        *("foreign_worst", "loose", "more_pieces", "fewer_pieces", "more_holes", "fewer_holes"),
-        *("new_ends", "width_spread", "widths_mixed", "moves", "missing", "missing_depth"),
+        *("unlike_ink", "unlike_filled", "holes_of_nearest", "symmetry", "placed_filled", "gap"),
+        *("foreign", "foreign_length", "seam", "foreign_worst", "loose", "more_pieces"),
+        *("fewer_pieces", "more_holes", "fewer_holes", "new_ends", "width_spread", "widths_mixed"),
+        *("moves", "missing", "missing_depth"),
     ):
         assert found[name] == pytest.approx(0, abs=1e-4), name  # a seam costs EPSILON
     assert found["iou"] == 1
@@ -98,7 +98,6 @@ def test_a_wheel_that_the_nearest_drawing_has_is_a_gap():
     found = judged(WHEELS, WHEELS, drawn=drawn)
     assert found["gap"] == pytest.approx(46 / CANVAS, rel=0.05)
     assert found["holes_of_nearest"] == pytest.approx(np.log(3 / 2))
-    assert found["patchwork_128"] > 0.3
 
 
 def test_a_picture_is_like_a_drawing_however_that_is_stretched_or_mirrored():
@@ -107,15 +106,8 @@ def test_a_picture_is_like_a_drawing_however_that_is_stretched_or_mirrored():
     found = judged(lying, lying, drawn=flipped)
     assert found["unlike_ink"] < 0.05
     assert found["unlike_filled"] < 0.05
-    assert found["placed_ink"] > 0.5
+    assert found["placed_filled"] > 0.2
     assert judged(lying, lying, drawn=disc(80))["unlike_filled"] > 0.2
-
-
-def test_one_source_explains_wide_windows_of_what_it_drew():
-    other = box(160, 12, 0, 60) | box(12, 120, -60, 0)
-    one, two = judged(WHEELS, other, labels=0 * HALVES), judged(WHEELS, other)
-    assert one["patchwork_128"] == one["patchwork_192"] == 0
-    assert two["patchwork_192"] > two["patchwork_128"] > 0.1
 
 
 def test_a_step_in_a_contour_is_foreign():

@@ -28,10 +28,6 @@ NEAR = 6.0
 """Ends of lines so near to each other, in canvas pixels, are the same."""
 SEVERAL = 5
 """How many of the nearest drawings are asked."""
-WIDE = 128, 192
-"""Sides of the windows in which one source should explain the picture, in canvas pixels."""
-_CELL = 4
-"""Side of the cells by which windows are counted, in canvas pixels."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,7 +96,7 @@ def features(remixed: Remixed) -> dict[str, float]:
     """Return the features by name; NaN where one is not known."""
     return {
         **_nearest(remixed),
-        **_patchwork(remixed),
+        **_placed(remixed),
         **_contour(remixed),
         **_parts(remixed),
         **_sharing(remixed),
@@ -123,27 +119,18 @@ def _nearest(remixed: Remixed) -> dict[str, float]:
     }
 
 
-def _patchwork(remixed: Remixed) -> dict[str, float]:
-    """Return how badly single sources explain the picture, and wide windows of it, as they lie."""
-    own, size = remixed.own, max(1, remixed.own.area)
-    apart = np.stack([one.ink for one in remixed.looks]) ^ own.ink
+def _placed(remixed: Remixed) -> dict[str, float]:
+    """Return how unlike the filled picture is to single sources as they lie, and what it lacks."""
+    own = remixed.own
     filled = np.stack([one.filled for one in remixed.looks])
     outside = (filled ^ own.filled).sum(axis=(1, 2)) / np.maximum(
         1, (filled | own.filled).sum(axis=(1, 2))
     )
-    ink = apart.sum(axis=(1, 2)) / size
     nearest = filled[int(outside.argmin())]
-    found = {
-        "placed_ink": float(np.sort(ink)[:SEVERAL].mean()),
+    return {
         "placed_filled": float(np.sort(outside)[:SEVERAL].mean()),
         "gap": _depth(nearest & ~own.filled) / CANVAS,
     }
-    cells, inked = _cells(apart), _cells(own.ink[None])
-    for side in WIDE:
-        windows = scipy.ndimage.uniform_filter(cells, (0, side // _CELL, side // _CELL))
-        there = scipy.ndimage.uniform_filter(inked, (0, side // _CELL, side // _CELL))
-        found[f"patchwork_{side}"] = float(windows.min(axis=0).sum() / max(1e-6, there.sum()))
-    return found
 
 
 def _contour(remixed: Remixed) -> dict[str, float]:
@@ -221,14 +208,6 @@ def _misfit(remixed: Remixed) -> dict[str, float]:
         "missing_depth": float(_depth(missing) / np.sqrt(size)),
         "iou": overlap(own.filled, outline.ink),
     }
-
-
-def _cells(pictures: NDArray[np.bool_]) -> NDArray[np.float32]:
-    """Return how much of each cell is set, (K, CANVAS / _CELL, CANVAS / _CELL)."""
-    k, n = len(pictures), CANVAS // _CELL
-    rows = pictures.reshape(k, n, _CELL, CANVAS).sum(axis=2, dtype=np.uint8)
-    cells: NDArray[np.float32] = rows.reshape(k, n, n, _CELL).sum(axis=3, dtype=np.float32)
-    return cells
 
 
 def _depth(shape: Bitmap) -> float:

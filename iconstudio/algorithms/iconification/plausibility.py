@@ -9,18 +9,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-VERSION = 1
+VERSION = 2
 """That of the features: weights fitted to others fit no more."""
 FEATURES = (
     "unlike_ink",
     "unlike_filled",
     "holes_of_nearest",
     "symmetry",
-    "placed_ink",
     "placed_filled",
     "gap",
-    "patchwork_128",
-    "patchwork_192",
     "foreign",
     "foreign_length",
     "foreign_worst",
