@@ -124,7 +124,8 @@ def _painted(
     around = 2 * (_NEAR * m // CANVAS) + 1
     highest = scipy.ndimage.maximum_filter(labels, around)
     border = highest != scipy.ndimage.minimum_filter(labels, around)
-    blocks = np.argwhere(border & in_blocks(seen, s).any(axis=(1, 3)))
+    blocks = np.argwhere(border)
+    blocks = blocks[in_blocks(seen, s)[at(blocks)].any(axis=(1, 2))]
     total, paint = (np.zeros((len(blocks), s, s, depth), np.float32) for depth in (1, 3))
     for share in soft_regions(labels, _BLUR, _REACH):
         rows = share.rows(blocks)

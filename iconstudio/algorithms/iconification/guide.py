@@ -168,6 +168,8 @@ def check_inner(inner: Inner, outline: Bitmap) -> None:
     IconstudioError
         A sentence that says which one.
     """
+    if not (inner.holes or inner.lines):
+        return
     side = len(outline)
     away = scipy.ndimage.distance_transform_edt(~outline) * CANVAS / side
     for name, shapes in (

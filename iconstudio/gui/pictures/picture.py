@@ -214,7 +214,7 @@ def same(one: Picture, other: Picture) -> bool:
 def pictured(
     events: Generator[Event],
     title: str = "",
-    side: int = COLOUR_CODE_SIZE,
+    side: int | None = None,
     colours: "Callable[[Icon], Palette | None]" = lambda icon: None,
 ) -> Generator["Event | Picture"]:
     """Pass ``events`` on, with a ``Picture`` in place of each result.
@@ -226,7 +226,7 @@ def pictured(
     title
         What to call the results; empty leaves them as they are.
     side
-        Of the colour-coded pictures, in pixels.
+        Of the colour-coded pictures, in pixels; None: enough for the large view.
     colours
         Returns the colours of an icon's sources; None: those that its composite gives them.
     """
@@ -249,14 +249,15 @@ def picture_of(icon: Icon, size: int | None = None) -> Picture:
     That one is made at once, for a thread that has nothing to do later; as long as somebody has
     the picture, it is not made again.
     """
-    picture = _made.get(id(icon)) or _drawn(icon, size or COLOUR_CODE_SIZE)
+    picture = _made.get(id(icon)) or _drawn(icon, size)
     _ = picture.coded
     return picture
 
 
 def _drawn(
-    icon: Icon, side: int, colours: "Palette | None" = None, preview: bool = False
+    icon: Icon, side: int | None, colours: "Palette | None" = None, preview: bool = False
 ) -> Picture:
+    side = side or COLOUR_CODE_SIZE
     picture = Picture(icon, painter_path(icon.path), colours, side, preview)
     _ = picture.shapes
     _made[id(icon)] = picture
