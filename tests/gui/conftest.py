@@ -6,7 +6,6 @@ except ImportError:
     pass
 else:
     from fixtures import (  # noqa: F401
-        frozen,
         look,
         no_thread_is_left,
         no_warnings_of_qt,

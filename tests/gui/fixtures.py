@@ -66,20 +66,12 @@ def no_warnings_of_qt(qtlog):
     assert not bad, bad
 
 
-@pytest.fixture(scope="session", autouse=True)
-def frozen():
-    """What was there before, compilers and all, need not be searched for garbage each time."""
-    gc.collect()
-    gc.freeze()
-    yield
-    gc.unfreeze()
-
-
 @pytest.fixture(autouse=True)
 def no_thread_is_left():
     before = set(threading.enumerate())
     yield
     gc.collect()
+    gc.freeze()  # what is still there stays, and is not searched after each test
     # A QThread that has ended may still be listed as a dummy; it has no life of its own.
     left = [
         thread
