@@ -1,21 +1,34 @@
-"""Symmetric results in the places of recommended ones."""
+"""Symmetric results in the places of others of their row."""
 
 from dataclasses import replace
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
 
-from iconstudio.algorithms.iconification.symmetry import reflected
-from iconstudio.model import CANVAS, Axis
+from iconstudio.algorithms.iconification.energy import joined_ink
+from iconstudio.algorithms.iconification.symmetry import likeness, reflected
+from iconstudio.algorithms.raster import placed_ink
+from iconstudio.model import CANVAS, Axis, Placement
 from iconstudio.svg.placed import render_placed
 from iconstudio.workflows.events import Result
 from iconstudio.workflows.grid import Recommending
 from iconstudio.workflows.modelling.modelling import pose_sketch
-from iconstudio.workflows.modelling.symmetric import _plausible, with_symmetric
-from iconstudio.workflows.remixing import Remixing
-from tests.output.made import SKETCH, made, quarters
+from iconstudio.workflows.modelling.symmetric import (
+    _plausible,
+    halves_mirrored,
+    row_of,
+    symmetric,
+    with_symmetric,
+)
+from tests.output.made import SKETCH, SOURCES, made, quarters
 
-AXIS = Axis.HORIZONTAL
+BLOCK = 2
+SIDE = np.zeros((CANVAS, CANVAS), np.uint8)
+SIDE[:, 160:] = BLOCK
+"""A ring whose right end is that of a block: even in the middle."""
 
 
 class Fixed:
@@ -32,29 +45,77 @@ def pose(sources):
     return pose_sketch(SKETCH.fitted(), CANVAS, (), sources)
 
 
-def run(workers, before, after, axis=AXIS):
+def row(labels, best=0.1):
+    """A row of two results: one of these labels, and a ring."""
+    icons = {0.1: made(labels, 0.1), 0.2: made(0 * labels, 0.2)}
+    return row_of(icons, best, pose, Axis.HORIZONTAL)
+
+
+def values(row):
+    return [lambda_s for lambda_s, _ in symmetric(row, render_placed, Fixed(0.6))]
+
+
+def run(workers, labels, before, after, axis=Axis.HORIZONTAL):
     """Return the recommended result, and what came after it; both with these plausibilities."""
-    icon = made(quarters())
+    icon = made(labels)
     icon = replace(icon, score=replace(icon.score, plausible=before))
     events = Recommending(1).after(iter([Result(icon)]))
-    remixing = Remixing(workers, render_placed, 1, Fixed(after))
+    events = with_symmetric(events, axis, pose, workers, render_placed, Fixed(after))
     return icon, [
-        event.icon
-        for event in with_symmetric(events, axis, pose, remixing)
-        if isinstance(event, Result) and event.icon is not icon
+        event.icon for event in events if isinstance(event, Result) and event.icon is not icon
     ]
 
 
 def test_a_symmetric_result_takes_the_place_of_a_less_plausible_one(workers):
-    icon, (symmetric,) = run(workers, 0.3, 0.6)
-    one, other = icon.composite, symmetric.composite
-    assert (other.style, other.lambda_s, other.symmetry) == (one.style, one.lambda_s, AXIS)
-    assert other.sources == one.sources
-    assert np.array_equal(other.labels, reflected(other.labels, AXIS))
-    assert not np.array_equal(one.labels, reflected(one.labels, AXIS))
-    problem = pose(one.sources).problem
-    data, smoothness = problem.costs(other.labels)
+    icon, (mirrored,) = run(workers, SIDE, 0.3, 0.6)
+    one, other = icon.composite, mirrored.composite
+    assert (other.style, other.lambda_s) == (one.style, one.lambda_s)
+    assert other.symmetry is Axis.HORIZONTAL
+    before, after = (
+        likeness(some.drawing.coverage > 127, Axis.HORIZONTAL) for some in (icon, mirrored)
+    )
+    assert before < 0.95 and after > 0.995
+    data, smoothness = pose(other.sources).problem.costs(other.labels)
     assert other.energy == pytest.approx(data + one.lambda_s * smoothness)
+
+
+def test_what_is_uneven_in_the_middle_is_not_mirrored():
+    assert values(row(quarters())) == [0.2]
+
+
+def test_about_another_axis_places_that_mirror_each_other_have_one_source(workers):
+    icon, (cut,) = run(workers, quarters(), 0.3, 0.6, Axis.VERTICAL)
+    assert cut.composite.sources == icon.composite.sources
+    assert np.array_equal(cut.composite.labels, reflected(cut.composite.labels, Axis.VERTICAL))
+
+
+def test_only_a_used_source_that_is_no_mirror_image_of_itself_gets_one():
+    one = row(quarters())
+    sources = one.sources
+    assert sources[: len(SOURCES)] == SOURCES
+    (added,) = sources[len(SOURCES) :]
+    assert added.placement == Placement(1.1, False, -12, -3)
+    assert one.twins.tolist() == [0, 4, 2, 3, 1]
+    inks = [placed_ink(one.exemplar, one.placement)[0] for one in sources]
+    assert np.array_equal(inks[4], inks[1][:, ::-1])
+
+
+@given(st.integers(0, 2**32 - 1), arrays(np.uint8, (8, 8), elements=st.integers(0, 4)))
+def test_a_half_and_its_mirror_image_are_a_symmetric_picture(seed, labels):
+    ink = np.random.default_rng(seed).random((5, 8, 8)) < 0.5
+    twins = np.array([1, 0, 3, 2, 4], np.uint8)
+    for k, twin in enumerate(twins):
+        ink[max(k, twin)] = ink[min(k, twin)][:, ::-1]
+    ink[4] |= ink[4][:, ::-1]
+    left, right = (joined_ink(ink, some) for some in halves_mirrored(labels, twins))
+    whole = joined_ink(ink, labels)
+    assert np.array_equal(left, np.concatenate([whole[:, :4], whole[:, 3::-1]], axis=1))
+    assert np.array_equal(right, np.concatenate([whole[:, :3:-1], whole[:, 4:]], axis=1))
+
+
+def test_the_recommended_result_comes_first():
+    assert values(row(SIDE)) == [0.1]  # of the other one, the half that is the same
+    assert values(row(SIDE, best=0.2)) == [0.2, 0.1]
 
 
 def test_a_symmetric_result_that_loses_what_is_inside_takes_no_place():
@@ -64,8 +125,10 @@ def test_a_symmetric_result_that_loses_what_is_inside_takes_no_place():
     assert _plausible(lost) < _plausible(shown)
 
 
-@pytest.mark.parametrize(("before", "after", "axis"), [(0.5, 0.5, AXIS), (0.3, 0.6, None)])
+@pytest.mark.parametrize(
+    ("before", "after", "axis"), [(0.5, 0.5, Axis.HORIZONTAL), (0.3, 0.6, None)]
+)
 def test_nothing_takes_the_place_of_what_is_as_plausible_or_has_no_axis(
     workers, before, after, axis
 ):
-    assert run(workers, before, after, axis)[1] == []
+    assert run(workers, SIDE, before, after, axis)[1] == []

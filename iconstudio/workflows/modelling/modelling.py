@@ -28,7 +28,7 @@ from iconstudio.workflows.modelling.best import with_best
 from iconstudio.workflows.modelling.symmetric import with_symmetric
 from iconstudio.workflows.modelling.variety import with_variety
 from iconstudio.workflows.pinning import PinnedPart, idle_pins, pinned_parts, pinning
-from iconstudio.workflows.remixing import Remixing, RemixResources
+from iconstudio.workflows.remixing import RemixResources
 from iconstudio.workflows.solving import Posed
 
 FEWEST = 4
@@ -113,8 +113,8 @@ def model(
         yield from events
         return
     axis = propose(silhouette, MIRRORED) if sketch.symmetry is None else None
-    events = with_symmetric(events, axis, pose, Remixing(workers, render, 1, plausibility))
-    yield from with_best(with_variety(events, pose, workers, render, plausibility))
+    events = with_variety(events, pose, workers, render, plausibility)
+    yield from with_best(with_symmetric(events, axis, pose, workers, render, plausibility))
 
 
 def fitted_sketch(sketch: Sketch) -> Sketch:

@@ -1,29 +1,87 @@
 """Symmetric results of an outline that is nearly symmetric, where these are more plausible.
 
-An addition to section 3.4: the recommended result of each row is cut again so that places that
-mirror each other have one source (equation 9). This comes after all of the rows.
+An addition to section 3.4, whose constraint (equation 9) gives places that mirror each other one
+source, which need not look the same there. About the vertical axis a source can be mirrored, too:
+there either half of each result of a row is mirrored onto the other. About another axis the
+recommended result is cut again under the constraint. This comes after all of the rows.
 """
 
-from collections.abc import Callable, Generator
+from collections import defaultdict
+from collections.abc import Callable, Generator, Iterator
+from concurrent.futures import CancelledError, wait
 from contextlib import closing
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 
-from iconstudio.model import Axis, Remix, Source
+import numpy as np
+from numpy.typing import NDArray
+
+from iconstudio.algorithms.iconification.energy import Labels, canvas_ink
+from iconstudio.algorithms.iconification.plausibility import Plausibility
+from iconstudio.algorithms.iconification.ranking import Gallery
+from iconstudio.algorithms.iconification.symmetry import likeness
+from iconstudio.algorithms.raster import Bitmap, placed_ink
+from iconstudio.limits import limited
+from iconstudio.model import CANVAS, Axis, Remix, Source
+from iconstudio.tasks import stopped
+from iconstudio.workers import Workers, answer
+from iconstudio.workflows.drawing import MEMORY, SECONDS, Render
 from iconstudio.workflows.events import Event, Progress, Recommended, Result
-from iconstudio.workflows.remixing import Remixing
-from iconstudio.workflows.solving import CutSeries, Posed
+from iconstudio.workflows.remixing import PROMPT, remix_of
+from iconstudio.workflows.solving import CutSeries, Posed, Solved, Step, finished, worth
 
 Pose = Callable[[tuple[Source, ...]], Posed]
 
+TRIED = 3
+"""Of the labellings that are mirrored, so many are drawn for each row: the recommended one's, and
+the most plausible."""
+MIDDLE, EVEN = 16, 0.9
+"""What lies so near to the axis, in canvas pixels, overlaps its mirror image so far already: else
+mirroring a half would bend it."""
+ALIKE = 0.98
+"""A source that overlaps its own mirror image by more needs no mirrored one."""
+
+
+@dataclass(frozen=True, eq=False)
+class Row:
+    """The results of a style. It can be pickled, to go to another process.
+
+    Attributes
+    ----------
+    sources
+        With the mirror images of those that are used, if the axis is the vertical one.
+    twins
+        (K,): the number of each source's mirror image; of what nobody uses, its own.
+    labels
+        (m, m) by lambda_S; that of the recommended result first.
+    """
+
+    style: str
+    sources: tuple[Source, ...]
+    twins: NDArray[np.uint8]
+    labels: dict[float, Labels]
+    pose: Pose
+    axis: Axis
+
+    def series(self, lambda_s: float) -> CutSeries:
+        """Return the problem of one result."""
+        pose = partial(self.pose, self.sources)
+        return CutSeries(self.style, self.sources, pose, (lambda_s,), symmetry=self.axis)
+
 
 def with_symmetric(
-    events: Generator[Event], axis: Axis | None, pose: Pose, remixing: Remixing
+    events: Generator[Event],
+    axis: Axis | None,
+    pose: Pose,
+    workers: Workers,
+    render: Render,
+    plausibility: Plausibility | None,
 ) -> Generator[Event]:
     """Pass on the events of a grid, and then yield symmetric results that are more plausible.
 
-    Each is a ``Result`` that takes the place of the recommended one of its row, and whose composite
-    says that it was held to a symmetry. Closing the generator cancels what is left.
+    Each is a ``Result`` that takes the place of another one of its row, and whose composite says
+    that it was held to a symmetry. Closing the generator cancels what is left. Without
+    ``plausibility`` there are none.
 
     Parameters
     ----------
@@ -31,42 +89,118 @@ def with_symmetric(
         About which the outline is nearly symmetric, if about any.
     pose
         Makes of a style's sources the problem that is to be solved; must be picklable.
-    remixing
-        Solves the symmetric ones.
     """
-    made: dict[tuple[str, float | None], Remix] = {}
-    best: dict[str, Remix] = {}
+    made: dict[str, dict[float, Remix]] = defaultdict(dict)
+    best: dict[str, float] = {}
     with closing(events):
         for event in events:
             yield event
             match event:
                 case Result(icon=Remix() as icon, preview=False):
-                    made[icon.composite.style, icon.composite.lambda_s] = icon
+                    made[icon.composite.style][icon.composite.lambda_s] = icon
                 case Recommended(style, lambda_s) if lambda_s is not None:
-                    best[style] = made[style, lambda_s]
-    if axis is None:
+                    best[style] = lambda_s
+    if axis is None or plausibility is None:
         return
+    ticket = workers.ticket()
     try:
-        for icon in best.values():
-            one = icon.composite
-            posed = partial(pose_symmetric, pose, axis, one.sources)
-            remixing.start(CutSeries(one.style, one.sources, posed, (one.lambda_s,), symmetry=axis))
-        while remixing.busy:
-            for event in remixing.ready(wanted=True):
-                match event:
-                    case Result(icon=Remix() as icon):
-                        if _plausible(icon) > _plausible(best[icon.composite.style]):
-                            yield event
-                    case Progress():
-                        yield Progress("symmetry", event.done, "Making symmetric ones")
+        rows = [row_of(made[style], value, pose, axis) for style, value in best.items()]
+        asked = {
+            workers.submit(symmetric, row, render, plausibility, ticket=ticket): row for row in rows
+        }
+        left = set(asked)
+        while left:
+            done, left = wait(left, PROMPT)
+            for future in done:
+                row = asked[future]
+                for lambda_s, solved in answer(future, "Making a result symmetric"):
+                    icon = remix_of(row.series(lambda_s), Step(lambda_s), solved)
+                    if _plausible(icon) > _plausible(made[row.style][lambda_s]):
+                        yield Result(icon)
+            yield Progress("symmetry", 1 - len(left) / len(rows), "Making symmetric ones")
     finally:
-        remixing.cancel()
+        ticket.stop()
 
 
-def pose_symmetric(pose: Pose, axis: Axis, sources: tuple[Source, ...]) -> Posed:
-    """Pose a row's problem with a symmetry. What a labelling costs is the same."""
-    posed = pose(sources)
-    return replace(posed, problem=replace(posed.problem, symmetry=axis))
+def row_of(made: dict[float, Remix], best: float, pose: Pose, axis: Axis) -> Row:
+    """Return a style's results, by lambda_S, as they are to be made symmetric."""
+    first = made[best].composite
+    labels = {best: first.labels} | {value: one.composite.labels for value, one in made.items()}
+    sources, twins = list(first.sources), list(range(len(first.sources)))
+    for k in np.unique(np.stack(list(labels.values()))).tolist():
+        source = sources[k]
+        ink, _ = placed_ink(source.exemplar, source.placement)
+        if axis is Axis.HORIZONTAL and likeness(ink, axis) < ALIKE:
+            twins[k] = len(sources)
+            twins.append(k)
+            sources.append(replace(source, placement=source.placement.mirrored))
+    return Row(first.style, tuple(sources), np.array(twins, np.uint8), labels, pose, axis)
+
+
+def symmetric(row: Row, render: Render, plausibility: Plausibility) -> list[tuple[float, Solved]]:
+    """Return symmetric results of a row by lambda_S. Runs in a worker process.
+
+    Raises
+    ------
+    CancelledError
+        As soon as they are no longer wanted.
+    """
+    from iconstudio.algorithms.iconification.block_expansion import Stopped
+
+    posed = row.pose(row.sources)
+    try:
+        if row.axis is Axis.HORIZONTAL:
+            cuts = list(_mirrored(row, posed, plausibility))
+        else:
+            posed = replace(posed, problem=replace(posed.problem, symmetry=row.axis))
+            cuts = [_cut_again(row, posed)]
+    except Stopped:
+        raise CancelledError from None
+    found = []
+    for lambda_s, labels in cuts:
+        with limited(SECONDS, MEMORY):
+            series, step = row.series(lambda_s), Step(lambda_s)
+            solved = finished(posed, series, step, labels, render, plausibility)
+        found.append((lambda_s, solved))
+    return found
+
+
+def halves_mirrored(labels: Labels, twins: NDArray[np.uint8]) -> Iterator[Labels]:
+    """Yield a labelling (m, m) with its left half mirrored onto the right one, and the reverse."""
+    half, other = len(labels) // 2, twins[labels][:, ::-1]
+    for kept, mirrored in ((labels, other), (other, labels)):
+        yield np.concatenate([kept[:, :half], mirrored[:, half:]], axis=1)
+
+
+def _mirrored(row: Row, posed: Posed, plausibility: Plausibility) -> Iterator[tuple[float, Labels]]:
+    """Yield what mirroring a half gives: of the recommended result, and what is most plausible."""
+    gallery = Gallery()
+    cuts: list[tuple[float, float, Labels]] = []
+    for lambda_s, whole in row.labels.items():
+        if stopped() or not _even(canvas_ink(posed.problem.ink, whole)):
+            continue
+        halves = [
+            (worth(posed, row.sources, plausibility, labels), lambda_s, labels)
+            for labels in halves_mirrored(whole, row.twins)
+            if gallery.add(canvas_ink(posed.problem.ink, labels))
+        ]
+        cuts += sorted(halves, key=lambda cut: -cut[0])[:1]
+    recommended = next(iter(row.labels))
+    cuts.sort(key=lambda cut: (cut[1] != recommended, -cut[0]))
+    yield from ((lambda_s, labels) for _, lambda_s, labels in cuts[:TRIED])
+
+
+def _even(ink: Bitmap) -> bool:
+    """Whether the middle of a picture is its own mirror image already."""
+    middle = ink[:, CANVAS // 2 - MIDDLE : CANVAS // 2 + MIDDLE]
+    return not middle.any() or likeness(middle, Axis.HORIZONTAL) >= EVEN
+
+
+def _cut_again(row: Row, posed: Posed) -> tuple[float, Labels]:
+    from iconstudio.algorithms.iconification.alpha_expansion import AlphaExpansion
+
+    lambda_s = next(iter(row.labels))
+    return lambda_s, AlphaExpansion(posed.problem, stopped).solve(posed.weight(lambda_s))
 
 
 def _plausible(icon: Remix) -> float:
