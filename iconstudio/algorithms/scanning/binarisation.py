@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from iconstudio.algorithms.scanning.behind import left_behind
 from iconstudio.algorithms.scanning.checkerboard import without_checkerboard
 from iconstudio.algorithms.scanning.darkness import darkness, ground_of, seen_through
+from iconstudio.algorithms.scanning.dithering import without_dithering
 from iconstudio.algorithms.scanning.doubts import (
     LEAST,
     PLAIN,
@@ -182,7 +183,7 @@ def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
     """
     if is_plain(pixels):
         raise IconstudioError(PLAIN)
-    pixels = at_own_resolution(in_squares(pixels))
+    pixels = at_own_resolution(without_dithering(in_squares(pixels)))
     if is_noise(pixels):
         return replace(scanned(pixels, inverted), found=False)
     opaque = pixels.shape[2] == 3

@@ -3,6 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.scanning.averaging import averaged
 from iconstudio.algorithms.scanning.ground import ASTRAY, Ground, ground_of
 from iconstudio.algorithms.scanning.palette import evenly_painted
 from iconstudio.algorithms.scanning.resampling import premultiplied
@@ -33,7 +34,7 @@ def without_noise(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
     """Return a bitmap (h, w, 3) from a lossy file without noise; a large one or any other as it is.
 
     A drawing in one colour has no others at its edges. In a small one, each pixel becomes the mean
-    of those around that differ little (C. Tomasi, R. Manduchi, 1998).
+    of those around that differ little.
     """
     if pixels.shape[2] == 4 or max(pixels.shape[:2]) > _FRINGED:
         return pixels
@@ -100,16 +101,6 @@ def _median(values: NDArray[np.float32], weights: NDArray[np.float32]) -> NDArra
 
 
 def _smoothed(levels: NDArray[np.float32]) -> NDArray[np.float32]:
-    height, width = levels.shape[:2]
     for _ in range(_ROUNDS):
-        around = np.pad(levels, [(_REACH, _REACH), (_REACH, _REACH), (0, 0)], mode="edge")
-        total, weights = np.zeros_like(levels), np.zeros_like(levels[..., :1])
-        for y, x in np.ndindex(2 * _REACH + 1, 2 * _REACH + 1):
-            other = around[y : y + height, x : x + width]
-            apart = (((other - levels) @ _YCBCR.T) ** 2).sum(axis=2, keepdims=True)
-            distance = (y - _REACH) ** 2 + (x - _REACH) ** 2
-            weight = np.exp(-apart / (2 * _LEVELS**2) - distance / (2 * _WIDTH**2))
-            total += weight * other
-            weights += weight
-        levels = total / weights
+        levels = averaged(levels, levels @ _YCBCR.T, _LEVELS, _WIDTH, _REACH)
     return levels

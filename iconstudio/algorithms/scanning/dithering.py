@@ -1,0 +1,100 @@
+"""Pictures in few colours, dithered to show more of these: what they show is taken back.
+
+Ordered dithering (B. Bayer, 1973) and error diffusion (R. Floyd, L. Steinberg, 1976) strew pixels
+of one colour among those of another. What one sees there is the mean.
+"""
+
+import numpy as np
+import scipy
+from numpy.typing import NDArray
+
+from iconstudio.algorithms.scanning.averaging import averaged
+from iconstudio.algorithms.scanning.resampling import shrunk
+from iconstudio.algorithms.tones.regions import nearest
+
+_MOST = 256
+"""Colours of a dithered picture."""
+_SMALLEST, _LONGEST = 48, 512
+"""Pixels of the shorter side of a dithered picture, at least: smaller ones may be codes of squares;
+and of the longer side of one of which more are not averaged, but shrunk."""
+_WIDE = 8
+"""Pixels across of an area that is dithered, at least: as many as ordered patterns repeat in."""
+_GRAINS, _SHARE = 0.05, 0.03
+"""How many of its pixels are grains, at least; how much of a dithered picture is such an area."""
+_AGAIN, _AROUND = 4, 9
+"""How often the colour of a grain is there, itself included, among so many pixels across."""
+_OFF = 8.0
+"""Levels of a channel by which grains differ from what is beside them, at least."""
+_BLUR = 1.2
+"""Pixels by which a picture is blurred to tell what is alike in it."""
+_APART, _WIDTH, _REACH, _ROUNDS = 25.0, 2.5, 5, 2
+"""Levels of what is alike; pixels over which it is averaged, and at most; how often."""
+
+
+def without_dithering(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """Return a picture (h, w, 3 or 4) with the means of what is dithered; any other as it is.
+
+    A large one is made smaller.
+    """
+    if min(pixels.shape[:2]) < _SMALLEST or len(np.unique(_packed(pixels))) > _MOST:
+        return pixels
+    if dithered(pixels).mean() < _SHARE:
+        return pixels
+    step = -(-max(pixels.shape[:2]) // _LONGEST)
+    if step > 1:
+        pixels = np.rint(shrunk(pixels, step) * 255).astype(np.uint8)
+    area = scipy.ndimage.binary_dilation(dithered(pixels), np.ones((3, 3)))
+    means = pixels.copy()
+    means[area, :3] = np.rint(np.clip(_means(pixels), 0, 255))[area]
+    return means
+
+
+def dithered(pixels: NDArray[np.uint8]) -> NDArray[np.bool_]:
+    """Return where (h, w) grains of colours are strewn among others, on a picture (h, w, 3 or 4).
+
+    A grain is lighter than all that is beside it, or darker: the greys of edges lie between. And
+    there are more of just its colour near, as there are seldom in fine details.
+    """
+    levels = pixels[..., :3].astype(np.float32)
+    if pixels.shape[2] == 4:
+        levels[pixels[..., 3] == 0] = np.nan
+    padded = np.pad(levels, [(1, 1), (1, 1), (0, 0)], mode="edge")
+    beside = padded[:-2, 1:-1], padded[2:, 1:-1], padded[1:-1, :-2], padded[1:-1, 2:]
+    off = np.stack([levels - one for one in beside])
+    extreme = np.maximum(off.min(axis=0), -off.max(axis=0))
+    grains = _repeated(pixels, (extreme > _OFF).any(axis=2))
+    dense = scipy.ndimage.uniform_filter(grains.astype(np.float32), _WIDE) > _GRAINS
+    area: NDArray[np.bool_] = scipy.ndimage.binary_opening(dense, np.ones((_WIDE, _WIDE)))
+    return area
+
+
+def _repeated(pixels: NDArray[np.uint8], grains: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return which grains (h, w) have others of the same colour near."""
+    packed = _packed(pixels)
+    repeated = np.zeros_like(grains)
+    least = (_AGAIN - 0.5) / _AROUND**2
+    for colour in np.unique(packed[grains]):
+        same = grains & (packed == colour)
+        repeated |= same & (scipy.ndimage.uniform_filter(same.astype(np.float32), _AROUND) > least)
+    return repeated
+
+
+def _means(pixels: NDArray[np.uint8]) -> NDArray[np.float32]:
+    """Return a picture (h, w, 3) with the mean of what is alike around each pixel.
+
+    What is alike is told first by how the picture looks when it is blurred a little, then by this
+    mean itself.
+    """
+    levels = pixels[..., :3].astype(np.float32)
+    if pixels.shape[2] == 4:  # nothing has the colour of what lies nearest
+        levels = levels[nearest(pixels[..., 3] > 0)]
+    means: NDArray[np.float32] = scipy.ndimage.gaussian_filter(levels, (_BLUR, _BLUR, 0))
+    for _ in range(_ROUNDS):
+        means = averaged(levels, means, _APART, _WIDTH, _REACH)
+    return means
+
+
+def _packed(pixels: NDArray[np.uint8]) -> NDArray[np.int64]:
+    """Return the colours (h, w) of a picture (h, w, c), each as a number."""
+    packed: NDArray[np.int64] = pixels.astype(np.int64) @ (1 << 8 * np.arange(pixels.shape[2]))
+    return packed
