@@ -19,8 +19,9 @@ _SMALLEST, _LONGEST = 48, 512
 and of the longer side of one of which more are not averaged, but shrunk."""
 _WIDE = 8
 """Pixels across of an area that is dithered, at least: as many as ordered patterns repeat in."""
-_GRAINS, _SHARE = 0.05, 0.03
-"""How many of its pixels are grains, at least; how much of a dithered picture is such an area."""
+_GRAINS, _SHARE, _LEAST = 0.05, 0.03, 400
+"""How many of its pixels are grains, at least; how much of a dithered picture, and how many pixels
+of it, are such an area."""
 _AGAIN, _AROUND = 4, 9
 """How often the colour of a grain is there, itself included, among so many pixels across."""
 _OFF = 8.0
@@ -38,7 +39,8 @@ def without_dithering(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
     """
     if min(pixels.shape[:2]) < _SMALLEST or len(np.unique(_packed(pixels))) > _MOST:
         return pixels
-    if dithered(pixels).mean() < _SHARE:
+    area = dithered(pixels)
+    if area.sum() < max(_LEAST, _SHARE * area.size):
         return pixels
     step = -(-max(pixels.shape[:2]) // _LONGEST)
     if step > 1:
