@@ -16,7 +16,7 @@ from iconstudio.model.pictogram import OWN
 from iconstudio.svg.credits import UNLICENSED, UNNAMED
 from iconstudio.svg.lengths import written
 from iconstudio.svg.mark import IN_MARKUP
-from iconstudio.svg.omitted import OMITTED, THIN
+from iconstudio.svg.omitted import THIN, said_of
 from iconstudio.workers import Workers
 
 _SECONDS = 30.0
@@ -93,7 +93,7 @@ def trace(
     digest = hashlib.sha256(svg.encode()).hexdigest()[:8]
     credit = Credit(name, UNNAMED, UNLICENSED, "", "")
     said = [remark, _PHOTO if scan.shaded else "", THIN if thin else "", _DOTS if dotted else ""]
-    said += [one for what, one in OMITTED.items() if what in scan.omissions]
+    said += said_of(scan.omissions)
     if scan.coloured is not None and threshold in (None, scan.threshold):
         pass  # its colours were told apart, however pale
     elif threshold is None and scan.threshold < _FAINTEST:

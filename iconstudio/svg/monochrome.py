@@ -20,6 +20,7 @@ import scipy
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.tones.alternation import Omission
+from iconstudio.algorithms.tones.halo import without_halo
 from iconstudio.algorithms.tones.layers import flattened, left_out
 from iconstudio.algorithms.tones.tone import Paints, near_white, paints, pictogram
 from iconstudio.algorithms.tracing.vectorize import trace
@@ -30,7 +31,7 @@ from iconstudio.svg.geometry import missing_letters
 from iconstudio.svg.lengths import Box, mapped
 from iconstudio.svg.mark import in_black_and_white
 from iconstudio.svg.near import brought_near
-from iconstudio.svg.omitted import OMITTED, THIN
+from iconstudio.svg.omitted import THIN, said_of
 from iconstudio.svg.paint import is_of_one_paint
 from iconstudio.svg.plain import Plain, document
 from iconstudio.svg.resvg import render_colours, render_coverage
@@ -139,7 +140,7 @@ def in_black(drawing: Plain, rdf: ET.Element | None) -> tuple[str, tuple[str, ..
                 "Its lines are too thin to be seen at the size of an icon. Make them thicker."
             )
         remarks.append(THIN)
-    remarks += [said for what, said in OMITTED.items() if what in picture.omissions]
+    remarks += said_of(picture.omissions)
     around = frame.x, frame.y, frame.size, frame.size
     is_page = drawing.page is not None and OFF_PAGE not in remarks
     page = box if is_page and frame.size > _SMALL * max(box[2:]) else around
@@ -219,8 +220,12 @@ def _picture(
         render_colours(svg, frame, CANVAS, fonts)
         size = CANVAS if process_time() - start > _SLOW else 2 * CANVAS
     drawn = render_colours(svg, frame, size, fonts)
+    bare = without_halo(drawn)
+    drawn = drawn if bare is None else bare
     colours = flattened(drawn)
     coverage, omissions = pictogram(colours)
+    if bare is not None:
+        omissions |= {Omission.GLOW}
     if left_out(drawn, colours, coverage):
         omissions |= {Omission.DECORATION}
     return _Picture(colours, coverage, omissions, _is_thin(coverage))

@@ -1,5 +1,7 @@
 """What is told of a pictogram that is not all of its drawing, or not as it was."""
 
+from collections.abc import Collection
+
 from iconstudio.algorithms.tones.alternation import Omission
 
 THIN = "Its lines are too thin to be seen at the size of an icon; they were drawn thicker."
@@ -16,3 +18,10 @@ OMITTED = {
     Omission.DECORATION: "Paler colour behind or beside what is dark was left out.",
 }
 """Of what was left out."""
+
+
+def said_of(omissions: Collection[Omission]) -> list[str]:
+    """Return what to say of omissions, a sentence each; one of all shadows is enough."""
+    if Omission.FAINT in omissions:
+        omissions = set(omissions) - {Omission.SHADOW}
+    return [said for what, said in OMITTED.items() if what in omissions]

@@ -5,7 +5,7 @@ import pytest
 import scipy
 
 from iconstudio.algorithms.tones.alternation import Omission
-from iconstudio.svg.monochrome import OMITTED
+from iconstudio.svg.omitted import OMITTED
 from iconstudio.svg.rasterise import rasterise
 from iconstudio.svg.reading import own_svg
 from iconstudio.svg.shadows import LEFT_OUT
@@ -117,3 +117,27 @@ def test_a_fainter_layer_within_lines_that_is_no_ink_is_told(name):
     assert read(layer + screen).remarks == (OMITTED[Omission.DECORATION],)
     assert not read(screen).remarks
     assert not read(layer + '<path d="M36 64h24v16H36z"/>').remarks
+
+
+TILE = '<rect x="4" y="4" width="92" height="92" rx="22" fill="#dd2476"/>'
+LONG = '<path d="M72 30L96 54V74Q96 96 74 96H54L30 72z" fill-opacity=".2"/>'
+NOTES = (
+    '<path d="M35 28v44h8V44l21-5v21h8V28z" fill="#fff"/>'
+    '<circle cx="36" cy="70" r="9" fill="#fff"/><circle cx="65" cy="62" r="9" fill="#fff"/>'
+)
+GLOW = (
+    '<radialGradient id="g"><stop offset=".3" stop-color="#ffe14d"/>'
+    '<stop offset="1" stop-color="#ffe14d" stop-opacity="0"/></radialGradient>'
+    '<circle cx="50" cy="45" r="42" fill="url(#g)"/>'
+)
+BULB = (
+    '<path d="M35 50a15 15 0 1 1 30 0q-2 8-7 12v8H42v-8q-5-4-7-12z" fill="#ffb703"/>'
+    '<rect x="42" y="72" width="16" height="12" rx="3" fill="#495057"/>'
+)
+
+
+def test_of_one_shadow_or_glow_one_sentence_is_told():
+    assert read(TILE + LONG + NOTES).remarks == (OMITTED[Omission.TILE], OMITTED[Omission.FAINT])
+    assert read(GLOW + BULB).remarks == (OMITTED[Omission.GLOW],)
+    pale = '<path d="M2 88h96v8H2z" opacity=".1"/>'
+    assert read(GLOW + BULB + pale).remarks == (OMITTED[Omission.FAINT], OMITTED[Omission.GLOW])

@@ -110,17 +110,19 @@ def pictogram(rgba: NDArray[np.uint8]) -> Inked:
     """
     rgb, alpha = _reduced(rgba)
     body = _body(alpha)
+    opaque, faint = without_faint(rgba[..., 3].astype(np.float32), body)
     unlit = without_glow(rgb, alpha, body)
     if unlit is not None:
         share, own = unlit
         at = nearest(_repeated(own, len(rgba)))
         opacity = rgba[..., 3] * _enlarged(share, len(rgba)) + 0.5
         rest = pictogram(np.dstack([rgba[..., :3][at], opacity.astype(np.uint8)]))
-        return Inked(rest.coverage, rest.omissions | {Omission.GLOW})
-    opaque, faint = without_faint(rgba[..., 3].astype(np.float32), body)
+        # Of the glow, a faint trace may be left; what was faint beside it may be gone with it.
+        omissions = rest.omissions - {Omission.FAINT} | {Omission.GLOW}
+        return Inked(rest.coverage, omissions | {Omission.FAINT} if faint else omissions)
     silhouette = np.minimum(opaque * (255 / body), 255)
     inside = alpha > body / 2
-    omissions: frozenset[Omission] = frozenset()
+    omissions = frozenset[Omission]()
     if inside.any() and np.ptp(rgb[inside], axis=0).max() > _ROUNDING:
         share, omissions = _in_two_tones(rgba, rgb, inside) or _in_colours(rgba, rgb, inside)
         silhouette *= _enlarged(share, len(rgba))
