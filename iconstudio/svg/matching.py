@@ -5,6 +5,7 @@ above one another look more often than any machine can.
 """
 
 import xml.etree.ElementTree as ET
+from collections import Counter
 from collections.abc import Iterator
 from typing import Any
 
@@ -30,11 +31,27 @@ def compiled(selectors: str) -> list[Any]:
 class Matcher(cssselect2.Matcher):  # type: ignore[misc]
     """Knows selectors, each with a payload (``add_selector``)."""
 
-    def __init__(self) -> None:
+    def __init__(self, root: ET.Element) -> None:
         super().__init__()
+        self._root = root
         self._left = MAX_TESTS
+        self._expected = 0
+        self._trials = _trials(root)
 
-    def matches(self, root: ET.Element) -> Iterator[tuple[ET.Element, list[Any]]]:
+    def add_selector(self, selector: Any, payload: Any) -> None:
+        """Add a selector, with what is known of elements that it matches.
+
+        Raises
+        ------
+        IconstudioError
+            If so many cannot be tried.
+        """
+        self._expected += self._trials[_last_name(selector)]
+        if self._expected > MAX_TESTS:
+            raise _too_often()
+        super().add_selector(selector, payload)
+
+    def matches(self) -> Iterator[tuple[ET.Element, list[Any]]]:
         """Yield each element with the payloads of what matches it, the most specific last.
 
         Raises
@@ -43,7 +60,7 @@ class Matcher(cssselect2.Matcher):  # type: ignore[misc]
             If that takes too much work, or too many match.
         """
         matched = 0
-        for element in _Element.watched(root, self).iter_subtree():
+        for element in _Element.watched(self._root, self).iter_subtree():
             found = self.match(element) if self.order else []
             matched += len(found)
             if matched > MAX_MATCHES:
@@ -95,6 +112,24 @@ class _Element(cssselect2.ElementWrapper):  # type: ignore[misc]
         found = super().previous_siblings
         self._seen(len(found))
         return found
+
+
+def _last_name(selector: Any) -> str:
+    """Return what of an element says whether a selector is tried on it."""
+    if selector.id is not None:
+        return f"#{selector.id}"
+    if selector.class_name is not None:
+        return f".{selector.class_name}"
+    return selector.lower_local_name or "*"
+
+
+def _trials(root: ET.Element) -> Counter[str]:
+    """Return how many elements a selector is tried on, by its last name."""
+    found: Counter[str] = Counter()
+    for element in root.iter():
+        found.update(("*", element.tag.lower(), f"#{element.get('id')}"))
+        found.update(f".{name}" for name in element.get("class", "").split())
+    return found
 
 
 def _too_often() -> IconstudioError:

@@ -109,7 +109,7 @@ def apply_styles(root: ET.Element, midway: bool = False) -> list[str]:
     remarks = list(sheet.remarks)
     parents = {child: element for element in root.iter() for child in element}
     variables: dict[ET.Element, dict[str, str]] = {}
-    matched = list(sheet.matches(root))  # before any attribute changes
+    matched = list(sheet.matches())  # before any attribute changes
     matched += own_copies(root, matched, parents)
     for element, declared in matched:
         declared += _ends(declared, sheet, remarks, midway)

@@ -61,9 +61,9 @@ class StyleSheet:
         What was not understood, in sentences.
     """
 
+    _matcher: Matcher
     keyframes: dict[str, list[Frame]] = field(default_factory=dict)
     remarks: list[str] = field(default_factory=list)
-    _matcher: Matcher = field(default_factory=Matcher)
     _rules: int = 0
     _layers: dict[Layer, dict[str, float]] = field(default_factory=dict)
     """The numbers of the layers in each, by name."""
@@ -71,14 +71,14 @@ class StyleSheet:
     @classmethod
     def of(cls, root: ET.Element) -> "StyleSheet":
         """Read the ``style`` elements of a document."""
-        sheet = cls()
+        sheet = cls(Matcher(root))
         for element in root.iter("style"):
             kind = element.get("type", "text/css").strip().lower()
             if kind in ("", "text/css") and sheet._applies(element.get("media", "")):
                 sheet._read("".join(element.itertext()))
         return sheet
 
-    def matches(self, root: ET.Element) -> Iterator[tuple[ET.Element, list[Declared]]]:
+    def matches(self) -> Iterator[tuple[ET.Element, list[Declared]]]:
         """Yield each element with the declarations for it, the strongest last.
 
         Presentation attributes count as the weakest.
@@ -88,7 +88,7 @@ class StyleSheet:
         IconstudioError
             If rules apply too often.
         """
-        for element, layered in self._matcher.matches(root):
+        for element, layered in self._matcher.matches():
             declared = [(name, value, False) for name, value in element.items() if name != "style"]
             declared += _cascaded(layered)
             declared += declarations_of(element.get("style", ""))

@@ -175,3 +175,19 @@ def test_the_squares_of_a_board_with_a_frame_stay(frame, dark, light):
     middles = ((2.4 * np.array(places) + 3.6) * SIDE / 24).astype(int)
     shown = coverage[middles[:, 1], middles[:, 0]] > 127
     assert (shown == [(x + y) % 2 for x, y in places]).all()
+
+
+BEAK = '<path d="M10.5 11h3l-1.500 2z" fill="{}"/>'
+PENGUIN = (
+    '<ellipse cx="12" cy="12" rx="9" ry="11" fill="#263238"/>'
+    '<ellipse cx="12" cy="13" rx="7" ry="9" fill="#fafafa"/>'
+)
+
+
+def test_a_small_part_in_a_strong_colour_on_white_is_ink():
+    beak = BEAK.format("#ff9800")
+    drawn = pictogram(rgba(PENGUIN + beak, SIDE)).coverage
+    there = ink(beak, SIDE) > 127
+    assert (drawn[there] > 127).mean() > 0.9
+    pale = pictogram(rgba(PENGUIN + BEAK.format("#f0e8d0"), SIDE)).coverage
+    assert (pale[there] > 127).mean() < 0.1

@@ -3,6 +3,7 @@
 import pytest
 
 from iconstudio.model import IconstudioError
+from iconstudio.svg import matching, stylesheet
 from iconstudio.svg.textpaths import CUT_OFF
 from tests.svg.pictures import PATH, assert_shows, read, svg
 
@@ -39,6 +40,23 @@ def test_what_takes_too_long_is_refused_before(kind):
     document, told = HEAVY[kind]
     with pytest.raises(IconstudioError, match=told):
         read(document)
+
+
+@pytest.mark.parametrize("last", ["*", "path", ".b", ":not(:nth-child(2n+1))"])
+def test_style_rules_that_cannot_all_be_tried_are_not_all_read(last, monkeypatch):
+    read_so_far = []
+    monkeypatch.setattr(
+        stylesheet, "compiled", lambda one: read_so_far.append(one) or matching.compiled(one)
+    )
+    rules = "".join(f".a{i} * * {last}{{fill:red}}" for i in range(3000))
+    with pytest.raises(IconstudioError, match="apply too often"):
+        read(svg(f"<style>{rules}</style>" + '<path class="b" d="M0 0h9v9z"/>' * 4000))
+    assert len(read_so_far) < 300
+
+
+def test_many_rules_for_few_elements_are_read():
+    rules = "".join(f".a{i} path{{fill:red}}" for i in range(2000))
+    read(svg(f"<style>{rules}</style>" + PATH * 50))
 
 
 def test_many_points_that_go_their_way_are_read():

@@ -23,7 +23,17 @@ import scipy
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.tones.alternation import Omission, Tones, decide
-from iconstudio.algorithms.tones.regions import ALIKE, GREY, Mask, Regions, nearest, pale, sums
+from iconstudio.algorithms.tones.regions import (
+    ALIKE,
+    GREY,
+    VISIBLE,
+    VIVID,
+    Mask,
+    Regions,
+    nearest,
+    pale,
+    sums,
+)  # fmt: skip
 
 _SQUARES, _ASTRAY = 6, 0.1
 """Squares of each colour that a board to play on has at least; how much of where they meet may lie
@@ -174,13 +184,15 @@ def line_drawing(found: Regions, line: Mask) -> Tones:
 
 
 def _marks(found: Regions) -> Mask:
-    """Return the greys that lie free in a pale grey, as bars on a screen do, and no shades."""
+    """Return what lies free in a fill, and is no shade: grey in a pale grey, vivid in white."""
     around = found.lengths.argmax(axis=1)
     grey = np.hypot(found.colours[:, 1], found.colours[:, 2]) < GREY
     free = found.lengths.max(axis=1) > _FREE * found.around
     ground = (grey & pale(found.colours))[around] & (around > 0)
     darker = found.colours[:, 0] < found.colours[around, 0] - _DARKER
-    marks: Mask = grey & free & ground & darker
+    apart = np.linalg.norm(found.colours - found.colours[around], axis=1)
+    vivid = (apart > VIVID) & (found.contrasts.max(axis=1) > VISIBLE) & found.white[around]
+    marks: Mask = free & ((grey & ground & darker) | vivid)
     return marks
 
 
