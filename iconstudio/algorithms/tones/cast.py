@@ -24,6 +24,9 @@ _SLIGHT, _LEAP = 4.0, 3.0
 CIELAB at its edge."""
 _LEAST = 0.004
 """Size of a shadow, as part of the picture, at least."""
+_STEP, _APART, _FEW = 2, 2, 12
+"""Of so many rows and columns one is looked at for plates and shades; so many of them lie between two colours
+at an edge; and places where they meet that a shadow has at least."""
 _DIRECTIONS = ((1, 1), (1, -1), (-1, 1), (-1, -1))
 
 
@@ -56,7 +59,10 @@ def without_cast_shadow(
     plate, a tile or a badge, is what is all around, but for the shadow.
     """
     inside = found.labels > 0
-    if len(found.areas) < 3 or inside.sum() < _PLATE * hull(inside).sum():
+    if len(found.areas) < 3:
+        return None
+    seen = inside[::_STEP, ::_STEP]
+    if seen.sum() < _PLATE * hull(seen).sum() or not _is_shaded(rgb, found):
         return None
     # On a gradient, what differs little in places differs more elsewhere.
     closer = regions(cielab(rgb), inside, _SLIGHT, smallest, leap=_LEAP)
@@ -70,6 +76,33 @@ def without_cast_shadow(
     changed = shadow[at][:, at]
     painted[changed, :3] = lit[at][:, at][changed]
     return painted, lit
+
+
+def _is_shaded(rgb: NDArray[np.uint8], found: Regions) -> bool:
+    """Whether what is all around meets a darker shade of it anywhere, which is soon seen."""
+    labels = found.labels[::_STEP, ::_STEP]
+    ground = labels == found.lengths[0].argmax()
+    colours, inside = rgb[::_STEP, ::_STEP].astype(np.float32), labels > 0
+    met = 0
+    for one, other in (
+        (np.s_[_APART:], np.s_[:-_APART]),
+        (np.s_[:, _APART:], np.s_[:, :-_APART]),
+    ):
+        for lit, dark in ((one, other), (other, one)):
+            at = ground[lit] & inside[dark]
+            beside, shadow = colours[lit][at], colours[dark][at]
+            bright = shadow.sum(axis=1, keepdims=True) / np.maximum(beside.sum(axis=1), 1)[:, None]
+            shade = (bright[:, 0] > _DEEPEST) & (bright[:, 0] < _FAINTEST)
+            met += int((shade & (_astray(shadow, beside, bright) < _TINGE)).sum())
+    return met > _FEW
+
+
+def _astray(
+    shadow: NDArray[np.floating], lit: NDArray[np.floating], bright: float | NDArray[np.floating]
+) -> NDArray[np.floating]:
+    """Return by how many levels each colour (m, 3) misses another one made so bright."""
+    missed: NDArray[np.floating] = abs(shadow - bright * lit).max(axis=1)
+    return missed
 
 
 def _shadow(found: Regions, rgb: NDArray[np.uint8]) -> tuple[Mask | None, float]:
@@ -110,7 +143,7 @@ def _brightness(found: Regions, rgb: NDArray[np.uint8], one: int, ground: int) -
         return None
     shadow, lit = rgb[here].astype(float), rgb[nearest(beside)][here].astype(float)
     bright = float((shadow * lit).sum() / max((lit * lit).sum(), 1))
-    amiss = np.median(abs(shadow - bright * lit).max(axis=1))
+    amiss = np.median(_astray(shadow, lit, bright))
     return bright if _DEEPEST < bright < _FAINTEST and amiss < _TINGE else None
 
 
