@@ -25,8 +25,8 @@ CIELAB at its edge."""
 _LEAST = 0.004
 """Size of a shadow, as part of the picture, at least."""
 _STEP, _APART, _FEW = 2, 2, 12
-"""Of so many rows and columns one is looked at for plates and shades; so many of them lie between two colours
-at an edge; and places where they meet that a shadow has at least."""
+"""Of so many rows and columns one is looked at for plates and shades; so many of them lie between
+two colours at an edge; and places where they meet that a shadow has at least."""
 _DIRECTIONS = ((1, 1), (1, -1), (-1, 1), (-1, -1))
 
 
