@@ -6,7 +6,7 @@ from dataclasses import replace
 from iconstudio.library.phrases import Answer, Phrases, at_least
 from iconstudio.library.terms import FEW, Rows, Scores, Terms
 from iconstudio.library.words import query, symbols
-from iconstudio.library.words.decency import is_insult
+from iconstudio.library.words.decency import is_insult, is_unkind
 from iconstudio.library.words.naming import is_negated
 from iconstudio.library.words.nearness import nearest
 from iconstudio.library.words.query import Style
@@ -100,7 +100,9 @@ class Lookup:
         words = query.plain(keyword)
         if is_insult(words) or words in BRANDS:
             return ()
-        return tuple(filter(self._terms.plainly, nearest(words, self._terms.proposals())))
+        near = nearest(words, self._terms.proposals())
+        kind = (one for one in near if not is_unkind(keyword.strip(), one))
+        return tuple(filter(self._terms.plainly, kind))
 
     def spelling(self, keyword: str) -> tuple[str, ...]:
         """Return the words that a keyword is a misspelling of, though few icons are called so."""

@@ -5,6 +5,7 @@ from itertools import chain, islice, product
 
 from iconstudio.library.terms import Terms
 from iconstudio.library.words import query, symbols
+from iconstudio.library.words.decency import is_unkind
 from iconstudio.library.words.inflections import verbs
 from iconstudio.library.words.nearness import is_surely, nearest
 from iconstudio.library.words.regional import other_spellings
@@ -92,4 +93,5 @@ class Spellings:
 
     def _meant(self, word: str) -> tuple[str, ...]:
         right = (*self._terms.spelling(word), *symbols.english(word))
-        return right or nearest(word, self._terms.proposals())
+        near = nearest(word, self._terms.proposals())
+        return right or tuple(one for one in near if not is_unkind(word, one))

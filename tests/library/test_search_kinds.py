@@ -7,6 +7,7 @@ from small_world import icon_set, shape
 
 from iconstudio.library.search import RELEVANT
 from iconstudio.library.words import query, symbols
+from iconstudio.library.words.decency import UNKIND
 from iconstudio.model import IconstudioError
 
 
@@ -226,6 +227,20 @@ def test_nothing_far_fetched(bundled, keyword, never):
 def test_hints_are_plain_words(bundled, typed):
     hints = bundled.suggest(typed)
     assert hints and all(one.replace(" ", "").isalpha() for one in hints)
+
+
+@pytest.mark.parametrize("name", ["Levi", "levi", "Devlin", "Deth", "Piet", "Fooly", "Zombi"])
+def test_no_hint_turns_a_name_into_something_bad(bundled, name):
+    assert UNKIND.isdisjoint(bundled.suggest(name))
+
+
+def test_a_name_beside_a_thing_is_not_read_as_something_bad(bundled):
+    assert len(bundled.search("Levi minion")) > 1
+    assert bundled.remark("Levi minion").endswith("“levi” was left out.")
+
+
+def test_a_plain_mistake_in_a_word_for_something_bad_is_told(bundled):
+    assert "monster" in bundled.suggest("monstr")
 
 
 def test_no_hint_hurts(bundled):

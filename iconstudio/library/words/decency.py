@@ -5,6 +5,7 @@ collection that is opened knows only the words listed here.
 """
 
 from iconstudio.library.words.inflections import singulars
+from iconstudio.library.words.nearness import is_one_mistake
 from iconstudio.library.words.vocabulary import words as word_set
 from iconstudio.library.words.wordnet import WordNet
 
@@ -32,6 +33,16 @@ INSULTS = word_set(
 )
 """Words that offend and name no thing to draw: nothing is shown, or proposed, in their place."""
 
+UNKIND = word_set(
+    """
+    addict ass beggar clown corpse criminal dead death demon devil dumb drunk enemy evil fat fool
+    ghoul hag hate hell hoe killer leech liar loser monster murder murderer nasty ogre pest pig
+    plague poop prisoner robber satan sin stupid swine terrorist thief traitor troll ugly vermin
+    victim villain wicked zombie
+    """
+)
+"""Words that are no hint for what may be a name: nobody is told to be meant by one of them."""
+
 _RUDE = ("obscenity", "ethnic slur", "disparagement")
 """Words by which WordNet marks how others are used."""
 
@@ -42,6 +53,17 @@ def is_insult(words: str) -> bool:
         not INSULTS.isdisjoint((word, word.removesuffix("s"), *singulars(word)))
         for word in words.split()
     )
+
+
+def is_unkind(keyword: str, word: str) -> bool:
+    """Whether to propose a word for a keyword as typed might turn a name into something bad.
+
+    What begins with a capital letter may be a name. Other keywords are misspelt if one letter is
+    wrong, but not the first.
+    """
+    if word not in UNKIND:
+        return False
+    return keyword[:1].isupper() or keyword[:1] != word[:1] or not is_one_mistake(keyword, word)
 
 
 class Decency:
