@@ -137,6 +137,16 @@ def data_length(data: str) -> float:
     return float(pen.value)
 
 
+def slender(data: str) -> tuple[float, float]:
+    """Return the length and the mean width of what a path of one contour fills, as of a line."""
+    points = np.array(_flattened(data)).reshape(-1, 2)
+    sides = np.roll(points, -1, axis=0) - points
+    half = float(np.hypot(sides[:, 0], sides[:, 1]).sum()) / 2
+    middle = points - points.mean(axis=0) if len(points) else points
+    area = abs(float((middle[:, 0] * sides[:, 1] - middle[:, 1] * sides[:, 0]).sum())) / 2
+    return half, area / half if half else 0.0
+
+
 def along(data: str, part: float) -> tuple[float, float, float] | None:
     """Return x, y and direction, in degrees, at a part of a path's length; None if it has none."""
     points = np.array(_flattened(data))

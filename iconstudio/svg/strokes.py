@@ -5,7 +5,7 @@ import xml.etree.ElementTree as ET
 from typing import NamedTuple
 
 from iconstudio.model import CANVAS
-from iconstudio.svg.geometry import SHAPES
+from iconstudio.svg.geometry import SHAPES, path_data, slender
 from iconstudio.svg.lengths import (
     IDENTITY,
     Box,
@@ -24,6 +24,12 @@ _FINE = 0.25
 """Canvas units: what repeats more closely is no more than a tone."""
 _TILE = 1.0
 """Canvas units of the smallest tile of a pattern."""
+
+_HAIR, _LONG = 0.55, 16
+"""How wide a filled shape as thin as a hair is at most, as part of the thinnest stroke; so many
+times as long as wide it is at least."""
+_FEW = 400
+"""Characters of the outline of such a shape at most."""
 
 FINE_DASHES = "Its dashes are too fine to be seen; the lines were drawn whole."
 FINE_PATTERNS = "A pattern in it is too fine to be seen; it was drawn coarser."
@@ -65,7 +71,10 @@ def widened(page: Box, size: float) -> Box:
 
 
 def evened(content: ET.Element, size: float, page: Box, least: float) -> ET.Element | None:
-    """Return a drawing whose strokes measure at least ``least`` canvas units; None if they do."""
+    """Return a drawing whose strokes measure at least ``least`` canvas units; None if they do.
+
+    So do filled shapes that are lines as thin as a hair.
+    """
     before, content = content, copy.deepcopy(content)
     changed = _thicken(content, IDENTITY, _Stroke(), least * size / CANVAS, page, fills=False)
     return content if changed and content is not before else None
@@ -85,15 +94,28 @@ def _thicken(
         if own.width * scale >= least or not scale:
             return False
         element.attrib.pop("stroke-dasharray", None)
-    elif fills and own.fill != "none" and scale:
+        width = least
+    elif own.fill != "none" and scale:
+        width = least if fills else _missing(path_data(element, page), scale, least)
+        if not width:
+            return False
         element.set("stroke", own.fill)
         element.set("stroke-dasharray", "none")
         if "fill-opacity" in element.attrib:
             element.set("stroke-opacity", element.attrib["fill-opacity"])
     else:
         return False
-    element.set("stroke-width", f"{least / scale:.6g}")
+    element.set("stroke-width", f"{width / scale:.6g}")
     return True
+
+
+def _missing(data: str, scale: float, least: float) -> float:
+    """Return how much wider a filled shape must be that is a line as thin as a hair; else 0."""
+    if len(data) > _FEW or data.count("M") + data.count("m") != 1:
+        return 0.0
+    long, wide = slender(data)
+    thin = 0 < wide * scale < _HAIR * least and long > _LONG * wide
+    return least - wide * scale if thin else 0.0
 
 
 def coarsened(content: ET.Element, size: float, page: Box) -> tuple[ET.Element, list[str]]:

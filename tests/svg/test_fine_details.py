@@ -5,6 +5,7 @@ import pytest
 import scipy
 
 from iconstudio.algorithms.tones.alternation import Omission
+from iconstudio.svg.monochrome import SOME_THIN
 from iconstudio.svg.omitted import OMITTED
 from iconstudio.svg.rasterise import rasterise
 from iconstudio.svg.reading import own_svg
@@ -141,3 +142,28 @@ def test_of_one_shadow_or_glow_one_sentence_is_told():
     assert read(GLOW + BULB).remarks == (OMITTED[Omission.GLOW],)
     pale = '<path d="M2 88h96v8H2z" opacity=".1"/>'
     assert read(GLOW + BULB + pale).remarks == (OMITTED[Omission.FAINT], OMITTED[Omission.GLOW])
+
+
+BLOCK = '<path d="M20 60h60v30H20z"/>'
+RULES = {
+    "a rectangle": '<rect x="10" y="20" width="80" height="{}"/>',
+    "an outlined stroke": '<path d="M10 20h80v{}h-80z"/>',
+    "one that is not closed": '<path d="M10 20h80v{}h-80"/>',
+    "a turned one": '<path d="M10 20h80v{}h-80z" transform="rotate(10 50 20)"/>',
+    "a smaller one, enlarged": '<g transform="scale(2)"><path d="M5 10h40v{}h-40z"/></g>',
+}
+
+
+@pytest.mark.parametrize("kind", RULES)
+def test_a_filled_shape_as_thin_as_a_hairline_is_drawn_thicker_as_a_stroke_is(kind):
+    icon = read(BLOCK + RULES[kind].format(0.1))
+    assert icon.remarks == (SOME_THIN,)
+    ink = rasterise(icon.svg)[1] > 127
+    assert scipy.ndimage.label(ink)[1] == 2 and ink[:120].any(axis=0).sum() > 200
+
+
+@pytest.mark.parametrize(
+    "shape", ['<circle cx="50" cy="20" r=".3"/>', '<path d="M9 20h80"/>', RULES["a rectangle"]]
+)
+def test_a_dot_and_nothing_and_a_line_that_shows_stay_as_they_are(shape):
+    assert not read(shape.format(2) + BLOCK).remarks

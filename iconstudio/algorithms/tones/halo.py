@@ -31,7 +31,7 @@ def without_halo(rgba: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
         return None
     body = int(np.flatnonzero(counts.cumsum() > 0.99 * counts.sum())[0])
     least = _SHARE * counts.sum()
-    levels = [level for level in np.flatnonzero(counts > least) if level <= body - _STEP]
+    levels = [int(one) for one in np.flatnonzero(counts > least) if one <= body - _STEP]
     if len(levels) < 2 or min(np.diff([*levels, body])) < _STEP:  # as nearly always
         return None
     within = [scipy.ndimage.binary_fill_holes(alpha >= level) for level in (*levels, body)]
