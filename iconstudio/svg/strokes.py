@@ -28,6 +28,8 @@ _TILE = 1.0
 _HAIR, _LONG = 0.55, 16
 """How wide a filled shape as thin as a hair is at most, as part of the thinnest stroke; so many
 times as long as wide it is at least."""
+_SHEEN = 0.5
+"""What is less opaque is the light or the shade along an edge, and no line."""
 _FEW = 400
 """Characters of the outline of such a shape at most."""
 
@@ -41,6 +43,7 @@ class _Stroke(NamedTuple):
     fill: str = "#000000"
     stroke: str = "none"
     width: float = 1.0
+    opacity: float = 1.0
 
     def of(self, element: ET.Element, page: Box) -> "_Stroke":
         said = (element.get(name, "inherit") for name in ("fill", "stroke"))
@@ -49,7 +52,8 @@ class _Stroke(NamedTuple):
             for before, now in zip((self.fill, self.stroke), said, strict=True)
         )
         width = length(element.get("stroke-width"), max(page[2:]), self.width)
-        return _Stroke(fill, stroke, width)
+        opacity = self.opacity * length(element.get("opacity"), 1, 1)
+        return _Stroke(fill, stroke, width, opacity)
 
 
 def thickened(content: ET.Element, size: float, page: Box) -> ET.Element:
@@ -96,6 +100,9 @@ def _thicken(
         element.attrib.pop("stroke-dasharray", None)
         width = least
     elif own.fill != "none" and scale:
+        opacity = own.opacity * length(element.get("fill-opacity"), 1, 1)
+        if not fills and opacity < _SHEEN:
+            return False
         width = least if fills else _missing(path_data(element, page), scale, least)
         if not width:
             return False

@@ -162,6 +162,13 @@ def test_a_filled_shape_as_thin_as_a_hairline_is_drawn_thicker_as_a_stroke_is(ki
     assert scipy.ndimage.label(ink)[1] == 2 and ink[:120].any(axis=0).sum() > 200
 
 
+def test_the_light_along_an_edge_is_no_line():
+    light = '<path d="M20 60h60v.3h-60z" fill="#fff"/>'
+    for faint in (light.replace("/>", ' opacity=".2"/>'), f'<g opacity=".2">{light}</g>'):
+        assert SOME_THIN not in read(BLOCK + faint).remarks
+    assert SOME_THIN in read(BLOCK + light.replace("M20", "M9").replace("h60", "h80")).remarks
+
+
 @pytest.mark.parametrize(
     "shape", ['<circle cx="50" cy="20" r=".3"/>', '<path d="M9 20h80"/>', RULES["a rectangle"]]
 )
