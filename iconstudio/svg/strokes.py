@@ -122,6 +122,7 @@ def _missing(data: str, scale: float, least: float) -> float:
         return 0.0
     long, wide = slender(data)
     thin = 0 < wide * scale < _HAIR * least and long > _LONG * wide
+    thin = thin and long * scale > _LONG * _HAIR * least  # and no crumb
     return least - wide * scale if thin else 0.0
 
 

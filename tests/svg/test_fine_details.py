@@ -170,7 +170,13 @@ def test_the_light_along_an_edge_is_no_line():
 
 
 @pytest.mark.parametrize(
-    "shape", ['<circle cx="50" cy="20" r=".3"/>', '<path d="M9 20h80"/>', RULES["a rectangle"]]
+    "shape",
+    [
+        '<path d="M40 70h2v.01z"/>',
+        '<circle cx="50" cy="20" r=".3"/>',
+        '<path d="M9 20h80"/>',
+        RULES["a rectangle"],
+    ],
 )
 def test_a_dot_and_nothing_and_a_line_that_shows_stay_as_they_are(shape):
     assert not read(shape.format(2) + BLOCK).remarks
