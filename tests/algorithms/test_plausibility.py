@@ -11,9 +11,9 @@ from iconstudio.algorithms.iconification.energy import (
 )
 from iconstudio.algorithms.iconification.features import Remixed, features
 from iconstudio.algorithms.iconification.looks import Looks, foreignness, stretches
-from iconstudio.algorithms.iconification.plausibility import FEATURES
+from iconstudio.algorithms.iconification.plausibility import FEATURES, OF_OUTLINE
 from iconstudio.algorithms.iconification.ranking import score
-from iconstudio.algorithms.raster import solid
+from iconstudio.algorithms.raster import overlap, solid
 from iconstudio.model import CANVAS, Placement, Source
 from tests.shapes import exemplar
 
@@ -72,7 +72,7 @@ def test_nothing_is_wrong_with_a_drawing_itself():
         *("unlike_ink", "unlike_filled", "holes_of_nearest", "symmetry", "placed_filled", "gap"),
         *("foreign", "foreign_length", "seam", "foreign_worst", "loose", "more_pieces"),
         *("fewer_pieces", "more_holes", "fewer_holes", "new_ends", "width_spread", "widths_mixed"),
-        *("moves", "missing", "missing_depth"),
+        *("moves", "missing", "missing_depth", "lopsided"),
     ):
         assert found[name] == pytest.approx(0, abs=1e-4), name  # a seam costs EPSILON
     assert found["iou"] == 1
@@ -81,7 +81,7 @@ def test_nothing_is_wrong_with_a_drawing_itself():
 def test_what_concerns_the_outline_is_unknown_without_one():
     found = judged(WHEELS, WHEELS)
     unknown = {name for name, value in found.items() if np.isnan(value)}
-    assert unknown == {"missing", "missing_depth", "iou"}
+    assert unknown == set(OF_OUTLINE)
 
 
 def test_a_wheel_that_is_lost_is_missed():
@@ -91,6 +91,16 @@ def test_a_wheel_that_is_lost_is_missed():
     assert found["missing_depth"] == pytest.approx(46 / size, rel=0.05)
     assert found["symmetry"] > 0.2
     assert judged(WHEELS, WHEELS, outline=solid(WHEELS))["missing_depth"] == 0
+
+
+def test_what_is_not_symmetric_is_lopsided_where_the_outline_is_symmetric():
+    left = WHEELS.copy()
+    left[:, CANVAS // 2 :] = solid(WHEELS)[:, CANVAS // 2 :]  # filled on one side
+    symmetric, leaning = solid(WHEELS), solid(WHEELS) & ~disc(60, 50, 40)
+    found = judged(WHEELS, WHEELS, drawn=left, outline=symmetric)
+    assert found["lopsided"] == pytest.approx(1 - overlap(left, left[:, ::-1]), abs=0.01)
+    assert found["lopsided"] > 0.1
+    assert judged(WHEELS, WHEELS, drawn=left, outline=leaning)["lopsided"] == 0
 
 
 def test_a_wheel_that_the_nearest_drawing_has_is_a_gap():

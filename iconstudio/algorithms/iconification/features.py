@@ -15,6 +15,8 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.iconification.energy import Labels, RemixProblem
 from iconstudio.algorithms.iconification.looks import STRIDE, Looks, foreignness, unlikeness
+from iconstudio.algorithms.iconification.plausibility import OF_OUTLINE
+from iconstudio.algorithms.iconification.symmetry import ROUGHLY
 from iconstudio.algorithms.raster import Bitmap, overlap
 from iconstudio.model import CANVAS, Score, Source
 
@@ -198,15 +200,17 @@ def _sharing(remixed: Remixed) -> dict[str, float]:
 
 
 def _misfit(remixed: Remixed) -> dict[str, float]:
-    """Return what of the outline is missing."""
+    """Return what of the outline is missing, and of its symmetry."""
     own, outline = remixed.own, remixed.outline
     if outline is None:
-        return dict.fromkeys(("missing", "missing_depth", "iou"), float("nan"))
+        return dict.fromkeys(OF_OUTLINE, float("nan"))
     missing, size = outline.ink & ~own.filled, max(1, outline.area)
+    symmetric = outline.symmetry >= ROUGHLY
     return {
         "missing": float(missing.sum() / size),
         "missing_depth": float(_depth(missing) / np.sqrt(size)),
         "iou": overlap(own.filled, outline.ink),
+        "lopsided": max(0.0, outline.symmetry - own.ink_symmetry) if symmetric else 0.0,
     }
 
 

@@ -72,6 +72,12 @@ class Looks:
         return overlap(shape, shape[:, ::-1])
 
     @cached_property
+    def ink_symmetry(self) -> float:
+        """The same of the ink."""
+        ink = boxed(self.ink)
+        return overlap(ink, ink[:, ::-1])
+
+    @cached_property
     def thumb(self) -> Thumb:
         """The ink, so stretched that it fills a small square."""
         return stretched(self.ink)

@@ -37,8 +37,11 @@ FEATURES = (
     "missing",
     "missing_depth",
     "iou",
+    "lopsided",
 )
 """What is measured, by ``features``."""
+OF_OUTLINE = "missing", "missing_depth", "iou", "lopsided"
+"""Of these what is known only where an outline is wanted."""
 FARTHEST = 4.0
 """Values further from the mean than so many standard deviations count as if they were there."""
 

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from iconstudio.algorithms.iconification.plausibility import (
     FARTHEST,
     FEATURES,
+    OF_OUTLINE,
     Plausibility,
     Weight,
 )
@@ -17,8 +18,6 @@ STRENGTH = 0.003
 """The inverse of how strongly weights are held to zero."""
 JUDGED = 40.0
 """How much more an example counts that was judged by eye: what was made is easily told."""
-OUTLINE = ("missing", "missing_depth", "iou")
-"""Features that are known only where an outline is wanted."""
 
 
 def fit(examples: Sequence[Example]) -> Plausibility:
@@ -36,7 +35,7 @@ def fit(examples: Sequence[Example]) -> Plausibility:
     mean, deviation = np.nanmean(values[judged], axis=0), np.nanstd(values[judged], axis=0)
     deviation[deviation == 0] = 1
     blind = values.copy()
-    blind[:, [FEATURES.index(name) for name in OUTLINE]] = np.nan
+    blind[:, [FEATURES.index(name) for name in OF_OUTLINE]] = np.nan
     both = np.nan_to_num((np.concatenate([values, blind]) - mean) / deviation)
     both = np.clip(both, -FARTHEST, FARTHEST)
     good = np.concatenate([np.tile(grades >= grade, 2) for grade in (PLAUSIBLE, FIT)])

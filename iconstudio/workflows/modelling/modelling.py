@@ -16,7 +16,7 @@ from iconstudio.algorithms.iconification.saliency import (
     salient_regions,
 )
 from iconstudio.algorithms.iconification.style import Style
-from iconstudio.algorithms.iconification.symmetry import propose
+from iconstudio.algorithms.iconification.symmetry import ROUGHLY, propose
 from iconstudio.algorithms.iconification.tsdf import tsdf
 from iconstudio.algorithms.raster import fill_polygon
 from iconstudio.model import Composite, Sketch, Source
@@ -34,9 +34,6 @@ from iconstudio.workflows.solving import Posed
 FEWEST = 4
 """A style with fewer exemplars is skipped: all its regions would keep the same three."""
 FEW = 8
-MIRRORED = 0.75
-"""Overlap of an outline with its mirror image from which on symmetric results are tried: drawn by
-hand, a hat has 0.77, a house 0.78, a bell 0.82. Only what is more plausible is taken of them."""
 DETAILS = 6
 """Small regions of a sketch whose details are weighted by 1."""
 _UNMET = (
@@ -112,7 +109,7 @@ def model(
     if pins or not settings.variants:  # what is pinned says what the user wants
         yield from events
         return
-    axis = propose(silhouette, MIRRORED) if sketch.symmetry is None else None
+    axis = propose(silhouette, ROUGHLY) if sketch.symmetry is None else None
     events = with_variety(events, pose, workers, render, plausibility)
     yield from with_best(with_symmetric(events, axis, pose, workers, render, plausibility))
 
