@@ -39,15 +39,6 @@ class Placement:
         there = Transform().translate(half + self.dx, half + self.dy)
         return there.scale(mirror * self.scale, self.scale).translate(-half, -half)
 
-    @property
-    def mirrored(self) -> "Placement":
-        """Where the mirror image about the vertical centre line lies.
-
-        >>> Placement(dx=5).mirrored
-        Placement(scale=1.0, flip=True, dx=-5, dy=0)
-        """
-        return Placement(self.scale, not self.flip, -self.dx, self.dy)
-
     def frame(self, frame: Frame) -> Frame:
         """Return the part of the pictogram that the canvas shows *before* mirroring.
 

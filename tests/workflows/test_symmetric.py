@@ -17,8 +17,10 @@ from iconstudio.workflows.events import Result
 from iconstudio.workflows.grid import Recommending
 from iconstudio.workflows.modelling.modelling import pose_sketch
 from iconstudio.workflows.modelling.symmetric import (
+    ASIDE,
     _plausible,
     halves_mirrored,
+    mirrored,
     row_of,
     symmetric,
     with_symmetric,
@@ -67,12 +69,12 @@ def run(workers, labels, before, after, axis=Axis.HORIZONTAL):
 
 
 def test_a_symmetric_result_takes_the_place_of_a_less_plausible_one(workers):
-    icon, (mirrored,) = run(workers, SIDE, 0.3, 0.6)
-    one, other = icon.composite, mirrored.composite
+    icon, (found,) = run(workers, SIDE, 0.3, 0.6)
+    one, other = icon.composite, found.composite
     assert (other.style, other.lambda_s) == (one.style, one.lambda_s)
     assert other.symmetry is Axis.HORIZONTAL
     before, after = (
-        likeness(some.drawing.coverage > 127, Axis.HORIZONTAL) for some in (icon, mirrored)
+        likeness(some.drawing.coverage > 127, Axis.HORIZONTAL) for some in (icon, found)
     )
     assert before < 0.95 and after > 0.995
     data, smoothness = pose(other.sources).problem.costs(other.labels)
@@ -90,7 +92,7 @@ def test_about_another_axis_places_that_mirror_each_other_have_one_source(worker
 
 
 def test_only_a_used_source_that_is_no_mirror_image_of_itself_gets_one():
-    one = row(quarters())
+    one = row(quarters(), best=0.2)
     sources = one.sources
     assert sources[: len(SOURCES)] == SOURCES
     (added,) = sources[len(SOURCES) :]
@@ -100,17 +102,33 @@ def test_only_a_used_source_that_is_no_mirror_image_of_itself_gets_one():
     assert np.array_equal(inks[4], inks[1][:, ::-1])
 
 
-@given(st.integers(0, 2**32 - 1), arrays(np.uint8, (8, 8), elements=st.integers(0, 4)))
+@given(st.integers(0, 2**32 - 1), arrays(np.uint8, (CANVAS, CANVAS), elements=st.integers(0, 4)))
 def test_a_half_and_its_mirror_image_are_a_symmetric_picture(seed, labels):
-    ink = np.random.default_rng(seed).random((5, 8, 8)) < 0.5
+    random = np.random.default_rng(seed)
+    aside = int(random.integers(-ASIDE, ASIDE + 1))
+    ink = random.random((5, CANVAS, CANVAS)) < 0.5
     twins = np.array([1, 0, 3, 2, 4], np.uint8)
-    for k, twin in enumerate(twins):
-        ink[max(k, twin)] = ink[min(k, twin)][:, ::-1]
-    ink[4] |= ink[4][:, ::-1]
-    left, right = (joined_ink(ink, some) for some in halves_mirrored(labels, twins))
+    ink[1], ink[3] = mirrored(ink[0], aside), mirrored(ink[2], aside)
+    ink[4] |= mirrored(ink[4], aside)
+    axis = (CANVAS - 1 + aside) / 2
+    columns = np.arange(CANVAS)
+    seen = np.abs(columns - axis) < CANVAS / 2 - ASIDE  # what has a mirror image on the canvas
     whole = joined_ink(ink, labels)
-    assert np.array_equal(left, np.concatenate([whole[:, :4], whole[:, 3::-1]], axis=1))
-    assert np.array_equal(right, np.concatenate([whole[:, :3:-1], whole[:, 4:]], axis=1))
+    for picture, kept in zip(
+        (joined_ink(ink, some) for some in halves_mirrored(labels, twins, aside)),
+        (columns <= axis, columns >= axis),
+        strict=True,
+    ):
+        assert np.array_equal(picture[:, kept], whole[:, kept])
+        assert np.array_equal(picture[:, seen], mirrored(picture, aside)[:, seen])
+
+
+def test_a_picture_is_mirrored_where_its_own_middle_is():
+    moved = replace(SOURCES[0], placement=Placement(dx=2))
+    icon = made(0 * SIDE, sources=(moved, SOURCES[2]))
+    one = row_of({0.1: icon}, 0.1, pose, Axis.HORIZONTAL)
+    assert one.aside == 4
+    assert one.sources[0] is moved and one.twins[0] == 0
 
 
 def test_the_recommended_result_comes_first():

@@ -17,10 +17,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.iconification.energy import Labels, canvas_ink
+from iconstudio.algorithms.iconification.overhang import drawn_ink
 from iconstudio.algorithms.iconification.plausibility import Plausibility
 from iconstudio.algorithms.iconification.ranking import Gallery
-from iconstudio.algorithms.iconification.symmetry import likeness
-from iconstudio.algorithms.raster import Bitmap, placed_ink
+from iconstudio.algorithms.raster import Bitmap, Scalar, overlap, placed_ink
 from iconstudio.limits import limited
 from iconstudio.model import CANVAS, Axis, Remix, Source
 from iconstudio.tasks import stopped
@@ -38,6 +38,8 @@ the most plausible."""
 MIDDLE, EVEN = 16, 0.9
 """What lies so near to the axis, in canvas pixels, overlaps its mirror image so far already: else
 mirroring a half would bend it."""
+ASIDE = 6
+"""Twice the canvas pixels by which that axis may lie beside the canvas's."""
 ALIKE = 0.98
 """A source that overlaps its own mirror image by more needs no mirrored one."""
 
@@ -48,8 +50,10 @@ class Row:
 
     Attributes
     ----------
+    aside
+        Twice the canvas pixels by which the axis lies to the right of the canvas's.
     sources
-        With the mirror images of those that are used, if the axis is the vertical one.
+        With the mirror images of those that are used, if they can be mirrored.
     twins
         (K,): the number of each source's mirror image; of what nobody uses, its own.
     labels
@@ -57,11 +61,12 @@ class Row:
     """
 
     style: str
+    axis: Axis
+    aside: int
     sources: tuple[Source, ...]
     twins: NDArray[np.uint8]
     labels: dict[float, Labels]
     pose: Pose
-    axis: Axis
 
     def series(self, lambda_s: float) -> CutSeries:
         """Return the problem of one result."""
@@ -123,18 +128,27 @@ def with_symmetric(
 
 
 def row_of(made: dict[float, Remix], best: float, pose: Pose, axis: Axis) -> Row:
-    """Return a style's results, by lambda_S, as they are to be made symmetric."""
+    """Return a style's results, by lambda_S, as they are to be made symmetric.
+
+    About the vertical axis they are so where the recommended one nearly is.
+    """
     first = made[best].composite
     labels = {best: first.labels} | {value: one.composite.labels for value, one in made.items()}
     sources, twins = list(first.sources), list(range(len(first.sources)))
-    for k in np.unique(np.stack(list(labels.values()))).tolist():
-        source = sources[k]
-        ink, _ = placed_ink(source.exemplar, source.placement)
-        if axis is Axis.HORIZONTAL and likeness(ink, axis) < ALIKE:
-            twins[k] = len(sources)
-            twins.append(k)
-            sources.append(replace(source, placement=source.placement.mirrored))
-    return Row(first.style, tuple(sources), np.array(twins, np.uint8), labels, pose, axis)
+    aside = 0
+    if axis is Axis.HORIZONTAL:
+        ink = drawn_ink(made[best].drawing)
+        aside = max(range(-ASIDE, ASIDE + 1), key=lambda by: (_evenness(ink, by), -abs(by)))
+        for k in np.unique(np.stack(list(labels.values()))).tolist():
+            exemplar, placement = sources[k].exemplar, sources[k].placement
+            ink, _ = placed_ink(exemplar, placement)
+            if overlap(ink, mirrored(ink, aside)) < ALIKE:
+                twins[k] = len(sources)
+                twins.append(k)
+                twin = replace(placement, flip=not placement.flip, dx=aside - placement.dx)
+                sources.append(replace(sources[k], placement=twin))
+    numbers = np.array(twins, np.uint8)
+    return Row(first.style, axis, aside, tuple(sources), numbers, labels, pose)
 
 
 def symmetric(row: Row, render: Render, plausibility: Plausibility) -> list[tuple[float, Solved]]:
@@ -165,11 +179,20 @@ def symmetric(row: Row, render: Render, plausibility: Plausibility) -> list[tupl
     return found
 
 
-def halves_mirrored(labels: Labels, twins: NDArray[np.uint8]) -> Iterator[Labels]:
+def mirrored(picture: NDArray[Scalar], aside: int) -> NDArray[Scalar]:
+    """Return the mirror image, left to right, of a picture (m, m); its edges go on."""
+    m = len(picture)
+    columns = m - 1 + aside * m // CANVAS - np.arange(m)
+    return picture[:, np.clip(columns, 0, m - 1)]
+
+
+def halves_mirrored(labels: Labels, twins: NDArray[np.uint8], aside: int) -> Iterator[Labels]:
     """Yield a labelling (m, m) with its left half mirrored onto the right one, and the reverse."""
-    half, other = len(labels) // 2, twins[labels][:, ::-1]
-    for kept, mirrored in ((labels, other), (other, labels)):
-        yield np.concatenate([kept[:, :half], mirrored[:, half:]], axis=1)
+    twice = len(labels) + aside * len(labels) // CANVAS
+    other = mirrored(twins[labels], aside)
+    left, right = (twice + 1) // 2, twice // 2
+    yield np.concatenate([labels[:, :left], other[:, left:]], axis=1)
+    yield np.concatenate([other[:, :right], labels[:, right:]], axis=1)
 
 
 def _mirrored(row: Row, posed: Posed, plausibility: Plausibility) -> Iterator[tuple[float, Labels]]:
@@ -177,11 +200,11 @@ def _mirrored(row: Row, posed: Posed, plausibility: Plausibility) -> Iterator[tu
     gallery = Gallery()
     cuts: list[tuple[float, float, Labels]] = []
     for lambda_s, whole in row.labels.items():
-        if stopped() or not _even(canvas_ink(posed.problem.ink, whole)):
+        if stopped() or _evenness(canvas_ink(posed.problem.ink, whole), row.aside) < EVEN:
             continue
         halves = [
             (worth(posed, row.sources, plausibility, labels), lambda_s, labels)
-            for labels in halves_mirrored(whole, row.twins)
+            for labels in halves_mirrored(whole, row.twins, row.aside)
             if gallery.add(canvas_ink(posed.problem.ink, labels))
         ]
         cuts += sorted(halves, key=lambda cut: -cut[0])[:1]
@@ -190,10 +213,12 @@ def _mirrored(row: Row, posed: Posed, plausibility: Plausibility) -> Iterator[tu
     yield from ((lambda_s, labels) for _, lambda_s, labels in cuts[:TRIED])
 
 
-def _even(ink: Bitmap) -> bool:
-    """Whether the middle of a picture is its own mirror image already."""
-    middle = ink[:, CANVAS // 2 - MIDDLE : CANVAS // 2 + MIDDLE]
-    return not middle.any() or likeness(middle, Axis.HORIZONTAL) >= EVEN
+def _evenness(ink: Bitmap, aside: int) -> float:
+    """Return how far the middle of a picture overlaps its mirror image; 1 if nothing is there."""
+    middle = (CANVAS + aside) // 2
+    near = np.s_[:, middle - MIDDLE : middle + MIDDLE]
+    here, there = ink[near], mirrored(ink, aside)[near]
+    return overlap(here, there) if here.any() else 1.0
 
 
 def _cut_again(row: Row, posed: Posed) -> tuple[float, Labels]:
