@@ -130,7 +130,9 @@ class GridReport:
         if not results:
             return
         side = len(results[0].labels)
-        ink, filled = placed_sources(results[0].sources, side)
+        # Mirrored results have mirror images of sources after those of all results.
+        sources = max((one.sources for one in results), key=len)
+        ink, filled = placed_sources(sources, side)
         request = self._request.on(side)
         matched = self._styles[style]
         exemplars = matched.exemplars if isinstance(matched, StyleMatched) else ()
@@ -151,7 +153,7 @@ class GridReport:
             arrays["change"] = request.change.mask == 0
             problem = joining(distance_field(request.outline), ink, filled)
             data = request.guide.guided(problem)
-            arrays["penalty"] = request.change.penalty(data, results[0].sources)
+            arrays["penalty"] = request.change.penalty(data, sources)
         if request.guide.weight is not None:
             arrays["weight"] = request.guide.weight
         for aim in request.guide.aims:

@@ -12,7 +12,7 @@ from scipy import ndimage
 
 import iconstudio
 from iconstudio.algorithms.raster import fill_polygon, placed_ink, solid
-from iconstudio.model import CANVAS, Axis, Edit, IconstudioError, Polygon
+from iconstudio.model import CANVAS, Axis, Edit, IconstudioError, Placement, Polygon
 from iconstudio.output import png
 from iconstudio.output.report import GridReport
 from iconstudio.output.request import edit_request, sketch_request
@@ -267,3 +267,18 @@ def test_a_symmetric_result_takes_the_place_of_another(tmp_path, results):
     report.finish(TIMINGS)
     found = json.loads((tmp_path / "results.json").read_text())["results"]
     assert [one["symmetry"] for one in found] == [None, "horizontal"]
+
+
+def test_the_dump_holds_the_mirror_images_of_sources(tmp_path, results):
+    report = GridReport(tmp_path, REQUEST, (0.75, 0.05), dump=True)
+    report.add(StyleMatched("light", (RING, BLOCK), (SOURCES[:3],) * 9))
+    twin = replace(SOURCES[1], placement=Placement(1.1, False, -12, -3))
+    labels = np.full((CANVAS, CANVAS), len(SOURCES), np.uint8)
+    mirrored = made(labels, 0.75, sources=(*SOURCES, twin))
+    for one in (results[1], mirrored):
+        report.add(Result(one))
+    report.finish(TIMINGS)
+    with np.load(tmp_path / "light.npz", allow_pickle=False) as dump:
+        ink, labels = dump["ink"], dump["labels"]
+    assert np.array_equal(ink[4], placed_ink(twin.exemplar, twin.placement)[0])
+    assert (labels[1] == 4).all() and (labels[0] < 4).all()
