@@ -221,11 +221,18 @@ def _sources(figure: Figure, row: Row, colours: Palette, top: float) -> None:
 
 
 def _used(composites: Sequence[Composite]) -> list[_Used]:
-    """Return the significant sources of results that share their sources, most ink first."""
-    mean = np.mean([composite.shares for composite in composites], axis=0)
+    """Return the significant sources of the results of a row, most ink first.
+
+    They share their sources, but for mirrored ones: these have more, which come last.
+    """
+    sources = max((composite.sources for composite in composites), key=len)
+    shares = np.zeros((len(composites), len(sources)))
+    for row, composite in zip(shares, composites, strict=True):
+        row[: len(composite.shares)] = composite.shares
+    mean = shares.mean(axis=0)
     found = [
         _Used(source, float(mean[label]), np.any([c.labels == label for c in composites], axis=0))
-        for label, source in enumerate(composites[0].sources)
+        for label, source in enumerate(sources)
         if mean[label] >= SIGNIFICANT
     ]
     return sorted(found, key=lambda one: -one.share)
