@@ -733,6 +733,21 @@ def test_what_differs_waits_for_the_place_of_what_is_picked(drawn):
     assert results.pictures[0].icon.composite.without == ("set:name",)
 
 
+def test_a_symmetric_result_comes_before_what_waits_for_its_place(drawn):
+    results = drawn.browser.results
+    picked, other = results.pictures[:2]
+    results.pick(picked.icon.composite.style, picked.icon.composite.lambda_s)
+    waiting = replace(picked.icon.composite, without=("set:name",))
+    for composite in (waiting, replace(waiting, symmetry=Axis.HORIZONTAL)):
+        drawn.show_event(picture_of(replace(picked.icon, composite=composite)))
+    results.pick(other.icon.composite.style, other.icon.composite.lambda_s)
+    assert results.pictures[0].icon.composite.symmetry is Axis.HORIZONTAL
+    results.symmetric_switch.button.click()
+    own = results.pictures[0].icon.composite
+    assert (own.symmetry, own.without) == (None, waiting.without)
+    results.symmetric_switch.button.click()
+
+
 def test_the_best_that_waits_is_picked_in_the_end(drawn, qtbot):
     from iconstudio.gui.gallery.browser import ResultsBrowser
 

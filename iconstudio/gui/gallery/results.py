@@ -217,6 +217,8 @@ class ResultsPanel(QFrame):
         self.symmetric_switch.setVisible(bool(self._symmetric))
         if composite.symmetry and not symmetric.setting.value:
             return False
+        if composite.symmetry and place in self._waiting:
+            self._own[place] = self._waiting.pop(place)  # it was made of that one
         cell.show_picture(picture)
         if cell.isChecked():
             self.picked.emit(picture)
