@@ -738,7 +738,8 @@ def test_a_symmetric_result_comes_before_what_waits_for_its_place(drawn):
     picked, other = results.pictures[:2]
     results.pick(picked.icon.composite.style, picked.icon.composite.lambda_s)
     waiting = replace(picked.icon.composite, without=("set:name",))
-    for composite in (waiting, replace(waiting, symmetry=Axis.HORIZONTAL)):
+    mirrored = replace(picked.icon.composite, symmetry=Axis.HORIZONTAL)
+    for composite in (waiting, mirrored):
         drawn.show_event(picture_of(replace(picked.icon, composite=composite)))
     results.pick(other.icon.composite.style, other.icon.composite.lambda_s)
     assert results.pictures[0].icon.composite.symmetry is Axis.HORIZONTAL
