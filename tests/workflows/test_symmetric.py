@@ -9,7 +9,12 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 from iconstudio.algorithms.iconification.energy import joined_ink
-from iconstudio.algorithms.iconification.symmetry import likeness, reflected
+from iconstudio.algorithms.iconification.symmetry import (
+    flipped,
+    likeness,
+    mirrored_halves,
+    reflected,
+)
 from iconstudio.algorithms.raster import placed_ink
 from iconstudio.model import CANVAS, Axis, Placement
 from iconstudio.svg.placed import render_placed
@@ -19,8 +24,6 @@ from iconstudio.workflows.modelling.modelling import pose_sketch
 from iconstudio.workflows.modelling.symmetric import (
     ASIDE,
     _plausible,
-    halves_mirrored,
-    mirrored,
     row_of,
     symmetric,
     with_symmetric,
@@ -108,19 +111,19 @@ def test_a_half_and_its_mirror_image_are_a_symmetric_picture(seed, labels):
     aside = int(random.integers(-ASIDE, ASIDE + 1))
     ink = random.random((5, CANVAS, CANVAS)) < 0.5
     twins = np.array([1, 0, 3, 2, 4], np.uint8)
-    ink[1], ink[3] = mirrored(ink[0], aside), mirrored(ink[2], aside)
-    ink[4] |= mirrored(ink[4], aside)
+    ink[1], ink[3] = flipped(ink[0], aside), flipped(ink[2], aside)
+    ink[4] |= flipped(ink[4], aside)
     axis = (CANVAS - 1 + aside) / 2
     columns = np.arange(CANVAS)
     seen = np.abs(columns - axis) < CANVAS / 2 - ASIDE  # what has a mirror image on the canvas
     whole = joined_ink(ink, labels)
     for picture, kept in zip(
-        (joined_ink(ink, some) for some in halves_mirrored(labels, twins, aside)),
+        (joined_ink(ink, some) for some in mirrored_halves(labels, twins, aside)),
         (columns <= axis, columns >= axis),
         strict=True,
     ):
         assert np.array_equal(picture[:, kept], whole[:, kept])
-        assert np.array_equal(picture[:, seen], mirrored(picture, aside)[:, seen])
+        assert np.array_equal(picture[:, seen], flipped(picture, aside)[:, seen])
 
 
 def test_a_picture_is_mirrored_where_its_own_middle_is():

@@ -4,11 +4,13 @@ The infinite cost of equation 9 is exact when both are one node of the graph; ``
 which these are. Only the source *positions* are symmetric, not the pixels.
 """
 
+from collections.abc import Iterator
+
 import numpy as np
 from numpy.typing import NDArray
 
 from iconstudio.algorithms.raster import Scalar, overlap
-from iconstudio.model import Axis
+from iconstudio.model import CANVAS, Axis
 
 NEARLY = 0.9
 """Overlap with the own mirror image from which on a shape counts as nearly symmetric."""
@@ -51,3 +53,28 @@ def propose(shape: NDArray[np.bool_], least: float = NEARLY) -> Axis | None:
     """
     best = max(Axis, key=lambda axis: round(likeness(shape, axis), 2))
     return best if likeness(shape, best) >= least else None
+
+
+def flipped(picture: NDArray[Scalar], aside: int = 0) -> NDArray[Scalar]:
+    """Return the mirror image, left to right, of a picture (m, m); its edges go on.
+
+    The axis lies by half of ``aside``, in canvas pixels, to the right of the canvas's.
+    """
+    m = len(picture)
+    columns = m - 1 + aside * m // CANVAS - np.arange(m)
+    return picture[:, np.clip(columns, 0, m - 1)]
+
+
+def mirrored_halves(
+    labels: NDArray[np.uint8], twins: NDArray[np.uint8], aside: int = 0
+) -> Iterator[NDArray[np.uint8]]:
+    """Yield a labelling (m, m) with its left half mirrored onto the right one, and the reverse.
+
+    An addition to the paper: the pixels are symmetric, too. ``twins`` (K,) are the numbers of the
+    sources' mirror images, and ``aside`` tells the axis as in ``flipped``.
+    """
+    twice = len(labels) + aside * len(labels) // CANVAS
+    other = flipped(twins[labels], aside)
+    left, right = (twice + 1) // 2, twice // 2
+    yield np.concatenate([labels[:, :left], other[:, left:]], axis=1)
+    yield np.concatenate([other[:, :right], labels[:, right:]], axis=1)

@@ -20,7 +20,8 @@ from iconstudio.algorithms.iconification.energy import Labels, canvas_ink
 from iconstudio.algorithms.iconification.overhang import drawn_ink
 from iconstudio.algorithms.iconification.plausibility import Plausibility
 from iconstudio.algorithms.iconification.ranking import Gallery
-from iconstudio.algorithms.raster import Bitmap, Scalar, overlap, placed_ink
+from iconstudio.algorithms.iconification.symmetry import flipped, mirrored_halves
+from iconstudio.algorithms.raster import Bitmap, overlap, placed_ink
 from iconstudio.limits import limited
 from iconstudio.model import CANVAS, Axis, Remix, Source
 from iconstudio.tasks import stopped
@@ -142,7 +143,7 @@ def row_of(made: dict[float, Remix], best: float, pose: Pose, axis: Axis) -> Row
         for k in np.unique(np.stack(list(labels.values()))).tolist():
             exemplar, placement = sources[k].exemplar, sources[k].placement
             ink, _ = placed_ink(exemplar, placement)
-            if overlap(ink, mirrored(ink, aside)) < ALIKE:
+            if overlap(ink, flipped(ink, aside)) < ALIKE:
                 twins[k] = len(sources)
                 twins.append(k)
                 twin = replace(placement, flip=not placement.flip, dx=aside - placement.dx)
@@ -179,22 +180,6 @@ def symmetric(row: Row, render: Render, plausibility: Plausibility) -> list[tupl
     return found
 
 
-def mirrored(picture: NDArray[Scalar], aside: int) -> NDArray[Scalar]:
-    """Return the mirror image, left to right, of a picture (m, m); its edges go on."""
-    m = len(picture)
-    columns = m - 1 + aside * m // CANVAS - np.arange(m)
-    return picture[:, np.clip(columns, 0, m - 1)]
-
-
-def halves_mirrored(labels: Labels, twins: NDArray[np.uint8], aside: int) -> Iterator[Labels]:
-    """Yield a labelling (m, m) with its left half mirrored onto the right one, and the reverse."""
-    twice = len(labels) + aside * len(labels) // CANVAS
-    other = mirrored(twins[labels], aside)
-    left, right = (twice + 1) // 2, twice // 2
-    yield np.concatenate([labels[:, :left], other[:, left:]], axis=1)
-    yield np.concatenate([other[:, :right], labels[:, right:]], axis=1)
-
-
 def _mirrored(row: Row, posed: Posed, plausibility: Plausibility) -> Iterator[tuple[float, Labels]]:
     """Yield what mirroring a half gives: of the recommended result, and what is most plausible."""
     gallery = Gallery()
@@ -204,7 +189,7 @@ def _mirrored(row: Row, posed: Posed, plausibility: Plausibility) -> Iterator[tu
             continue
         halves = [
             (worth(posed, row.sources, plausibility, labels), lambda_s, labels)
-            for labels in halves_mirrored(whole, row.twins, row.aside)
+            for labels in mirrored_halves(whole, row.twins, row.aside)
             if gallery.add(canvas_ink(posed.problem.ink, labels))
         ]
         cuts += sorted(halves, key=lambda cut: -cut[0])[:1]
@@ -217,7 +202,7 @@ def _evenness(ink: Bitmap, aside: int) -> float:
     """Return how far the middle of a picture overlaps its mirror image; 1 if nothing is there."""
     middle = (CANVAS + aside) // 2
     near = np.s_[:, middle - MIDDLE : middle + MIDDLE]
-    here, there = ink[near], mirrored(ink, aside)[near]
+    here, there = ink[near], flipped(ink, aside)[near]
     return overlap(here, there) if here.any() else 1.0
 
 
