@@ -1,5 +1,7 @@
 """Dithered drawings in few colours become what they show."""
 
+import tracemalloc
+
 import numpy as np
 import pytest
 from PIL import Image
@@ -81,3 +83,13 @@ def test_what_is_not_dithered_is_as_it_is(side):
 def test_a_code_of_squares_is_not_dithered():
     code = np.random.default_rng(1).integers(0, 2, (33, 33, 1), np.uint8).repeat(3, axis=2) * 255
     assert without_dithering(code) is code
+
+
+def test_a_large_picture_takes_little_memory():
+    large = np.full((3000, 3000, 4), 255, np.uint8)
+    large[500:2500, 500:2500, :3] = 0
+    tracemalloc.start()
+    without_dithering(large)
+    _, most = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert most < 4 * large.nbytes

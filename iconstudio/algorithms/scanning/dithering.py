@@ -14,9 +14,12 @@ from iconstudio.algorithms.tones.regions import nearest
 
 _MOST = 256
 """Colours of a dithered picture."""
-_SMALLEST, _LONGEST = 48, 512
+_COARSE = 16
+"""Every so many rows and columns are looked at first, as most pictures have more."""
+_SMALLEST, _LONGEST, _LARGEST = 48, 512, 2048
 """Pixels of the shorter side of a dithered picture, at least: smaller ones may be codes of squares;
-and of the longer side of one of which more are not averaged, but shrunk."""
+of the longer side of one of which more are not averaged, but shrunk; and of this, at most: of more,
+each takes too much memory, and dithered ones are small."""
 _WIDE = 8
 """Pixels across of an area that is dithered, at least: as many as ordered patterns repeat in."""
 _GRAINS, _SHARE, _LEAST = 0.05, 0.03, 400
@@ -37,7 +40,10 @@ def without_dithering(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
 
     A large one is made smaller.
     """
-    if min(pixels.shape[:2]) < _SMALLEST or len(np.unique(_packed(pixels))) > _MOST:
+    shorter, longer = sorted(pixels.shape[:2])
+    if not _SMALLEST <= shorter <= longer <= _LARGEST or any(
+        len(np.unique(_packed(pixels[::step, ::step]))) > _MOST for step in (_COARSE, 1)
+    ):
         return pixels
     area = dithered(pixels)
     if area.sum() < max(_LEAST, _SHARE * area.size):
@@ -96,7 +102,9 @@ def _means(pixels: NDArray[np.uint8]) -> NDArray[np.float32]:
     return means
 
 
-def _packed(pixels: NDArray[np.uint8]) -> NDArray[np.int64]:
+def _packed(pixels: NDArray[np.uint8]) -> NDArray[np.uint32]:
     """Return the colours (h, w) of a picture (h, w, c), each as a number."""
-    packed: NDArray[np.int64] = pixels.astype(np.int64) @ (1 << 8 * np.arange(pixels.shape[2]))
+    packed = np.zeros(pixels.shape[:2], np.uint32)
+    for channel in range(pixels.shape[2]):  # of large pictures, no copy of all channels
+        packed = (packed << 8) | pixels[..., channel]
     return packed
