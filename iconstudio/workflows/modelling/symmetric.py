@@ -1,4 +1,4 @@
-"""Symmetric results of an outline that is nearly symmetric, where these are more plausible.
+"""Symmetric results of an outline that is nearly symmetric, where these are about as plausible.
 
 An addition to section 3.4, whose constraint (equation 9) gives places that mirror each other one
 source, which need not look the same there. About the vertical axis a source can be mirrored, too:
@@ -42,7 +42,10 @@ mirroring a half would bend it."""
 ASIDE = 6
 """Twice the canvas pixels by which that axis may lie beside the canvas's."""
 ALIKE = 0.98
-"""A source that overlaps its own mirror image by more needs no mirrored one."""
+"""What overlaps its own mirror image by more, source or result, needs no mirrored one."""
+ABOUT = 0.97
+"""A symmetric result is wanted from this part of the other one's plausibility on: what is moved to
+both sides counts as moved apart."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,7 +86,7 @@ def with_symmetric(
     render: Render,
     plausibility: Plausibility | None,
 ) -> Generator[Event]:
-    """Pass on the events of a grid, and then yield symmetric results that are more plausible.
+    """Pass on the events of a grid, and then yield symmetric results that are about as plausible.
 
     Each is a ``Result`` that takes the place of another one of its row, and whose composite says
     that it was held to a symmetry. Closing the generator cancels what is left. Without
@@ -121,7 +124,7 @@ def with_symmetric(
                 row = asked[future]
                 for lambda_s, solved in answer(future, "Making a result symmetric"):
                     icon = remix_of(row.series(lambda_s), Step(lambda_s), solved)
-                    if _plausible(icon) > _plausible(made[row.style][lambda_s]):
+                    if _plausible(icon) > ABOUT * _plausible(made[row.style][lambda_s]):
                         yield Result(icon)
             yield Progress("symmetry", 1 - len(left) / len(rows), "Making symmetric ones")
     finally:
@@ -185,7 +188,10 @@ def _mirrored(row: Row, posed: Posed, plausibility: Plausibility) -> Iterator[tu
     gallery = Gallery()
     cuts: list[tuple[float, float, Labels]] = []
     for lambda_s, whole in row.labels.items():
-        if stopped() or _evenness(canvas_ink(posed.problem.ink, whole), row.aside) < EVEN:
+        ink = canvas_ink(posed.problem.ink, whole)
+        if stopped() or _evenness(ink, row.aside) < EVEN:
+            continue
+        if overlap(ink, flipped(ink, row.aside)) >= ALIKE:
             continue
         halves = [
             (worth(posed, row.sources, plausibility, labels), lambda_s, labels)
