@@ -36,9 +36,9 @@ class Subject(NamedTuple):
 
 
 SUBJECTS = (
-    Subject("motorcycle", "light", 0.12),
-    Subject("lamp", "lightest", 0.075),
-    Subject("sailboat", "light", 0.12),
+    Subject("motorcycle", "light", 0.47),
+    Subject("lamp", "lightest", 0.75),
+    Subject("sailboat", "lightest", 0.19),
 )
 
 
