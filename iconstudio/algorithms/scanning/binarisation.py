@@ -34,6 +34,7 @@ from iconstudio.algorithms.scanning.margin import box_of, rim_of, with_margin, w
 from iconstudio.algorithms.scanning.noise import without_noise
 from iconstudio.algorithms.scanning.paper import trend
 from iconstudio.algorithms.scanning.printed import without_print
+from iconstudio.algorithms.scanning.repeated import unrepeated
 from iconstudio.algorithms.scanning.resampling import (
     COARSE,
     in_squares,
@@ -183,7 +184,7 @@ def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
     """
     if is_plain(pixels):
         raise IconstudioError(PLAIN)
-    pixels = at_own_resolution(without_dithering(in_squares(pixels)))
+    pixels = at_own_resolution(without_dithering(in_squares(unrepeated(pixels))))
     if is_noise(pixels):
         return replace(scanned(pixels, inverted), found=False)
     opaque = pixels.shape[2] == 3
