@@ -10,9 +10,10 @@ _SMALLEST = 8
 _EDGE, _OFF, _BETWEEN = 40.0, 10.0, 0.05
 """Levels by which pixels on both sides of an edge differ, at least; by which a grey between them
 is off what they blend to, at most; and how much of each it has, at least."""
-_OWN, _LEAST = 0.75, 0.08
+_OWN, _LEAST, _TWO = 0.75, 0.08, 2
 """How many of the pixels of a colour are greys, at least, if it is that of greys alone; and how
-much of all edges has such greys. In hard-edged pixel art colours serve elsewhere, too."""
+much of all edges has such greys, if there are more than so many other colours. In hard-edged pixel
+art colours serve elsewhere, too."""
 
 
 def unrepeated(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
@@ -51,7 +52,10 @@ def _has_greys(pixels: NDArray[np.uint8]) -> bool:
         pixels.reshape(-1, pixels.shape[2]), axis=0, return_inverse=True, return_counts=True
     )
     greys = np.bincount(colour.ravel(), grey.ravel(), len(colours))
-    own = grey & (greys >= _OWN * count)[colour.reshape(grey.shape)]
+    alone = greys >= _OWN * count
+    own = grey & alone[colour.reshape(grey.shape)]
+    if (~alone).sum() <= _TWO:
+        return bool(own.any())
     hard = _hard_edges(blended, grey) + _hard_edges(blended.swapaxes(0, 1), grey.T)
     return bool(own.sum() > _LEAST * (own.sum() + hard))
 
