@@ -4,6 +4,7 @@ import xml.etree.ElementTree as ET
 from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
+from iconstudio.svg.check import MAX_DEPTH
 from iconstudio.svg.geometry import SHAPES, data_bounds, path_data
 from iconstudio.svg.lengths import (
     IDENTITY,
@@ -73,7 +74,6 @@ _UNDRAWN = (
     "defs", "symbol", "clipPath", "mask", "pattern", "marker", "linearGradient", "radialGradient",
     "filter",
 )  # fmt: skip
-_DEEPEST = 60
 _MITRE = 2
 """Widths of a stroke that the corner of a letter may reach beyond its outline."""
 
@@ -82,7 +82,7 @@ def _collect(
     element: ET.Element, outer: Matrix, paint: "_Paint", page: Box,
     ids: Mapping[str, ET.Element], add: Callable[[Box], None], depth: int,
 ) -> None:  # fmt: skip
-    if depth > _DEEPEST or element.get("display") == "none":
+    if depth > MAX_DEPTH or element.get("display") == "none":
         return
     matrix = multiplied(outer, transform(element.get("transform")) or IDENTITY)
     paint = paint.of(element, page)

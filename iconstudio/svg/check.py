@@ -15,7 +15,9 @@ from iconstudio.model import IconstudioError
 MAX_BYTES = 2_000_000
 MAX_ELEMENTS = 20_000
 MAX_DEPTH = 100
-"""Nesting, references followed: resvg overflows its stack at 300."""
+"""Nesting of a drawing, references followed: resvg overflows its stack at 300."""
+_AROUND = 3
+"""Levels that are put around a drawing as it is read: a root, a stretch, a space that is near."""
 MAX_EXPANSION = 50_000
 """Elements that are drawn once every reference has been replaced by what it names."""
 
@@ -28,8 +30,11 @@ _INHERITING = ("linearGradient", "radialGradient", "pattern", "filter")
 """Elements that take over the content of the one they refer to."""
 
 
-def check(svg: str) -> None:
+def check(svg: str, depth: int = MAX_DEPTH + _AROUND) -> None:
     """Return if ``svg`` is safe to render in a worker process.
+
+    It may be nested as deep as ``depth``, references followed: a drawing that was not read yet
+    ``MAX_DEPTH``.
 
     Raises
     ------
@@ -38,11 +43,11 @@ def check(svg: str) -> None:
         bitmaps or scripts, refers to anything outside itself, refers to itself in a circle,
         nests patterns, or repeats elements too often.
     """
-    document = _read(svg)
+    document = _read(svg, depth)
     if not document.nodes or document.nodes[0].tag != "svg":
         raise IconstudioError("The file is not an SVG drawing: its root element is not <svg>.")
     document.apply_style_sheet()
-    _Expansion(document).measure(0, 1)
+    _Expansion(document, depth).measure(0, 1)
 
 
 @dataclass(slots=True)
@@ -92,7 +97,7 @@ class _Document:
                 node.names += names
 
 
-def _read(svg: str) -> _Document:
+def _read(svg: str, depth: int) -> _Document:
     """Parse ``svg`` within bounds of bytes, elements and depth."""
     try:
         data = svg.encode()
@@ -110,7 +115,7 @@ def _read(svg: str) -> _Document:
         number = len(document.nodes)
         if number >= MAX_ELEMENTS:
             raise IconstudioError(f"The SVG has more than {MAX_ELEMENTS:,} elements. Simplify it.")
-        if len(stack) >= MAX_DEPTH:
+        if len(stack) >= depth:
             raise _too_deep()
         if stack:
             document.nodes[stack[-1]].below.append(number)
@@ -180,8 +185,9 @@ def _local(target: str) -> str:
 class _Expansion:
     """Measures what the document becomes once references are followed."""
 
-    def __init__(self, document: _Document) -> None:
+    def __init__(self, document: _Document, deepest: int) -> None:
         self._document = document
+        self._deepest = deepest
         self._known: dict[int, tuple[int, int, int]] = {}
         self._open: set[int] = set()
 
@@ -191,12 +197,12 @@ class _Expansion:
         if known is None:
             if number in self._open:
                 raise IconstudioError("The SVG refers to itself in a circle; remove the reference.")
-            if depth > MAX_DEPTH:
+            if depth > self._deepest:
                 raise _too_deep()
             self._open.add(number)
             known = self._known[number] = self._sum(number, depth)
             self._open.remove(number)
-        if depth + known[1] > MAX_DEPTH + 1:
+        if depth + known[1] > self._deepest + 1:
             raise _too_deep()
         return known
 

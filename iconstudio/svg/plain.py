@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from iconstudio.svg import references, shadows, sprites
 from iconstudio.svg.animation import as_one, finish
 from iconstudio.svg.bounds import bounds
-from iconstudio.svg.check import check
+from iconstudio.svg.check import MAX_DEPTH, check
 from iconstudio.svg.clipping import clip
 from iconstudio.svg.embedding import embed
 from iconstudio.svg.filters import leave_out_distortions
@@ -135,7 +135,8 @@ def plain(
     remarks += _without_unknown(root, kept)
     texts = tuple(_texts(kept))
     references.prune(root, kept)
-    check(ET.tostring(root, encoding="unicode"))  # before anything follows its references
+    # Before anything follows its references.
+    check(ET.tostring(root, encoding="unicode"), MAX_DEPTH)
     refuse_scribbles(kept)
     remarks += place(root, page, ids)
     remarks += clip(root, page, ids)

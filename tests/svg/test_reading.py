@@ -226,7 +226,23 @@ def test_a_hostile_drawing_ends_in_a_sentence_and_leaves_the_session_at_work(ses
     assert session.icon(str(file(svg(SQUARE), "good.svg"))).id.startswith("own:good-")
 
 
-@pytest.mark.parametrize("depth", [100, 240, 400])
+@pytest.mark.parametrize(
+    "group", ["<g>", '<g transform="translate(.01 0)">', '<g opacity=".999" fill="red">']
+)
+def test_what_is_as_deep_as_the_limit_is_drawn(group):
+    groups = MAX_DEPTH - 2  # between the root and the shape
+    drawn = ink(svg(group * groups + SQUARE + "</g>" * groups))
+    assert drawn.sum() == pytest.approx(224 * 224, rel=0.01)
+
+
+@pytest.mark.parametrize("box", ["100 100 24 24", '0 0 24 24" width="48" height="24'])
+def test_what_is_put_around_a_drawing_does_not_make_it_too_deep(box):
+    groups = MAX_DEPTH - 2
+    body = SQUARE + "<g>" * groups + SQUARE + "</g>" * groups
+    assert ink(svg(body, f'viewBox="{box}" preserveAspectRatio="none"')).any()
+
+
+@pytest.mark.parametrize("depth", [MAX_DEPTH - 1, 100, 240, 260, 400])
 def test_all_that_is_too_deep_is_refused_at_one_limit(depth):
     with pytest.raises(IconstudioError, match=f"more than {MAX_DEPTH} deep"):
         read(svg("<g>" * depth + SQUARE + "</g>" * depth))
