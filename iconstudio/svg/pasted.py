@@ -1,4 +1,4 @@
-"""Finds SVG drawings in text: by themselves, in the middle of HTML, or in data addresses."""
+"""Finds SVG drawings in text: by themselves, amid HTML or code, or in data addresses."""
 
 import base64
 import re
@@ -15,7 +15,14 @@ _DOCTYPE = re.compile(r"<!DOCTYPE\s+(?:[\w.-]+:)?svg\b", re.IGNORECASE)
 _PROLOG = re.compile(
     r"<!DOCTYPE[^\[>]*+(?:\[.*?\]\s*)?>(?:\s|<!--(?:(?!-->).)*+-->)*+", re.DOTALL | re.IGNORECASE
 )
-_ADDRESS = re.compile(r"data:(image/[\w.+-]+)((?:;[\w=.+-]*)*),([^\s\"'()<>]*)", re.IGNORECASE)
+_ADDRESS = re.compile(
+    r"(?:(?<=\")(?P<double>)|(?<=')(?P<single>))?data:(image/[\w.+-]+)((?:;[\w=.+-]*)*),"
+    r"((?(double)[^\"]*|(?(single)[^']*|[^\s\"'()<>]*)))",
+    re.IGNORECASE,
+)
+"""An address in quotes goes on to the closing one."""
+_DECLARATION = re.compile(r"[\s\ufeff]*<\?xml\s[^>]*\?>", re.IGNORECASE)
+_SVG = "image/svg+xml"
 
 _PART = re.compile(
     r"<(?:path|rect|circle|ellipse|line|poly(?:gon|line))\s[^<>]*=|&lt;svg\s|%3csvg(?:%20|\+)"
@@ -24,6 +31,20 @@ _PART = re.compile(
     re.IGNORECASE,
 )
 """What only a part of a drawing has, or one in code."""
+
+
+def files_in(text: str) -> tuple[bytes, ...]:
+    """Return the files of drawings that a text is, in UTF-8; nothing if it holds no drawing.
+
+    A text with one drawing is a file: what is around it, style sheets and code, may paint it. Of
+    several, each is one. What XML declares of its encoding is left out: it is not that of the text.
+    """
+    found = drawings_in(text)
+    found = found or tuple(data for kind, data in data_images(text) if kind == _SVG)
+    if len(found) > 1:
+        return found
+    whole = _DECLARATION.sub("", text, count=1) if _DECLARATION.match(text) else text
+    return (whole.encode("utf-8", "replace"),) if found or is_part(text) else ()
 
 
 def is_part(text: str) -> bool:
@@ -59,7 +80,7 @@ def data_images(text: str) -> tuple[tuple[str, bytes], ...]:
     """Return the images that stand in a text as data addresses: type, ``image/png``, and bytes."""
     return tuple(
         (kind.lower(), _decoded(content, "base64" in how.lower()))
-        for kind, how, content in _ADDRESS.findall(text)
+        for *_, kind, how, content in _ADDRESS.findall(text)
     )
 
 

@@ -49,6 +49,7 @@ from iconstudio.model import Path as Outline
 from iconstudio.reading import returned
 from iconstudio.svg import credits
 from iconstudio.svg.decode import decode as svg_text
+from iconstudio.svg.markup import markup_of
 from iconstudio.svg.parse import parse
 from iconstudio.svg.plain import document, plain
 from iconstudio.svg.reading import file_and_symbol, own_artwork, read_file
@@ -130,9 +131,10 @@ def drawing(sketch: Sketch, row: int, column: int) -> Drawing:
 def read_simply(data: bytes, name: str, symbol: str | None = None) -> Pictogram:
     """An SVG as it is read, but for its colours, which take time to think about."""
     try:
-        root, said = parse(svg_text(data))
+        markup, unread = markup_of(svg_text(data))
+        root, said = parse(markup)
         rdf = credits.metadata(root)
-        drawing = plain(root, said, symbol)
+        drawing = plain(root, [*unread, *said], symbol)
         if drawing.bounds is None:
             raise IconstudioError("There is nothing to be seen in it.")
     except SpriteError:

@@ -216,6 +216,29 @@ def test_what_copy_put_there_is_pasted_with_its_credits(place, qtbot):
     assert [one.credit for one in icon.origins] == [exemplar(0).pictogram.credit]
 
 
+STYLED = """<template><svg viewBox="0 0 24 24"><path class="a" d="M3 3h18v18H3z"/></svg></template>
+<style scoped>.a{fill:none;stroke:#000;stroke-width:2}</style>"""
+CODE = """const Box = ({ color = "#000" }) => (<svg viewBox="0 0 24 24" fill="none">
+  <path d="M4 8h16v10H4z" stroke={color} strokeWidth={3} /></svg>);"""
+ADDRESS = (
+    "url(\"data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 9 9'%3E"
+    "%3Cpath d='M0 0h9v9z'/%3E%3C/svg%3E\")"
+)
+
+
+@pytest.mark.parametrize(("kind", "text"), [("vue", STYLED), ("jsx", CODE), ("css", ADDRESS)])
+def test_pasted_code_becomes_what_its_file_becomes(edit, qtbot, tmp_path, kind, text):
+    path = tmp_path / f"{kind}.svg"  # whatever it is called
+    path.write_text(text)
+    assert drop(edit, urls(path)) is not None
+    (dropped,) = there(edit, qtbot, 1)
+    edit.actions_by_name["new"].trigger()
+    paste(edit, words(text))
+    (pasted,) = there(edit, qtbot, 1)
+    assert (pasted.svg, pasted.remarks) == (dropped.svg, dropped.remarks)
+    assert not holds_words(words(text))
+
+
 def test_several_drawings_in_one_text_are_one_step(roomy, qtbot):
     paste(roomy, words(SVG.format(1) + "\n" + SVG.format(2)))
     there(roomy, qtbot, 2)

@@ -8,7 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from iconstudio.svg.pasted import data_images, drawings_in, is_part
+from iconstudio.svg.pasted import data_images, drawings_in, files_in, is_part
+from tests.svg.pictures import read
 
 PLAIN = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M0 0h9v9z"/></svg>'
 NESTED = PLAIN.replace("<path", '<svg x="1"><g/></svg><svg/><path')
@@ -99,3 +100,57 @@ def test_a_part_of_a_drawing_is_known_from_words():
     assert not is_part("M4")
     assert not is_part("Mail 3 letters at 4 h")
     assert not is_part("let it be: a path < here, d = 3")
+
+
+SHAPE = '<path class="a" d="M3 3h18v18H3zM8 8h8v8H8z"/>'
+DRAWN = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24">{SHAPE}</svg>'
+HOLLOW = ".a{fill:none;stroke:#000;stroke-width:2}"
+INNER = DRAWN.replace("<", "%3C").replace(">", "%3E").replace('"', "%27").replace("%27", "'")
+CODE = """const Box = ({ color = "#16a34a", size = 24 }) => (
+  <svg viewBox="0 0 24 24" width={size} fill="none">
+    <rect x={4} y={8} width={16} height={10} stroke={color} strokeWidth={3} />
+    <path d="M22 10v6" style={{ stroke: color, strokeWidth: 3 }} />
+  </svg>
+);"""
+FILES = {
+    "a component with its styles": f"<template>{DRAWN}</template>\n<style scoped>{HOLLOW}</style>",
+    "code with its defaults": CODE,
+    "a page": f"<!DOCTYPE html><html><style>{HOLLOW}</style><p>Ä box: {DRAWN}</p></html>",
+    "a style sheet": f'a{{background:url("data:image/svg+xml,{INNER}")}}',
+    "an address": f'url("data:image/svg+xml,{INNER}")',
+    "an address in base64": "data:image/svg+xml;base64,"
+    + base64.b64encode(DRAWN.encode()).decode(),
+    "what it declares": f'<?xml version="1.0" encoding="utf-8"?>\n<!-- Ä -->\n{DRAWN}',
+    "a part": SHAPE,
+    "JSON": f'{{"icon": "{DRAWN}"}}'.replace('="', '=\\"')
+    .replace('" ', '\\" ')
+    .replace('">', '\\">'),
+}
+
+
+@pytest.mark.parametrize("kind", FILES)
+def test_what_is_pasted_is_read_as_its_file_is(kind):
+    (pasted,) = files_in(FILES[kind])
+    one, other = read(pasted), read(FILES[kind])
+    assert (one.svg, one.remarks, one.credit) == (other.svg, other.remarks, other.credit)
+    assert "<path" in one.svg
+
+
+def test_the_styles_around_a_pasted_drawing_are_read():
+    (pasted,) = files_in(FILES["a component with its styles"])
+    assert "stroke-width" in read(pasted).svg
+    (pasted,) = files_in(CODE)
+    assert read(pasted).remarks == ()
+
+
+def test_what_a_text_declares_of_its_encoding_is_not_heeded():
+    (pasted,) = files_in(f'\ufeff <?xml version="1.0" encoding="utf-16"?><!-- Ж -->{DRAWN}')
+    assert "Ж" in pasted.decode()
+    assert read(pasted).svg == read(DRAWN).svg
+
+
+def test_of_several_drawings_each_is_a_file():
+    assert files_in(f"{PLAIN} and {DRAWN}") == (PLAIN.encode(), DRAWN.encode())
+    addresses = [f"data:image/svg+xml,{quote(one)}" for one in (PLAIN, DRAWN)]
+    assert files_in(" ".join(addresses)) == (PLAIN.encode(), DRAWN.encode())
+    assert files_in("words") == files_in("data:image/png;base64,AAAA") == ()

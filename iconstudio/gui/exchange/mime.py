@@ -10,7 +10,7 @@ from iconstudio.gui.exchange.dragging import unpacked
 from iconstudio.gui.pictures.photo import image_of
 from iconstudio.images.pillow import is_image
 from iconstudio.inputs.items import Drawing, Elsewhere, File, Image, Item, Reference, named_in
-from iconstudio.svg.pasted import data_images, drawings_in, is_part
+from iconstudio.svg.pasted import data_images, files_in
 
 SVG = "image/svg+xml"
 _SVG_TYPES = (SVG, "image/x-inkscape-svg", "application/svg+xml")
@@ -30,7 +30,7 @@ def holds_words(data: QMimeData) -> bool:
     text = data.text()
     if data.hasUrls() or not text.strip() or any(map(data.hasFormat, _SVG_TYPES)):
         return False
-    return not drawings_in(text) and all(isinstance(one, Reference) for one in named_in(text))
+    return not files_in(text) and all(isinstance(one, Reference) for one in named_in(text))
 
 
 def items(data: QMimeData, images_first: bool = False) -> tuple[Item, ...]:
@@ -56,12 +56,10 @@ def _drawings(data: QMimeData) -> tuple[Item, ...]:
         if markup := data.data(kind).data().strip():
             return (Drawing(markup),)
     for text in (data.text(), data.html()):
-        if found := drawings_in(text):
+        if found := files_in(text):
             return tuple(map(Drawing, found))
     addressed = _in_addresses(data.text(), data.html())
-    if found := tuple(one for one in addressed if isinstance(one, Drawing)):
-        return found
-    return (Drawing(data.text().encode("utf-8", "replace")),) if is_part(data.text()) else ()
+    return tuple(one for one in addressed if isinstance(one, Drawing))
 
 
 def _images(data: QMimeData) -> tuple[Item, ...]:
