@@ -106,5 +106,6 @@ def _packed(pixels: NDArray[np.uint8]) -> NDArray[np.uint32]:
     """Return the colours (h, w) of a picture (h, w, c), each as a number."""
     packed = np.zeros(pixels.shape[:2], np.uint32)
     for channel in range(pixels.shape[2]):  # of large pictures, no copy of all channels
-        packed = (packed << 8) | pixels[..., channel]
+        packed *= np.uint32(256)
+        packed += pixels[..., channel]
     return packed
