@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from iconstudio.algorithms.iconification.energy import RemixProblem
 from iconstudio.algorithms.iconification.guidance import held, mirror_image, scribble
+from iconstudio.algorithms.iconification.style import STYLES, Style, blackness
 from iconstudio.algorithms.iconification.symmetry import reflected
 from iconstudio.algorithms.raster import Bitmap
 from iconstudio.model import Axis, Exemplar, Layer, Pictogram, Sketch, Source, Stroke
@@ -51,6 +52,23 @@ def idle_pins(sketch: Sketch) -> str:
     return (
         f"A part of {names} is pinned, but the icon is left out, so the pin is not heeded. "
         "Take the icon in again, or unpin the part."
+    )
+
+
+def pins_of_other_styles(parts: Iterable[PinnedPart], styles: Sequence[Style]) -> str:
+    """Return the sentence that says which pins no style heeds, as their icons are of others."""
+    told = {}
+    for part in parts:
+        black = blackness(part.source.exemplar.ink)
+        if not any(style.admits(black) for style in styles):
+            own = " or ".join(style.name for style in STYLES if style.admits(black))
+            told[part.source.exemplar.pictogram.name] = own
+    if not told:
+        return ""
+    names = ", ".join(f"“{name}” ({own})" for name, own in sorted(told.items()))
+    return (
+        f"A part of {names} is pinned, but the icon is of another style than those that are made, "
+        "so the pin is not heeded. Make a style of the icon's, too, or unpin the part."
     )
 
 

@@ -96,12 +96,17 @@ def test_a_pin_of_an_icon_that_is_left_out_is_told_and_not_heeded(resources, res
     assert (icon.composite.labels == result.composite.labels).all()
 
 
-def test_a_pin_does_nothing_in_a_style_to_which_its_icon_does_not_belong(resources, result):
+def test_a_pin_does_nothing_in_a_style_to_which_its_icon_does_not_belong_and_that_is_told(
+    resources, result
+):
     ring = exemplar(abs(np.hypot(XS - 128, YS - 128) - 85) < 4, "ring")
     pin = Layer(ring.pictogram, Placement(), (CORNER,))
     known = SimpleNamespace(**vars(resources) | {"exemplar": lambda pictogram: ring})
-    (icon,) = icons(list(run(known, replace(SKETCH, pins=(pin,)), SETTINGS)))
+    events = list(run(known, replace(SKETCH, pins=(pin,)), SETTINGS))
+    (icon,) = icons(events)
     assert (icon.composite.labels == result.composite.labels).all()
+    (remark,) = [one for one in events if isinstance(one, Remark)]
+    assert "“test:ring” (lightest)" in remark.sentence and "not heeded" in remark.sentence
 
 
 def test_a_part_is_the_piece_of_ink_under_the_pointer(result):

@@ -27,7 +27,13 @@ from iconstudio.workflows.grid import GridSettings, GridTask, Matches, focused, 
 from iconstudio.workflows.modelling.best import with_best
 from iconstudio.workflows.modelling.symmetric import with_symmetric
 from iconstudio.workflows.modelling.variety import with_variety
-from iconstudio.workflows.pinning import PinnedPart, idle_pins, pinned_parts, pinning
+from iconstudio.workflows.pinning import (
+    PinnedPart,
+    idle_pins,
+    pinned_parts,
+    pinning,
+    pins_of_other_styles,
+)
 from iconstudio.workflows.remixing import RemixResources
 from iconstudio.workflows.solving import Posed
 
@@ -57,12 +63,14 @@ def run(
         If the polygon or the keyword is no good; before any work is done.
     """
     settings = settings or GridSettings()
-    settings.chosen_styles()
+    styles = settings.chosen_styles()
     fitted_sketch(sketch)
     matcher = yield from resources.prepare(sketch.keyword, sketch.exclude, settings.scales)
     if idle := idle_pins(sketch):
         yield Remark(idle)
     pins = pinned_parts(sketch, resources.exemplar)
+    if unheeded := pins_of_other_styles(pins, styles):
+        yield Remark(unheeded)
     events = model(
         sketch,
         matcher,
