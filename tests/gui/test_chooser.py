@@ -275,7 +275,7 @@ def test_what_is_no_file_cannot_be_dropped(chooser):
     [
         ("gone.svg", None, "no such file"),
         ("empty.svg", "", "is empty"),
-        ("letter.svg", "Dear dog", "well-formed"),
+        ("letter.svg", "Dear dog", "a text, not a drawing"),
         ("pale.svg", SVG.replace("path", "g"), "nothing to be seen"),
     ],
 )
