@@ -27,7 +27,8 @@ def pixmap(name: str, color: QColor, size: int = 20, ratio: float = 2.0) -> QPix
     key = f"{name} {color.name(QColor.NameFormat.HexArgb)} {size} {ratio}"
     picture = QPixmapCache.find(key)
     if picture is None:
-        picture = _drawn(name, color, size, ratio)
+        # Where a layout has no room yet, icons of no size are asked for.
+        picture = _drawn(name, color, size, ratio) if size * ratio >= 1 else QPixmap()
         QPixmapCache.insert(key, picture)
     return picture
 
