@@ -164,6 +164,10 @@ def test_every_small_icon_shows_something(name, colours):
     assert edge[..., 3].max() < 0.3, "nothing is cut off"
 
 
+def test_an_icon_of_no_size_is_no_picture_and_no_warning():
+    assert icons.pixmap("add", theme.LIGHT.color("text"), 0).isNull()
+
+
 @pytest.mark.parametrize("ratio", [1.0, 1.5, 2.0])
 def test_an_icon_has_the_colours_of_the_theme_in_use(monkeypatch, ratio):
     drawn = icons.icon("add", "accent")
