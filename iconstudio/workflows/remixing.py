@@ -2,10 +2,10 @@
 
 import itertools
 from collections import deque
-from collections.abc import Callable, Generator, Iterator
+from collections.abc import Callable, Generator, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Protocol, TypeVar
 
 from iconstudio.algorithms.iconification.matching import Matcher
 from iconstudio.algorithms.iconification.plausibility import Plausibility
@@ -24,6 +24,8 @@ PROMPT = 0.03
 """Seconds after which whoever waits for results looks whether they are still wanted."""
 
 Finish = Callable[[Remix], Remix]
+Row = TypeVar("Row")
+T = TypeVar("T")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -178,6 +180,31 @@ _numbers = itertools.count()
 def _tasks(series: CutSeries, finish: Finish, lane: int) -> list[_Task]:
     number = next(_numbers)
     return [_Task(number, series, finish, step, lane) for step in series.steps]
+
+
+def answers_by_row(
+    workers: Workers, function: Callable[..., T], rows: Sequence[Row], *args: object, doing: str
+) -> Generator[tuple[float, list[tuple[Row, T]]]]:
+    """Ask a worker process ``function(row, *args)`` of each row, all at once.
+
+    Yield again and again which part of the rows is done, and which of them were answered since.
+    Closing the generator stops what is left.
+
+    Raises
+    ------
+    IconstudioError
+        If one is lost; a sentence that begins with what it was ``doing``.
+    """
+    ticket = workers.ticket()
+    try:
+        asked = {workers.submit(function, row, *args, ticket=ticket): row for row in rows}
+        left = set(asked)
+        while left:
+            done, left = wait(left, PROMPT)
+            answers = [(asked[future], answer(future, doing)) for future in done]
+            yield 1 - len(left) / len(rows), answers
+    finally:
+        ticket.stop()
 
 
 def remix_of(series: CutSeries, step: Step, solved: Solved) -> Remix:

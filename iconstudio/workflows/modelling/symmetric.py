@@ -8,7 +8,7 @@ recommended result is cut again under the constraint. This comes after all of th
 
 from collections import defaultdict
 from collections.abc import Callable, Generator, Iterator
-from concurrent.futures import CancelledError, wait
+from concurrent.futures import CancelledError
 from contextlib import closing
 from dataclasses import dataclass, replace
 from functools import partial
@@ -25,10 +25,10 @@ from iconstudio.algorithms.raster import Bitmap, overlap, placed_ink
 from iconstudio.limits import limited
 from iconstudio.model import CANVAS, Axis, Remix, Source
 from iconstudio.tasks import stopped
-from iconstudio.workers import Workers, answer
+from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import MEMORY, SECONDS, Render
 from iconstudio.workflows.events import Event, Progress, Recommended, Result
-from iconstudio.workflows.remixing import PROMPT, remix_of
+from iconstudio.workflows.remixing import answers_by_row, remix_of
 from iconstudio.workflows.solving import CutSeries, Posed, Solved, Step, finished, worth
 
 Pose = Callable[[tuple[Source, ...]], Posed]
@@ -111,24 +111,17 @@ def with_symmetric(
                     best[style] = lambda_s
     if axis is None or plausibility is None:
         return
-    ticket = workers.ticket()
-    try:
-        rows = [row_of(made[style], value, pose, axis) for style, value in best.items()]
-        asked = {
-            workers.submit(symmetric, row, render, plausibility, ticket=ticket): row for row in rows
-        }
-        left = set(asked)
-        while left:
-            done, left = wait(left, PROMPT)
-            for future in done:
-                row = asked[future]
-                for lambda_s, solved in answer(future, "Making a result symmetric"):
+    rows = [row_of(made[style], value, pose, axis) for style, value in best.items()]
+    doing = "Making a result symmetric"
+    answered = answers_by_row(workers, symmetric, rows, render, plausibility, doing=doing)
+    with closing(answered) as steps:
+        for done, answers in steps:
+            for row, found in answers:
+                for lambda_s, solved in found:
                     icon = remix_of(row.series(lambda_s), Step(lambda_s), solved)
                     if _plausible(icon) > ABOUT * _plausible(made[row.style][lambda_s]):
                         yield Result(icon)
-            yield Progress("symmetry", 1 - len(left) / len(rows), "Making symmetric ones")
-    finally:
-        ticket.stop()
+            yield Progress("symmetry", done, "Making symmetric ones")
 
 
 def row_of(made: dict[float, Remix], best: float, pose: Pose, axis: Axis) -> Row:
@@ -163,19 +156,16 @@ def symmetric(row: Row, render: Render, plausibility: Plausibility) -> list[tupl
     CancelledError
         As soon as they are no longer wanted.
     """
-    from iconstudio.algorithms.iconification.block_expansion import Stopped
-
     posed = row.pose(row.sources)
-    try:
-        if row.axis is Axis.HORIZONTAL:
-            cuts = list(_mirrored(row, posed, plausibility))
-        else:
-            posed = replace(posed, problem=replace(posed.problem, symmetry=row.axis))
-            cuts = [_cut_again(row, posed)]
-    except Stopped:
-        raise CancelledError from None
+    if row.axis is Axis.HORIZONTAL:
+        cuts = list(_mirrored(row, posed, plausibility))
+    else:
+        posed = replace(posed, problem=replace(posed.problem, symmetry=row.axis))
+        cuts = [_cut_again(row, posed)]
     found = []
     for lambda_s, labels in cuts:
+        if stopped():
+            raise CancelledError
         with limited(SECONDS, MEMORY):
             series, step = row.series(lambda_s), Step(lambda_s)
             solved = finished(posed, series, step, labels, render, plausibility)
@@ -189,9 +179,9 @@ def _mirrored(row: Row, posed: Posed, plausibility: Plausibility) -> Iterator[tu
     cuts: list[tuple[float, float, Labels]] = []
     for lambda_s, whole in row.labels.items():
         ink = canvas_ink(posed.problem.ink, whole)
-        if stopped() or _evenness(ink, row.aside) < EVEN:
-            continue
-        if overlap(ink, flipped(ink, row.aside)) >= ALIKE:
+        if stopped():
+            raise CancelledError
+        if _evenness(ink, row.aside) < EVEN or overlap(ink, flipped(ink, row.aside)) >= ALIKE:
             continue
         halves = [
             (worth(posed, row.sources, plausibility, labels), lambda_s, labels)
@@ -214,9 +204,13 @@ def _evenness(ink: Bitmap, aside: int) -> float:
 
 def _cut_again(row: Row, posed: Posed) -> tuple[float, Labels]:
     from iconstudio.algorithms.iconification.alpha_expansion import AlphaExpansion
+    from iconstudio.algorithms.iconification.block_expansion import Stopped
 
     lambda_s = next(iter(row.labels))
-    return lambda_s, AlphaExpansion(posed.problem, stopped).solve(posed.weight(lambda_s))
+    try:
+        return lambda_s, AlphaExpansion(posed.problem, stopped).solve(posed.weight(lambda_s))
+    except Stopped:
+        raise CancelledError from None
 
 
 def _plausible(icon: Remix) -> float:

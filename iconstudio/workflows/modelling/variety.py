@@ -9,7 +9,7 @@ copy, or of what is less plausible. This comes after all of the rows.
 
 from collections import defaultdict
 from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
-from concurrent.futures import CancelledError, wait
+from concurrent.futures import CancelledError
 from contextlib import closing
 from dataclasses import dataclass, replace
 from functools import partial
@@ -27,12 +27,12 @@ from iconstudio.algorithms.raster import Bitmap
 from iconstudio.limits import limited
 from iconstudio.model import Remix, Source
 from iconstudio.tasks import stopped
-from iconstudio.workers import Workers, answer
+from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import MEMORY, SECONDS, Render
 from iconstudio.workflows.events import Event, Progress, Recommended, Result
 from iconstudio.workflows.grid import LAMBDAS, PLAUSIBLE, UNTOUCHED
 from iconstudio.workflows.modelling.symmetric import Pose
-from iconstudio.workflows.remixing import PROMPT, remix_of
+from iconstudio.workflows.remixing import answers_by_row, remix_of
 from iconstudio.workflows.solving import CutSeries, Posed, Solved, Step, finished, worth
 
 if TYPE_CHECKING:
@@ -135,20 +135,15 @@ def with_variety(
                 case Recommended(style, lambda_s) if plausibility is not None:
                     row = weak(made[style], lambda_s, pose)
                     found += [row] if row is not None else []
-    ticket = workers.ticket()
-    try:
-        rows = {
-            workers.submit(others, row, render, plausibility, ticket=ticket): row for row in found
-        }
-        left = set(rows)
-        while left:
-            done, left = wait(left, PROMPT)
-            for future in done:
-                for one in answer(future, "Joining the parts, or drawing the result,"):
-                    yield Result(_remix(rows[future].series, one))
-            yield Progress("vary", 1 - len(left) / len(rows), "Looking for other good joins")
-    finally:
-        ticket.stop()
+    doing = "Joining the parts, or drawing the result,"
+    with closing(
+        answers_by_row(workers, others, found, render, plausibility, doing=doing)
+    ) as steps:
+        for done, answers in steps:
+            for row, some in answers:
+                for one in some:
+                    yield Result(_remix(row.series, one))
+            yield Progress("vary", done, "Looking for other good joins")
 
 
 def weak(row: Sequence[Remix], best: float | None, pose: Pose) -> Weak | None:
