@@ -1,7 +1,7 @@
 """Remixing in every style and for every lambda_S (sections 3.3 to 3.5): modelling and editing."""
 
 import math
-from collections.abc import Callable, Generator, Iterable, Sequence, Set
+from collections.abc import Callable, Generator, Sequence, Set
 from contextlib import closing
 from dataclasses import dataclass, replace
 from functools import partial
@@ -23,7 +23,6 @@ from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import (
     Event,
-    Recommended,
     RegionsFound,
     Remark,
     Result,
@@ -31,17 +30,12 @@ from iconstudio.workflows.events import (
     StyleSkipped,
     staged,
 )
+from iconstudio.workflows.recommending import Recommending
 from iconstudio.workflows.remixing import CutSettings, Finish, Remixing, RemixResources
 from iconstudio.workflows.solving import CutSeries, Posed
 
 LAMBDAS = tuple(float(v) for v in np.geomspace(0.03, 0.75, 8))
 """The values of lambda_S that are tried on the paper's canvas (section 3.4)."""
-
-UNTOUCHED = 0.98
-"""A source with this part of the ink is the result, but for crumbs."""
-
-PLAUSIBLE = 0.5
-"""Least probability of a result that is called plausible."""
 
 ENOUGH = 8
 """With fewer exemplars of a style, those that are less alike serve, too."""
@@ -254,59 +248,6 @@ def focused(
                         resources.earlier.clear()
                         resources.earlier[subject] = one
             yield event
-
-
-class Recommending:
-    """Names the best result of each style once all ``count`` are there.
-
-    An icon that comes out as it went in is no remix, and is named only where it is plausible and
-    no remix is.
-    """
-
-    def __init__(self, count: int) -> None:
-        self._count = count
-        self._remixes: dict[str, list[Remix]] = {}
-        self.inside: float | None = None
-        """How much the best of what was named shows of what was drawn inside; None: of nothing."""
-
-    def after(self, events: Iterable[Event]) -> Generator[Event]:
-        """Pass events on, with a ``Recommended`` after the last result of a style."""
-        for event in events:
-            yield event
-            match event:
-                case Result(icon=Remix() as icon, preview=False):
-                    style = icon.composite.style
-                    row = self._remixes.setdefault(style, [])
-                    row.append(icon)
-                    if len(row) == self._count:
-                        yield Recommended(style, self._name(row))
-
-    def _name(self, row: Sequence[Remix]) -> float | None:
-        best = best_of(row)
-        if best is None:
-            return None
-        self.inside = max(self.inside or 0.0, best.score.inside)
-        return best.composite.lambda_s
-
-
-def best_of(row: Sequence[Remix]) -> Remix | None:
-    """Return the best remix of a row, or an icon as it went in if that must stand for one.
-
-    Of equals, that of the highest lambda_S: a row comes in any order.
-    """
-    best = _first(one for one in row if max(one.composite.shares) < UNTOUCHED)
-    if best is not None and _is_plausible(best):
-        return best
-    untouched = (one for one in row if max(one.composite.shares) >= UNTOUCHED)
-    return _first(filter(_is_plausible, untouched)) or best
-
-
-def _first(icons: Iterable[Remix]) -> Remix | None:
-    return max(icons, key=lambda one: (one.score.total, one.composite.lambda_s), default=None)
-
-
-def _is_plausible(icon: Remix) -> bool:
-    return (icon.score.plausible or 0) >= PLAUSIBLE
 
 
 def distinct(rows: Sequence[Sequence[Source]]) -> tuple[Source, ...]:

@@ -6,8 +6,8 @@ import numpy as np
 
 from iconstudio.model import CANVAS
 from iconstudio.workflows.events import Recommended, Result
-from iconstudio.workflows.grid import Recommending
 from iconstudio.workflows.modelling.best import NEARLY, with_best
+from iconstudio.workflows.recommending import Recommending
 from tests.output.made import made, quarters
 
 

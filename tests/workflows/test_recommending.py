@@ -1,8 +1,12 @@
 from dataclasses import replace
 
+import numpy as np
+import pytest
+
+from iconstudio.model import Axis, Placement
 from iconstudio.workflows.events import Recommended, Result
-from iconstudio.workflows.grid import Recommending
-from tests.output.made import made, quarters
+from iconstudio.workflows.recommending import Recommending
+from tests.output.made import SOURCES, made, quarters
 
 
 def recommended(icons):
@@ -56,3 +60,15 @@ def test_what_is_recommended_does_not_depend_on_what_came_first():
     same = [judged(made(0 * quarters(), value), 0.9) for value in (0.1, 0.75, 0.3)]
     for icons in (same, same[::-1]):
         assert recommended(icons) == Recommended("light", 0.75)
+
+
+@pytest.mark.parametrize("plausible, named", [(0.6, 0.05), (0.4, 0.75)])
+def test_an_icon_and_its_mirror_image_are_an_icon_as_it_went_in(plausible, named):
+    placed = Placement(1.1, False, -12, -3)
+    sources = (SOURCES[0], replace(SOURCES[1], placement=placed), *SOURCES[1:3])
+    labels = np.where(quarters() > 0, np.uint8(1), np.uint8(2))
+    halves = judged(made(labels, 0.75, sources=sources), 0.9)
+    joined = judged(made(quarters(), 0.05), plausible)
+    assert recommended([halves, joined]) == Recommended("light", 0.75)
+    mirrored = replace(halves, composite=replace(halves.composite, symmetry=Axis.HORIZONTAL))
+    assert recommended([mirrored, joined]) == Recommended("light", named)

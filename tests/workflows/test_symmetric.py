@@ -19,7 +19,6 @@ from iconstudio.algorithms.raster import placed_ink
 from iconstudio.model import CANVAS, Axis, Placement
 from iconstudio.svg.placed import render_placed
 from iconstudio.workflows.events import Result
-from iconstudio.workflows.grid import Recommending
 from iconstudio.workflows.modelling.modelling import pose_sketch
 from iconstudio.workflows.modelling.symmetric import (
     ASIDE,
@@ -28,6 +27,7 @@ from iconstudio.workflows.modelling.symmetric import (
     symmetric,
     with_symmetric,
 )
+from iconstudio.workflows.recommending import Recommending
 from tests.output.made import SKETCH, SOURCES, made, quarters
 
 BLOCK = 2

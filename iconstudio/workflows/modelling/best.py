@@ -13,7 +13,7 @@ from iconstudio.algorithms.iconification.ranking import Gallery
 from iconstudio.algorithms.iconification.style import STYLES
 from iconstudio.model import Remix
 from iconstudio.workflows.events import Event, Recommended, Result
-from iconstudio.workflows.grid import best_of
+from iconstudio.workflows.recommending import best_of
 
 NEARLY = 0.85
 """A picture that no other row names comes before one that is, from this part of its score on."""

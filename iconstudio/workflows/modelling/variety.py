@@ -30,8 +30,9 @@ from iconstudio.tasks import stopped
 from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import MEMORY, SECONDS, Render
 from iconstudio.workflows.events import Event, Progress, Recommended, Result
-from iconstudio.workflows.grid import LAMBDAS, PLAUSIBLE, UNTOUCHED
+from iconstudio.workflows.grid import LAMBDAS
 from iconstudio.workflows.modelling.symmetric import Pose
+from iconstudio.workflows.recommending import PLAUSIBLE, UNTOUCHED
 from iconstudio.workflows.remixing import answers_by_row, remix_of
 from iconstudio.workflows.solving import CutSeries, Posed, Solved, Step, finished, worth
 

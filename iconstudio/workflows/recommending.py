@@ -1,0 +1,76 @@
+"""Which result of a row to look at first.
+
+An icon that comes out as it went in is no remix, and is named only where it is plausible and no
+remix is.
+"""
+
+from collections import defaultdict
+from collections.abc import Generator, Iterable, Sequence
+
+from iconstudio.model import Composite, Remix
+from iconstudio.workflows.events import Event, Recommended, Result
+
+UNTOUCHED = 0.98
+"""A source with this part of the ink is the result, but for crumbs."""
+
+PLAUSIBLE = 0.5
+"""Least probability of a result that is called plausible."""
+
+
+class Recommending:
+    """Names the best result of each style once all ``count`` are there."""
+
+    def __init__(self, count: int) -> None:
+        self._count = count
+        self._remixes: dict[str, list[Remix]] = {}
+        self.inside: float | None = None
+        """How much the best of what was named shows of what was drawn inside; None: of nothing."""
+
+    def after(self, events: Iterable[Event]) -> Generator[Event]:
+        """Pass events on, with a ``Recommended`` after the last result of a style."""
+        for event in events:
+            yield event
+            match event:
+                case Result(icon=Remix() as icon, preview=False):
+                    style = icon.composite.style
+                    row = self._remixes.setdefault(style, [])
+                    row.append(icon)
+                    if len(row) == self._count:
+                        yield Recommended(style, self._name(row))
+
+    def _name(self, row: Sequence[Remix]) -> float | None:
+        best = best_of(row)
+        if best is None:
+            return None
+        self.inside = max(self.inside or 0.0, best.score.inside)
+        return best.composite.lambda_s
+
+
+def best_of(row: Sequence[Remix]) -> Remix | None:
+    """Return the best remix of a row, or an icon as it went in if that must stand for one.
+
+    Of equals, that of the highest lambda_S: a row comes in any order.
+    """
+    best = _first(one for one in row if not _is_untouched(one.composite))
+    if best is not None and _is_plausible(best):
+        return best
+    untouched = (one for one in row if _is_untouched(one.composite))
+    return _first(filter(_is_plausible, untouched)) or best
+
+
+def _is_untouched(composite: Composite) -> bool:
+    """Return whether nearly all of a result is one source, or one source and its mirror image."""
+    if composite.symmetry is None:
+        return max(composite.shares) >= UNTOUCHED
+    shares: dict[tuple[str, float, int], float] = defaultdict(float)
+    for source, share in zip(composite.sources, composite.shares, strict=True):
+        shares[source.exemplar.id, source.placement.scale, source.placement.dy] += share
+    return max(shares.values()) >= UNTOUCHED
+
+
+def _first(icons: Iterable[Remix]) -> Remix | None:
+    return max(icons, key=lambda one: (one.score.total, one.composite.lambda_s), default=None)
+
+
+def _is_plausible(icon: Remix) -> bool:
+    return (icon.score.plausible or 0) >= PLAUSIBLE
