@@ -5,9 +5,9 @@ from collections.abc import Sequence
 from colorsys import hls_to_rgb
 
 import numpy as np
-import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.extremes import maximum_filter, minimum_filter
 from iconstudio.algorithms.iconification.blending import at, in_blocks, soft_regions
 from iconstudio.algorithms.raster import solid
 from iconstudio.model import CANVAS, Composite, Drawing, Placement, Source
@@ -122,8 +122,8 @@ def _painted(
     s = n // m
     picture = colours[labels].repeat(s, axis=0).repeat(s, axis=1)
     around = 2 * (_NEAR * m // CANVAS) + 1
-    highest = scipy.ndimage.maximum_filter(labels, around)
-    border = highest != scipy.ndimage.minimum_filter(labels, around)
+    highest = maximum_filter(labels, around)
+    border = highest != minimum_filter(labels, around)
     blocks = np.argwhere(border)
     blocks = blocks[in_blocks(seen, s)[at(blocks)].any(axis=(1, 2))]
     total, paint = (np.zeros((len(blocks), s, s, depth), np.float32) for depth in (1, 3))

@@ -19,6 +19,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.extremes import minimum_filter
 from iconstudio.algorithms.tones.alternation import Omission
 from iconstudio.algorithms.tones.halo import without_halo
 from iconstudio.algorithms.tones.layers import flattened, left_out
@@ -238,7 +239,7 @@ def _is_thin(coverage: NDArray[np.uint8]) -> bool:
         return True
     # Where squares fit into it, nothing needs to be measured.
     side = 2 * int(_THIN / 2 * len(ink) / CANVAS) + 3
-    if scipy.ndimage.minimum_filter(ink.view(np.uint8), side).sum() > 0.06 * ink.sum():
+    if minimum_filter(ink.view(np.uint8), side).sum() > 0.06 * ink.sum():
         return False
     depths = scipy.ndimage.distance_transform_edt(ink)[ink]
     return float(2 * np.quantile(depths, 0.95)) * CANVAS / len(coverage) < _THIN

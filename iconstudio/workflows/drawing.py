@@ -12,9 +12,9 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
-import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.extremes import maximum_filter
 from iconstudio.algorithms.iconification.energy import Labels, placed_sources
 from iconstudio.algorithms.iconification.fragments import fragments
 from iconstudio.algorithms.iconification.overhang import (
@@ -229,7 +229,7 @@ def _drawn(
         if label == len(sources):  # nobody
             coverages[label] = np.zeros((units * scale, units * scale), dtype=np.uint8)
             continue
-        near = scipy.ndimage.maximum_filter(owned[label], 2 * _AROUND + 1)
+        near = maximum_filter(owned[label], 2 * _AROUND + 1)
         coverages[label] = _placed(sources[label], near, render, scale, pad)
     return coverages
 

@@ -7,8 +7,8 @@ from collections.abc import Callable, Collection
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import ndimage
 
+from iconstudio.algorithms.extremes import maximum_filter, minimum_filter
 from iconstudio.algorithms.iconification.energy import EPSILON, F_INT, PATCH, Labels, RemixProblem
 from iconstudio.algorithms.iconification.expansion_capacities import UNIT, move, update
 from iconstudio.algorithms.iconification.expansion_network import (
@@ -94,10 +94,10 @@ class BlockExpansion:
         side = self.grid.side
         inside = (slice(1, -1), slice(1, -1))
         picture = labels.reshape(side + 2, side + 2)[inside]
-        seam = ndimage.maximum_filter(picture, 3) != ndimage.minimum_filter(picture, 3)
-        free = ndimage.maximum_filter(seam, 2 * SEAM_REACH - 1)
+        seam = maximum_filter(picture, 3) != minimum_filter(picture, 3)
+        free = maximum_filter(seam, 2 * SEAM_REACH - 1)
         kept = np.zeros((side + 2, side + 2), np.int8)
-        kept[inside] = np.where(free, FREE, np.where(ndimage.maximum_filter(free, 3), HELD, 0))
+        kept[inside] = np.where(free, FREE, np.where(maximum_filter(free, 3), HELD, 0))
         self.grid = self.grid._replace(kept=np.where(self._nodes, kept.ravel(), 0).astype(np.int8))
 
     def let_go(self) -> None:

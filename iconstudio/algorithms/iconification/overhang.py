@@ -13,6 +13,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.extremes import maximum_filter
 from iconstudio.algorithms.iconification.blending import spread
 from iconstudio.algorithms.iconification.energy import Labels, joined_ink
 from iconstudio.algorithms.raster import Bitmap, Scalar
@@ -68,7 +69,7 @@ def continued(labels: Labels, ink: NDArray[np.bool_]) -> Labels:
         pieces, _ = scipy.ndimage.label(ink[owner] & (outside | begun), np.ones((3, 3)))
         whole = np.isin(pieces, np.unique(pieces[begun]))
         others = spread(ink[owner] & outside & ~whole)
-        near = scipy.ndimage.maximum_filter(whole.view(np.uint8), 2 * clear + 1) > 0
+        near = maximum_filter(whole.view(np.uint8), 2 * clear + 1) > 0
         wide[outside & near & ~others & ((wide == count) | (nearest == owner))] = owner
     return wide
 

@@ -7,9 +7,9 @@ what the eye objects to; each lies between 0 and 1, and 1 is best.
 from collections.abc import Sequence
 
 import numpy as np
-import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.extremes import maximum_filter
 from iconstudio.algorithms.iconification.energy import (
     Labels,
     RemixProblem,
@@ -99,7 +99,7 @@ class Gallery:
 
 def _widened(ink: NDArray[np.bool_]) -> NDArray[np.bool_]:
     around = 2 * (SAME * len(ink) // CANVAS) + 1
-    wide: NDArray[np.bool_] = scipy.ndimage.maximum_filter(ink.view(np.uint8), around).view(bool)
+    wide: NDArray[np.bool_] = maximum_filter(ink.view(np.uint8), around).view(bool)
     return wide
 
 

@@ -15,6 +15,7 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 from skimage.measure import label
 
+from iconstudio.algorithms.extremes import maximum_filter, minimum_filter
 from iconstudio.algorithms.patterns.clusters import (
     EXACT,
     FEWEST,
@@ -142,7 +143,7 @@ def is_grainy(pixels: Pixels) -> bool:
 
 def has_gradient(pixels: Pixels, flat: FlatColours) -> bool:
     """Whether the image differs much within one of its flat colours."""
-    even = ndimage.minimum_filter(flat.share, 3) >= 1
+    even = minimum_filter(flat.share, 3) >= 1
     fewest, levels = _GRADIENT
     for number in range(len(flat.colours)):
         own = pixels[even & (flat.first == number)]
@@ -163,7 +164,7 @@ def _is_photograph(pixels: Pixels, flat: Pixels, first: Numbers) -> bool:
 def _spread(lab: Lab) -> NDArray[np.float32]:
     """Return by how much a channel differs within three pixels (h, w), at most."""
     spread: NDArray[np.float32] = np.max(
-        [ndimage.maximum_filter(one, 3) - ndimage.minimum_filter(one, 3)
+        [maximum_filter(one, 3) - minimum_filter(one, 3)
          for one in np.moveaxis(lab, 2, 0)],
         axis=0,
     )  # fmt: skip

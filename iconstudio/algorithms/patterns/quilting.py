@@ -9,8 +9,8 @@ from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import minimum_filter
 
+from iconstudio.algorithms.extremes import minimum_filter
 from iconstudio.algorithms.patterns.energy import Channels
 from iconstudio.algorithms.patterns.exemplar import Places
 from iconstudio.algorithms.patterns.fourier import Searched
@@ -133,7 +133,7 @@ class _Quilt:
         errors = self._searched.squared_differences(
             current.transpose(2, 0, 1), there.astype(np.float32)
         )
-        lowest = errors == minimum_filter(errors, 3, mode="nearest")
+        lowest = errors == minimum_filter(errors, 3)
         fitting = np.argwhere(lowest)
         order = np.argsort(errors[lowest], kind="stable")
         return fitting[order[:_TRIED]]

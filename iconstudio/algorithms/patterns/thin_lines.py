@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import ndimage
 
+from iconstudio.algorithms.extremes import maximum_filter
 from iconstudio.algorithms.patterns.clusters import (
     FEWEST,
     LEAST,
@@ -64,7 +64,7 @@ def lines_of(
         So many colours more there are at most.
     """
     stray = np.where(cores < 0, stray, 0)
-    ridge = (stray > limits.stray) & (stray >= ndimage.maximum_filter(stray, 3) - 1)
+    ridge = (stray > limits.stray) & (stray >= maximum_filter(stray, 3) - 1)
     if not ridge.any():
         return None
     own = pixels[ridge].astype(np.float32)

@@ -7,6 +7,7 @@ behind black and grey alone. Only what a computer painted is told, not the paper
 import numpy as np
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.extremes import greatest_channel
 from iconstudio.algorithms.scanning.ground import ASTRAY, ground_of, is_gradient
 from iconstudio.algorithms.scanning.margin import corners_of, rim_of
 from iconstudio.algorithms.scanning.palette import evenly_painted
@@ -54,7 +55,7 @@ def left_behind(
     coloured = chroma[drawn if drawn.sum() > _FEWEST else ~white] > GREY
     paper = even & white & (1 - small.min(axis=2) / 255 < least)
     corner = np.median(corners_of(small), axis=0)
-    plate = paper & (abs(small - corner).max(axis=2) > _OTHER)
+    plate = paper & (greatest_channel(abs(small - corner)) > _OTHER)
     told = coloured.sum() > _COLOURED * len(coloured) or plate.sum() > _PLATE * paper.sum()
     return frozenset({Omission.PAGE} if told else ())
 

@@ -10,6 +10,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.extremes import maximum_filter, minimum_filter
 from iconstudio.algorithms.scanning.behind import left_behind
 from iconstudio.algorithms.scanning.checkerboard import without_checkerboard
 from iconstudio.algorithms.scanning.darkness import darkness, ground_of, seen_through
@@ -297,8 +298,8 @@ def _enlarged(dark: NDArray[np.float32], shape: tuple[int, ...]) -> NDArray[np.f
 
 def _greys_of_edges(ink: NDArray[np.float32]) -> NDArray[np.float32]:
     """Return ink, from 0 to 1, without noise on the paper and shades within: they are no edges."""
-    near_ink = scipy.ndimage.maximum_filter(ink, 3) > _LITTLE
-    near_paper = scipy.ndimage.minimum_filter(ink, 3) < _LITTLE
+    near_ink = maximum_filter(ink, 3) > _LITTLE
+    near_paper = minimum_filter(ink, 3) < _LITTLE
     edges: NDArray[np.float32] = np.where(near_ink & near_paper, ink, np.rint(ink))
     return edges
 

@@ -9,6 +9,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.extremes import greatest_channel, maximum_filter
 from iconstudio.algorithms.scanning.cutting import cut_out
 from iconstudio.algorithms.scanning.margin import rim_of
 
@@ -55,7 +56,7 @@ def without_checkerboard(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
     greys = _greys(rim_of(levels))
     if greys is None:
         return pixels
-    away = np.stack([abs(levels - grey).max(axis=2) for grey in greys])
+    away = np.stack([greatest_channel(abs(levels - grey)) for grey in greys])
     number = np.where(away.min(axis=0) < _NOISE, away.argmin(axis=0), -1)
     columns, rows = _lines(number), _lines(number.T)
     if columns is None or rows is None:
@@ -69,7 +70,7 @@ def without_checkerboard(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
     board = odd if same > 0.5 else 1 - odd
     between = (levels > greys[0] - _NOISE).all(axis=2) & (levels < greys[1] + _NOISE).all(axis=2)
     ground = _ground(number == board, between, board, rows.step * columns.step)
-    off = abs(levels - greys[board][..., None]).max(axis=2)
+    off = greatest_channel(abs(levels - greys[board][..., None]))
     ground |= _noise(off, ~ground)
     return pixels if ground.all() else cut_out(pixels, greys[board], ground, _BLENDS)
 
@@ -118,7 +119,7 @@ def _ground(
 
     Where the two meet, it may be anything ``between`` them.
     """
-    beside = [scipy.ndimage.maximum_filter(same & (board == grey), _ACROSS) for grey in (0, 1)]
+    beside = [maximum_filter(same & (board == grey), _ACROSS) for grey in (0, 1)]
     pieces, count = scipy.ndimage.label(same | (between & beside[0] & beside[1]))
     sizes = np.maximum(np.bincount(pieces.ravel(), minlength=count + 1), 1)
     odd = np.bincount(pieces.ravel(), board.ravel(), count + 1) / sizes

@@ -4,6 +4,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.extremes import maximum_filter
 from iconstudio.algorithms.scanning.pieces import pieces_alike
 
 _BLENDS = 2
@@ -36,8 +37,8 @@ def cut_out(
     goes_on = np.zeros(mask.size, bool)
     goes_on[number[~mask & ~edge]] = True
     pure = ~mask & goes_on[number]
-    farthest = scipy.ndimage.maximum_filter(np.where(pure, away, 0), 3)
-    farthest = np.where(farthest > 0, farthest, scipy.ndimage.maximum_filter(away, _NEAR))
+    farthest = maximum_filter(np.where(pure, away, 0), 3)
+    farthest = np.where(farthest > 0, farthest, maximum_filter(away, _NEAR))
     share = np.where(pure | mask, pure, np.minimum(away / np.maximum(farthest, 1), 1))
     colours = np.where(
         edge[..., None], ground + (levels - ground) / np.maximum(share, 0.1)[..., None], levels

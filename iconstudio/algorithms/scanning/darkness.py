@@ -6,6 +6,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.extremes import greatest_channel
 from iconstudio.algorithms.scanning.doubts import LEAST
 from iconstudio.algorithms.scanning.free import veil
 from iconstudio.algorithms.scanning.paper import lighting, page
@@ -44,7 +45,7 @@ def seen_through(small: NDArray[np.float32], inverted: bool | None) -> tuple[See
     def see(picture: NDArray[np.float32]) -> NDArray[np.float32]:
         # As on paper: a bright colour is as good as black.
         colours, alpha = picture[..., :3], picture[..., 3]
-        ink = colours.max(axis=2) if inverted else 1 - colours.min(axis=2)
+        ink = greatest_channel(colours) if inverted else 1 - colours.min(axis=2)
         dark: NDArray[np.float32] = np.where(veil(alpha), 0, alpha) * ink
         return dark
 
@@ -72,7 +73,8 @@ def darkness(
     Where a channel of the paper is black already, nothing can be darker in it.
     """
     off = ground - (1 - picture if inverted else picture)
-    dark: NDArray[np.float32] = (off / np.maximum(ground, _BLACK)).max(axis=2)
+    part = (off / np.maximum(ground, _BLACK)).astype(np.float32, copy=False)
+    dark = greatest_channel(part)
     paper = dark[dark < LEAST]
     return np.clip(dark - np.median(paper) if paper.size else dark, 0, 1)
 

@@ -6,6 +6,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.extremes import greatest_channel, maximum_filter, minimum_filter
 from iconstudio.algorithms.scanning.margin import box_of, rim_of
 
 SPECK = 72
@@ -64,7 +65,7 @@ def has_fainter_lines(
     if not seen.sum() > _FAINTER * ink.sum():
         return False
     around = (2 * _SLIM + 1, 2 * _SLIM + 1, 1)
-    groove = (scipy.ndimage.grey_closing(light, around) - light).max(axis=2)
+    groove = greatest_channel(scipy.ndimage.grey_closing(light, around) - light)
     return bool((seen & (groove > _SEEN / 2)).sum() > _FAINTER * ink.sum())
 
 
@@ -129,15 +130,13 @@ def shading(dark: NDArray[np.float32], threshold: float, scale: float) -> float:
     slope = np.hypot(*np.gradient(np.pad(even, 1, mode="edge")))[1:-1, 1:-1]
     enlarged = max(1.0, scale / 2)
     width = round(np.clip(_spread(ink, dark, slope), _SOFT * enlarged, _SOFTEST * enlarged))
-    high, low = (  # beyond the picture is paper
-        filtered(ink, 2 * width + 1, mode="constant", cval=0)
-        for filtered in (scipy.ndimage.maximum_filter, scipy.ndimage.minimum_filter)
-    )
-    edge = high & ~low
+    size, inner = 2 * width + 1, np.s_[width:-width, width:-width]
+    low = minimum_filter(np.pad(ink, width), size)[inner]  # beyond the picture is paper
+    edge = maximum_filter(ink, size) & ~low
     visible = even > LEAST
     around = 2 * round(_SLIM * enlarged) + 1
-    wide = scipy.ndimage.grey_opening(even, around) > LEAST
-    shaded = visible & ~edge & (slope > _GRADUAL) & scipy.ndimage.maximum_filter(wide, around)
+    wide = maximum_filter(minimum_filter(even, around), around) > LEAST
+    shaded = visible & ~edge & (slope > _GRADUAL) & maximum_filter(wide, around)
     return float(shaded.sum() / max(1, visible.sum()))
 
 
@@ -163,7 +162,7 @@ def without_dirt(ink: NDArray[np.bool_], dark: NDArray[np.number]) -> NDArray[np
     if not spots.any() or not clean.any():
         return clean
     width = scipy.ndimage.distance_transform_edt(np.pad(ink, 1))[1:-1, 1:-1]
-    middle = clean & (width >= scipy.ndimage.maximum_filter(width, 3))
+    middle = clean & (width >= maximum_filter(width, 3))
     labels, count = scipy.ndimage.label(spots)
     widest, darkest = (
         scipy.ndimage.maximum(values, labels, np.arange(count + 1)) for values in (width, dark)

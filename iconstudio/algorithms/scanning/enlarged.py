@@ -5,6 +5,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.extremes import greatest_channel
 from iconstudio.algorithms.scanning.free import LARGE
 from iconstudio.algorithms.scanning.ground import unevenness
 from iconstudio.algorithms.scanning.resampling import premultiplied
@@ -139,7 +140,7 @@ def _before(
     for _ in range(_ROUNDS):
         small = np.clip(_mixed(given, up, left), 0, 255)
         again = _mixed(small, down, across)
-        off: NDArray[np.float32] = abs(np.clip(again, 0, 255) - blended).max(axis=2)
+        off: NDArray[np.float32] = greatest_channel(abs(np.clip(again, 0, 255) - blended))
         cut = ((blended <= 0) & (again < 0)) | ((blended >= 255) & (again > 255))
         given = np.where(cut, again, blended)
     return small, off

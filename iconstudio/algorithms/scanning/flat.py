@@ -13,6 +13,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.extremes import maximum_filter, minimum_filter
 from iconstudio.algorithms.scanning.blending import unblended
 from iconstudio.algorithms.scanning.free import (
     FILLED,
@@ -216,8 +217,8 @@ def _is_full_bleed(
 
 def _grain(palette: Palette, blended: NDArray[np.float32]) -> float:
     """Return by how many levels pixels of even areas stray from those around, in the mean."""
-    low = scipy.ndimage.minimum_filter(palette.number, 3)
-    even = (low >= 0) & (low == scipy.ndimage.maximum_filter(palette.number, 3))
+    low = minimum_filter(palette.number, 3)
+    even = (low >= 0) & (low == maximum_filter(palette.number, 3))
     away = abs(blended - scipy.ndimage.uniform_filter(blended, (3, 3, 1)))[even]
     return float(away.max(axis=1).mean()) if even.any() else np.inf
 
@@ -287,7 +288,7 @@ def _parts(
     """
     count = len(palette.colours)
     parts = (np.arange(count)[:, None, None] == palette.number).astype(np.float32)
-    near = np.stack([scipy.ndimage.maximum_filter(one, _NEAR) for one in parts]) > 0
+    near = np.stack([maximum_filter(one, _NEAR) for one in parts]) > 0
     mixed = palette.number < 0
     pixels, absent = blended[mixed], ~near[:, mixed]
     colours = [palette.at(one, mixed) for one in range(count)]

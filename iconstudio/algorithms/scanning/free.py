@@ -4,6 +4,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.extremes import greatest_channel, maximum_filter, minimum_filter
 from iconstudio.algorithms.scanning.cutting import cut_out
 from iconstudio.algorithms.scanning.ground import CLEAR, ground_of
 from iconstudio.algorithms.scanning.margin import PAPER, TINGE, box_of, has_stripes, rim_of
@@ -88,7 +89,7 @@ def on_nothing(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
     coloured = (np.ptp(pixels, axis=2) > TINGE).any()
     if coloured and has_stripes(blended.min(axis=2) > PAPER):
         return pixels  # a flag
-    away = (255 - blended[..., :3]).max(axis=2)
+    away = greatest_channel(255 - blended[..., :3])
     alpha = np.rint(np.clip((away - away.min()) / np.ptp(away), 0, 1) * 255).astype(np.uint8)
     return np.dstack([np.zeros_like(pixels), alpha])
 
@@ -107,7 +108,7 @@ def veil(alpha: NDArray[np.float32]) -> NDArray[np.bool_]:
     """
     most = np.quantile(alpha, 0.99)
     clear = (alpha > 0.05) & (alpha < _INK * most)
-    high, low = scipy.ndimage.maximum_filter(alpha, 3), scipy.ndimage.minimum_filter(alpha, 3)
+    high, low = maximum_filter(alpha, 3), minimum_filter(alpha, 3)
     even = clear & (high - low < 0.05)
     seen_through: NDArray[np.bool_] = clear & scipy.ndimage.binary_dilation(even, np.ones((3, 3)))
     return seen_through

@@ -11,6 +11,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.extremes import greatest_channel, maximum_filter, minimum_filter
 from iconstudio.algorithms.scanning.margin import PAPER, corners_of, rim_of
 from iconstudio.algorithms.tones.regions import GREY, cielab
 
@@ -68,16 +69,16 @@ class Ground(NamedTuple):
         """Whether much of a bitmap is nearly of its colour, as what lossy files leave at edges."""
         if max(blended.shape[:2]) < _TINY:
             return False
-        away = abs(blended - self.colour).max(axis=2)
+        away = greatest_channel(abs(blended - self.colour))
         faint = ((away > 0) & (away <= _FAINT) & (unevenness(blended, 2) > 1)).sum()
         return bool(faint > _LOSSY * ((away > _FAINT) & (away <= _PLAIN)).sum())
 
 
 def unevenness(levels: NDArray[np.float32], size: int) -> NDArray[np.float32]:
     """Return (h, w) by how much a channel differs within a square of ``size`` pixels, at most."""
-    high = scipy.ndimage.maximum_filter(levels, (size, size, 1))
-    low = scipy.ndimage.minimum_filter(levels, (size, size, 1))
-    most: NDArray[np.float32] = (high - low).max(axis=2)
+    high = maximum_filter(levels, (size, size, 1))
+    low = minimum_filter(levels, (size, size, 1))
+    most: NDArray[np.float32] = greatest_channel(high - low)
     return most
 
 

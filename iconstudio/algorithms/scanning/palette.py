@@ -12,6 +12,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.extremes import greatest_channel, maximum_filter, minimum_filter
 from iconstudio.algorithms.scanning.blending import unblended
 from iconstudio.algorithms.scanning.ground import CLEAR, Ground, are_alike, unevenness
 from iconstudio.algorithms.scanning.pieces import pieces_alike
@@ -76,7 +77,7 @@ class Palette(NamedTuple):
         """
         wide = evenly_painted(blended, 3)
         flat = [one for one in range(len(self.colours)) if one not in self.shades]
-        alike = {one: abs(blended - self.colours[one]).max(axis=2) < _EVEN for one in flat}
+        alike = {one: greatest_channel(abs(blended - self.colours[one])) < _EVEN for one in flat}
         kept = set(range(len(self.colours)))
         for one in flat[:0:-1]:
             area = self.number == one if self.counts[one] else alike[one]
@@ -224,8 +225,8 @@ def _at_edges(
     blended: NDArray[np.float32], number: NDArray[np.intp], colours: list[NDArray[np.float32]]
 ) -> NDArray[np.bool_]:
     """Return which pixels of a flat colour blend it with one that lies beside it, as pale as it."""
-    high = scipy.ndimage.maximum_filter(number, 3)
-    low = scipy.ndimage.minimum_filter(np.where(number < 0, high, number), 3)
+    high = maximum_filter(number, 3)
+    low = minimum_filter(np.where(number < 0, high, number), 3)
     edge: NDArray[np.bool_] = (number >= 0) & (high != low)
     away = abs(blended[edge] - np.reshape(colours, (-1, 4))[number[edge]]).max(axis=1)
     edge[edge] = away > _CLOSE / 2
@@ -259,7 +260,7 @@ def _without_ground(
 
 def _trimmed(blended: NDArray[np.float32], area: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Return an area without what goes over into another colour, as edges that run aslant do."""
-    away = abs(blended - np.median(blended[area], axis=0)).max(axis=2)
+    away = greatest_channel(abs(blended - np.median(blended[area], axis=0)))
     trimmed: NDArray[np.bool_] = area & (away < _EVEN)
     return trimmed
 
@@ -316,8 +317,8 @@ def _grown(
     blended: NDArray[np.float32], piece: NDArray[np.bool_], even: NDArray[np.bool_]
 ) -> NDArray[np.bool_]:
     """Return a piece with what continues its shade: beside it, or, as within a ring, beyond."""
-    beside = abs(_extended(blended, piece) - blended).max(axis=2) < _EVEN
-    beyond = abs(_polynomial(blended, piece) - blended).max(axis=2) < _EVEN / 2
+    beside = greatest_channel(abs(_extended(blended, piece) - blended)) < _EVEN
+    beyond = greatest_channel(abs(_polynomial(blended, piece) - blended)) < _EVEN / 2
     grown: NDArray[np.bool_] = scipy.ndimage.binary_propagation(piece, mask=piece | (beside & even))
     grown |= beyond & even
     return grown

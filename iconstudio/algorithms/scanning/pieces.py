@@ -4,6 +4,8 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.extremes import greatest_channel
+
 
 def pieces_alike(
     levels: NDArray[np.float32], where: NDArray[np.bool_], leap: float
@@ -15,7 +17,7 @@ def pieces_alike(
     index = np.arange(where.size).reshape(where.shape)
     meet = []
     for one, other in ((np.s_[1:], np.s_[:-1]), (np.s_[:, 1:], np.s_[:, :-1])):
-        alike = abs(levels[one] - levels[other]).max(axis=2) < leap
+        alike = greatest_channel(abs(levels[one] - levels[other])) < leap
         alike &= where[one] & where[other]
         meet.append(np.stack([index[one][alike], index[other][alike]]))
     rows, columns = np.concatenate(meet, axis=1)

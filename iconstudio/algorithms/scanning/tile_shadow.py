@@ -4,6 +4,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.extremes import maximum_filter
 from iconstudio.algorithms.scanning.ground import ASTRAY, Ground, unevenness
 from iconstudio.algorithms.scanning.margin import box_of
 from iconstudio.algorithms.tones.regions import Mask
@@ -51,7 +52,7 @@ def shadow_of_tile(
     if not _fades(meets, away < _NEARLY, ~ground.mask):
         return None
     contour = tile & ~scipy.ndimage.binary_erosion(tile, np.ones((3, 3)), iterations=2)
-    sharp = scipy.ndimage.maximum_filter(change, 5)[contour] > ASTRAY
+    sharp = maximum_filter(change, 5)[contour] > ASTRAY
     return ~tile & ~ground.mask if sharp.mean() > _EDGED else None
 
 

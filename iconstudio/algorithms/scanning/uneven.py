@@ -7,6 +7,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.extremes import greatest_channel
 from iconstudio.algorithms.scanning.paper import lighting
 
 _SHORTEST = 100
@@ -37,7 +38,7 @@ def is_unevenly_lit(picture: NDArray[np.float32]) -> bool:
     shade = ground / np.maximum(ground[light >= most].mean(axis=0), _PAPER)
     alike = np.ptp(shade, axis=2) < _TINGE * shade.mean(axis=2)
     off = abs(picture - ground) / np.maximum(ground, _PAPER)
-    ink = off.max(axis=2) > _INK
+    ink = greatest_channel(off) > _INK
     rest = ~scipy.ndimage.binary_dilation(ink, iterations=_BESIDE)
     if not rest.any() or alike.mean() < _ALIKE or ink.mean() < _DRAWN:
         return False

@@ -1,9 +1,9 @@
 """The flat shadow that a figure casts on the tile or the badge that it is on, to one side."""
 
 import numpy as np
-import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.extremes import maximum_filter
 from iconstudio.algorithms.tones.regions import ALIKE, Mask, Regions, cielab, hull, nearest, regions
 
 _DEEPEST, _FAINTEST = 0.45, 0.97
@@ -36,7 +36,7 @@ def is_cast(shadow: Mask, figure: Mask, ground: Mask) -> bool:
     if shadow.sum() < _LEAST * shadow.size or not figure.any():
         return False
     stray = 2 * round(_STRAY * size) + 1
-    wide = scipy.ndimage.maximum_filter(figure, stray)
+    wide = maximum_filter(figure, stray)
     for down, across in _DIRECTIONS:
         behind, before = (_swept(wide, side * down, side * across, size) for side in (1, -1))
         if (behind & shadow).sum() < _BEHIND * shadow.sum():
@@ -138,7 +138,7 @@ def _shadow(found: Regions, rgb: NDArray[np.uint8]) -> tuple[Mask | None, float]
 def _brightness(found: Regions, rgb: NDArray[np.uint8], one: int, ground: int) -> float | None:
     """Return how bright a region is where it meets another one, as part of that; None if tinged."""
     here, beside = (found.pure & (found.labels == number) for number in (one, ground))
-    here &= scipy.ndimage.maximum_filter(beside, _MEET)
+    here &= maximum_filter(beside, _MEET)
     if not here.any():
         return None
     shadow, lit = rgb[here].astype(float), rgb[nearest(beside)][here].astype(float)

@@ -6,9 +6,9 @@ true of what is light on a dark ground.
 """
 
 import numpy as np
-import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.extremes import maximum_filter, minimum_filter
 from iconstudio.algorithms.tones.regions import Mask
 
 _PALE, _DARK = 190.0, 120.0
@@ -41,8 +41,8 @@ def with_details(
     on_paper = _drawn_on(paper, grey, solid, reach)
     soft = np.where(fine & ~np.isnan(on_paper), on_paper, soft)
     # Lines along a contour are a part of the silhouette.
-    within = scipy.ndimage.minimum_filter(inside, 2 * reach + 1)
-    within &= fine & ~scipy.ndimage.maximum_filter(paper, 2 * reach + 1)
+    within = minimum_filter(inside, 2 * reach + 1)
+    within &= fine & ~maximum_filter(paper, 2 * reach + 1)
     if not within.any():  # as most often
         return soft
     for levels, darkest in ((grey, _PALE), (255 - grey, 255 - _DARK)):
@@ -60,12 +60,12 @@ def _drawn_on(
 ) -> NDArray[np.float32]:
     """Return how much of each pixel is drawn on a pale ground; NaN where nothing is near."""
     size = 2 * reach + 1
-    level = scipy.ndimage.minimum_filter(np.where(ground, grey, np.inf), size)
+    level = minimum_filter(np.where(ground, grey, np.inf), size)
     others = np.where(ground, np.inf, grey)
-    contrast = level - scipy.ndimage.minimum_filter(others, size)
+    contrast = level - minimum_filter(others, size)
     near = np.isfinite(level) & (level > darkest) & (contrast > _APART) & ~solid
     # A line is as dark as it is, whatever is beside it.
-    dark = scipy.ndimage.minimum_filter(others, 5)[near]
+    dark = minimum_filter(others, 5)[near]
     drawn = np.full(grey.shape, np.nan, np.float32)
     way = level[near] - grey[near]
     drawn[near] = np.clip(way / np.maximum(level[near] - dark, _APART), 0, 1)

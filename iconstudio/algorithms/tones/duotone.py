@@ -7,9 +7,9 @@ pixels are, whereas regions (``regions``) take no notice of small and thin ones.
 from typing import NamedTuple
 
 import numpy as np
-import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.extremes import maximum_filter, minimum_filter
 from iconstudio.algorithms.tones import regions
 from iconstudio.algorithms.tones.regions import Mask, Regions, cielab, pieces
 
@@ -57,8 +57,8 @@ def two_tones(rgb: NDArray[np.uint8], inside: Mask) -> TwoTones | None:
 
 def _third_tone(darkness: NDArray[np.float32], inside: Mask) -> bool:
     """Whether something is evenly of a colour between the two."""
-    high = scipy.ndimage.maximum_filter(np.where(inside, darkness, 1), 3)
-    low = scipy.ndimage.minimum_filter(np.where(inside, darkness, 0), 3)
+    high = maximum_filter(np.where(inside, darkness, 1), 3)
+    low = minimum_filter(np.where(inside, darkness, 0), 3)
     between = (low > _BETWEEN) & (high < 1 - _BETWEEN) & (high - low < _BETWEEN)
     return bool(between.sum() > _FEW)
 

@@ -9,6 +9,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.extremes import maximum_filter, minimum_filter
 from iconstudio.algorithms.tones.regions import Mask, cielab, hull, near_white, regions
 from iconstudio.algorithms.tones.separation import blend
 
@@ -40,7 +41,7 @@ def without_glow(
     rim = inside & ~scipy.ndimage.binary_erosion(inside)
     # What ends at the edge of the picture has an edge there.
     framed = np.pad(alpha, 1)
-    steep = scipy.ndimage.maximum_filter(framed, 5) - scipy.ndimage.minimum_filter(framed, 5)
+    steep = maximum_filter(framed, 5) - minimum_filter(framed, 5)
     soft = (steep < _SOFT * body)[1:-1, 1:-1]
     if (soft & rim).sum() <= _LEAST * rim.sum():  # as nearly always
         return None

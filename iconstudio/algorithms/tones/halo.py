@@ -10,6 +10,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.extremes import maximum_filter
 from iconstudio.algorithms.tones.regions import Mask
 
 _STEP = 6
@@ -37,7 +38,7 @@ def without_halo(rgba: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
     within = [scipy.ndimage.binary_fill_holes(alpha >= level) for level in (*levels, body)]
     wide = 2 * round(_RING * len(alpha) / 1024) + 1
     for outer, inner in itertools.pairwise(within):
-        if (scipy.ndimage.maximum_filter(inner, wide) & ~outer).any():
+        if (maximum_filter(inner, wide) & ~outer).any():
             return None
     if _is_disc(within[-1], rgba):
         return None

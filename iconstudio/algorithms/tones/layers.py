@@ -4,6 +4,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.extremes import maximum_filter, minimum_filter
 from iconstudio.algorithms.tones.regions import Mask
 
 _FAINT, _ROUNDING = 0.2, 1.5
@@ -117,7 +118,7 @@ def _ended(alpha: NDArray[np.float32], body: float) -> NDArray[np.float32]:
 
 def _even(alpha: NDArray[np.float32], size: int = 3, levels: float = _EVEN) -> Mask:
     """Return where alpha is as in the pixels around."""
-    high, low = scipy.ndimage.maximum_filter(alpha, size), scipy.ndimage.minimum_filter(alpha, size)
+    high, low = maximum_filter(alpha, size), minimum_filter(alpha, size)
     even: Mask = high - low <= levels
     return even
 

@@ -11,6 +11,8 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.extremes import maximum_filter, minimum_filter
+
 Mask = NDArray[np.bool_]
 Places = tuple[NDArray[np.int32], NDArray[np.int32]]
 """Rows and columns of pixels."""
@@ -188,8 +190,8 @@ def _cores(lab: NDArray[np.float32], inside: Mask, leap: float) -> NDArray[np.in
     """Number the pieces of even colour; 0 at edges and outside."""
     even = inside.copy()
     for channel in np.moveaxis(lab, 2, 0):
-        high = scipy.ndimage.maximum_filter(np.where(inside, channel, -np.inf), 3)
-        low = scipy.ndimage.minimum_filter(np.where(inside, channel, np.inf), 3)
+        high = maximum_filter(np.where(inside, channel, -np.inf), 3)
+        low = minimum_filter(np.where(inside, channel, np.inf), 3)
         even &= high - low < leap
     cores = _largest(scipy.ndimage.label(even)[0], _SMALLEST)
     # A piece without any even colour, as of thin strokes, is one region.
@@ -206,7 +208,7 @@ def _hairlines(
     """Number the lines that are too thin for even colour; 0 elsewhere."""
     labels = cores[at]
     size = 2 * _NEAR + 1
-    alone = scipy.ndimage.maximum_filter(labels, size) == scipy.ndimage.minimum_filter(labels, size)
+    alone = maximum_filter(labels, size) == minimum_filter(labels, size)
     thin = alone & inside & (cores == 0)
     thin[thin] = np.linalg.norm(lab[thin] - lab[at][thin], axis=1) > BLEND
     return _largest(scipy.ndimage.label(thin, np.ones((3, 3)))[0], 4 * _SMALLEST)
@@ -264,7 +266,7 @@ def _meetings(
 
 def _widths(labels: NDArray[np.intp], areas: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the mean width of each region."""
-    contour = scipy.ndimage.maximum_filter(labels, 2) != scipy.ndimage.minimum_filter(labels, 2)
+    contour = maximum_filter(labels, 2) != minimum_filter(labels, 2)
     contour[[0, -1]] = contour[:, [0, -1]] = True
     depth = scipy.ndimage.distance_transform_edt(~contour)
     # Across a line of width w, the mean distance from its sides is w / 4.

@@ -19,6 +19,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.extremes import maximum_filter, minimum_filter
 from iconstudio.algorithms.tones.linework import THICK
 from iconstudio.algorithms.tones.regions import Mask, Regions, cielab, pale, regions
 
@@ -73,7 +74,7 @@ def shades(
 def _flow_together(found: Regions) -> bool:
     """Whether regions go over into each other by degrees, as in a steep gradient, at no edge."""
     labels = np.where(found.labels > 0, found.labels, found.extended)
-    meet = scipy.ndimage.maximum_filter(labels, 3) != scipy.ndimage.minimum_filter(labels, 3)
+    meet = maximum_filter(labels, 3) != minimum_filter(labels, 3)
     away = scipy.ndimage.distance_transform_edt(~found.pure)[meet & (found.labels > 0)]
     return bool(away.size and away.mean() > _EDGE)
 
@@ -134,9 +135,7 @@ def _figures(found: Regions) -> bool:
     """Whether some regions are figures on others."""
     inside = found.labels > 0
     beside = inside & ~scipy.ndimage.binary_erosion(inside, iterations=_BESIDE)
-    high, low = (
-        f(found.labels, 3) for f in (scipy.ndimage.maximum_filter, scipy.ndimage.minimum_filter)
-    )
+    high, low = (f(found.labels, 3) for f in (maximum_filter, minimum_filter))
     contour = inside & (high != low)
     count = len(found.areas)
     whole = np.bincount(found.labels[contour], minlength=count)

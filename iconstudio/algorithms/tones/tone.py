@@ -39,6 +39,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from iconstudio.algorithms.extremes import maximum_filter
 from iconstudio.algorithms.tones import details, regions
 from iconstudio.algorithms.tones.alternation import Omission, Tones, decide
 from iconstudio.algorithms.tones.cast import without_cast_shadow
@@ -162,7 +163,7 @@ def _in_colours(rgba: NDArray[np.uint8], rgb: NDArray[np.uint8], inside: Mask) -
     soft = _with_details(plain, rgba, inside, found, tones)
     lines = np.maximum(drawn, rim)
     if lines.any():  # beside which nothing is a detail
-        at_lines = _repeated(scipy.ndimage.maximum_filter(lines, 5) > 0, len(rgba))
+        at_lines = _repeated(maximum_filter(lines, 5) > 0, len(rgba))
         soft = np.where(at_lines, plain, soft)
     omissions = tones.omissions | ({Omission.SHADES} if hidden else set())
     return _Share(soft, omissions)
@@ -374,7 +375,7 @@ def _without_crumbs(soft: NDArray[np.float32], inside: Mask) -> NDArray[np.float
         small = (np.bincount(pieces.ravel()) < SMALLEST)[pieces] & (pieces > 0)
         around = scipy.ndimage.binary_dilation(small, np.ones((3, 3)))
         # A dot of the drawing's own has nothing else around it.
-        reached = scipy.ndimage.maximum_filter(np.where(small, pieces, 0), 3)
+        reached = maximum_filter(np.where(small, pieces, 0), 3)
         crumbs = np.unique(reached[around & inside & ~of_tone])
         at = scipy.ndimage.binary_dilation(np.isin(pieces, crumbs[crumbs > 0]), np.ones((3, 3)))
         soft[at] = 1 - tone
