@@ -16,6 +16,9 @@ UNTOUCHED = 0.98
 PLAUSIBLE = 0.5
 """Least probability of a result that is called plausible."""
 
+NEARLY = 0.9
+"""A result that was made symmetric comes first from this part of the best one's score on."""
+
 
 class Recommending:
     """Names the best result of each style once all ``count`` are there."""
@@ -49,9 +52,14 @@ class Recommending:
 def best_of(row: Sequence[Remix]) -> Remix | None:
     """Return the best remix of a row, or an icon as it went in if that must stand for one.
 
+    Where the outline is nearly symmetric, one that is quite so comes first if it is nearly as good.
     Of equals, that of the highest lambda_S: a row comes in any order.
     """
-    best = _first(one for one in row if not _is_untouched(one.composite))
+    remixes = [one for one in row if not _is_untouched(one.composite)]
+    best = _first(remixes)
+    even = _first(one for one in remixes if one.composite.symmetry is not None)
+    if best is not None and even is not None and even.score.total >= NEARLY * best.score.total:
+        best = even
     if best is not None and _is_plausible(best):
         return best
     untouched = (one for one in row if _is_untouched(one.composite))

@@ -5,7 +5,7 @@ import pytest
 
 from iconstudio.model import Axis, Placement
 from iconstudio.workflows.events import Recommended, Result
-from iconstudio.workflows.recommending import Recommending
+from iconstudio.workflows.recommending import NEARLY, Recommending
 from tests.output.made import SOURCES, made, quarters
 
 
@@ -72,3 +72,11 @@ def test_an_icon_and_its_mirror_image_are_an_icon_as_it_went_in(plausible, named
     assert recommended([halves, joined]) == Recommended("light", 0.75)
     mirrored = replace(halves, composite=replace(halves.composite, symmetry=Axis.HORIZONTAL))
     assert recommended([mirrored, joined]) == Recommended("light", named)
+
+
+def test_what_was_made_symmetric_comes_first_if_it_is_nearly_as_good():
+    best, even = (judged(made(quarters(), value), 0.9) for value in (0.05, 0.1))
+    even = replace(even, composite=replace(even.composite, symmetry=Axis.VERTICAL))
+    least = 0.9 * NEARLY**0.5  # what is plausible counts twice
+    assert recommended([best, judged(even, least + 0.01)]) == Recommended("light", 0.1)
+    assert recommended([best, judged(even, least - 0.01)]) == Recommended("light", 0.05)

@@ -60,9 +60,9 @@ def values(row):
     return [lambda_s for lambda_s, _ in symmetric(row, render_placed, Fixed(0.6))]
 
 
-def run(workers, labels, before, after, axis=Axis.HORIZONTAL):
+def run(workers, labels, before, after, axis=Axis.HORIZONTAL, sources=SOURCES):
     """Return the recommended result, and what came after it; both with these plausibilities."""
-    icon = made(labels)
+    icon = made(labels, sources=sources)
     icon = replace(icon, score=replace(icon.score, plausible=before))
     events = Recommending(1).after(iter([Result(icon)]))
     events = with_symmetric(events, axis, pose, workers, render_placed, Fixed(after))
@@ -89,9 +89,20 @@ def test_what_is_uneven_in_the_middle_is_not_mirrored():
 
 
 def test_about_another_axis_places_that_mirror_each_other_have_one_source(workers):
-    icon, (cut,) = run(workers, quarters(), 0.3, 0.6, Axis.VERTICAL)
+    even = (SOURCES[0], SOURCES[3], SOURCES[2])  # each looks the same above and below
+    above = np.ascontiguousarray(SIDE.T)
+    icon, (cut,) = run(workers, above, 0.3, 0.6, Axis.VERTICAL, even)
     assert cut.composite.sources == icon.composite.sources
     assert np.array_equal(cut.composite.labels, reflected(cut.composite.labels, Axis.VERTICAL))
+    ink = cut.drawing.coverage > 127
+    assert likeness(ink, Axis.VERTICAL) > max(
+        0.97, likeness(icon.drawing.coverage > 127, Axis.VERTICAL)
+    )
+
+
+def test_what_has_one_source_at_such_places_but_does_not_look_symmetric_takes_no_place(workers):
+    _, found = run(workers, quarters(), 0.3, 0.6, Axis.VERTICAL)
+    assert found == []
 
 
 def test_only_a_used_source_that_is_no_mirror_image_of_itself_gets_one():

@@ -20,7 +20,7 @@ from iconstudio.algorithms.iconification.energy import Labels, canvas_ink
 from iconstudio.algorithms.iconification.overhang import drawn_ink
 from iconstudio.algorithms.iconification.plausibility import Plausibility
 from iconstudio.algorithms.iconification.ranking import Gallery
-from iconstudio.algorithms.iconification.symmetry import flipped, mirrored_halves
+from iconstudio.algorithms.iconification.symmetry import flipped, likeness, mirrored_halves
 from iconstudio.algorithms.raster import Bitmap, overlap, placed_ink
 from iconstudio.limits import limited
 from iconstudio.model import CANVAS, Axis, Remix, Source
@@ -43,6 +43,8 @@ ASIDE = 6
 """Twice the canvas pixels by which that axis may lie beside the canvas's."""
 ALIKE = 0.98
 """What overlaps its own mirror image by more, source or result, needs no mirrored one."""
+SYMMETRIC = 0.97
+"""What overlaps its own mirror image by less is not called symmetric."""
 ABOUT = 0.97
 """A symmetric result is wanted from this part of the other one's plausibility on: what is moved to
 both sides counts as moved apart."""
@@ -119,7 +121,7 @@ def with_symmetric(
             for row, found in answers:
                 for lambda_s, solved in found:
                     icon = remix_of(row.series(lambda_s), Step(lambda_s), solved)
-                    if _plausible(icon) > ABOUT * _plausible(made[row.style][lambda_s]):
+                    if _is_better(icon, made[row.style][lambda_s], row):
                         yield Result(icon)
             yield Progress("symmetry", done, "Making symmetric ones")
 
@@ -211,6 +213,22 @@ def _cut_again(row: Row, posed: Posed) -> tuple[float, Labels]:
         return lambda_s, AlphaExpansion(posed.problem, stopped).solve(posed.weight(lambda_s))
     except Stopped:
         raise CancelledError from None
+
+
+def _is_better(icon: Remix, other: Remix, row: Row) -> bool:
+    """Return whether a symmetric result is about as plausible, and more symmetric to the eye.
+
+    One source at places that mirror each other need not look the same there.
+    """
+    before, after = (_likeness(drawn_ink(one.drawing), row) for one in (other, icon))
+    symmetric = after >= SYMMETRIC and after > before
+    return symmetric and _plausible(icon) > ABOUT * _plausible(other)
+
+
+def _likeness(ink: Bitmap, row: Row) -> float:
+    if row.axis is Axis.HORIZONTAL:
+        return overlap(ink, flipped(ink, row.aside))
+    return likeness(ink, row.axis)
 
 
 def _plausible(icon: Remix) -> float:
