@@ -7,9 +7,11 @@ from iconstudio.svg import android, pages, quoting, signatures
 
 _ROOT = re.compile(r"<([\w.-]+:)?svg[\s>/]", re.IGNORECASE)
 _PROLOG = re.compile(
-    r"\s*(?:<\?.*?\?>|<!--.*?-->|<!DOCTYPE\s+(?:[\w.-]+:)?svg\b[^>\[]*(?:\[.*?\]\s*)?>)",
+    r"\s*(?:<\?.*?\?>|<!--.*?-->|<!DOCTYPE\s(?:\s*(?:[\w.-]+:)?svg\b[^>\[]*(?:\[.*?\]\s*)?"
+    r"|[^>\[]*\[.*?\]\s*)>)",
     re.DOTALL,
 )
+"""What declares entities is a part of the document, whatever it is the type of."""
 _LONE = re.compile(
     r"(?:\s|<!--.*?-->)*+<(?:path|rect|circle|ellipse|line|polyline|polygon|g|defs|symbol|text)"
     r"(?=[\s/>])(?!.*<(?:[\w.-]+:)?svg[\s>/])",
@@ -48,7 +50,7 @@ def markup_of(text: str) -> tuple[str, list[str]]:
     if components.is_code(markup):
         markup, said = components.without_code(markup, text)
         remarks += said
-    return pages.with_sheets(markup, around), remarks
+    return pages.with_sheets(markup, pages.sheets_in(around)), remarks
 
 
 def _cut_out(text: str) -> tuple[str, str, str]:

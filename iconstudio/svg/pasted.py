@@ -2,7 +2,11 @@
 
 import base64
 import re
+from collections.abc import Iterator, Sequence
 from urllib.parse import unquote_to_bytes
+
+from iconstudio.svg.decode import MAX_BYTES
+from iconstudio.svg.pages import sheets_in, with_sheets
 
 # No pattern looks twice at the same characters: whoever fills a clipboard may wish us ill.
 _TAG = re.compile(
@@ -11,7 +15,7 @@ _TAG = re.compile(
     r"|</(?P<close>(?:[\w.-]+:)?svg)\s*>",
     re.DOTALL | re.IGNORECASE,
 )
-_DOCTYPE = re.compile(r"<!DOCTYPE\s+(?:[\w.-]+:)?svg\b", re.IGNORECASE)
+_DOCTYPE = re.compile(r"<!DOCTYPE\s++(?:(?:[\w.-]+:)?svg\b|[^>\[]*+\[)", re.IGNORECASE)
 _PROLOG = re.compile(
     r"<!DOCTYPE[^\[>]*+(?:\[.*?\]\s*)?>(?:\s|<!--(?:(?!-->).)*+-->)*+", re.DOTALL | re.IGNORECASE
 )
@@ -37,14 +41,19 @@ def files_in(text: str) -> tuple[bytes, ...]:
     """Return the files of drawings that a text is, in UTF-8; nothing if it holds no drawing.
 
     A text with one drawing is a file: what is around it, style sheets and code, may paint it. Of
-    several, each is one. What XML declares of its encoding is left out: it is not that of the text.
+    several, each is one, with the style sheets around it. What XML declares of its encoding is left out: it is not that of the text.
     """
-    found = drawings_in(text)
-    found = found or tuple(data for kind, data in data_images(text) if kind == _SVG)
-    if len(found) > 1:
-        return found
+    spans = _spans(text)
+    if len(spans) > 1:
+        return tuple(_encoded(one) for one in _with_sheets(text, spans))
+    found = bool(spans)
+    if not found:
+        addressed = tuple(data for kind, data in data_images(text) if kind == _SVG)
+        if len(addressed) > 1:
+            return addressed
+        found = bool(addressed)
     whole = _DECLARATION.sub("", text, count=1) if _DECLARATION.match(text) else text
-    return (whole.encode("utf-8", "replace"),) if found or is_part(text) else ()
+    return (_encoded(whole),) if found or is_part(text) else ()
 
 
 def is_part(text: str) -> bool:
@@ -58,6 +67,11 @@ def drawings_in(text: str) -> tuple[bytes, ...]:
     What XML declares of its encoding is left out: it is not that of the text. A drawing that is
     cut short is returned to the end of the text, so that its reader may say so.
     """
+    return tuple(_encoded(text[start:end]) for start, end in _spans(text))
+
+
+def _spans(text: str) -> list[tuple[int, int]]:
+    """Return where the drawings in a text begin and end."""
     found, depth, start, end = [], 0, 0, 0
     for tag in _TAG.finditer(text):
         if tag["open"] and depth == 0:
@@ -70,10 +84,24 @@ def drawings_in(text: str) -> tuple[bytes, ...]:
             continue
         if depth == 0:
             end = tag.end()
-            found.append(text[start:end])
+            found.append((start, end))
     if depth:
-        found.append(text[start:])
-    return tuple(one.encode("utf-8", "replace") for one in found)
+        found.append((start, len(text)))
+    return found
+
+
+def _with_sheets(text: str, spans: Sequence[tuple[int, int]]) -> Iterator[str]:
+    """Yield the drawings at ``spans`` of a page, each with the style sheets elsewhere on it."""
+    sheets, left = sheets_in(text), MAX_BYTES
+    for start, end in spans:
+        elsewhere = [one for one in sheets if one.end <= start or one.start >= end]
+        drawing = with_sheets(text[start:end], elsewhere)
+        left -= len(drawing)
+        yield drawing if left > 0 else text[start:end]
+
+
+def _encoded(text: str) -> bytes:
+    return text.encode("utf-8", "replace")
 
 
 def data_images(text: str) -> tuple[tuple[str, bytes], ...]:

@@ -187,3 +187,20 @@ def test_sides_that_are_one_beside_other_colours_are_told():
     handle = '<path d="M11 12h2v10h-2z" fill="#e64c3c"/>'
     coverage, omissions = tone.pictogram(drawn(panels + handle))
     assert scipy.ndimage.label(coverage > 127)[1] == 2 and omissions == {Omission.SHADES}
+
+
+CUBES = {
+    "blue": ("#60a5fa", "#3b82f6", "#2563eb"),
+    "grey": ("#bdbdbd", "#9e9e9e", "#757575"),
+    "brown, close on one side only": ("#e2b682", "#c4935a", "#a06a2c"),
+}
+
+
+@pytest.mark.parametrize("kind", CUBES)
+def test_all_sides_of_a_thing_of_sides_are_set_off(kind):
+    faces = ("M12 2l9 5-9 5-9-5z", "M3 7l9 5v10l-9-5z", "M21 7l-9 5v10l9-5z")
+    cube = "".join(
+        f'<path d="{d}" fill="{paint}"/>' for d, paint in zip(faces, CUBES[kind], strict=True)
+    )
+    coverage, omissions = tone.pictogram(drawn(cube))
+    assert scipy.ndimage.label(coverage > 127)[1] == 3 and not omissions

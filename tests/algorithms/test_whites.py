@@ -219,3 +219,42 @@ def test_grey_beside_white_that_is_paper_is_kept(grey):
         > 127
     )
     assert coverage[ring].mean() > 0.9 and coverage[~ring].mean() < 0.01
+
+
+RING = '<circle cx="{}" cy="50" r="{}" fill="none" stroke="{}" stroke-width="5"/>'
+WITHIN_LINES = {
+    "a clock": (
+        RING.format(50, 40, "#e53935") + '<path d="M50 25v25l15 12" fill="none" stroke="#111" '
+        'stroke-width="4"/>',
+        '<circle cx="50" cy="50" r="36.5" fill="#fff"/>',
+    ),
+    "glasses": (
+        RING.format(25, 20, "#1b5e20")
+        + RING.format(75, 20, "#1b5e20")
+        + '<path d="M44 50h12" stroke="#1b5e20" stroke-width="5"/>',
+        '<circle cx="25" cy="50" r="16.5" fill="#fff"/><circle cx="75" cy="50" r="17" fill="#fff"/>',
+    ),
+    "wheels, which the frame crosses": (
+        RING.format(25, 20, "#000")
+        + RING.format(75, 20, "#000")
+        + '<path d="M25 50L35 20M25 12h18M38 28H65L75 50L52 52zM52 52L70 14M60 12h22" fill="none" '
+        'stroke="#ea5a47" stroke-width="6"/>',
+        '<circle cx="25" cy="50" r="16" fill="#fff"/><circle cx="75" cy="50" r="16" fill="#fff"/>'
+        '<path d="M47 35h12l-6 9z" fill="#fff"/>',
+    ),
+}
+
+
+@pytest.mark.parametrize("kind", WITHIN_LINES)
+def test_white_in_a_line_that_leaves_a_gap_has_no_other_outline(kind):
+    lines, white = WITHIN_LINES[kind]
+    right = rgba(lines, box=BOX)[..., 3]
+    drawn = white + lines if "crosses" in kind or "clock" in kind else lines + white
+    assert amiss(pictogram(rgba(drawn, box=BOX)), right) < 0.05  # where lines cross, one is set off
+
+
+def test_white_in_a_wide_ring_is_a_body_of_its_own():
+    star = '<path d="M50 26l7 16 17 1-13 11 4 17-15-9-15 9 4-17-13-11 17-1z" fill="{}"/>'
+    ring = RING.format(50, 40, "#1976d2")
+    right = rgba(ring + star.format("#000"), box=BOX)[..., 3]
+    assert amiss(pictogram(rgba(ring + star.format("#fff"), box=BOX)), right) < 0.02

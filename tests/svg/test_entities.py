@@ -58,6 +58,10 @@ HOSTILE = {
         "8 deep",
     ),
     "from a file": (typed('<!ENTITY a SYSTEM "file:///etc/passwd">', svg("&a;")), "'a' from out"),
+    "of a type by another name": (
+        f'<?xml version="1.0"?><!DOCTYPE s [<!ENTITY a SYSTEM "a.txt">]>{svg("<text>&a;</text>")}',
+        "'a' from outside",
+    ),
     "published": (typed('<!ENTITY a PUBLIC "a" "http://a.org/">', svg("&a;")), "'a' from out"),
     "unparsed": (
         typed('<!NOTATION p SYSTEM "p"><!ENTITY a SYSTEM "a.png" NDATA p>', svg(PATH)),
@@ -65,6 +69,12 @@ HOSTILE = {
     ),
     "parameters from a file": (typed('<!ENTITY % a SYSTEM "a.dtd">%a;', svg(PATH)), "from outside"),
 }
+
+
+def test_entities_are_those_of_a_type_by_any_name():
+    assert_shows(
+        f'<!DOCTYPE drawing [<!ENTITY d "{HOUSE}">]>{svg(PATH.replace(HOUSE, "&d;"))}', PATH
+    )
 
 
 @pytest.mark.parametrize("kind", HOSTILE)

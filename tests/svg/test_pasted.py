@@ -50,6 +50,8 @@ def test_the_document_type_goes_along_with_its_entities():
     doctype = '<!DOCTYPE svg PUBLIC "x" "y" [\n<!ENTITY ns "http://a.org/">\n]>\n<!-- hello -->\n'
     text = f'<?xml version="1.0"?>\n{doctype}{PLAIN}'
     assert drawings_in(text) == (f"{doctype}{PLAIN}".encode(),)
+    other = doctype.replace("svg", "drawing")
+    assert drawings_in(f"{other}{PLAIN}") == (f"{other}{PLAIN}".encode(),)
     assert drawings_in(f"{doctype}and words {PLAIN}") == (PLAIN.encode(),)
 
 
@@ -64,7 +66,17 @@ def test_words_hold_no_drawing():
 
 @pytest.mark.parametrize(
     "piece",
-    ["<svg ", '<svg a="', "<svg a='", "<!--", "<!DOCTYPE svg [", "<svg>", "<![CDATA[", "</svg"],
+    [
+        "<svg ",
+        '<svg a="',
+        "<svg a='",
+        "<!--",
+        "<!DOCTYPE svg [",
+        "<!DOCTYPE a ",
+        "<svg>",
+        "<![CDATA[",
+        "</svg",
+    ],
 )
 def test_a_long_text_takes_no_longer_than_its_length(piece):
     start = time.process_time()
@@ -141,6 +153,32 @@ def test_the_styles_around_a_pasted_drawing_are_read():
     assert "stroke-width" in read(pasted).svg
     (pasted,) = files_in(CODE)
     assert read(pasted).remarks == ()
+
+
+SEVERAL = {
+    "a page": f"<html><style>{HOLLOW}</style><p>{DRAWN} and {DRAWN}</p></html>",
+    "a style sheet at the end": f"<div>{DRAWN}{DRAWN}</div><style>{HOLLOW}</style>",
+    "the other drawing": DRAWN.replace("<path", f"<style>{HOLLOW}</style><path") + DRAWN,
+    "a component": f"<template><p>{DRAWN}{DRAWN}</p></template>\n<style scoped>{HOLLOW}</style>",
+    "variables": "<style>:root{--w:2}</style>"
+    f"<style>{HOLLOW.replace(':2', ':var(--w)')}</style>{DRAWN}{DRAWN}",
+}
+
+
+@pytest.mark.parametrize("kind", SEVERAL)
+def test_each_of_several_drawings_has_the_styles_around_it(kind):
+    pasted = files_in(SEVERAL[kind])
+    assert len(pasted) == 2
+    expected = read(DRAWN.replace("<path", f"<style>{HOLLOW}</style><path")).svg
+    for one in pasted:
+        drawing = read(one)
+        assert drawing.svg == expected
+        assert drawing.remarks == ()
+
+
+def test_styles_that_speak_of_something_else_are_left_to_the_page():
+    other = "<style>p.b{color:red}</style>"
+    assert files_in(f"{other}{PLAIN}{PLAIN}") == (PLAIN.encode(), PLAIN.encode())
 
 
 def test_what_a_text_declares_of_its_encoding_is_not_heeded():

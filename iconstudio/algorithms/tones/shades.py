@@ -9,6 +9,8 @@ differ, as long as a person sees it:
 2. white beside grey;
 3. *sides*, as of a box or an envelope: all are wide, and some differ by more than shadows do.
 
+Where some sides are told apart, and there is nothing but sides, all that differ so are.
+
 Other shades are left out, and told. A pale line that goes all around paper, and pale marks that lie
 free on white, are told from it in any flat drawing.
 """
@@ -55,6 +57,10 @@ def shades(
     """Return the regions (k + 1,) of a drawing, and whether shades of them are not told apart."""
     alone = not (found.lengths[1:, 1:] > 0).any()
     flat = _is_flat(rgb, inside)
+    if flat and not alone:
+        closer = regions(cielab(rgb), inside, _SIDES, smallest, leap=_LEAP)
+        if len(closer.areas) > len(found.areas) and _is_all_sides(closer):
+            return closer, False
     if not (alone or _has_pale_rim(found) or (flat and found.white.any())):
         return found, _hides_shapes(found, rgb, inside, smallest)
     least, size = (_SLIGHT, smallest) if flat else (_FLOWING, _BROAD * inside.sum())
@@ -129,6 +135,12 @@ def _sides(found: Regions) -> bool:
     meeting = (found.lengths[1:, 1:] > 0).any(axis=1)
     wide = found.widths[1:][meeting] > THICK
     return bool(wide.all() and found.contrasts[1:, 1:].max() > _SIDES)
+
+
+def _is_all_sides(found: Regions) -> bool:
+    """Whether a drawing consists of some large sides, all of which are at the outside."""
+    large = found.areas[1:] > _LARGE * found.areas[1:].sum()
+    return bool((large & (found.widths[1:] > THICK) & (found.lengths[0, 1:] > 0)).all())
 
 
 def _figures(found: Regions) -> bool:

@@ -6,7 +6,8 @@
    cloud before the sun, a panda's head, the white half of a flag, the snowy tip of a mountain,
    the sole of a shoe),
    alike along all of one paint; not along a narrow band, which sets off what is beside it, nor
-   along a *bite*.
+   along a *bite*. White in a line of another paint that leaves a narrow gap all along it, as in the
+   wheels of a bicycle, needs no other outline, and is no body; nor is other white in the lines.
 3. White within the drawing is paper if it is on what reaches the outside (eyes in a face), else it
    differs from what is around it, as all colours do (teeth in a mouth).
 
@@ -18,6 +19,8 @@ is behind the white is told by its convex hull.
 from typing import NamedTuple
 
 import numpy as np
+import scipy
+from numpy.typing import NDArray
 
 from iconstudio.algorithms.tones.linework import THICK
 from iconstudio.algorithms.tones.regions import ALIKE, Mask, Regions, hull, sums
@@ -41,6 +44,9 @@ _CONVEX = 0.98
 """How much of its convex hull a convex shape fills."""
 _WITHIN = 0.9
 """How much of its contour a shape that is drawn on the white shares with it."""
+_GAP, _ALONG = 12.0, 0.6
+"""Width in pixels of the widest gap between white and the line that it lies in; how much of its
+contour on the outside runs along one."""
 _WHOLE = 0.95
 """How much of its convex hull a shape fills that a band of white divides, with that band."""
 
@@ -67,6 +73,8 @@ def whites(found: Regions) -> Whites:
     if page.any() and sharp:
         return Whites(white & ((outer > 0) | _on_ink(found)), none, page)
     at_outside = white & (outer > 0)
+    framed = at_outside & _framed(found)
+    at_outside &= ~framed
     wide = (found.widths > THICK) | (outer > _AROUND * found.around)
     body = at_outside & wide & _is_white_around(found)
     # A narrow band sets other colours off.
@@ -78,8 +86,34 @@ def whites(found: Regions) -> Whites:
         part[number] = not _is_bite(found, int(number), sharp)
     alike = np.linalg.norm(found.colours[:, None] - found.colours, axis=2) < ALIKE
     outlined = at_outside & ~body & (found.widths > _BAND) & (part & alike & wide).any(axis=1)
-    paper = white & ~body & (at_outside | _on_ink(found))
+    paper = white & ~body & (at_outside | framed | _on_ink(found))
     return Whites(paper, part | outlined, none)
+
+
+def _framed(found: Regions) -> Mask:
+    """Return the white regions (k + 1,) in lines that leave a gap, and others in the same lines."""
+    around = found.labels == 0
+    paint = ~around & ~found.white[found.labels]
+    framed: Mask = found.white & (_along_gaps(found, around, paint) > _ALONG * found.lengths[0])
+    if framed.any():
+        within = scipy.ndimage.binary_fill_holes(paint)
+        enclosed = np.bincount(found.labels[within], minlength=len(framed))
+        framed |= found.white & (enclosed > _WITHIN * found.areas)
+    return framed
+
+
+def _along_gaps(found: Regions, around: Mask, paint: Mask) -> NDArray[np.float64]:
+    """Return at how many pixel sides (k + 1,) regions meet a gap between them and a paint."""
+    along = np.zeros(len(found.areas))
+    away, (rows, columns) = scipy.ndimage.distance_transform_edt(~paint, return_indices=True)
+    here = np.indices(paint.shape)
+    # A rim of white is as near to what it is the rim of, but there is white between.
+    middle = (here[0] + rows) // 2, (here[1] + columns) // 2
+    gap = around & (away <= _GAP) & around[middle]
+    for one, other in ((np.s_[1:], np.s_[:-1]), (np.s_[:, 1:], np.s_[:, :-1])):
+        for at, beside in ((one, other), (other, one)):
+            along += np.bincount(found.labels[beside][gap[at]], minlength=len(along))
+    return along
 
 
 def _is_white_around(found: Regions) -> Mask:
