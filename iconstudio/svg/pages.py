@@ -48,8 +48,8 @@ def sheets_in(text: str) -> list[Sheet]:
 def with_sheets(markup: str, sheets: Sequence[Sheet]) -> str:
     """Return a drawing with those of the style sheets around it that speak of it.
 
-    They do if they select a class, an id or an element that it has, or if it or they use variables. Its
-    own come after them.
+    They do if they select a class, an id or an element that it has, or if it or they use
+    variables. Its own come after them.
     """
     start = _START.search(markup)
     if start is None or start[0].endswith("/>"):

@@ -41,7 +41,8 @@ def files_in(text: str) -> tuple[bytes, ...]:
     """Return the files of drawings that a text is, in UTF-8; nothing if it holds no drawing.
 
     A text with one drawing is a file: what is around it, style sheets and code, may paint it. Of
-    several, each is one, with the style sheets around it. What XML declares of its encoding is left out: it is not that of the text.
+    several, each is one, with the style sheets around it. What XML declares of its encoding is left
+    out: it is not that of the text.
     """
     spans = _spans(text)
     if len(spans) > 1:

@@ -232,7 +232,7 @@ WITHIN_LINES = {
         RING.format(25, 20, "#1b5e20")
         + RING.format(75, 20, "#1b5e20")
         + '<path d="M44 50h12" stroke="#1b5e20" stroke-width="5"/>',
-        '<circle cx="25" cy="50" r="16.5" fill="#fff"/><circle cx="75" cy="50" r="17" fill="#fff"/>',
+        '<g fill="#fff"><circle cx="25" cy="50" r="16.5"/><circle cx="75" cy="50" r="17"/></g>',
     ),
     "wheels, which the frame crosses": (
         RING.format(25, 20, "#000")
