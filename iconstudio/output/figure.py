@@ -3,12 +3,16 @@
 import io
 from collections.abc import Sequence
 from functools import cache
+from itertools import groupby
+from unicodedata import category, name
 
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw, ImageFont
 
+from iconstudio.library.words.symbols import spoken
 from iconstudio.resources import resource
+from iconstudio.svg.geometry import advances
 
 INK = (28, 30, 34)
 MUTED = (118, 122, 130)
@@ -29,6 +33,29 @@ def font(size: int, bold: bool = False) -> ImageFont.FreeTypeFont:
     # From memory: Pillow would keep the file open.
     data = io.BytesIO(resource(name).read_bytes())
     return ImageFont.truetype(data, size, layout_engine=ImageFont.Layout.BASIC)
+
+
+@cache
+def _letters() -> frozenset[int]:
+    """Return the characters that Inter has."""
+    return frozenset(advances(resource("fonts/Inter-Regular.otf")))
+
+
+def legible(text: str) -> str:
+    """Return a text with names for what Inter lacks: of symbols, or of a word's script."""
+    known = _letters()
+
+    def written(word: str) -> str:
+        unknown = [one for one in word if ord(one) not in known]
+        script = name(unknown[0], "?").split()[0] if unknown else ""
+        return f"[{script if script == 'CJK' else script.capitalize()}]" if script else word
+
+    if all(ord(one) in known or one.isspace() for one in text):
+        return text
+    seen = "".join(
+        one for one in spoken(text) if category(one) not in ("Cc", "Cf") or one.isspace()
+    )
+    return " ".join(word for word, _ in groupby(map(written, seen.split())))
 
 
 class Figure:
@@ -55,7 +82,7 @@ class Figure:
         ``anchor`` is Pillow's.
         """
         face = font(size, bold)
-        text = shortened(text, face, width)
+        text = shortened(legible(text), face, width)
         self._draw.text((x, y), text, colour, face, anchor)
         return face.getlength(text)
 
@@ -64,7 +91,7 @@ class Figure:
     ) -> None:
         """Write lines broken at words."""
         face, line = font(size), ""
-        for word in [*text.split(), ""]:
+        for word in [*legible(text).split(), ""]:
             if line and (not word or face.getlength(f"{line} {word}") > width):
                 self._draw.text((x, y), line, colour, face)
                 y, line = y + size * 1.4, word

@@ -382,6 +382,15 @@ def test_of_an_unknown_icon_without_a_like_it_is_told_what_to_do(bundled):
         ("Audi", "", "mean"),
         ("Levi's", "", "mean"),
         ("hous", "hours, house", "zzz"),
+        ("sadness", "sad", "sharpness"),
+        ("happiness", "happy", "harness"),
+        ("hapiness", "", "harness"),
+        ("loneliness", "", "Did you mean"),
+        (".net", "", "Did you mean"),
+        ("ASP.NET", "", "Did you mean"),
+        ("Fu\u00dfball", "soccer ball", "zzz"),
+        ("f\u00fatbol", "soccer", "zzz"),
+        ("\u0628\u064a\u062a", "house", "zzz"),
     ],
 )
 def test_a_hint_is_near_or_none(bundled, keyword, told, never):

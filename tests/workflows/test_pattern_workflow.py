@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from iconstudio.inputs.examples import examples
-from iconstudio.model import IconstudioError, Patterned, Patterning, Transform
+from iconstudio.model import IconstudioError, Motif, Patterned, Patterning, Transform
 from iconstudio.output.png import icon_pixels
 from iconstudio.output.svg import svg_document
 from iconstudio.reading import returned
@@ -101,6 +101,13 @@ def test_a_shape_is_filled_and_is_no_tile(session, work):
     alpha = icon_pixels(icon, 256)[..., 3]
     assert alpha[:8].max() == 0 and alpha.max() == 255
     assert "lucide:heart" in {one.id for one in icon.credits}
+
+
+def test_what_to_do_is_said_where_nothing_fits(session):
+    star = Motif(session.icon("mdi:star-half-full"), 128, 128, 60)
+    wanted = Patterning((star,), width=120, height=120, fill=session.icon("lucide:heart"))
+    with pytest.raises(IconstudioError, match=r"of 120 x 120\. Make the pattern larger .*smaller"):
+        list(run(session, wanted))
 
 
 def test_too_much_is_refused_with_what_it_would_take():

@@ -77,6 +77,8 @@ _ENDINGS = (
 """Of regular plurals and their words, the likeliest first: *shoes* and *caves* lack but the s."""
 _DOUBLED = "bdgklmnprtv"
 _VOWELS = "aeiou"
+_SHORTEST = 3
+"""Letters of the shortest adjective."""
 
 
 def singulars(word: str) -> Iterator[str]:
@@ -132,3 +134,11 @@ def verb_forms(verb: str) -> Iterator[str]:
         yield verb[:-1] + "ied"
     else:
         yield stem + "ed"
+
+
+def qualities(word: str) -> tuple[str, ...]:
+    """Return the adjectives whose noun a word may be: of *happiness*, *happy*."""
+    stem = word.removesuffix("ness")
+    if stem == word or len(stem) < _SHORTEST:
+        return ()
+    return (f"{stem[:-1]}y", stem) if stem.endswith("i") else (stem,)

@@ -14,6 +14,12 @@ _BEHIND = 0.1
 _SHORT = 4
 """Letters of a short word."""
 
+_SUFFIXES = (
+    "ness", "ment", "tion", "sion", "ship", "hood", "less", "able", "ible", "ical", "ity", "ing",
+    "ful", "ous",
+)  # fmt: skip
+"""Ends that so many words have that they say nothing: without it, both must be as much alike."""
+
 _FEWEST = 3
 """Letters of a word that another may be like."""
 
@@ -44,6 +50,7 @@ def nearest(keyword: str, words: Sequence[str], count: int = 3) -> tuple[str, ..
             alike[word] = one_wrong
         elif matcher.quick_ratio() >= least and (ratio := matcher.ratio()) >= least:
             alike[word] = ratio
+    alike = {word: much for word, much in alike.items() if _are_alike_within(word, keyword)}
     best = max(alike.values(), default=0)
     close = [word for word in alike if alike[word] >= best - _BEHIND]
     close.sort(
@@ -55,6 +62,19 @@ def nearest(keyword: str, words: Sequence[str], count: int = 3) -> tuple[str, ..
         )
     )
     return tuple(close[:count])
+
+
+def _are_alike_within(word: str, other: str) -> bool:
+    """Whether what words have before a suffix is alike, if both have it."""
+    from difflib import SequenceMatcher
+
+    for suffix in _SUFFIXES:
+        if word.endswith(suffix) and other.endswith(suffix):
+            stem, wanted = word.removesuffix(suffix), other.removesuffix(suffix)
+            return (
+                is_one_mistake(stem, wanted) or SequenceMatcher(a=stem, b=wanted).ratio() >= _LIKE
+            )
+    return True
 
 
 def is_surely(word: str, other: str) -> bool:

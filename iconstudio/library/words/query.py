@@ -32,6 +32,7 @@ _SIGNS = (
     ("&", " and "),
     (r"(?<=[a-z])\+\+", " plus plus"),
     (r"\b([acf])#", r"\1 sharp"),
+    (r"(?:^|\basp)\.net\b", "dotnet"),
     (r"(?<=\d)\s*%", " percent"),
     (r"\btwo[\s_-]tone\b", "twotone"),
 )

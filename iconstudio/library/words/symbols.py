@@ -67,13 +67,14 @@ def other_names(text: str) -> list[str]:
 def english(word: str) -> list[str]:
     """Return in English what has an emoji that is called ``word`` in another language.
 
-    Or that several emoji are kinds of, in languages that write words without spaces: of a guide dog
-    and a service dog, whose names end in it, a dog.
+    With accents or without. Or that several emoji are kinds of, in languages that write words
+    without spaces: of a guide dog and a service dog, whose names end in it, a dog.
     """
+    word = _bare(word)
     if meant := EVERYDAY.get(word):
         return list(meant)
     called = _translations()
-    if (found := called.get(word.casefold(), [])) or not word or word.isascii():
+    if (found := called.get(word, [])) or not word or word.isascii():
         return found
     heads = Counter(
         head
@@ -96,10 +97,21 @@ def _translations() -> dict[str, list[str]]:
     for data in emoji.EMOJI_DATA.values():
         meant = _words(data["en"])
         for language in others:
-            names = found.setdefault(_words(data.get(language, "")), [])
+            names = found.setdefault(_bare(_words(data.get(language, ""))), [])
             if meant not in names:
                 names.append(meant)
     return found
+
+
+def _bare(word: str) -> str:
+    """Return a word in lower case without accents, as it may be typed."""
+    decomposed = unicodedata.normalize("NFKD", word.casefold())
+    return unicodedata.normalize("NFC", "".join(filter(_is_no_accent, decomposed)))
+
+
+def _is_no_accent(character: str) -> bool:
+    # Those of other scripts, as of Hindi and Japanese, make letters.
+    return not "\u0300" <= character <= "\u036f"
 
 
 def _words(code: str) -> str:

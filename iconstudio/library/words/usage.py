@@ -167,8 +167,8 @@ OTHER_IN_PLURAL = frozenset({"boxers", "glasses", "greens", "news"})
 BRANDS = words(
     """
     acer adidas adobe airbnb aldi asus audi bluesky bmw bosch canon chanel citroen colgate discord
-    docker ebay etsy facebook fanta ferrari fiat firefox flickr gucci heineken honda huawei hulu
-    hyundai ikea instagram intel jira kia lenovo levis lidl linkedin mastodon mercedes nestle
+    docker dotnet ebay etsy facebook fanta ferrari fiat firefox flickr gucci heineken honda huawei
+    hulu hyundai ikea instagram intel jira kia lenovo levis lidl linkedin mastodon mercedes nestle
     netflix nike nikon nintendo nissan nokia nvidia opel paypal pepsi philips pinterest porsche
     prada reddit renault rolex safari samsung shein shopify siemens skoda skype slack snapchat sony
     spotify starbucks subaru telegram temu tesla threads tiktok toyota trello tumblr twitter
@@ -184,7 +184,21 @@ EVERYDAY = _listed(
     石: stone, 川: river, 海: sea, 空: sky, 牛: cow, 豚: pig, 鶏: chicken, 虎: tiger, 竜: dragon,
     刀: sword, 靴: shoe, 鞋: shoe, 門: gate, 窗: window, 机: desk, 桌: table, 椅: chair, 灯: lamp,
     花火: fireworks, 筆: brush, 紙: paper, 纸: paper, 時計: clock, 電話: telephone, 葉: leaf,
-    男: man, 女: woman, 孩子: child, うさぎ: rabbit, りんご: apple, 象: elephant, 책: book
+    男: man, 女: woman, 孩子: child, うさぎ: rabbit, りんご: apple, 象: elephant, 책: book,
+    بيت: house, buch: book, libro: book, livro: book, книга: book, كتاب: book, kitap: book,
+    کتاب: book, macchina: car, машина: car, ماشین: car, baum: tree, arbol: tree, arbre: tree,
+    albero: tree, arvore: tree, شجرة: tree, agac: tree, درخت: tree, pohon: tree, blume: flower,
+    fleur: flower, cicek: flower, گل: flower, bunga: flower, stern: star, estrela: star,
+    звезда: star, نجمة: star, ستاره: star, bintang: star, corazon: heart, cuore: heart,
+    coracao: heart, сердце: heart, mao: hand, рука: hand, يد: hand, دست: hand, tangan: hand,
+    mata: eye, ballon: ball, palla: ball, bola: ball, мяч: ball, توپ: ball, 球: ball, ボール: ball,
+    공: ball, futbol: soccer, calcio: soccer, futebol: soccer, فوتبال: soccer, sepakbola: soccer,
+    축구: soccer, apfel: apple, manzana: apple, pomme: apple, mela: apple, яблоко: apple,
+    تفاحة: apple, elma: apple, سیب: apple, apel: apple, 사과: apple, strasse: road, carretera: road,
+    route: road, strada: road, дорога: road, طريق: road, جاده: road, jalan: road, 路: road,
+    道: road, 길: road, mond: moon, lua: moon, луна: moon, قمر: moon, ماه: moon, bulan: moon,
+    月亮: moon, パン: bread, bateau: ship, aereo: plane, wasser: water, agua: water, acqua: water,
+    вода: water, آب: water, livre: book, lune: moon, mano: hand, كرة القدم: soccer, eau: water
     """
 )
-"""Words of other languages that no emoji is called by, or something else."""
+"""Words of other languages, without accents, that no emoji is called by, or something else."""

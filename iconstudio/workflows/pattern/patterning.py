@@ -147,10 +147,11 @@ def icon_of(work: Patterning, drawn: Drawn, fill: Outline | None) -> Patterned:
 def _check(work: Patterning, drawn: Drawn) -> None:
     if any(layer.fills for layer in drawn.layers):
         return
-    where = "that shape" if work.fill else f"a pattern of {work.width} x {work.height}"
+    where = "that shape in a pattern" if work.fill else "a pattern"
     raise IconstudioError(
-        f"Nothing of the exemplar fits whole into {where}. Make it larger, or scale the "
-        "elements down; or move what its border cuts into the exemplar."
+        f"Nothing of the exemplar fits whole into {where} of {work.width} x {work.height}. Make "
+        "the pattern larger (width and height), or its scale smaller. What the exemplar's border "
+        "cuts never fits: move it inside."
     )
 
 
