@@ -26,7 +26,7 @@ from msgspec.inspect import (
     type_info,
 )
 
-from iconstudio.inputs.formats import LONGEST_TEXT, ODD, Record, Reference
+from iconstudio.inputs.formats import LARGEST, LONGEST_TEXT, ODD, Record, Reference
 from iconstudio.model import IconstudioError
 
 _FIELD = re.compile(r"\.(\w+)((?:\[[\d.]+\])*)")
@@ -148,7 +148,8 @@ def _in_point(point: Any, longest: int) -> str:
         return f"is not {'a pair of ' if longest == 2 else ''}numbers such as [12, 34.5]{more}."
     if not all(abs(one) <= sys.float_info.max for one in point):
         return "is not a number, or too large. Remove it."
-    return f"is out of all scale: [{', '.join(f'{one:g}' for one in point)}]."
+    at = ", ".join(f"{one:g}" for one in point)
+    return f"is out of all scale: [{at}]. Use a unit in which no number is larger than {LARGEST:g}."
 
 
 def _is_number(value: object) -> bool:

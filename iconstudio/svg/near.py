@@ -32,6 +32,8 @@ from iconstudio.svg.styles import INITIAL
 
 _LEAST, _MOST = 0.001, 300.0
 """Canvas units that a unit measures where renderers are at ease."""
+_BETWEEN = 100.0
+"""By how much more a group's unit may differ, which those within make up for."""
 _FAR = 100.0 * CANVAS
 """Canvas units that the origin may lie away."""
 _DEFINITIONS = (
@@ -122,6 +124,8 @@ class _Mover:
             return target is None or self.is_near(target, placed)
         if element.tag in _VIEWS:
             matrix = multiplied(matrix, self._viewport(element, element))
+        if not _is_usual(matrix, _BETWEEN):
+            return False
         return all(self.is_near(one, matrix) for one in element if one.tag not in _DEFINITIONS)
 
     def all_of(self, content: ET.Element, matrix: Matrix) -> ET.Element:
@@ -370,9 +374,9 @@ def _origin(text: ET.Element) -> Matrix:
     return 1.0, 0.0, 0.0, 1.0, -x, -y
 
 
-def _is_usual(matrix: Matrix) -> bool:
+def _is_usual(matrix: Matrix, factor: float = 1.0) -> bool:
     scale, _, _, _, x, y = even_part(matrix)
-    return _LEAST <= scale <= _MOST and max(abs(x), abs(y)) <= _FAR
+    return _LEAST / factor <= scale <= _MOST * factor and max(abs(x), abs(y)) <= _FAR
 
 
 def _transform(element: ET.Element) -> Matrix:

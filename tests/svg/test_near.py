@@ -81,6 +81,22 @@ def test_it_looks_the_same_at_every_scale_and_place(placed, usual):
     assert (apart > 60).mean() < 0.001
 
 
+@pytest.mark.parametrize(
+    ("first", "then"),
+    [
+        ("scale(1e-12)", "scale(1e12)"),
+        ("scale(1e9)", "scale(1e-9)"),
+        ("translate(1e9 -1e9)", "translate(-1e9 1e9)"),
+        ("scale(1e-5) translate(3e12)", "translate(-3e12) scale(1e5)"),
+    ],
+)
+def test_transforms_that_undo_each_other_change_nothing(first, then, usual):
+    start, end = drawing().index(">") + 1, drawing().rindex("</svg>")
+    body = f'<g transform="{first}"><g transform="{then}">{drawing()[start:end]}</g></g>'
+    apart = abs(colours(drawing()[:start] + body + "</svg>") - usual).max(axis=2)
+    assert (apart > 60).mean() < 0.001
+
+
 def test_a_circle_of_a_hundred_thousandth_is_round():
     tiny = '<path d="M1e-6 1e-6h8e-6v8e-6h-8e-6z" fill="#f80"/><circle {} fill="#048"/>'
     tiny = svg(tiny.format('cx="5e-6" cy="5e-6" r="2e-6"'), 'viewBox="0 0 1e-5 1e-5"')
