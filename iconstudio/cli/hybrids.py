@@ -25,7 +25,8 @@ from iconstudio.workflows.remixing import CutSettings
     "--draws",
     type=click.IntRange(1, MOST_DRAWS),
     metavar="N",
-    help="How many to draw; instead of the file's number, or of 40.",
+    help="How many to draw at random; those that repeat an icon or a hybrid are left out. Instead "
+    "of the file's number, or of 40.",
 )
 @click.option(
     "--seed",
@@ -61,6 +62,15 @@ def command(
             "All hybrids repeat the icons. Choose icons that differ more, or ask for more draws."
         )
     running.tell_results(results, "hybrid", folder / "sheet.png")
+    if results < hybrids.draws:
+        click.echo(_repeated(hybrids.draws, results))
+
+
+def _repeated(draws: int, results: int) -> str:
+    """Return why there are fewer results than draws."""
+    number = "draw looks" if draws - results == 1 else f"{draws - results} draws look"
+    more = "More draws may give more" if draws < MOST_DRAWS else "Another seed may give others"
+    return f"The other {number} like one of the icons, or like another hybrid. {more}."
 
 
 def _mixing(session: Session, hybrids: HybridsFile, side: int) -> Generator[Event]:
