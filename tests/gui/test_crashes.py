@@ -11,11 +11,13 @@ from pathlib import Path
 import pytest
 from fake_session import FakeSession
 from hands import SQUARE, action, click, trace, type_keyword
+from PySide6.QtWidgets import QApplication
 
 from iconstudio.gui.project import questions
 from iconstudio.gui.project.questions import Answer
+from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.window.main_window import MainWindow
-from iconstudio.project.journal import journals_folder
+from iconstudio.project.journal import LeftBehind, journals_folder
 
 ROOT = Path(__file__).parents[2]
 MOMENTS = 3
@@ -129,6 +131,22 @@ def test_what_is_offered_is_kept_until_it_is_dismissed(started, qtbot):
     qtbot.waitUntil(lambda: not list(journals_folder().glob("*")))
     assert not window.project.modified
     assert not found.folder.exists()
+
+
+def test_an_offer_cuts_nothing_short(started, qtbot):
+    window = started()
+    window.resize(1280, 720)
+    before = laid_out(window)
+    window.recovery.offer(LeftBehind(Path("gone"), time.time(), lock=None))
+    assert window.recovery.isVisible()
+    assert before - laid_out(window) < UNIT
+
+
+def laid_out(window):
+    """Return the height of the page in a window."""
+    QApplication.processEvents()
+    window.centralWidget().layout().activate()
+    return window.panes.height()
 
 
 def test_restoring_is_shown_while_it_lasts_and_can_be_called_off(started, qtbot, monkeypatch):

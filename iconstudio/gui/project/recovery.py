@@ -39,7 +39,7 @@ class RecoveryBar(QFrame):
         self.dismiss_button = push_button(
             "&Dismiss", "Remove it for good", lambda: self.dismiss.emit(self._offers[0])
         )
-        margins = UNIT * 3 // 2, UNIT // 2, UNIT, UNIT // 2
+        margins = UNIT * 3 // 2, UNIT // 4, UNIT // 2, UNIT // 4
         row((self.label, 1), self.restore_button, self.dismiss_button, of=self, margins=margins)
         self.hide()
 

@@ -81,10 +81,11 @@ class MainWindow(QMainWindow):
         self.actions_by_name.add(RECENT, menu.menuAction())
 
     def _lay_out(self) -> None:
-        margins = UNIT, 0, UNIT, 0
-        top = row(self.modes, (self.recent, 1), spacing=2 * UNIT, margins=margins)
-        offers, centre = row(self.recovery, margins=margins), QWidget()
-        column(top, offers, (self.panes, 1), of=centre, spacing=UNIT // 2)
+        margins, centre = (UNIT, 0, UNIT, 0), QWidget()
+        # In a row of its own, an offer would cut short what is below.
+        beside = (self.recent, 1), (self.recovery, 2)
+        top = row(self.modes, *beside, spacing=2 * UNIT, margins=margins)
+        column(top, (self.panes, 1), of=centre, spacing=UNIT // 2)
         self.setCentralWidget(centre)
         room = QGuiApplication.primaryScreen().availableSize()
         self.resize(min(1360, room.width() - _FRAME), min(860, room.height() - _BAR))
