@@ -20,6 +20,7 @@ from iconstudio.gui.pictures.picture import picture_of
 from iconstudio.model import Composite, Placement, Polygon, Remix, Score, Sketch, Source
 from iconstudio.output.svg import svg_document
 from iconstudio.svg.decode import decode
+from iconstudio.workflows.events import Progress
 
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M{0} 0h9v9z"/></svg>'
 OTHERS = {"Edit": 1, "Hybrids": 2, "Montage": 3}
@@ -345,6 +346,24 @@ def test_what_takes_long_to_open_is_told_meanwhile(place, qtbot, own, monkeypatc
     assert bool(told[-1]) == good
     assert bool(failures) != good
     assert place.window().pane.notice.isVisible() != good
+
+
+def test_what_waits_to_be_opened_is_told_beside_the_work_it_waits_for(
+    place, qtbot, own, monkeypatch
+):
+    go, bar = slowly(place.importer, monkeypatch), place.window().pane.status.bar
+    place.open_mime(urls(*own(1)))
+    qtbot.waitUntil(lambda: status(place) == "Opening…")
+    assert bar.maximum() == 0, "nobody knows how far it is: the bar only moves"
+    joining = Progress("remix", 0.5, "Joining parts")
+    place.progressed.emit(joining)
+    assert status(place) == "Opening… · Joining parts"
+    assert bar.value() == bar.maximum() / 2 > 0
+    go.set()
+    qtbot.waitUntil(lambda: not place.opener.patience.asked)
+    place.progressed.emit(joining)
+    place.window().pane.status.say("")
+    assert status(place) == "Joining parts"
 
 
 @pytest.mark.parametrize("title", ["Sketch", "Edit", "Montage"])

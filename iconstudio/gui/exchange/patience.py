@@ -6,6 +6,7 @@ from PySide6.QtCore import QObject, QTimer
 
 from iconstudio.workflows.events import Progress
 
+OPENING = "Opening…"
 _DELAY = 300
 """Milliseconds after which it is told."""
 
@@ -37,4 +38,4 @@ class Patience(QObject):
     def ask(self) -> None:
         """Ask for it, once more if need be."""
         self.asked = True
-        self._say(Progress("open", 0.0, "Opening…"))
+        self._say(Progress("open", 0.0, OPENING))

@@ -1,17 +1,21 @@
 """A workspace with its progress below, and its messages floating over it."""
 
+from dataclasses import replace
+
 from PySide6.QtCore import QMimeData
 from PySide6.QtWidgets import QWidget
 
 from iconstudio.gui.exchange.dragging import unpacked
 from iconstudio.gui.exchange.dropping import DropTarget
 from iconstudio.gui.exchange.mime import holds_something
+from iconstudio.gui.exchange.patience import OPENING
 from iconstudio.gui.theme.layout import OnGeometry, column
 from iconstudio.gui.theme.theme import UNIT
 from iconstudio.gui.window.notice import Notice
 from iconstudio.gui.window.progress import StatusStrip
 from iconstudio.gui.workspaces.base import Workspace
 from iconstudio.inputs.together import quoted_list
+from iconstudio.workflows.events import Progress
 
 
 class WorkspacePane(QWidget):
@@ -32,7 +36,7 @@ class WorkspacePane(QWidget):
         workspace.hinted.connect(self.notice.hint)
         self.notice.resized.connect(self._place_notice)
         OnGeometry(self.status, self._place_notice)
-        workspace.progressed.connect(self.status.show_progress)
+        workspace.progressed.connect(self._show_progress)
         workspace.counted.connect(self.status.set_finished)
         workspace.idle.connect(self.status.rest)
         workspace.document.page_changed.connect(self._show_remarks)
@@ -57,6 +61,13 @@ class WorkspacePane(QWidget):
         if steps < self._steps:
             self.status.say("")
         self._steps = steps
+
+    def _show_progress(self, progress: Progress) -> None:
+        """Show how far work is, and whether something that is being opened waits for it."""
+        opener = self.workspace.opener
+        if opener is not None and opener.patience.asked and progress.message != OPENING:
+            progress = replace(progress, message=f"{OPENING} · {progress.message}")
+        self.status.show_progress(progress)
 
     def _show_remarks(self) -> None:
         """Show the remarks on the page as it is now, and its icons; messages are dealt with."""

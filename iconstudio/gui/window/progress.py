@@ -11,6 +11,7 @@ from iconstudio.workflows.events import Progress
 REMARK = 6000
 """Milliseconds for which a remark stays."""
 
+_WHOLE = 1000
 _BAR = 25 * UNIT
 _RIGHT = _BAR + 14 * UNIT
 """Room for the progress and the button, in pixels."""
@@ -36,7 +37,7 @@ class StatusStrip(QWidget):
         self._timer.timeout.connect(self._forget)
         self.setFixedHeight(4 * UNIT + 4)
         self.label = label()
-        self.bar = QProgressBar(textVisible=False, maximum=1000)
+        self.bar = QProgressBar(textVisible=False, maximum=_WHOLE)
         self.bar.setFixedWidth(_BAR)
         self.bar.setAccessibleName("Progress")
         tip = "Stop; finished results stay (Ctrl+.)"
@@ -55,7 +56,9 @@ class StatusStrip(QWidget):
         left = "" if progress.remaining is None else spoken(progress.remaining)
         self._message = " · ".join(text for text in (progress.message, left) if text)
         self._write()
-        self.bar.setValue(round(1000 * min(1.0, max(0.0, progress.done))))
+        # As long as it is not known how far it is, the bar only moves.
+        self.bar.setMaximum(_WHOLE if progress.done > 0 else 0)
+        self.bar.setValue(round(_WHOLE * min(1.0, max(0.0, progress.done))))
         self.bar.show()
         self.button.show()
 
@@ -75,6 +78,7 @@ class StatusStrip(QWidget):
         self._message, self._finished = message, 0
         self._write()
         self.bar.hide()
+        self.bar.setMaximum(_WHOLE)
         self.bar.setValue(0)
         self.button.hide()
 
