@@ -180,3 +180,18 @@ def test_the_light_along_an_edge_is_no_line():
 )
 def test_a_dot_and_nothing_and_a_line_that_shows_stay_as_they_are(shape):
     assert not read(shape.format(2) + BLOCK).remarks
+
+
+def test_a_line_is_not_cut_by_the_scrap_of_another_that_peeks_out_behind():
+    """As that around an area by the grid of a radar chart."""
+    grid = '<path d="{}" fill="none" stroke="#cbd5e1"/>'
+    outer = grid.format("M50 10 85 35 72 80H28L15 35z")
+    inner = grid.format("M50 30 68 42 61 66H39L32 42z")
+    area = (
+        '<path d="M50 15 80 40 60 65 30 78 25 40z" fill="#3b82f6" fill-opacity=".4" '
+        'stroke="#2563eb" stroke-width="2"/>'
+    )
+    bare, with_scrap = (
+        rasterise(read(outer + behind + area).svg)[1] > 127 for behind in ("", inner)
+    )
+    assert with_scrap[scipy.ndimage.binary_erosion(bare)].all()

@@ -3,7 +3,7 @@
 Which of two is in front is told where their border ends, at T-junctions: the contour that goes
 straight on belongs to what is in front. If the other were, its corner would bite into that contour.
 If neither goes on, each gives way by half. What is so thin that nothing would be left does not give
-way.
+way, nor does anything to a scrap of a thin line, as of a grid that peeks out behind.
 """
 
 from collections.abc import Iterator
@@ -22,6 +22,8 @@ _EATEN = 0.4
 """How much of a region may be lost to a line, if its neighbour can give way."""
 _THIN = 1.5 * LINE
 """Width in pixels of regions that do not give way, as of an axis below bars."""
+_SCRAP = 150
+"""Pixels of a thin line that is shorter than it would be with its ends set off."""
 _WIDER = 0.02
 """Part of a full turn by which the angles of two at their junctions differ, if one is in front."""
 
@@ -34,8 +36,9 @@ def separating(rgb: NDArray[np.uint8], found: Regions, lines: Mask) -> NDArray[n
     ``lines`` (k + 1, k + 1) says which have one between them.
     """
     drawn = np.zeros(found.labels.shape, np.float32)
+    scraps = (found.widths < LINE) & (found.areas < _SCRAP) & (found.lengths[0] > 0)
     for front, back, window, width in _pairs(found, lines):
-        if found.widths[back] < _THIN:  # nothing of it would be left
+        if found.widths[back] < _THIN or scraps[front]:
             continue
         labels, line = found.labels[window], drawn[window]
         away = scipy.ndimage.distance_transform_edt(labels != front)
