@@ -21,7 +21,6 @@ from iconstudio.library.lookup import Lookup
 from iconstudio.library.phrases import Answer
 from iconstudio.library.words import query, symbols
 from iconstudio.library.words.decency import is_insult
-from iconstudio.library.words.inflections import qualities
 from iconstudio.library.words.naming import is_negated, take_apart
 from iconstudio.library.words.nearness import nearest
 from iconstudio.library.words.query import Style
@@ -361,7 +360,6 @@ class Collection:
             return f"{none} Alone, these words find icons: {', '.join(parts)}."
         english = tuple(filter(self._lookup.scores, symbols.english(keyword.strip())))
         near = self.suggest(_name(keyword)) if query.is_latin(keyword) else ()
-        near = (*filter(self._lookup.scores, qualities(words)), *near)
         if english:  # of what is only spelt like it, that is likely which is in these as well
             near = (*(one for one in near if one in " ".join(english).split()), *english)
             near = tuple(dict.fromkeys(near))

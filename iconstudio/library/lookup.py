@@ -7,6 +7,7 @@ from iconstudio.library.phrases import Answer, Phrases, at_least
 from iconstudio.library.terms import FEW, Rows, Scores, Terms
 from iconstudio.library.words import query, symbols
 from iconstudio.library.words.decency import is_insult, is_unkind
+from iconstudio.library.words.inflections import qualities
 from iconstudio.library.words.naming import is_negated
 from iconstudio.library.words.nearness import nearest
 from iconstudio.library.words.query import Style
@@ -96,13 +97,16 @@ class Lookup:
         return self._terms.beside(query.plain(keyword))
 
     def suggestions(self, keyword: str) -> tuple[str, ...]:
-        """Return words near to a keyword in spelling, unless that is no misspelling."""
+        """Return words near to a keyword in spelling, unless that is no misspelling.
+
+        First comes the quality that it is the noun of: of *sadness*, *sad*.
+        """
         words = query.plain(keyword)
         if is_insult(words) or words in BRANDS:
             return ()
         near = nearest(words, self._terms.proposals())
         kind = (one for one in near if not is_unkind(keyword.strip(), one))
-        return tuple(filter(self._terms.plainly, kind))
+        return tuple(filter(self._terms.plainly, dict.fromkeys((*qualities(words), *kind))))
 
     def spelling(self, keyword: str) -> tuple[str, ...]:
         """Return the words that a keyword is a misspelling of, though few icons are called so."""
