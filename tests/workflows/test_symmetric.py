@@ -60,12 +60,12 @@ def values(row):
     return [lambda_s for lambda_s, _ in symmetric(row, render_placed, Fixed(0.6))]
 
 
-def run(workers, labels, before, after, axis=Axis.HORIZONTAL, sources=SOURCES):
+def run(workers, labels, before, after, axis=Axis.HORIZONTAL, sources=SOURCES, held=False):
     """Return the recommended result, and what came after it; both with these plausibilities."""
     icon = made(labels, sources=sources)
     icon = replace(icon, score=replace(icon.score, plausible=before))
     events = Recommending(1).after(iter([Result(icon)]))
-    events = with_symmetric(events, axis, pose, workers, render_placed, Fixed(after))
+    events = with_symmetric(events, axis, pose, workers, render_placed, Fixed(after), held)
     return icon, [
         event.icon for event in events if isinstance(event, Result) and event.icon is not icon
     ]
@@ -86,6 +86,15 @@ def test_a_symmetric_result_takes_the_place_of_a_less_plausible_one(workers):
 
 def test_what_is_uneven_in_the_middle_is_not_mirrored():
     assert values(row(quarters(), best=0.2)) == []  # nor what is symmetric already
+
+
+def test_where_the_page_asks_for_symmetry_results_are_made_so_if_they_are_not_much_worse(workers):
+    _, found = run(workers, SIDE, 0.6, 0.55)
+    assert found == []
+    _, (held,) = run(workers, SIDE, 0.6, 0.55, held=True)
+    assert likeness(held.drawing.coverage > 127, Axis.HORIZONTAL) > 0.995
+    _, worse = run(workers, SIDE, 0.6, 0.4, held=True)
+    assert worse == []
 
 
 def test_about_another_axis_places_that_mirror_each_other_have_one_source(workers):

@@ -19,7 +19,7 @@ from iconstudio.algorithms.iconification.style import Style
 from iconstudio.algorithms.iconification.symmetry import ROUGHLY, propose
 from iconstudio.algorithms.iconification.tsdf import tsdf
 from iconstudio.algorithms.raster import fill_polygon
-from iconstudio.model import Composite, Sketch, Source
+from iconstudio.model import Axis, Composite, Sketch, Source
 from iconstudio.workers import Workers
 from iconstudio.workflows.drawing import Render
 from iconstudio.workflows.events import Event, Remark
@@ -117,9 +117,11 @@ def model(
     if pins or not settings.variants:  # what is pinned says what the user wants
         yield from events
         return
+    held = sketch.symmetry is Axis.HORIZONTAL  # about others, all was cut so already
     axis = propose(silhouette, ROUGHLY) if sketch.symmetry is None else None
+    axis = Axis.HORIZONTAL if held else axis
     events = with_variety(events, pose, workers, render, plausibility)
-    yield from with_best(with_symmetric(events, axis, pose, workers, render, plausibility))
+    yield from with_best(with_symmetric(events, axis, pose, workers, render, plausibility, held))
 
 
 def fitted_sketch(sketch: Sketch) -> Sketch:

@@ -45,9 +45,9 @@ ALIKE = 0.98
 """What overlaps its own mirror image by more, source or result, needs no mirrored one."""
 SYMMETRIC = 0.97
 """What overlaps its own mirror image by less is not called symmetric."""
-ABOUT = 0.97
-"""A symmetric result is wanted from this part of the other one's plausibility on: what is moved to
-both sides counts as moved apart."""
+ABOUT, HELD = 0.97, 0.8
+"""A symmetric result is wanted from this part of the other one's plausibility on, as what is moved
+to both sides counts as moved apart; and where the user asked for symmetry."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,6 +60,8 @@ class Row:
         Twice the canvas pixels by which the axis lies to the right of the canvas's.
     sources
         With the mirror images of those that are used, if they can be mirrored.
+    held
+        Whether the page asks for the symmetry: then all results are made symmetric.
     twins
         (K,): the number of each source's mirror image; of what nobody uses, its own.
     labels
@@ -73,6 +75,12 @@ class Row:
     twins: NDArray[np.uint8]
     labels: dict[float, Labels]
     pose: Pose
+    held: bool = False
+
+    @property
+    def least(self) -> float:
+        """The least part of the other one's plausibility at which a symmetric result is wanted."""
+        return HELD if self.held else ABOUT
 
     def series(self, lambda_s: float) -> CutSeries:
         """Return the problem of one result."""
@@ -87,6 +95,7 @@ def with_symmetric(
     workers: Workers,
     render: Render,
     plausibility: Plausibility | None,
+    held: bool = False,
 ) -> Generator[Event]:
     """Pass on the events of a grid, and then yield symmetric results that are about as plausible.
 
@@ -98,6 +107,8 @@ def with_symmetric(
     ----------
     axis
         About which the outline is nearly symmetric, if about any.
+    held
+        Whether the page asks for that symmetry.
     pose
         Makes of a style's sources the problem that is to be solved; must be picklable.
     """
@@ -113,7 +124,9 @@ def with_symmetric(
                     best[style] = lambda_s
     if axis is None or plausibility is None:
         return
-    rows = [row_of(made[style], value, pose, axis) for style, value in best.items()]
+    rows = [
+        replace(row_of(made[style], value, pose, axis), held=held) for style, value in best.items()
+    ]
     doing = "Making a result symmetric"
     answered = answers_by_row(workers, symmetric, rows, render, plausibility, doing=doing)
     with closing(answered) as steps:
@@ -193,7 +206,7 @@ def _mirrored(row: Row, posed: Posed, plausibility: Plausibility) -> Iterator[tu
         cuts += sorted(halves, key=lambda cut: -cut[0])[:1]
     recommended = next(iter(row.labels))
     cuts.sort(key=lambda cut: (cut[1] != recommended, -cut[0]))
-    yield from ((lambda_s, labels) for _, lambda_s, labels in cuts[:TRIED])
+    yield from ((lambda_s, labels) for _, lambda_s, labels in cuts[: None if row.held else TRIED])
 
 
 def _evenness(ink: Bitmap, aside: int) -> float:
@@ -222,7 +235,7 @@ def _is_better(icon: Remix, other: Remix, row: Row) -> bool:
     """
     before, after = (_likeness(drawn_ink(one.drawing), row) for one in (other, icon))
     symmetric = after >= SYMMETRIC and after > before
-    return symmetric and _plausible(icon) > ABOUT * _plausible(other)
+    return symmetric and _plausible(icon) > row.least * _plausible(other)
 
 
 def _likeness(ink: Bitmap, row: Row) -> float:
