@@ -14,7 +14,7 @@ from iconstudio.gui.pictures.picture import Display
 from iconstudio.gui.window.main_window import MainWindow
 from iconstudio.gui.workspaces.sketching import alternatives as offering
 from iconstudio.gui.workspaces.sketching.workspace import SketchWorkspace
-from iconstudio.model import Layer, Stroke
+from iconstudio.model import Axis, Layer, Stroke
 from iconstudio.session import Session
 from iconstudio.workflows import grid
 from iconstudio.workflows.criteria import exclude_icons
@@ -22,6 +22,7 @@ from iconstudio.workflows.grid import GridSettings
 from iconstudio.workflows.modelling import alternatives
 from iconstudio.workflows.modelling.alternatives import Tried
 from iconstudio.workflows.modelling.spec import MODELLING
+from iconstudio.workflows.parts import Parts
 
 
 @pytest.fixture
@@ -175,6 +176,22 @@ def test_a_result_is_opened_in_montage_as_its_sources(window, place, qtbot):
     assert all(one.strokes for one in montage.page.layers)
     montage.document.undo_stack.undo()
     assert montage.page.layers == ()
+
+
+def test_what_is_chosen_for_a_symmetric_result_opens_in_montage(window, place, tried, qtbot):
+    icon = place.picture.icon
+    icon = replace(icon, composite=replace(icon.composite, symmetry=Axis.HORIZONTAL))
+    tried["icon"] = icon
+    popup = place.alternatives.popup
+    place.alternatives.offer(Parts(icon).at((60, 60)), place.mapToGlobal(QPoint(0, 0)))
+    assert "opens in Montage" in popup._note.text() and popup._note.isVisible()
+    assert popup.sheet.pictures == ()  # what is not tried cannot be opened
+    qtbot.waitUntil(lambda: not place.alternatives.runner.running)
+    assert len(popup.sheet.pictures) > 1
+    popup.sheet.chosen.emit(popup.sheet.pictures[1])
+    assert place.page.sketch.pins == ()
+    assert window.workspace.workflow.title == "Montage"
+    qtbot.waitUntil(lambda: len(window.workspace.page.layers) > 0)
 
 
 def test_a_part_is_pinned_with_the_real_session(qtbot, monkeypatch):

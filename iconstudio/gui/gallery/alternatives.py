@@ -1,9 +1,9 @@
 """What could stand in the place of a part of a result, as pictures of the whole to choose from."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping
 
 from PySide6.QtCore import QPoint, Qt, Signal
-from PySide6.QtWidgets import QFrame, QWidget
+from PySide6.QtWidgets import QFrame, QLabel, QWidget
 
 from iconstudio.gui.gallery.sheet import Sheet
 from iconstudio.gui.gallery.sheet_delegate import framed
@@ -14,6 +14,9 @@ from iconstudio.gui.theme.theme import UNIT
 
 _SIDE, _ACROSS, _DOWN = 84, 4, 2
 """Side of a picture in device-independent pixels, and how many there is room for."""
+
+
+_IN_MONTAGE = "The rest stays as it is; what you choose opens in Montage."
 
 
 class AlternativesPopup(QFrame):
@@ -40,17 +43,22 @@ class AlternativesPopup(QFrame):
         self.unpin = hidden(push_button("Unpin", "Let the program choose for this place again"))
         self.sheet = Sheet(framed(_SIDE), _described, "Alternatives for this part")
         self.sheet.setFixedSize(_ACROSS * _SIDE + 2 * UNIT, _DOWN * _SIDE + UNIT)
+        self._note = hidden(with_role(QLabel(_IN_MONTAGE), "hint"))
         heading = row((self._title, 1), self.unpin)
-        column(heading, self.sheet, of=self, margins=(UNIT, UNIT, UNIT, UNIT))
+        column(heading, self.sheet, self._note, of=self, margins=(UNIT, UNIT, UNIT, UNIT))
         self.sheet.chosen.connect(self._choose)
         self.unpin.clicked.connect(self._unpin)
 
-    def ask(self, name: str, pinned: bool, spot: QPoint) -> None:
-        """Come up at a place of the screen, for a part of that name, which may be pinned."""
+    def ask(self, name: str, pinned: bool, spot: QPoint, in_montage: bool = False) -> None:
+        """Come up at a place of the screen, for a part of that name, which may be pinned.
+
+        ``in_montage`` tells that what is chosen is opened as a montage.
+        """
         self._title.set_words(f"In place of {name}")
         self.unpin.setVisible(pinned)
+        self._note.setVisible(in_montage)
         self._say("Looking for alternatives…")
-        self.show_pictures(())
+        self.show_pictures({})
         self.adjustSize()
         screen = self.parentWidget().screen().availableGeometry()
         x = min(max(spot.x() + UNIT, screen.left()), screen.right() - self.width())
@@ -59,9 +67,10 @@ class AlternativesPopup(QFrame):
         self.show()
         self.sheet.setFocus()
 
-    def show_pictures(self, pictures: Sequence[Picture]) -> None:
+    def show_pictures(self, pictures: Mapping[int, Picture]) -> None:
         """Show the alternatives, by their numbers."""
-        self.sheet.show_entries(pictures)
+        self._numbers = sorted(pictures)
+        self.sheet.show_entries([pictures[number] for number in self._numbers])
 
     def show_none(self) -> None:
         """Say that there are no alternatives."""
@@ -76,9 +85,9 @@ class AlternativesPopup(QFrame):
         self.sheet.set_hint(hint)
 
     def _choose(self, picture: Picture) -> None:
-        number = next(n for n, one in enumerate(self.sheet.pictures) if one is picture)
+        at = next(n for n, one in enumerate(self.sheet.pictures) if one is picture)
         self.hide()
-        self.chosen.emit(number)
+        self.chosen.emit(self._numbers[at])
 
     def _unpin(self) -> None:
         self.hide()
@@ -86,4 +95,4 @@ class AlternativesPopup(QFrame):
 
 
 def _described(picture: Picture, marked: bool) -> tuple[str, str]:
-    return picture.title, f"{picture.title}\nClick to pin this part here"
+    return picture.title, f"{picture.title}\nClick to take it for this part"

@@ -13,6 +13,8 @@ from iconstudio.algorithms.raster import Bitmap, overlap, placed_ink
 from iconstudio.model import Composite, Remix, Sketch
 from iconstudio.workflows.events import Event, Result
 from iconstudio.workflows.modelling.modelling import pose_sketch
+from iconstudio.workflows.montage.exchanging import exchanged
+from iconstudio.workflows.montage.montage import series_of
 from iconstudio.workflows.montage.reproducing import strokes_over
 from iconstudio.workflows.parts import Part
 from iconstudio.workflows.pinning import PinnedPart, pinned_parts, with_pin
@@ -68,9 +70,11 @@ class Tried(Event):
 def trying(
     resources: RemixResources, sketch: Sketch, composite: Composite, choices: Sequence[PinnedPart]
 ) -> Generator[Event]:
-    """Solve a sketch's composite again with each of the alternatives pinned; yield ``Tried``."""
-    side = len(composite.labels)
-    fitted = replace(sketch.fitted(), symmetry=sketch.symmetry or composite.symmetry)
+    """Yield ``Tried`` for each of the alternatives in a sketch's composite.
+
+    It is pinned, and all is solved again. What takes another result's place stays as it is, but for
+    the part, and becomes a montage.
+    """
     remixing = Remixing(resources.workers, resources.render, total=len(choices))
     made: dict[int, Remix] = {}
 
@@ -80,16 +84,10 @@ def trying(
 
     try:
         for number, choice in enumerate(choices):
-            pins = with_pin(sketch.pins, choice.pin, sketch.symmetry)
-            held = pinned_parts(replace(sketch, pins=pins), resources.exemplar)
-            pose = partial(pose_sketch, fitted, side, held, composite.sources)
-            series = CutSeries(
-                composite.style,
-                composite.sources,
-                pose,
-                (composite.lambda_s,),
-                symmetry=composite.symmetry,
-            )
+            if composite.stands_in:
+                series = _in_montage(resources, composite, choice)
+            else:
+                series = _pinned(resources, sketch, composite, choice)
             remixing.start(series, partial(note, number))
         while remixing.busy:
             for event in remixing.ready(wanted=True):
@@ -100,3 +98,18 @@ def trying(
                     yield event
     finally:
         remixing.cancel()
+
+
+def _pinned(
+    resources: RemixResources, sketch: Sketch, composite: Composite, choice: PinnedPart
+) -> CutSeries:
+    pins = with_pin(sketch.pins, choice.pin, sketch.symmetry)
+    held = pinned_parts(replace(sketch, pins=pins), resources.exemplar)
+    sources, side = composite.sources, len(composite.labels)
+    pose = partial(pose_sketch, sketch.fitted(), side, held, sources)
+    return CutSeries(composite.style, sources, pose, (composite.lambda_s,))
+
+
+def _in_montage(resources: RemixResources, composite: Composite, choice: PinnedPart) -> CutSeries:
+    montage = exchanged(composite, choice.pin)
+    return series_of(montage, (resources.exemplar(layer.icon) for layer in montage.layers))

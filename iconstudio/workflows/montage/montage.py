@@ -61,6 +61,17 @@ def montage_icons(
     moved, and made smaller if need be, so that it fits: the result's sources say where they lie.
     Yields ``Progress``, then one ``Result``. ``side`` is m, the sites in a row of the graph cut.
     """
+    remixing = Remixing(workers, render, total=1)
+    try:
+        remixing.start(series_of(montage, exemplars, side))
+        while remixing.busy:
+            yield from remixing.ready(wanted=True)
+    finally:
+        remixing.cancel()
+
+
+def series_of(montage: Montage, exemplars: Iterable[Exemplar], side: int = CANVAS) -> CutSeries:
+    """Return the problem of a montage: see ``montage_icons``."""
     check(montage)
     drawn = tuple(exemplars)
     montage = framed(montage, drawn)
@@ -69,15 +80,7 @@ def montage_icons(
         Source(exemplar, layer.placement)
         for exemplar, layer in zip(drawn, montage.layers, strict=True)
     )
-    remixing = Remixing(workers, render, total=1)
-    try:
-        remixing.start(
-            CutSeries("montage", sources, partial(_pose, sources, scribbles), (LAMBDA_S,))
-        )
-        while remixing.busy:
-            yield from remixing.ready(wanted=True)
-    finally:
-        remixing.cancel()
+    return CutSeries("montage", sources, partial(_pose, sources, scribbles), (LAMBDA_S,))
 
 
 def _pose(sources: Sequence[Source], scribbles: NDArray[np.bool_]) -> Posed:

@@ -36,9 +36,12 @@ class PartAlternatives(QObject):
     -------
     changed()
         The user has pinned a part, or unpinned it.
+    exchanged(Picture)
+        In place of a result that stands for another one, the user wants this montage.
     """
 
     changed = Signal()
+    exchanged = Signal(object)
 
     def __init__(
         self,
@@ -52,31 +55,38 @@ class PartAlternatives(QObject):
         self._session, self._document = session, document
         self._part: Part | None = None
         self._choices: tuple[PinnedPart, ...] = ()
-        self._pictures: list[Picture] = []
+        self._pictures: dict[int, Picture] = {}
         self.popup = AlternativesPopup(large)
         self.runner = Runner(worker, self)
         """Finds and tries the alternatives; its ``failed`` may be listened to."""
         large.answers = True
         large.part_clicked.connect(self.offer)
         self.runner.event.connect(self._show)
-        self.popup.chosen.connect(self._pin)
+        self.popup.chosen.connect(self._choose)
         self.popup.unpinned.connect(self._unpin)
         self.popup.closed.connect(self.runner.cancel)
 
     def offer(self, part: Part, spot: QPoint) -> None:
         """Offer what could stand in the place of a part, at a place of the screen."""
         sketch = self._document.page.sketch
-        self._part, self._choices, self._pictures = part, (), []
+        self._part, self._choices, self._pictures = part, (), {}
         pinned = len(without_pins(sketch.pins, part.ink, sketch.symmetry)) < len(sketch.pins)
-        self.popup.ask(part.source.exemplar.name, pinned, spot)
+        self.popup.ask(part.source.exemplar.name, pinned, spot, self._in_montage)
         self.runner.start(lambda: _offering(self._session, sketch, part))
+
+    @property
+    def _in_montage(self) -> bool:
+        """Whether what is chosen becomes a montage: what is pinned takes no other's place."""
+        return self._part is not None and self._part.icon.composite.stands_in
 
     def _show(self, event: Event | _Offered) -> None:
         match event:
             case _Offered(choices, pictures):
-                self._choices, self._pictures = choices, list(pictures)
+                self._choices, self._pictures = choices, dict(enumerate(pictures))
                 if not choices:
                     self.popup.show_none()
+                if self._in_montage:  # only what is there can be opened
+                    self._pictures = {}
             case Tried(number, icon):
                 name = self._choices[number].source.exemplar.name
                 self._pictures[number] = picture_of(replace(icon, title=name))
@@ -84,9 +94,12 @@ class PartAlternatives(QObject):
                 return
         self.popup.show_pictures(self._pictures)
 
-    def _pin(self, number: int) -> None:
-        pin_part(self._document, self._choices[number])
-        self.changed.emit()
+    def _choose(self, number: int) -> None:
+        if self._in_montage:
+            self.exchanged.emit(self._pictures[number])
+        else:
+            pin_part(self._document, self._choices[number])
+            self.changed.emit()
 
     def _unpin(self) -> None:
         unpin_part(self._document, self._part.ink)

@@ -72,6 +72,7 @@ class SketchWorkspace(RemixWorkspace):
         )
         self.alternatives.runner.failed.connect(self.failed)
         self.alternatives.changed.connect(self._remix_pinned)
+        self.alternatives.exchanged.connect(self._open_exchanged)
         self.make_actions()
         self.options = OptionsButton(self.actions_by_name["scales"], self._weight_details)
         self.keyword_panel.put_beside(self.options)
@@ -140,6 +141,11 @@ class SketchWorkspace(RemixWorkspace):
         """Remix with the pins that were changed; in live mode, that goes by itself."""
         if not self.runner.live and not self.problem():
             self.runner.run(following=True)
+
+    def _open_exchanged(self, picture: Picture) -> None:
+        for one in self.destinations:
+            if one.opens_results:
+                self.send_sources_of(picture, one.title)
 
     # -- page ----------------------------------------------------------------------------------
 
