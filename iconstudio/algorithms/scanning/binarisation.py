@@ -206,7 +206,7 @@ def recognised(pixels: NDArray[np.uint8], inverted: bool | None = None) -> Scan:
     lit = without_shadow(pixels) if inverted is None else None
     if lit is not None:
         pixels = picture = lit
-        left_out = frozenset({Omission.FAINT})
+        left_out = frozenset({Omission.SHADOW})
     if inverted is None:
         pixels = on_nothing(pixels)
     if not inverted:
