@@ -59,7 +59,7 @@ class _Cast(NamedTuple):
 
 def soft_shadow(
     levels: NDArray[np.float32],
-    tinge: NDArray[np.float32],
+    tinge: NDArray[np.floating],
     bright: NDArray[np.float32],
     ground: Ground,
 ) -> Mask | None:
