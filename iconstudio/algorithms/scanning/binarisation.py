@@ -162,7 +162,6 @@ def scanned(
         bright = 1 - fine if inverted else fine
         light = 1 - dark[..., None] if fine.shape[2] == 4 else resized(bright, dark.shape)
         fainter = has_fainter_lines(dark, light, threshold)
-        fainter |= bool(faint_lines(dark, threshold).any())
     if threshold is None:
         low, high = np.percentile(dark, (1, 99.9))
         dark = np.clip((dark - low) / max(high - low, _FAINTEST), 0, 1)
