@@ -1,4 +1,4 @@
-"""Long lines that are much paler than the rest of a drawing, as the grey axes of a chart."""
+"""Long straight lines, much paler than the rest of a drawing, as the grey axes of a chart."""
 
 import numpy as np
 import scipy
@@ -10,9 +10,8 @@ _VISIBLE, _GRAINS = 0.04, 8.0
 """How much darker than paper such lines are at least, also in grains of it."""
 _BESIDE = 3
 """Pixels beside ink that its blurred edges reach."""
-_SLIM, _LONG, _WIDTH = 13, 0.2, 8
-"""Pixels across of what is no line; how long a line is at least, as part of the picture; and its
-mean width at most, in pixels."""
+_SLIM, _LONG = 13, 0.2
+"""Pixels across of what is no line; how long a line is at least, as part of the picture."""
 _DASH = 9
 """Pixels of the shortest piece of a line that is interrupted."""
 _ENDS = 7
@@ -48,7 +47,7 @@ def is_clean(dark: NDArray[np.float32], threshold: float) -> bool:
 
 
 def faint_lines(dark: NDArray[np.float32], threshold: float) -> NDArray[np.bool_]:
-    """Return (h, w) the long lines that are paler than a threshold; rules reach the rim."""
+    """Return (h, w) level and upright lines paler than a threshold; rules reach the rim."""
     paper = dark[dark < threshold]
     middle = np.median(paper)
     grain = 1.48 * np.median(abs(paper - middle))
@@ -57,13 +56,10 @@ def faint_lines(dark: NDArray[np.float32], threshold: float) -> NDArray[np.bool_
     beside = scipy.ndimage.binary_dilation(wide | (dark > threshold), iterations=_BESIDE)
     slim = seen & ~beside
     pieces, count = scipy.ndimage.label(slim, np.ones((3, 3)))
-    sizes = np.bincount(pieces.ravel())
+    # What is round may be the rest of a shadow.
     kept = np.zeros(count + 1, bool)
-    for number, box in enumerate(scipy.ndimage.find_objects(pieces), 1):
-        long = sum(side.stop - side.start for side in box)
-        kept[number] = long > _LONG * max(dark.shape) and sizes[number] < _WIDTH * long
     dashed = _dashed(slim) | _dashed(slim.T).T
-    kept[np.unique(pieces[dashed])] = True
+    kept[pieces[dashed]] = True
     kept[rim_of(pieces)] = False
     lines: NDArray[np.bool_] = kept[pieces]
     return lines
